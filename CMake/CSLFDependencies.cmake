@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Everything CSLF is built from, found in one place.
+set(cslf_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMisc
+  FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+  ImagingColor ImagingCore ImagingStatistics ImagingStencil
+  InteractionStyle InteractionWidgets
+  IOGeometry IOImage IOPLY IOXML
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI opengl)
+if (CSLF_BUILD_TESTING)
+  list(APPEND cslf_vtk_components TestingCore TestingRendering)
+endif ()
+if (CSLF_WRAP_PYTHON)
+  list(APPEND cslf_vtk_components WrappingPythonCore WrappingTools)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+endif ()
+find_package(VTK 9.1 REQUIRED
+  COMPONENTS ${cslf_vtk_components}
+  # VTK's OpenGL loader: glew up to 9.3, glad since.
+  OPTIONAL_COMPONENTS glew glad)
+
+find_package(embree 3 QUIET)
+if (NOT embree_FOUND)
+  find_package(embree 4 REQUIRED)
+endif ()
+find_package(OpenImageIO REQUIRED)
+# Debian's target names the headers of an OpenCV that need not be there, and CMake refuses that.
+set_property(TARGET OpenImageIO::OpenImageIO
+  PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIR}")
+find_package(glm REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET
+  libavformat libavcodec libavutil libswscale)

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# CSLFConfig.cmake for the build and the install tree.
+include(CMakePackageConfigHelpers)
+set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore RenderingCore RenderingOpenGL2")
+set(cslf_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/CSLF")
+set(cslf_cmake_build_directory "${CMAKE_BINARY_DIR}/${cslf_cmake_destination}")
+configure_package_config_file(
+  "${CMAKE_CURRENT_SOURCE_DIR}/CMake/CSLFConfig.cmake.in"
+  "${cslf_cmake_build_directory}/CSLFConfig.cmake"
+  INSTALL_DESTINATION "${cslf_cmake_destination}")
+write_basic_package_version_file(
+  "${cslf_cmake_build_directory}/CSLFConfigVersion.cmake"
+  VERSION "${PROJECT_VERSION}"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${cslf_cmake_build_directory}/CSLFConfig.cmake"
+    "${cslf_cmake_build_directory}/CSLFConfigVersion.cmake"
+  DESTINATION "${cslf_cmake_destination}")

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How radiance becomes colour: sRGB's transfer function (IEC 61966-2-1) and associated alpha.
+ */
+#ifndef cslfColor_h
+#define cslfColor_h
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+/// sRGB-encoded value in [0,1] to linear.
+inline double SRGBToLinear(double encoded)
+{
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// Linear value, clamped to [0,1], to sRGB-encoded.
+inline double LinearToSRGB(double linear)
+{
+  const double clamped = std::clamp(linear, 0.0, 1.0);
+  return clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1.0 / 2.4) - 0.055;
+}
+
+inline glm::dvec3 SRGBToLinear(const glm::dvec3& encoded)
+{
+  return { SRGBToLinear(encoded.x), SRGBToLinear(encoded.y), SRGBToLinear(encoded.z) };
+}
+
+inline glm::dvec3 LinearToSRGB(const glm::dvec3& linear)
+{
+  return { LinearToSRGB(linear.x), LinearToSRGB(linear.y), LinearToSRGB(linear.z) };
+}
+
+/// A value in [0,1] as the nearest of 256 levels.
+inline unsigned char ToByte(double value)
+{
+  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+}
+
+/// The `Color` bytes of a texel: `radiance` is linear, times exposure, associated with `alpha` (its
+/// coverage). The mean of the samples that hit is encoded, then multiplied by alpha.
+inline void EncodeColor(const glm::dvec3& radiance, double alpha, unsigned char color[4])
+{
+  const glm::dvec3 encoded = alpha > 0.0 ? alpha * LinearToSRGB(radiance / alpha) : glm::dvec3(0.0);
+  color[0] = ToByte(encoded.x);
+  color[1] = ToByte(encoded.y);
+  color[2] = ToByte(encoded.z);
+  color[3] = ToByte(alpha);
+}
+}
+
+#endif

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfDescription.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace cslf
+{
+namespace
+{
+using JSON = nlohmann::json;
+
+constexpr const char* FormatName = "cube surface light field";
+
+struct TypeName
+{
+  int Type;
+  const char* Name;
+};
+
+constexpr TypeName TypeNames[] = {
+  { VTK_UNSIGNED_CHAR, "uint8" },
+  { VTK_UNSIGNED_SHORT, "uint16" },
+  { VTK_FLOAT, "float32" },
+  { VTK_DOUBLE, "float64" },
+};
+
+const char* NameOfType(int type)
+{
+  for (const TypeName& row : TypeNames)
+  {
+    if (row.Type == type)
+    {
+      return row.Name;
+    }
+  }
+  throw std::invalid_argument("a channel's type is none of uint8, uint16, float32, float64");
+}
+
+int TypeOfName(const std::string& name)
+{
+  for (const TypeName& row : TypeNames)
+  {
+    if (name == row.Name)
+    {
+      return row.Type;
+    }
+  }
+  throw std::invalid_argument("the type \"" + name + "\" of a channel is unknown");
+}
+
+JSON ToArray(const glm::dvec3& vector)
+{
+  return { vector.x, vector.y, vector.z };
+}
+
+glm::dvec3 ToVector(const JSON& json)
+{
+  const auto values = json.get<std::vector<double>>();
+  if (values.size() != 3 || !std::isfinite(values[0]) || !std::isfinite(values[1]) ||
+    !std::isfinite(values[2]))
+  {
+    throw std::invalid_argument("the cube's centre and edges must be three finite numbers each");
+  }
+  return { values[0], values[1], values[2] };
+}
+
+Description Parse(const JSON& json)
+{
+  if (json.at("format") != FormatName)
+  {
+    throw std::invalid_argument("it describes something else");
+  }
+  const int version = json.at("version").get<int>();
+  if (version != Description::Version)
+  {
+    throw std::invalid_argument("it has version " + std::to_string(version) + ", known is " +
+      std::to_string(Description::Version));
+  }
+  Description description;
+  description.Grid = Layout(json.at("base_nodes").get<int>(),
+    json.at("nodes").get<std::vector<int>>(), json.at("resolution").get<int>());
+  if (!description.Grid.IsValid())
+  {
+    throw std::invalid_argument("its viewpoint nodes or its resolution are not valid");
+  }
+  description.Box.Center = ToVector(json.at("center"));
+  description.Box.Edges = ToVector(json.at("edges"));
+  if (!(description.Box.Edges.x > 0.0 && description.Box.Edges.y > 0.0 &&
+        description.Box.Edges.z > 0.0))
+  {
+    throw std::invalid_argument("the cube's edges must be positive");
+  }
+  for (const JSON& item : json.at("channels"))
+  {
+    Channel channel;
+    channel.Name = item.at("name").get<std::string>();
+    channel.Type = TypeOfName(item.at("type").get<std::string>());
+    channel.Components = item.at("components").get<int>();
+    channel.Encoding = item.at("encoding").get<std::string>();
+    if (channel.Components < 1)
+    {
+      throw std::invalid_argument("the channel \"" + channel.Name + "\" has no components");
+    }
+    description.Channels.push_back(channel);
+  }
+  description.Sampling = json.value("sampling", JSON::object()).dump();
+  return description;
+}
+
+/// Says how an image differs from its description; empty where it fits.
+std::string FindMisfit(const Description& description, vtkImageData* image)
+{
+  int whole[6];
+  description.Grid.GetWholeExtent(whole);
+  const int* extent = image->GetExtent();
+  if (extent[0] != whole[0] || extent[1] != whole[1] || extent[2] != whole[2] ||
+    extent[3] != whole[3] || extent[4] < whole[4] || extent[5] > whole[5] || extent[4] > extent[5])
+  {
+    return "its extent is not a range of whole viewpoints of the field described";
+  }
+  const double* spacing = image->GetSpacing();
+  const double* origin = image->GetOrigin();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (spacing[axis] != 1.0 || origin[axis] != 0.0)
+    {
+      return "its spacing must be 1 and its origin 0";
+    }
+  }
+  for (const Channel& channel : description.Channels)
+  {
+    vtkDataArray* array = image->GetPointData()->GetArray(channel.Name.c_str());
+    if (!array)
+    {
+      return "its array \"" + channel.Name + "\" is missing";
+    }
+    if (array->GetDataType() != channel.Type ||
+      array->GetNumberOfComponents() != channel.Components)
+    {
+      return "its array \"" + channel.Name + "\" has another type than described";
+    }
+  }
+  return {};
+}
+}
+
+Channel MakeColorChannel(int type)
+{
+  return { ColorName, type, 4, type == VTK_UNSIGNED_CHAR ? SRGBEncoding : LinearEncoding };
+}
+
+Channel MakeDepthChannel(int type)
+{
+  return { DepthName, type, 1, DepthEncoding };
+}
+
+const Channel* Description::FindChannel(const std::string& name) const
+{
+  for (const Channel& channel : this->Channels)
+  {
+    if (channel.Name == name)
+    {
+      return &channel;
+    }
+  }
+  return nullptr;
+}
+
+nlohmann::json Description::ToJSON() const
+{
+  JSON channels = JSON::array();
+  for (const Channel& channel : this->Channels)
+  {
+    channels.push_back({ { "name", channel.Name }, { "type", NameOfType(channel.Type) },
+      { "components", channel.Components }, { "encoding", channel.Encoding } });
+  }
+  return { { "format", FormatName }, { "version", Version },
+    { "base_nodes", this->Grid.GetBaseNodes() }, { "nodes", this->Grid.GetNodes() },
+    { "resolution", this->Grid.GetResolution() }, { "center", ToArray(this->Box.Center) },
+    { "edges", ToArray(this->Box.Edges) }, { "channels", channels },
+    { "sampling", JSON::parse(this->Sampling) } };
+}
+
+std::string Description::ToText() const
+{
+  return this->ToJSON().dump();
+}
+
+std::optional<Description> Description::FromJSON(const nlohmann::json& json, std::string& error)
+{
+  try
+  {
+    return Parse(json);
+  }
+  catch (const std::exception& exception)
+  {
+    error = std::string("The light field's description cannot be used: ") + exception.what();
+    return std::nullopt;
+  }
+}
+
+std::optional<Description> Description::FromText(const std::string& text, std::string& error)
+{
+  const JSON json = JSON::parse(text, nullptr, false);
+  if (json.is_discarded())
+  {
+    error = "The light field's description is not JSON.";
+    return std::nullopt;
+  }
+  return Description::FromJSON(json, error);
+}
+
+void Description::WriteTo(vtkFieldData* fieldData) const
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName(FieldDataName);
+  text->InsertNextValue(this->ToText());
+  fieldData->AddArray(text);
+}
+
+std::optional<Description> Description::ReadFrom(vtkImageData* image, std::string& error)
+{
+  auto* text = image
+    ? vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(FieldDataName))
+    : nullptr;
+  if (!text || text->GetNumberOfValues() != 1)
+  {
+    error = "The image data is no light field: its field data has no description.";
+    return std::nullopt;
+  }
+  auto description = Description::FromText(text->GetValue(0), error);
+  if (description)
+  {
+    const std::string misfit = FindMisfit(*description, image);
+    if (!misfit.empty())
+    {
+      error = "The image data does not fit its light field description: " + misfit + ".";
+      return std::nullopt;
+    }
+  }
+  return description;
+}
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a light field is, besides its samples: one JSON text, read and written here only. It travels
+ * in the image data's field data and in the comment of a coded file.
+ */
+#ifndef cslfDescription_h
+#define cslfDescription_h
+
+#include "cslfCube.h"
+#include "cslfLayout.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkImageData;
+
+namespace cslf
+{
+/// One point-data array of the field.
+struct Channel
+{
+  std::string Name; ///< the array's name
+  int Type = 0;     ///< VTK's scalar type, such as VTK_UNSIGNED_CHAR
+  int Components = 1;
+  std::string Encoding; ///< what the numbers mean, one of the names below
+};
+
+/// The names of the two arrays every consumer knows.
+constexpr const char* ColorName = "Color";
+constexpr const char* DepthName = "Depth";
+
+/// `Color` as bytes: sRGB-encoded mean of the samples that hit, times alpha.
+constexpr const char* SRGBEncoding = "srgb-associated-alpha";
+/// `Color` as floats: linear radiance times exposure, associated alpha.
+constexpr const char* LinearEncoding = "linear-associated-alpha";
+/// `Depth`: the first hit as a fraction of the chord from viewpoint to texel centre.
+constexpr const char* DepthEncoding = "chord-fraction";
+
+/// `Color` of 4 unsigned chars or 4 floats.
+VTKCSLF_EXPORT Channel MakeColorChannel(int type);
+/// `Depth` of one unsigned short or float.
+VTKCSLF_EXPORT Channel MakeDepthChannel(int type);
+
+struct VTKCSLF_EXPORT Description
+{
+  /// The version of the conventions that this code reads and writes.
+  static constexpr int Version = 1;
+  /// The name of the string array in field data that holds the JSON text.
+  static constexpr const char* FieldDataName = "CSLF";
+
+  Layout Grid;
+  Cube Box;
+  std::vector<Channel> Channels;
+  /// Sampling and scene parameters, a JSON object as text, for the record: no consumer needs it.
+  std::string Sampling = "{}";
+
+  /// The channel of that name, or null.
+  const Channel* FindChannel(const std::string& name) const;
+
+  nlohmann::json ToJSON() const;
+  std::string ToText() const;
+
+  /// Reads what ToJSON wrote. On bad input returns nothing and says why, in one line.
+  static std::optional<Description> FromJSON(const nlohmann::json& json, std::string& error);
+  static std::optional<Description> FromText(const std::string& text, std::string& error);
+
+  /// Replaces the description held by a data object's field data.
+  void WriteTo(vtkFieldData* fieldData) const;
+
+  /// Reads the description of image data and checks it against extent, spacing, origin and arrays,
+  /// since VTK's filters pass field data along even when they change what it describes. Image data
+  /// may hold any z part of the field. On a misfit returns nothing and says why, in one line.
+  static std::optional<Description> ReadFrom(vtkImageData* image, std::string& error);
+};
+}
+
+#endif

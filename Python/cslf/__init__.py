@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cube surface light fields for VTK: sample, encode, decode and render them.
+
+The classes work beside those of ``vtkmodules``::
+
+    from cslf import vtkCSLFSampler
+"""
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the mapper draws with OpenGL
+
+from .vtkCSLF import *  # noqa: F401,F403

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The description's round trip through field data, and the refusal of what does not fit.
+#include "cslfColor.h"
+#include "cslfDescription.h"
+#include "cslfTesting.h"
+
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <nlohmann/json.hpp>
+
+namespace
+{
+cslf::Description MakeDescription()
+{
+  cslf::Description description;
+  description.Grid = cslf::Layout(9, { 0, 4, 8 }, 4);
+  description.Box = { { 0.1, -2.0, 3e5 }, { 1.0, 2.0, 0.3 } };
+  description.Channels = { cslf::MakeColorChannel(VTK_UNSIGNED_CHAR),
+    cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT) };
+  description.Sampling = R"({"seed":7})";
+  return description;
+}
+
+void MakeImage(const cslf::Description& description, vtkImageData* image, int first, int last)
+{
+  int extent[6];
+  description.Grid.GetWholeExtent(extent);
+  extent[4] = first;
+  extent[5] = last;
+  image->SetExtent(extent);
+  const vtkIdType texels = image->GetNumberOfPoints();
+  vtkNew<vtkUnsignedCharArray> color;
+  color->SetName(cslf::ColorName);
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(texels);
+  vtkNew<vtkUnsignedShortArray> depth;
+  depth->SetName(cslf::DepthName);
+  depth->SetNumberOfTuples(texels);
+  image->GetPointData()->SetScalars(color);
+  image->GetPointData()->AddArray(depth);
+  description.WriteTo(image->GetFieldData());
+}
+
+void TestRoundTrip()
+{
+  const cslf::Description description = MakeDescription();
+  vtkNew<vtkImageData> image;
+  MakeImage(description, image, 5, 11);
+  std::string error;
+  const auto read = cslf::Description::ReadFrom(image, error);
+  CSLF_CHECK(read.has_value());
+  if (read)
+  {
+    CSLF_CHECK(read->Grid == description.Grid);
+    CSLF_CHECK(read->Box.Center == description.Box.Center);
+    CSLF_CHECK(read->Box.Edges == description.Box.Edges);
+    CSLF_CHECK(read->Channels.size() == 2);
+    CSLF_CHECK(read->FindChannel(cslf::DepthName)->Type == VTK_UNSIGNED_SHORT);
+    CSLF_CHECK(!read->FindChannel("Normals"));
+    CSLF_CHECK(read->ToText() == description.ToText());
+  }
+}
+
+template <typename Change>
+void TestMisfit(Change change)
+{
+  vtkNew<vtkImageData> image;
+  MakeImage(MakeDescription(), image, 0, 53);
+  change(image);
+  std::string error;
+  CSLF_CHECK(!cslf::Description::ReadFrom(image, error));
+  CSLF_CHECK(!error.empty());
+}
+
+void TestMisfits()
+{
+  TestMisfit([](vtkImageData* image) { image->GetFieldData()->Initialize(); });
+  TestMisfit([](vtkImageData* image) { image->SetSpacing(2, 2, 1); });
+  TestMisfit([](vtkImageData* image) { image->SetOrigin(0, 0, 1); });
+  TestMisfit([](vtkImageData* image) { image->SetExtent(0, 9, 0, 1, 0, 53); });
+  TestMisfit([](vtkImageData* image) { image->SetExtent(0, 19, 0, 3, 1, 54); });
+  TestMisfit([](vtkImageData* image) { image->GetPointData()->RemoveArray(cslf::DepthName); });
+  TestMisfit(
+    [](vtkImageData* image)
+    {
+      vtkNew<vtkUnsignedCharArray> depth;
+      depth->SetName(cslf::DepthName);
+      depth->SetNumberOfTuples(image->GetNumberOfPoints());
+      image->GetPointData()->AddArray(depth);
+    });
+  const auto replaceText = [](const std::string& text)
+  {
+    return [text](vtkImageData* image)
+    {
+      vtkStringArray::SafeDownCast(
+        image->GetFieldData()->GetAbstractArray(cslf::Description::FieldDataName))
+        ->SetValue(0, text);
+    };
+  };
+  TestMisfit(replaceText(""));
+  TestMisfit(replaceText("{"));
+  TestMisfit(replaceText("[]"));
+  TestMisfit(replaceText("{}"));
+  const auto change = [&](const char* key, const nlohmann::json& value)
+  {
+    nlohmann::json json = MakeDescription().ToJSON();
+    json[key] = value;
+    TestMisfit(replaceText(json.dump()));
+  };
+  change("format", "JPEG");
+  change("version", 99);
+  change("version", "one");
+  change("nodes", { 0, 8, 4 });
+  change("nodes", nlohmann::json::object());
+  change("resolution", -4);
+  change("edges", { 0, 1, 1 });
+  change("edges", { 1, 1 });
+  change("channels", 3);
+}
+
+void TestColor()
+{
+  for (double value = 0.0; value <= 1.0; value += 1.0 / 64)
+  {
+    CSLF_CHECK_NEAR(cslf::SRGBToLinear(cslf::LinearToSRGB(value)), value, 1e-12);
+  }
+  unsigned char color[4];
+  // A mean of 0.5 is 0.7354 encoded.
+  cslf::EncodeColor({ 0.3, 5.0, 0.0 }, 0.6, color);
+  CSLF_CHECK(color[0] == 113 && color[1] == 153 && color[2] == 0 && color[3] == 153);
+  cslf::EncodeColor({ 1.0, 1.0, 1.0 }, 0.0, color);
+  CSLF_CHECK(color[0] == 0 && color[3] == 0);
+}
+}
+
+int TestCSLFDescription(int, char*[])
+{
+  TestRoundTrip();
+  TestMisfits();
+  TestColor();
+  return cslf::testing::Result();
+}
