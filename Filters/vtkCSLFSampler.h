@@ -65,9 +65,9 @@ public:
   ///@{
   /**
    * How much wider than the scene an automatic cube is at each end, as a fraction of the scene's
-   * longest side. Above 0. Default: 0.05.
+   * longest side. At least 1e-6. Default: 0.05.
    */
-  vtkSetClampMacro(Offset, double, 0.0, 1e6);
+  vtkSetClampMacro(Offset, double, 1e-6, 1e6);
   vtkGetMacro(Offset, double);
   ///@}
 

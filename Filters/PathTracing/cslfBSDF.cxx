@@ -35,6 +35,10 @@ glm::vec3 BSDF::Fresnel(float cosine) const
 
 float BSDF::DiffuseTransmission(const glm::vec3& incident) const
 {
+  if (this->Material.IndexOfRefraction == 1.0f)
+  {
+    return 1.0f - this->Material.Metallic;
+  }
   const SpecularAlbedo& albedo = this->Material.DielectricSpecular;
   return (1.0f - this->Material.Metallic) * (1.0f - albedo.Get(this->Outgoing.z)) *
     (1.0f - albedo.Get(incident.z)) / (1.0f - albedo.GetAverage());

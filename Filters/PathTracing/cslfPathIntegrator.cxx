@@ -34,8 +34,7 @@ bool Survive(glm::vec3& beta, float u)
 /// A surface point of the path and how it reflects towards the previous one.
 struct PathIntegrator::Vertex
 {
-  const SurfaceHit& Surface;
-  const glm::vec3& Position; // a little off the surface
+  glm::vec3 Position;
   const Frame& Local;
   const BSDF& Reflection;
 };
@@ -68,18 +67,12 @@ glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) con
     const BSDF bsdf(*surface.Material, surface.BaseColor, frame.ToLocal(-ray.Direction));
     if (!bsdf.IsMirror())
     {
-      const glm::vec3 position = surface.LeavePosition();
-      radiance += beta * this->DirectLight({ surface, position, frame, bsdf }, stream);
+      radiance += beta * this->DirectLight({ surface.LeavePosition, frame, bsdf }, stream);
     }
 
     // Choose the direction in which the path goes on.
     BSDFSample sample;
     if (!bsdf.Sample(stream.Get1D(Dimension::Lobe), stream.Get2D(Dimension::Direction), sample))
-    {
-      return radiance;
-    }
-    const glm::vec3 direction = frame.ToWorld(sample.Direction);
-    if (!(glm::dot(direction, surface.GeometricNormal) > 0.0f))
     {
       return radiance;
     }
@@ -91,7 +84,7 @@ glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) con
     {
       return radiance;
     }
-    ray = { surface.LeavePosition(), direction };
+    ray = { surface.LeavePosition, frame.ToWorld(sample.Direction) };
     hit = this->World.Intersect(ray);
   }
 }
@@ -157,7 +150,7 @@ glm::vec3 PathIntegrator::Arrive(const Vertex& vertex, const LightSample& light)
 {
   // Is there light, and does the surface see it?
   const glm::vec3 none(0.0f);
-  if (!(light.Pdf > 0.0f) || !(glm::dot(light.Direction, vertex.Surface.GeometricNormal) > 0.0f))
+  if (!(light.Pdf > 0.0f))
   {
     return none;
   }

@@ -103,35 +103,51 @@ Value Interpolate(const std::vector<Value>& values, const glm::uvec3& triangle, 
     hit.V * values[triangle.z];
 }
 
-/// The interpolated normal, turned to the side of the geometric one and away from it no further
-/// than that the ray still sees its front.
+bool HasNormals(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  const glm::vec3 none(0.0f);
+  return !mesh.Normals.empty() && mesh.Normals[triangle.x] != none &&
+    mesh.Normals[triangle.y] != none && mesh.Normals[triangle.z] != none;
+}
+
+/// A normal, turned to the side of another.
+glm::vec3 TurnTo(const glm::vec3& normal, const glm::vec3& side)
+{
+  return glm::dot(normal, side) < 0.0f ? -normal : normal;
+}
+
+/// The interpolated normal, turned to the side of the geometric one and so that the ray sees its
+/// front.
 glm::vec3 FindShadingNormal(const Mesh& mesh, const glm::uvec3& triangle, const Hit& hit,
   const glm::vec3& geometric, const glm::vec3& outgoing)
 {
-  if (mesh.Normals.empty())
-  {
-    return geometric;
-  }
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    if (mesh.Normals[triangle[corner]] == glm::vec3(0.0f))
-    {
-      return geometric;
-    }
-  }
-  glm::vec3 normal = Interpolate(mesh.Normals, triangle, hit);
+  glm::vec3 normal = TurnTo(Interpolate(mesh.Normals, triangle, hit), geometric);
   const float length = glm::length(normal);
   if (!(length > 1e-6f))
   {
     return geometric;
   }
-  normal /= glm::dot(normal, geometric) < 0.0f ? -length : length;
+  normal /= length;
   const float cosine = glm::dot(normal, outgoing);
-  if (cosine < SmallestCosine)
+  return cosine < SmallestCosine ? glm::normalize(normal + (SmallestCosine - cosine) * outgoing)
+                                 : normal;
+}
+
+/// A point of a triangle, raised to the smooth surface that its corners' normals suggest, so that
+/// the triangle does not shadow directions above the shading normal's horizon: Hanika, "Hacking the
+/// Shadow Terminator", Ray Tracing Gems II, 2021.
+glm::vec3 RaiseToSmoothSurface(const Mesh& mesh, const glm::uvec3& triangle, const Hit& hit,
+  const glm::vec3& geometric, const glm::vec3& position)
+{
+  const float weights[3] = { 1.0f - hit.U - hit.V, hit.U, hit.V };
+  glm::vec3 raised = position;
+  for (int i = 0; i < 3; ++i)
   {
-    normal = glm::normalize(normal + (SmallestCosine - cosine) * outgoing);
+    const glm::vec3 normal = TurnTo(mesh.Normals[triangle[i]], geometric);
+    const float depth = glm::dot(position - mesh.Vertices[triangle[i]], normal);
+    raised -= weights[i] * std::min(depth, 0.0f) * normal;
   }
-  return normal;
+  return raised;
 }
 }
 
@@ -140,11 +156,6 @@ struct Scene::Acceleration
   EmbreeDevice Device;
   EmbreeScene World;
 };
-
-glm::vec3 SurfaceHit::LeavePosition() const
-{
-  return this->Position + SurfaceOffset * this->GeometricNormal;
-}
 
 Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   : Meshes(std::move(meshes))
@@ -245,12 +256,19 @@ SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
   const glm::vec3 outgoing = -ray.Direction;
 
   SurfaceHit surface;
-  surface.Position = Interpolate(mesh.Vertices, triangle, hit);
+  glm::vec3 position = Interpolate(mesh.Vertices, triangle, hit);
   const glm::vec3& corner = mesh.Vertices[triangle.x];
-  const glm::vec3 normal = glm::normalize(
-    glm::cross(mesh.Vertices[triangle.y] - corner, mesh.Vertices[triangle.z] - corner));
-  surface.GeometricNormal = glm::dot(normal, outgoing) < 0.0f ? -normal : normal;
-  surface.ShadingNormal = FindShadingNormal(mesh, triangle, hit, surface.GeometricNormal, outgoing);
+  surface.GeometricNormal = TurnTo(glm::normalize(glm::cross(mesh.Vertices[triangle.y] - corner,
+                                     mesh.Vertices[triangle.z] - corner)),
+    outgoing);
+  surface.ShadingNormal = surface.GeometricNormal;
+  if (HasNormals(mesh, triangle))
+  {
+    surface.ShadingNormal =
+      FindShadingNormal(mesh, triangle, hit, surface.GeometricNormal, outgoing);
+    position = RaiseToSmoothSurface(mesh, triangle, hit, surface.GeometricNormal, position);
+  }
+  surface.LeavePosition = position + SurfaceOffset * surface.GeometricNormal;
   surface.Material = &mesh.Material;
   switch (mesh.Coloring)
   {

@@ -77,14 +77,11 @@ struct Mesh
 /// A surface point as a ray sees it.
 struct SurfaceHit
 {
-  glm::vec3 Position;
   glm::vec3 GeometricNormal; ///< on the side the ray comes from
   glm::vec3 ShadingNormal;   ///< on that side too, and facing the ray
+  glm::vec3 LeavePosition;   ///< where rays start that leave on that side: a little off the surface
   glm::vec3 BaseColor;
   const SurfaceMaterial* Material;
-
-  /// Where rays start that leave the surface on the ray's side.
-  glm::vec3 LeavePosition() const;
 };
 
 /// The similarity between world and scene space.

@@ -7,6 +7,8 @@
 #ifndef cslfSceneBuilder_h
 #define cslfSceneBuilder_h
 
+#include "vtkCSLFModule.h" // for export macro
+
 #include "cslfScene.h"
 
 #include <functional>
@@ -42,7 +44,8 @@ struct BuiltScene
 };
 
 /// Builds the scene of polygonal data and composite data sets of such.
-BuiltScene BuildScene(const std::vector<vtkDataObject*>& inputs, const SceneOptions& options);
+VTKCSLF_EXPORT BuiltScene BuildScene(
+  const std::vector<vtkDataObject*>& inputs, const SceneOptions& options);
 }
 
 #endif

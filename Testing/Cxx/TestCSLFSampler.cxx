@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The sampler's output: its shape, its depth, its bytes whatever the threads and slabs, its errors.
+#include "cslfColor.h"
+#include "cslfDescription.h"
+#include "cslfTesting.h"
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
+#include <vtkTestErrorObserver.h>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeSphere(double radius, const double center[3])
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(radius);
+  source->SetCenter(center[0], center[1], center[2]);
+  source->SetThetaResolution(128);
+  source->SetPhiResolution(128);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> sphere = source->GetOutput();
+  return sphere;
+}
+
+std::string GetBytes(vtkImageData* image, const char* name)
+{
+  vtkDataArray* array = image->GetPointData()->GetArray(name);
+  CSLF_CHECK(array);
+  const auto* bytes = array ? static_cast<const char*>(array->GetVoidPointer(0)) : nullptr;
+  return bytes ? std::string(bytes, array->GetNumberOfValues() * array->GetDataTypeSize())
+               : std::string();
+}
+
+cslf::Description GetDescription(vtkImageData* image)
+{
+  std::string error;
+  const auto description = cslf::Description::ReadFrom(image, error);
+  CSLF_CHECK(description.has_value());
+  if (!error.empty())
+  {
+    std::cerr << error << "\n";
+  }
+  return description.value_or(cslf::Description());
+}
+
+void TestShapeAndSlabs(int viewpoints, int resolution, int type)
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetEnvironmentModeToNone();
+  sampler->SetViewpoints(viewpoints);
+  sampler->SetResolution(resolution);
+  sampler->SetSamples(3);
+  sampler->SetSeed(11);
+  sampler->SetColorType(type);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2 }, [&sampler]() { sampler->Update(); });
+  vtkImageData* field = sampler->GetOutput();
+  const cslf::Description description = GetDescription(field);
+  CSLF_CHECK(description.Grid == cslf::Layout(viewpoints, resolution));
+  CSLF_CHECK(field->GetExtent()[5] == 6 * viewpoints * viewpoints - 1);
+  CSLF_CHECK_NEAR(description.Box.Edges.x, 2.2, 1e-9);
+  CSLF_CHECK_NEAR(glm::length(description.Box.Center), 0.0, 1e-9);
+  CSLF_CHECK(description.FindChannel(cslf::ColorName)->Type == type);
+  const auto sampling = nlohmann::json::parse(description.Sampling);
+  CSLF_CHECK(sampling["samples"] == 3 && sampling["seed"] == 11);
+  const std::string color = GetBytes(field, cslf::ColorName);
+  const std::string depth = GetBytes(field, cslf::DepthName);
+  CSLF_CHECK(field->GetPointData()->GetScalars()->GetName() == std::string(cslf::ColorName));
+
+  // One thread, slices one by one, by a filter of its own: the same bytes. The scene is built once.
+  vtkNew<vtkCSLFSampler> slabs;
+  slabs->SetInputConnection(box->GetOutputPort());
+  slabs->SetEnvironmentModeToNone();
+  slabs->SetViewpoints(viewpoints);
+  slabs->SetResolution(resolution);
+  slabs->SetSamples(3);
+  slabs->SetSeed(11);
+  slabs->SetColorType(type);
+  std::string slabColor;
+  std::string slabDepth;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 },
+    [&]()
+    {
+      for (int z = 0; z < 6 * viewpoints * viewpoints; ++z)
+      {
+        int extent[6] = { 0, 5 * resolution - 1, 0, resolution - 1, z, z };
+        CSLF_CHECK(slabs->UpdateExtent(extent) == 1);
+        CSLF_CHECK(
+          slabs->GetOutput()->GetExtent()[4] == z && slabs->GetOutput()->GetExtent()[5] == z);
+        GetDescription(slabs->GetOutput());
+        slabColor += GetBytes(slabs->GetOutput(), cslf::ColorName);
+        slabDepth += GetBytes(slabs->GetOutput(), cslf::DepthName);
+      }
+    });
+  CSLF_CHECK(slabColor == color);
+  CSLF_CHECK(slabDepth == depth);
+
+  // Another seed, other noise.
+  sampler->SetSeed(12);
+  sampler->SetGenerateDepth(false);
+  sampler->Update();
+  CSLF_CHECK(GetBytes(sampler->GetOutput(), cslf::ColorName) != color);
+  CSLF_CHECK(!sampler->GetOutput()->GetPointData()->GetArray(cslf::DepthName));
+}
+
+/// The first hit of a sphere, as a fraction of the way.
+std::optional<double> HitSphere(const glm::dvec3& from, const glm::dvec3& path,
+  const glm::dvec3& center, double radius, double& cosine)
+{
+  const glm::dvec3 offset = from - center;
+  const double a = glm::dot(path, path);
+  const double b = glm::dot(offset, path);
+  const double c = glm::dot(offset, offset) - radius * radius;
+  const double root = b * b - a * c;
+  if (root < 0.0)
+  {
+    return std::nullopt;
+  }
+  const double hit = (-b - std::sqrt(root)) / a;
+  cosine = std::abs(glm::dot(glm::normalize(offset + hit * path), glm::normalize(path)));
+  return hit;
+}
+
+void TestDepthAndCoverage()
+{
+  // A sphere far from the origin, in a cube of unequal edges.
+  const double center[3] = { 1000.0, -2000.0, 500.0 };
+  const glm::dvec3 middle(center[0], center[1], center[2]);
+  constexpr double radius = 3.0;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputData(MakeSphere(radius, center));
+  sampler->SetViewpoints(3);
+  sampler->SetResolution(18);
+  sampler->SetSamples(4);
+  sampler->AutomaticCubeOff();
+  sampler->SetCubeCenter(center[0] + 1.0, center[1], center[2]);
+  sampler->SetCubeEdges(9.0, 6.5, 8.0);
+  sampler->SetColorTypeToFloat();
+  sampler->Update();
+  vtkImageData* field = sampler->GetOutput();
+  const cslf::Description description = GetDescription(field);
+  vtkDataArray* color = field->GetPointData()->GetArray(cslf::ColorName);
+  vtkDataArray* depth = field->GetPointData()->GetArray(cslf::DepthName);
+  const cslf::Layout& grid = description.Grid;
+  int compared = 0;
+  for (int z = 0; z < grid.GetSlices(); ++z)
+  {
+    const cslf::Viewpoint viewpoint = grid.ViewpointOf(z);
+    const glm::dvec3 from = description.Box.PointToWorld(grid.ViewpointPosition(viewpoint));
+    for (int y = 0; y < grid.GetResolution(); ++y)
+    {
+      for (int x = 0; x < grid.GetStripWidth(); ++x)
+      {
+        const int face = cslf::ExitFaceOf(viewpoint.Face, x / grid.GetResolution());
+        const glm::dvec2 st(
+          grid.TexelCoordinate(x % grid.GetResolution()), grid.TexelCoordinate(y));
+        const glm::dvec3 to = description.Box.PointToWorld(cslf::FaceToCube(face, st));
+        double cosine = 0.0;
+        const auto hit = HitSphere(from, to - from, middle, radius, cosine);
+        const vtkIdType texel =
+          (vtkIdType(z) * grid.GetResolution() + y) * grid.GetStripWidth() + x;
+        const double alpha = color->GetComponent(texel, 3);
+        const double stored = depth->GetComponent(texel, 0) / 65535.0;
+        CSLF_CHECK(alpha > 0.0 || stored == 1.0);
+        if (hit && cosine > 0.5)
+        {
+          ++compared;
+          CSLF_CHECK_NEAR(stored, *hit, 5e-4);
+          CSLF_CHECK(alpha == 1.0);
+          // A convex surface of the default grey under the default white sky.
+          CSLF_CHECK_NEAR(color->GetComponent(texel, 0), cslf::SRGBToLinear(0.8), 0.005);
+        }
+        if (alpha > 0.0)
+        {
+          CSLF_CHECK(stored < 0.9);
+        }
+      }
+    }
+  }
+  CSLF_CHECK(compared > 1000);
+
+  // With the environment shown, every texel is covered; a texel that sees only sky is as far as the
+  // cube.
+  sampler->ShowEnvironmentOn();
+  sampler->SetSamples(1);
+  sampler->Update();
+  color = sampler->GetOutput()->GetPointData()->GetArray(cslf::ColorName);
+  depth = sampler->GetOutput()->GetPointData()->GetArray(cslf::DepthName);
+  CSLF_CHECK(color->GetRange(3)[0] == 1.0);
+  CSLF_CHECK(color->GetRange(0)[1] == 1.0);
+  CSLF_CHECK(depth->GetRange(0)[1] == 65535.0);
+}
+
+void TestWhiteFurnace()
+{
+  // A white diffuse sphere under a uniform sky cannot be told from it.
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  auto sphere = MakeSphere(1.0, center);
+  vtkCSLFMaterial::SetBaseColor(sphere, 1.0, 1.0, 1.0);
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputData(sphere);
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(16);
+  sampler->SetSamples(32);
+  sampler->SetColorTypeToFloat();
+  sampler->SetEnvironmentColor(0.5, 0.6, 0.7);
+  sampler->SetEnvironmentIntensity(2.0);
+  sampler->SetExposure(0.25);
+  for (bool smooth : { true, false })
+  {
+    if (!smooth)
+    {
+      sphere->GetPointData()->SetNormals(nullptr);
+      sampler->SetInputData(sphere);
+    }
+    sampler->Update();
+    vtkDataArray* color = sampler->GetOutput()->GetPointData()->GetArray(cslf::ColorName);
+    const glm::dvec3 expected = 0.5 * cslf::SRGBToLinear(glm::dvec3(0.5, 0.6, 0.7));
+    int covered = 0;
+    for (vtkIdType texel = 0; texel < color->GetNumberOfTuples(); ++texel)
+    {
+      const double alpha = color->GetComponent(texel, 3);
+      for (int c = 0; c < 3 && alpha == 1.0; ++c)
+      {
+        CSLF_CHECK_NEAR(color->GetComponent(texel, c) / expected[c], 1.0, 0.005);
+      }
+      covered += alpha == 1.0 ? 1 : 0;
+    }
+    CSLF_CHECK(covered > 300);
+  }
+}
+
+void TestErrors()
+{
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputData(MakeSphere(1.0, center));
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(2);
+  sampler->SetSamples(1);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTest::ErrorObserver> pipeline;
+  sampler->AddObserver(vtkCommand::ErrorEvent, observer);
+  sampler->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
+  const auto expect = [&](const char* message)
+  {
+    CSLF_CHECK(sampler->GetExecutive()->Update() == 0);
+    CSLF_CHECK(observer->CheckErrorMessage(message) == 0);
+    pipeline->Clear();
+  };
+  sampler->AutomaticCubeOff();
+  sampler->SetCubeEdges(1.99, 3.0, 3.0);
+  expect("must strictly contain");
+  sampler->SetCubeEdges(3.0, 3.0, -3.0);
+  expect("above 0");
+  sampler->AutomaticCubeOn();
+  sampler->SetOffset(0.0);
+  CSLF_CHECK(sampler->GetOffset() > 0.0);
+  sampler->SetColorType(VTK_DOUBLE);
+  expect("ColorType");
+  sampler->SetColorTypeToFloat();
+  sampler->SetEnvironmentModeToImage();
+  expect("EnvironmentFileName is not set");
+  sampler->SetEnvironmentFileName("no such file.exr");
+  expect("cannot be read");
+  sampler->SetEnvironmentModeToGradient();
+  sampler->SetEnvironmentUp(0, 0, 0);
+  expect("EnvironmentUp");
+  sampler->SetEnvironmentUp(0, 0, 1);
+  CSLF_CHECK(sampler->GetExecutive()->Update() == 1);
+  CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() == 5 * 2 * 2 * 24);
+  CSLF_CHECK(!observer->GetError() && !pipeline->GetError());
+}
+
+void TestAbort()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetSamples(1 << 12); // minutes of work
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  sampler->AddObserver(vtkCommand::ProgressEvent, stop);
+  sampler->Update();
+  CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() == 0);
+  std::ostringstream text;
+  sampler->Print(text);
+  CSLF_CHECK(text.str().find("Viewpoints: 17") != std::string::npos);
+}
+}
+
+int TestCSLFSampler(int, char*[])
+{
+  TestShapeAndSlabs(2, 5, VTK_UNSIGNED_CHAR);
+  TestShapeAndSlabs(3, 8, VTK_FLOAT);
+  TestDepthAndCoverage();
+  TestWhiteFurnace();
+  TestErrors();
+  TestAbort();
+  return cslf::testing::Result();
+}

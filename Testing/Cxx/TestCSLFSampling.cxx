@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The random numbers, the tables they choose from, and each BSDF's samples against its density.
+#include "PathTracing/cslfAreaLights.h"
+#include "PathTracing/cslfBSDF.h"
+#include "PathTracing/cslfDistribution.h"
+#include "PathTracing/cslfEnvironment.h"
+#include "PathTracing/cslfFrame.h"
+#include "PathTracing/cslfSampleStream.h"
+#include "PathTracing/cslfSampling.h"
+#include "cslfTesting.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+using cslf::Dimension;
+using cslf::SampleStream;
+
+void TestSampleStream()
+{
+  // Every elementary interval of 16 boxes holds one of each 16 consecutive samples, in every pair
+  // of dimensions.
+  for (int texel = 0; texel < 20; ++texel)
+  {
+    const std::uint64_t hash = SampleStream::HashTexel(7, 3, texel, 2);
+    for (std::uint32_t first : { 0u, 16u, 160u })
+    {
+      for (int log = 0; log <= 4; ++log)
+      {
+        const int columns = 1 << log;
+        const int rows = 16 / columns;
+        std::vector<int> count(16, 0);
+        for (std::uint32_t i = 0; i < 16; ++i)
+        {
+          SampleStream stream(hash, first + i);
+          stream.NextVertex();
+          const glm::vec2 u = stream.Get2D(Dimension::Direction);
+          CSLF_CHECK(u.x >= 0.0f && u.x < 1.0f && u.y >= 0.0f && u.y < 1.0f);
+          ++count[static_cast<int>(u.x * columns) * rows + static_cast<int>(u.y * rows)];
+        }
+        CSLF_CHECK(std::all_of(count.begin(), count.end(), [](int c) { return c == 1; }));
+      }
+    }
+  }
+
+  // Over texels, seeds, vertices and dimensions, first samples are uniform and uncorrelated.
+  double sums[2] = { 0.0, 0.0 };
+  double product = 0.0;
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i)
+  {
+    const float a = SampleStream(SampleStream::HashTexel(0, 0, i, 0), 0).Get1D(Dimension::Lobe);
+    const float b = SampleStream(SampleStream::HashTexel(1, 0, i, 0), 0).Get1D(Dimension::Lobe);
+    sums[0] += a;
+    sums[1] += b;
+    product += (a - 0.5) * (b - 0.5);
+  }
+  CSLF_CHECK_NEAR(sums[0] / count, 0.5, 0.01);
+  CSLF_CHECK_NEAR(sums[1] / count, 0.5, 0.01);
+  CSLF_CHECK_NEAR(product / count, 0.0, 0.003);
+}
+
+void TestDistributions()
+{
+  const cslf::Distribution1D table({ 0.0, 3.0, 0.0, 1.0, 0.0 });
+  CSLF_CHECK(table.GetTotal() == 4.0);
+  CSLF_CHECK(table.Sample(0.0f).Index == 1);
+  CSLF_CHECK_NEAR(table.Sample(0.375f).Remainder, 0.5, 1e-6);
+  CSLF_CHECK(table.Sample(0.76f).Index == 3);
+  CSLF_CHECK(table.Sample(0x1.fffffep-1f).Index == 3);
+  CSLF_CHECK_NEAR(table.Sample(0.8f).Probability, 0.25, 1e-6);
+
+  const cslf::Distribution2D grid({ 1.0, 0.0, 2.0, 4.0, 0.0, 1.0 }, 3, 2);
+  double sum = 0.0;
+  for (int i = 0; i < 64; ++i)
+  {
+    float pdf = 0.0f;
+    const glm::vec2 point = grid.Sample({ (i % 8 + 0.5f) / 8, (i / 8 + 0.5f) / 8 }, pdf);
+    CSLF_CHECK(pdf > 0.0f);
+    CSLF_CHECK_NEAR(grid.GetPdf(point), pdf, 1e-5);
+    sum += 1.0 / pdf; // the area where the density is not 0
+  }
+  CSLF_CHECK_NEAR(sum / 64.0, 4.0 / 6.0, 0.1);
+}
+
+cslf::SurfaceMaterial MakeMaterial(float metallic, float roughness, float ior, float base)
+{
+  return { glm::vec3(base, 0.7f * base, base), metallic, roughness, ior, glm::vec3(0.0f) };
+}
+
+glm::vec3 MakeDirection(double cosine, double azimuth)
+{
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  return { sine * std::cos(azimuth), sine * std::sin(azimuth), cosine };
+}
+
+/// Chi-squared test of the samples' directions against the integral of the density, over bins in
+/// the cosine and the azimuth; also whether each sample's weight is BSDF over density.
+void TestSamplesAgainstDensity(const cslf::SurfaceMaterial& material, double cosine)
+{
+  constexpr int rings = 10;
+  constexpr int sectors = 12;
+  constexpr int samples = 1 << 15;
+  const cslf::BSDF bsdf(material, material.BaseColor, MakeDirection(cosine, 0.4));
+  std::vector<double> observed(rings * sectors, 0.0);
+  int ended = 0;
+  for (int i = 0; i < samples; ++i)
+  {
+    // Independent numbers: a stratified sequence would pass too easily.
+    const SampleStream stream(SampleStream::HashTexel(5, i, 0, 0), 0);
+    cslf::BSDFSample sample;
+    if (!bsdf.Sample(stream.Get1D(Dimension::Lobe), stream.Get2D(Dimension::Direction), sample))
+    {
+      ++ended;
+      continue;
+    }
+    CSLF_CHECK_NEAR(glm::length(sample.Direction), 1.0, 1e-3);
+    const glm::vec3 expected = bsdf.EvaluateCosine(sample.Direction) / bsdf.Pdf(sample.Direction);
+    CSLF_CHECK(glm::distance(sample.Weight, expected) <= 1e-4f * (1.0f + glm::length(expected)));
+    const int ring = std::min(static_cast<int>(sample.Direction.z * rings), rings - 1);
+    const double turn = std::atan2(sample.Direction.y, sample.Direction.x) / (2.0 * cslf::Pi) + 0.5;
+    ++observed[ring * sectors + std::min(static_cast<int>(turn * sectors), sectors - 1)];
+  }
+
+  constexpr int steps = 48; // of each bin's integral, along each axis
+  double total = 0.0;
+  double chi2 = 0.0;
+  int bins = 0;
+  for (int bin = 0; bin < rings * sectors; ++bin)
+  {
+    double expected = 0.0;
+    for (int i = 0; i < steps * steps; ++i)
+    {
+      const double z = (bin / sectors + (i / steps + 0.5) / steps) / rings;
+      const double turn = (bin % sectors + (i % steps + 0.5) / steps) / sectors;
+      expected += bsdf.Pdf(MakeDirection(z, 2.0 * cslf::Pi * (turn - 0.5)));
+    }
+    expected *= samples * 2.0 * cslf::Pi / (rings * sectors * steps * steps);
+    total += expected;
+    if (expected > 10.0)
+    {
+      chi2 += (observed[bin] - expected) * (observed[bin] - expected) / expected;
+      ++bins;
+    }
+  }
+  CSLF_CHECK_NEAR(total / samples, 1.0 - static_cast<double>(ended) / samples, 0.01);
+  // Mean and deviation of chi-squared are the degrees of freedom and the root of twice them.
+  CSLF_CHECK(chi2 < bins + 5.0 * std::sqrt(2.0 * bins));
+}
+
+double IntegrateReflectance(const cslf::SurfaceMaterial& material, double cosine)
+{
+  constexpr int samples = 4096;
+  const cslf::BSDF bsdf(material, material.BaseColor, MakeDirection(cosine, 1.0));
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < samples; ++i)
+  {
+    const SampleStream stream(SampleStream::HashTexel(9, 0, 0, 0), i);
+    cslf::BSDFSample sample;
+    if (bsdf.Sample(stream.Get1D(Dimension::Lobe), stream.Get2D(Dimension::Direction), sample))
+    {
+      sum += sample.Weight.x;
+    }
+  }
+  return sum / samples;
+}
+
+void TestBSDFs()
+{
+  for (double cosine : { 0.15, 0.6, 0.99 })
+  {
+    TestSamplesAgainstDensity(MakeMaterial(0.0f, 1.0f, 1.0f, 0.8f), cosine);
+    TestSamplesAgainstDensity(MakeMaterial(1.0f, 0.5f, 1.0f, 0.8f), cosine);
+    TestSamplesAgainstDensity(MakeMaterial(1.0f, 1.0f, 1.0f, 0.8f), cosine);
+    TestSamplesAgainstDensity(MakeMaterial(0.0f, 0.6f, 1.5f, 0.8f), cosine);
+    TestSamplesAgainstDensity(MakeMaterial(0.5f, 0.7f, 1.5f, 0.3f), cosine);
+  }
+  for (double cosine : { 0.05, 0.3, 0.7, 1.0 })
+  {
+    for (float roughness : { 0.0f, 0.1f, 0.3f, 0.6f, 1.0f })
+    {
+      // Nothing reflects more than it receives, and what a dielectric's boundary lets through, a
+      // white base below gives back.
+      CSLF_CHECK_NEAR(
+        IntegrateReflectance(MakeMaterial(0.0f, roughness, 1.5f, 1.0f), cosine), 1.0, 0.01);
+      const double metal = IntegrateReflectance(MakeMaterial(1.0f, roughness, 1.0f, 1.0f), cosine);
+      CSLF_CHECK(metal <= 1.001 && metal > 0.2);
+      CSLF_CHECK(IntegrateReflectance(MakeMaterial(0.5f, roughness, 2.5f, 1.0f), cosine) <= 1.005);
+    }
+    CSLF_CHECK_NEAR(IntegrateReflectance(MakeMaterial(0.0f, 0.5f, 1.0f, 0.5f), cosine), 0.5, 1e-4);
+    CSLF_CHECK_NEAR(IntegrateReflectance(MakeMaterial(1.0f, 0.0f, 1.0f, 1.0f), cosine), 1.0, 1e-4);
+  }
+
+  // Helmholtz reciprocity.
+  const cslf::SurfaceMaterial material = MakeMaterial(0.3f, 0.4f, 1.5f, 0.6f);
+  const glm::vec3 a = MakeDirection(0.8, 0.1);
+  const glm::vec3 b = MakeDirection(0.4, 2.0);
+  const glm::vec3 forth = cslf::BSDF(material, material.BaseColor, a).EvaluateCosine(b) / b.z;
+  const glm::vec3 back = cslf::BSDF(material, material.BaseColor, b).EvaluateCosine(a) / a.z;
+  CSLF_CHECK(glm::distance(forth, back) < 1e-5f);
+}
+
+void TestFrame()
+{
+  for (const glm::vec3& normal : { glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(1, 0, 0),
+         glm::normalize(glm::vec3(1, -2, 3)), glm::normalize(glm::vec3(1e-4f, 0, -1)) })
+  {
+    const cslf::Frame frame(normal);
+    CSLF_CHECK(glm::distance(glm::cross(frame.X, frame.Y), frame.Z) < 1e-5f);
+    const glm::vec3 vector(0.3f, -0.5f, 0.7f);
+    CSLF_CHECK(glm::distance(frame.ToWorld(frame.ToLocal(vector)), vector) < 1e-5f);
+  }
+}
+
+void TestLights()
+{
+  // An area light's samples know their density.
+  const cslf::AreaLights lights({ { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::vec3(1.0f) },
+    { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, glm::vec3(4.0f, 0.0f, 1.0f) } });
+  double solidAngle = 0.0;
+  for (std::uint32_t i = 0; i < 4096; ++i)
+  {
+    const glm::vec2 u =
+      SampleStream(SampleStream::HashTexel(2, 0, 0, 0), i).Get2D(Dimension::Pixel);
+    const cslf::LightSample sample = lights.Sample(glm::vec3(0.0f), u);
+    CSLF_CHECK(sample.Pdf > 0.0f);
+    solidAngle += 1.0 / sample.Pdf / 4096.0;
+  }
+  // Both triangles' solid angles, by van Oosterom and Strackee.
+  const auto triangle = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+  {
+    const double x = glm::length(a);
+    const double y = glm::length(b);
+    const double z = glm::length(c);
+    return 2.0 *
+      std::atan2(std::abs(glm::dot(a, glm::cross(b, c))),
+        x * y * z + glm::dot(a, b) * z + glm::dot(b, c) * x + glm::dot(c, a) * y);
+  };
+  CSLF_CHECK_NEAR(solidAngle,
+    triangle({ 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 }) +
+      triangle({ 3, 0, 1 }, { 3, 1, 1 }, { 3, 0, 3 }),
+    0.002);
+
+  // So do an environment image's; its integral is that of the image.
+  cslf::EnvironmentImage image{ 8, 4, std::vector<glm::vec3>(32, glm::vec3(0.0f)) };
+  image.Pixels[11] = glm::vec3(50.0f);
+  image.Pixels[2] = glm::vec3(1.0f);
+  const cslf::Environment environment(
+    image, 2.0f, cslf::EnvironmentAxes::FromUp(glm::dvec3(1, 1, 0)));
+  double sampled = 0.0;
+  double integrated = 0.0;
+  int misplaced = 0;
+  constexpr std::uint32_t count = 1 << 14;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const glm::vec2 u =
+      SampleStream(SampleStream::HashTexel(4, 0, 0, 0), i).Get2D(Dimension::Pixel);
+    const cslf::LightSample sample = environment.Sample(u);
+    CSLF_CHECK(sample.Pdf > 0.0f);
+    // A sample on a pixel's edge may be found in the next one.
+    const double ratio = environment.Pdf(sample.Direction) / sample.Pdf;
+    misplaced += std::abs(ratio - 1.0) > 0.02 ? 1 : 0;
+    CSLF_CHECK(glm::distance(environment.GetRadiance(sample.Direction), sample.Radiance) <=
+      0.01f * (1.0f + glm::length(sample.Radiance)));
+    sampled += sample.Radiance.x / sample.Pdf / count;
+    const glm::vec3 uniform = MakeDirection(2.0 * u.x - 1.0, 2.0 * cslf::Pi * u.y);
+    integrated += environment.GetRadiance(uniform).x * 4.0 * cslf::Pi / count;
+  }
+  CSLF_CHECK(misplaced < 10);
+  CSLF_CHECK_NEAR(sampled / integrated, 1.0, 0.01);
+}
+}
+
+int TestCSLFSampling(int, char*[])
+{
+  TestSampleStream();
+  TestDistributions();
+  TestFrame();
+  TestBSDFs();
+  TestLights();
+  return cslf::testing::Result();
+}
