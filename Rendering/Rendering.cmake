@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the mapper's classes, sources and shaders for Module/CMakeLists.txt.
-list(APPEND classes)
-list(APPEND sources)
-list(APPEND private_headers)
+list(APPEND sources
+  ../Rendering/cslfLookup.cxx)
+list(APPEND private_headers
+  ../Rendering/cslfLookup.h)
