@@ -160,11 +160,10 @@ Lookup::RayViews Lookup::FindViews(const RayCoordinates& ray) const
   return result;
 }
 
-Lookup::View Lookup::FindNearestView(const RayCoordinates& ray) const
+const Lookup::View& Lookup::FindNearestView(const RayViews& ray)
 {
-  const RayViews views = this->FindViews(ray);
   return *std::max_element(
-    views.Views, views.Views + 4, [](const View& a, const View& b) { return a.Weight < b.Weight; });
+    ray.Views, ray.Views + 4, [](const View& a, const View& b) { return a.Weight < b.Weight; });
 }
 
 Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& pointCC) const
@@ -190,10 +189,27 @@ Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& pointCC) 
   return { TileOf(view.Face, face), CubeToFace(face, exit), inverseDepth };
 }
 
+// The guess of a lookup that does not search: the surface that the nearest view sees where it sees
+// the ray's point at `fraction`; without a depth channel that point itself.
+double Lookup::GuessSurface(const RayViews& ray, double fraction) const
+{
+  if (!this->Depths)
+  {
+    return fraction;
+  }
+  const View& view = FindNearestView(ray);
+  const Projection seen = this->Project(view, ray.Entry + fraction * ray.Chord);
+  const glm::dvec3 exit = FaceToCube(ExitFaceOf(view.Face, seen.Tile), seen.Coordinates);
+  const glm::dvec3 surface = view.Position +
+    (exit - view.Position) / this->ReadNearestInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
+  return std::clamp(
+    glm::dot(surface - ray.Entry, ray.Chord) / glm::dot(ray.Chord, ray.Chord), 0.0, 1.0);
+}
+
 LookupResult Lookup::LookThrough(const RayViews& ray, double fraction) const
 {
   LookupResult result;
-  result.Fraction = fraction;
+  result.Fraction = this->GuessSurface(ray, fraction);
   for (const View& view : ray.Views)
   {
     const Projection seen = this->Project(view, ray.Entry + fraction * ray.Chord);
@@ -207,27 +223,23 @@ LookupResult Lookup::LookThrough(const RayViews& ray, double fraction) const
 
 LookupResult Lookup::Nearest(const RayCoordinates& ray) const
 {
-  const int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
-  return { this->ReadNearestColor(this->FindNearestView(ray).Slice, tile, ray.Exit.Coordinates),
-    1.0 };
+  const RayViews views = this->FindViews(ray);
+  return { this->ReadNearestColor(FindNearestView(views).Slice,
+             TileOf(ray.Entry.Face, ray.Exit.Face), ray.Exit.Coordinates),
+    this->GuessSurface(views, 1.0) };
 }
 
 LookupResult Lookup::Linear(const RayCoordinates& ray) const
 {
-  const int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
-  return { this->ReadColor(this->FindNearestView(ray).Slice, tile, ray.Exit.Coordinates), 1.0 };
+  const RayViews views = this->FindViews(ray);
+  return { this->ReadColor(FindNearestView(views).Slice, TileOf(ray.Entry.Face, ray.Exit.Face),
+             ray.Exit.Coordinates),
+    this->GuessSurface(views, 1.0) };
 }
 
 LookupResult Lookup::Bilinear(const RayCoordinates& ray) const
 {
-  const RayViews views = this->FindViews(ray);
-  const int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
-  LookupResult result;
-  for (const View& view : views.Views)
-  {
-    result.Color += view.Weight * this->ReadColor(view.Slice, tile, ray.Exit.Coordinates);
-  }
-  return result;
+  return this->LookThrough(this->FindViews(ray), 1.0);
 }
 
 LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const
@@ -276,13 +288,6 @@ double Lookup::Clearance(const RayViews& ray, int k, double w) const
   const View& view = ray.Views[k];
   const Projection seen = this->Project(view, ray.Entry + ray.Chord / std::max(w, 1.0));
   return seen.InverseDepth - this->ReadInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
-}
-
-double Lookup::CoarseClearance(const RayViews& ray, int k, double w) const
-{
-  const View& view = ray.Views[k];
-  const Projection seen = this->Project(view, ray.Entry + ray.Chord / w);
-  return seen.InverseDepth - this->ReadNearestInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
 }
 
 Lookup::Crossing Lookup::RefineCrossing(
@@ -340,7 +345,7 @@ double Lookup::FindSurface(const RayViews& ray) const
   double clearances[4];
   for (int k = 0; k < 4; ++k)
   {
-    clearances[k] = this->CoarseClearance(ray, k, range.Nearest);
+    clearances[k] = this->Clearance(ray, k, range.Nearest);
   }
   double edge = 0.0;
   for (int i = 1; i <= steps; ++i)
@@ -350,7 +355,7 @@ double Lookup::FindSurface(const RayViews& ray) const
     for (int k = 0; k < 4; ++k)
     {
       const double before = clearances[k];
-      clearances[k] = this->CoarseClearance(ray, k, w);
+      clearances[k] = this->Clearance(ray, k, w);
       if (before > 0.0 && clearances[k] <= 0.0)
       {
         const Crossing crossing = this->RefineCrossing(ray, k, w, w + step);

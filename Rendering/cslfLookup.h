@@ -109,13 +109,13 @@ private:
   double ReadInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const;
 
   RayViews FindViews(const RayCoordinates& ray) const;
-  View FindNearestView(const RayCoordinates& ray) const;
+  static const View& FindNearestView(const RayViews& ray);
   Projection Project(const View& view, const glm::dvec3& pointCC) const;
+  double GuessSurface(const RayViews& ray, double fraction) const;
   LookupResult LookThrough(const RayViews& ray, double fraction) const;
 
   Range ClipToScene(const RayViews& ray) const;
   int CountSteps(const RayViews& ray, const Range& range) const;
-  double CoarseClearance(const RayViews& ray, int k, double w) const;
   double Clearance(const RayViews& ray, int k, double w) const;
   Crossing RefineCrossing(const RayViews& ray, int k, double behind, double before) const;
   bool IsSeenThrough(const RayViews& ray, int exceptView, double w) const;
