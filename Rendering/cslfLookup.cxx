@@ -42,14 +42,12 @@ constexpr double SightTolerance = 0.05;
 constexpr double ClearanceTolerance = 0.001;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
-/// The scene's bounds are widened by this, in CC, so that surfaces on them are crossed.
-constexpr double SceneMargin = 0.01;
 }
 
 Lookup::Lookup(const Description& description, vtkImageData* image)
   : Field(description)
-  , SceneMinimum(description.GetSceneMinimumCC() - SceneMargin)
-  , SceneMaximum(description.GetSceneMaximumCC() + SceneMargin)
+  , SceneMinimum(description.GetSceneMinimumCC() - LookupSceneMargin)
+  , SceneMaximum(description.GetSceneMaximumCC() + LookupSceneMargin)
   , Colors(image->GetPointData()->GetArray(ColorName))
   , Depths(image->GetPointData()->GetArray(DepthName))
   , ColorScale(this->Colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0)
@@ -294,10 +292,6 @@ Lookup::Crossing Lookup::RefineCrossing(
   const RayViews& ray, int k, double behind, double before) const
 {
   double clearance = this->Clearance(ray, k, behind);
-  if (clearance > 0.0)
-  {
-    return {};
-  }
   for (int i = 0; i < Refinements; ++i)
   {
     const double middle = 0.5 * (behind + before);

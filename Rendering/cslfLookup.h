@@ -24,6 +24,9 @@ class vtkImageData;
 
 namespace cslf
 {
+/// The scene's bounds are widened by this, in CC, so that surfaces on them are crossed.
+constexpr double LookupSceneMargin = 0.01;
+
 /// What a lookup returns.
 struct LookupResult
 {
