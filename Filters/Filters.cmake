@@ -2,6 +2,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the filters' classes and sources for Module/CMakeLists.txt.
-list(APPEND classes)
-list(APPEND sources)
-list(APPEND private_headers)
+list(APPEND classes
+  ../Filters/vtkCSLFDecoder
+  ../Filters/vtkCSLFEncoder)
+
+# The video coding behind the encoder and the decoder.
+list(APPEND sources
+  ../Filters/Coding/cslfContainerReader.cxx
+  ../Filters/Coding/cslfContainerWriter.cxx
+  ../Filters/Coding/cslfFieldReader.cxx
+  ../Filters/Coding/cslfFieldWriter.cxx
+  ../Filters/Coding/cslfFileHeader.cxx
+  ../Filters/Coding/cslfFrameConverter.cxx
+  ../Filters/Coding/cslfFrameOrder.cxx
+  ../Filters/Coding/cslfGroupCodec.cxx
+  ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfPartStore.cxx
+  ../Filters/Coding/cslfTrack.cxx)
+list(APPEND private_headers
+  ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfContainerReader.h
+  ../Filters/Coding/cslfContainerWriter.h
+  ../Filters/Coding/cslfFieldReader.h
+  ../Filters/Coding/cslfFieldWriter.h
+  ../Filters/Coding/cslfFileHeader.h
+  ../Filters/Coding/cslfFrameConverter.h
+  ../Filters/Coding/cslfFrameOrder.h
+  ../Filters/Coding/cslfGroupCodec.h
+  ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfTrack.h)
