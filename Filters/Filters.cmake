@@ -4,11 +4,15 @@
 # Names the filters' classes and sources for Module/CMakeLists.txt.
 list(APPEND classes
   ../Filters/vtkCSLFCornellBoxSource
+  ../Filters/vtkCSLFDecoder
+  ../Filters/vtkCSLFEncoder
   ../Filters/vtkCSLFLight
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
   ../Filters/vtkCSLFSampler
   ../Filters/vtkCSLFViewTracer)
+
+# The path tracer behind the sampler and the view tracer.
 list(APPEND sources
   ../Filters/PathTracing/cslfAreaLights.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
@@ -46,3 +50,30 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTexelRenderer.h
   ../Filters/PathTracing/cslfTriangles.h
   ../Filters/cslfVTKCompatibility.h)
+
+# The video coding behind the encoder and the decoder.
+list(APPEND sources
+  ../Filters/Coding/cslfContainerReader.cxx
+  ../Filters/Coding/cslfContainerWriter.cxx
+  ../Filters/Coding/cslfFieldReader.cxx
+  ../Filters/Coding/cslfFieldWriter.cxx
+  ../Filters/Coding/cslfFileHeader.cxx
+  ../Filters/Coding/cslfFrameConverter.cxx
+  ../Filters/Coding/cslfFrameOrder.cxx
+  ../Filters/Coding/cslfGroupCodec.cxx
+  ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfPartStore.cxx
+  ../Filters/Coding/cslfTrack.cxx)
+list(APPEND private_headers
+  ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfContainerReader.h
+  ../Filters/Coding/cslfContainerWriter.h
+  ../Filters/Coding/cslfFieldReader.h
+  ../Filters/Coding/cslfFieldWriter.h
+  ../Filters/Coding/cslfFileHeader.h
+  ../Filters/Coding/cslfFrameConverter.h
+  ../Filters/Coding/cslfFrameOrder.h
+  ../Filters/Coding/cslfGroupCodec.h
+  ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfTrack.h)
