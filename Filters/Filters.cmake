@@ -55,6 +55,7 @@ list(APPEND private_headers
 list(APPEND sources
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
+  ../Filters/Coding/cslfDepthFill.cxx
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
@@ -68,6 +69,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
+  ../Filters/Coding/cslfDepthFill.h
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
