@@ -2,6 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the filters' classes and sources for Module/CMakeLists.txt.
-list(APPEND classes)
-list(APPEND sources)
-list(APPEND private_headers)
+list(APPEND classes
+  ../Filters/vtkCSLFImageReader
+  ../Filters/vtkCSLFImageWriter)
+list(APPEND sources
+  ../Filters/CubeMaps/cslfCubeMapFiles.cxx
+  ../Filters/Pipeline/cslfSlabs.cxx)
+list(APPEND private_headers
+  ../Filters/CubeMaps/cslfCubeMapFiles.h
+  ../Filters/Pipeline/cslfSlabs.h)
