@@ -3,6 +3,8 @@
 
 # Names the filters' classes and sources for Module/CMakeLists.txt.
 list(APPEND classes
+  ../Filters/vtkCSLFFieldQuality
+  ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
   ../Filters/vtkCSLFImageWriter)
 list(APPEND sources
@@ -10,4 +12,5 @@ list(APPEND sources
   ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
   ../Filters/CubeMaps/cslfCubeMapFiles.h
-  ../Filters/Pipeline/cslfSlabs.h)
+  ../Filters/Pipeline/cslfSlabs.h
+  ../Filters/Quality/cslfPSNR.h)
