@@ -6,9 +6,11 @@
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
@@ -18,11 +20,12 @@
 #include <optional>
 #include <vector>
 
-struct vtkCSLFImageReader::Internal
+class vtkCSLFImageReader::Internals
 {
+public:
   std::optional<cslf::CubeMapFolder> Folder;
   std::string Text;
-  std::vector<int> Missing;
+  vtkNew<vtkIdTypeArray> Missing;
 };
 
 namespace
@@ -44,20 +47,49 @@ bool ReadViewpoint(const char* folder, const cslf::Description& description, int
   return isRead;
 }
 
-/// Whether the images of any viewpoint of the slab fit the description, before memory is taken
-/// for what the description claims.
+/// Whether all images of a viewpoint are there and fit the description.
+bool ProbeViewpoint(const char* folder, const cslf::Description& description, int slice)
+{
+  return std::all_of(description.Channels.begin(), description.Channels.end(),
+    [&](const cslf::Channel& channel)
+    { return cslf::ProbeCubeMap(folder, description.Grid, channel, slice); });
+}
+
+/// Whether any viewpoint of the slab is there, to be known before memory is taken for what the
+/// description claims.
 bool ProbeSlab(const char* folder, const cslf::Description& description, const cslf::Slab& slab)
 {
   for (int slice = slab.First; slice <= slab.Last; ++slice)
   {
-    const auto isThere = [&](const cslf::Channel& channel)
-    { return cslf::ProbeCubeMap(folder, description.Grid, channel, slice); };
-    if (std::all_of(description.Channels.begin(), description.Channels.end(), isThere))
+    if (ProbeViewpoint(folder, description, slice))
     {
       return true;
     }
   }
   return false;
+}
+
+/// The viewpoints of a slab for which `isThere(slice)` does not hold; asked in parallel.
+template <typename IsThere>
+void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* missing)
+{
+  std::vector<char> found(slab.GetCount());
+  vtkSMPTools::For(slab.First, slab.Last + 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int slice = static_cast<int>(begin); slice < end; ++slice)
+      {
+        found[slice - slab.First] = isThere(slice);
+      }
+    });
+  missing->Reset();
+  for (int slice = slab.First; slice <= slab.Last; ++slice)
+  {
+    if (!found[slice - slab.First])
+    {
+      missing->InsertNextValue(slice);
+    }
+  }
 }
 
 void Allocate(const cslf::Description& description, const int extent[6], vtkImageData* image)
@@ -80,9 +112,9 @@ void Allocate(const cslf::Description& description, const int extent[6], vtkImag
   description.WriteTo(image->GetFieldData());
 }
 
-/// Reads the slab into the image, which holds it; returns the viewpoints that cannot be read.
-std::vector<int> ReadSlab(const char* folder, const cslf::Description& description,
-  const cslf::Slab& slab, vtkImageData* image)
+/// Reads the slab into the image, which holds just that, and collects what cannot be read.
+void ReadSlab(const char* folder, const cslf::Description& description, const cslf::Slab& slab,
+  vtkImageData* image, vtkIdTypeArray* missing)
 {
   std::vector<unsigned char*> arrays;
   for (const cslf::Channel& channel : description.Channels)
@@ -92,38 +124,24 @@ std::vector<int> ReadSlab(const char* folder, const cslf::Description& descripti
   }
   const std::size_t texels =
     static_cast<std::size_t>(description.Grid.GetStripWidth()) * description.Grid.GetResolution();
-  std::vector<char> isRead(slab.GetCount());
-  vtkSMPTools::For(slab.First, slab.Last + 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (int slice = static_cast<int>(begin); slice < end; ++slice)
-      {
-        const std::size_t offset = (slice - slab.First) * texels;
-        std::vector<unsigned char*> targets;
-        for (std::size_t c = 0; c < arrays.size(); ++c)
-        {
-          targets.push_back(arrays[c] + offset * cslf::TexelBytes(description.Channels[c]));
-        }
-        isRead[slice - slab.First] = ReadViewpoint(folder, description, slice, targets, texels);
-      }
-    });
-
-  std::vector<int> missing;
-  for (int slice = slab.First; slice <= slab.Last; ++slice)
+  const auto read = [&](int slice)
   {
-    if (!isRead[slice - slab.First])
+    const std::size_t offset = (slice - slab.First) * texels;
+    std::vector<unsigned char*> targets;
+    for (std::size_t c = 0; c < arrays.size(); ++c)
     {
-      missing.push_back(slice);
+      targets.push_back(arrays[c] + offset * cslf::TexelBytes(description.Channels[c]));
     }
-  }
-  return missing;
+    return ReadViewpoint(folder, description, slice, targets, texels);
+  };
+  CollectMissing(slab, read, missing);
 }
 }
 
 vtkStandardNewMacro(vtkCSLFImageReader);
 
 vtkCSLFImageReader::vtkCSLFImageReader()
-  : Internals(new Internal)
+  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -136,29 +154,41 @@ vtkCSLFImageReader::~vtkCSLFImageReader()
 int vtkCSLFImageReader::CanReadFile(const char* fileName)
 {
   std::string error;
-  return fileName && cslf::ReadCubeMapDescription(fileName, error) ? 1 : 0;
+  return fileName && cslf::ReadCubeMapDescription(fileName, error) ? 3 : 0;
 }
 
-const char* vtkCSLFImageReader::GetDescription()
+const char* vtkCSLFImageReader::GetDescription() const
 {
-  return this->Internals->Text.c_str();
+  return this->Internal->Text.c_str();
 }
 
-int vtkCSLFImageReader::GetNumberOfMissingViewpoints()
+vtkIdType vtkCSLFImageReader::GetNumberOfMissingViewpoints() const
 {
-  return static_cast<int>(this->Internals->Missing.size());
+  return this->Internal->Missing->GetNumberOfValues();
 }
 
-int vtkCSLFImageReader::GetMissingViewpoint(int index)
+vtkIdTypeArray* vtkCSLFImageReader::GetMissingViewpoints() const
 {
-  const bool isInside = index >= 0 && index < this->GetNumberOfMissingViewpoints();
-  return isInside ? this->Internals->Missing[index] : -1;
+  return this->Internal->Missing;
+}
+
+vtkIdType vtkCSLFImageReader::FindMissingViewpoints()
+{
+  if (!this->ReadDescription())
+  {
+    return -1;
+  }
+  const cslf::CubeMapFolder& folder = *this->Internal->Folder;
+  CollectMissing(
+    folder.Slices, [&](int slice) { return ProbeViewpoint(this->FileName, folder.Field, slice); },
+    this->Internal->Missing);
+  return this->GetNumberOfMissingViewpoints();
 }
 
 bool vtkCSLFImageReader::ReadDescription()
 {
-  this->Internals->Folder.reset();
-  this->Internals->Text.clear();
+  this->Internal->Folder.reset();
+  this->Internal->Text.clear();
   this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->FileName || !*this->FileName)
   {
@@ -167,14 +197,14 @@ bool vtkCSLFImageReader::ReadDescription()
     return false;
   }
   std::string error;
-  this->Internals->Folder = cslf::ReadCubeMapDescription(this->FileName, error);
-  if (!this->Internals->Folder)
+  this->Internal->Folder = cslf::ReadCubeMapDescription(this->FileName, error);
+  if (!this->Internal->Folder)
   {
     vtkErrorMacro(<< error);
     this->SetErrorCode(vtkErrorCode::UnrecognizedFileTypeError);
     return false;
   }
-  this->Internals->Text = this->Internals->Folder->Field.ToText();
+  this->Internal->Text = this->Internal->Folder->Field.ToText();
   return true;
 }
 
@@ -185,7 +215,7 @@ int vtkCSLFImageReader::RequestInformation(
   {
     return 0;
   }
-  const cslf::CubeMapFolder& folder = *this->Internals->Folder;
+  const cslf::CubeMapFolder& folder = *this->Internal->Folder;
   int extent[6];
   folder.Field.Grid.GetWholeExtent(extent);
   extent[4] = folder.Slices.First;
@@ -206,12 +236,12 @@ int vtkCSLFImageReader::RequestInformation(
 int vtkCSLFImageReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->Internals->Missing.clear();
-  if (!this->Internals->Folder)
+  this->Internal->Missing->Reset();
+  if (!this->Internal->Folder)
   {
     return 0;
   }
-  const cslf::Description& description = this->Internals->Folder->Field;
+  const cslf::Description& description = this->Internal->Folder->Field;
   vtkInformation* information = outputVector->GetInformationObject(0);
   int extent[6];
   int update[6];
@@ -225,9 +255,9 @@ int vtkCSLFImageReader::RequestData(
   {
     vtkImageData* image = vtkImageData::GetData(outputVector);
     Allocate(description, extent, image);
-    this->Internals->Missing = ReadSlab(this->FileName, description, slab, image);
+    ReadSlab(this->FileName, description, slab, image, this->Internal->Missing);
   }
-  const int missing = this->GetNumberOfMissingViewpoints();
+  const vtkIdType missing = this->GetNumberOfMissingViewpoints();
   if (!isAnyThere || missing == slab.GetCount())
   {
     vtkErrorMacro("None of the viewpoints " << slab.First << " to " << slab.Last << " of "
@@ -238,8 +268,8 @@ int vtkCSLFImageReader::RequestData(
   if (missing > 0)
   {
     vtkWarningMacro(<< missing << " of " << slab.GetCount() << " viewpoints of " << this->FileName
-                    << " are missing or damaged, the first of them " << this->GetMissingViewpoint(0)
-                    << "; they are left empty.");
+                    << " are missing or damaged, the first of them "
+                    << this->GetMissingViewpoints()->GetValue(0) << "; they are left empty.");
   }
   return 1;
 }

@@ -21,6 +21,8 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkIdTypeArray;
+
 class VTKCSLF_EXPORT vtkCSLFImageReader : public vtkImageAlgorithm
 {
 public:
@@ -37,23 +39,36 @@ public:
   ///@}
 
   /**
-   * Returns 1 if the folder holds a light field's description, and 0 otherwise.
+   * Whether a folder is a light field: 3 if it is, 0 if not. Reports no error.
    */
-  static int CanReadFile(VTK_FILEPATH const char* fileName);
+  int CanReadFile(VTK_FILEPATH const char* fileName);
 
   /**
-   * The field's description as JSON text, after UpdateInformation(); empty before, and where it
+   * What to call such folders in a file dialog.
+   */
+  const char* GetDescriptiveName() { return "Cube surface light field (cube maps)"; }
+
+  /**
+   * The field's description (JSON text), once UpdateInformation has run; empty before, and where it
    * could not be read.
    */
-  const char* GetDescription();
+  const char* GetDescription() const;
 
   ///@{
   /**
-   * The viewpoints (z indices) of the last update that could not be read, ascending.
+   * The viewpoints (z) found to be missing by the last update or by FindMissingViewpoints, in
+   * ascending order.
    */
-  int GetNumberOfMissingViewpoints();
-  int GetMissingViewpoint(int index);
+  vtkIdType GetNumberOfMissingViewpoints() const;
+  vtkIdTypeArray* GetMissingViewpoints() const;
   ///@}
+
+  /**
+   * Checks that all images are there and of the right size and type, and the checksums of PNGs,
+   * without decoding pixels. Returns the number of missing viewpoints, or -1 with an error if the
+   * folder is none that can be read.
+   */
+  vtkIdType FindMissingViewpoints();
 
 protected:
   vtkCSLFImageReader();
@@ -68,11 +83,12 @@ private:
   vtkCSLFImageReader(const vtkCSLFImageReader&) = delete;
   void operator=(const vtkCSLFImageReader&) = delete;
 
+  class Internals;
+
   bool ReadDescription();
 
-  struct Internal;
-  std::unique_ptr<Internal> Internals;
   char* FileName = nullptr;
+  const std::unique_ptr<Internals> Internal;
 };
 
 #endif

@@ -13,6 +13,7 @@
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkExtractVOI.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
@@ -91,8 +92,8 @@ void TestRoundTrip(const std::string& folder, int colorType, int depthType)
   vtkSmartPointer<vtkImageData> field = MakeField(colorType, depthType);
   CSLF_CHECK(Write(field, folder));
   CSLF_CHECK(!fs::exists(folder + ".partial") && !fs::exists(folder + ".replaced"));
-  CSLF_CHECK(vtkCSLFImageReader::CanReadFile(folder.c_str()) == 1);
   vtkNew<vtkCSLFImageReader> reader;
+  CSLF_CHECK(reader->CanReadFile(folder.c_str()) == 3);
   reader->SetFileName(folder.c_str());
   reader->Update();
   vtkImageData* output = reader->GetOutput();
@@ -181,8 +182,9 @@ void TestMissing(const std::string& folder)
   CSLF_CHECK(!observer->GetError());
   CSLF_CHECK(observer->GetWarningMessage().find("2 of 54 viewpoints") != std::string::npos);
   CSLF_CHECK(reader->GetNumberOfMissingViewpoints() == 2);
-  CSLF_CHECK(reader->GetMissingViewpoint(0) == 5 && reader->GetMissingViewpoint(1) == 9);
-  CSLF_CHECK(reader->GetMissingViewpoint(2) == -1);
+  CSLF_CHECK(reader->GetMissingViewpoints()->GetValue(0) == 5);
+  CSLF_CHECK(reader->GetMissingViewpoints()->GetValue(1) == 9);
+  CSLF_CHECK(reader->FindMissingViewpoints() == 2);
   CSLF_CHECK(AreEqual(field, reader->GetOutput(), cslf::ColorName, 10, Slices - 1));
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetArray(cslf::ColorName);
   vtkDataArray* depths = reader->GetOutput()->GetPointData()->GetArray(cslf::DepthName);
@@ -204,8 +206,8 @@ void TestMissing(const std::string& folder)
 
 void CheckReadFails(const std::string& folder, const char* message)
 {
-  CSLF_CHECK(!vtkCSLFImageReader::CanReadFile(folder.c_str()));
   vtkNew<vtkCSLFImageReader> reader;
+  CSLF_CHECK(reader->CanReadFile(folder.c_str()) == 0);
   vtkNew<vtkTest::ErrorObserver> observer;
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -250,6 +252,11 @@ void TestBad(const std::string& root)
 
   CSLF_CHECK(Write(field, root + "/lies"));
   std::ofstream(root + "/lies/description.json") << R"({"format": "poem"})";
+  vtkNew<vtkCSLFImageReader> reader;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName((root + "/lies").c_str());
+  CSLF_CHECK(reader->FindMissingViewpoints() == -1 && observer->GetError());
   CheckReadFails(root + "/lies", "describes something else");
 }
 }
