@@ -7,6 +7,8 @@ list(APPEND classes
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
   ../Filters/vtkCSLFImageWriter)
+
+# Folders of cube maps, pulling fields slab by slab, measures of quality.
 list(APPEND sources
   ../Filters/CubeMaps/cslfCubeMapFiles.cxx
   ../Filters/Pipeline/cslfSlabs.cxx)
@@ -14,3 +16,34 @@ list(APPEND private_headers
   ../Filters/CubeMaps/cslfCubeMapFiles.h
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Quality/cslfPSNR.h)
+
+list(APPEND classes
+  ../Filters/vtkCSLFDecoder
+  ../Filters/vtkCSLFEncoder)
+
+# The video coding behind the encoder and the decoder.
+list(APPEND sources
+  ../Filters/Coding/cslfContainerReader.cxx
+  ../Filters/Coding/cslfContainerWriter.cxx
+  ../Filters/Coding/cslfFieldReader.cxx
+  ../Filters/Coding/cslfFieldWriter.cxx
+  ../Filters/Coding/cslfFileHeader.cxx
+  ../Filters/Coding/cslfFrameConverter.cxx
+  ../Filters/Coding/cslfFrameOrder.cxx
+  ../Filters/Coding/cslfGroupCodec.cxx
+  ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfPartStore.cxx
+  ../Filters/Coding/cslfTrack.cxx)
+list(APPEND private_headers
+  ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfContainerReader.h
+  ../Filters/Coding/cslfContainerWriter.h
+  ../Filters/Coding/cslfFieldReader.h
+  ../Filters/Coding/cslfFieldWriter.h
+  ../Filters/Coding/cslfFileHeader.h
+  ../Filters/Coding/cslfFrameConverter.h
+  ../Filters/Coding/cslfFrameOrder.h
+  ../Filters/Coding/cslfGroupCodec.h
+  ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfTrack.h)

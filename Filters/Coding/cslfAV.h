@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * FFmpeg's objects as owned handles, and its messages.
+ */
+#ifndef cslfAV_h
+#define cslfAV_h
+
+extern "C"
+{
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/dict.h>
+#include <libavutil/frame.h>
+#include <libavutil/log.h>
+#include <libavutil/opt.h>
+#include <libavutil/pixdesc.h>
+#include <libswscale/swscale.h>
+}
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace cslf
+{
+struct AVDeleter
+{
+  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+  void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+  void operator()(AVDictionary* dictionary) const { av_dict_free(&dictionary); }
+  void operator()(SwsContext* context) const { sws_freeContext(context); }
+};
+
+/// An FFmpeg object that frees itself.
+template <typename T>
+using AVHandle = std::unique_ptr<T, AVDeleter>;
+
+struct AVInputDeleter
+{
+  void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+};
+
+/// A container open for reading.
+using AVInput = std::unique_ptr<AVFormatContext, AVInputDeleter>;
+
+struct AVOutputDeleter
+{
+  void operator()(AVFormatContext* context) const
+  {
+    avio_closep(&context->pb);
+    avformat_free_context(context);
+  }
+};
+
+/// A container open for writing.
+using AVOutput = std::unique_ptr<AVFormatContext, AVOutputDeleter>;
+
+/// What an error code of FFmpeg means.
+inline std::string AVErrorText(int code)
+{
+  char text[AV_ERROR_MAX_STRING_SIZE] = {};
+  av_strerror(code, text, sizeof(text));
+  return text;
+}
+
+/// Keeps FFmpeg from printing while it lives. Scopes may nest and overlap between threads; the
+/// level found by the first is restored by the last.
+class AVLogSilence
+{
+public:
+  AVLogSilence()
+  {
+    State& state = AVLogSilence::GetState();
+    const std::lock_guard<std::mutex> lock(state.Mutex);
+    if (state.Count++ == 0)
+    {
+      state.Level = av_log_get_level();
+      av_log_set_level(AV_LOG_QUIET);
+    }
+  }
+  ~AVLogSilence()
+  {
+    State& state = AVLogSilence::GetState();
+    const std::lock_guard<std::mutex> lock(state.Mutex);
+    if (--state.Count == 0)
+    {
+      av_log_set_level(state.Level);
+    }
+  }
+  AVLogSilence(const AVLogSilence&) = delete;
+  AVLogSilence& operator=(const AVLogSilence&) = delete;
+
+private:
+  struct State
+  {
+    std::mutex Mutex;
+    int Count = 0;
+    int Level = AV_LOG_INFO;
+  };
+
+  static State& GetState()
+  {
+    static State state;
+    return state;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfContainerReader.h"
+
+#include <vtkErrorCode.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cslf
+{
+namespace
+{
+constexpr AVRational FrameTime = { 1, FrameRate };
+
+/// Packets read in search of the first one of each track, at most this many for each.
+constexpr int FirstPacketSearch = 4 * MaximumGroupLength;
+
+bool Refuse(OpenFailure& failure, unsigned long code, const std::string& text)
+{
+  failure = { code, text };
+  return false;
+}
+}
+
+std::unique_ptr<ContainerReader> ContainerReader::Open(
+  const std::string& fileName, OpenFailure& failure)
+{
+  auto reader = std::make_unique<ContainerReader>();
+  reader->FileName = fileName;
+  if (!reader->OpenContainer(failure) || !reader->ReadHeader(failure) ||
+    !reader->FindTracks(failure))
+  {
+    return nullptr;
+  }
+  return reader;
+}
+
+bool ContainerReader::OpenContainer(OpenFailure& failure)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(this->FileName, ignored))
+  {
+    return Refuse(failure, vtkErrorCode::FileNotFoundError, "there is no such file");
+  }
+  this->Input.reset();
+  AVDictionary* options = nullptr;
+  av_dict_set(&options, "format_whitelist", "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm", 0);
+  av_dict_set(&options, "protocol_whitelist", "file", 0);
+  // Times are taken relative to each track's first, so edit lists say nothing new.
+  av_dict_set(&options, "ignore_editlist", "1", 0);
+  AVFormatContext* context = nullptr;
+  const std::string url = "file:" + this->FileName;
+  const int code = avformat_open_input(&context, url.c_str(), nullptr, &options);
+  av_dict_free(&options);
+  if (code == AVERROR(EACCES) || code == AVERROR(EPERM))
+  {
+    return Refuse(failure, vtkErrorCode::CannotOpenFileError, AVErrorText(code));
+  }
+  if (code < 0)
+  {
+    return Refuse(failure, vtkErrorCode::UnrecognizedFileTypeError,
+      "it is no MP4 or Matroska file, or it is cut short");
+  }
+  this->Input.reset(context);
+  return true;
+}
+
+bool ContainerReader::ReadHeader(OpenFailure& failure)
+{
+  const AVDictionaryEntry* comment = av_dict_get(this->Input->metadata, "comment", nullptr, 0);
+  bool isOurs = false;
+  std::string error;
+  auto header = FileHeader::FromText(comment ? comment->value : "", isOurs, error);
+  if (!header)
+  {
+    return Refuse(failure,
+      isOurs ? vtkErrorCode::FileFormatError : vtkErrorCode::UnrecognizedFileTypeError, error);
+  }
+  this->Header = std::move(*header);
+  this->GroupStarts = this->Header.GetGroupStarts();
+  this->GroupOfFrame.clear();
+  for (std::size_t group = 0; group < this->Header.Groups.size(); ++group)
+  {
+    this->GroupOfFrame.insert(
+      this->GroupOfFrame.end(), this->Header.Groups[group], static_cast<int>(group));
+  }
+  return true;
+}
+
+bool ContainerReader::FindTracks(OpenFailure& failure)
+{
+  const int resolution = this->Header.Field.Grid.GetResolution();
+  const std::size_t tracks = this->Header.Tracks.size();
+  for (unsigned int stream = 0; stream < this->Input->nb_streams; ++stream)
+  {
+    const AVCodecParameters* parameters = this->Input->streams[stream]->codecpar;
+    if (parameters->codec_id != AV_CODEC_ID_HEVC || this->Streams.size() == tracks)
+    {
+      continue;
+    }
+    const std::size_t track = this->Streams.size();
+    const auto size = static_cast<std::size_t>(std::max(parameters->extradata_size, 0));
+    NALFraming framing;
+    std::uint32_t crc = 0;
+    if (!FindFraming(parameters->extradata, size, framing) ||
+      !ComputeParameterSetsCRC(parameters->extradata, size, crc) ||
+      crc != this->Header.Tracks[track].ParameterSetsCRC || parameters->height != resolution ||
+      parameters->width != TileCount * resolution)
+    {
+      return Refuse(failure, vtkErrorCode::FileFormatError,
+        std::string("its track \"") + NameOfRole(this->Header.Tracks[track].Kind.Role) +
+          "\" is damaged");
+    }
+    this->Streams.push_back(static_cast<int>(stream));
+    this->Framings.push_back(framing);
+  }
+  return this->Streams.size() == tracks ||
+    Refuse(failure, vtkErrorCode::FileFormatError,
+      "it has " + std::to_string(this->Streams.size()) + " of its " + std::to_string(tracks) +
+        " tracks");
+}
+
+const AVCodecParameters* ContainerReader::GetParameters(std::size_t track) const
+{
+  return this->Input->streams[this->Streams[track]]->codecpar;
+}
+
+int ContainerReader::FindTrack(const AVPacket* packet) const
+{
+  const auto found = std::find(this->Streams.begin(), this->Streams.end(), packet->stream_index);
+  return found == this->Streams.end() ? -1 : static_cast<int>(found - this->Streams.begin());
+}
+
+void ContainerReader::FindFirstTimes()
+{
+  const std::size_t tracks = this->Streams.size();
+  this->FirstTimes.assign(tracks, AV_NOPTS_VALUE);
+  const AVHandle<AVPacket> packet(av_packet_alloc());
+  std::size_t missing = packet ? tracks : 0;
+  for (std::size_t k = 0; missing > 0 && k < FirstPacketSearch * tracks; ++k)
+  {
+    if (av_read_frame(this->Input.get(), packet.get()) < 0)
+    {
+      break;
+    }
+    const int track = this->FindTrack(packet.get());
+    if (track >= 0 && this->FirstTimes[track] == AV_NOPTS_VALUE && packet->pts != AV_NOPTS_VALUE)
+    {
+      this->FirstTimes[track] = packet->pts;
+      --missing;
+    }
+    av_packet_unref(packet.get());
+  }
+  // A track whose beginning is lost starts where the colour does.
+  const AVRational colorTime = this->Input->streams[this->Streams.front()]->time_base;
+  for (std::size_t track = 0; track < tracks; ++track)
+  {
+    if (this->FirstTimes[track] == AV_NOPTS_VALUE)
+    {
+      const std::int64_t color =
+        this->FirstTimes.front() == AV_NOPTS_VALUE ? 0 : this->FirstTimes.front();
+      this->FirstTimes[track] =
+        av_rescale_q(color, colorTime, this->Input->streams[this->Streams[track]]->time_base);
+    }
+  }
+}
+
+bool ContainerReader::SeekTo(int frame)
+{
+  if (this->FirstTimes.empty())
+  {
+    this->FindFirstTimes();
+  }
+  // MP4 is sought by decoding times, Matroska by presentation times: the earlier one serves both.
+  const int stream = this->Streams.front();
+  const std::int64_t time = this->FirstTimes.front() +
+    av_rescale_q(
+      std::max(frame - this->Header.Delay, 0), FrameTime, this->Input->streams[stream]->time_base);
+  if (av_seek_frame(this->Input.get(), stream, time, AVSEEK_FLAG_BACKWARD) >= 0)
+  {
+    return true;
+  }
+  OpenFailure ignored;
+  return this->OpenContainer(ignored) && this->Input->nb_streams > 0 &&
+    *std::max_element(this->Streams.begin(), this->Streams.end()) <
+    static_cast<int>(this->Input->nb_streams);
+}
+
+long long ContainerReader::FindFrame(std::size_t track, const AVPacket* packet) const
+{
+  if (packet->pts == AV_NOPTS_VALUE)
+  {
+    return -1;
+  }
+  // Times from a damaged file may be anything.
+  constexpr std::int64_t limit = std::int64_t(1) << 60;
+  if (packet->pts < -limit || packet->pts > limit)
+  {
+    return -1;
+  }
+  return av_rescale_q(packet->pts - this->FirstTimes[track],
+    this->Input->streams[packet->stream_index]->time_base, FrameTime);
+}
+
+std::vector<GroupPackets> ContainerReader::Read(int firstGroup, int count)
+{
+  const std::size_t tracks = this->Streams.size();
+  std::vector<GroupPackets> groups(count);
+  for (GroupPackets& group : groups)
+  {
+    group.Tracks.resize(tracks);
+  }
+  const int begin = this->GroupStarts[firstGroup];
+  const int end = this->GroupStarts[firstGroup + count];
+  if (!this->SeekTo(begin))
+  {
+    return groups;
+  }
+  std::size_t wanted = static_cast<std::size_t>(end - begin) * tracks;
+  std::vector<bool> passed(tracks, false);
+  AVHandle<AVPacket> packet(av_packet_alloc());
+  while (packet && wanted > 0 && av_read_frame(this->Input.get(), packet.get()) >= 0)
+  {
+    const int track = this->FindTrack(packet.get());
+    const long long frame = track < 0 ? -1 : this->FindFrame(track, packet.get());
+    if (frame >= begin && frame < end)
+    {
+      const int group = this->GroupOfFrame[frame];
+      packet->pts = frame - this->GroupStarts[group];
+      packet->dts = AV_NOPTS_VALUE;
+      groups[group - firstGroup].Tracks[track].push_back(std::move(packet));
+      packet.reset(av_packet_alloc());
+      --wanted;
+      continue;
+    }
+    if (frame >= end)
+    {
+      passed[track] = true;
+      if (std::all_of(passed.begin(), passed.end(), [](bool isPassed) { return isPassed; }))
+      {
+        break;
+      }
+    }
+    av_packet_unref(packet.get());
+  }
+  return groups;
+}
+
+bool ContainerReader::IsWhole(int group, std::size_t track, const GroupPackets& packets) const
+{
+  const int length = this->Header.Groups[group];
+  std::vector<bool> seen(length, false);
+  std::uint32_t crc = 0;
+  for (const AVHandle<AVPacket>& packet : packets.Tracks[track])
+  {
+    if (seen[packet->pts] ||
+      !AddSlicesToCRC(packet->data, static_cast<std::size_t>(std::max(packet->size, 0)),
+        this->Framings[track], crc))
+    {
+      return false;
+    }
+    seen[packet->pts] = true;
+  }
+  return static_cast<int>(packets.Tracks[track].size()) == length &&
+    crc == this->Header.Tracks[track].GroupCRCs[group];
+}
+
+bool ContainerReader::IsWhole(int group, const GroupPackets& packets) const
+{
+  for (std::size_t track = 0; track < packets.Tracks.size(); ++track)
+  {
+    if (!this->IsWhole(group, track, packets))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}

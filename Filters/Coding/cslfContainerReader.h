@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The packets of a coded file, group by group.
+ */
+#ifndef cslfContainerReader_h
+#define cslfContainerReader_h
+
+#include "Coding/cslfFileHeader.h"
+#include "Coding/cslfHEVC.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// The packets of one group: for each track of the header in decoding order. Their times are the
+/// frames' places in the group.
+struct GroupPackets
+{
+  std::vector<std::vector<AVHandle<AVPacket>>> Tracks;
+};
+
+/// Why a file could not be opened.
+struct OpenFailure
+{
+  unsigned long Code = 0; ///< one of vtkErrorCode's
+  std::string Text;       ///< in one line
+};
+
+class ContainerReader
+{
+public:
+  /// Reads the header only. Returns null on failure.
+  static std::unique_ptr<ContainerReader> Open(const std::string& fileName, OpenFailure& failure);
+
+  const FileHeader& GetHeader() const { return this->Header; }
+
+  /// The decoder's parameters of a track.
+  const AVCodecParameters* GetParameters(std::size_t track) const;
+
+  /// Reads the packets of `count` consecutive groups and no more than lies between them. What
+  /// cannot be read is left out.
+  std::vector<GroupPackets> Read(int firstGroup, int count);
+
+  /// Whether all packets of a group are there and their checksums right, in one or in all tracks.
+  bool IsWhole(int group, std::size_t track, const GroupPackets& packets) const;
+  bool IsWhole(int group, const GroupPackets& packets) const;
+
+private:
+  bool OpenContainer(OpenFailure& failure);
+  bool ReadHeader(OpenFailure& failure);
+  bool FindTracks(OpenFailure& failure);
+  void FindFirstTimes();
+  bool SeekTo(int frame);
+  int FindTrack(const AVPacket* packet) const;
+  long long FindFrame(std::size_t track, const AVPacket* packet) const;
+
+  std::string FileName;
+  AVInput Input;
+  FileHeader Header;
+  std::vector<int> GroupStarts;
+  std::vector<int> GroupOfFrame;
+  std::vector<int> Streams; ///< of each track
+  std::vector<NALFraming> Framings;
+  std::vector<std::int64_t> FirstTimes; ///< of each track, empty until needed
+};
+}
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Decodes any range of slices of a coded light field.
+ */
+#ifndef cslfFieldReader_h
+#define cslfFieldReader_h
+
+#include "Coding/cslfContainerReader.h"
+#include "Coding/cslfFrameConverter.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+class FieldReader
+{
+public:
+  /// Gets numbers from 0 to 1 and returns false to stop.
+  using Progress = std::function<bool(double)>;
+
+  /// Reads the header only. Returns null on failure.
+  static std::unique_ptr<FieldReader> Open(const std::string& fileName, OpenFailure& failure);
+
+  const FileHeader& GetHeader() const { return this->Container->GetHeader(); }
+
+  /// Decodes the slices `first` to `last` into arrays of just these; `depth` may be null. Groups
+  /// that hold none of them are not read. Slices of damaged groups are cleared and their numbers
+  /// returned in ascending order.
+  std::vector<int> Read(
+    int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress);
+
+  /// The slices of damaged groups, in ascending order, by their checksums: nothing is decoded.
+  std::vector<int> FindMissing(const Progress& progress);
+
+private:
+  struct Request;
+
+  std::vector<bool> DecodeGroups(
+    int firstGroup, const std::vector<GroupPackets>& groups, const Request& request) const;
+  bool DecodeTrack(
+    std::size_t track, int group, const GroupPackets& packets, const Request& request) const;
+  std::vector<int> GetSlices(int group) const;
+
+  std::unique_ptr<ContainerReader> Container;
+  std::vector<int> GroupStarts;
+};
+}
+
+#endif

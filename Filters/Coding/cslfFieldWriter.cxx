@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfFieldWriter.h"
+
+#include "Coding/cslfContainerWriter.h"
+#include "Coding/cslfHEVC.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cslf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// The smallest picture that HEVC can code.
+constexpr int MinimumResolution = 16;
+
+std::string Join(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+}
+
+std::string FindFault(const std::string& fileName, const EncodeSettings& settings, int resolution)
+{
+  const fs::path path(fileName);
+  if (!FindContainer(fileName))
+  {
+    return "The extension of " + fileName + " must be .mp4 or .mkv.";
+  }
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+  {
+    return fileName + " is a folder.";
+  }
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(parent, ignored))
+  {
+    return "The folder of " + fileName + " does not exist.";
+  }
+  const auto& presets = GetPresets();
+  if (std::find(presets.begin(), presets.end(), settings.Preset) == presets.end())
+  {
+    return "The preset \"" + settings.Preset + "\" is none of " + Join(presets) + ".";
+  }
+  const auto format = FindPixelFormat(TrackRole::Color, settings.PixelFormat);
+  if (!format)
+  {
+    return "The pixel format \"" + settings.PixelFormat + "\" is none of " + ListColorFormats() +
+      ".";
+  }
+  if (resolution < MinimumResolution)
+  {
+    return "HEVC needs a resolution of at least " + std::to_string(MinimumResolution) +
+      " texels, the field has " + std::to_string(resolution) + ".";
+  }
+  if (!settings.Lossless && NeedsEvenSize(*format) && resolution % 2 != 0)
+  {
+    return "The pixel format " + settings.PixelFormat +
+      " needs an even resolution, the field has " + std::to_string(resolution) + ".";
+  }
+  if (!HasEncoder())
+  {
+    return "This FFmpeg cannot encode HEVC: it was built without libx265.";
+  }
+  return {};
+}
+
+std::string FindFault(const Description& field)
+{
+  const Channel* color = field.FindChannel(ColorName);
+  if (!color || color->Type != VTK_UNSIGNED_CHAR || color->Components != 4)
+  {
+    return "The coded file needs \"Color\" as 4 unsigned chars.";
+  }
+  const Channel* depth = field.FindChannel(DepthName);
+  if (depth && (depth->Type != VTK_UNSIGNED_SHORT || depth->Components != 1))
+  {
+    return "The coded file needs \"Depth\" as unsigned short.";
+  }
+  return {};
+}
+
+FieldWriter::FieldWriter(
+  const std::string& fileName, const EncodeSettings& settings, const Layout& grid)
+  : Parts(fileName)
+  , Settings(settings)
+{
+  FrameOrder order = MakeFrameOrder(grid);
+  this->Header.Groups = MakeGroups(order, settings.GroupLength);
+  this->Header.Coarsest = order.Coarsest;
+  this->Header.Slices = std::move(order.Slices);
+}
+
+std::vector<int> FieldWriter::GetSlices(int firstGroup, int count) const
+{
+  const std::vector<int> starts = this->Header.GetGroupStarts();
+  const auto begin = this->Header.Slices.begin();
+  return { begin + starts[firstGroup], begin + starts[firstGroup + count] };
+}
+
+void FieldWriter::MakeEncodings(bool hasDepth)
+{
+  const EncodeSettings& settings = this->Settings;
+  const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
+  {
+    Encoding encoding;
+    encoding.Kind = { role, format, settings.Lossless };
+    encoding.Options = { settings.Preset, crf, settings.GroupLength };
+    this->Encodings.push_back(encoding);
+    this->Header.Tracks.push_back(
+      { encoding.Kind, 0, std::vector<std::uint32_t>(this->Header.Groups.size(), 0) });
+  };
+  this->Encodings.clear();
+  this->Header.Tracks.clear();
+  add(TrackRole::Color,
+    settings.Lossless ? AV_PIX_FMT_GBRP : *FindPixelFormat(TrackRole::Color, settings.PixelFormat),
+    settings.CRF);
+  add(TrackRole::Coverage, AV_PIX_FMT_GRAY8, settings.CoverageCRF);
+  if (hasDepth && settings.Lossless)
+  {
+    add(TrackRole::DepthHigh, AV_PIX_FMT_GRAY8, 0.0);
+    add(TrackRole::DepthLow, AV_PIX_FMT_GRAY8, 0.0);
+  }
+  else if (hasDepth)
+  {
+    add(TrackRole::Depth, AV_PIX_FMT_GRAY12LE, settings.DepthCRF);
+  }
+}
+
+bool FieldWriter::Begin(const Description& field, std::string& error)
+{
+  this->Header.Field = field;
+  this->Header.Field.Channels.clear();
+  for (const char* name : { ColorName, DepthName })
+  {
+    if (const Channel* channel = field.FindChannel(name))
+    {
+      this->Header.Field.Channels.push_back(*channel);
+    }
+  }
+  this->MakeEncodings(field.FindChannel(DepthName) != nullptr);
+  return this->Parts.Create(error);
+}
+
+bool FieldWriter::WriteGroups(
+  int firstGroup, int count, const std::vector<ConstSlice>& slices, std::string& error)
+{
+  const std::vector<int> starts = this->Header.GetGroupStarts();
+  const std::size_t tracks = this->Encodings.size();
+  const std::size_t jobs = count * tracks;
+  std::vector<CodedGroup> parts(jobs);
+  std::vector<std::string> errors(jobs);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(jobs), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType job = begin; job < end; ++job)
+      {
+        const int group = firstGroup + static_cast<int>(job / tracks);
+        const Encoding& encoding = this->Encodings[job % tracks];
+        const auto from = slices.begin() + (starts[group] - starts[firstGroup]);
+        const std::vector<ConstSlice> frames(from, from + this->Header.Groups[group]);
+        CodedGroup& part = parts[job];
+        if (EncodeGroup(encoding.Kind, this->Header.Field.Grid.GetResolution(), encoding.Options,
+              frames, part, errors[job]))
+        {
+          this->Parts.Write(encoding.Kind.Role, group, part, errors[job]);
+        }
+      }
+    });
+  for (std::size_t job = 0; job < jobs; ++job)
+  {
+    error = errors[job];
+    if (!error.empty() ||
+      !this->Note(job % tracks, firstGroup + static_cast<int>(job / tracks), parts[job], error))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std::string& error)
+{
+  Encoding& encoding = this->Encodings[track];
+  CodedTrack& coded = this->Header.Tracks[track];
+  if (encoding.ParameterSets.empty())
+  {
+    encoding.ParameterSets = part.ParameterSets;
+    ComputeParameterSetsCRC(
+      part.ParameterSets.data(), part.ParameterSets.size(), coded.ParameterSetsCRC);
+  }
+  if (part.ParameterSets != encoding.ParameterSets)
+  {
+    error = "the encoder gave groups that do not fit together";
+    return false;
+  }
+  coded.GroupCRCs[group] = part.CRC;
+  encoding.CoveredFully = encoding.CoveredFully && part.CoveredFully;
+  for (std::size_t k = 0; k < part.Frames.size(); ++k)
+  {
+    this->Header.Delay = std::max(this->Header.Delay, static_cast<int>(k) - part.Frames[k].Index);
+  }
+  return true;
+}
+
+void FieldWriter::DropFullCoverage()
+{
+  for (std::size_t track = 0; track < this->Encodings.size(); ++track)
+  {
+    const Encoding& encoding = this->Encodings[track];
+    if (encoding.Kind.Role == TrackRole::Coverage && encoding.CoveredFully)
+    {
+      this->Encodings.erase(this->Encodings.begin() + static_cast<std::ptrdiff_t>(track));
+      this->Header.Tracks.erase(this->Header.Tracks.begin() + static_cast<std::ptrdiff_t>(track));
+      return;
+    }
+  }
+}
+
+bool FieldWriter::Finish(const std::function<bool(double)>& progress, std::string& error)
+{
+  this->DropFullCoverage();
+  ContainerWriter container;
+  const int resolution = this->Header.Field.Grid.GetResolution();
+  bool good = container.Open(this->Parts.GetWholeName(), this->Header.ToText(), error);
+  for (const Encoding& encoding : this->Encodings)
+  {
+    good = good && container.AddTrack(encoding.Kind, resolution, encoding.ParameterSets, error);
+  }
+  good = good && container.Begin(error);
+  const std::vector<int> starts = this->Header.GetGroupStarts();
+  for (std::size_t group = 0; good && group < this->Header.Groups.size(); ++group)
+  {
+    for (std::size_t track = 0; good && track < this->Encodings.size(); ++track)
+    {
+      CodedGroup part;
+      const int number = static_cast<int>(group);
+      good = this->Parts.Read(this->Encodings[track].Kind.Role, number, part, error) &&
+        container.Write(track, starts[group], this->Header.Delay, part, error);
+    }
+    if (good && !progress(static_cast<double>(group + 1) / this->Header.Groups.size()))
+    {
+      error = "it was stopped";
+      good = false;
+    }
+  }
+  return good && container.End(error) && this->Parts.Publish(error);
+}
+}

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfFrameConverter.h"
+
+#include "cslfLayout.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace cslf
+{
+namespace
+{
+constexpr int ColorBytes = 4;
+constexpr unsigned short FarDepth = 65535;
+
+/// The planes of a planar RGB frame hold green, blue, red.
+constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
+
+/// The largest number of a depth track of 12 bits.
+constexpr unsigned int MaximumCode = 4095;
+
+std::uint16_t EncodeDepth(unsigned short depth)
+{
+  return static_cast<std::uint16_t>((depth * MaximumCode + FarDepth / 2) / FarDepth);
+}
+
+unsigned short DecodeDepth(std::uint16_t code)
+{
+  const unsigned int bounded = std::min<unsigned int>(code, MaximumCode);
+  return static_cast<unsigned short>((bounded * FarDepth + MaximumCode / 2) / MaximumCode);
+}
+
+/// A scaler that only changes the format: accurate, chroma at full resolution, full range.
+AVHandle<SwsContext> MakeScaler(int width, int height, AVPixelFormat from, AVPixelFormat to)
+{
+  constexpr int flags =
+    SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP | SWS_BITEXACT;
+  AVHandle<SwsContext> scaler(
+    sws_getContext(width, height, from, width, height, to, flags, nullptr, nullptr, nullptr));
+  if (scaler)
+  {
+    const int* matrix = sws_getCoefficients(SWS_CS_ITU709);
+    constexpr int full = 1;
+    constexpr int one = 1 << 16;
+    sws_setColorspaceDetails(scaler.get(), matrix, full, matrix, full, 0, one, one);
+  }
+  return scaler;
+}
+
+/// FFmpeg's decoder names full-range 8-bit formats apart; they are the same samples.
+AVPixelFormat WithoutRange(int format)
+{
+  switch (format)
+  {
+    case AV_PIX_FMT_YUVJ420P:
+      return AV_PIX_FMT_YUV420P;
+    case AV_PIX_FMT_YUVJ422P:
+      return AV_PIX_FMT_YUV422P;
+    case AV_PIX_FMT_YUVJ444P:
+      return AV_PIX_FMT_YUV444P;
+    default:
+      return static_cast<AVPixelFormat>(format);
+  }
+}
+
+/// Where the high or the low byte of a number lies in memory.
+std::size_t ByteOffset(bool high)
+{
+  const std::uint16_t one = 1;
+  const bool lowFirst = *reinterpret_cast<const std::uint8_t*>(&one) == 1;
+  return high == lowFirst ? 1 : 0;
+}
+
+/// Visits every texel with its index in the strip and its sample in a plane of a frame.
+template <typename Sample, typename Frame, typename Visit>
+void VisitPlane(int resolution, Frame* frame, int plane, Visit visit)
+{
+  const int width = TileCount * resolution;
+  std::size_t texel = 0;
+  for (int y = 0; y < resolution; ++y)
+  {
+    auto* row = reinterpret_cast<Sample*>(
+      frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane]);
+    for (int x = 0; x < width; ++x, ++texel)
+    {
+      visit(texel, row[x]);
+    }
+  }
+}
+}
+
+void TagFrame(const Track& track, int resolution, AVFrame* frame)
+{
+  const bool color = track.Role == TrackRole::Color;
+  frame->width = TileCount * resolution;
+  frame->height = resolution;
+  frame->format = track.Format;
+  frame->color_range = AVCOL_RANGE_JPEG;
+  frame->color_primaries = color ? AVCOL_PRI_BT709 : AVCOL_PRI_UNSPECIFIED;
+  frame->color_trc = color ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_UNSPECIFIED;
+  frame->colorspace = !color          ? AVCOL_SPC_UNSPECIFIED
+    : track.Format == AV_PIX_FMT_GBRP ? AVCOL_SPC_RGB
+                                      : AVCOL_SPC_BT709;
+}
+
+SliceToFrame::SliceToFrame(const Track& track, int resolution)
+  : Kind(track)
+  , Resolution(resolution)
+{
+  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP)
+  {
+    this->Scaler = MakeScaler(TileCount * resolution, resolution, AV_PIX_FMT_RGB0, track.Format);
+  }
+}
+
+bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
+{
+  switch (this->Kind.Role)
+  {
+    case TrackRole::Color:
+      if (this->Scaler)
+      {
+        const std::uint8_t* const data[4] = { slice.Color, nullptr, nullptr, nullptr };
+        const int lines[4] = { ColorBytes * frame->width, 0, 0, 0 };
+        return sws_scale(this->Scaler.get(), data, lines, 0, this->Resolution, frame->data,
+                 frame->linesize) == this->Resolution;
+      }
+      this->PutColor(slice, frame);
+      return this->Kind.Format == AV_PIX_FMT_GBRP;
+    case TrackRole::Coverage:
+      VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
+        [&](std::size_t texel, std::uint8_t& sample)
+        { sample = slice.Color[ColorBytes * texel + 3]; });
+      return true;
+    case TrackRole::Depth:
+    case TrackRole::DepthHigh:
+    case TrackRole::DepthLow:
+      this->PutDepth(slice, frame);
+      return true;
+  }
+  return false;
+}
+
+void SliceToFrame::PutColor(const ConstSlice& slice, AVFrame* frame) const
+{
+  for (int component = 0; component < 3; ++component)
+  {
+    VisitPlane<std::uint8_t>(this->Resolution, frame, PlaneOfComponent[component],
+      [&](std::size_t texel, std::uint8_t& sample)
+      { sample = slice.Color[ColorBytes * texel + component]; });
+  }
+}
+
+void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame) const
+{
+  if (this->Kind.Role == TrackRole::Depth)
+  {
+    VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
+      [&](std::size_t texel, std::uint16_t& sample) { sample = EncodeDepth(slice.Depth[texel]); });
+    return;
+  }
+  const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
+  VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
+    [&](std::size_t texel, std::uint8_t& sample)
+    { sample = static_cast<std::uint8_t>(slice.Depth[texel] >> shift); });
+}
+
+FrameToSlice::FrameToSlice(const Track& track, int resolution)
+  : Kind(track)
+  , Resolution(resolution)
+{
+  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP)
+  {
+    const int width = TileCount * resolution;
+    this->Scaler = MakeScaler(width, resolution, track.Format, AV_PIX_FMT_RGB24);
+    this->Strip.resize(static_cast<std::size_t>(3) * width * resolution);
+  }
+}
+
+bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
+{
+  if (WithoutRange(frame->format) != this->Kind.Format || frame->height != this->Resolution ||
+    frame->width != TileCount * this->Resolution)
+  {
+    return false;
+  }
+  switch (this->Kind.Role)
+  {
+    case TrackRole::Color:
+      return this->TakeColor(frame, slice);
+    case TrackRole::Coverage:
+      VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
+        [&](std::size_t texel, std::uint8_t sample)
+        { slice.Color[ColorBytes * texel + 3] = sample; });
+      return true;
+    case TrackRole::Depth:
+      VisitPlane<const std::uint16_t>(this->Resolution, frame, 0,
+        [&](std::size_t texel, std::uint16_t sample) { slice.Depth[texel] = DecodeDepth(sample); });
+      return true;
+    case TrackRole::DepthHigh:
+    case TrackRole::DepthLow:
+    {
+      // The two tracks may be taken at once, so each writes its own byte only.
+      auto* bytes = reinterpret_cast<std::uint8_t*>(slice.Depth);
+      const std::size_t offset = ByteOffset(this->Kind.Role == TrackRole::DepthHigh);
+      VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
+        [&](std::size_t texel, std::uint8_t sample) { bytes[2 * texel + offset] = sample; });
+      return true;
+    }
+  }
+  return false;
+}
+
+bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
+{
+  if (!this->Scaler)
+  {
+    for (int component = 0; component < 3; ++component)
+    {
+      VisitPlane<const std::uint8_t>(this->Resolution, frame, PlaneOfComponent[component],
+        [&](std::size_t texel, std::uint8_t sample)
+        { slice.Color[ColorBytes * texel + component] = sample; });
+    }
+    return this->Kind.Format == AV_PIX_FMT_GBRP;
+  }
+  std::uint8_t* const data[4] = { this->Strip.data(), nullptr, nullptr, nullptr };
+  const int lines[4] = { 3 * frame->width, 0, 0, 0 };
+  if (sws_scale(this->Scaler.get(), frame->data, frame->linesize, 0, this->Resolution, data,
+        lines) != this->Resolution)
+  {
+    return false;
+  }
+  const std::size_t texels = this->Strip.size() / 3;
+  for (std::size_t texel = 0; texel < texels; ++texel)
+  {
+    std::copy_n(&this->Strip[3 * texel], 3, slice.Color + ColorBytes * texel);
+  }
+  return true;
+}
+
+void JoinChannels(int resolution, bool hasCoverage, const Slice& slice)
+{
+  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  for (std::size_t texel = 0; texel < texels; ++texel)
+  {
+    unsigned char* color = slice.Color + ColorBytes * texel;
+    color[3] = hasCoverage ? color[3] : 255;
+    for (int component = 0; component < 3; ++component)
+    {
+      color[component] = std::min(color[component], color[3]);
+    }
+    if (slice.Depth && color[3] == 0)
+    {
+      slice.Depth[texel] = FarDepth;
+    }
+  }
+}
+
+void ClearSlice(int resolution, const Slice& slice)
+{
+  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  std::fill_n(slice.Color, ColorBytes * texels, static_cast<unsigned char>(0));
+  if (slice.Depth)
+  {
+    std::fill_n(slice.Depth, texels, FarDepth);
+  }
+}
+}

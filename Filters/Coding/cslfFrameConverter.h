@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Slices of the light field to video frames and back.
+ *
+ * Colour is stored as Y'CbCr of ITU-R BT.709's matrix and full range, or as planar RGB. Coverage is
+ * stored as it is, depth rounded to 12 bits or as two bytes.
+ */
+#ifndef cslfFrameConverter_h
+#define cslfFrameConverter_h
+
+#include "Coding/cslfTrack.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cslf
+{
+/// One viewpoint's samples: strips of 5 N x N texels.
+struct ConstSlice
+{
+  const unsigned char* Color = nullptr;  ///< 4 a texel
+  const unsigned short* Depth = nullptr; ///< 1 a texel, or null
+};
+
+struct Slice
+{
+  unsigned char* Color = nullptr;
+  unsigned short* Depth = nullptr;
+};
+
+/// Sets the size, format and colour tags of what a track's encoder or frame holds.
+void TagFrame(const Track& track, int resolution, AVFrame* frame);
+
+/// Turns slices into frames of one track.
+class SliceToFrame
+{
+public:
+  SliceToFrame(const Track& track, int resolution);
+
+  /// Fills a writable frame that has the track's format and size. False if FFmpeg cannot.
+  bool Convert(const ConstSlice& slice, AVFrame* frame);
+
+private:
+  void PutColor(const ConstSlice& slice, AVFrame* frame) const;
+  void PutDepth(const ConstSlice& slice, AVFrame* frame) const;
+
+  Track Kind;
+  int Resolution;
+  AVHandle<SwsContext> Scaler;
+};
+
+/// Turns frames of one track into its part of slices. Tracks of one slice may be converted at once.
+class FrameToSlice
+{
+public:
+  FrameToSlice(const Track& track, int resolution);
+
+  /// False if the frame has another format or size than the track, or FFmpeg cannot.
+  bool Convert(const AVFrame* frame, const Slice& slice);
+
+private:
+  bool TakeColor(const AVFrame* frame, const Slice& slice);
+
+  Track Kind;
+  int Resolution;
+  AVHandle<SwsContext> Scaler;
+  std::vector<std::uint8_t> Strip;
+};
+
+/// Joins the channels of a decoded slice: colour at most coverage, depth 1 where nothing is
+/// covered. Without a coverage track the slice is covered everywhere.
+void JoinChannels(int resolution, bool hasCoverage, const Slice& slice);
+
+/// What is put in place of a viewpoint that is missing: nothing covered, depth 1.
+void ClearSlice(int resolution, const Slice& slice);
+}
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The video tracks that a light field is coded as.
+ */
+#ifndef cslfTrack_h
+#define cslfTrack_h
+
+#include "Coding/cslfAV.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// What a track's samples are.
+enum class TrackRole
+{
+  Color,     ///< red, green, blue
+  Coverage,  ///< alpha
+  Depth,     ///< depth, rounded to the track's bits
+  DepthHigh, ///< the high byte of 16-bit depth
+  DepthLow   ///< its low byte
+};
+
+/// A track's role and how its samples lie in a frame.
+struct Track
+{
+  TrackRole Role = TrackRole::Color;
+  AVPixelFormat Format = AV_PIX_FMT_YUV444P;
+  bool Lossless = false;
+};
+
+/// The frames of all tracks follow each other at this rate, in Hz.
+constexpr int FrameRate = 25;
+
+/// Closed groups of pictures have at most this many frames.
+constexpr int MaximumGroupLength = 16;
+
+/// The codec of all tracks, by FFmpeg's name.
+constexpr const char* CodecName = "hevc";
+
+/// The names that files use.
+const char* NameOfRole(TrackRole role);
+std::optional<TrackRole> RoleOfName(const std::string& name);
+
+/// The pixel format of that FFmpeg name if a track of that role may have it.
+std::optional<AVPixelFormat> FindPixelFormat(TrackRole role, const std::string& name);
+
+/// The pixel formats that a user may choose for colour, for messages: "yuv444p, ...".
+std::string ListColorFormats();
+
+/// FFmpeg's name of a pixel format.
+std::string NameOfFormat(AVPixelFormat format);
+
+/// The bits of a sample.
+int BitsOfFormat(AVPixelFormat format);
+
+/// Whether frames of an odd width or height cannot have this format.
+bool NeedsEvenSize(AVPixelFormat format);
+}
+
+#endif

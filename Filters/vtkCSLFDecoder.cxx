@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFDecoder.h"
+
+#include "Coding/cslfFieldReader.h"
+
+#include <vtkErrorCode.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <sstream>
+
+vtkStandardNewMacro(vtkCSLFDecoder);
+
+class vtkCSLFDecoder::Internals
+{
+public:
+  std::unique_ptr<cslf::FieldReader> Reader;
+  std::string Description;
+  std::string PixelFormat;
+  vtkNew<vtkIdTypeArray> Missing;
+
+  void SetReader(std::unique_ptr<cslf::FieldReader> reader)
+  {
+    this->Reader = std::move(reader);
+    this->Description.clear();
+    this->PixelFormat.clear();
+    if (this->Reader)
+    {
+      const cslf::FileHeader& header = this->Reader->GetHeader();
+      this->Description = header.Field.ToText();
+      this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
+    }
+  }
+
+  void SetMissing(const std::vector<int>& slices)
+  {
+    this->Missing->Reset();
+    for (int slice : slices)
+    {
+      this->Missing->InsertNextValue(slice);
+    }
+  }
+};
+
+vtkCSLFDecoder::vtkCSLFDecoder()
+  : Internal(new Internals)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkCSLFDecoder::~vtkCSLFDecoder()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkCSLFDecoder::CanReadFile(const char* fileName)
+{
+  const cslf::AVLogSilence silence;
+  cslf::OpenFailure ignored;
+  constexpr int certainly = 3;
+  return fileName && cslf::FieldReader::Open(fileName, ignored) ? certainly : 0;
+}
+
+const char* vtkCSLFDecoder::GetDescription() const
+{
+  return this->Internal->Description.c_str();
+}
+
+const char* vtkCSLFDecoder::GetCodecName() const
+{
+  return this->Internal->Reader ? cslf::CodecName : "";
+}
+
+const char* vtkCSLFDecoder::GetPixelFormat() const
+{
+  return this->Internal->PixelFormat.c_str();
+}
+
+vtkIdType vtkCSLFDecoder::GetNumberOfMissingViewpoints() const
+{
+  return this->Internal->Missing->GetNumberOfValues();
+}
+
+vtkIdTypeArray* vtkCSLFDecoder::GetMissingViewpoints() const
+{
+  return this->Internal->Missing;
+}
+
+bool vtkCSLFDecoder::ReportProgress(double progress)
+{
+  this->UpdateProgress(progress);
+  return !this->GetAbortExecute();
+}
+
+int vtkCSLFDecoder::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Internal->SetReader(nullptr);
+  this->Internal->SetMissing({});
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("There is no file name.");
+    return 0;
+  }
+  const cslf::AVLogSilence silence;
+  cslf::OpenFailure failure;
+  this->Internal->SetReader(cslf::FieldReader::Open(this->FileName, failure));
+  if (!this->Internal->Reader)
+  {
+    this->SetErrorCode(failure.Code);
+    vtkErrorMacro("Cannot read " << this->FileName << ": " << failure.Text << ".");
+    return 0;
+  }
+  int extent[6];
+  this->Internal->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  outInfo->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_UNSIGNED_CHAR, 4);
+  return 1;
+}
+
+int vtkCSLFDecoder::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Internal->SetMissing({});
+  if (!this->Internal->Reader)
+  {
+    return 0;
+  }
+  const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outInfo);
+  int asked[6];
+  int extent[6];
+  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), asked);
+  field.Grid.GetWholeExtent(extent);
+  extent[4] = asked[4];
+  extent[5] = asked[5];
+  output->SetExtent(extent);
+
+  vtkNew<vtkUnsignedCharArray> color;
+  color->SetName(cslf::ColorName);
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(output->GetNumberOfPoints());
+  output->GetPointData()->SetScalars(color);
+  vtkNew<vtkUnsignedShortArray> depth;
+  const bool hasDepth = field.FindChannel(cslf::DepthName) != nullptr;
+  if (hasDepth)
+  {
+    depth->SetName(cslf::DepthName);
+    depth->SetNumberOfTuples(output->GetNumberOfPoints());
+    output->GetPointData()->AddArray(depth);
+  }
+  field.WriteTo(output->GetFieldData());
+
+  const cslf::AVLogSilence silence;
+  this->Internal->SetMissing(this->Internal->Reader->Read(extent[4], extent[5],
+    color->GetPointer(0), hasDepth ? depth->GetPointer(0) : nullptr,
+    [this](double progress) { return this->ReportProgress(progress); }));
+  if (this->GetAbortExecute())
+  {
+    output->Initialize();
+    return 1;
+  }
+  const vtkIdType slices = extent[5] - extent[4] + 1;
+  const vtkIdType missing = this->GetNumberOfMissingViewpoints();
+  if (slices > 0 && missing == slices)
+  {
+    output->Initialize();
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro("Cannot read " << this->FileName
+                                 << ": its video is damaged or cut short, none of " << slices
+                                 << " viewpoints can be read.");
+    return 0;
+  }
+  if (missing > 0)
+  {
+    this->WarnOfMissing(slices);
+  }
+  return 1;
+}
+
+void vtkCSLFDecoder::WarnOfMissing(vtkIdType asked)
+{
+  constexpr vtkIdType named = 5;
+  const vtkIdType count = this->GetNumberOfMissingViewpoints();
+  std::ostringstream list;
+  for (vtkIdType k = 0; k < std::min(count, named); ++k)
+  {
+    list << (k > 0 ? ", " : "") << this->Internal->Missing->GetValue(k);
+  }
+  vtkWarningMacro(<< this->FileName << " is damaged: " << count << " of " << asked
+                  << " viewpoints are missing and left empty (z = " << list.str()
+                  << (count > named ? ", ..." : "") << ").");
+}
+
+vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
+{
+  this->UpdateInformation();
+  if (!this->Internal->Reader)
+  {
+    return -1;
+  }
+  const cslf::AVLogSilence silence;
+  this->Internal->SetMissing(this->Internal->Reader->FindMissing(
+    [this](double progress) { return this->ReportProgress(progress); }));
+  return this->GetNumberOfMissingViewpoints();
+}
+
+void vtkCSLFDecoder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Description: " << this->GetDescription() << "\n";
+  os << indent << "MissingViewpoints: " << this->GetNumberOfMissingViewpoints() << "\n";
+}

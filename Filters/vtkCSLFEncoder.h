@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFEncoder
+ * @brief   writes a cube surface light field as an HEVC video, MP4 or Matroska
+ *
+ * vtkCSLFEncoder codes the image data of a light field: each viewpoint (z slice) becomes one frame
+ * of three tracks, colour, coverage and depth, coded by x265 through FFmpeg's libavcodec (paper,
+ * section 3.4). The coverage track is left out where coverage is full everywhere, the depth track
+ * where the field has none. Any player built on FFmpeg shows the file; vtkCSLFDecoder reads it
+ * back.
+ *
+ * The input is pulled in z slabs through the pipeline's update extents, so the whole field never
+ * has to fit in memory: a slab has at most 32 viewpoints for each thread of vtkSMPTools, fewer
+ * where they would exceed 512 MiB. The input's whole extent must be the whole field; a part that
+ * was extracted along z is refused. Needed are `Color` as 4 unsigned chars and, if present, `Depth`
+ * as unsigned short; further channels of the field are left out with a warning. HEVC needs a
+ * resolution of at least 16 texels.
+ *
+ * Viewpoints are coded in closed groups of at most GroupLength, first those of the coarsest nested
+ * grid. Groups and tracks are coded side by side with vtkSMPTools, and the file has the same bytes
+ * for any number of threads. While it grows, its parts lie in a folder named like the file with
+ * `.partial` appended; the file itself appears whole, by renaming, and replaces an older one only
+ * then. On an error or abort nothing is left behind. Documentation/FileFormat.md specifies the
+ * file.
+ *
+ * @sa
+ * vtkCSLFDecoder vtkCSLFSampler
+ */
+#ifndef vtkCSLFEncoder_h
+#define vtkCSLFEncoder_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCSLFModule.h" // For export macro
+
+#include <string> // For std::string
+
+class vtkImageData;
+
+class VTKCSLF_EXPORT vtkCSLFEncoder : public vtkAlgorithm
+{
+public:
+  static vtkCSLFEncoder* New();
+  vtkTypeMacro(vtkCSLFEncoder, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/get the file to write. Its extension, .mp4 or .mkv, chooses the container.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the constant rate factor of colour, from 0 (best) to 51 (smallest). About 6 more halve
+   * the size. Default 22.
+   */
+  vtkSetClampMacro(CRF, double, 0.0, 51.0);
+  vtkGetMacro(CRF, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the constant rate factor of coverage, from 0 to 51. Default 12.
+   */
+  vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
+  vtkGetMacro(CoverageCRF, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the constant rate factor of depth, from 0 to 51. Default 12.
+   */
+  vtkSetClampMacro(DepthCRF, double, 0.0, 51.0);
+  vtkGetMacro(DepthCRF, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get x265's preset, which trades time for size: ultrafast, superfast, veryfast, faster,
+   * fast, medium, slow, slower, veryslow or placebo. Default medium.
+   */
+  vtkSetStringMacro(Preset);
+  vtkGetStringMacro(Preset);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the pixel format of colour: yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le or
+   * gbrp. Formats other than 4:4:4 lose much of saturated colours; yuv420p is what every player and
+   * hardware decoder knows. 4:2:0 and 4:2:2 need an even resolution. Default yuv444p.
+   */
+  vtkSetStringMacro(PixelFormat);
+  vtkGetStringMacro(PixelFormat);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the most frames of a closed group, from 1 to 16: what a decoder has to decode at most
+   * for one viewpoint. Default 16.
+   */
+  vtkSetClampMacro(GroupLength, int, 1, 16);
+  vtkGetMacro(GroupLength, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get whether all channels are kept bit for bit. The rate factors and the pixel format are
+   * then ignored: colour is coded as planar RGB and depth as two tracks, its high and its low
+   * bytes. Default off.
+   */
+  vtkSetMacro(Lossless, bool);
+  vtkGetMacro(Lossless, bool);
+  vtkBooleanMacro(Lossless, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the light field without a pipeline.
+   */
+  void SetInputData(vtkImageData* input);
+  vtkImageData* GetInput();
+  ///@}
+
+  /**
+   * Writes the file. Returns 1 on success; otherwise 0, and the error code tells the kind of error.
+   */
+  int Write();
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+protected:
+  vtkCSLFEncoder();
+  ~vtkCSLFEncoder() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
+  void operator=(const vtkCSLFEncoder&) = delete;
+
+  class Session;
+
+  bool Fail(unsigned long code, const std::string& text);
+
+  char* FileName = nullptr;
+  double CRF = 22.0;
+  double CoverageCRF = 12.0;
+  double DepthCRF = 12.0;
+  char* Preset = nullptr;
+  char* PixelFormat = nullptr;
+  int GroupLength = 16;
+  bool Lossless = false;
+};
+
+#endif
