@@ -9,6 +9,8 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include <glm/common.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -101,6 +103,10 @@ Description Parse(const JSON& json)
   {
     throw std::invalid_argument("the cube's edges must be positive");
   }
+  if (json.contains("bounds"))
+  {
+    description.SceneBounds = json.at("bounds").get<std::array<double, 6>>();
+  }
   for (const JSON& item : json.at("channels"))
   {
     Channel channel;
@@ -165,6 +171,26 @@ Channel MakeDepthChannel(int type)
   return { DepthName, type, 1, DepthEncoding };
 }
 
+glm::dvec3 Description::GetSceneMinimumCC() const
+{
+  if (!this->SceneBounds)
+  {
+    return glm::dvec3(-1.0);
+  }
+  const auto& bounds = *this->SceneBounds;
+  return glm::max(this->Box.PointToCube({ bounds[0], bounds[2], bounds[4] }), -1.0);
+}
+
+glm::dvec3 Description::GetSceneMaximumCC() const
+{
+  if (!this->SceneBounds)
+  {
+    return glm::dvec3(1.0);
+  }
+  const auto& bounds = *this->SceneBounds;
+  return glm::min(this->Box.PointToCube({ bounds[1], bounds[3], bounds[5] }), 1.0);
+}
+
 const Channel* Description::FindChannel(const std::string& name) const
 {
   for (const Channel& channel : this->Channels)
@@ -185,11 +211,16 @@ nlohmann::json Description::ToJSON() const
     channels.push_back({ { "name", channel.Name }, { "type", NameOfType(channel.Type) },
       { "components", channel.Components }, { "encoding", channel.Encoding } });
   }
-  return { { "format", FormatName }, { "version", Version },
+  JSON json = { { "format", FormatName }, { "version", Version },
     { "base_nodes", this->Grid.GetBaseNodes() }, { "nodes", this->Grid.GetNodes() },
     { "resolution", this->Grid.GetResolution() }, { "center", ToArray(this->Box.Center) },
     { "edges", ToArray(this->Box.Edges) }, { "channels", channels },
     { "sampling", JSON::parse(this->Sampling) } };
+  if (this->SceneBounds)
+  {
+    json["bounds"] = *this->SceneBounds;
+  }
+  return json;
 }
 
 std::string Description::ToText() const

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,9 +57,16 @@ struct VTKCSLF_EXPORT Description
 
   Layout Grid;
   Cube Box;
+  /// Bounds of what is inside, in the world, in VTK's order, where they are known: lookups need not
+  /// search outside of them. Otherwise the cube's.
+  std::optional<std::array<double, 6>> SceneBounds;
   std::vector<Channel> Channels;
   /// Sampling and scene parameters, a JSON object as text, for the record: no consumer needs it.
   std::string Sampling = "{}";
+
+  /// The corners of the scene's bounds in CC, within [-1,1]^3.
+  glm::dvec3 GetSceneMinimumCC() const;
+  glm::dvec3 GetSceneMaximumCC() const;
 
   /// The channel of that name, or null.
   const Channel* FindChannel(const std::string& name) const;

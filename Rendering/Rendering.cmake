@@ -2,6 +2,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the mapper's classes, sources and shaders for Module/CMakeLists.txt.
-list(APPEND classes)
-list(APPEND sources)
-list(APPEND private_headers)
+list(APPEND classes
+  ../Rendering/vtkCSLFMapper)
+list(APPEND sources
+  ../Rendering/cslfFieldTexture.cxx
+  ../Rendering/cslfLookup.cxx
+  ../Rendering/vtkCSLFCubeMapper.cxx)
+list(APPEND private_headers
+  ../Rendering/cslfFieldTexture.h
+  ../Rendering/cslfLookup.h
+  ../Rendering/cslfOpenGL.h
+  ../Rendering/vtkCSLFCubeMapper.h)
+
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfMapperFS cslfMapperVS)
+  if (shader MATCHES "(FS|VS)$")
+    set(name "${shader}")
+  else ()
+    set(name "${shader}GLSL")
+  endif ()
+  vtk_encode_string(
+    INPUT "${CSLF_SOURCE_DIR}/Rendering/Shaders/${shader}.glsl"
+    NAME "${name}"
+    HEADER_OUTPUT shader_header
+    SOURCE_OUTPUT shader_source)
+  list(APPEND sources "${shader_source}")
+  list(APPEND private_headers "${shader_header}")
+endforeach ()

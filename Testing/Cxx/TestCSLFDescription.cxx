@@ -26,6 +26,7 @@ cslf::Description MakeDescription()
   description.Box = { { 0.1, -2.0, 3e5 }, { 1.0, 2.0, 0.3 } };
   description.Channels = { cslf::MakeColorChannel(VTK_UNSIGNED_CHAR),
     cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT) };
+  description.SceneBounds = { 0.0, 0.5, -3.0, -1.0, 2.99999e5, 3.00001e5 };
   description.Sampling = R"({"seed":7})";
   return description;
 }
@@ -63,6 +64,9 @@ void TestRoundTrip()
     CSLF_CHECK(read->Grid == description.Grid);
     CSLF_CHECK(read->Box.Center == description.Box.Center);
     CSLF_CHECK(read->Box.Edges == description.Box.Edges);
+    CSLF_CHECK(read->SceneBounds == description.SceneBounds);
+    CSLF_CHECK_NEAR(read->GetSceneMaximumCC().x, 0.8, 1e-12);
+    CSLF_CHECK_NEAR(read->GetSceneMinimumCC().y, -1.0, 1e-12);
     CSLF_CHECK(read->Channels.size() == 2);
     CSLF_CHECK(read->FindChannel(cslf::DepthName)->Type == VTK_UNSIGNED_SHORT);
     CSLF_CHECK(!read->FindChannel("Normals"));
@@ -125,6 +129,7 @@ void TestMisfits()
   change("edges", { 0, 1, 1 });
   change("edges", { 1, 1 });
   change("channels", 3);
+  change("bounds", { 1, 2 });
 }
 
 void TestColor()

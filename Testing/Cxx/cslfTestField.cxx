@@ -113,6 +113,10 @@ vtkSmartPointer<vtkImageData> MakeTestField(const Layout& layout, const Cube& bo
   Description description;
   description.Grid = layout;
   description.Box = box;
+  const glm::dvec3 least = box.PointToWorld(glm::dvec3(-WallHalf, -WallHalf, WallZ));
+  const glm::dvec3 most =
+    box.PointToWorld(glm::dvec3(WallHalf, WallHalf, SphereCenter.z + SphereRadius));
+  description.SceneBounds = { least.x, most.x, least.y, most.y, least.z, most.z };
   description.Channels.push_back(MakeColorChannel(colorType));
   if (depthType != 0)
   {

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfAreaLights.h"
+
+#include "cslfSampling.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace cslf
+{
+AreaLights::AreaLights(std::vector<EmissiveTriangle> triangles)
+  : Triangles(std::move(triangles))
+{
+  std::vector<double> weights;
+  weights.reserve(this->Triangles.size());
+  for (const EmissiveTriangle& triangle : this->Triangles)
+  {
+    const float area = 0.5f * glm::length(glm::cross(triangle.EdgeU, triangle.EdgeV));
+    weights.push_back(double(area) * Luminance(triangle.Radiance));
+  }
+  this->Choice = Distribution1D(weights);
+}
+
+LightSample AreaLights::Sample(const glm::vec3& from, const glm::vec2& u) const
+{
+  // Choose the triangle, then the point with what is left of the random number.
+  const DiscreteSample choice = this->Choice.Sample(u.x);
+  const EmissiveTriangle& triangle = this->Triangles[choice.Index];
+  const glm::vec2 point = SampleTriangle({ choice.Remainder, u.y });
+
+  LightSample sample;
+  const glm::vec3 path =
+    triangle.Corner + point.x * triangle.EdgeU + point.y * triangle.EdgeV - from;
+  const float distance = glm::length(path);
+  if (distance > 0.0f)
+  {
+    const glm::vec3 normal = glm::normalize(glm::cross(triangle.EdgeU, triangle.EdgeV));
+    sample.Distance = distance;
+    sample.Direction = path / distance;
+    sample.Radiance = triangle.Radiance;
+    sample.Pdf =
+      this->Pdf(triangle.Radiance, distance, std::abs(glm::dot(normal, sample.Direction)));
+  }
+  return sample;
+}
+
+float AreaLights::Pdf(const glm::vec3& radiance, float distance, float cosine) const
+{
+  // Per area, a triangle's choice and its area cancel.
+  const auto perArea = static_cast<float>(Luminance(radiance) / this->Choice.GetTotal());
+  return cosine > 0.0f ? perArea * distance * distance / cosine : 0.0f;
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The metallic-roughness material: glTF 2.0, appendix B, with layers that conserve energy.
+ */
+#ifndef cslfBSDF_h
+#define cslfBSDF_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfSurfaceMaterial.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace cslf
+{
+struct BSDFSample
+{
+  glm::vec3 Direction{ 0.0f }; ///< local
+  glm::vec3 Weight{ 0.0f };    ///< BSDF times cosine, over the density
+  float Pdf = 0.0f;            ///< per solid angle; infinite for a mirror's direction
+};
+
+/**
+ * How a surface point reflects towards one outgoing direction. Directions are local: z is the
+ * shading normal, both point away from the surface, and both must be above it.
+ *
+ * A metal of reflectance "base colour" and a dielectric are blended by "metallic". Both reflect
+ * through the same facets, GGX. Under the dielectric's boundary lies a diffuse base, which gets
+ * what the boundary lets through, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
+ * albedo: unlike glTF's example code, this never reflects more than it receives (Kelemen and
+ * Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 short
+ * papers).
+ */
+class VTKCSLF_EXPORT BSDF
+{
+public:
+  BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing);
+
+  /// Whether light from given directions is reflected at all: not so for a pure mirror.
+  bool IsMirror() const
+  {
+    return this->SpecularProbability >= 1.0f && this->Material.Alpha == 0.0f;
+  }
+
+  /// BSDF times the cosine at the incident direction, a mirror's part left out.
+  glm::vec3 EvaluateCosine(const glm::vec3& incident) const;
+
+  /// The density with which Sample takes a direction, a mirror's part left out.
+  float Pdf(const glm::vec3& incident) const;
+
+  /// Samples an incident direction. False where the path ends.
+  bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample) const;
+
+private:
+  glm::vec3 Fresnel(float cosine) const;
+  float DiffuseTransmission(const glm::vec3& incident) const;
+
+  const SurfaceMaterial& Material;
+  glm::vec3 BaseColor;
+  glm::vec3 Outgoing;
+  float SpecularProbability = 0.0f;
+};
+}
+
+#endif

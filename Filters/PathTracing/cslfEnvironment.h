@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Light from infinitely far away, from all directions.
+ */
+#ifndef cslfEnvironment_h
+#define cslfEnvironment_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfDistribution.h"
+#include "cslfLightSample.h"
+
+#include <glm/vec2.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// The environment's own axes in the world: `Up` as asked for, `Right` the world's x made
+/// perpendicular to it, as of a vtkRenderer whose EnvironmentRight is left alone.
+struct VTKCSLF_EXPORT EnvironmentAxes
+{
+  glm::vec3 Right{ 1.0f, 0.0f, 0.0f };
+  glm::vec3 Up{ 0.0f, 1.0f, 0.0f };
+  glm::vec3 Front{ 0.0f, 0.0f, 1.0f };
+
+  /// `up` must have a length.
+  static EnvironmentAxes FromUp(const glm::dvec3& up);
+};
+
+/// A lat-long image, linear, its first row at the zenith.
+struct EnvironmentImage
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<glm::vec3> Pixels;
+};
+
+/// Reads an image through OpenImageIO and makes it linear. On failure returns false and says why,
+/// in one line.
+VTKCSLF_EXPORT bool ReadEnvironmentImage(
+  const std::string& fileName, EnvironmentImage& image, std::string& error);
+
+/**
+ * The radiance of every direction. A constant or a vertical gradient is left to the BSDF's own
+ * samples: under a constant one, those of a diffuse or mirror surface are without noise but for
+ * visibility, which no sampling of the environment knows either. An image is sampled in proportion
+ * to its luminance.
+ */
+class VTKCSLF_EXPORT Environment
+{
+public:
+  /// Darkness.
+  Environment() = default;
+
+  /// From `bottom` to `top`, linear in the height of the direction's end.
+  Environment(const glm::vec3& bottom, const glm::vec3& top, const EnvironmentAxes& axes);
+
+  /// A lat-long image as VTK's environment textures lie: its middle column is the right axis, the
+  /// front axis a quarter of the width further.
+  Environment(EnvironmentImage image, float intensity, const EnvironmentAxes& axes);
+
+  /// Whether Sample and Pdf are of use.
+  bool CanSample() const { return this->Importance.GetTotal() > 0.0; }
+
+  glm::vec3 GetRadiance(const glm::vec3& direction) const;
+  LightSample Sample(const glm::vec2& u) const;
+  float Pdf(const glm::vec3& direction) const;
+
+private:
+  glm::vec2 ToImage(const glm::vec3& direction) const;
+  glm::vec3 Interpolate(const glm::vec2& point) const;
+
+  glm::vec3 Bottom{ 0.0f };
+  glm::vec3 Top{ 0.0f };
+  EnvironmentAxes Axes;
+  EnvironmentImage Image;
+  Distribution2D Importance;
+};
+}
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfLightReader.h"
+
+#include "vtkCSLFLight.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+glm::dvec3 GetTuple3(vtkDataArray* array, vtkIdType index)
+{
+  double tuple[3];
+  array->GetTuple(index, tuple);
+  return { tuple[0], tuple[1], tuple[2] };
+}
+
+bool IsFinite(const glm::dvec3& vector)
+{
+  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+}
+
+void LightReader::Add(vtkDataObject* data)
+{
+  if (data)
+  {
+    this->Read(data, vtkCSLFLight::DirectionalLightDirection(),
+      vtkCSLFLight::DirectionalLightIrradiance(), true, this->Directional);
+    this->Read(data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity(), false,
+      this->Points);
+  }
+}
+
+void LightReader::Read(vtkDataObject* data, const char* places, const char* powers, bool directions,
+  std::vector<Light>& lights)
+{
+  vtkDataArray* place = data->GetFieldData()->GetArray(places);
+  vtkDataArray* power = data->GetFieldData()->GetArray(powers);
+  if (!place && !power)
+  {
+    return;
+  }
+  if (!place || !power || place->GetNumberOfComponents() != 3 ||
+    power->GetNumberOfComponents() != 3 || place->GetNumberOfTuples() != power->GetNumberOfTuples())
+  {
+    ++this->Rejected;
+    return;
+  }
+  for (vtkIdType i = 0; i < place->GetNumberOfTuples(); ++i)
+  {
+    const Light light{ GetTuple3(place, i), glm::max(GetTuple3(power, i), 0.0) };
+    if (IsFinite(light.Place) && IsFinite(light.Power) &&
+      (!directions || glm::length(light.Place) > 0.0))
+    {
+      lights.push_back(light);
+    }
+    else
+    {
+      ++this->Rejected;
+    }
+  }
+}
+
+void LightReader::MoveTo(LightSet& lights, const SceneFrame& frame) const
+{
+  for (const Light& light : this->Directional)
+  {
+    lights.Directional.push_back({ glm::normalize(light.Place), light.Power });
+  }
+  for (const Light& light : this->Points)
+  {
+    // Irradiance falls off with the squared distance, which shrinks with the scene.
+    lights.Points.push_back(
+      { frame.PointToScene(light.Place), light.Power / (frame.Radius * frame.Radius) });
+  }
+}
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The random numbers of one path: a scrambled low-discrepancy sequence for every pair of dimensions
+ * of every texel.
+ */
+#ifndef cslfSampleStream_h
+#define cslfSampleStream_h
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+
+namespace cslf
+{
+/// The numbers that a path's vertex consumes; each vertex has its own set.
+enum class Dimension : std::uint32_t
+{
+  Pixel,       ///< the position in the texel; once a path
+  Lobe,        ///< which part of the BSDF
+  Direction,   ///< the direction of the BSDF's sample
+  AreaLight,   ///< the point on an emissive triangle
+  Environment, ///< the direction to the environment
+  Roulette,    ///< whether the path goes on
+  Count
+};
+
+/// Mixes two numbers to one without visible pattern (the finaliser of splitmix64).
+inline std::uint64_t MixBits(std::uint64_t a, std::uint64_t b)
+{
+  std::uint64_t x = a + 0x9e3779b97f4a7c15u * (b + 1);
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/**
+ * Sample `index` of a texel. The samples of a texel are, in every pair of dimensions, an
+ * Owen-scrambled (0,2)-sequence, the first two dimensions of Sobol's; the pairs are decorrelated by
+ * shuffling the index. Scrambling and shuffling are hashes of the seed, the texel and the dimension
+ * alone, so a texel gets the same numbers whatever is traced beside it. Burley, "Practical
+ * Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash itself is by Laine and Karras, with
+ * Vegdahl's constants.
+ */
+class SampleStream
+{
+public:
+  /// What identifies a texel: the seed and its absolute position in the image data.
+  static std::uint64_t HashTexel(std::uint32_t seed, int z, int x, int y)
+  {
+    return MixBits(MixBits(MixBits(seed, z), x), y);
+  }
+
+  SampleStream(std::uint64_t texelHash, std::uint32_t index)
+    : TexelHash(texelHash)
+    , Index(index)
+  {
+  }
+
+  /// Goes to the numbers of the path's next vertex.
+  void NextVertex() { this->Vertex += static_cast<std::uint32_t>(Dimension::Count); }
+
+  /// Two numbers in [0,1).
+  glm::vec2 Get2D(Dimension dimension) const
+  {
+    const std::uint64_t hash =
+      MixBits(this->TexelHash, this->Vertex + static_cast<std::uint32_t>(dimension));
+    const auto low = static_cast<std::uint32_t>(hash);
+    const auto high = static_cast<std::uint32_t>(hash >> 32);
+    const std::uint32_t index = ReverseBits(ScrambleReversed(ReverseBits(this->Index), low ^ high));
+    return { ToUnit(ReverseBits(ScrambleReversed(index, low))),
+      ToUnit(ReverseBits(ScrambleReversed(MultiplyByPascal(index), high))) };
+  }
+
+  /// One number in [0,1).
+  float Get1D(Dimension dimension) const { return this->Get2D(dimension).x; }
+
+private:
+  static std::uint32_t ReverseBits(std::uint32_t x)
+  {
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+    return (x >> 16) | (x << 16);
+  }
+
+  /// Owen scrambling of a number whose bits are reversed: each bit is flipped depending on the ones
+  /// below it.
+  static std::uint32_t ScrambleReversed(std::uint32_t x, std::uint32_t seed)
+  {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+  }
+
+  /// Sobol's second dimension with its bits reversed. Its generator matrix is Pascal's triangle
+  /// modulo 2; the binomial (k over j) is odd where j's bits are among k's, so each bit of the
+  /// result sums those of its supersets.
+  static std::uint32_t MultiplyByPascal(std::uint32_t x)
+  {
+    x ^= (x & 0xaaaaaaaau) >> 1;
+    x ^= (x & 0xccccccccu) >> 2;
+    x ^= (x & 0xf0f0f0f0u) >> 4;
+    x ^= (x & 0xff00ff00u) >> 8;
+    return x ^ (x >> 16);
+  }
+
+  /// The upper 24 bits, all that a float below 1 can hold.
+  static float ToUnit(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
+
+  std::uint64_t TexelHash;
+  std::uint32_t Index;
+  std::uint32_t Vertex = 0;
+};
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Warps of the unit square, and how two sampling strategies are combined.
+ */
+#ifndef cslfSampling_h
+#define cslfSampling_h
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+constexpr float Pi = 3.14159265358979f;
+constexpr float InversePi = 0.318309886183791f;
+
+/// The luminance of a linear colour with sRGB's primaries (Rec. 709).
+inline float Luminance(const glm::vec3& color)
+{
+  return 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z;
+}
+
+/// A direction of the upper hemisphere with density cos(theta) / pi.
+inline glm::vec3 SampleCosineHemisphere(const glm::vec2& u)
+{
+  const float radius = std::sqrt(u.x);
+  const float angle = 2.0f * Pi * u.y;
+  return { radius * std::cos(angle), radius * std::sin(angle),
+    std::sqrt(std::max(0.0f, 1.0f - u.x)) };
+}
+
+inline float CosineHemispherePdf(const glm::vec3& local)
+{
+  return std::max(0.0f, local.z) * InversePi;
+}
+
+/// The first two barycentric coordinates of a point uniform in a triangle, with little distortion
+/// of the square: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
+inline glm::vec2 SampleTriangle(const glm::vec2& u)
+{
+  if (u.y > u.x)
+  {
+    const float x = 0.5f * u.x;
+    return { x, u.y - x };
+  }
+  const float y = 0.5f * u.y;
+  return { u.x - y, y };
+}
+
+/// The weight of a sample taken with density `pdf` where another strategy would have taken it with
+/// `otherPdf`: the power heuristic of Veach and Guibas, SIGGRAPH 1995.
+inline float PowerHeuristic(float pdf, float otherPdf)
+{
+  if (std::isinf(pdf))
+  {
+    return 1.0f;
+  }
+  const float ratio = otherPdf / pdf;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+}
+
+#endif

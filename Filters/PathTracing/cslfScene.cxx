@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfScene.h"
+
+#include "cslfEmbree.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// How far rays start off a surface, in radii of the scene: a hundred times the rounding of a
+// vertex.
+constexpr float SurfaceOffset = 1e-5f;
+
+// The part of the way to a light that must be free.
+constexpr float ShadowLength = 0.9999f;
+
+// The least cosine between a shading normal and the direction it is seen from.
+constexpr float SmallestCosine = 1e-3f;
+
+bool IsTraceable(const Ray& ray)
+{
+  // Embree stops the process at a ray that is not finite. A sum is finite only if all its terms
+  // are.
+  const glm::vec3 sum = ray.Origin + ray.Direction;
+  return std::isfinite(sum.x + sum.y + sum.z) && ray.Direction != glm::vec3(0.0f);
+}
+
+RTCRay ToEmbree(const Ray& ray, float distance)
+{
+  RTCRay result;
+  result.org_x = ray.Origin.x;
+  result.org_y = ray.Origin.y;
+  result.org_z = ray.Origin.z;
+  result.dir_x = ray.Direction.x;
+  result.dir_y = ray.Direction.y;
+  result.dir_z = ray.Direction.z;
+  result.tnear = 0.0f;
+  result.tfar = distance;
+  result.time = 0.0f;
+  result.mask = ~0u;
+  result.id = 0;
+  result.flags = 0;
+  return result;
+}
+
+void ReportError(void* user, RTCError, const char* text)
+{
+  auto* error = static_cast<std::string*>(user);
+  if (error->empty())
+  {
+    *error = std::string("Embree: ") + (text ? text : "unknown error");
+  }
+}
+
+void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned int id)
+{
+  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry.get(),
+    RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.Vertices.size()));
+  auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry.get(),
+    RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.Triangles.size()));
+  if (vertices && triangles)
+  {
+    std::copy(mesh.Vertices.begin(), mesh.Vertices.end(), vertices);
+    std::copy(mesh.Triangles.begin(), mesh.Triangles.end(), triangles);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(scene, geometry.get(), id);
+  }
+}
+
+std::vector<EmissiveTriangle> CollectEmitters(const std::vector<Mesh>& meshes)
+{
+  std::vector<EmissiveTriangle> emitters;
+  for (const Mesh& mesh : meshes)
+  {
+    if (!mesh.Material.IsEmissive())
+    {
+      continue;
+    }
+    for (const glm::uvec3& triangle : mesh.Triangles)
+    {
+      const glm::vec3& corner = mesh.Vertices[triangle.x];
+      emitters.push_back({ corner, mesh.Vertices[triangle.y] - corner,
+        mesh.Vertices[triangle.z] - corner, mesh.Material.Emission });
+    }
+  }
+  return emitters;
+}
+
+template <typename Value>
+Value Interpolate(const std::vector<Value>& values, const glm::uvec3& triangle, const Hit& hit)
+{
+  return (1.0f - hit.U - hit.V) * values[triangle.x] + hit.U * values[triangle.y] +
+    hit.V * values[triangle.z];
+}
+
+/// The interpolated normal, turned to the side of the geometric one and away from it no further
+/// than that the ray still sees its front.
+glm::vec3 FindShadingNormal(const Mesh& mesh, const glm::uvec3& triangle, const Hit& hit,
+  const glm::vec3& geometric, const glm::vec3& outgoing)
+{
+  if (mesh.Normals.empty())
+  {
+    return geometric;
+  }
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    if (mesh.Normals[triangle[corner]] == glm::vec3(0.0f))
+    {
+      return geometric;
+    }
+  }
+  glm::vec3 normal = Interpolate(mesh.Normals, triangle, hit);
+  const float length = glm::length(normal);
+  if (!(length > 1e-6f))
+  {
+    return geometric;
+  }
+  normal /= glm::dot(normal, geometric) < 0.0f ? -length : length;
+  const float cosine = glm::dot(normal, outgoing);
+  if (cosine < SmallestCosine)
+  {
+    normal = glm::normalize(normal + (SmallestCosine - cosine) * outgoing);
+  }
+  return normal;
+}
+}
+
+struct Scene::Acceleration
+{
+  EmbreeDevice Device;
+  EmbreeScene World;
+};
+
+glm::vec3 SurfaceHit::LeavePosition() const
+{
+  return this->Position + SurfaceOffset * this->GeometricNormal;
+}
+
+Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
+  : Meshes(std::move(meshes))
+  , Lights(std::move(lights))
+  , Emitters(CollectEmitters(this->Meshes))
+  , Tree(std::make_unique<Acceleration>())
+{
+  // One building thread: the order of the tree's leaves, which decides between triangles that a ray
+  // meets at the same distance, must not depend on the machine's load.
+  this->Tree->Device.reset(rtcNewDevice("threads=1"));
+  RTCDevice device = this->Tree->Device.get();
+  if (!device)
+  {
+    this->Error = "Embree cannot be started on this machine.";
+    return;
+  }
+  rtcSetDeviceErrorFunction(device, ReportError, &this->Error);
+  this->Tree->World.reset(rtcNewScene(device));
+  RTCScene world = this->Tree->World.get();
+  rtcSetSceneFlags(world, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(world, RTC_BUILD_QUALITY_HIGH);
+  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    AddGeometry(device, world, this->Meshes[i], static_cast<unsigned int>(i));
+  }
+  rtcCommitScene(world);
+}
+
+Scene::~Scene() = default;
+
+Hit Scene::Intersect(const Ray& ray) const
+{
+  Hit hit;
+  if (!IsTraceable(ray))
+  {
+    return hit;
+  }
+  RTCRayHit query;
+  query.ray = ToEmbree(ray, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  EmbreeIntersect(this->Tree->World.get(), query);
+  if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+  {
+    hit = { query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID };
+  }
+  return hit;
+}
+
+void Scene::Intersect(RayPacket& packet) const
+{
+  RTCRayHit16 query;
+  alignas(64) int valid[RayPacket::Size];
+  for (int i = 0; i < RayPacket::Size; ++i)
+  {
+    const Ray& ray = packet.Rays[i];
+    valid[i] = packet.Active[i] && IsTraceable(ray) ? -1 : 0;
+    query.ray.org_x[i] = ray.Origin.x;
+    query.ray.org_y[i] = ray.Origin.y;
+    query.ray.org_z[i] = ray.Origin.z;
+    query.ray.dir_x[i] = ray.Direction.x;
+    query.ray.dir_y[i] = ray.Direction.y;
+    query.ray.dir_z[i] = ray.Direction.z;
+    query.ray.tnear[i] = 0.0f;
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.time[i] = 0.0f;
+    query.ray.mask[i] = ~0u;
+    query.ray.id[i] = 0;
+    query.ray.flags[i] = 0;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  EmbreeIntersectCoherent(this->Tree->World.get(), valid, query);
+  for (int i = 0; i < RayPacket::Size; ++i)
+  {
+    packet.Hits[i] = Hit();
+    if (valid[i] && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+    {
+      packet.Hits[i] = { query.ray.tfar[i], query.hit.u[i], query.hit.v[i], query.hit.geomID[i],
+        query.hit.primID[i] };
+    }
+  }
+}
+
+bool Scene::IsOccluded(const Ray& ray, float distance) const
+{
+  if (!IsTraceable(ray))
+  {
+    return true;
+  }
+  RTCRay query = ToEmbree(ray, distance * ShadowLength);
+  EmbreeOccluded(this->Tree->World.get(), query);
+  return query.tfar < 0.0f;
+}
+
+SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
+{
+  const Mesh& mesh = this->Meshes[hit.Mesh];
+  const glm::uvec3& triangle = mesh.Triangles[hit.Triangle];
+  const glm::vec3 outgoing = -ray.Direction;
+
+  SurfaceHit surface;
+  surface.Position = Interpolate(mesh.Vertices, triangle, hit);
+  const glm::vec3& corner = mesh.Vertices[triangle.x];
+  const glm::vec3 normal = glm::normalize(
+    glm::cross(mesh.Vertices[triangle.y] - corner, mesh.Vertices[triangle.z] - corner));
+  surface.GeometricNormal = glm::dot(normal, outgoing) < 0.0f ? -normal : normal;
+  surface.ShadingNormal = FindShadingNormal(mesh, triangle, hit, surface.GeometricNormal, outgoing);
+  surface.Material = &mesh.Material;
+  switch (mesh.Coloring)
+  {
+    case Mesh::ColorsOf::Vertices:
+      surface.BaseColor = Interpolate(mesh.Colors, triangle, hit);
+      break;
+    case Mesh::ColorsOf::Triangles:
+      surface.BaseColor = mesh.Colors[hit.Triangle];
+      break;
+    default:
+      surface.BaseColor = mesh.Material.BaseColor;
+  }
+  return surface;
+}
+}

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is traced: triangles, materials and lights, in a space of their own in which the scene's
+ * bounding sphere is the unit sphere, so that floats serve scenes of any place and size.
+ */
+#ifndef cslfScene_h
+#define cslfScene_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfAreaLights.h"
+#include "cslfDirectionalLight.h"
+#include "cslfEnvironment.h"
+#include "cslfPointLight.h"
+#include "cslfSurfaceMaterial.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// A half line in scene space.
+struct Ray
+{
+  glm::vec3 Origin{ 0.0f };
+  glm::vec3 Direction{ 0.0f, 0.0f, 1.0f }; ///< of unit length
+};
+
+/// Where a ray first meets a triangle.
+struct Hit
+{
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  float Distance = 0.0f;
+  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex
+  float V = 0.0f; ///< and of the third
+  std::uint32_t Mesh = None;
+  std::uint32_t Triangle = None;
+
+  bool IsValid() const { return this->Mesh != None; }
+};
+
+/// Rays that run alike and are traced together.
+struct RayPacket
+{
+  static constexpr int Size = 16;
+
+  Ray Rays[Size];
+  Hit Hits[Size];
+  bool Active[Size] = {};
+};
+
+/// Triangles of one material.
+struct Mesh
+{
+  enum class ColorsOf
+  {
+    None,
+    Vertices,
+    Triangles
+  };
+
+  std::vector<glm::vec3> Vertices;
+  std::vector<glm::uvec3> Triangles;
+  std::vector<glm::vec3> Normals; ///< one a vertex, or none at all; of length 0 where unknown
+  std::vector<glm::vec3> Colors;  ///< linear, replacing the material's base colour
+  ColorsOf Coloring = ColorsOf::None;
+  SurfaceMaterial Material;
+};
+
+/// A surface point as a ray sees it.
+struct SurfaceHit
+{
+  glm::vec3 Position;
+  glm::vec3 GeometricNormal; ///< on the side the ray comes from
+  glm::vec3 ShadingNormal;   ///< on that side too, and facing the ray
+  glm::vec3 BaseColor;
+  const SurfaceMaterial* Material;
+
+  /// Where rays start that leave the surface on the ray's side.
+  glm::vec3 LeavePosition() const;
+};
+
+/// The similarity between world and scene space.
+struct SceneFrame
+{
+  glm::dvec3 Center{ 0.0 };
+  double Radius = 1.0;
+
+  glm::dvec3 PointToScene(const glm::dvec3& pointWC) const
+  {
+    return (pointWC - this->Center) / this->Radius;
+  }
+  glm::dvec3 VectorToScene(const glm::dvec3& vectorWC) const { return vectorWC / this->Radius; }
+};
+
+/// The lights besides emissive triangles.
+struct LightSet
+{
+  Environment Surroundings;
+  std::vector<DirectionalLight> Directional;
+  std::vector<PointLight> Points;
+};
+
+class VTKCSLF_EXPORT Scene
+{
+public:
+  /// Builds the acceleration structure. Vertices must be finite.
+  Scene(std::vector<Mesh> meshes, LightSet lights);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// What went wrong in the making; empty if nothing did.
+  const std::string& GetError() const { return this->Error; }
+
+  Hit Intersect(const Ray& ray) const;
+  void Intersect(RayPacket& packet) const;
+
+  /// Whether anything lies on a ray before the distance, that of a light: its own surface does not
+  /// count.
+  bool IsOccluded(const Ray& ray, float distance) const;
+
+  SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
+
+  const Environment& GetEnvironment() const { return this->Lights.Surroundings; }
+  const std::vector<DirectionalLight>& GetDirectionalLights() const
+  {
+    return this->Lights.Directional;
+  }
+  const std::vector<PointLight>& GetPointLights() const { return this->Lights.Points; }
+  const AreaLights& GetAreaLights() const { return this->Emitters; }
+
+private:
+  struct Acceleration;
+
+  std::vector<Mesh> Meshes;
+  LightSet Lights;
+  AreaLights Emitters;
+  std::string Error;
+  std::unique_ptr<Acceleration> Tree;
+};
+}
+
+#endif

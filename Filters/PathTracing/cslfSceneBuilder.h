@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From VTK's data objects to the scene that is traced.
+ */
+#ifndef cslfSceneBuilder_h
+#define cslfSceneBuilder_h
+
+#include "cslfScene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkPolyData;
+class vtkScalarsToColors;
+
+namespace cslf
+{
+struct SceneOptions
+{
+  /// Finds the array that colours a block's surface, or null; says whether it is of the cells.
+  std::function<vtkDataArray*(vtkPolyData*, bool& ofCells)> FindScalars;
+
+  /// What maps arrays that hold no colours; null for the array's own, or a default one.
+  vtkScalarsToColors* LookupTable = nullptr;
+
+  Environment Surroundings;
+};
+
+struct BuiltScene
+{
+  std::unique_ptr<Scene> World; ///< null where the scene cannot be used
+  SceneFrame Frame;
+  double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
+  std::string Error;                                   ///< why not, in one line
+  std::string Warning;                                 ///< what was left out, in one line, or empty
+};
+
+/// Builds the scene of polygonal data and composite data sets of such.
+BuiltScene BuildScene(const std::vector<vtkDataObject*>& inputs, const SceneOptions& options);
+}
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSurfaceColors.h"
+
+#include "cslfColor.h"
+
+#include <vtkDataArray.h>
+#include <vtkLookupTable.h>
+#include <vtkScalarsToColors.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+
+namespace cslf
+{
+namespace
+{
+bool HoldsColors(vtkDataArray* array)
+{
+  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
+    array->GetNumberOfComponents() <= 4;
+}
+
+std::array<float, 256> MakeLinearTable()
+{
+  std::array<float, 256> table{};
+  for (int i = 0; i < 256; ++i)
+  {
+    table[i] = static_cast<float>(SRGBToLinear(i / 255.0));
+  }
+  return table;
+}
+}
+
+SurfaceColors::SurfaceColors(vtkScalarsToColors* lookupTable)
+  : LookupTable(lookupTable)
+  , Range{ VTK_DOUBLE_MAX, VTK_DOUBLE_MIN }
+{
+}
+
+void SurfaceColors::AddToRange(vtkDataArray* array)
+{
+  if (!HoldsColors(array) && array->GetNumberOfTuples() > 0)
+  {
+    double range[2];
+    array->GetFiniteRange(range, 0);
+    this->Range[0] = std::min(this->Range[0], range[0]);
+    this->Range[1] = std::max(this->Range[1], range[1]);
+  }
+}
+
+std::vector<glm::vec3> SurfaceColors::Map(vtkDataArray* array, bool& translucent)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> colors = vtkUnsignedCharArray::SafeDownCast(array);
+  if (!HoldsColors(array))
+  {
+    vtkScalarsToColors* table = this->LookupTable ? this->LookupTable : array->GetLookupTable();
+    if (!table)
+    {
+      if (!this->DefaultTable)
+      {
+        this->DefaultTable = vtkSmartPointer<vtkLookupTable>::New();
+        this->DefaultTable->SetTableRange(this->Range);
+      }
+      table = this->DefaultTable;
+    }
+    table->Build();
+    colors.TakeReference(table->MapScalars(array, VTK_COLOR_MODE_MAP_SCALARS, -1));
+  }
+
+  static const std::array<float, 256> linear = MakeLinearTable();
+  const int components = colors->GetNumberOfComponents();
+  std::vector<glm::vec3> result(colors->GetNumberOfTuples());
+  const unsigned char* values = colors->GetPointer(0);
+  for (glm::vec3& color : result)
+  {
+    color = { linear[values[0]], linear[values[1]], linear[values[2]] };
+    translucent = translucent || (components == 4 && values[3] < 255);
+    values += components;
+  }
+  return result;
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The colours of points or cells, from arrays of colours or through lookup tables.
+ */
+#ifndef cslfSurfaceColors_h
+#define cslfSurfaceColors_h
+
+#include <vtkSmartPointer.h>
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+class vtkDataArray;
+class vtkLookupTable;
+class vtkScalarsToColors;
+
+namespace cslf
+{
+/// Maps the arrays of all blocks of a scene alike.
+class SurfaceColors
+{
+public:
+  /// `lookupTable` may be null.
+  explicit SurfaceColors(vtkScalarsToColors* lookupTable);
+
+  /// Announces an array: arrays without a lookup table share a default one over all their values.
+  void AddToRange(vtkDataArray* array);
+
+  /// A colour for each tuple, linear. Unsigned chars of 3 or 4 components are sRGB colours
+  /// themselves; all else is mapped. Sets `translucent` where an opacity is below 1.
+  std::vector<glm::vec3> Map(vtkDataArray* array, bool& translucent);
+
+private:
+  vtkScalarsToColors* LookupTable;
+  vtkSmartPointer<vtkLookupTable> DefaultTable;
+  double Range[2];
+};
+}
+
+#endif

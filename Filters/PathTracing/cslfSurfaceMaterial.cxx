@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSurfaceMaterial.h"
+
+#include "cslfFresnel.h"
+#include "cslfGGX.h"
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+// Facets of a smaller alpha deviate from the normal by less than a float's worth of a texel: a
+// mirror.
+constexpr float SmallestAlpha = 1e-3f;
+
+// The reflected part of what leaves at `cosine`: the mean of GGX's sample weights, F G2 / G1.
+float IntegrateSpecular(float ior, const GGX& facets, float cosine)
+{
+  constexpr int side = 24;
+  const glm::vec3 outgoing(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
+  float sum = 0.0f;
+  for (int i = 0; i < side * side; ++i)
+  {
+    const glm::vec2 u((i / side + 0.5f) / side, (i % side + 0.5f) / side);
+    const glm::vec3 incident = facets.Sample(outgoing, u);
+    if (incident.z > 0.0f)
+    {
+      const float cosHalf = glm::dot(outgoing, glm::normalize(outgoing + incident));
+      sum += DielectricFresnel(cosHalf, ior) * facets.MaskingShadowing(outgoing, incident) /
+        facets.Masking(outgoing);
+    }
+  }
+  return sum / (side * side);
+}
+}
+
+SpecularAlbedo::SpecularAlbedo(float ior, float alpha)
+{
+  if (ior <= 1.0f)
+  {
+    return;
+  }
+  const GGX facets(alpha);
+  for (int i = 0; i <= Steps; ++i)
+  {
+    const float cosine = std::max(1e-3f, static_cast<float>(i) / Steps);
+    this->Values[i] =
+      alpha > 0.0f ? IntegrateSpecular(ior, facets, cosine) : DielectricFresnel(cosine, ior);
+  }
+  // The integral of 2 E(c) c dc; Simpson's rule is exact, since Get is linear in each step.
+  float sum = 0.0f;
+  for (int i = 0; i < Steps; ++i)
+  {
+    const auto lower = static_cast<float>(i);
+    const float middle = 0.5f * (this->Values[i] + this->Values[i + 1]);
+    sum += lower * this->Values[i] + 4.0f * (lower + 0.5f) * middle +
+      (lower + 1.0f) * this->Values[i + 1];
+  }
+  this->Average = std::min(sum / (3.0f * Steps * Steps), 0.999f);
+}
+
+float SpecularAlbedo::Get(float cosine) const
+{
+  const float position = std::clamp(cosine, 0.0f, 1.0f) * Steps;
+  const int lower = std::min(static_cast<int>(position), Steps - 1);
+  const float weight = position - static_cast<float>(lower);
+  return (1.0f - weight) * this->Values[lower] + weight * this->Values[lower + 1];
+}
+
+SurfaceMaterial::SurfaceMaterial(const glm::vec3& baseColor, float metallic, float roughness,
+  float indexOfRefraction, const glm::vec3& emission)
+  : BaseColor(glm::clamp(baseColor, 0.0f, 1.0f))
+  , Metallic(std::clamp(metallic, 0.0f, 1.0f))
+  , IndexOfRefraction(std::max(indexOfRefraction, 1.0f))
+  , Emission(glm::max(emission, glm::vec3(0.0f)))
+{
+  const float alpha = std::clamp(roughness, 0.0f, 1.0f) * std::clamp(roughness, 0.0f, 1.0f);
+  this->Alpha = alpha < SmallestAlpha ? 0.0f : alpha;
+  this->DielectricSpecular = SpecularAlbedo(this->IndexOfRefraction, this->Alpha);
+}
+
+bool SurfaceMaterial::IsEmissive() const
+{
+  return Luminance(this->Emission) > 0.0f;
+}
+}

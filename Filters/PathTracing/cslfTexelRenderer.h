@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From rays to texels: which rays a texel averages, and what it stores.
+ */
+#ifndef cslfTexelRenderer_h
+#define cslfTexelRenderer_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfPathIntegrator.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace cslf
+{
+/**
+ * The rays of a tile of texels, in scene space. Origin and direction vary linearly with the
+ * position, which is in texels from the tile's first corner: that covers the faces of a cube seen
+ * from a viewpoint, and the perspective and parallel cameras of VTK. A ray's parameter is 1 at the
+ * end of its direction.
+ */
+struct RayGrid
+{
+  glm::dvec3 Origin{ 0.0 };
+  glm::dvec3 OriginX{ 0.0 };
+  glm::dvec3 OriginY{ 0.0 };
+  glm::dvec3 Direction{ 0.0 };
+  glm::dvec3 DirectionX{ 0.0 };
+  glm::dvec3 DirectionY{ 0.0 };
+};
+
+/// A picture of slices, each a strip of tiles.
+struct PictureLayout
+{
+  int TileWidth = 0;
+  int TileHeight = 0;
+  int Tiles = 1;
+  int FirstSlice = 0; ///< slices are numbered absolutely
+  int Slices = 1;
+
+  int GetWidth() const { return this->Tiles * this->TileWidth; }
+};
+
+/// Where texels are written; what is null is not. The first slice comes first, x varies fastest.
+struct TexelOutput
+{
+  unsigned char* ColorBytes = nullptr; ///< 4 a texel, as EncodeColor writes them
+  float* ColorFloats = nullptr;        ///< 4 a texel: linear radiance times exposure, and alpha
+  unsigned short* Depth = nullptr;     ///< the ray's parameter at the hit, [0,1] as [0,65535]
+};
+
+struct RenderSettings
+{
+  int Samples = 64;
+  std::uint32_t Seed = 0;
+  double Exposure = 1.0;
+  bool ShowEnvironment = false; ///< whether rays that miss see the environment, with alpha 1
+  PathSettings Paths;
+};
+
+/// Renders the texels of a picture, whichever way they are dealt out: a texel depends on its
+/// absolute position and the settings only.
+class VTKCSLF_EXPORT TexelRenderer
+{
+public:
+  TexelRenderer(const Scene& scene, const PictureLayout& layout, const RenderSettings& settings,
+    std::function<RayGrid(int slice, int tile)> rays, const TexelOutput& output);
+
+  /// Renders all texels on VTK's threads. Between batches tells the calling thread how much is
+  /// done, which says whether to go on. False where it did not.
+  bool Render(const std::function<bool(double)>& goOn) const;
+
+private:
+  static constexpr int BlockSide = 4; // a packet of rays is one of each texel of a block
+
+  struct Block;
+  struct Sums;
+
+  Block MakeBlock(std::int64_t index) const;
+  void RenderBlock(const Block& block) const;
+  void AddSamples(const Block& block, std::uint32_t index, Sums sums[]) const;
+  void FindDepths(const Block& block, Sums sums[]) const;
+  void Write(const Block& block, const Sums sums[]) const;
+
+  const Scene& World;
+  PictureLayout Layout;
+  RenderSettings Settings;
+  std::function<RayGrid(int, int)> Rays;
+  TexelOutput Output;
+  PathIntegrator Integrator;
+};
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The triangles of polygonal data, without those that cannot be traced.
+ */
+#ifndef cslfTriangles_h
+#define cslfTriangles_h
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace cslf
+{
+/// Whether a point's coordinates are finite numbers that a float can hold.
+bool IsFinite(const glm::dvec3& point);
+
+/// A point of a data object.
+glm::dvec3 GetPoint(vtkPolyData* data, vtkIdType index);
+
+struct TriangleSelection
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< triangles, with their point and cell data
+  std::vector<vtkIdType> Cells;         ///< those of finite corners and some area
+  vtkIdType Removed = 0;                ///< how many polygons and triangles had others
+};
+
+/// Triangulates polygons and strips.
+TriangleSelection SelectTriangles(vtkPolyData* data);
+}
+
+#endif

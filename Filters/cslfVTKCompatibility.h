@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What differs between the versions of VTK, in one place.
+ */
+#ifndef cslfVTKCompatibility_h
+#define cslfVTKCompatibility_h
+
+#include <vtkAlgorithm.h>
+#include <vtkVersionMacros.h>
+
+namespace cslf
+{
+/// Whether a filter has been asked to stop.
+inline bool IsAborted(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+}
+
+#endif

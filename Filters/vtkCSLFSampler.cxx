@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFSampler.h"
+
+#include "PathTracing/cslfSceneBuilder.h"
+#include "PathTracing/cslfTexelRenderer.h"
+#include "cslfDescription.h"
+
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkCSLFSampler);
+
+namespace
+{
+/// The rays from a slice's viewpoint to the texels of one of its tiles.
+cslf::RayGrid MakeRays(const cslf::Layout& layout, const cslf::Cube& box,
+  const cslf::SceneFrame& frame, int slice, int tile)
+{
+  const cslf::Viewpoint viewpoint = layout.ViewpointOf(slice);
+  const int face = cslf::ExitFaceOf(viewpoint.Face, tile);
+  const double step = 2.0 / layout.GetResolution();
+  const glm::dvec3 from = layout.ViewpointPosition(viewpoint);
+  const glm::dvec3 corner = cslf::FaceToCube(face, { -1.0, -1.0 });
+  const auto toScene = [&](const glm::dvec3& vectorCC)
+  { return frame.VectorToScene(box.VectorToWorld(vectorCC)); };
+  cslf::RayGrid rays;
+  rays.Origin = frame.PointToScene(box.PointToWorld(from));
+  rays.Direction = toScene(corner - from);
+  rays.DirectionX = toScene(cslf::FaceToCube(face, { -1.0 + step, -1.0 }) - corner);
+  rays.DirectionY = toScene(cslf::FaceToCube(face, { -1.0, -1.0 + step }) - corner);
+  return rays;
+}
+
+/// A point-data array for each channel.
+cslf::TexelOutput Allocate(const cslf::Description& description, vtkImageData* image)
+{
+  cslf::TexelOutput output;
+  for (const cslf::Channel& channel : description.Channels)
+  {
+    auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
+    array->SetName(channel.Name.c_str());
+    array->SetNumberOfComponents(channel.Components);
+    array->SetNumberOfTuples(image->GetNumberOfPoints());
+    image->GetPointData()->AddArray(array);
+    void* values = array->GetVoidPointer(0);
+    if (channel.Name == cslf::DepthName)
+    {
+      output.Depth = static_cast<unsigned short*>(values);
+    }
+    else if (channel.Type == VTK_FLOAT)
+    {
+      output.ColorFloats = static_cast<float*>(values);
+    }
+    else
+    {
+      output.ColorBytes = static_cast<unsigned char*>(values);
+    }
+  }
+  image->GetPointData()->SetActiveScalars(cslf::ColorName);
+  return output;
+}
+}
+
+vtkCSLFSampler::vtkCSLFSampler() = default;
+
+bool vtkCSLFSampler::CheckParameters()
+{
+  if (!cslf::Layout(this->Viewpoints, this->Resolution).IsValid())
+  {
+    vtkErrorMacro(<< this->Viewpoints << " x " << this->Viewpoints
+                  << " viewpoints a face are too many.");
+    return false;
+  }
+  if (this->ColorType != VTK_UNSIGNED_CHAR && this->ColorType != VTK_FLOAT)
+  {
+    vtkErrorMacro("ColorType must be VTK_UNSIGNED_CHAR or VTK_FLOAT.");
+    return false;
+  }
+  const bool proper = std::all_of(this->CubeEdges, this->CubeEdges + 3,
+                        [](double edge) { return edge > 0.0 && std::isfinite(edge); }) &&
+    std::all_of(this->CubeCenter, this->CubeCenter + 3, [](double x) { return std::isfinite(x); });
+  if (!this->AutomaticCube && !proper)
+  {
+    vtkErrorMacro("CubeCenter and CubeEdges must be finite, and the edges above 0.");
+    return false;
+  }
+  return true;
+}
+
+int vtkCSLFSampler::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->CheckParameters())
+  {
+    return 0;
+  }
+  int extent[6];
+  cslf::Layout(this->Viewpoints, this->Resolution).GetWholeExtent(extent);
+  const double spacing[3] = { 1.0, 1.0, 1.0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, this->ColorType, 4);
+  return 1;
+}
+
+int vtkCSLFSampler::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(info);
+  const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
+  if (!scene)
+  {
+    return 0;
+  }
+
+  // Describe the field.
+  cslf::Description description;
+  description.Grid = cslf::Layout(this->Viewpoints, this->Resolution);
+  description.Box = cslf::Cube::FromBounds(scene->Bounds, this->Offset);
+  if (!this->AutomaticCube)
+  {
+    description.Box = { { this->CubeCenter[0], this->CubeCenter[1], this->CubeCenter[2] },
+      { this->CubeEdges[0], this->CubeEdges[1], this->CubeEdges[2] } };
+  }
+  if (!description.Box.Contains(scene->Bounds))
+  {
+    vtkErrorMacro("The cube must strictly contain the scene.");
+    return 0;
+  }
+  description.Channels.push_back(cslf::MakeColorChannel(this->ColorType));
+  if (this->GenerateDepth)
+  {
+    description.Channels.push_back(cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT));
+  }
+  description.Sampling = this->DescribeSampling();
+
+  // Allocate the slices asked for.
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  const int slices[2] = { extent[4], extent[5] };
+  description.Grid.GetWholeExtent(extent);
+  extent[4] = slices[0];
+  extent[5] = slices[1];
+  output->SetExtent(extent);
+  output->SetSpacing(1.0, 1.0, 1.0);
+  output->SetOrigin(0.0, 0.0, 0.0);
+  const cslf::TexelOutput texels = Allocate(description, output);
+  description.WriteTo(output->GetFieldData());
+
+  // Render them.
+  const int side = this->Resolution;
+  const cslf::PictureLayout layout{ side, side, cslf::TileCount, extent[4],
+    extent[5] - extent[4] + 1 };
+  const cslf::TexelRenderer renderer(
+    *scene->World, layout, this->GetRenderSettings(),
+    [&](int slice, int tile)
+    { return MakeRays(description.Grid, description.Box, scene->Frame, slice, tile); },
+    texels);
+  if (!this->Render(renderer))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkCSLFSampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Viewpoints: " << this->Viewpoints << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "AutomaticCube: " << this->AutomaticCube << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "CubeCenter: " << this->CubeCenter[0] << " " << this->CubeCenter[1] << " "
+     << this->CubeCenter[2] << "\n";
+  os << indent << "CubeEdges: " << this->CubeEdges[0] << " " << this->CubeEdges[1] << " "
+     << this->CubeEdges[2] << "\n";
+  os << indent << "ColorType: " << this->ColorType << "\n";
+  os << indent << "GenerateDepth: " << this->GenerateDepth << "\n";
+}

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFSampler
+ * @brief   path-trace the cube surface light field of a scene
+ *
+ * The output is the light field of everything on input port 0, as image data of dimensions (5N, N,
+ * 6M^2): a slice is the view from one of M x M viewpoints on each of the cube's 6 faces, a strip of
+ * 5 tiles of N x N texels, one for each other face. Ai, Wang, Kou, "CSLF: Cube Surface Light Field
+ * and Its Sampling, Compression, Real-Time Rendering", 2021, section 3.2. Point data:
+ *
+ * - `Color`: the radiance that leaves through a texel towards the viewpoint, averaged over the
+ * texel, times the exposure; 4 unsigned chars (sRGB-encoded mean of the samples that hit, times
+ * alpha) or 4 floats (linear, associated alpha). Alpha is the part of the texel that is covered.
+ * - `Depth`: the first hit of the ray to the texel's centre, as a fraction of the way from the
+ * viewpoint to there, 0 to 1 as 0 to 65535. Where it misses but alpha is above 0, that of the
+ * sample nearest to the centre; where alpha is 0, or the centre shows the environment, 65535.
+ *
+ * Field data carries the light field's description. Any range of slices can be asked for
+ * (UPDATE_EXTENT along z); x and y come whole.
+ *
+ * The cube must strictly contain the scene; else the filter reports an error.
+ *
+ * @sa vtkCSLFViewTracer vtkCSLFMaterial vtkCSLFLight vtkCSLFCornellBoxSource
+ */
+#ifndef vtkCSLFSampler_h
+#define vtkCSLFSampler_h
+
+#include "vtkCSLFModule.h" // for export macro
+#include "vtkCSLFPathTracer.h"
+
+class VTKCSLF_EXPORT vtkCSLFSampler : public vtkCSLFPathTracer
+{
+public:
+  static vtkCSLFSampler* New();
+  vtkTypeMacro(vtkCSLFSampler, vtkCSLFPathTracer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * M, the number of viewpoints along each side of a face: at least 2. Default: 17.
+   */
+  vtkSetClampMacro(Viewpoints, int, 2, 10000);
+  vtkGetMacro(Viewpoints, int);
+  ///@}
+
+  ///@{
+  /**
+   * N, the number of texels along each side of a tile: at least 1. Default: 128.
+   */
+  vtkSetClampMacro(Resolution, int, 1, 65536);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the cube is centred on the scene's bounding box, its edge that box's longest side times
+   * (1 + 2 Offset), or set by CubeCenter and CubeEdges. Default: on.
+   */
+  vtkSetMacro(AutomaticCube, bool);
+  vtkGetMacro(AutomaticCube, bool);
+  vtkBooleanMacro(AutomaticCube, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How much wider than the scene an automatic cube is at each end, as a fraction of the scene's
+   * longest side. Above 0. Default: 0.05.
+   */
+  vtkSetClampMacro(Offset, double, 0.0, 1e6);
+  vtkGetMacro(Offset, double);
+  ///@}
+
+  ///@{
+  /**
+   * The centre of a cube that is not automatic, in world coordinates. Default: 0, 0, 0.
+   */
+  vtkSetVector3Macro(CubeCenter, double);
+  vtkGetVector3Macro(CubeCenter, double);
+  ///@}
+
+  ///@{
+  /**
+   * The lengths of the three edges of a cube that is not automatic, in world coordinates: above 0.
+   * Default: 2, 2, 2.
+   */
+  vtkSetVector3Macro(CubeEdges, double);
+  vtkGetVector3Macro(CubeEdges, double);
+  ///@}
+
+  ///@{
+  /**
+   * The type of `Color`: VTK_UNSIGNED_CHAR or VTK_FLOAT. Default: VTK_UNSIGNED_CHAR.
+   */
+  vtkSetMacro(ColorType, int);
+  vtkGetMacro(ColorType, int);
+  void SetColorTypeToUnsignedChar() { this->SetColorType(VTK_UNSIGNED_CHAR); }
+  void SetColorTypeToFloat() { this->SetColorType(VTK_FLOAT); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether there is a `Depth`. Default: on.
+   */
+  vtkSetMacro(GenerateDepth, bool);
+  vtkGetMacro(GenerateDepth, bool);
+  vtkBooleanMacro(GenerateDepth, bool);
+  ///@}
+
+protected:
+  vtkCSLFSampler();
+  ~vtkCSLFSampler() override = default;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkCSLFSampler(const vtkCSLFSampler&) = delete;
+  void operator=(const vtkCSLFSampler&) = delete;
+
+  bool CheckParameters();
+
+  int Viewpoints = 17;
+  int Resolution = 128;
+  bool AutomaticCube = true;
+  double Offset = 0.05;
+  double CubeCenter[3] = { 0.0, 0.0, 0.0 };
+  double CubeEdges[3] = { 2.0, 2.0, 2.0 };
+  int ColorType = VTK_UNSIGNED_CHAR;
+  bool GenerateDepth = true;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFViewTracer
+ * @brief   path-trace the picture that a camera sees
+ *
+ * The truth that a light field's views are measured against: the scene on input port 0, traced with
+ * the parameters of vtkCSLFPathTracer, stored by the same rule as a light field's texels. The
+ * output is image data of the size asked for, with row 0 at the bottom, and one point-data array,
+ * `Color`: 4 unsigned chars (sRGB-encoded mean of the samples that hit, times alpha) or 4 floats
+ * (linear radiance times exposure, associated alpha: exactly the mean over all samples). Each pixel
+ * is averaged over its area.
+ *
+ * Rays start at the camera, or for parallel projection on the plane through it, whatever the
+ * clipping range.
+ *
+ * @sa vtkCSLFSampler
+ */
+#ifndef vtkCSLFViewTracer_h
+#define vtkCSLFViewTracer_h
+
+#include "vtkCSLFModule.h" // for export macro
+#include "vtkCSLFPathTracer.h"
+#include "vtkSmartPointer.h" // for vtkSmartPointer
+
+class vtkCamera;
+
+class VTKCSLF_EXPORT vtkCSLFViewTracer : public vtkCSLFPathTracer
+{
+public:
+  static vtkCSLFViewTracer* New();
+  vtkTypeMacro(vtkCSLFViewTracer, vtkCSLFPathTracer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Takes the camera's time into account.
+   */
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The camera, of perspective or parallel projection. Must be set.
+   */
+  virtual void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the picture in pixels, each at least 1. Default: 512, 512.
+   */
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /**
+   * The type of `Color`: VTK_UNSIGNED_CHAR or VTK_FLOAT. Default: VTK_UNSIGNED_CHAR.
+   */
+  vtkSetMacro(ColorType, int);
+  vtkGetMacro(ColorType, int);
+  void SetColorTypeToUnsignedChar() { this->SetColorType(VTK_UNSIGNED_CHAR); }
+  void SetColorTypeToFloat() { this->SetColorType(VTK_FLOAT); }
+  ///@}
+
+protected:
+  vtkCSLFViewTracer();
+  ~vtkCSLFViewTracer() override;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkCSLFViewTracer(const vtkCSLFViewTracer&) = delete;
+  void operator=(const vtkCSLFViewTracer&) = delete;
+
+  bool CheckParameters();
+
+  vtkSmartPointer<vtkCamera> Camera;
+  int Size[2] = { 512, 512 };
+  int ColorType = VTK_UNSIGNED_CHAR;
+};
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFCubeMapper
+ * @brief   the polydata mapper inside vtkCSLFMapper
+ *
+ * Draws the faces of a light field's cube with the shaders of Rendering/Shaders in place of VTK's
+ * own. Each entry face that the eye may see is drawn in turn, with the textures of its viewpoints.
+ * Not for use by itself.
+ */
+#ifndef vtkCSLFCubeMapper_h
+#define vtkCSLFCubeMapper_h
+
+#include "cslfDescription.h"
+#include "cslfFieldTexture.h"
+
+#include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+class vtkImageData;
+class vtkMatrix4x4;
+
+class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkCSLFCubeMapper* New();
+  vtkTypeMacro(vtkCSLFCubeMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The field to draw; its samples go to graphics memory at the next Render.
+  void SetField(const cslf::Description& field, vtkImageData* image);
+
+  /// vtkCSLFMapper::LookupType.
+  void SetLookup(int lookup) { this->Lookup = lookup; }
+
+  void SetFocalPointCC(const glm::dvec3& pointCC) { this->FocalPointCC = pointCC; }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkCSLFCubeMapper();
+  ~vtkCSLFCubeMapper() override;
+
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void GetShaderTemplate(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  vtkCSLFCubeMapper(const vtkCSLFCubeMapper&) = delete;
+  void operator=(const vtkCSLFCubeMapper&) = delete;
+
+  void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
+  bool CanEnter(int face) const;
+
+  cslf::Description Field;
+  vtkSmartPointer<vtkImageData> Image;
+  cslf::FieldTexture Texture;
+  bool TextureFailed = false;
+  int Lookup = 0;
+  glm::dvec3 FocalPointCC{ 0.0 };
+
+  // For the picture being drawn.
+  int EntryFace = 0;
+  glm::dvec4 EyeCC{ 0.0 }; ///< w = 1: the eye; w = 0: the direction of a parallel projection
+  vtkNew<vtkMatrix4x4> CCDCMatrix;
+};
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every lookup of the mapper's shaders against its C++ twin, pixel by pixel: perspective and
+// parallel cameras, an actor with a rotation and a non-uniform scale, key views, and a field
+// without depth.
+#include "cslfLookup.h"
+#include "cslfTestField.h"
+#include "cslfTesting.h"
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <glm/vec3.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+constexpr int Size = 160;
+
+glm::dvec3 Transform(vtkMatrix4x4* matrix, double x, double y, double z)
+{
+  const double in[4] = { x, y, z, 1.0 };
+  double out[4];
+  matrix->MultiplyPoint(in, out);
+  return { out[0] / out[3], out[1] / out[3], out[2] / out[3] };
+}
+
+struct Fixture
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkCSLFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+
+  Fixture()
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Size, Size);
+    this->Window->AddRenderer(this->Renderer);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  }
+
+  /// From normalised display coordinates to the field's cube space.
+  void GetDisplayToCube(const cslf::Cube& box, vtkMatrix4x4* matrix)
+  {
+    vtkMatrix4x4::Multiply4x4(
+      this->Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0),
+      this->Actor->GetMatrix(), matrix);
+    vtkNew<vtkMatrix4x4> cube;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cube->SetElement(axis, axis, 0.5 * box.Edges[axis]);
+      cube->SetElement(axis, 3, box.Center[axis]);
+    }
+    vtkMatrix4x4::Multiply4x4(matrix, cube, matrix);
+    matrix->Invert();
+  }
+
+  void Compare(const char* what, const cslf::Description& field, vtkImageData* image)
+  {
+    this->Mapper->SetInputData(image);
+    this->Renderer->ResetCamera();
+    const cslf::Lookup lookup(field, image);
+    for (int mode = vtkCSLFMapper::NEAREST; mode <= vtkCSLFMapper::DEPTH; ++mode)
+    {
+      this->Mapper->SetLookup(mode);
+      this->Window->Render();
+      vtkNew<vtkUnsignedCharArray> pixels;
+      this->Window->GetPixelData(0, 0, Size - 1, Size - 1, 0, pixels);
+      vtkNew<vtkMatrix4x4> displayToCube;
+      this->GetDisplayToCube(field.Box, displayToCube);
+      double sum = 0.0;
+      int count = 0;
+      int lit = 0;
+      int different = 0;
+      for (int y = 0; y < Size; ++y)
+      {
+        for (int x = 0; x < Size; ++x)
+        {
+          const double dx = 2.0 * (x + 0.5) / Size - 1.0;
+          const double dy = 2.0 * (y + 0.5) / Size - 1.0;
+          const glm::dvec3 from = Transform(displayToCube, dx, dy, -1.0);
+          const auto ray =
+            cslf::RayToCoordinates(from, Transform(displayToCube, dx, dy, 1.0) - from);
+          if (!ray)
+          {
+            continue;
+          }
+          const glm::dvec4 color = this->LookUp(lookup, mode, *ray);
+          double most = 0.0;
+          for (int c = 0; c < 3; ++c)
+          {
+            const double difference = pixels->GetComponent(y * Size + x, c) - 255.0 * color[c];
+            sum += difference * difference;
+            most = std::max(most, std::abs(difference));
+          }
+          ++count;
+          lit += color.w > 0.0;
+          different += most > 8.0;
+        }
+      }
+      const double psnr = 10.0 * std::log10(255.0 * 255.0 * 3.0 * count / (sum + 1e-9));
+      std::cout << what << ", " << this->Mapper->GetLookupAsString() << ": " << psnr << " dB, "
+                << different << " of " << count << " pixels differ\n";
+      CSLF_CHECK(lit > 1000);
+      // Rounding can send a ray on an edge either way.
+      CSLF_CHECK(psnr > 38.0);
+      CSLF_CHECK(different < 0.01 * count);
+    }
+  }
+
+  static glm::dvec4 LookUp(const cslf::Lookup& lookup, int mode, const cslf::RayCoordinates& ray)
+  {
+    switch (mode)
+    {
+      case vtkCSLFMapper::NEAREST:
+        return lookup.Nearest(ray).Color;
+      case vtkCSLFMapper::LINEAR:
+        return lookup.Linear(ray).Color;
+      case vtkCSLFMapper::BILINEAR:
+        return lookup.Bilinear(ray).Color;
+      case vtkCSLFMapper::FOCAL:
+        return lookup.Focal(ray, glm::dvec3(0.0)).Color;
+      default:
+        return lookup.DepthCorrected(ray).Color;
+    }
+  }
+};
+
+cslf::Description Describe(vtkImageData* image)
+{
+  std::string error;
+  const auto field = cslf::Description::ReadFrom(image, error);
+  CSLF_CHECK(field.has_value());
+  return field.value_or(cslf::Description());
+}
+}
+
+int TestCSLFMapperLookup(int, char*[])
+{
+  const cslf::Cube box{ { 10.0, -3.0, 2.0 }, { 4.0, 3.0, 5.0 } };
+  Fixture fixture;
+  vtkCamera* camera = fixture.Renderer->GetActiveCamera();
+  camera->SetPosition(14.0, 1.0, 12.0);
+  camera->SetFocalPoint(10.0, -3.0, 2.0);
+
+  const auto whole =
+    cslf::testing::MakeTestField(cslf::Layout(5, 32), box, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  fixture.Compare("perspective", Describe(whole), whole);
+
+  camera->ParallelProjectionOn();
+  fixture.Compare("parallel", Describe(whole), whole);
+  camera->ParallelProjectionOff();
+
+  const auto keyViews = cslf::testing::MakeTestField(
+    cslf::Layout(10, { 0, 2, 7, 9 }, 33), box, VTK_UNSIGNED_CHAR, VTK_FLOAT);
+  fixture.Compare("key views", Describe(keyViews), keyViews);
+
+  const auto flat = cslf::testing::MakeTestField(cslf::Layout(4, 32), box, VTK_UNSIGNED_CHAR, 0);
+  fixture.Compare("without depth", Describe(flat), flat);
+
+  fixture.Actor->RotateWXYZ(40.0, 1.0, 2.0, 0.5);
+  fixture.Actor->SetScale(1.0, 2.0, 0.5);
+  fixture.Compare("transformed", Describe(whole), whole);
+  return cslf::testing::Result();
+}
