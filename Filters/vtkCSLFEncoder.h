@@ -72,9 +72,11 @@ public:
   ///@{
   /**
    * Set/get the constant rate factor of depth, from 0 to 51. Default 12: lookups that correct by
-   * depth need it exact. With the default factors the tests' closed-form field (M = 9, N = 96, mostly
-   * silhouettes) takes 1076 kB of colour at 40.3 dB, 363 kB of coverage at 55.1 dB and 222 kB of depth
-   * at 54.6 dB, the error of depth staying below 0.0072 of the chord for 99 % of the covered texels.
+   * depth need it exact.
+   *
+   * With the default factors the closed-form field of the tests (M = 9, N = 96, mostly silhouettes)
+   * takes 1076 kB of colour at 40.3 dB, 363 kB of coverage at 55.1 dB and 222 kB of depth at
+   * 54.6 dB; 99 % of the covered texels have an error of depth below 0.0072 of the chord.
    */
   vtkSetClampMacro(DepthCRF, double, 0.0, 51.0);
   vtkGetMacro(DepthCRF, double);

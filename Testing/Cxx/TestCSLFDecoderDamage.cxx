@@ -104,7 +104,7 @@ void TestTruncated(const std::string& fileName, vtkImageData* whole)
 {
   const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
   int counts[3] = { 0, 0, 0 };
-  constexpr int places = 12;
+  constexpr int places = 8;
   for (int place = 0; place < places; ++place)
   {
     const std::size_t size = bytes.size() * place / places;
@@ -122,7 +122,7 @@ void TestFlipped(const std::string& fileName, vtkImageData* whole)
   const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
   std::mt19937 random(7);
   int counts[3] = { 0, 0, 0 };
-  for (int flip = 0; flip < 40; ++flip)
+  for (int flip = 0; flip < 20; ++flip)
   {
     std::vector<char> flipped = bytes;
     const std::size_t place = random() % flipped.size();
