@@ -5,7 +5,7 @@
 set(cslf_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMisc
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
-  ImagingColor ImagingCore ImagingStatistics ImagingStencil
+  ImagingColor ImagingCore ImagingGeneral ImagingStatistics ImagingStencil
   InteractionStyle InteractionWidgets
   IOGeometry IOImage IOPLY IOXML
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI opengl)

@@ -6,11 +6,17 @@ list(APPEND classes
   ../Filters/vtkCSLFCornellBoxSource
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFEncoder
+  ../Filters/vtkCSLFFieldQuality
+  ../Filters/vtkCSLFImageQuality
+  ../Filters/vtkCSLFImageReader
+  ../Filters/vtkCSLFImageWriter
   ../Filters/vtkCSLFLight
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
   ../Filters/vtkCSLFSampler
   ../Filters/vtkCSLFViewTracer)
+list(APPEND private_headers
+  ../Filters/cslfVTKCompatibility.h)
 
 # The path tracer behind the sampler and the view tracer.
 list(APPEND sources
@@ -48,13 +54,13 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
-  ../Filters/PathTracing/cslfTriangles.h
-  ../Filters/cslfVTKCompatibility.h)
+  ../Filters/PathTracing/cslfTriangles.h)
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
+  ../Filters/Coding/cslfDepthFill.cxx
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
@@ -68,6 +74,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
+  ../Filters/Coding/cslfDepthFill.h
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
@@ -77,3 +84,19 @@ list(APPEND private_headers
   ../Filters/Coding/cslfHEVC.h
   ../Filters/Coding/cslfPartStore.h
   ../Filters/Coding/cslfTrack.h)
+
+# Folders of cube maps.
+list(APPEND sources
+  ../Filters/CubeMaps/cslfCubeMapFiles.cxx)
+list(APPEND private_headers
+  ../Filters/CubeMaps/cslfCubeMapFiles.h)
+
+# Measures of quality.
+list(APPEND private_headers
+  ../Filters/Quality/cslfPSNR.h)
+
+# Pulling fields slab by slab.
+list(APPEND sources
+  ../Filters/Pipeline/cslfSlabs.cxx)
+list(APPEND private_headers
+  ../Filters/Pipeline/cslfSlabs.h)

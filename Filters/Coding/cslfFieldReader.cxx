@@ -123,7 +123,7 @@ std::vector<bool> FieldReader::DecodeGroups(
           : 0;
       }
     });
-  const bool hasCoverage = header.HasTrack(TrackRole::Coverage);
+  const Track* coverage = header.FindTrack(TrackRole::Coverage);
   std::vector<bool> good(groups.size(), false);
   for (std::size_t k = 0; k < groups.size(); ++k)
   {
@@ -140,7 +140,7 @@ std::vector<bool> FieldReader::DecodeGroups(
         {
           if (good[k] && request.Has(slice))
           {
-            JoinChannels(header.Field.Grid.GetResolution(), hasCoverage, request.Get(slice));
+            JoinChannels(header.Field.Grid.GetResolution(), coverage, request.Get(slice));
           }
         }
       }

@@ -201,10 +201,11 @@ std::vector<int> FileHeader::GetGroupStarts() const
   return starts;
 }
 
-bool FileHeader::HasTrack(TrackRole role) const
+const Track* FileHeader::FindTrack(TrackRole role) const
 {
-  return std::any_of(this->Tracks.begin(), this->Tracks.end(),
+  const auto found = std::find_if(this->Tracks.begin(), this->Tracks.end(),
     [role](const CodedTrack& track) { return track.Kind.Role == role; });
+  return found == this->Tracks.end() ? nullptr : &found->Kind;
 }
 
 std::string FileHeader::ToText() const

@@ -41,8 +41,8 @@ struct FileHeader
   /// The first frame of each group, and one more: the number of frames.
   std::vector<int> GetGroupStarts() const;
 
-  /// Whether a track of that role is there.
-  bool HasTrack(TrackRole role) const;
+  /// The track of that role, or null.
+  const Track* FindTrack(TrackRole role) const;
 
   std::string ToText() const;
 

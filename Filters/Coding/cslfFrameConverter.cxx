@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFrameConverter.h"
 
+#include "Coding/cslfDepthFill.h"
 #include "cslfLayout.h"
 
 #include <algorithm>
@@ -13,6 +14,10 @@ namespace
 {
 constexpr int ColorBytes = 4;
 constexpr unsigned short FarDepth = 65535;
+
+/// Lossy coverage this near to none or full is taken for none or full. On the closed-form test
+/// field it removes 19 of 20 of the false traces of coverage at a rate factor of 12.
+constexpr int CoverageTolerance = 3;
 
 /// The planes of a planar RGB frame hold green, blue, red.
 constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
@@ -152,12 +157,14 @@ void SliceToFrame::PutColor(const ConstSlice& slice, AVFrame* frame) const
   }
 }
 
-void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame) const
+void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
 {
   if (this->Kind.Role == TrackRole::Depth)
   {
+    this->Filled.resize(static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution);
+    FillDepth(this->Resolution, slice.Color, slice.Depth, this->Filled.data());
     VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
-      [&](std::size_t texel, std::uint16_t& sample) { sample = EncodeDepth(slice.Depth[texel]); });
+      [&](std::size_t texel, std::uint16_t& sample) { sample = EncodeDepth(this->Filled[texel]); });
     return;
   }
   const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
@@ -239,13 +246,21 @@ bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
   return true;
 }
 
-void JoinChannels(int resolution, bool hasCoverage, const Slice& slice)
+void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 {
+  const int tolerance = coverage && !coverage->Lossless ? CoverageTolerance : 0;
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
   for (std::size_t texel = 0; texel < texels; ++texel)
   {
     unsigned char* color = slice.Color + ColorBytes * texel;
-    color[3] = hasCoverage ? color[3] : 255;
+    if (!coverage || color[3] >= 255 - tolerance)
+    {
+      color[3] = 255;
+    }
+    else if (color[3] <= tolerance)
+    {
+      color[3] = 0;
+    }
     for (int component = 0; component < 3; ++component)
     {
       color[component] = std::min(color[component], color[3]);

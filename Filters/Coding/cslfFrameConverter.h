@@ -44,11 +44,12 @@ public:
 
 private:
   void PutColor(const ConstSlice& slice, AVFrame* frame) const;
-  void PutDepth(const ConstSlice& slice, AVFrame* frame) const;
+  void PutDepth(const ConstSlice& slice, AVFrame* frame);
 
   Track Kind;
   int Resolution;
   AVHandle<SwsContext> Scaler;
+  std::vector<unsigned short> Filled;
 };
 
 /// Turns frames of one track into its part of slices. Tracks of one slice may be converted at once.
@@ -69,9 +70,10 @@ private:
   std::vector<std::uint8_t> Strip;
 };
 
-/// Joins the channels of a decoded slice: colour at most coverage, depth 1 where nothing is
+/// Joins the channels of a decoded slice: coverage within 3/255 of none or full becomes just that
+/// unless its track is lossless, colour is at most coverage, and depth is 1 where nothing is
 /// covered. Without a coverage track the slice is covered everywhere.
-void JoinChannels(int resolution, bool hasCoverage, const Slice& slice);
+void JoinChannels(int resolution, const Track* coverage, const Slice& slice);
 
 /// What is put in place of a viewpoint that is missing: nothing covered, depth 1.
 void ClearSlice(int resolution, const Slice& slice);

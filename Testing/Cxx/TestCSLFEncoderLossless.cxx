@@ -32,6 +32,7 @@ int TestCSLFEncoderLossless(int argc, char* argv[])
   TestRoundTrip(cslf::testing::MakeByteField(3, 16), folder + "/odd.mp4");
   TestRoundTrip(cslf::testing::MakeByteField(2, 16), folder + "/least.mkv");
   TestRoundTrip(cslf::testing::MakeByteField(2, 17, false), folder + "/colour.mp4");
-  TestRoundTrip(cslf::testing::MakeByteField(5, 36), folder + "/larger.mkv");
+  TestRoundTrip(cslf::testing::MakeByteField(5, 16), folder + "/more.mkv");
+  TestRoundTrip(cslf::testing::MakeByteField(2, 100), folder + "/larger.mkv");
   return cslf::testing::Result();
 }

@@ -94,9 +94,9 @@ void TestFullCoverage(vtkImageData* field, const std::string& folder)
 int TestCSLFEncoderRoundTrip(int argc, char* argv[])
 {
   const std::string folder = cslf::testing::MakeFolder(argc, argv, "EncoderRoundTrip");
-  TestDefaults(cslf::testing::MakeByteField(5, 64), folder + "/defaults.mp4");
-  TestDefaults(cslf::testing::MakeByteField(3, 100), folder + "/defaults.mkv");
-  const auto small = cslf::testing::MakeByteField(3, 32);
+  TestDefaults(cslf::testing::MakeByteField(3, 64), folder + "/defaults.mp4");
+  TestDefaults(cslf::testing::MakeByteField(3, 36), folder + "/defaults.mkv");
+  const auto small = cslf::testing::MakeByteField(2, 32);
   TestPixelFormats(small, folder);
   TestFullCoverage(small, folder);
   return cslf::testing::Result();

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf compare: how close one picture or light field comes to another.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfPictures.h"
+#include "cslfTable.h"
+
+#include "vtkCSLFFieldQuality.h"
+#include "vtkCSLFImageQuality.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::string First;
+  std::string Second;
+};
+
+bool IsPicture(const std::string& fileName)
+{
+  std::error_code failure;
+  return std::filesystem::path(fileName).extension() == ".png" &&
+    !std::filesystem::is_directory(fileName, failure);
+}
+
+Result ComparePictures(const Options& options)
+{
+  vtkNew<vtkCSLFImageQuality> quality;
+  quality->SetInputData(0, ReadPicture(options.First));
+  quality->SetInputData(1, ReadPicture(options.Second));
+  quality->Update();
+  ThrowOnError();
+  Result result;
+  result.JSON = { { "psnr", quality->GetPSNR() }, { "ssim", quality->GetSSIM() } };
+  result.Text =
+    "PSNR " + Format(quality->GetPSNR(), 2) + " dB, SSIM " + Format(quality->GetSSIM(), 4) + "\n";
+  return result;
+}
+
+Result CompareFields(const Options& options)
+{
+  const FieldFile first = OpenField(options.First);
+  const FieldFile second = OpenField(options.Second);
+  vtkNew<vtkCSLFFieldQuality> quality;
+  quality->SetInputConnection(0, first.Reader->GetOutputPort());
+  quality->SetInputConnection(1, second.Reader->GetOutputPort());
+  {
+    const ProgressBar bar(quality, "Comparing");
+    quality->Measure();
+  }
+  ThrowOnError();
+  Result result;
+  Table table;
+  nlohmann::json channels;
+  for (int index = 0; index < quality->GetNumberOfFigures(); ++index)
+  {
+    const std::string name = quality->GetFigureName(index);
+    channels[name] = { { "psnr", quality->GetPSNR(index) },
+      { "equal", quality->GetIsEqual(index) } };
+    table.AddRow(
+      { name, quality->GetIsEqual(index) ? "equal" : Format(quality->GetPSNR(index), 2) + " dB" });
+  }
+  result.JSON = { { "channels", channels } };
+  result.Text = table.ToText();
+  return result;
+}
+}
+
+void AddCompare(CLI::App& app, Command& chosen)
+{
+  CLI::App* command =
+    app.add_subcommand("compare", "Measure how close one picture or light field comes to another");
+  command->footer(
+    "Pictures: PSNR (at most 60 dB) of red, green and blue, alpha left out, and SSIM of luma. "
+    "Light fields: PSNR (at most 100 dB) of each channel.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("a", options->First, "a .png picture or a light field")->required();
+  command->add_option("b", options->Second, "another one")->required();
+  command->callback(
+    [options, &chosen]
+    {
+      const bool arePictures = IsPicture(options->First) && IsPicture(options->Second);
+      chosen = [options, arePictures]
+      { return arePictures ? ComparePictures(*options) : CompareFields(*options); };
+    });
+}
+}
+}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf encode and cslf decode: a light field goes from one format to another.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataArray.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::string Input;
+  std::string Output;
+  CodingOptions Coding;
+};
+
+/// The bytes of all channels, uncoded.
+double CountRawBytes(const Description& description)
+{
+  const Layout& grid = description.Grid;
+  double texel = 0.0;
+  for (const Channel& channel : description.Channels)
+  {
+    texel += channel.Components * vtkDataArray::GetDataTypeSize(channel.Type);
+  }
+  return texel * grid.GetStripWidth() * grid.GetResolution() * grid.GetSlices();
+}
+
+Result Run(const Options& options, bool toVideo)
+{
+  const FieldWriter writer(options.Output, options.Coding);
+  if ((writer.GetFormat() == FieldFormat::Video) != toVideo)
+  {
+    throw Failure(toVideo ? "cslf encode writes .mp4 or .mkv; see cslf decode for other formats."
+                          : "cslf decode writes .vti or a folder; see cslf encode for video.");
+  }
+  std::error_code failure;
+  if (std::filesystem::equivalent(options.Input, options.Output, failure))
+  {
+    throw Failure("The input and the output are the same.");
+  }
+  const FieldFile file = OpenField(options.Input);
+  writer.Write(file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding");
+  ThrowOnError();
+
+  const double bytes = static_cast<double>(CountBytes(options.Output));
+  const double rawBytes = CountRawBytes(file.Field);
+  Result result;
+  result.JSON = Summarize(file.Field);
+  result.JSON["output"] = options.Output;
+  result.JSON["bytes"] = CountBytes(options.Output);
+  result.JSON["raw_bytes"] = rawBytes;
+  result.JSON["ratio"] = rawBytes / bytes;
+  std::ostringstream text;
+  text << options.Output << ": " << CountBytes(options.Output) << " bytes, 1/" << rawBytes / bytes
+       << " of all channels uncoded\n";
+  result.Text = text.str();
+  return result;
+}
+
+void Add(CLI::App& app, Command& chosen, const char* name, const char* help, bool toVideo)
+{
+  CLI::App* command = app.add_subcommand(name, help);
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->Input, std::string("the light field: ") + FieldFormats)
+    ->required();
+  command
+    ->add_option("-o,--output", options->Output,
+      toVideo ? "the video: .mp4 or .mkv" : "the light field: .vti or a folder of cube maps")
+    ->required();
+  if (toVideo)
+  {
+    options->Coding.AddTo(*command);
+  }
+  command->callback(
+    [=, &chosen] { chosen = [options, toVideo] { return Run(*options, toVideo); }; });
+}
+}
+
+void AddEncode(CLI::App& app, Command& chosen)
+{
+  Add(app, chosen, "encode", "Code a light field as video", true);
+}
+
+void AddDecode(CLI::App& app, Command& chosen)
+{
+  Add(app, chosen, "decode", "Read a light field into image data or cube maps", false);
+}
+}
+}

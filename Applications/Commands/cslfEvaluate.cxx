@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf evaluate: novel views looked up in a light field, measured against path-traced ones.
+#include "cslfCameraOptions.h"
+#include "cslfCommands.h"
+#include "cslfContactSheet.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfNovelViews.h"
+#include "cslfPictures.h"
+#include "cslfSceneFiles.h"
+#include "cslfTable.h"
+
+#include "vtkCSLFImageQuality.h"
+#include "vtkCSLFMapper.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageStencilData.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+/// The truth's noise must lie this far below what is measured against it.
+constexpr double NoiseMargin = 10.0;
+
+struct Options
+{
+  std::string Field;
+  SceneOptions Scene;
+  std::string OutputFolder;
+  std::string ContactSheet;
+  std::string Title;
+  int Views = 6;
+  int Size = 512;
+  int Samples = 256;
+  int Seed = 1;
+};
+
+/// A lookup's figures, one for each view.
+struct Score
+{
+  LookupName Lookup;
+  std::vector<double> PSNR;
+  std::vector<double> SSIM;
+  double FrameRate = 0.0;
+};
+
+double Mean(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0) / values.size();
+}
+
+double Minimum(const std::vector<double>& values)
+{
+  return *std::min_element(values.begin(), values.end());
+}
+
+void CheckOutputs(const Options& options)
+{
+  std::error_code failure;
+  if (!options.OutputFolder.empty())
+  {
+    std::filesystem::create_directories(options.OutputFolder, failure);
+    RequireWritable(options.OutputFolder + "/view-0-truth.png");
+  }
+  if (!options.ContactSheet.empty())
+  {
+    RequireWritable(options.ContactSheet);
+  }
+}
+
+void SaveView(const Options& options, int view, const std::string& name, vtkImageData* picture)
+{
+  if (!options.OutputFolder.empty())
+  {
+    WritePicture(
+      options.OutputFolder + "/view-" + std::to_string(view) + "-" + name + ".png", picture);
+  }
+}
+
+std::vector<Score> MakeScores(const Description& description)
+{
+  std::vector<Score> scores;
+  for (const LookupName& lookup : GetLookups())
+  {
+    if (lookup.Lookup != vtkCSLFMapper::DEPTH || description.FindChannel(DepthName))
+    {
+      scores.push_back({ lookup, {}, {}, 0.0 });
+    }
+  }
+  return scores;
+}
+
+Result Report(
+  const Options& options, const std::vector<Score>& scores, const std::vector<double>& noiseFloors)
+{
+  const double noiseFloor = Mean(noiseFloors);
+  Result result;
+  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
+    { "views", options.Views }, { "size", options.Size }, { "spp", options.Samples },
+    { "seed", options.Seed }, { "noise_floor", noiseFloor } };
+  Table table;
+  table.AddRow({ "lookup", "PSNR (dB)", "lowest", "SSIM", "frames/s" });
+  double best = 0.0;
+  for (const Score& score : scores)
+  {
+    result.JSON["lookups"][score.Lookup.Name] = { { "psnr", Mean(score.PSNR) },
+      { "lowest_psnr", Minimum(score.PSNR) }, { "psnr_of_views", score.PSNR },
+      { "ssim", Mean(score.SSIM) }, { "frames_per_second", score.FrameRate } };
+    table.AddRow({ score.Lookup.Name, Format(Mean(score.PSNR), 2), Format(Minimum(score.PSNR), 2),
+      Format(Mean(score.SSIM), 4), Format(score.FrameRate, 1) });
+    best = std::max(best, Mean(score.PSNR));
+  }
+  result.Text = options.Field + ": " + std::to_string(CountBytes(options.Field)) + " bytes, " +
+    std::to_string(options.Views) + " views of " + std::to_string(options.Size) + " x " +
+    std::to_string(options.Size) + "\n" + table.ToText() +
+    "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
+    std::to_string(options.Samples) + " samples per pixel)\n";
+  if (noiseFloor < best + NoiseMargin)
+  {
+    AddWarning("The truth's noise floor of " + Format(noiseFloor, 2) +
+      " dB is less than 10 dB above the best lookup: use more --spp.");
+  }
+  return result;
+}
+
+Result Run(Options options)
+{
+  CheckOutputs(options);
+  const FieldFile file = OpenField(options.Field);
+  RequireDisplay();
+  options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
+  const Scene scene = options.Scene.Read();
+  {
+    const ProgressBar bar(file.Reader, "Reading");
+    file.Reader->UpdateWholeExtent();
+  }
+  ThrowOnError();
+
+  FieldRenderer renderer(file.Reader->GetOutputPort(), options.Size, options.Size);
+  const auto cameras =
+    MakeNovelViews(file.Field.Box, options.Views, options.Seed, options.Scene.HasCornellBox());
+  std::vector<Score> scores = MakeScores(file.Field);
+  std::vector<double> noiseFloors;
+  std::vector<LabelledPicture> sheet;
+  for (int view = 0; view < options.Views; ++view)
+  {
+    const Truth truth = TraceTruth(
+      options.Scene, scene, cameras[view], options.Size, options.Samples, options.Seed + view);
+    const auto stencil = MakeCubeStencil(file.Field.Box, cameras[view], options.Size, options.Size);
+    noiseFloors.push_back(ComputeNoiseFloor(truth, stencil));
+    SaveView(options, view, "truth", truth.Picture);
+    sheet.push_back({ truth.Picture,
+      options.Title + (options.Title.empty() ? "" : ", ") + "path-traced, view " +
+        std::to_string(view) });
+    for (Score& score : scores)
+    {
+      const auto picture = renderer.Render(cameras[view], score.Lookup.Lookup);
+      vtkNew<vtkCSLFImageQuality> quality;
+      quality->SetInputData(0, truth.Picture);
+      quality->SetInputData(1, picture);
+      quality->SetStencilData(stencil);
+      quality->Update();
+      ThrowOnError();
+      score.PSNR.push_back(quality->GetPSNR());
+      score.SSIM.push_back(quality->GetSSIM());
+      SaveView(options, view, score.Lookup.Name, picture);
+      sheet.push_back(
+        { picture, std::string(score.Lookup.Name) + ", " + Format(quality->GetPSNR(), 1) + " dB" });
+    }
+  }
+  for (Score& score : scores)
+  {
+    score.FrameRate = renderer.MeasureFrameRate(cameras[0], score.Lookup.Lookup);
+  }
+  if (!options.ContactSheet.empty())
+  {
+    WritePicture(
+      options.ContactSheet, MakeContactSheet(sheet, static_cast<int>(scores.size()) + 1));
+  }
+  return Report(options, scores, noiseFloors);
+}
+}
+
+void AddEvaluate(CLI::App& app, Command& chosen)
+{
+  CLI::App* command = app.add_subcommand(
+    "evaluate", "Measure novel views of a light field, in every lookup, against path-traced ones");
+  command->footer(
+    "Cameras stand two cube edges from the centre, with a view angle of 40 degrees; for the "
+    "Cornell box within 35 degrees of its opening. PSNR of red, green and blue over black, in "
+    "the pixels whose ray meets the cube: the mean of the views' dB, each at most 60. The truth "
+    "is the mean of two halves traced with different seeds; its noise floor is the PSNR of one "
+    "half against the other plus 6.02 dB, as the mean has a quarter of their difference's "
+    "variance. Give the scene, light and material that the field was sampled with.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+    ->required();
+  options->Scene.AddTo(*command);
+  command->add_option("--views", options->Views, "novel views")
+    ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
+  command->add_option("--size", options->Size, "of a view, in pixels")
+    ->check(CLI::Range(1, 8192))
+    ->capture_default_str();
+  command->add_option("--spp", options->Samples, "samples per pixel of the truth, both halves")
+    ->check(CLI::Range(2, 1 << 20))
+    ->capture_default_str();
+  command->add_option("--seed", options->Seed, "of the views and of the truth")
+    ->check(CLI::Range(0, 1 << 29))
+    ->capture_default_str();
+  command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
+  command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
+  command->add_option("--title", options->Title, "the scene's name on the contact sheet");
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

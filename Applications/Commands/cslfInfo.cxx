@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf info: what a light field's file holds.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfTable.h"
+
+#include <vtkAlgorithm.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+std::string JoinNumbers(const nlohmann::json& numbers)
+{
+  std::string text;
+  for (const auto& number : numbers)
+  {
+    text += (text.empty() ? "" : " ") + number.dump();
+  }
+  return text;
+}
+
+Result Run(const std::string& fileName)
+{
+  const FieldFile file = OpenField(fileName);
+  Result result;
+  result.JSON = Summarize(file.Field);
+  result.JSON["codec"] = GetCodecName(file);
+  result.JSON["bytes"] = CountBytes(fileName);
+  result.JSON["missing"] = CountMissing(file);
+
+  const nlohmann::json& json = result.JSON;
+  Table table;
+  table.AddRow({ "viewpoints",
+    json["views"].dump() + " x " + json["views"].dump() + " on 6 faces, " +
+      json["slices"].dump() });
+  table.AddRow({ "resolution",
+    json["resolution"].dump() + " x " + json["resolution"].dump() + " texels on 5 faces" });
+  table.AddRow({ "center", JoinNumbers(json["center"]) });
+  table.AddRow({ "edge", JoinNumbers(json["edge"]) });
+  for (const auto& channel : json["channels"])
+  {
+    table.AddRow({ "channel",
+      channel["name"].get<std::string>() + ", " + channel["components"].dump() + " x " +
+        channel["type"].get<std::string>() + ", " + channel["encoding"].get<std::string>() });
+  }
+  for (const auto& [name, value] : json["sampling"].items())
+  {
+    table.AddRow({ name, value.dump() });
+  }
+  table.AddRow({ "codec", json["codec"].get<std::string>() });
+  table.AddRow({ "bytes", json["bytes"].dump() });
+  table.AddRow({ "missing", json["missing"].dump() + " viewpoints" });
+  result.Text = table.ToText();
+  return result;
+}
+}
+
+void AddInfo(CLI::App& app, Command& chosen)
+{
+  CLI::App* command = app.add_subcommand("info", "Tell what a light field's file holds");
+  command->footer(
+    "JSON: views (M, along each side of a face), slices (6 M^2), resolution (N), center, "
+    "edge (one number, or three where they differ), channels, sampling, codec, bytes, "
+    "missing (viewpoints that cannot be read).");
+  const auto fileName = std::make_shared<std::string>();
+  command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
+    ->required();
+  command->callback([fileName, &chosen] { chosen = [fileName] { return Run(*fileName); }; });
+}
+}
+}

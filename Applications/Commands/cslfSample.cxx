@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf sample: a scene becomes a light field.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfSceneFiles.h"
+
+#include "vtkCSLFSampler.h"
+
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <memory>
+#include <sstream>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+constexpr int MaximumViewpoints = 4096;
+constexpr int MaximumResolution = 16384;
+constexpr int MaximumSamples = 1 << 20;
+
+/// HEVC's smallest picture.
+constexpr int SmallestVideo = 16;
+
+struct Options
+{
+  SceneOptions Scene;
+  CodingOptions Coding;
+  std::string Output;
+  int Viewpoints = 17;
+  int Resolution = 128;
+  int Samples = 64;
+  int Seed = 0;
+  double Offset = 0.05;
+  std::vector<double> Center;
+  std::vector<double> Edges;
+  bool NoDepth = false;
+  bool Float = false;
+};
+
+void SetCube(const Options& options, vtkCSLFSampler* sampler)
+{
+  sampler->SetOffset(options.Offset);
+  sampler->SetAutomaticCube(options.Edges.empty());
+  if (!options.Edges.empty())
+  {
+    const std::vector<double>& edges = options.Edges;
+    const bool isCube = edges.size() == 1;
+    sampler->SetCubeEdges(edges[0], isCube ? edges[0] : edges[1], isCube ? edges[0] : edges[2]);
+    sampler->SetCubeCenter(options.Center[0], options.Center[1], options.Center[2]);
+  }
+}
+
+Result Run(const Options& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  if (options.Edges.size() == 2 || options.Edges.empty() != options.Center.empty())
+  {
+    throw Failure("A cube is given by --center and one or three --edges.");
+  }
+  const FieldWriter writer(options.Output, options.Coding);
+  if (writer.GetFormat() == FieldFormat::Video && options.Resolution < SmallestVideo)
+  {
+    throw Failure("Video needs a resolution (-N) of at least 16 texels.");
+  }
+  if (writer.GetFormat() == FieldFormat::Video && options.Float)
+  {
+    throw Failure("Video holds no float colours: write .vti or a folder.");
+  }
+  const Scene scene = options.Scene.Read();
+  vtkNew<vtkCSLFSampler> sampler;
+  options.Scene.Apply(scene, sampler);
+  sampler->SetViewpoints(options.Viewpoints);
+  sampler->SetResolution(options.Resolution);
+  sampler->SetSamples(options.Samples);
+  sampler->SetSeed(options.Seed);
+  sampler->SetGenerateDepth(!options.NoDepth);
+  sampler->SetColorType(options.Float ? VTK_FLOAT : VTK_UNSIGNED_CHAR);
+  SetCube(options, sampler);
+  writer.Write(sampler->GetOutputPort(), "Sampling");
+  ThrowOnError();
+
+  const FieldFile file = OpenField(options.Output);
+  const double seconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Result result;
+  result.JSON = Summarize(file.Field);
+  result.JSON["output"] = options.Output;
+  result.JSON["bytes"] = CountBytes(options.Output);
+  result.JSON["seconds"] = seconds;
+  std::ostringstream text;
+  text << options.Output << ": " << file.Field.Grid.GetSlices() << " viewpoints, "
+       << CountBytes(options.Output) << " bytes, " << seconds << " s\n";
+  result.Text = text.str();
+  return result;
+}
+
+void AddField(CLI::App& command, Options& options)
+{
+  command
+    .add_option("-o,--output", options.Output, std::string("the light field: ") + FieldFormats)
+    ->required();
+  const std::string field = "Light field";
+  command.add_option("-M,--viewpoints", options.Viewpoints, "viewpoints along each side of a face")
+    ->check(CLI::Range(2, MaximumViewpoints))
+    ->capture_default_str()
+    ->group(field);
+  command.add_option("-N,--resolution", options.Resolution, "texels along each side of an image")
+    ->check(CLI::Range(1, MaximumResolution))
+    ->capture_default_str()
+    ->group(field);
+  command.add_option("--spp", options.Samples, "samples per texel")
+    ->check(CLI::Range(1, MaximumSamples))
+    ->capture_default_str()
+    ->group(field);
+  command.add_option("--seed", options.Seed, "of the random numbers")
+    ->capture_default_str()
+    ->group(field);
+  command
+    .add_option("--offset", options.Offset,
+      "margin around the scene on each side, in parts of its longest side")
+    ->check(CLI::Range(1e-6, 1e6))
+    ->capture_default_str()
+    ->group(field);
+  command.add_option("--center", options.Center, "of the cube, instead of the scene's")
+    ->expected(3)
+    ->type_name("X Y Z")
+    ->group(field);
+  command.add_option("--edges", options.Edges, "of the cube: one length, or three along X, Y, Z")
+    ->expected(1, 3)
+    ->check(CLI::PositiveNumber)
+    ->group(field);
+  command.add_flag("--no-depth", options.NoDepth, "leave the depth channel out")->group(field);
+  command.add_flag("--float", options.Float, "linear float colours instead of sRGB bytes")
+    ->group(field);
+}
+}
+
+void AddSample(CLI::App& app, Command& chosen)
+{
+  CLI::App* command =
+    app.add_subcommand("sample", "Sample a scene into a light field, by path tracing");
+  const auto options = std::make_shared<Options>();
+  options->Scene.AddTo(*command);
+  AddField(*command, *options);
+  options->Coding.AddTo(*command);
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

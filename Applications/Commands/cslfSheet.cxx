@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf sheet: pictures side by side in one.
+#include "cslfCommands.h"
+#include "cslfContactSheet.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfPictures.h"
+
+#include <vtkImageData.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::vector<std::string> Inputs;
+  std::vector<std::string> Labels;
+  std::string Output;
+  int Columns = 1;
+};
+
+Result Run(const Options& options)
+{
+  RequireWritable(options.Output);
+  if (options.Labels.size() > options.Inputs.size())
+  {
+    throw Failure("There are more labels than pictures.");
+  }
+  std::vector<LabelledPicture> pictures;
+  for (std::size_t index = 0; index < options.Inputs.size(); ++index)
+  {
+    pictures.push_back({ ReadPicture(options.Inputs[index]),
+      index < options.Labels.size() ? options.Labels[index] : "" });
+  }
+  WritePicture(options.Output, MakeContactSheet(pictures, options.Columns));
+  Result result;
+  result.Text = options.Output + "\n";
+  result.JSON = { { "output", options.Output } };
+  return result;
+}
+}
+
+void AddSheet(CLI::App& app, Command& chosen)
+{
+  CLI::App* command = app.add_subcommand("sheet", "Put pictures side by side in one");
+  const auto options = std::make_shared<Options>();
+  command->add_option("picture", options->Inputs, "the pictures, .png, row by row")->required();
+  command->add_option("-o,--output", options->Output, "the sheet, .png")->required();
+  command->add_option("--columns", options->Columns, "pictures in a row")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->add_option("--label", options->Labels, "a line below each picture, one option each");
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

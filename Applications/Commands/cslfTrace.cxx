@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf trace: the path-traced truth for a novel view.
+#include "cslfCameraOptions.h"
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfPictures.h"
+#include "cslfSceneFiles.h"
+
+#include "vtkCSLFViewTracer.h"
+
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  SceneOptions Scene;
+  CameraOptions Camera;
+  std::string Output;
+  int Samples = 64;
+  int Seed = 0;
+};
+
+Result Run(const Options& options)
+{
+  RequireWritable(options.Output);
+  const Scene scene = options.Scene.Read();
+  vtkNew<vtkCSLFViewTracer> tracer;
+  options.Scene.Apply(scene, tracer);
+  double bounds[6];
+  scene.GetBounds(bounds);
+  tracer->SetCamera(options.Camera.MakeCamera(Cube::FromBounds(bounds, DefaultOffset)));
+  tracer->SetSize(options.Camera.GetWidth(), options.Camera.GetHeight());
+  tracer->SetSamples(options.Samples);
+  tracer->SetSeed(options.Seed);
+  {
+    const ProgressBar bar(tracer, "Tracing");
+    tracer->Update();
+  }
+  ThrowOnError();
+  WritePicture(options.Output, DropAlpha(tracer->GetOutput()));
+  Result result;
+  result.Text = options.Output + "\n";
+  result.JSON = { { "output", options.Output } };
+  return result;
+}
+}
+
+void AddTrace(CLI::App& app, Command& chosen)
+{
+  CLI::App* command = app.add_subcommand("trace",
+    "Path-trace a novel view of a scene, over black: the truth that a light field is measured "
+    "against");
+  const auto options = std::make_shared<Options>();
+  options->Scene.AddTo(*command);
+  command->add_option("-o,--output", options->Output, "the picture, .png")->required();
+  command->add_option("--spp", options->Samples, "samples per pixel")
+    ->check(CLI::Range(1, 1 << 20))
+    ->capture_default_str();
+  command->add_option("--seed", options->Seed, "of the random numbers")->capture_default_str();
+  options->Camera.AddTo(*command);
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The camera of a novel view, in world coordinates, on the command line.
+ */
+#ifndef cslfCameraOptions_h
+#define cslfCameraOptions_h
+
+#include "cslfCube.h"
+
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <vector>
+
+class vtkCamera;
+
+namespace CLI
+{
+class App;
+}
+
+namespace cslf
+{
+namespace tool
+{
+/// Cameras that are not given stand this many times the cube's longest edge from its centre.
+constexpr double DefaultDistance = 2.0;
+
+/// The default vertical view angle in degrees.
+constexpr double DefaultViewAngle = 40.0;
+
+/// The margin of a scene's default cube.
+constexpr double DefaultOffset = 0.05;
+
+/// A camera at `position` that looks at `focalPoint`; `up` is replaced where it is along the view.
+vtkSmartPointer<vtkCamera> MakeCamera(
+  const glm::dvec3& position, const glm::dvec3& focalPoint, const glm::dvec3& up, double viewAngle);
+
+class CameraOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// The camera. The cube gives what the command line leaves out. Throws a Failure where the
+  /// position is the focal point.
+  vtkSmartPointer<vtkCamera> MakeCamera(const Cube& cube) const;
+
+  int GetWidth() const { return this->Size[0]; }
+  int GetHeight() const { return this->Size[1]; }
+
+private:
+  std::optional<std::vector<double>> Position;
+  std::optional<std::vector<double>> FocalPoint;
+  std::vector<double> ViewUp{ 0.0, 1.0, 0.0 };
+  double ViewAngle = DefaultViewAngle;
+  std::vector<int> Size{ 512, 512 };
+};
+}
+}
+
+#endif

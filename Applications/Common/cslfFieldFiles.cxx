@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFieldFiles.h"
+
+#include "cslfMessages.h"
+
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFEncoder.h"
+#include "vtkCSLFImageReader.h"
+#include "vtkCSLFImageWriter.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+namespace fs = std::filesystem;
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+std::string LowerExtension(const std::string& fileName)
+{
+  std::string extension = fs::path(fileName).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::optional<FieldFormat> FindFormat(const std::string& fileName)
+{
+  const std::string extension = LowerExtension(fileName);
+  std::error_code failure;
+  if (extension.empty() || fs::is_directory(fileName, failure))
+  {
+    return FieldFormat::Folder;
+  }
+  if (extension == ".mp4" || extension == ".mkv")
+  {
+    return FieldFormat::Video;
+  }
+  return extension == ".vti" ? std::make_optional(FieldFormat::ImageData) : std::nullopt;
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(fileName.c_str());
+  return reader.Get();
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(FieldFormat format, const std::string& fileName)
+{
+  switch (format)
+  {
+    case FieldFormat::Video:
+      return MakeReader<vtkCSLFDecoder>(fileName);
+    case FieldFormat::ImageData:
+      return MakeReader<vtkXMLImageDataReader>(fileName);
+    default:
+      return MakeReader<vtkCSLFImageReader>(fileName);
+  }
+}
+
+/// The description that a reader knows before it has read a sample.
+std::string GetText(vtkAlgorithm* reader)
+{
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(reader))
+  {
+    return decoder->GetDescription();
+  }
+  auto* images = vtkCSLFImageReader::SafeDownCast(reader);
+  return images ? images->GetDescription() : std::string();
+}
+
+/// The description that comes with the first viewpoint.
+std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
+{
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(reader->GetOutputInformation(0), extent);
+  extent[5] = extent[4];
+  if (!reader->UpdateExtent(extent))
+  {
+    error = "it cannot be read";
+    return std::nullopt;
+  }
+  return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
+}
+}
+
+FieldFile OpenField(const std::string& fileName)
+{
+  std::error_code failure;
+  if (!fs::exists(fileName, failure))
+  {
+    throw Failure("There is no file or folder " + fileName + ".");
+  }
+  const auto format = FindFormat(fileName);
+  if (!format)
+  {
+    throw Failure(fileName + " is no light field: known are " + FieldFormats + ".");
+  }
+  FieldFile file;
+  file.Format = *format;
+  file.Reader = MakeReader(*format, fileName);
+  file.Reader->UpdateInformation();
+  ThrowOnError();
+  std::string error;
+  const auto description = *format == FieldFormat::ImageData
+    ? ReadFirst(file.Reader, error)
+    : Description::FromText(GetText(file.Reader), error);
+  ThrowOnError();
+  if (!description)
+  {
+    throw Failure(fileName + ": " + error);
+  }
+  file.Field = *description;
+  return file;
+}
+
+int CountMissing(const FieldFile& file)
+{
+  vtkIdType missing = 0;
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    missing = decoder->FindMissingViewpoints();
+  }
+  else if (auto* images = vtkCSLFImageReader::SafeDownCast(file.Reader))
+  {
+    missing = images->FindMissingViewpoints();
+  }
+  ThrowOnError();
+  return static_cast<int>(missing);
+}
+
+std::string GetCodecName(const FieldFile& file)
+{
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    return decoder->GetCodecName();
+  }
+  if (file.Format == FieldFormat::ImageData)
+  {
+    return "none";
+  }
+  const Channel* color = file.Field.FindChannel(ColorName);
+  return color && color->Type == VTK_FLOAT ? "exr" : "png";
+}
+
+std::uintmax_t CountBytes(const std::string& fileName)
+{
+  std::error_code failure;
+  if (!fs::is_directory(fileName, failure))
+  {
+    const std::uintmax_t bytes = fs::file_size(fileName, failure);
+    return failure ? 0 : bytes;
+  }
+  std::uintmax_t sum = 0;
+  for (const auto& entry : fs::directory_iterator(fileName, failure))
+  {
+    const std::uintmax_t bytes = entry.file_size(failure);
+    sum += failure ? 0 : bytes;
+  }
+  return sum;
+}
+
+void CodingOptions::AddTo(CLI::App& command)
+{
+  const std::string group = "Video (.mp4, .mkv)";
+  command.add_option("--crf", this->CRF, "constant rate factor of x265: less is better and larger")
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--preset", this->Preset, "x265's preset: ultrafast ... medium ... placebo")
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--pixel-format", this->PixelFormat, "yuv444p, yuv420p and their 10 bit kin")
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--group-length", this->GroupLength,
+      "viewpoints per group of pictures, the unit of random access")
+    ->check(CLI::Range(1, 16))
+    ->capture_default_str()
+    ->group(group);
+  command.add_flag("--lossless", this->Lossless, "code every bit")->group(group);
+}
+
+void RequireWritable(const std::string& fileName)
+{
+  std::error_code failure;
+  if (fs::is_directory(fileName, failure))
+  {
+    throw Failure("Cannot write " + fileName + ": it is a folder.");
+  }
+  const std::string probe = fileName + ".writable";
+  std::ofstream stream(probe, std::ios::app);
+  const bool isWritable = stream.is_open();
+  stream.close();
+  fs::remove(probe, failure);
+  if (!isWritable)
+  {
+    throw Failure("Cannot write " + fileName + ".");
+  }
+}
+
+FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& coding)
+  : FileName(fileName)
+  , Coding(coding)
+{
+  const auto format = FindFormat(fileName);
+  if (!format)
+  {
+    throw Failure("Cannot write " + fileName + ": the formats are " + FieldFormats + ".");
+  }
+  this->Format = *format;
+  if (this->Format != FieldFormat::Folder)
+  {
+    RequireWritable(fileName);
+  }
+}
+
+void FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  switch (this->Format)
+  {
+    case FieldFormat::Video:
+      return this->WriteVideo(connection, label);
+    case FieldFormat::ImageData:
+      return this->WriteImageData(connection, label);
+    default:
+      return this->WriteFolder(connection, label);
+  }
+}
+
+void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputConnection(connection);
+  encoder->SetFileName(this->FileName.c_str());
+  encoder->SetCRF(this->Coding.CRF);
+  encoder->SetPreset(this->Coding.Preset.c_str());
+  encoder->SetPixelFormat(this->Coding.PixelFormat.c_str());
+  encoder->SetGroupLength(this->Coding.GroupLength);
+  encoder->SetLossless(this->Coding.Lossless);
+  const ProgressBar bar(encoder, label);
+  if (!encoder->Write())
+  {
+    throw Failure("Cannot write " + this->FileName + ".");
+  }
+}
+
+void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  {
+    const ProgressBar bar(connection->GetProducer(), label);
+    connection->GetProducer()->UpdateWholeExtent();
+  }
+  ThrowOnError();
+  const fs::path temporary = this->FileName + ".partial";
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputConnection(connection);
+  writer->SetFileName(temporary.string().c_str());
+  writer->EncodeAppendedDataOff();
+  const bool isWritten = writer->Write() && GetFirstError().empty();
+  std::error_code failure;
+  if (isWritten)
+  {
+    fs::rename(temporary, this->FileName, failure);
+  }
+  if (!isWritten || failure)
+  {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw Failure("Cannot write " + this->FileName + ".");
+  }
+}
+
+void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputConnection(connection);
+  writer->SetFileName(this->FileName.c_str());
+  const ProgressBar bar(writer, label);
+  if (!writer->Write())
+  {
+    throw Failure("Cannot write " + this->FileName + ".");
+  }
+}
+
+nlohmann::json Summarize(const Description& description)
+{
+  const nlohmann::json whole = description.ToJSON();
+  const glm::dvec3& edges = description.Box.Edges;
+  const bool isCube = edges.x == edges.y && edges.y == edges.z;
+  return { { "views", description.Grid.GetViewpoints() },
+    { "slices", description.Grid.GetSlices() }, { "resolution", description.Grid.GetResolution() },
+    { "center", whole["center"] }, { "edge", isCube ? whole["edges"][0] : whole["edges"] },
+    { "channels", whole["channels"] }, { "sampling", whole["sampling"] } };
+}
+}
+}

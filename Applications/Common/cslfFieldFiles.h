@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Light fields in files of every format that the tool knows: coded video (.mp4, .mkv), image data
+ * (.vti) and folders of cube maps.
+ */
+#ifndef cslfFieldFiles_h
+#define cslfFieldFiles_h
+
+#include "cslfDescription.h"
+
+#include <vtkSmartPointer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+
+namespace CLI
+{
+class App;
+}
+
+namespace cslf
+{
+namespace tool
+{
+enum class FieldFormat
+{
+  Video,
+  ImageData,
+  Folder
+};
+
+/// The names of all formats, for help and errors.
+constexpr const char* FieldFormats = ".mp4, .mkv, .vti or a folder of cube maps";
+
+/// A field's file, open for reading. Port 0 of the reader delivers the field.
+struct FieldFile
+{
+  FieldFormat Format = FieldFormat::Folder;
+  vtkSmartPointer<vtkAlgorithm> Reader;
+  Description Field;
+};
+
+/// Opens a field. Throws a Failure where it is missing or is no light field.
+FieldFile OpenField(const std::string& fileName);
+
+/// Checks the whole file, without decoding it, for viewpoints that are not there.
+int CountMissing(const FieldFile& file);
+
+/// How colour is coded: "hevc", "png", "exr" or "none".
+std::string GetCodecName(const FieldFile& file);
+
+/// The size of a file, or of all files in a folder.
+std::uintmax_t CountBytes(const std::string& fileName);
+
+/// How video is coded. The defaults are the encoder's.
+struct CodingOptions
+{
+  double CRF = 22.0;
+  std::string Preset = "medium";
+  std::string PixelFormat = "yuv444p";
+  int GroupLength = 16;
+  bool Lossless = false;
+
+  void AddTo(CLI::App& command);
+};
+
+/// A place to write a field to.
+class FieldWriter
+{
+public:
+  /// The format follows from the extension; a name without one is a folder's. Throws a Failure
+  /// where the place cannot be written.
+  FieldWriter(const std::string& fileName, const CodingOptions& coding);
+
+  /// Pulls the field from the connection and writes it. Throws a Failure.
+  void Write(vtkAlgorithmOutput* connection, const std::string& label) const;
+
+  FieldFormat GetFormat() const { return this->Format; }
+
+private:
+  void WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const;
+  void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
+  void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
+
+  std::string FileName;
+  CodingOptions Coding;
+  FieldFormat Format = FieldFormat::Folder;
+};
+
+/// Throws a Failure unless a file of that name can be made.
+void RequireWritable(const std::string& fileName);
+
+/// What a field is, as `info` and its kin report it.
+nlohmann::json Summarize(const Description& description);
+}
+}
+
+#endif

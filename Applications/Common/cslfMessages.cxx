@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMessages.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <regex>
+#include <vector>
+
+#include <unistd.h>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+bool IsTerminal()
+{
+  return isatty(STDERR_FILENO) != 0;
+}
+
+void PrintLine(const char* kind, const std::string& text)
+{
+  std::fprintf(stderr, "cslf: %s: %s\n", kind, text.c_str());
+}
+
+/// The message of VTK's macros without file, line and object, in one line.
+std::string Clean(const char* message)
+{
+  static const std::regex place("^[A-Za-z ]*: ?In [^\n]*, line [0-9]+\n");
+  static const std::regex object("^vtk[A-Za-z0-9_]+ \\((0x)?[0-9a-fA-F]+\\): ");
+  static const std::regex space("\\s+");
+  std::string text = std::regex_replace(message, place, "");
+  text = std::regex_replace(text, object, "");
+  text = std::regex_replace(text, space, " ");
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+class vtkMessageCatcher : public vtkOutputWindow
+{
+public:
+  static vtkMessageCatcher* New();
+  vtkTypeMacro(vtkMessageCatcher, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayWarningText(const char* text) override { this->AddWarning(Clean(text)); }
+  void DisplayGenericWarningText(const char* text) override { this->AddWarning(Clean(text)); }
+
+  void DisplayErrorText(const char* text) override
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const std::string error = Clean(text);
+    // The executive repeats, without saying why, what the filter has said.
+    if (this->FirstError.empty() && error.find("returned failure for request") == std::string::npos)
+    {
+      this->FirstError = error;
+    }
+  }
+
+  std::string GetFirstError()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->FirstError;
+  }
+
+  std::vector<std::string> GetWarnings()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->Warnings;
+  }
+
+  void AddWarning(const std::string& warning)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (std::find(this->Warnings.begin(), this->Warnings.end(), warning) == this->Warnings.end())
+    {
+      this->Warnings.push_back(warning);
+    }
+  }
+
+protected:
+  vtkMessageCatcher() = default;
+
+private:
+  std::mutex Mutex;
+  std::string FirstError;
+  std::vector<std::string> Warnings;
+};
+
+vtkStandardNewMacro(vtkMessageCatcher);
+
+vtkMessageCatcher* GetCatcher()
+{
+  return vtkMessageCatcher::SafeDownCast(vtkOutputWindow::GetInstance());
+}
+
+/// What a progress bar shows.
+struct Bar
+{
+  std::string Label;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point Shown = Start;
+
+  void Show(double progress)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - this->Shown < std::chrono::milliseconds(100))
+    {
+      return;
+    }
+    this->Shown = now;
+    constexpr int width = 30;
+    const int filled = static_cast<int>(width * progress);
+    const double elapsed = std::chrono::duration<double>(now - this->Start).count();
+    const int left =
+      progress > 0.0 ? static_cast<int>(elapsed * (1.0 - progress) / progress + 0.5) : 0;
+    std::fprintf(stderr, "\r%s [%s%s] %3d %%, %d:%02d left\033[K", this->Label.c_str(),
+      std::string(filled, '#').c_str(), std::string(width - filled, ' ').c_str(),
+      static_cast<int>(100.0 * progress), left / 60, left % 60);
+  }
+
+  static void OnProgress(vtkObject*, unsigned long, void* self, void* progress)
+  {
+    static_cast<Bar*>(self)->Show(*static_cast<double*>(progress));
+  }
+  static void Delete(void* self) { delete static_cast<Bar*>(self); }
+};
+}
+
+void CatchMessages()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkNew<vtkMessageCatcher> catcher;
+  vtkOutputWindow::SetInstance(catcher);
+}
+
+std::string GetFirstError()
+{
+  vtkMessageCatcher* catcher = GetCatcher();
+  return catcher ? catcher->GetFirstError() : std::string();
+}
+
+void ThrowOnError()
+{
+  const std::string error = GetFirstError();
+  if (!error.empty())
+  {
+    throw Failure(error);
+  }
+}
+
+std::vector<std::string> GetWarnings()
+{
+  vtkMessageCatcher* catcher = GetCatcher();
+  return catcher ? catcher->GetWarnings() : std::vector<std::string>();
+}
+
+void AddWarning(const std::string& text)
+{
+  if (vtkMessageCatcher* catcher = GetCatcher())
+  {
+    catcher->AddWarning(text);
+  }
+}
+
+void PrintWarnings()
+{
+  for (const std::string& warning : GetWarnings())
+  {
+    PrintLine("warning", warning);
+  }
+}
+
+void PrintError(const std::string& text)
+{
+  PrintLine("error", Clean(text.c_str()));
+}
+
+ProgressBar::ProgressBar(vtkAlgorithm* algorithm, const std::string& label)
+  : Algorithm(algorithm)
+{
+  if (IsTerminal())
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(Bar::OnProgress);
+    command->SetClientData(new Bar{ label });
+    command->SetClientDataDeleteCallback(Bar::Delete);
+    this->Observer = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+}
+
+ProgressBar::~ProgressBar()
+{
+  if (this->Observer != 0)
+  {
+    this->Algorithm->RemoveObserver(this->Observer);
+    std::fprintf(stderr, "\r\033[K");
+  }
+}
+}
+}

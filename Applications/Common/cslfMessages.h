@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the tool tells its user on standard error: one line an error, one line a warning, and a
+ * progress bar where that is a terminal.
+ */
+#ifndef cslfMessages_h
+#define cslfMessages_h
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace cslf
+{
+namespace tool
+{
+/// Ends the command. An error that VTK has reported before is the one shown, being the cause.
+struct Failure : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Catches VTK's messages from now on, and keeps them.
+void CatchMessages();
+
+/// The first error VTK has reported, in one line; empty where there is none.
+std::string GetFirstError();
+
+/// Throws a Failure if VTK has reported an error.
+void ThrowOnError();
+
+/// The different warnings so far, each in one line.
+std::vector<std::string> GetWarnings();
+
+/// Adds a warning of the tool's own.
+void AddWarning(const std::string& text);
+
+/// Prints the warnings. A command that fails prints its error alone.
+void PrintWarnings();
+
+void PrintError(const std::string& text);
+
+/// Shows the progress of a filter under this label. Does nothing unless standard error is a
+/// terminal. The filter must outlive the bar.
+class ProgressBar
+{
+public:
+  ProgressBar(vtkAlgorithm* algorithm, const std::string& label);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  void operator=(const ProgressBar&) = delete;
+
+private:
+  vtkAlgorithm* Algorithm;
+  unsigned long Observer = 0;
+};
+}
+}
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfNovelViews.h"
+
+#include "cslfCameraOptions.h"
+#include "cslfColor.h"
+#include "cslfMessages.h"
+#include "cslfSceneFiles.h"
+
+#include "vtkCSLFImageQuality.h"
+#include "vtkCSLFViewTracer.h"
+
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageStencilData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+/// Views of the Cornell box stay this near its opening; elsewhere its outside is black.
+constexpr double CornellBoxAngle = 35.0;
+
+/// Turns a spiral's next point by the golden angle, which spreads the points evenly.
+const double GoldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
+
+/// Half of the truth: linear float colours.
+vtkSmartPointer<vtkImageData> TraceHalf(const SceneOptions& options, const Scene& scene,
+  vtkCamera* camera, int size, int samples, int seed)
+{
+  vtkNew<vtkCSLFViewTracer> tracer;
+  options.Apply(scene, tracer);
+  tracer->SetCamera(camera);
+  tracer->SetSize(size, size);
+  tracer->SetSamples(samples);
+  tracer->SetSeed(seed);
+  tracer->SetColorType(VTK_FLOAT);
+  {
+    const ProgressBar bar(tracer, "Tracing the truth");
+    tracer->Update();
+  }
+  ThrowOnError();
+  return tracer->GetOutput();
+}
+
+/// The weighted sum of two linear float pictures, encoded as the field's colours are.
+vtkSmartPointer<vtkImageData> EncodeSum(
+  vtkImageData* first, double firstWeight, vtkImageData* second, double secondWeight)
+{
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(first->GetDimensions());
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const auto* a = static_cast<const float*>(first->GetScalarPointer());
+  const auto* b = static_cast<const float*>(second->GetScalarPointer());
+  auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
+  for (vtkIdType pixel = 0; pixel < picture->GetNumberOfPoints(); ++pixel)
+  {
+    double sum[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      sum[k] = firstWeight * a[4 * pixel + k] + secondWeight * b[4 * pixel + k];
+    }
+    unsigned char color[4];
+    EncodeColor({ sum[0], sum[1], sum[2] }, sum[3], color);
+    std::copy_n(color, 3, pixels + 3 * pixel);
+  }
+  return picture;
+}
+}
+
+std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
+  const Cube& cube, int count, int seed, bool isCornellBox)
+{
+  std::mt19937 generator(static_cast<unsigned int>(seed));
+  const auto random = [&] { return generator() / 4294967296.0; };
+  const double lowest = isCornellBox ? std::cos(glm::radians(CornellBoxAngle)) : -1.0;
+  const double edge = std::max({ cube.Edges.x, cube.Edges.y, cube.Edges.z });
+  const double firstAngle = 2.0 * vtkMath::Pi() * random();
+  std::vector<vtkSmartPointer<vtkCamera>> cameras;
+  for (int view = 0; view < count; ++view)
+  {
+    const double cosine = 1.0 - (1.0 - lowest) * (view + random()) / count;
+    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    const double angle = firstAngle + view * GoldenAngle;
+    const glm::dvec3 direction(sine * std::cos(angle), sine * std::sin(angle), cosine);
+    cameras.push_back(MakeCamera(cube.Center + DefaultDistance * edge * direction, cube.Center,
+      { 0.0, 1.0, 0.0 }, DefaultViewAngle));
+  }
+  return cameras;
+}
+
+Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* camera, int size,
+  int samples, int seed)
+{
+  const int firstSamples = samples / 2;
+  const int secondSamples = samples - firstSamples;
+  const auto first = TraceHalf(options, scene, camera, size, firstSamples, 2 * seed);
+  const auto second = TraceHalf(options, scene, camera, size, secondSamples, 2 * seed + 1);
+  Truth truth;
+  const double weight = static_cast<double>(firstSamples) / samples;
+  truth.Picture = EncodeSum(first, weight, second, 1.0 - weight);
+  truth.Halves[0] = EncodeSum(first, 1.0, second, 0.0);
+  truth.Halves[1] = EncodeSum(first, 0.0, second, 1.0);
+  return truth;
+}
+
+double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil)
+{
+  vtkNew<vtkCSLFImageQuality> quality;
+  quality->SetInputData(0, truth.Halves[0]);
+  quality->SetInputData(1, truth.Halves[1]);
+  quality->SetStencilData(stencil);
+  quality->SetMaximumPSNR(100.0);
+  quality->Update();
+  ThrowOnError();
+  return quality->GetPSNR() + 10.0 * std::log10(4.0);
+}
+
+vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
+  const Cube& cube, vtkCamera* camera, int width, int height)
+{
+  const double* position = camera->GetPosition();
+  const double* focalPoint = camera->GetFocalPoint();
+  const double* up = camera->GetViewUp();
+  const glm::dvec3 eye(position[0], position[1], position[2]);
+  const glm::dvec3 forward =
+    glm::normalize(glm::dvec3(focalPoint[0], focalPoint[1], focalPoint[2]) - eye);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(up[0], up[1], up[2])));
+  const glm::dvec3 above = glm::cross(right, forward);
+  const double tangent = std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+  const glm::dvec3 eyeCC = cube.PointToCube(eye);
+  const auto meetsCube = [&](int x, int y)
+  {
+    const double s = tangent * (2.0 * (x + 0.5) - width) / height;
+    const double t = tangent * (2.0 * (y + 0.5) - height) / height;
+    const auto ray = RayToCoordinates(eyeCC, cube.VectorToCube(forward + s * right + t * above));
+    return ray && ray->ExitDistance > 0.0;
+  };
+
+  auto stencil = vtkSmartPointer<vtkImageStencilData>::New();
+  stencil->SetExtent(0, width - 1, 0, height - 1, 0, 0);
+  stencil->AllocateExtents();
+  for (int y = 0; y < height; ++y)
+  {
+    // The cube is convex: a row of its picture has one stretch.
+    int first = 0;
+    int last = width - 1;
+    while (first < width && !meetsCube(first, y))
+    {
+      ++first;
+    }
+    while (last > first && !meetsCube(last, y))
+    {
+      --last;
+    }
+    if (first < width)
+    {
+      stencil->InsertNextExtent(first, last, y, 0);
+    }
+  }
+  return stencil;
+}
+}
+}

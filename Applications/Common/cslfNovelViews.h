@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The views that a light field is measured by: where they are, what they truly show, and which of
+ * their pixels count.
+ */
+#ifndef cslfNovelViews_h
+#define cslfNovelViews_h
+
+#include "cslfCube.h"
+
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkCamera;
+class vtkImageData;
+class vtkImageStencilData;
+
+namespace cslf
+{
+namespace tool
+{
+class Scene;
+class SceneOptions;
+
+/// Cameras around the cube, spread evenly over the sphere, or over the cap of 35 degrees around +Z
+/// where the Cornell box opens.
+std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
+  const Cube& cube, int count, int seed, bool isCornellBox);
+
+/// A path-traced view as red, green and blue bytes over black, and the two halves it is the mean
+/// of.
+struct Truth
+{
+  vtkSmartPointer<vtkImageData> Picture;
+  vtkSmartPointer<vtkImageData> Halves[2];
+};
+
+/// Traces a square view with `samples` per pixel, half of them in each half. Throws a Failure.
+Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* camera, int size,
+  int samples, int seed);
+
+/// The PSNR that the truth's own noise leaves: the halves' difference has four times the variance
+/// of their mean's error, so it is their PSNR plus 10 log10(4) dB.
+double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil);
+
+/// The pixels whose ray meets the cube. Row 0 is at the bottom, as VTK's images have it.
+vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
+  const Cube& cube, vtkCamera* camera, int width, int height);
+}
+}
+
+#endif

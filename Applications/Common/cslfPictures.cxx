@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfPictures.h"
+
+#include "cslfMessages.h"
+
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageExtractComponents.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
+#include <vtkWindowToImageFilter.h>
+
+#ifdef CSLF_NEEDS_X_SERVER
+#include <X11/Xlib.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace cslf
+{
+namespace tool
+{
+vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
+{
+  std::error_code failure;
+  if (!fs::is_regular_file(fileName, failure))
+  {
+    throw Failure("There is no file " + fileName + ".");
+  }
+  vtkNew<vtkPNGReader> reader;
+  if (!reader->CanReadFile(fileName.c_str()))
+  {
+    throw Failure(fileName + " is no PNG.");
+  }
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  ThrowOnError();
+  return reader->GetOutput();
+}
+
+void WritePicture(const std::string& fileName, vtkImageData* picture)
+{
+  const std::string temporary = fileName + ".partial";
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetFileName(temporary.c_str());
+  writer->Write();
+  std::error_code failure;
+  if (writer->GetErrorCode() == 0 && GetFirstError().empty())
+  {
+    fs::rename(temporary, fileName, failure);
+    if (!failure)
+    {
+      return;
+    }
+  }
+  fs::remove(temporary, failure);
+  throw Failure("Cannot write " + fileName + ".");
+}
+
+vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)
+{
+  vtkNew<vtkImageExtractComponents> extract;
+  extract->SetInputData(picture);
+  extract->SetComponents(0, 1, 2);
+  extract->Update();
+  return extract->GetOutput();
+}
+
+void RequireDisplay()
+{
+#ifdef CSLF_NEEDS_X_SERVER
+  Display* display = XOpenDisplay(nullptr);
+  if (!display)
+  {
+    throw Failure("There is no X server to draw with: set DISPLAY, or use xvfb-run -a cslf ...");
+  }
+  XCloseDisplay(display);
+#endif
+}
+
+const std::vector<LookupName>& GetLookups()
+{
+  static const std::vector<LookupName> lookups = { { vtkCSLFMapper::NEAREST, "nearest" },
+    { vtkCSLFMapper::LINEAR, "linear" }, { vtkCSLFMapper::BILINEAR, "bilinear" },
+    { vtkCSLFMapper::FOCAL, "focal" }, { vtkCSLFMapper::DEPTH, "depth" } };
+  return lookups;
+}
+
+std::vector<std::string> GetLookupNames()
+{
+  std::vector<std::string> names;
+  for (const LookupName& lookup : GetLookups())
+  {
+    names.emplace_back(lookup.Name);
+  }
+  return names;
+}
+
+int FindLookup(const std::string& name)
+{
+  const auto& lookups = GetLookups();
+  const auto found = std::find_if(
+    lookups.begin(), lookups.end(), [&](const LookupName& lookup) { return name == lookup.Name; });
+  return found->Lookup;
+}
+
+std::string ChooseLookup(const std::string& name, const Description& description)
+{
+  if (name == "depth" && !description.FindChannel(DepthName))
+  {
+    AddWarning("The field has no depth: the focal lookup is used.");
+    return "focal";
+  }
+  return name;
+}
+
+FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
+{
+  this->Mapper->SetInputConnection(field);
+  this->Actor->SetMapper(this->Mapper);
+  this->Renderer->AddActor(this->Actor);
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+FieldRenderer::~FieldRenderer() = default;
+
+vtkSmartPointer<vtkImageData> FieldRenderer::Render(vtkCamera* camera, int lookup)
+{
+  this->Mapper->SetLookup(lookup);
+  this->Renderer->SetActiveCamera(camera);
+  this->Renderer->ResetCameraClippingRange();
+  this->Window->Render();
+  ThrowOnError();
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(this->Window);
+  grabber->SetInputBufferTypeToRGB();
+  grabber->ReadFrontBufferOff();
+  grabber->ShouldRerenderOff();
+  grabber->Update();
+  ThrowOnError();
+  return grabber->GetOutput();
+}
+
+double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr double measuredSeconds = 0.5;
+  constexpr int mostFrames = 100;
+  this->Render(camera, lookup);
+  const auto start = Clock::now();
+  double seconds = 0.0;
+  int frames = 0;
+  while (frames == 0 || (seconds < measuredSeconds && frames < mostFrames))
+  {
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+    ++frames;
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return frames / seconds;
+}
+}
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Pictures: from files, to files, and drawn from a light field.
+ */
+#ifndef cslfPictures_h
+#define cslfPictures_h
+
+#include "cslfDescription.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkAlgorithmOutput;
+class vtkCSLFMapper;
+class vtkCamera;
+class vtkImageData;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace cslf
+{
+namespace tool
+{
+/// Reads a PNG of 8 bits. Throws a Failure.
+vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
+
+/// Writes a PNG, which appears whole or not at all. Throws a Failure.
+void WritePicture(const std::string& fileName, vtkImageData* picture);
+
+/// The red, green and blue of a picture of associated alpha, which composites it over black.
+vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture);
+
+/// Throws a Failure where VTK could open no window, on or off the screen.
+void RequireDisplay();
+
+/// The name of a lookup of vtkCSLFMapper, as the command line and tables have it.
+struct LookupName
+{
+  int Lookup;
+  const char* Name;
+};
+
+/// All lookups, in the order of the keys 1 to 5.
+const std::vector<LookupName>& GetLookups();
+
+/// Their names.
+std::vector<std::string> GetLookupNames();
+
+/// The lookup of that name, which must be one of theirs.
+int FindLookup(const std::string& name);
+
+/// The lookup of that name, or focal with a warning where it needs depth and the field has none.
+std::string ChooseLookup(const std::string& name, const Description& description);
+
+/// Draws a light field off screen, over black.
+class FieldRenderer
+{
+public:
+  FieldRenderer(vtkAlgorithmOutput* field, int width, int height);
+  ~FieldRenderer();
+
+  /// The red, green and blue of the view. Throws a Failure.
+  vtkSmartPointer<vtkImageData> Render(vtkCamera* camera, int lookup);
+
+  /// How many times a second the view can be drawn, the first drawing left out.
+  double MeasureFrameRate(vtkCamera* camera, int lookup);
+
+private:
+  vtkNew<vtkCSLFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+}
+}
+
+#endif

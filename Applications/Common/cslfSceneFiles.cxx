@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSceneFiles.h"
+
+#include "cslfColor.h"
+#include "cslfMessages.h"
+
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFPathTracer.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCellData.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkGLTFReader.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+constexpr const char* CornellBoxName = "cornell-box";
+constexpr const char* NoEnvironment = "none";
+constexpr const char* WhiteEnvironment = "white";
+
+/// Of glass and plastics; what glTF's metallic-roughness material has.
+constexpr double UsualIndexOfRefraction = 1.5;
+
+using Part = vtkSmartPointer<vtkDataObject>;
+
+template <typename Reader>
+Part ReadWith(const std::string& fileName)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutputDataObject(0);
+}
+
+const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders()
+{
+  static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
+    { ".ply", ReadWith<vtkPLYReader> },
+    { ".stl", ReadWith<vtkSTLReader> },
+    { ".obj", ReadWith<vtkOBJReader> },
+    { ".vtp", ReadWith<vtkXMLPolyDataReader> },
+    { ".vtm", ReadWith<vtkXMLMultiBlockDataReader> },
+    { ".gltf", ReadWith<vtkGLTFReader> },
+    { ".glb", ReadWith<vtkGLTFReader> },
+  };
+  return readers;
+}
+
+/// Calls `visit` for each polydata of a data object.
+void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)>& visit)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(part);
+  if (!tree)
+  {
+    if (auto* polyData = vtkPolyData::SafeDownCast(part))
+    {
+      visit(polyData);
+    }
+    return;
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+  iterator.TakeReference(tree->NewTreeIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto* polyData = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      visit(polyData);
+    }
+  }
+}
+
+/// glTF has linear vertex colours in an array of its own name; in VTK colours are sRGB bytes.
+void ShowVertexColors(vtkPolyData* polyData)
+{
+  vtkDataArray* linear = polyData->GetPointData()->GetArray("COLOR_0");
+  if (!linear || linear->GetNumberOfComponents() < 3)
+  {
+    return;
+  }
+  const double one = linear->GetDataType() == VTK_UNSIGNED_CHAR ? VTK_UNSIGNED_CHAR_MAX
+    : linear->GetDataType() == VTK_UNSIGNED_SHORT               ? VTK_UNSIGNED_SHORT_MAX
+                                                                : 1.0;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(linear->GetNumberOfTuples());
+  for (vtkIdType point = 0; point < linear->GetNumberOfTuples(); ++point)
+  {
+    for (int component = 0; component < 3; ++component)
+    {
+      const double value = LinearToSRGB(linear->GetComponent(point, component) / one);
+      colors->SetTypedComponent(point, component, ToByte(value));
+    }
+  }
+  polyData->GetPointData()->SetScalars(colors);
+}
+
+Part ReadPart(const std::string& input)
+{
+  if (input == CornellBoxName)
+  {
+    vtkNew<vtkCSLFCornellBoxSource> box;
+    box->Update();
+    return box->GetOutputDataObject(0);
+  }
+  const std::filesystem::path path = input;
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto reader = GetReaders().find(extension);
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure))
+  {
+    throw Failure("There is no file " + input + ".");
+  }
+  if (reader == GetReaders().end())
+  {
+    throw Failure(
+      input + " is no scene: known are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
+  }
+  Part part = reader->second(input);
+  const std::string error = GetFirstError();
+  vtkIdType cells = 0;
+  ForEachPolyData(part,
+    [&](vtkPolyData* polyData)
+    {
+      ShowVertexColors(polyData);
+      cells += polyData->GetNumberOfCells();
+    });
+  if (cells == 0 || !error.empty())
+  {
+    // Some readers only warn of files that they cannot read.
+    const std::vector<std::string> warnings = GetWarnings();
+    const std::string cause = warnings.empty() ? "it has no cells." : warnings.back();
+    throw Failure("Cannot read " + input + ": " + (error.empty() ? cause : error));
+  }
+  return part;
+}
+
+std::string DescribeEnvironment()
+{
+  return std::string("the light from around: a lat-long image that OpenImageIO reads, ") +
+    WhiteEnvironment + ", or " + NoEnvironment + " (default: " + NoEnvironment + " with " +
+    CornellBoxName + ", else " + WhiteEnvironment + ")";
+}
+
+template <typename Value>
+void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<Value>& option)
+{
+  const auto found = sampling.find(key);
+  if (!option && found != sampling.end())
+  {
+    try
+    {
+      option = found->get<Value>();
+    }
+    catch (const nlohmann::json::exception&)
+    {
+      AddWarning(std::string("The field's sampling parameter ") + key + " is not understood.");
+    }
+  }
+}
+}
+
+void Scene::GetBounds(double bounds[6]) const
+{
+  vtkBoundingBox box;
+  for (const Part& part : this->Parts)
+  {
+    ForEachPolyData(part,
+      [&](vtkPolyData* polyData)
+      {
+        double cells[6];
+        polyData->GetCellsBounds(cells);
+        if (std::all_of(cells, cells + 6, [](double value) { return std::isfinite(value); }))
+        {
+          box.AddBounds(cells);
+        }
+      });
+  }
+  if (!box.IsValid())
+  {
+    box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+  }
+  box.GetBounds(bounds);
+}
+
+void SceneOptions::AddTo(CLI::App& command)
+{
+  command
+    .add_option(
+      "input", this->Inputs, "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box")
+    ->required();
+  const std::string light = "Light";
+  command.add_option("--environment", this->Environment, DescribeEnvironment())->group(light);
+  command
+    .add_option("--environment-intensity", this->EnvironmentIntensity, "its factor (default: 1)")
+    ->check(CLI::NonNegativeNumber)
+    ->group(light);
+  command
+    .add_flag("--show-environment", this->ShowEnvironment, "show it where rays miss the scene")
+    ->group(light);
+  command.add_option("--exposure", this->Exposure, "factor of the radiance (default: 1)")
+    ->check(CLI::PositiveNumber)
+    ->group(light);
+  command
+    .add_option(
+      "--max-depth", this->MaximumDepth, "reflections of the longest light path (default: 8)")
+    ->check(CLI::Range(0, 1000))
+    ->group(light);
+  const std::string material = "Material of the files";
+  command
+    .add_option("--roughness", this->Roughness, "0 is a mirror, 1 matte; makes the surface glossy")
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(material);
+  command.add_option("--metallic", this->Metallic, "0 is a dielectric, 1 a metal (default: 0)")
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(material);
+  command
+    .add_option("--base-color", this->BaseColor,
+      "sRGB, each in [0,1]; replaces the colours of the files (default: theirs, or gray)")
+    ->expected(3)
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(material);
+}
+
+void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
+{
+  TakeDefault(sampling, "exposure", this->Exposure);
+  TakeDefault(sampling, "maximum_depth", this->MaximumDepth);
+  const nlohmann::json environment = sampling.value("environment", nlohmann::json::object());
+  TakeDefault(environment, "intensity", this->EnvironmentIntensity);
+  const std::string mode = environment.value("mode", "");
+  if (!this->Environment && mode == "image")
+  {
+    throw Failure("The field was sampled under an image: give it by --environment.");
+  }
+  if (!this->Environment && (mode == "none" || mode == "constant"))
+  {
+    this->Environment = mode == "none" ? NoEnvironment : WhiteEnvironment;
+  }
+}
+
+bool SceneOptions::HasCornellBox() const
+{
+  return std::find(this->Inputs.begin(), this->Inputs.end(), CornellBoxName) != this->Inputs.end();
+}
+
+Scene SceneOptions::Read() const
+{
+  Scene scene;
+  for (const std::string& input : this->Inputs)
+  {
+    scene.Parts.push_back(ReadPart(input));
+    if (input != CornellBoxName)
+    {
+      this->SetMaterial(scene.Parts.back());
+    }
+  }
+  const std::string environment = this->Environment.value_or(NoEnvironment);
+  std::error_code failure;
+  if (environment != NoEnvironment && environment != WhiteEnvironment &&
+    !std::filesystem::is_regular_file(environment, failure))
+  {
+    throw Failure("There is no environment image " + environment + ".");
+  }
+  return scene;
+}
+
+void SceneOptions::SetMaterial(vtkDataObject* part) const
+{
+  ForEachPolyData(part,
+    [this](vtkPolyData* polyData)
+    {
+      if (this->Roughness || this->Metallic)
+      {
+        vtkCSLFMaterial::SetIndexOfRefraction(polyData, UsualIndexOfRefraction);
+        vtkCSLFMaterial::SetRoughness(polyData, this->Roughness.value_or(1.0));
+        vtkCSLFMaterial::SetMetallic(polyData, this->Metallic.value_or(0.0));
+      }
+      if (this->BaseColor)
+      {
+        const std::vector<double>& color = *this->BaseColor;
+        vtkCSLFMaterial::SetBaseColor(polyData, color[0], color[1], color[2]);
+        polyData->GetPointData()->SetActiveScalars(nullptr);
+        polyData->GetCellData()->SetActiveScalars(nullptr);
+      }
+    });
+}
+
+void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
+{
+  for (const Part& part : scene.Parts)
+  {
+    tracer->AddInputDataObject(0, part);
+  }
+  const std::string environment =
+    this->Environment.value_or(this->HasCornellBox() ? NoEnvironment : WhiteEnvironment);
+  if (environment == NoEnvironment)
+  {
+    tracer->SetEnvironmentModeToNone();
+  }
+  else if (environment == WhiteEnvironment)
+  {
+    tracer->SetEnvironmentModeToConstant();
+    tracer->SetEnvironmentColor(1.0, 1.0, 1.0);
+  }
+  else
+  {
+    tracer->SetEnvironmentModeToImage();
+    tracer->SetEnvironmentFileName(environment.c_str());
+  }
+  tracer->SetEnvironmentIntensity(this->EnvironmentIntensity.value_or(1.0));
+  tracer->SetShowEnvironment(this->ShowEnvironment);
+  tracer->SetExposure(this->Exposure.value_or(1.0));
+  tracer->SetMaximumDepth(this->MaximumDepth.value_or(8));
+}
+}
+}

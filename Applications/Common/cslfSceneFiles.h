@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Scenes: what `sample`, `trace` and `evaluate` take as INPUT, and how it is lit.
+ */
+#ifndef cslfSceneFiles_h
+#define cslfSceneFiles_h
+
+#include <vtkSmartPointer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkCSLFPathTracer;
+class vtkDataObject;
+
+namespace CLI
+{
+class App;
+}
+
+namespace cslf
+{
+namespace tool
+{
+/// A scene in memory, one data object for each input.
+class Scene
+{
+public:
+  std::vector<vtkSmartPointer<vtkDataObject>> Parts;
+
+  /// The bounds of all cells, in VTK's order; a unit box around the origin where there are none.
+  void GetBounds(double bounds[6]) const;
+};
+
+/// A scene's files and the material and light options of the command line.
+class SceneOptions
+{
+public:
+  void AddTo(CLI::App& command);
+
+  /// Takes from a field's sampling parameters what the command line leaves out.
+  void TakeDefaults(const nlohmann::json& sampling);
+
+  /// Reads the inputs and gives them their materials. Throws a Failure.
+  Scene Read() const;
+
+  /// Gives a path tracer the scene and its light.
+  void Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const;
+
+  /// Whether the Cornell box is among the inputs.
+  bool HasCornellBox() const;
+
+private:
+  void SetMaterial(vtkDataObject* part) const;
+
+  std::vector<std::string> Inputs;
+  std::optional<double> Roughness;
+  std::optional<double> Metallic;
+  std::optional<std::vector<double>> BaseColor;
+  std::optional<std::string> Environment;
+  std::optional<double> EnvironmentIntensity;
+  std::optional<double> Exposure;
+  std::optional<int> MaximumDepth;
+  bool ShowEnvironment = false;
+};
+}
+}
+
+#endif

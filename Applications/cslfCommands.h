@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The commands of the tool, one file each.
+ */
+#ifndef cslfCommands_h
+#define cslfCommands_h
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+namespace cslf
+{
+namespace tool
+{
+/// What a command found out: for people, and for programs (`--json`).
+struct Result
+{
+  std::string Text;
+  nlohmann::json JSON;
+};
+
+/// A command with its options filled in. Throws a Failure.
+using Command = std::function<Result()>;
+
+///@{
+/// Adds a command to the tool. When the command line names it, `chosen` becomes what it does.
+void AddSample(CLI::App& app, Command& chosen);
+void AddEncode(CLI::App& app, Command& chosen);
+void AddDecode(CLI::App& app, Command& chosen);
+void AddRender(CLI::App& app, Command& chosen);
+void AddTrace(CLI::App& app, Command& chosen);
+void AddCompare(CLI::App& app, Command& chosen);
+void AddInfo(CLI::App& app, Command& chosen);
+void AddView(CLI::App& app, Command& chosen);
+void AddEvaluate(CLI::App& app, Command& chosen);
+void AddSheet(CLI::App& app, Command& chosen);
+///@}
+}
+}
+
+#endif

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfCubeMapFiles.h"
+
+#include <vtkType.h>
+
+#include <OpenImageIO/imageio.h>
+#include <nlohmann/json.hpp>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+namespace cslf
+{
+namespace
+{
+// The key that the folder's description has besides those of the field's.
+constexpr const char* SlicesKey = "slices";
+
+OIIO::TypeDesc PixelType(const Channel& channel)
+{
+  switch (channel.Type)
+  {
+    case VTK_UNSIGNED_CHAR:
+      return OIIO::TypeDesc::UINT8;
+    case VTK_UNSIGNED_SHORT:
+      return OIIO::TypeDesc::UINT16;
+    case VTK_FLOAT:
+      return OIIO::TypeDesc::FLOAT;
+    default:
+      return OIIO::TypeDesc::UNKNOWN;
+  }
+}
+
+bool IsFileNamePart(const std::string& name)
+{
+  const auto isAllowed = [](unsigned char c)
+  { return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ' '; };
+  return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), isAllowed);
+}
+
+OIIO::ImageSpec MakeSpec(const Layout& grid, const Channel& channel)
+{
+  OIIO::ImageSpec spec(
+    FaceCount * grid.GetResolution(), grid.GetResolution(), channel.Components, PixelType(channel));
+  // OpenImageIO holds alpha associated and would divide by it on the way into a PNG, which loses
+  // bits. The pixels are said to be what PNG wants already, so they pass unchanged.
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  spec.attribute("oiio:ColorSpace", channel.Encoding == SRGBEncoding ? "sRGB" : "Linear");
+  if (channel.Type == VTK_FLOAT)
+  {
+    spec.attribute("compression", "zip");
+  }
+  spec.attribute("ImageDescription", channel.Name + ", " + channel.Encoding);
+  return spec;
+}
+
+std::uint32_t ReadBigEndian(const unsigned char* bytes)
+{
+  return std::uint32_t(bytes[0]) << 24 | std::uint32_t(bytes[1]) << 16 |
+    std::uint32_t(bytes[2]) << 8 | bytes[3];
+}
+
+/// Whether a PNG file reaches its end chunk with every checksum right. libpng would find out too,
+/// but prints what it finds.
+bool IsWholePNG(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  const std::vector<char> content{ std::istreambuf_iterator<char>(file), {} };
+  const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
+  // A chunk is its data's length, a name of 4 letters, the data, and the checksum of both.
+  for (std::size_t chunk = 8; chunk + 12 <= content.size();)
+  {
+    const std::size_t length = ReadBigEndian(bytes + chunk);
+    if (length > content.size() - chunk - 12 ||
+      crc32(0, bytes + chunk + 4, static_cast<uInt>(length + 4)) !=
+        ReadBigEndian(bytes + chunk + 8 + length))
+    {
+      return false;
+    }
+    if (std::memcmp(bytes + chunk + 4, "IEND", 4) == 0)
+    {
+      return true;
+    }
+    chunk += length + 12;
+  }
+  return false;
+}
+
+std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
+  const std::string& fileName, const Layout& grid, const Channel& channel)
+{
+  if (channel.Type != VTK_FLOAT && !IsWholePNG(fileName))
+  {
+    return nullptr;
+  }
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  auto input = OIIO::ImageInput::open(fileName, &config);
+  if (!input)
+  {
+    OIIO::geterror(); // or it would be printed at exit
+    return nullptr;
+  }
+  const OIIO::ImageSpec& spec = input->spec();
+  const bool fits = spec.width == FaceCount * grid.GetResolution() &&
+    spec.height == grid.GetResolution() && spec.depth == 1 &&
+    spec.nchannels == channel.Components && spec.format == PixelType(channel);
+  return fits ? std::move(input) : nullptr;
+}
+
+/// Calls `copy(strip offset, cube map offset, bytes)` for each row of each exit face.
+template <typename Copy>
+void ForEachRow(const Layout& grid, int entryFace, int texelBytes, Copy copy)
+{
+  const std::size_t row = static_cast<std::size_t>(grid.GetResolution()) * texelBytes;
+  for (int y = 0; y < grid.GetResolution(); ++y)
+  {
+    for (int tile = 0; tile < TileCount; ++tile)
+    {
+      const int exitFace = ExitFaceOf(entryFace, tile);
+      copy((std::size_t(y) * TileCount + tile) * row, (std::size_t(y) * FaceCount + exitFace) * row,
+        row);
+    }
+  }
+}
+
+bool WritePixels(
+  const std::string& fileName, const OIIO::ImageSpec& spec, const void* pixels, std::string& error)
+{
+  auto output = OIIO::ImageOutput::create(fileName);
+  if (!output)
+  {
+    error = OIIO::geterror();
+    return false;
+  }
+  const bool written = output->open(fileName, spec) && output->write_image(spec.format, pixels);
+  if (!output->close() || !written)
+  {
+    error = output->geterror();
+    return false;
+  }
+  return true;
+}
+}
+
+bool CheckCubeMapChannels(const Description& description, std::string& error)
+{
+  for (const Channel& channel : description.Channels)
+  {
+    if (!IsFileNamePart(channel.Name))
+    {
+      error = "The channel \"" + channel.Name + "\" has a name that is no part of a file name.";
+      return false;
+    }
+    const bool isKnown = PixelType(channel) != OIIO::TypeDesc::UNKNOWN;
+    if (!isKnown || (channel.Type != VTK_FLOAT && channel.Components > 4))
+    {
+      error = "The channel \"" + channel.Name +
+        "\" has a type that cube maps cannot hold: they take 1 to 4 components of 8 or 16 bits, "
+        "or float.";
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string CubeMapFileName(const std::string& folder, const Channel& channel, int slice)
+{
+  std::string number = std::to_string(slice);
+  number.insert(0, std::max<int>(0, 6 - static_cast<int>(number.size())), '0');
+  const char* extension = channel.Type == VTK_FLOAT ? ".exr" : ".png";
+  return folder + "/" + number + "." + channel.Name + extension;
+}
+
+bool WriteCubeMapDescription(
+  const std::string& folder, const CubeMapFolder& content, std::string& error)
+{
+  nlohmann::json json = content.Field.ToJSON();
+  json[SlicesKey] = { content.Slices.First, content.Slices.Last };
+  const std::string fileName = folder + "/" + CubeMapDescriptionName;
+  std::ofstream file(fileName);
+  file << json.dump(2) << "\n";
+  file.close();
+  if (!file)
+  {
+    error = "Cannot write " + fileName + ".";
+  }
+  return !file.fail();
+}
+
+std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, std::string& error)
+{
+  const std::string fileName = folder + "/" + CubeMapDescriptionName;
+  std::ifstream file(fileName);
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  if (json.is_discarded() || !json.is_object())
+  {
+    error = "The folder " + folder + " is no light field: it has no readable " +
+      CubeMapDescriptionName + ".";
+    return std::nullopt;
+  }
+  auto description = Description::FromJSON(json, error);
+  if (!description || !CheckCubeMapChannels(*description, error))
+  {
+    return std::nullopt;
+  }
+  CubeMapFolder content{ *description, { 0, description->Grid.GetSlices() - 1 } };
+  try
+  {
+    const auto slices = json.at(SlicesKey).get<std::vector<int>>();
+    content.Slices = { slices.at(0), slices.at(1) };
+  }
+  catch (const std::exception&)
+  {
+    content.Slices = {};
+  }
+  if (content.Slices.First < 0 || content.Slices.Last >= description->Grid.GetSlices() ||
+    content.Slices.GetCount() < 1)
+  {
+    error = fileName + " does not say rightly which slices the folder holds.";
+    return std::nullopt;
+  }
+  return content;
+}
+
+bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
+  const unsigned char* texels, std::string& error)
+{
+  const int texelBytes = TexelBytes(channel);
+  const std::size_t texelCount =
+    static_cast<std::size_t>(FaceCount) * grid.GetResolution() * grid.GetResolution();
+  std::vector<unsigned char> pixels(texelCount * texelBytes);
+  FillEmpty(channel, pixels.data(), texelCount);
+  ForEachRow(grid, grid.ViewpointOf(slice).Face, texelBytes,
+    [&](std::size_t strip, std::size_t cubeMap, std::size_t bytes)
+    { std::memcpy(pixels.data() + cubeMap, texels + strip, bytes); });
+
+  const std::filesystem::path fileName = CubeMapFileName(folder, channel, slice);
+  const std::filesystem::path temporary =
+    fileName.parent_path() / ("writing-" + fileName.filename().string());
+  bool isWritten = WritePixels(temporary.string(), MakeSpec(grid, channel), pixels.data(), error);
+  std::error_code failure;
+  if (isWritten)
+  {
+    std::filesystem::rename(temporary, fileName, failure);
+    isWritten = !failure;
+    error = failure.message();
+  }
+  if (!isWritten)
+  {
+    std::filesystem::remove(temporary, failure);
+    error = "Cannot write " + fileName.string() + ": " + error;
+  }
+  return isWritten;
+}
+
+bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
+  unsigned char* texels)
+{
+  const std::string fileName = CubeMapFileName(folder, channel, slice);
+  auto input = OpenCubeMap(fileName, grid, channel);
+  if (!input)
+  {
+    return false;
+  }
+  const int texelBytes = TexelBytes(channel);
+  std::vector<unsigned char> pixels(
+    std::size_t(FaceCount) * grid.GetResolution() * grid.GetResolution() * texelBytes);
+  if (!input->read_image(0, 0, 0, -1, PixelType(channel), pixels.data()))
+  {
+    input->geterror(); // or it would be printed on destruction
+    return false;
+  }
+  ForEachRow(grid, grid.ViewpointOf(slice).Face, texelBytes,
+    [&](std::size_t strip, std::size_t cubeMap, std::size_t bytes)
+    { std::memcpy(texels + strip, pixels.data() + cubeMap, bytes); });
+  return true;
+}
+
+bool ProbeCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice)
+{
+  return OpenCubeMap(CubeMapFileName(folder, channel, slice), grid, channel) != nullptr;
+}
+
+void FillEmpty(const Channel& channel, unsigned char* texels, std::size_t count)
+{
+  const bool isDepth = channel.Encoding == DepthEncoding;
+  const std::size_t values = count * channel.Components;
+  if (isDepth && channel.Type == VTK_FLOAT)
+  {
+    std::fill_n(reinterpret_cast<float*>(texels), values, 1.0f);
+  }
+  else
+  {
+    // All bits set is depth 1 for whole numbers.
+    std::memset(texels, isDepth ? 0xff : 0, count * TexelBytes(channel));
+  }
+}
+}

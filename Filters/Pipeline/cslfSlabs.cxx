@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSlabs.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkAlgorithmOutput.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace cslf
+{
+namespace
+{
+// A slab's memory, estimated from texels of float colour and depth.
+constexpr double SlabBytes = 64.0 * 1024 * 1024;
+constexpr double TexelBytesEstimate = 20.0;
+// At least this many slabs, where there are as many slices.
+constexpr int SlabCount = 64;
+}
+
+int TexelBytes(const Channel& channel)
+{
+  return channel.Components * vtkDataArray::GetDataTypeSize(channel.Type);
+}
+
+SlabStream::SlabStream(vtkAlgorithmOutput* connection)
+  : Producer(connection->GetProducer())
+  , Port(connection->GetIndex())
+{
+}
+
+bool SlabStream::Fail(const std::string& error)
+{
+  this->Error = error;
+  return false;
+}
+
+bool SlabStream::Open()
+{
+  auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(this->Producer->GetExecutive());
+  if (!executive || !executive->UpdateInformation())
+  {
+    return false;
+  }
+  int extent[6];
+  executive->GetWholeExtent(this->Producer->GetOutputInformation(this->Port), extent);
+  if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
+  {
+    return this->Fail("The input is empty.");
+  }
+  this->Whole = { extent[4], extent[5] };
+  const double texels = (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0);
+  const double fitting = std::max(1.0, SlabBytes / (TexelBytesEstimate * texels));
+  const int forProgress = std::max(1, this->Whole.GetCount() / SlabCount);
+  this->SlabSize = static_cast<int>(std::min<double>(fitting, forProgress));
+  return true;
+}
+
+Slab SlabStream::MakeSlab(int first) const
+{
+  return { first, std::min(this->Whole.Last, first + this->SlabSize - 1) };
+}
+
+bool SlabStream::Read(const Slab& slab)
+{
+  int extent[6];
+  vtkInformation* information = this->Producer->GetOutputInformation(this->Port);
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(information, extent);
+  extent[4] = slab.First;
+  extent[5] = slab.Last;
+  vtkNew<vtkInformationVector> requests;
+  for (int port = 0; port <= this->Port; ++port)
+  {
+    vtkNew<vtkInformation> request;
+    requests->Append(request);
+  }
+  requests->GetInformationObject(this->Port)
+    ->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  if (!this->Producer->Update(this->Port, requests))
+  {
+    return false;
+  }
+
+  this->Image = vtkImageData::SafeDownCast(this->Producer->GetOutputDataObject(this->Port));
+  std::string error;
+  auto description = Description::ReadFrom(this->Image, error);
+  if (!description)
+  {
+    return this->Fail(error);
+  }
+  const int* delivered = this->Image->GetExtent();
+  if (delivered[4] > slab.First || delivered[5] < slab.Last)
+  {
+    return this->Fail("The input does not deliver the viewpoints that were asked for.");
+  }
+  if (this->HasDescription && description->ToText() != this->FieldDescription.ToText())
+  {
+    return this->Fail("The input's description changes between its parts.");
+  }
+  this->FieldDescription = *description;
+  this->HasDescription = true;
+  return true;
+}
+
+const unsigned char* SlabStream::GetSlice(const Channel& channel, int slice) const
+{
+  vtkDataArray* array = this->Image->GetPointData()->GetArray(channel.Name.c_str());
+  const Layout& grid = this->FieldDescription.Grid;
+  const std::int64_t texels = std::int64_t(grid.GetStripWidth()) * grid.GetResolution();
+  const std::int64_t offset = (slice - this->Image->GetExtent()[4]) * texels;
+  return static_cast<const unsigned char*>(array->GetVoidPointer(0)) + offset * TexelBytes(channel);
+}
+}

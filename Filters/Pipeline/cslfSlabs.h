@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Pulling a light field through the pipeline a few viewpoints at a time, so that the whole of it
+ * never has to fit in memory.
+ */
+#ifndef cslfSlabs_h
+#define cslfSlabs_h
+
+#include "cslfDescription.h"
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+class vtkImageData;
+
+namespace cslf
+{
+/// A range of z slices, both ends included.
+struct Slab
+{
+  int First = 0;
+  int Last = -1;
+
+  int GetCount() const { return this->Last - this->First + 1; }
+};
+
+/// Reads a filter's input connection slab by slab. Every method but the getters returns false on
+/// failure; then GetError() says why in one line, or is empty where the upstream filter has
+/// reported it already.
+class SlabStream
+{
+public:
+  explicit SlabStream(vtkAlgorithmOutput* connection);
+
+  /// Asks upstream for the whole extent.
+  bool Open();
+
+  /// The slices that upstream offers.
+  const Slab& GetWhole() const { return this->Whole; }
+
+  /// How many slices make a slab of moderate memory, yet enough slabs to show progress.
+  int GetSlabSize() const { return this->SlabSize; }
+
+  /// The slab that begins at `first`, which must be one of the whole's slices.
+  Slab MakeSlab(int first) const;
+
+  /// Updates upstream to the slab and checks what it delivers. The first read fixes the
+  /// description; a later one that differs from it is an error.
+  bool Read(const Slab& slab);
+
+  vtkImageData* GetImage() const { return this->Image; }
+  const Description& GetDescription() const { return this->FieldDescription; }
+  const std::string& GetError() const { return this->Error; }
+
+  /// The first value of a slice in a channel's array of the current image.
+  const unsigned char* GetSlice(const Channel& channel, int slice) const;
+
+private:
+  bool Fail(const std::string& error);
+
+  vtkAlgorithm* Producer;
+  int Port;
+  Slab Whole;
+  int SlabSize = 1;
+  bool HasDescription = false;
+  Description FieldDescription;
+  vtkImageData* Image = nullptr; // owned by the producer
+  std::string Error;
+};
+
+/// The bytes of one texel of a channel.
+int TexelBytes(const Channel& channel);
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The peak signal-to-noise ratio.
+ */
+#ifndef cslfPSNR_h
+#define cslfPSNR_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+/// 10 log10(peak^2 / meanSquare) in dB, at most `cap`: 20 log10(peak / d) for a constant
+/// difference d.
+inline double PSNR(double meanSquare, double peak, double cap)
+{
+  return meanSquare > 0.0 ? std::min(cap, 10.0 * std::log10(peak * peak / meanSquare)) : cap;
+}
+}
+
+#endif

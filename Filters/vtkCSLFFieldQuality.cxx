@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFFieldQuality.h"
+
+#include "Pipeline/cslfSlabs.h"
+#include "Quality/cslfPSNR.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// The error of a range of components of one channel.
+struct Figure
+{
+  std::string Name;
+  std::string Channel;
+  int FirstComponent = 0;
+  int Components = 1;
+  bool WhereCovered = false;
+  double Peak = 1.0;
+  double Squares = 0.0;
+  double Values = 0.0;
+};
+
+double PeakOf(int type)
+{
+  switch (type)
+  {
+    case VTK_UNSIGNED_CHAR:
+      return VTK_UNSIGNED_CHAR_MAX;
+    case VTK_UNSIGNED_SHORT:
+      return VTK_UNSIGNED_SHORT_MAX;
+    default:
+      return 1.0;
+  }
+}
+
+/// What can be compared of two fields of the same grid.
+std::vector<Figure> MakeFigures(const cslf::Description& first, const cslf::Description& second)
+{
+  std::vector<Figure> figures;
+  for (const cslf::Channel& channel : first.Channels)
+  {
+    const cslf::Channel* other = second.FindChannel(channel.Name);
+    if (!other || other->Type != channel.Type || other->Components != channel.Components)
+    {
+      continue;
+    }
+    Figure figure;
+    figure.Name = figure.Channel = channel.Name;
+    figure.Components = channel.Components;
+    figure.Peak = PeakOf(channel.Type);
+    const bool isColor = channel.Name == cslf::ColorName && channel.Components == 4;
+    figure.Components -= isColor ? 1 : 0;
+    figure.WhereCovered = channel.Name == cslf::DepthName;
+    figures.push_back(figure);
+    if (isColor)
+    {
+      figure.Name = "Coverage";
+      figure.FirstComponent = 3;
+      figure.Components = 1;
+      figures.push_back(figure);
+    }
+  }
+  return figures;
+}
+
+/// Adds the errors of the viewpoints of a slab. The images may hold more than that.
+void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
+{
+  vtkDataArray* values[2];
+  vtkDataArray* colors[2];
+  vtkIdType offsets[2];
+  const int* size = images[0]->GetDimensions();
+  const vtkIdType slice = static_cast<vtkIdType>(size[0]) * size[1];
+  for (int k = 0; k < 2; ++k)
+  {
+    values[k] = images[k]->GetPointData()->GetArray(figure.Channel.c_str());
+    colors[k] = images[k]->GetPointData()->GetArray(cslf::ColorName);
+    offsets[k] = (slab.First - images[k]->GetExtent()[4]) * slice;
+  }
+  const bool isMasked = figure.WhereCovered && colors[0] && colors[1] &&
+    colors[0]->GetNumberOfComponents() == 4 && colors[1]->GetNumberOfComponents() == 4;
+  for (vtkIdType texel = 0; texel < slice * slab.GetCount(); ++texel)
+  {
+    if (isMasked &&
+      (colors[0]->GetComponent(offsets[0] + texel, 3) <= 0.0 ||
+        colors[1]->GetComponent(offsets[1] + texel, 3) <= 0.0))
+    {
+      continue;
+    }
+    for (int k = figure.FirstComponent; k < figure.FirstComponent + figure.Components; ++k)
+    {
+      const double difference = values[0]->GetComponent(offsets[0] + texel, k) -
+        values[1]->GetComponent(offsets[1] + texel, k);
+      figure.Squares += difference * difference;
+    }
+    figure.Values += figure.Components;
+  }
+}
+
+/// Compares the fields; on failure returns why, which is empty where it was reported already.
+bool Compare(cslf::SlabStream streams[2], vtkAlgorithm* progress, std::vector<Figure>& figures,
+  std::string& error)
+{
+  cslf::Slab whole;
+  if (streams[0].Open() && streams[1].Open())
+  {
+    const cslf::Slab& a = streams[0].GetWhole();
+    const cslf::Slab& b = streams[1].GetWhole();
+    whole = { std::max(a.First, b.First), std::min(a.Last, b.Last) };
+    error = whole.GetCount() < 1 ? "The fields have no viewpoint in common." : "";
+  }
+  const int step = std::min(streams[0].GetSlabSize(), streams[1].GetSlabSize());
+  for (int first = whole.First; first <= whole.Last; first += step)
+  {
+    const cslf::Slab slab{ first, std::min(whole.Last, first + step - 1) };
+    if (!streams[0].Read(slab) || !streams[1].Read(slab))
+    {
+      break;
+    }
+    const cslf::Description& a = streams[0].GetDescription();
+    const cslf::Description& b = streams[1].GetDescription();
+    if (first == whole.First)
+    {
+      figures = MakeFigures(a, b);
+    }
+    if (a.Grid != b.Grid || figures.empty())
+    {
+      error = a.Grid != b.Grid ? "The fields differ in their viewpoints or their resolution."
+                               : "The fields have no channel of the same type in common.";
+      return false;
+    }
+    vtkImageData* images[2] = { streams[0].GetImage(), streams[1].GetImage() };
+    for (Figure& figure : figures)
+    {
+      AddSlab(images, slab, figure);
+    }
+    progress->UpdateProgress((slab.Last - whole.First + 1.0) / whole.GetCount());
+    if (slab.Last == whole.Last)
+    {
+      return true;
+    }
+  }
+  for (int k = 0; k < 2 && error.empty(); ++k)
+  {
+    error = streams[k].GetError();
+  }
+  return false;
+}
+}
+
+struct vtkCSLFFieldQuality::Internal
+{
+  std::vector<Figure> Figures;
+};
+
+vtkStandardNewMacro(vtkCSLFFieldQuality);
+
+vtkCSLFFieldQuality::vtkCSLFFieldQuality()
+  : Internals(new Internal)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(0);
+}
+
+vtkCSLFFieldQuality::~vtkCSLFFieldQuality() = default;
+
+int vtkCSLFFieldQuality::Measure()
+{
+  this->Internals->Figures.clear();
+  if (this->GetNumberOfInputConnections(0) == 0 || this->GetNumberOfInputConnections(1) == 0)
+  {
+    vtkErrorMacro("Two fields must be given.");
+    return 0;
+  }
+  cslf::SlabStream streams[2] = { cslf::SlabStream(this->GetInputConnection(0, 0)),
+    cslf::SlabStream(this->GetInputConnection(1, 0)) };
+  std::string error;
+  this->InvokeEvent(vtkCommand::StartEvent);
+  const bool isDone = Compare(streams, this, this->Internals->Figures, error);
+  this->InvokeEvent(vtkCommand::EndEvent);
+  if (!isDone)
+  {
+    this->Internals->Figures.clear();
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+    }
+  }
+  return isDone ? 1 : 0;
+}
+
+int vtkCSLFFieldQuality::GetNumberOfFigures()
+{
+  return static_cast<int>(this->Internals->Figures.size());
+}
+
+const char* vtkCSLFFieldQuality::GetFigureName(int index)
+{
+  const bool isInside = index >= 0 && index < this->GetNumberOfFigures();
+  return isInside ? this->Internals->Figures[index].Name.c_str() : nullptr;
+}
+
+double vtkCSLFFieldQuality::GetPSNR(int index)
+{
+  if (index < 0 || index >= this->GetNumberOfFigures())
+  {
+    return 0.0;
+  }
+  const Figure& figure = this->Internals->Figures[index];
+  const double meanSquare = figure.Values > 0.0 ? figure.Squares / figure.Values : 0.0;
+  return cslf::PSNR(meanSquare, figure.Peak, this->MaximumPSNR);
+}
+
+bool vtkCSLFFieldQuality::GetIsEqual(int index)
+{
+  return index >= 0 && index < this->GetNumberOfFigures() &&
+    this->Internals->Figures[index].Squares == 0.0;
+}
+
+void vtkCSLFFieldQuality::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumPSNR: " << this->MaximumPSNR << "\n";
+  for (int index = 0; index < this->GetNumberOfFigures(); ++index)
+  {
+    os << indent << this->GetFigureName(index) << ": " << this->GetPSNR(index) << " dB\n";
+  }
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files that are damaged, cut short or not ours: one clear line or a correct part, never a crash.
+#include "cslfCodecTesting.h"
+#include "cslfTesting.h"
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFEncoder.h"
+
+#include <vtkErrorCode.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <random>
+
+namespace
+{
+void TestRefused(const std::string& fileName, const std::string& message)
+{
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(fileName.c_str());
+  CSLF_CHECK(decoder->CanReadFile(fileName.c_str()) == 0);
+  const cslf::testing::Observed observed(decoder);
+  decoder->Update();
+  CSLF_CHECK(decoder->GetErrorCode() != vtkErrorCode::NoError);
+  CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+  CSLF_CHECK(std::string(decoder->GetDescription()).empty());
+  if (!observed.HasError(message))
+  {
+    std::cerr << fileName << ": expected one error \"" << message << "\"\n";
+    CSLF_CHECK(false);
+  }
+}
+
+void TestNotOurs(const std::string& folder)
+{
+  TestRefused(folder + "/missing.mp4", "there is no such file");
+  TestRefused(folder, "there is no such file");
+  cslf::testing::WriteBytes(folder + "/text.mp4", std::vector<char>(5000, 'x'));
+  TestRefused(folder + "/text.mp4", "no MP4 or Matroska file");
+  cslf::testing::WriteBytes(folder + "/empty.mp4", {});
+  TestRefused(folder + "/empty.mp4", "no MP4 or Matroska file");
+
+  vtkNew<vtkCSLFDecoder> decoder;
+  const cslf::testing::Observed observed(decoder);
+  decoder->Update();
+  CSLF_CHECK(observed.HasError("no file name"));
+}
+
+enum class Outcome
+{
+  Refused, // an error
+  Partial, // a warning, and every slice is right or reported
+  Whole    // nothing amiss, and every slice is right
+};
+
+/// Reads a damaged file and checks that what it gives is right or reported.
+Outcome Read(const std::string& fileName, vtkImageData* whole)
+{
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(fileName.c_str());
+  const cslf::testing::Observed observed(decoder);
+  decoder->Update();
+  vtkImageData* output = decoder->GetOutput();
+  if (observed.GetErrors() > 0)
+  {
+    CSLF_CHECK(observed.GetErrors() == 1);
+    CSLF_CHECK(output->GetNumberOfPoints() == 0);
+    return Outcome::Refused;
+  }
+  const vtkIdType missing = decoder->GetNumberOfMissingViewpoints();
+  CSLF_CHECK(observed.GetWarnings() == (missing > 0 ? 1 : 0));
+  CSLF_CHECK(output->GetNumberOfPoints() == whole->GetNumberOfPoints());
+  if (output->GetNumberOfPoints() != whole->GetNumberOfPoints())
+  {
+    return Outcome::Refused;
+  }
+
+  // Clear in the reference what is reported as missing.
+  vtkNew<vtkImageData> expected;
+  expected->DeepCopy(whole);
+  const vtkIdType texels = whole->GetNumberOfPoints() / (whole->GetExtent()[5] + 1);
+  auto* color =
+    vtkUnsignedCharArray::SafeDownCast(expected->GetPointData()->GetArray(cslf::ColorName));
+  auto* depth =
+    vtkUnsignedShortArray::SafeDownCast(expected->GetPointData()->GetArray(cslf::DepthName));
+  for (vtkIdType k = 0; k < missing; ++k)
+  {
+    const vtkIdType first = texels * decoder->GetMissingViewpoints()->GetValue(k);
+    std::fill_n(color->GetPointer(4 * first), 4 * texels, static_cast<unsigned char>(0));
+    std::fill_n(depth->GetPointer(first), texels, static_cast<unsigned short>(65535));
+  }
+  CSLF_CHECK(cslf::testing::HasEqualSlices(output, expected));
+  CSLF_CHECK(decoder->FindMissingViewpoints() == missing);
+  return missing > 0 ? Outcome::Partial : Outcome::Whole;
+}
+
+void TestTruncated(const std::string& fileName, vtkImageData* whole)
+{
+  const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  int counts[3] = { 0, 0, 0 };
+  constexpr int places = 8;
+  for (int place = 0; place < places; ++place)
+  {
+    const std::size_t size = bytes.size() * place / places;
+    const std::string cut = fileName + ".cut.mp4";
+    cslf::testing::WriteBytes(cut, { bytes.begin(), bytes.begin() + size });
+    ++counts[static_cast<int>(Read(cut, whole))];
+  }
+  std::cout << fileName << " cut: " << counts[0] << " refused, " << counts[1] << " partial, "
+            << counts[2] << " whole\n";
+  CSLF_CHECK(counts[0] > 0 && counts[1] > 0 && counts[2] == 0);
+}
+
+void TestFlipped(const std::string& fileName, vtkImageData* whole)
+{
+  const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  std::mt19937 random(7);
+  int counts[3] = { 0, 0, 0 };
+  for (int flip = 0; flip < 20; ++flip)
+  {
+    std::vector<char> flipped = bytes;
+    const std::size_t place = random() % flipped.size();
+    flipped[place] = static_cast<char>(flipped[place] ^ (1 << random() % 8));
+    const std::string damaged = fileName + ".damaged.mp4";
+    cslf::testing::WriteBytes(damaged, flipped);
+    ++counts[static_cast<int>(Read(damaged, whole))];
+  }
+  std::cout << fileName << " flipped: " << counts[0] << " refused, " << counts[1] << " partial, "
+            << counts[2] << " whole\n";
+  CSLF_CHECK(counts[1] > 0);
+}
+
+/// A digit of the description, changed: the checksum tells.
+void TestDescription(const std::string& fileName)
+{
+  std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  const std::string key = "\"center\":[0";
+  const auto found = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+  CSLF_CHECK(found != bytes.end());
+  if (found != bytes.end())
+  {
+    *(found + static_cast<std::ptrdiff_t>(key.size()) - 1) = '1';
+    cslf::testing::WriteBytes(fileName + ".digit.mp4", bytes);
+    TestRefused(fileName + ".digit.mp4", "description is damaged");
+  }
+}
+}
+
+int TestCSLFDecoderDamage(int argc, char* argv[])
+{
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "DecoderDamage");
+  TestNotOurs(folder);
+  const auto field = cslf::testing::MakeByteField(4, 32);
+  for (const char* name : { "/field.mp4", "/field.mkv" })
+  {
+    vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetPreset("ultrafast");
+    const std::string fileName = folder + name;
+    CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
+    const auto whole = cslf::testing::Decode(fileName);
+    CSLF_CHECK(whole != nullptr);
+    if (whole)
+    {
+      CSLF_CHECK(Read(fileName, whole) == Outcome::Whole);
+      TestTruncated(fileName, whole);
+      TestFlipped(fileName, whole);
+      TestDescription(fileName);
+    }
+  }
+  return cslf::testing::Result();
+}

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A folder of cube maps: bit-exact round trips, what lies in the files, and bad folders.
+#include "vtkCSLFImageReader.h"
+#include "vtkCSLFImageWriter.h"
+
+#include "cslfDescription.h"
+#include "cslfTestField.h"
+#include "cslfTesting.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkExtractVOI.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkTestUtilities.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+constexpr int Side = 3;
+constexpr int Size = 7;
+constexpr int Slices = 6 * Side * Side;
+
+vtkSmartPointer<vtkImageData> MakeField(int colorType, int depthType)
+{
+  const cslf::Cube box{ { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.0 } };
+  auto image = cslf::testing::MakeTestField(cslf::Layout(Side, Size), box, colorType, depthType, 2);
+  // Associated colour above its alpha, as lossy coding may leave it, must survive too.
+  if (auto* colors =
+        vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray(cslf::ColorName)))
+  {
+    unsigned char strange[4] = { 200, 3, 0, 7 };
+    colors->SetTypedTuple(11, strange);
+    strange[3] = 0;
+    colors->SetTypedTuple(12, strange);
+  }
+  return image;
+}
+
+bool Write(vtkImageData* field, const std::string& folder)
+{
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputData(field);
+  writer->SetFileName(folder.c_str());
+  return writer->Write() == 1;
+}
+
+/// Whether slices `first` to `last` of an array have the same bytes in both images.
+bool AreEqual(vtkImageData* a, vtkImageData* b, const char* name, int first, int last)
+{
+  vtkDataArray* arrayA = a->GetPointData()->GetArray(name);
+  vtkDataArray* arrayB = b->GetPointData()->GetArray(name);
+  if (!arrayA || !arrayB || arrayA->GetDataType() != arrayB->GetDataType() ||
+    arrayA->GetNumberOfComponents() != arrayB->GetNumberOfComponents())
+  {
+    return false;
+  }
+  const std::size_t slice =
+    std::size_t(5) * Size * Size * arrayA->GetNumberOfComponents() * arrayA->GetDataTypeSize();
+  const auto begin = [&](vtkImageData* image, vtkDataArray* array)
+  {
+    return static_cast<const char*>(array->GetVoidPointer(0)) +
+      slice * (first - image->GetExtent()[4]);
+  };
+  return std::memcmp(begin(a, arrayA), begin(b, arrayB), slice * (last - first + 1)) == 0;
+}
+
+std::string GetText(vtkImageData* image)
+{
+  return vtkStringArray::SafeDownCast(
+    image->GetFieldData()->GetAbstractArray(cslf::Description::FieldDataName))
+    ->GetValue(0);
+}
+
+void TestRoundTrip(const std::string& folder, int colorType, int depthType)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(colorType, depthType);
+  CSLF_CHECK(Write(field, folder));
+  CSLF_CHECK(!fs::exists(folder + ".partial") && !fs::exists(folder + ".replaced"));
+  vtkNew<vtkCSLFImageReader> reader;
+  CSLF_CHECK(reader->CanReadFile(folder.c_str()) == 3);
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  vtkImageData* output = reader->GetOutput();
+  CSLF_CHECK(output->GetExtent()[5] == Slices - 1);
+  CSLF_CHECK(AreEqual(field, output, cslf::ColorName, 0, Slices - 1));
+  CSLF_CHECK(depthType == 0 || AreEqual(field, output, cslf::DepthName, 0, Slices - 1));
+  CSLF_CHECK(reader->GetNumberOfMissingViewpoints() == 0);
+  CSLF_CHECK(GetText(output) == GetText(field) && GetText(field) == reader->GetDescription());
+
+  const int part[6] = { 0, 5 * Size - 1, 0, Size - 1, 20, 23 };
+  vtkNew<vtkCSLFImageReader> partReader;
+  partReader->SetFileName(folder.c_str());
+  partReader->UpdateExtent(part);
+  output = partReader->GetOutput();
+  CSLF_CHECK(output->GetExtent()[4] == 20 && output->GetExtent()[5] == 23);
+  CSLF_CHECK(AreEqual(field, output, cslf::ColorName, 20, 23));
+}
+
+/// A folder that holds some viewpoints only keeps their absolute numbers.
+void TestPart(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  vtkNew<vtkExtractVOI> extract;
+  extract->SetInputData(field);
+  extract->SetVOI(0, 5 * Size - 1, 0, Size - 1, 30, 40);
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputConnection(extract->GetOutputPort());
+  writer->SetFileName((folder + "/").c_str());
+  CSLF_CHECK(writer->Write() == 1);
+  vtkNew<vtkCSLFImageReader> reader;
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  CSLF_CHECK(reader->GetOutput()->GetExtent()[4] == 30);
+  CSLF_CHECK(reader->GetOutput()->GetExtent()[5] == 40);
+  CSLF_CHECK(AreEqual(field, reader->GetOutput(), cslf::DepthName, 30, 40));
+}
+
+/// The strip as another program sees it: OpenGL's face order, the entry face transparent.
+void TestStrip(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  CSLF_CHECK(Write(field, folder));
+  constexpr int slice = (2 * Side + 1) * Side + 2; // on face +Y
+  vtkNew<vtkPNGReader> png;
+  png->SetFileName((folder + "/000023.Color.png").c_str());
+  png->Update();
+  static_assert(slice == 23, "the file's name is the slice's number");
+  vtkImageData* strip = png->GetOutput();
+  CSLF_CHECK(strip->GetDimensions()[0] == 6 * Size && strip->GetDimensions()[1] == Size);
+  CSLF_CHECK(strip->GetNumberOfScalarComponents() == 4);
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < 6 * Size; ++x)
+    {
+      const int face = x / Size;
+      const int column = (face < 2 ? face : face - 1) * Size + x % Size;
+      for (int component = 0; component < 4; ++component)
+      {
+        const double value = strip->GetScalarComponentAsDouble(x, Size - 1 - y, 0, component);
+        const double expected =
+          face == 2 ? 0.0 : field->GetScalarComponentAsDouble(column, y, slice, component);
+        CSLF_CHECK(value == expected);
+      }
+    }
+  }
+  png->SetFileName((folder + "/000023.Depth.png").c_str());
+  png->Update();
+  CSLF_CHECK(png->GetOutput()->GetScalarType() == VTK_UNSIGNED_SHORT);
+  CSLF_CHECK(png->GetOutput()->GetScalarComponentAsDouble(2 * Size, 0, 0, 0) == 65535.0);
+}
+
+/// What comes of an image that is not there and of one cut off.
+void TestMissing(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  CSLF_CHECK(Write(field, folder));
+  fs::remove(folder + "/000005.Depth.png");
+  fs::resize_file(folder + "/000009.Color.png", 150);
+  vtkNew<vtkCSLFImageReader> reader;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::WarningEvent, observer);
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  CSLF_CHECK(!observer->GetError());
+  CSLF_CHECK(observer->GetWarningMessage().find("2 of 54 viewpoints") != std::string::npos);
+  CSLF_CHECK(reader->GetNumberOfMissingViewpoints() == 2);
+  CSLF_CHECK(reader->GetMissingViewpoints()->GetValue(0) == 5);
+  CSLF_CHECK(reader->GetMissingViewpoints()->GetValue(1) == 9);
+  CSLF_CHECK(reader->FindMissingViewpoints() == 2);
+  CSLF_CHECK(AreEqual(field, reader->GetOutput(), cslf::ColorName, 10, Slices - 1));
+  vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetArray(cslf::ColorName);
+  vtkDataArray* depths = reader->GetOutput()->GetPointData()->GetArray(cslf::DepthName);
+  for (const int slice : { 5, 9 })
+  {
+    for (vtkIdType texel = 0; texel < 5 * Size * Size; ++texel)
+    {
+      const vtkIdType point = slice * 5 * Size * Size + texel;
+      CSLF_CHECK(colors->GetComponent(point, 0) == 0.0 && colors->GetComponent(point, 3) == 0.0);
+      CSLF_CHECK(depths->GetComponent(point, 0) == 65535.0);
+    }
+  }
+  observer->Clear();
+  const int part[6] = { 0, 5 * Size - 1, 0, Size - 1, 9, 9 };
+  reader->Modified();
+  CSLF_CHECK(!reader->UpdateExtent(part));
+  CSLF_CHECK(observer->GetErrorMessage().find("viewpoints 9 to 9") != std::string::npos);
+}
+
+void CheckReadFails(const std::string& folder, const char* message)
+{
+  vtkNew<vtkCSLFImageReader> reader;
+  CSLF_CHECK(reader->CanReadFile(folder.c_str()) == 0);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName(folder.c_str());
+  reader->Update();
+  CSLF_CHECK(observer->GetErrorMessage().find(message) != std::string::npos);
+}
+
+void CheckWriteFails(vtkImageData* field, const std::string& folder, const char* message)
+{
+  vtkNew<vtkCSLFImageWriter> writer;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  writer->AddObserver(vtkCommand::ErrorEvent, observer);
+  writer->SetInputData(field);
+  writer->SetFileName(folder.c_str());
+  CSLF_CHECK(writer->Write() == 0);
+  CSLF_CHECK(writer->GetErrorCode() != 0);
+  CSLF_CHECK(observer->GetErrorMessage().find(message) != std::string::npos);
+  CSLF_CHECK(!fs::exists(folder + ".partial"));
+}
+
+void TestBad(const std::string& root)
+{
+  fs::create_directories(root + "/other");
+  std::ofstream(root + "/other/letter.txt") << "Dear reader";
+  std::ofstream(root + "/file") << "no folder";
+  CheckReadFails(root + "/nowhere", "has no readable description.json");
+  CheckReadFails(root + "/other", "has no readable description.json");
+  CheckReadFails(root + "/file", "has no readable description.json");
+
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);
+  CheckWriteFails(field, root + "/other", "holds other things");
+  CSLF_CHECK(fs::exists(root + "/other/letter.txt"));
+  CheckWriteFails(field, root + "/file", "is no folder");
+  CheckWriteFails(field, root + "/nowhere/else", "Cannot make the folder");
+  CheckWriteFails(field, "", "file name");
+  vtkNew<vtkImageData> plain;
+  plain->SetDimensions(4, 4, 4);
+  plain->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  CheckWriteFails(plain, root + "/plain", "is no light field");
+  CSLF_CHECK(!fs::exists(root + "/plain"));
+
+  CSLF_CHECK(Write(field, root + "/lies"));
+  std::ofstream(root + "/lies/description.json") << R"({"format": "poem"})";
+  vtkNew<vtkCSLFImageReader> reader;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName((root + "/lies").c_str());
+  CSLF_CHECK(reader->FindMissingViewpoints() == -1 && observer->GetError());
+  CheckReadFails(root + "/lies", "describes something else");
+}
+}
+
+int TestCSLFImageFolder(int argc, char* argv[])
+{
+  char* temporary =
+    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
+  const std::string root = std::string(temporary) + "/TestCSLFImageFolder";
+  delete[] temporary;
+  fs::remove_all(root);
+  fs::create_directories(root);
+  TestRoundTrip(root + "/bytes", VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  TestRoundTrip(root + "/bytes", VTK_UNSIGNED_CHAR, 0); // replaces the first
+  CSLF_CHECK(!fs::exists(root + "/bytes/000000.Depth.png"));
+  TestRoundTrip(root + "/floats", VTK_FLOAT, VTK_FLOAT);
+  TestRoundTrip(root + "/mixed", VTK_FLOAT, VTK_UNSIGNED_SHORT);
+  TestPart(root + "/part");
+  TestStrip(root + "/strip");
+  TestMissing(root + "/missing");
+  TestBad(root);
+  return cslf::testing::Result();
+}

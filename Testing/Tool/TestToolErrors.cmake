@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Whatever is wrong, the tool says it in one line and leaves nothing half done.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(tiny -M 2 -N 16 --spp 1 --max-depth 1)
+file(WRITE "${DIRECTORY}/text.txt" "no light field\n")
+file(WRITE "${DIRECTORY}/text.mp4" "no video\n")
+file(WRITE "${DIRECTORY}/text.png" "no picture\n")
+file(WRITE "${DIRECTORY}/text.vti" "no image data\n")
+file(WRITE "${DIRECTORY}/text.ply" "no mesh\n")
+file(MAKE_DIRECTORY "${DIRECTORY}/other")
+file(WRITE "${DIRECTORY}/other/letter.txt" "Dear reader\n")
+
+# The command line.
+cslf_fail("subcommand" "")
+cslf_fail("no command dance" "" dance)
+cslf_fail("--output" "" sample cornell-box)
+cslf_fail("--viewpoints" "x" sample cornell-box -o x.vti -M 1)
+cslf_fail("--spp" "x" sample cornell-box -o x.vti --spp many)
+cslf_fail("--lookup" "x" render text.vti -o x.png --lookup psychic)
+cslf_fail("center" "x" sample cornell-box -o x.vti --edges 3)
+
+# Inputs.
+cslf_fail("no file nowhere.ply" "x" sample nowhere.ply -o x.mp4 ${tiny})
+cslf_fail("no scene" "x" sample text.txt -o x.mp4 ${tiny})
+cslf_fail("text.ply" "x" sample text.ply -o x.mp4 ${tiny})
+cslf_fail("environment" "x" sample cornell-box -o x.mp4 ${tiny} --environment nowhere.hdr)
+cslf_fail("text.txt" "x" sample cornell-box -o x.mp4 ${tiny} --environment text.txt)
+cslf_fail("nowhere.mp4" "x" decode nowhere.mp4 -o x)
+cslf_fail("text.mp4" "x" decode text.mp4 -o x)
+cslf_fail("text.vti|XML|parse" "x" encode text.vti -o x.mp4)
+cslf_fail("no light field" "" info text.txt)
+cslf_fail("other" "" info other)
+cslf_fail("no PNG" "" compare text.png text.png)
+cslf_fail("no file" "" compare nowhere.png text.png)
+
+# Outputs.
+cslf_fail("Cannot write nowhere/x.mp4" "x" sample cornell-box -o nowhere/x.mp4 ${tiny})
+cslf_fail("Cannot write nowhere/x.vti" "x" sample cornell-box -o nowhere/x.vti ${tiny})
+cslf_fail("Cannot make" "x" sample cornell-box -o nowhere/x ${tiny})
+cslf_fail("Cannot write" "x" sample cornell-box -o /proc/x.mp4 ${tiny})
+cslf_fail("Cannot write" "x" trace cornell-box -o nowhere/x.png --size 8 8 --spp 1)
+cslf_fail("formats" "x" sample cornell-box -o x.avi ${tiny})
+cslf_fail("other things" "" sample cornell-box -o other ${tiny})
+cslf_fail("at least 16" "x" sample cornell-box -o x.mp4 -M 2 -N 15 --spp 1)
+cslf_fail("float" "x" sample cornell-box -o x.mp4 ${tiny} --float)
+
+# Meshes with nothing to show.
+file(WRITE "${DIRECTORY}/empty.obj" "v 0 0 0\nv 1 0 0\n")
+file(WRITE "${DIRECTORY}/lines.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n")
+function (write_vtp name offset points)
+  file(WRITE "${DIRECTORY}/${name}.vtp" "<VTKFile type=\"PolyData\" version=\"0.1\"
+byte_order=\"LittleEndian\" header_type=\"UInt32\">
+<PolyData><Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\">
+<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"binary\">
+${points}</DataArray></Points>
+<Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">
+0 1 2 ${offset} 1 3</DataArray>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3 6</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+")
+endfunction ()
+# Three points of a triangle and one that is not a number.
+set(points "MAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAADAfwAAAAAAAAAA")
+write_vtp(nan 0 ${points})
+write_vtp(wild 99 ${points})
+cslf_fail("" "x" sample empty.obj -o x.vti ${tiny})
+cslf_fail("" "x" sample lines.obj -o x.vti ${tiny})
+
+# With a triangle that can be shown, what cannot be is a warning.
+execute_process(
+  COMMAND "${CSLF}" sample nan.vtp -o nan.vti ${tiny}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result
+  ERROR_VARIABLE error)
+if (NOT result STREQUAL "0" OR NOT error MATCHES "^cslf: warning: [^\n]+\n$")
+  message(FATAL_ERROR "cslf sample nan.vtp ended with ${result}: ${error}")
+endif ()
+execute_process(
+  COMMAND "${CSLF}" sample wild.vtp -o wild.vti ${tiny}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result
+  ERROR_VARIABLE error)
+if (NOT result MATCHES "^[01]$" OR NOT error MATCHES "^cslf: [^\n]+\n$")
+  message(FATAL_ERROR "cslf sample wild.vtp ended with ${result}: ${error}")
+endif ()
+
+# Videos cut short: an error, or a warning and what is left.
+cslf_run(sample cornell-box -o whole.mp4 ${tiny})
+file(SIZE "${DIRECTORY}/whole.mp4" bytes)
+foreach (percent IN ITEMS 10 50 90 99)
+  math(EXPR kept "${bytes} * ${percent} / 100")
+  execute_process(
+    COMMAND head -c ${kept} whole.mp4
+    WORKING_DIRECTORY "${DIRECTORY}"
+    OUTPUT_FILE cut.mp4)
+  execute_process(
+    COMMAND "${CSLF}" decode cut.mp4 -o cut
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    ERROR_VARIABLE error)
+  if (result STREQUAL "0")
+    set(kind warning)
+  else ()
+    set(kind error)
+  endif ()
+  if (NOT result MATCHES "^[01]$" OR NOT error MATCHES "^cslf: ${kind}: [^\n]+\n$")
+    message(FATAL_ERROR "Cut to ${percent} %, decoding ended with ${result}: ${error}")
+  endif ()
+  if (kind STREQUAL "error" AND EXISTS "${DIRECTORY}/cut")
+    message(FATAL_ERROR "Decoding failed and left its output.")
+  endif ()
+  file(REMOVE_RECURSE "${DIRECTORY}/cut")
+endforeach ()
+cslf_fail("same" "" encode whole.mp4 -o whole.mp4)
+cslf_fail("encode writes" "x" encode whole.mp4 -o x.vti)
+cslf_fail("differ" "x" render whole.mp4 -o x.png --position 1 2 3 --focal-point 1 2 3)
+
+# Without a display.
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" -E env --unset=DISPLAY "${CSLF}" render whole.mp4 -o x.png
+  WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result
+  ERROR_VARIABLE error)
+if (NOT result STREQUAL "0" AND NOT error MATCHES "^cslf: error: [^\n]*DISPLAY[^\n]*\n$")
+  message(FATAL_ERROR "Without a display, cslf render ended with ${result}: ${error}")
+endif ()

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Novel views: rendered, evaluated, and in a window.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(light --max-depth 2)
+cslf_run(sample cornell-box -o box.vti -M 5 -N 32 --spp 16 ${light})
+set(camera --position 0.6 0.3 4.4 --size 96 96)
+cslf_run(trace cornell-box -o truth.png --spp 128 ${light} ${camera})
+foreach (lookup IN ITEMS nearest linear bilinear focal depth)
+  cslf_run(render box.vti -o ${lookup}.png --lookup ${lookup} ${camera})
+  cslf_run(compare ${lookup}.png truth.png --json)
+  string(JSON psnr_${lookup} GET "${output}" psnr)
+endforeach ()
+if (psnr_nearest LESS 12 OR NOT psnr_depth GREATER psnr_bilinear OR
+    NOT psnr_bilinear GREATER psnr_nearest)
+  message(FATAL_ERROR "nearest ${psnr_nearest} dB, bilinear ${psnr_bilinear} dB, "
+    "depth ${psnr_depth} dB")
+endif ()
+
+cslf_run(evaluate box.vti cornell-box --views 2 --size 64 --spp 256 ${light} --json -o views
+  --contact-sheet sheet.png --title box)
+expect_json(2 views)
+expect_json_at_least(30 noise_floor)
+foreach (lookup IN ITEMS nearest linear bilinear focal depth)
+  expect_json_at_least(10 lookups ${lookup} psnr)
+  expect_json_at_least(0.1 lookups ${lookup} ssim)
+  expect_json_at_least(0.1 lookups ${lookup} frames_per_second)
+  if (NOT EXISTS "${DIRECTORY}/views/view-1-${lookup}.png")
+    message(FATAL_ERROR "The picture of view 1, ${lookup}, is missing.")
+  endif ()
+endforeach ()
+if (NOT EXISTS "${DIRECTORY}/sheet.png")
+  message(FATAL_ERROR "The contact sheet is missing.")
+endif ()
+
+cslf_run(view box.vti --close-after 0.5 --size 96 96)

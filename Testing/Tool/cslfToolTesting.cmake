@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What the tests of the cslf tool share. They are run with -DCSLF=<tool> -DDATA=<folder of test
+# data> -DDIRECTORY=<folder to work in>, which is emptied first.
+cmake_policy(VERSION 3.22)
+file(REMOVE_RECURSE "${DIRECTORY}")
+file(MAKE_DIRECTORY "${DIRECTORY}")
+
+# Runs the tool, which must succeed without a word on standard error. Standard output is left in
+# `output`.
+function (cslf_run)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error STREQUAL "")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+  endif ()
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+
+# Runs the tool, which must end with exit code 1 and say just one line that matches `pattern`.
+# Nothing may be left of `output`, unless that is empty.
+function (cslf_fail pattern output)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE text
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "1")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}, not 1: ${error}")
+  endif ()
+  if (NOT error MATCHES "^cslf: error: [^\n]+\n$" OR NOT error MATCHES "${pattern}")
+    message(FATAL_ERROR "cslf ${ARGN}\nsaid: ${error}")
+  endif ()
+  if (output)
+    file(GLOB left "${DIRECTORY}/${output}*")
+    if (left)
+      message(FATAL_ERROR "cslf ${ARGN}\nleft ${left}")
+    endif ()
+  endif ()
+endfunction ()
+
+# Checks a value in the JSON that the last cslf_run printed: expect_json(expected key...)
+function (expect_json expected)
+  string(JSON actual ERROR_VARIABLE error GET "${output}" ${ARGN})
+  if (error OR NOT actual STREQUAL "${expected}")
+    message(FATAL_ERROR "${ARGN} is \"${actual}\", not \"${expected}\" ${error}:\n${output}")
+  endif ()
+endfunction ()
+
+# Checks that a number in that JSON is at least so large.
+function (expect_json_at_least least)
+  string(JSON actual GET "${output}" ${ARGN})
+  if (NOT actual GREATER_EQUAL "${least}")
+    message(FATAL_ERROR "${ARGN} is ${actual}, below ${least}:\n${output}")
+  endif ()
+endfunction ()
