@@ -11,7 +11,6 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
-#include <limits>
 
 vtkStandardNewMacro(vtkCSLFMaterial);
 
@@ -27,7 +26,8 @@ struct Parameter
   double Maximum;
 };
 
-constexpr double Unlimited = std::numeric_limits<double>::max();
+// The tracer computes in floats.
+constexpr double Unlimited = 1e30;
 constexpr Parameter BaseColor = { "BaseColor", 3, 0.8, 0.0, 1.0 };
 constexpr Parameter Metallic = { "Metallic", 1, 0.0, 0.0, 1.0 };
 constexpr Parameter Roughness = { "Roughness", 1, 1.0, 0.0, 1.0 };

@@ -20,6 +20,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -34,6 +35,11 @@ namespace
 glm::dvec3 ToVector(const double tuple[3])
 {
   return { tuple[0], tuple[1], tuple[2] };
+}
+
+glm::dvec3 ToLinear(const double color[3])
+{
+  return cslf::SRGBToLinear(glm::clamp(ToVector(color), 0.0, 1.0));
 }
 
 std::vector<vtkDataObject*> GetInputs(vtkInformationVector* connections)
@@ -109,8 +115,8 @@ bool vtkCSLFPathTracer::vtkInternals::MakeEnvironment(
   }
   const double* bottom =
     mode == GradientEnvironment ? self->EnvironmentBottomColor : self->EnvironmentColor;
-  environment = cslf::Environment(intensity * cslf::SRGBToLinear(ToVector(bottom)),
-    intensity * cslf::SRGBToLinear(ToVector(self->EnvironmentColor)), axes);
+  environment = cslf::Environment(
+    intensity * ToLinear(bottom), intensity * ToLinear(self->EnvironmentColor), axes);
   return true;
 }
 

@@ -6,10 +6,12 @@ list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
   ../Rendering/cslfFieldTexture.cxx
+  ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
   ../Rendering/cslfFieldTexture.h
+  ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
   ../Rendering/cslfOpenGL.h
   ../Rendering/vtkCSLFCubeMapper.h)

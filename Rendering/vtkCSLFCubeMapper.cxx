@@ -209,7 +209,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   program->SetUniformMatrix("CCDCMatrix", transposed);
   program->SetUniformi("EntryFacePass", this->EntryFace);
   program->SetUniformi("LookupMode", this->Lookup);
-  program->SetUniform3f("FocalPointCC", &this->FocalPointCC.x);
+  program->SetUniform3f("FocalPointCC", &this->FocalPointsCC[this->EntryFace].x);
   program->SetUniformi(
     "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
 
@@ -227,6 +227,8 @@ void vtkCSLFCubeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Lookup: " << this->Lookup << "\n";
-  os << indent << "FocalPointCC: (" << this->FocalPointCC.x << ", " << this->FocalPointCC.y << ", "
-     << this->FocalPointCC.z << ")\n";
+  for (const glm::dvec3& point : this->FocalPointsCC)
+  {
+    os << indent << "FocalPointCC: (" << point.x << ", " << point.y << ", " << point.z << ")\n";
+  }
 }

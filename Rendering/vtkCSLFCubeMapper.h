@@ -21,6 +21,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
+
 class vtkImageData;
 class vtkMatrix4x4;
 
@@ -37,7 +39,11 @@ public:
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->Lookup = lookup; }
 
-  void SetFocalPointCC(const glm::dvec3& pointCC) { this->FocalPointCC = pointCC; }
+  /// The focal lookup's point, for the rays that enter by each face.
+  void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
+  {
+    this->FocalPointsCC = pointsCC;
+  }
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -64,7 +70,7 @@ private:
   cslf::FieldTexture Texture;
   bool TextureFailed = false;
   int Lookup = 0;
-  glm::dvec3 FocalPointCC{ 0.0 };
+  std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
 
   // For the picture being drawn.
   int EntryFace = 0;

@@ -3,6 +3,7 @@
 #include "vtkCSLFMapper.h"
 
 #include "cslfDescription.h"
+#include "cslfFocus.h"
 #include "vtkCSLFCubeMapper.h"
 
 #include <vtkExecutive.h>
@@ -12,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -20,6 +22,7 @@ class vtkCSLFMapper::vtkInternals
 public:
   vtkNew<vtkCSLFCubeMapper> CubeMapper;
   std::optional<cslf::Description> Field;
+  std::array<glm::dvec3, cslf::FaceCount> AutomaticFocalPoints{};
   vtkImageData* CheckedInput = nullptr; ///< only compared
   vtkMTimeType CheckedTime = 0;
 };
@@ -102,6 +105,7 @@ bool vtkCSLFMapper::UpdateField()
     vtkErrorMacro(<< error);
     return false;
   }
+  internals.AutomaticFocalPoints = cslf::FindFocalPoints(*internals.Field, input);
   internals.CubeMapper->SetField(*internals.Field, input);
   return true;
 }
@@ -130,9 +134,11 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   vtkCSLFCubeMapper* cubeMapper = this->Internals->CubeMapper;
   cubeMapper->SetLookup(this->Lookup);
   const cslf::Cube& box = this->Internals->Field->Box;
-  cubeMapper->SetFocalPointCC(this->AutomaticFocalPoint
-      ? glm::dvec3(0.0)
-      : box.PointToCube({ this->FocalPoint[0], this->FocalPoint[1], this->FocalPoint[2] }));
+  std::array<glm::dvec3, cslf::FaceCount> focalPoints;
+  focalPoints.fill(
+    box.PointToCube({ this->FocalPoint[0], this->FocalPoint[1], this->FocalPoint[2] }));
+  cubeMapper->SetFocalPointsCC(
+    this->AutomaticFocalPoint ? this->Internals->AutomaticFocalPoints : focalPoints);
   cubeMapper->Render(renderer, actor);
   this->TimeToDraw = cubeMapper->GetTimeToDraw();
 }

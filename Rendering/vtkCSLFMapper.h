@@ -31,7 +31,6 @@
 
 #include <memory> // for the internals
 
-
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
 {
 public:
@@ -47,7 +46,7 @@ public:
     NEAREST = 0,  ///< nearest viewpoint, nearest texel
     LINEAR = 1,   ///< nearest viewpoint, interpolated texels
     BILINEAR = 2, ///< both interpolated; sharp on the far faces of the cube
-    FOCAL = 3,    ///< both interpolated, re-aimed: sharp at the focal point's depth
+    FOCAL = 3,    ///< both interpolated, re-aimed: sharp at the focal point
     DEPTH = 4     ///< re-aimed at the surface found from the depth channel: sharp everywhere
   };
 
@@ -68,8 +67,9 @@ public:
 
   ///@{
   /**
-   * Whether the focal lookup is sharp at the depth of the cube's centre, rather than at FocalPoint.
-   * Default: on.
+   * Whether the focal lookup finds its point by itself, rather than by FocalPoint: for the rays
+   * that enter by each face, at the median depth seen from the face's middle towards the opposite
+   * face; the cube's centre where the field has no depth channel. Default: on.
    */
   vtkSetMacro(AutomaticFocalPoint, bool);
   vtkGetMacro(AutomaticFocalPoint, bool);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLightReader.h"
 
+#include "cslfTriangles.h"
 #include "vtkCSLFLight.h"
 
 #include <vtkDataArray.h>
@@ -10,8 +11,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include <cmath>
 
 namespace cslf
 {
@@ -24,10 +23,6 @@ glm::dvec3 GetTuple3(vtkDataArray* array, vtkIdType index)
   return { tuple[0], tuple[1], tuple[2] };
 }
 
-bool IsFinite(const glm::dvec3& vector)
-{
-  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
 }
 
 void LightReader::Add(vtkDataObject* data)

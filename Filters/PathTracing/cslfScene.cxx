@@ -163,9 +163,8 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   , Emitters(CollectEmitters(this->Meshes))
   , Tree(std::make_unique<Acceleration>())
 {
-  // One building thread: the order of the tree's leaves, which decides between triangles that a ray
-  // meets at the same distance, must not depend on the machine's load.
-  this->Tree->Device.reset(rtcNewDevice("threads=1"));
+  // Without a configuration: Embree's "threads" would bind every other user of TBB as well.
+  this->Tree->Device.reset(rtcNewDevice(nullptr));
   RTCDevice device = this->Tree->Device.get();
   if (!device)
   {

@@ -61,7 +61,10 @@ std::vector<glm::vec3> SurfaceColors::Map(vtkDataArray* array, bool& translucent
       if (!this->DefaultTable)
       {
         this->DefaultTable = vtkSmartPointer<vtkLookupTable>::New();
-        this->DefaultTable->SetTableRange(this->Range);
+        if (this->Range[0] <= this->Range[1])
+        {
+          this->DefaultTable->SetTableRange(this->Range);
+        }
       }
       table = this->DefaultTable;
     }

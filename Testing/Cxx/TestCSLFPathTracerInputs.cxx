@@ -265,11 +265,14 @@ void TestBrokenData()
   }
   const vtkIdType pentagon[] = { 0, 1, 2, broken, 3 };
   polygons->InsertNextCell(5, pentagon);
+  const vtkIdType collinear[] = { 0, 1, 0, 1, 0 };
+  polygons->InsertNextCell(4, collinear);
+  polygons->InsertNextCell(5, collinear);
   // The cells' colours stay with them.
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   colors->InsertNextTuple3(255, 0, 0);
-  for (int i = 0; i < 5; ++i)
+  for (int i = 0; i < 7; ++i)
   {
     colors->InsertNextTuple3(0, 255, 0);
   }
@@ -287,10 +290,15 @@ void TestBrokenData()
   lines->InsertNextCell(2, line);
   auto lined = MakeSquare(-2);
   lined->SetLines(lines);
+  vtkNew<vtkUnsignedCharArray> linedColors;
+  linedColors->SetNumberOfComponents(3);
+  linedColors->InsertNextTuple3(0, 255, 0); // of the line
+  linedColors->InsertNextTuple3(255, 0, 0);
+  lined->GetCellData()->SetScalars(linedColors);
   vtkCSLFMaterial::SetTransmission(lined, 0.5);
   viewer.Tracer->SetInputData(lined);
   CSLF_CHECK(viewer.Update());
-  CSLF_CHECK(Shows(viewer.GetColor(-1, 0.3), 0.8, 0.8, 0.8));
+  CSLF_CHECK(Shows(viewer.GetColor(-1, 0.3), 1.0, 0.0, 0.0));
   CSLF_CHECK(viewer.WarnsOf("1 line(s), transmission"));
 
   vtkNew<vtkPolyData> onlyLines;
@@ -311,7 +319,7 @@ void TestBrokenData()
   // After an error it works again.
   viewer.Tracer->SetInputData(lined);
   CSLF_CHECK(viewer.Update());
-  CSLF_CHECK(Shows(viewer.GetColor(-1, 0.3), 0.8, 0.8, 0.8));
+  CSLF_CHECK(Shows(viewer.GetColor(-1, 0.3), 1.0, 0.0, 0.0));
   viewer.Messages->Clear();
 }
 

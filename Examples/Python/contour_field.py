@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A light field in a VTK pipeline and scene: a contour of image data, coloured by how steeply the
+data changes there, becomes a light field, which is shown with an outline, axes and a scalar bar.
+Arguments: M N samples."""
+import sys
+import cslf
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkProbeFilter
+from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingGeneral import vtkImageGradientMagnitude
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor, vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+                                         vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
+
+# The data: a surface of equal value, with the magnitude of the gradient on it.
+image = vtkRTAnalyticSource()
+contour = vtkContourFilter()
+contour.SetInputConnection(image.GetOutputPort())
+contour.SetValue(0, 150.0)
+steepness = vtkImageGradientMagnitude()
+steepness.SetInputConnection(image.GetOutputPort())
+steepness.SetDimensionality(3)
+probe = vtkProbeFilter()
+probe.SetInputConnection(contour.GetOutputPort())
+probe.SetSourceConnection(steepness.GetOutputPort())
+surface = vtkPolyDataNormals()
+surface.SetInputConnection(probe.GetOutputPort())
+surface.SplittingOff()
+surface.Update()
+
+colors = vtkLookupTable()
+colors.SetHueRange(0.62, 0.0)
+colors.SetTableRange(surface.GetOutput().GetPointData().GetScalars().GetRange())
+colors.Build()
+
+# Its light field, under a sky brighter above than below.
+sampler = cslf.vtkCSLFSampler()
+sampler.SetInputConnection(surface.GetOutputPort())
+sampler.SetLookupTable(colors)
+sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
+sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
+sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
+sampler.SetEnvironmentModeToGradient()
+sampler.SetEnvironmentUp(0.0, 0.0, 1.0)
+
+# The scene.
+mapper = cslf.vtkCSLFMapper()
+mapper.SetInputConnection(sampler.GetOutputPort())
+field = vtkActor()
+field.SetMapper(mapper)
+
+outlineFilter = vtkOutlineFilter()
+outlineFilter.SetInputConnection(image.GetOutputPort())
+outlineMapper = vtkPolyDataMapper()
+outlineMapper.SetInputConnection(outlineFilter.GetOutputPort())
+outline = vtkActor()
+outline.SetMapper(outlineMapper)
+outline.GetProperty().SetLineWidth(2.0)
+
+bar = vtkScalarBarActor()
+bar.SetLookupTable(colors)
+bar.SetTitle("Gradient")
+bar.SetNumberOfLabels(4)
+bar.SetPosition(0.86, 0.2)
+bar.SetWidth(0.1)
+bar.SetHeight(0.6)
+
+renderer = vtkRenderer()
+renderer.SetBackground(0.15, 0.16, 0.2)
+axes = vtkCubeAxesActor()
+outlineFilter.Update()
+axes.SetBounds(outlineFilter.GetOutput().GetBounds())
+axes.SetCamera(renderer.GetActiveCamera())
+axes.SetFlyModeToOuterEdges()
+for prop in (field, outline, axes, bar):
+    renderer.AddViewProp(prop)
+camera = renderer.GetActiveCamera()
+camera.SetViewUp(0.0, 0.0, 1.0)
+camera.SetPosition(28.0, -52.0, 34.0)
+renderer.ResetCameraClippingRange()
+
+window = vtkRenderWindow()
+window.SetSize(800, 600)
+window.AddRenderer(renderer)
+picture = vtkWindowToImageFilter()
+picture.SetInput(window)
+writer = vtkPNGWriter()
+writer.SetInputConnection(picture.GetOutputPort())
+writer.SetFileName("ContourField.png")
+writer.Write()

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the mapper does with inputs that are no light field, with changing inputs, with float
+// colour, with released graphics resources, and with two windows.
+#include "cslfTestField.h"
+#include "cslfTesting.h"
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPropPicker.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstring>
+#include <string>
+
+namespace
+{
+constexpr int Size = 64;
+
+struct View
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+
+  explicit View(vtkCSLFMapper* mapper)
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Size, Size);
+    this->Window->AddRenderer(this->Renderer);
+    this->Actor->SetMapper(mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->GetActiveCamera()->SetPosition(1.0, 0.5, 5.0);
+    this->Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  /// The mean of the picture's red, green and blue.
+  double Render()
+  {
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    this->Window->GetPixelData(0, 0, Size - 1, Size - 1, 0, pixels);
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
+    {
+      sum += pixels->GetValue(i);
+    }
+    return sum / static_cast<double>(pixels->GetNumberOfValues());
+  }
+};
+
+void TestRefused(vtkImageData* image, const char* message)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  mapper->SetInputData(image);
+  View view(mapper);
+  CSLF_CHECK(view.Render() == 0.0);
+  CSLF_CHECK(errors->GetErrorMessage().find(message) != std::string::npos);
+  // Said once, not at every picture.
+  errors->Clear();
+  view.Render();
+  CSLF_CHECK(!errors->GetError());
+  double bounds[6];
+  mapper->GetBounds(bounds);
+  CSLF_CHECK(bounds[0] > bounds[1]);
+}
+
+void TestRefusals()
+{
+  vtkNew<vtkImageData> empty;
+  TestRefused(empty, "no light field");
+
+  const cslf::Layout layout(3, 16);
+  const auto part = cslf::testing::MakeTestField(
+    layout, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1, 3, 20);
+  TestRefused(part, "only a part");
+
+  const auto moved =
+    cslf::testing::MakeTestField(layout, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1);
+  moved->SetSpacing(2.0, 1.0, 1.0);
+  TestRefused(moved, "spacing");
+
+  vtkNew<vtkCSLFMapper> mapper;
+  View view(mapper);
+  CSLF_CHECK(view.Render() == 0.0);
+}
+
+void TestChanges()
+{
+  const cslf::Layout layout(3, 16);
+  const auto bytes =
+    cslf::testing::MakeTestField(layout, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1);
+  const auto floats = cslf::testing::MakeTestField(layout, cslf::Cube(), VTK_FLOAT, VTK_FLOAT, 1);
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputData(bytes);
+  View view(mapper);
+  const double brightness = view.Render();
+  CSLF_CHECK(brightness > 5.0);
+
+  // Released graphics resources come back.
+  mapper->ReleaseGraphicsResources(view.Window);
+  CSLF_CHECK(view.Render() == brightness);
+
+  // A second window shows the same.
+  View other(mapper);
+  CSLF_CHECK(other.Render() == brightness);
+  CSLF_CHECK(view.Render() == brightness);
+
+  // Float colour is interpolated before it is encoded: nearly the same picture.
+  mapper->SetInputData(floats);
+  CSLF_CHECK_NEAR(view.Render(), brightness, 2.0);
+
+  // Another field takes the place of the first, also where it changed in place.
+  const auto black = vtkSmartPointer<vtkImageData>::New();
+  black->DeepCopy(bytes);
+  auto* colors =
+    vtkUnsignedCharArray::SafeDownCast(black->GetPointData()->GetArray(cslf::ColorName));
+  mapper->SetInputData(black);
+  CSLF_CHECK(view.Render() == brightness);
+  std::memset(colors->GetVoidPointer(0), 0, colors->GetNumberOfValues());
+  black->Modified();
+  CSLF_CHECK(view.Render() == 0.0);
+}
+
+void TestPick()
+{
+  const auto field = cslf::testing::MakeTestField(
+    cslf::Layout(3, 32), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1);
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputData(field);
+  View view(mapper);
+  view.Renderer->GetActiveCamera()->SetPosition(0.25, 0.15, 6.0);
+  view.Renderer->GetActiveCamera()->SetFocalPoint(0.25, 0.15, 0.0);
+  view.Render();
+  vtkNew<vtkPropPicker> picker;
+  CSLF_CHECK(picker->Pick(Size / 2, Size / 2, 0.0, view.Renderer) != 0);
+  CSLF_CHECK(picker->GetActor() == view.Actor);
+  // The sphere's nearest point.
+  CSLF_CHECK_NEAR(picker->GetPickPosition()[2], 0.55, 0.05);
+}
+}
+
+int TestCSLFMapperInput(int, char*[])
+{
+  TestRefusals();
+  TestChanges();
+  TestPick();
+  return cslf::testing::Result();
+}

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package cslf works beside vtkmodules: a sphere is sampled, its samples are read, and it is
+drawn."""
+import json
+import unittest
+
+from cslf import vtkCSLFMapper, vtkCSLFMaterial, vtkCSLFSampler
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkRenderer, vtkRenderWindow,
+                                         vtkWindowToImageFilter)
+
+try:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+except ImportError:  # without numpy
+    vtk_to_numpy = None
+
+VIEWPOINTS = 3
+RESOLUTION = 32
+SLICES = 6 * VIEWPOINTS**2
+
+
+def sample_sphere():
+    """The light field of a black sphere that glows orange."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(32)
+    source.SetPhiResolution(32)
+    source.Update()
+    sphere = source.GetOutput()
+    vtkCSLFMaterial.SetBaseColor(sphere, 0.0, 0.0, 0.0)
+    vtkCSLFMaterial.SetEmission(sphere, 1.0, 0.5, 0.0)
+    sampler = vtkCSLFSampler()
+    sampler.SetInputData(sphere)
+    sampler.SetViewpoints(VIEWPOINTS)
+    sampler.SetResolution(RESOLUTION)
+    sampler.SetSamples(4)
+    sampler.SetEnvironmentModeToNone()
+    sampler.Update()
+    return sampler.GetOutput()
+
+
+class TestCSLFPackage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.field = sample_sphere()
+
+    def test_sampler(self):
+        self.assertEqual(self.field.GetDimensions(), (5 * RESOLUTION, RESOLUTION, SLICES))
+        color = self.field.GetPointData().GetArray("Color")
+        depth = self.field.GetPointData().GetArray("Depth")
+        self.assertEqual(color.GetDataType(), VTK_UNSIGNED_CHAR)
+        self.assertEqual(color.GetNumberOfComponents(), 4)
+        self.assertEqual(depth.GetDataType(), VTK_UNSIGNED_SHORT)
+        text = self.field.GetFieldData().GetAbstractArray("CSLF").GetValue(0)
+        description = json.loads(text)
+        self.assertEqual(description["resolution"], RESOLUTION)
+        self.assertEqual(description["nodes"], list(range(VIEWPOINTS)))
+
+    @unittest.skipIf(vtk_to_numpy is None, "numpy is not installed")
+    def test_numpy(self):
+        color = vtk_to_numpy(self.field.GetPointData().GetArray("Color"))
+        depth = vtk_to_numpy(self.field.GetPointData().GetArray("Depth"))
+        color = color.reshape(SLICES, RESOLUTION, 5, RESOLUTION, 4)
+        depth = depth.reshape(SLICES, RESOLUTION, 5, RESOLUTION)
+        # The middle of face +X, z = 4, sees the sphere in the middle of face -X, its first tile.
+        middle = (4, RESOLUTION // 2, 0, RESOLUTION // 2)
+        self.assertEqual(color[middle].tolist(), [255, 188, 0, 255])
+        nearest = 0.5 - 0.5 / 1.1  # radius 0.5 in a cube whose edge is 1.1
+        self.assertAlmostEqual(depth[middle] / 65535.0, nearest, delta=0.005)
+        self.assertEqual(color[4, 0, 0, 0].tolist(), [0, 0, 0, 0])
+
+    def test_mapper(self):
+        mapper = vtkCSLFMapper()
+        mapper.SetInputData(self.field)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        renderer = vtkRenderer()
+        renderer.SetBackground(0.0, 0.0, 1.0)
+        renderer.AddActor(actor)
+        renderer.GetActiveCamera().SetPosition(0.7, 0.4, 2.5)
+        renderer.ResetCameraClippingRange()
+        window = vtkRenderWindow()
+        window.SetSize(100, 100)
+        window.AddRenderer(renderer)
+        picture = vtkWindowToImageFilter()
+        picture.SetInput(window)
+        picture.Update()
+        pixel = [picture.GetOutput().GetScalarComponentAsDouble(50, 50, 0, c) for c in range(3)]
+        self.assertEqual(pixel, [255.0, 188.0, 0.0])
+        corner = [picture.GetOutput().GetScalarComponentAsDouble(0, 0, 0, c) for c in range(3)]
+        self.assertEqual(corner, [0.0, 0.0, 255.0])
+
+
+if __name__ == "__main__":
+    unittest.main()
