@@ -166,7 +166,7 @@ Result Run(Options options)
     SaveView(options, view, "truth", truth.Picture);
     sheet.push_back({ truth.Picture,
       (options.Title.empty() ? "" : options.Title + ", ") + "view " + std::to_string(view) +
-        ", path-traced" });
+        ", truth" });
     for (Score& score : scores)
     {
       const auto picture = renderer.Render(cameras[view], score.Lookup.Lookup);
