@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(1.4, 1.0, 5.8);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(512, 512);
+  window->SetSize(320, 320);
   window->AddRenderer(renderer);
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);

@@ -95,7 +95,7 @@ camera.SetWindowCenter(0.1, 0.0)
 renderer.ResetCameraClippingRange()
 
 window = vtkRenderWindow()
-window.SetSize(800, 600)
+window.SetSize(640, 480)
 window.AddRenderer(renderer)
 picture = vtkWindowToImageFilter()
 picture.SetInput(window)
