@@ -165,8 +165,8 @@ Result Run(Options options)
     noiseFloors.push_back(ComputeNoiseFloor(truth, stencil));
     SaveView(options, view, "truth", truth.Picture);
     sheet.push_back({ truth.Picture,
-      options.Title + (options.Title.empty() ? "" : ", ") + "path-traced, view " +
-        std::to_string(view) });
+      (options.Title.empty() ? "" : options.Title + ", ") + "view " + std::to_string(view) +
+        ", truth" });
     for (Score& score : scores)
     {
       const auto picture = renderer.Render(cameras[view], score.Lookup.Lookup);

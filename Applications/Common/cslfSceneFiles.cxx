@@ -41,6 +41,7 @@ namespace
 constexpr const char* CornellBoxName = "cornell-box";
 constexpr const char* NoEnvironment = "none";
 constexpr const char* WhiteEnvironment = "white";
+constexpr const char* GradientEnvironment = "gradient";
 
 /// Of glass and plastics; what glTF's metallic-roughness material has.
 constexpr double UsualIndexOfRefraction = 1.5;
@@ -161,11 +162,14 @@ Part ReadPart(const std::string& input)
   return part;
 }
 
-std::string DescribeEnvironment()
+constexpr const char* EnvironmentHelp =
+  "the light from around: white, gradient (white above, dark below), none, or a lat-long image "
+  "(default: none with cornell-box, else white)";
+
+bool IsNamedEnvironment(const std::string& environment)
 {
-  return std::string("the light from around: a lat-long image that OpenImageIO reads, ") +
-    WhiteEnvironment + ", or " + NoEnvironment + " (default: " + NoEnvironment + " with " +
-    CornellBoxName + ", else " + WhiteEnvironment + ")";
+  return environment == NoEnvironment || environment == WhiteEnvironment ||
+    environment == GradientEnvironment;
 }
 
 template <typename Value>
@@ -216,7 +220,7 @@ void SceneOptions::AddTo(CLI::App& command)
       "input", this->Inputs, "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box")
     ->required();
   const std::string light = "Light";
-  command.add_option("--environment", this->Environment, DescribeEnvironment())->group(light);
+  command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
   command
     .add_option("--environment-intensity", this->EnvironmentIntensity, "its factor (default: 1)")
     ->check(CLI::NonNegativeNumber)
@@ -259,9 +263,16 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
   {
     throw Failure("The field was sampled under an image: give it by --environment.");
   }
-  if (!this->Environment && (mode == "none" || mode == "constant"))
+  if (!this->Environment && !mode.empty())
   {
-    this->Environment = mode == "none" ? NoEnvironment : WhiteEnvironment;
+    const nlohmann::json white = { 1.0, 1.0, 1.0 };
+    if (environment.value("color", white) != white)
+    {
+      AddWarning("The field was sampled under a coloured environment; it is measured under white.");
+    }
+    this->Environment = mode == "none" ? NoEnvironment
+      : mode == "gradient"             ? GradientEnvironment
+                                       : WhiteEnvironment;
   }
 }
 
@@ -283,8 +294,7 @@ Scene SceneOptions::Read() const
   }
   const std::string environment = this->Environment.value_or(NoEnvironment);
   std::error_code failure;
-  if (environment != NoEnvironment && environment != WhiteEnvironment &&
-    !std::filesystem::is_regular_file(environment, failure))
+  if (!IsNamedEnvironment(environment) && !std::filesystem::is_regular_file(environment, failure))
   {
     throw Failure("There is no environment image " + environment + ".");
   }
@@ -327,7 +337,10 @@ void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
   else if (environment == WhiteEnvironment)
   {
     tracer->SetEnvironmentModeToConstant();
-    tracer->SetEnvironmentColor(1.0, 1.0, 1.0);
+  }
+  else if (environment == GradientEnvironment)
+  {
+    tracer->SetEnvironmentModeToGradient();
   }
   else
   {

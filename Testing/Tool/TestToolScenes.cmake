@@ -6,7 +6,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(view --size 32 24 --spp 4 --max-depth 2)
 cslf_run(trace cornell-box -o box.png ${view})
-cslf_run(trace "${DATA}/dragon.ply" -o dragon.png ${view} --roughness 0.3 --metallic 1
+cslf_run(trace "${DATA}/dragon.ply" -o dragon.png ${view} --environment gradient --roughness 0.3 --metallic 1
   --base-color 0.9 0.6 0.3)
 
 # One square in four formats gives one picture.

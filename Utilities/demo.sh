@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Shows CSLF from end to end, on a bare Debian 12 too: samples the Cornell box and the Stanford
+# dragon into videos, decodes them, looks novel views up in every way and puts them beside
+# path-traced ones, with the figures. Fields that are there from an earlier run are used again.
+#
+# usage: demo.sh [folder]    the results go to the folder, build/demo by default
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+folder="${1:-$source/build/demo}"
+viewpoints=9
+resolution=64
+
+cslf_install "${cslf_packages[@]}"
+cslf_build cslf
+mkdir -p "$folder"
+cslf="$build/bin/cslf"
+
+# Windows need an X server, off the screen too.
+with_display()
+{
+  xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" "$@"
+}
+
+# demo NAME TITLE SAMPLES SCENE...: one scene, from sampling to figures.
+demo()
+{
+  local name="$1" title="$2" samples="$3"
+  shift 3
+  echo
+  echo "$title"
+  if [ ! -e "$folder/$name.mp4" ]; then
+    "$cslf" sample "$@" -M "$viewpoints" -N "$resolution" --spp "$samples" \
+      -o "$folder/$name.mp4"
+  fi
+  "$cslf" info "$folder/$name.mp4"
+  "$cslf" decode "$folder/$name.mp4" -o "$folder/$name.vti"
+  with_display "$cslf" evaluate "$folder/$name.mp4" "$@" --views 3 --size 256 --spp 256 \
+    --title "$title" --contact-sheet "$folder/$name.png" | tee "$folder/$name.txt"
+}
+
+demo cornell-box "Cornell box" 32 cornell-box
+demo dragon "Stanford dragon" 16 "$source/Testing/Data/dragon.ply" \
+  --environment gradient --roughness 0.3 --metallic 1 --base-color 0.95 0.8 0.5
+"$cslf" sheet "$folder/cornell-box.png" "$folder/dragon.png" -o "$folder/contact-sheet.png"
+
+echo
+echo "Path-traced and looked-up views, side by side: $folder/contact-sheet.png"
+echo "The dragon is the Stanford Computer Graphics Laboratory's (Stanford 3D Scanning Repository)."
+if [ -n "${DISPLAY:-}" ]; then
+  "$cslf" view "$folder/cornell-box.mp4"
+fi

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Sourced by the scripts beside it: brings a bare Debian 12 to a built CSLF.
+#   cslf_install PACKAGE...    installs the Debian packages that are missing
+#   cslf_build [TARGET...]     configures and builds the preset "release"
+# Sets `source`, the source folder, and `build`, the build folder.
+
+source="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+build="$source/build/release"
+
+# What the library, the tool, the Python package and the tests are built from.
+cslf_packages=(
+  cmake g++ ninja-build pkg-config
+  libvtk9-dev libpython3-dev python3 python3-vtk9
+  libembree-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
+  libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  xauth xvfb)
+
+cslf_is_installed()
+{
+  [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+cslf_as_root()
+{
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+cslf_install()
+{
+  local package
+  local -a missing=()
+  for package in "$@"; do
+    cslf_is_installed "$package" || missing+=("$package")
+  done
+  if [ "${#missing[@]}" -eq 0 ]; then
+    return
+  fi
+  echo "Installing ${missing[*]}"
+  cslf_as_root apt-get update --quiet
+  cslf_as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
+}
+
+cslf_build()
+{
+  local -a targets=()
+  if [ "$#" -gt 0 ]; then
+    targets=(--target "$@")
+  fi
+  (cd "$source" && cmake --preset release && cmake --build --preset release "${targets[@]}")
+}
