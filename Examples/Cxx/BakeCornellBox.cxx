@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
-  renderer->GetActiveCamera()->SetPosition(1.4, 1.0, 5.8);
+  renderer->GetActiveCamera()->SetPosition(0.7, 0.5, 6.0);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
   window->SetSize(320, 320);
