@@ -45,10 +45,10 @@ int main(int argc, char* argv[])
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
-  renderer->GetActiveCamera()->SetPosition(1.1, 0.8, 4.6);
+  renderer->GetActiveCamera()->SetPosition(0.7, 0.5, 6.0);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(512, 512);
+  window->SetSize(320, 320);
   window->AddRenderer(renderer);
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);

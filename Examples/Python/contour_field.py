@@ -5,22 +5,29 @@ data changes there, becomes a light field, which is shown with an outline, axes 
 Arguments: M N samples."""
 import sys
 import cslf
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkProbeFilter
 from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkImagingGeneral import vtkImageGradientMagnitude
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor, vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
+                                         vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
 
 # The data: a surface of equal value, with the magnitude of the gradient on it.
 image = vtkRTAnalyticSource()
+image.SetWholeExtent(-20, 20, -20, 20, -20, 20)
+image.SetStandardDeviation(0.35)
+image.SetXFreq(18.0)
+image.SetYFreq(12.0)
+image.SetZFreq(15.0)
+image.SetXMag(15.0)
+image.SetYMag(15.0)
+image.SetZMag(15.0)
 contour = vtkContourFilter()
 contour.SetInputConnection(image.GetOutputPort())
-contour.SetValue(0, 150.0)
+contour.SetValue(0, 120.0)
 steepness = vtkImageGradientMagnitude()
 steepness.SetInputConnection(image.GetOutputPort())
 steepness.SetDimensionality(3)
@@ -32,10 +39,11 @@ surface.SetInputConnection(probe.GetOutputPort())
 surface.SplittingOff()
 surface.Update()
 
-colors = vtkLookupTable()
-colors.SetHueRange(0.62, 0.0)
-colors.SetTableRange(surface.GetOutput().GetPointData().GetScalars().GetRange())
-colors.Build()
+low, high = surface.GetOutput().GetPointData().GetScalars().GetRange()
+colors = vtkColorTransferFunction()
+colors.AddRGBPoint(low, 0.25, 0.1, 0.45)
+colors.AddRGBPoint(0.5 * (low + high), 0.1, 0.6, 0.6)
+colors.AddRGBPoint(high, 1.0, 0.9, 0.25)
 
 # Its light field, under a sky brighter above than below.
 sampler = cslf.vtkCSLFSampler()
@@ -63,10 +71,12 @@ outline.GetProperty().SetLineWidth(2.0)
 
 bar = vtkScalarBarActor()
 bar.SetLookupTable(colors)
-bar.SetTitle("Gradient")
+bar.SetTitle("Slope")
 bar.SetNumberOfLabels(4)
-bar.SetPosition(0.86, 0.2)
-bar.SetWidth(0.1)
+bar.SetLabelFormat("%.0f")
+bar.SetUnconstrainedFontSize(True)
+bar.SetPosition(0.85, 0.2)
+bar.SetWidth(0.12)
 bar.SetHeight(0.6)
 
 renderer = vtkRenderer()
@@ -76,15 +86,19 @@ outlineFilter.Update()
 axes.SetBounds(outlineFilter.GetOutput().GetBounds())
 axes.SetCamera(renderer.GetActiveCamera())
 axes.SetFlyModeToOuterEdges()
+axes.XAxisMinorTickVisibilityOff()
+axes.YAxisMinorTickVisibilityOff()
+axes.ZAxisMinorTickVisibilityOff()
 for prop in (field, outline, axes, bar):
     renderer.AddViewProp(prop)
 camera = renderer.GetActiveCamera()
 camera.SetViewUp(0.0, 0.0, 1.0)
-camera.SetPosition(28.0, -52.0, 34.0)
+camera.SetPosition(62.0, -114.0, 66.0)
+camera.SetWindowCenter(0.1, 0.0)
 renderer.ResetCameraClippingRange()
 
 window = vtkRenderWindow()
-window.SetSize(800, 600)
+window.SetSize(640, 480)
 window.AddRenderer(renderer)
 picture = vtkWindowToImageFilter()
 picture.SetInput(window)

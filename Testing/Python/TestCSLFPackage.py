@@ -78,7 +78,7 @@ class TestCSLFPackage(unittest.TestCase):
         renderer = vtkRenderer()
         renderer.SetBackground(0.0, 0.0, 1.0)
         renderer.AddActor(actor)
-        renderer.GetActiveCamera().SetPosition(0.7, 0.4, 2.5)
+        renderer.GetActiveCamera().SetPosition(0.0, 0.0, 2.5)
         renderer.ResetCameraClippingRange()
         window = vtkRenderWindow()
         window.SetSize(100, 100)
