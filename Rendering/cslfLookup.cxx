@@ -27,7 +27,7 @@ constexpr double SlackTexels = 0.25;
 /// Nor points closer than this in w.
 constexpr double MostSlack = 0.1;
 /// The search starts no closer to the entry than at this inverse fraction.
-constexpr double NearestStart = 32.0;
+constexpr double NearestStart = 40.0;
 /// How many texels a view's image of the ray may move in a step of the search.
 constexpr double TexelsPerStep = 4.0;
 constexpr int LeastSteps = 8;

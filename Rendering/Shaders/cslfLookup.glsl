@@ -5,7 +5,7 @@
 
 const float SlackTexels = 0.25;
 const float MostSlack = 0.1;
-const float NearestStart = 32.0;
+const float NearestStart = 40.0;
 const float TexelsPerStep = 4.0;
 const int LeastSteps = 8;
 const int MostSteps = 128;
