@@ -37,9 +37,9 @@ constexpr int Refinements = 8;
 /// A crossing this far behind the surface, as a share of w, passed an edge instead.
 constexpr double EdgeStep = 0.03;
 /// A view colours points within this share of w of the surface that it sees.
-constexpr double SightTolerance = 0.05;
-/// A view sees through points that are clear by more than this.
-constexpr double ClearanceTolerance = 0.001;
+constexpr double SightTolerance = 0.1;
+/// A view sees through points that are clear by more than this; coded depth errs by less.
+constexpr double ClearanceTolerance = 0.1;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
 }

@@ -11,8 +11,8 @@ const int LeastSteps = 8;
 const int MostSteps = 128;
 const int Refinements = 8;
 const float EdgeStep = 0.03;
-const float SightTolerance = 0.05;
-const float ClearanceTolerance = 0.001;
+const float SightTolerance = 0.1;
+const float ClearanceTolerance = 0.1;
 const float LeastWeight = 0.0001;
 
 struct LookupResult
