@@ -106,6 +106,11 @@ Description Parse(const JSON& json)
   if (json.contains("bounds"))
   {
     description.SceneBounds = json.at("bounds").get<std::array<double, 6>>();
+    const auto& bounds = *description.SceneBounds;
+    if (!(bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5]))
+    {
+      throw std::invalid_argument("the scene's bounds must be in order");
+    }
   }
   for (const JSON& item : json.at("channels"))
   {

@@ -28,6 +28,8 @@ constexpr double SlackTexels = 0.25;
 constexpr double MostSlack = 0.1;
 /// The search starts no closer to the entry than at this inverse fraction.
 constexpr double NearestStart = 40.0;
+/// The focal lookup looks no closer to the entry than at this fraction of the chord.
+constexpr double NearestFocus = 0.05;
 /// How many texels a view's image of the ray may move in a step of the search.
 constexpr double TexelsPerStep = 4.0;
 constexpr int LeastSteps = 8;
@@ -245,7 +247,7 @@ LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPoi
   const RayViews views = this->FindViews(ray);
   const double fraction =
     glm::dot(focalPointCC - views.Entry, views.Chord) / glm::dot(views.Chord, views.Chord);
-  return this->LookThrough(views, std::clamp(fraction, 1.0 / NearestStart, 1.0));
+  return this->LookThrough(views, std::clamp(fraction, NearestFocus, 1.0));
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 const float SlackTexels = 0.25;
 const float MostSlack = 0.1;
 const float NearestStart = 40.0;
+const float NearestFocus = 0.05;
 const float TexelsPerStep = 4.0;
 const int LeastSteps = 8;
 const int MostSteps = 128;
@@ -159,7 +160,7 @@ LookupResult LookupFocal(RayCoordinates ray, vec3 focalPointCC)
 {
   FindViews(ray);
   float fraction = dot(focalPointCC - Entry, Chord) / dot(Chord, Chord);
-  return LookThrough(clamp(fraction, 1.0 / NearestStart, 1.0));
+  return LookThrough(clamp(fraction, NearestFocus, 1.0));
 }
 
 // The nearest (x) and farthest (y) w that the scene can fill; empty where x <= y.

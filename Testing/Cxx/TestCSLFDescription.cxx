@@ -130,6 +130,7 @@ void TestMisfits()
   change("edges", { 1, 1 });
   change("channels", 3);
   change("bounds", { 1, 2 });
+  change("bounds", { 1, 0, 0, 1, 0, 1 });
 }
 
 void TestColor()
