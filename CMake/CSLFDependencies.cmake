@@ -25,13 +25,11 @@ find_package(embree 3 QUIET)
 if (NOT embree_FOUND)
   find_package(embree 4 REQUIRED)
 endif ()
-find_package(OpenImageIO REQUIRED)
-# Debian's target names the headers of an OpenCV that need not be there, and CMake refuses that.
-set_property(TARGET OpenImageIO::OpenImageIO
-  PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIR}")
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET
   libavformat libavcodec libavutil libswscale)
+# Not by its own CMake files: Debian's want the tools and the headers of an OpenCV installed.
+pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)

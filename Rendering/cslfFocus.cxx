@@ -50,7 +50,7 @@ std::array<glm::dvec3, FaceCount> FindFocalPoints(
     {
       const auto half = fractions.begin() + fractions.size() / 2;
       std::nth_element(fractions.begin(), half, fractions.end());
-      points[face][axis] = FaceSign(face) * (1.0 - 2.0 * *half);
+      points[face][axis] = FaceSign(face) * std::min(1.0 - 2.0 * *half, 0.0);
     }
   }
   return points;

@@ -16,9 +16,10 @@ class vtkImageData;
 namespace cslf
 {
 /// For each entry face the point, in CC, on the axis through the cube's centre, that lies at the
-/// median depth of what the middle viewpoint of the face sees towards the opposite face. The cube's
-/// centre for a field without a depth channel, and for a face that sees nothing there. `image`
-/// holds the whole field.
+/// median depth of what the middle viewpoint of the face sees towards the opposite face, but no
+/// nearer than the cube's centre: a near focus doubles all that is around it. The cube's centre for
+/// a field without a depth channel, and for a face that sees nothing there. `image` holds the whole
+/// field.
 VTKCSLF_EXPORT std::array<glm::dvec3, FaceCount> FindFocalPoints(
   const Description& description, vtkImageData* image);
 }

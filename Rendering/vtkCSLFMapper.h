@@ -69,7 +69,8 @@ public:
   /**
    * Whether the focal lookup finds its point by itself, rather than by FocalPoint: for the rays
    * that enter by each face, at the median depth seen from the face's middle towards the opposite
-   * face; the cube's centre where the field has no depth channel. Default: on.
+   * face, but no nearer than the cube's centre; the centre where the field has no depth channel.
+   * Default: on.
    */
   vtkSetMacro(AutomaticFocalPoint, bool);
   vtkGetMacro(AutomaticFocalPoint, bool);
