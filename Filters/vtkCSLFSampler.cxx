@@ -147,8 +147,11 @@ int vtkCSLFSampler::RequestData(
     vtkErrorMacro("The cube must strictly contain the scene.");
     return 0;
   }
-  description.SceneBounds.emplace();
-  std::copy_n(scene->Bounds, 6, description.SceneBounds->begin());
+  if (!this->GetShowEnvironment())
+  {
+    description.SceneBounds.emplace();
+    std::copy_n(scene->Bounds, 6, description.SceneBounds->begin());
+  }
   description.Channels.push_back(cslf::MakeColorChannel(this->ColorType));
   if (this->GenerateDepth)
   {

@@ -245,9 +245,15 @@ LookupResult Lookup::Bilinear(const RayCoordinates& ray) const
 LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const
 {
   const RayViews views = this->FindViews(ray);
+  const Range range = this->ClipToScene(views);
+  if (range.Nearest <= range.Farthest)
+  {
+    return {};
+  }
   const double fraction =
     glm::dot(focalPointCC - views.Entry, views.Chord) / glm::dot(views.Chord, views.Chord);
-  return this->LookThrough(views, std::clamp(fraction, NearestFocus, 1.0));
+  return this->LookThrough(
+    views, std::max(NearestFocus, std::clamp(fraction, 1.0 / range.Nearest, 1.0 / range.Farthest)));
 }
 
 //------------------------------------------------------------------------------

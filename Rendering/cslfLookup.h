@@ -54,7 +54,7 @@ public:
   LookupResult Bilinear(const RayCoordinates& ray) const;
 
   /// The four viewpoints around the entry, each looked up where it sees the point of the ray that
-  /// is nearest to the focal point.
+  /// is nearest to the focal point, within the scene's bounds.
   LookupResult Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const;
 
   /// The four viewpoints around the entry, each looked up where it sees the surface that the ray

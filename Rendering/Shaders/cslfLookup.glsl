@@ -156,13 +156,6 @@ LookupResult LookupBilinear(RayCoordinates ray)
   return LookThrough(1.0);
 }
 
-LookupResult LookupFocal(RayCoordinates ray, vec3 focalPointCC)
-{
-  FindViews(ray);
-  float fraction = dot(focalPointCC - Entry, Chord) / dot(Chord, Chord);
-  return LookThrough(clamp(fraction, NearestFocus, 1.0));
-}
-
 // The nearest (x) and farthest (y) w that the scene can fill; empty where x <= y.
 vec2 ClipToScene()
 {
@@ -175,6 +168,18 @@ vec2 ClipToScene()
   float first = max(max(near.x, near.y), max(near.z, 1.0 / NearestStart));
   float last = min(min(far.x, far.y), min(far.z, 1.0));
   return vec2(1.0 / first, 1.0 / max(last, 1.0 / NearestStart));
+}
+
+LookupResult LookupFocal(RayCoordinates ray, vec3 focalPointCC)
+{
+  FindViews(ray);
+  vec2 range = ClipToScene();
+  if (range.x <= range.y)
+  {
+    return LookupResult(vec4(0.0), 1.0);
+  }
+  float fraction = dot(focalPointCC - Entry, Chord) / dot(Chord, Chord);
+  return LookThrough(max(NearestFocus, clamp(fraction, 1.0 / range.x, 1.0 / range.y)));
 }
 
 int CountSteps(vec2 range)
