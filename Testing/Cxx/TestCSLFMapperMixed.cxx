@@ -95,6 +95,6 @@ int TestCSLFMapperMixed(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(2.0, 1.6, 4.0);
   renderer->ResetCamera();
   renderer->GetActiveCamera()->Zoom(1.3);
-  CSLF_CHECK(cslf::testing::MatchesBaseline(argc, argv, window, 34.0, 0.01));
+  CSLF_CHECK(cslf::testing::MatchesBaseline(argc, argv, window));
   return cslf::testing::Result();
 }
