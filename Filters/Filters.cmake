@@ -22,6 +22,7 @@ list(APPEND private_headers
 list(APPEND sources
   ../Filters/PathTracing/cslfAreaLights.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
+  ../Filters/PathTracing/cslfDirectLight.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
@@ -35,6 +36,7 @@ list(APPEND sources
 list(APPEND private_headers
   ../Filters/PathTracing/cslfAreaLights.h
   ../Filters/PathTracing/cslfBSDF.h
+  ../Filters/PathTracing/cslfDirectLight.h
   ../Filters/PathTracing/cslfDirectionalLight.h
   ../Filters/PathTracing/cslfDistribution.h
   ../Filters/PathTracing/cslfEmbree.h
@@ -55,6 +57,18 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
   ../Filters/PathTracing/cslfTriangles.h)
+
+# The light that surfaces diffuse, worked out once.
+list(APPEND sources
+  ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
+  ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
+  ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
+list(APPEND private_headers
+  ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
+  ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
+  ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources

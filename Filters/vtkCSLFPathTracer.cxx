@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
 #include "cslfColor.h"
@@ -25,6 +26,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <iomanip>
 #include <sstream>
 #include <utility>
@@ -55,6 +57,11 @@ std::vector<vtkDataObject*> GetInputs(vtkInformationVector* connections)
   return inputs;
 }
 
+double SecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Writes the times of a data object and all its leaves.
 void WriteTimes(vtkDataObject* data, std::ostream& key)
 {
@@ -75,6 +82,8 @@ struct vtkCSLFPathTracer::vtkInternals
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   cslf::BuiltScene Scene;
   std::string SceneKey; // what the scene was built from; empty if there is none
+  std::unique_ptr<cslf::RadianceCache> Cache;
+  std::string CacheKey; // what the cache was built for; empty if there is none
 
   /// On failure returns false and says why.
   static bool MakeEnvironment(
@@ -187,6 +196,8 @@ const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** in
     this->Internals->SceneKey != this->MakeSceneKey(inputVector))
   {
     this->Internals->SceneKey.clear();
+    this->Internals->CacheKey.clear();
+    this->Internals->Cache.reset();
     if (!this->BuildScene(inputVector))
     {
       return nullptr;
@@ -280,25 +291,110 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   {
     environment["bottom_color"] = this->EnvironmentBottomColor;
   }
-  const nlohmann::json sampling = { { "samples", this->Samples },
-    { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed }, { "exposure", this->Exposure },
-    { "show_environment", this->ShowEnvironment }, { "environment", environment } };
+  nlohmann::json sampling = {
+    { "integrator", this->Integrator == RadianceCaching ? "radiance-caching" : "path-tracing" },
+    { "samples", this->Samples }, { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed },
+    { "exposure", this->Exposure }, { "show_environment", this->ShowEnvironment },
+    { "environment", environment }
+  };
+  if (this->Integrator == RadianceCaching)
+  {
+    sampling["cache"] = { { "tolerance", this->CacheTolerance }, { "spacing", this->CacheSpacing },
+      { "samples", this->CacheSamples } };
+  }
   return sampling.dump();
 }
 
-bool vtkCSLFPathTracer::Render(const cslf::TexelRenderer& renderer)
+std::string vtkCSLFPathTracer::MakeCacheKey()
 {
-  return renderer.Render(
-    [this](double progress)
+  std::ostringstream key;
+  key << std::setprecision(17) << this->MaximumDepth << ' ' << this->Seed << ' ' << this->Exposure
+      << ' ' << this->CacheTolerance << ' ' << this->CacheSpacing << ' ' << this->CacheSamples;
+  return key.str();
+}
+
+bool vtkCSLFPathTracer::UpdateCache(double share)
+{
+  if (this->Internals->CacheKey == this->MakeCacheKey())
+  {
+    return true;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  cslf::CacheSettings settings;
+  settings.Tolerance = this->CacheTolerance;
+  settings.Spacing = 2.0 * this->CacheSpacing; // the bounding sphere's radius is 1
+  settings.Samples = this->CacheSamples;
+  settings.Exposure = this->Exposure;
+  settings.Seed = static_cast<std::uint32_t>(this->Seed);
+  settings.Paths.MaximumDepth = this->MaximumDepth;
+  this->Internals->CacheKey.clear();
+  this->Internals->Cache =
+    std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
+  cslf::RadianceCache& cache = *this->Internals->Cache;
+  const bool done = cache.Build(
+    [this, share](double progress)
     {
-      this->UpdateProgress(progress);
+      this->UpdateProgress(share * progress);
       return !cslf::IsAborted(this);
     });
+  this->NumberOfCacheRays += cache.GetNumberOfRays();
+  this->NumberOfCachePoints = cache.GetNumberOfValues();
+  this->CacheSeconds += SecondsSince(start);
+  if (done)
+  {
+    this->Internals->CacheKey = this->MakeCacheKey();
+  }
+  return done;
+}
+
+bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
+  const std::function<cslf::RayGrid(int slice, int tile)>& grids, const cslf::TexelOutput& output)
+{
+  if (this->CostTime != this->GetMTime())
+  {
+    this->CostTime = this->GetMTime();
+    this->NumberOfRays = 0;
+    this->RenderSeconds = 0.0;
+    this->NumberOfCacheRays = 0;
+    this->CacheSeconds = 0.0;
+  }
+  // The share of the cache in the progress is a guess.
+  const double share = this->Integrator == RadianceCaching ? 0.5 : 0.0;
+  cslf::RenderSettings settings = this->GetRenderSettings();
+  if (this->Integrator == RadianceCaching)
+  {
+    if (!this->UpdateCache(share))
+    {
+      return false;
+    }
+    settings.Cache = this->Internals->Cache.get();
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const cslf::TexelRenderer renderer(
+    *this->Internals->Scene.World, layout, settings, grids, output);
+  const bool done = renderer.Render(
+    [this, share](double progress)
+    {
+      this->UpdateProgress(share + (1.0 - share) * progress);
+      return !cslf::IsAborted(this);
+    });
+  this->NumberOfRays += renderer.GetNumberOfRays();
+  this->RenderSeconds += SecondsSince(start);
+  return done;
 }
 
 void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Integrator: " << this->Integrator << "\n";
+  os << indent << "CacheTolerance: " << this->CacheTolerance << "\n";
+  os << indent << "CacheSpacing: " << this->CacheSpacing << "\n";
+  os << indent << "CacheSamples: " << this->CacheSamples << "\n";
+  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
+  os << indent << "NumberOfCacheRays: " << this->NumberOfCacheRays << "\n";
+  os << indent << "NumberOfCachePoints: " << this->NumberOfCachePoints << "\n";
+  os << indent << "RenderSeconds: " << this->RenderSeconds << "\n";
+  os << indent << "CacheSeconds: " << this->CacheSeconds << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << "\n";
   os << indent << "Seed: " << this->Seed << "\n";

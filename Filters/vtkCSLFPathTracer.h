@@ -34,16 +34,19 @@
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-#include <string> // for std::string
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <string>     // for std::string
 
 class vtkScalarsToColors;
 
 namespace cslf
 {
 struct BuiltScene;
+struct PictureLayout;
+struct RayGrid;
 struct RenderSettings;
-class TexelRenderer;
+struct TexelOutput;
 }
 
 class VTKCSLF_EXPORT vtkCSLFPathTracer : public vtkImageAlgorithm
@@ -56,6 +59,54 @@ public:
    * Takes the lookup table's time into account.
    */
   vtkMTimeType GetMTime() override;
+
+  enum Integrators
+  {
+    PathTracing = 0, ///< every path to its end: no bias but MaximumDepth
+    RadianceCaching  ///< paths end at diffuse surfaces, whose light is worked out beforehand
+  };
+
+  ///@{
+  /**
+   * How light is followed. Path tracing is the reference. Radiance caching works out the light that
+   * surfaces diffuse, which looks alike from everywhere, once, at points on them as dense as the
+   * light's detail demands; paths then end at the first diffuse surface, where the light between
+   * points is interpolated. What is left of a path is what mirrors and glossy surfaces reflect.
+   * Default: radiance caching in vtkCSLFSampler, path tracing in vtkCSLFViewTracer.
+   */
+  vtkSetClampMacro(Integrator, int, PathTracing, RadianceCaching);
+  vtkGetMacro(Integrator, int);
+  void SetIntegratorToPathTracing() { this->SetIntegrator(PathTracing); }
+  void SetIntegratorToRadianceCaching() { this->SetIntegrator(RadianceCaching); }
+  ///@}
+
+  ///@{
+  /**
+   * The bias of radiance caching: points are added where interpolation would err by more than this,
+   * in parts of white as it is displayed (sRGB-encoded, Exposure included), until they are as close
+   * as CacheSpacing. The noise of each point is kept below it, too, where CacheSamples allow.
+   * Default: 1/256, one level of 8 bits.
+   */
+  vtkSetClampMacro(CacheTolerance, double, 1e-6, 1.0);
+  vtkGetMacro(CacheTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The smallest distance of radiance caching's points, in parts of the diagonal of the scene's
+   * bounds: the width of the sharpest shadow edge. Default: 0.001.
+   */
+  vtkSetClampMacro(CacheSpacing, double, 1e-5, 1.0);
+  vtkGetMacro(CacheSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The most paths for one point of radiance caching. At least 64. Default: 1024.
+   */
+  vtkSetClampMacro(CacheSamples, int, 64, VTK_INT_MAX);
+  vtkGetMacro(CacheSamples, int);
+  ///@}
 
   ///@{
   /**
@@ -184,6 +235,19 @@ public:
   vtkScalarsToColors* GetLookupTable();
   ///@}
 
+  ///@{
+  /**
+   * What the output cost: the rays traced for it and the seconds that took; the rays traced to fill
+   * the cache, the seconds that took, and the values stored. Sums over all updates since a
+   * parameter changed, so a downstream filter may pull the output piece by piece.
+   */
+  vtkGetMacro(NumberOfRays, vtkTypeUInt64);
+  vtkGetMacro(RenderSeconds, double);
+  vtkGetMacro(NumberOfCacheRays, vtkTypeUInt64);
+  vtkGetMacro(NumberOfCachePoints, vtkTypeUInt64);
+  vtkGetMacro(CacheSeconds, double);
+  ///@}
+
 protected:
   vtkCSLFPathTracer();
   ~vtkCSLFPathTracer() override;
@@ -198,19 +262,16 @@ protected:
   const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
 
   /**
-   * The parameters, as the renderer takes them.
-   */
-  cslf::RenderSettings GetRenderSettings();
-
-  /**
    * The sampling and scene parameters as a JSON object, for the record.
    */
   std::string DescribeSampling();
 
   /**
-   * Renders with progress. False when aborted.
+   * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
    */
-  bool Render(const cslf::TexelRenderer& renderer);
+  bool Render(const cslf::PictureLayout& layout,
+    const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+    const cslf::TexelOutput& output);
 
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
@@ -218,9 +279,16 @@ private:
 
   std::string MakeSceneKey(vtkInformationVector** inputVector);
   bool BuildScene(vtkInformationVector** inputVector);
+  cslf::RenderSettings GetRenderSettings();
+  std::string MakeCacheKey();
+  bool UpdateCache(double share);
 
+  int Integrator = PathTracing;
   int Samples = 64;
   int MaximumDepth = 8;
+  double CacheTolerance = 1.0 / 256;
+  double CacheSpacing = 0.001;
+  int CacheSamples = 1024;
   int Seed = 0;
   double Exposure = 1.0;
   bool ShowEnvironment = false;
@@ -231,6 +299,12 @@ private:
   char* EnvironmentFileName = nullptr;
   double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
   bool ScalarVisibility = true;
+  vtkTypeUInt64 NumberOfRays = 0;
+  vtkTypeUInt64 NumberOfCacheRays = 0;
+  vtkTypeUInt64 NumberOfCachePoints = 0;
+  double RenderSeconds = 0.0;
+  double CacheSeconds = 0.0;
+  vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -76,7 +76,10 @@ cslf::TexelOutput Allocate(const cslf::Description& description, vtkImageData* i
 }
 }
 
-vtkCSLFSampler::vtkCSLFSampler() = default;
+vtkCSLFSampler::vtkCSLFSampler()
+{
+  this->SetIntegratorToRadianceCaching();
+}
 
 bool vtkCSLFSampler::CheckParameters()
 {
@@ -176,12 +179,9 @@ int vtkCSLFSampler::RequestData(
   const int side = this->Resolution;
   const cslf::PictureLayout layout{ side, side, cslf::TileCount, extent[4],
     extent[5] - extent[4] + 1 };
-  const cslf::TexelRenderer renderer(
-    *scene->World, layout, this->GetRenderSettings(),
-    [&](int slice, int tile)
-    { return MakeRays(description.Grid, description.Box, scene->Frame, slice, tile); },
-    texels);
-  if (!this->Render(renderer))
+  const auto makeRays = [&](int slice, int tile)
+  { return MakeRays(description.Grid, description.Box, scene->Frame, slice, tile); };
+  if (!this->Render(layout, makeRays, texels))
   {
     output->Initialize();
   }

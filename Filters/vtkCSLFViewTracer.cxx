@@ -171,9 +171,7 @@ int vtkCSLFViewTracer::RequestData(
 
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::PictureLayout layout{ this->Size[0], this->Size[1], 1, 0, 1 };
-  const cslf::TexelRenderer renderer(
-    *scene->World, layout, this->GetRenderSettings(), [&rays](int, int) { return rays; }, pixels);
-  if (!this->Render(renderer))
+  if (!this->Render(layout, [&rays](int, int) { return rays; }, pixels))
   {
     output->Initialize();
   }

@@ -4,6 +4,7 @@
 // cslf sample: a scene becomes a light field.
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
+#include "cslfIntegratorOptions.h"
 #include "cslfMessages.h"
 #include "cslfSceneFiles.h"
 
@@ -25,7 +26,6 @@ namespace
 {
 constexpr int MaximumViewpoints = 4096;
 constexpr int MaximumResolution = 16384;
-constexpr int MaximumSamples = 1 << 20;
 
 /// HEVC's smallest picture.
 constexpr int SmallestVideo = 16;
@@ -33,12 +33,11 @@ constexpr int SmallestVideo = 16;
 struct Options
 {
   SceneOptions Scene;
+  IntegratorOptions Integrator{ "cache" };
   CodingOptions Coding;
   std::string Output;
   int Viewpoints = 17;
   int Resolution = 128;
-  int Samples = 64;
-  int Seed = 0;
   double Offset = 0.05;
   std::vector<double> Center;
   std::vector<double> Edges;
@@ -80,8 +79,7 @@ Result Run(const Options& options)
   options.Scene.Apply(scene, sampler);
   sampler->SetViewpoints(options.Viewpoints);
   sampler->SetResolution(options.Resolution);
-  sampler->SetSamples(options.Samples);
-  sampler->SetSeed(options.Seed);
+  options.Integrator.Apply(sampler);
   sampler->SetGenerateDepth(!options.NoDepth);
   sampler->SetColorType(options.Float ? VTK_FLOAT : VTK_UNSIGNED_CHAR);
   SetCube(options, sampler);
@@ -93,6 +91,7 @@ Result Run(const Options& options)
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
   result.JSON = Summarize(file.Field);
+  result.JSON["cost"] = IntegratorOptions::GetCost(sampler);
   result.JSON["output"] = options.Output;
   result.JSON["bytes"] = CountBytes(options.Output);
   result.JSON["seconds"] = seconds;
@@ -117,13 +116,6 @@ void AddField(CLI::App& command, Options& options)
     ->check(CLI::Range(1, MaximumResolution))
     ->capture_default_str()
     ->group(field);
-  command.add_option("--spp", options.Samples, "samples per texel")
-    ->check(CLI::Range(1, MaximumSamples))
-    ->capture_default_str()
-    ->group(field);
-  command.add_option("--seed", options.Seed, "of the random numbers")
-    ->capture_default_str()
-    ->group(field);
   command
     .add_option("--offset", options.Offset,
       "margin around the scene on each side, in parts of its longest side")
@@ -146,11 +138,11 @@ void AddField(CLI::App& command, Options& options)
 
 void AddSample(CLI::App& app, Command& chosen)
 {
-  CLI::App* command =
-    app.add_subcommand("sample", "Sample a scene into a light field, by path tracing");
+  CLI::App* command = app.add_subcommand("sample", "Sample a scene into a light field");
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   AddField(*command, *options);
+  options->Integrator.AddTo(*command);
   options->Coding.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

@@ -5,6 +5,7 @@
 #include "cslfCameraOptions.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
+#include "cslfIntegratorOptions.h"
 #include "cslfMessages.h"
 #include "cslfPictures.h"
 #include "cslfSceneFiles.h"
@@ -30,8 +31,7 @@ struct Options
   SceneOptions Scene;
   CameraOptions Camera;
   std::string Output;
-  int Samples = 64;
-  int Seed = 0;
+  IntegratorOptions Integrator{ "path" };
 };
 
 Result Run(const Options& options)
@@ -44,8 +44,7 @@ Result Run(const Options& options)
   scene.GetBounds(bounds);
   tracer->SetCamera(options.Camera.MakeCamera(Cube::FromBounds(bounds, DefaultOffset)));
   tracer->SetSize(options.Camera.GetWidth(), options.Camera.GetHeight());
-  tracer->SetSamples(options.Samples);
-  tracer->SetSeed(options.Seed);
+  options.Integrator.Apply(tracer);
   {
     const ProgressBar bar(tracer, "Tracing");
     tracer->Update();
@@ -54,7 +53,8 @@ Result Run(const Options& options)
   WritePicture(options.Output, DropAlpha(tracer->GetOutput()));
   Result result;
   result.Text = options.Output + "\n";
-  result.JSON = { { "output", options.Output } };
+  result.JSON = IntegratorOptions::GetCost(tracer);
+  result.JSON["output"] = options.Output;
   return result;
 }
 }
@@ -67,10 +67,7 @@ void AddTrace(CLI::App& app, Command& chosen)
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   command->add_option("-o,--output", options->Output, "the picture, .png")->required();
-  command->add_option("--spp", options->Samples, "samples per pixel")
-    ->check(CLI::Range(1, 1 << 20))
-    ->capture_default_str();
-  command->add_option("--seed", options->Seed, "of the random numbers")->capture_default_str();
+  options->Integrator.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

@@ -33,30 +33,31 @@ glm::vec3 BSDF::Fresnel(float cosine) const
     (1.0f - metallic) * glm::vec3(DielectricFresnel(cosine, this->Material.IndexOfRefraction));
 }
 
-float BSDF::DiffuseTransmission(const glm::vec3& incident) const
+glm::vec3 BSDF::DiffuseAlbedo() const
 {
-  if (this->Material.IndexOfRefraction == 1.0f)
-  {
-    return 1.0f - this->Material.Metallic;
-  }
-  const SpecularAlbedo& albedo = this->Material.DielectricSpecular;
-  return (1.0f - this->Material.Metallic) * (1.0f - albedo.Get(this->Outgoing.z)) *
-    (1.0f - albedo.Get(incident.z)) / (1.0f - albedo.GetAverage());
+  const float boundary = 1.0f - this->Material.DielectricSpecular.Get(this->Outgoing.z);
+  return this->BaseColor * ((1.0f - this->Material.Metallic) * boundary);
 }
 
-glm::vec3 BSDF::EvaluateCosine(const glm::vec3& incident) const
+float BSDF::DiffuseTransmission(const glm::vec3& incident) const
+{
+  const SpecularAlbedo& albedo = this->Material.DielectricSpecular;
+  return (1.0f - albedo.Get(incident.z)) / (1.0f - albedo.GetAverage());
+}
+
+glm::vec3 BSDF::EvaluateCosine(const glm::vec3& incident, Lobes lobes) const
 {
   glm::vec3 value(0.0f);
   if (!(incident.z > 0.0f) || !(this->Outgoing.z > 0.0f))
   {
     return value;
   }
-  if (this->SpecularProbability < 1.0f)
+  if (lobes != Lobes::Specular && this->HasDiffuse())
   {
-    value =
-      this->BaseColor * (this->DiffuseTransmission(incident) * Lambert::EvaluateCosine(incident));
+    value = this->DiffuseAlbedo() *
+      (this->DiffuseTransmission(incident) * Lambert::EvaluateCosine(incident));
   }
-  if (this->SpecularProbability > 0.0f && this->Material.Alpha > 0.0f)
+  if (lobes != Lobes::Diffuse && this->HasSpecular() && this->Material.Alpha > 0.0f)
   {
     const float cosHalf = glm::dot(this->Outgoing, glm::normalize(this->Outgoing + incident));
     value +=
@@ -65,34 +66,36 @@ glm::vec3 BSDF::EvaluateCosine(const glm::vec3& incident) const
   return value;
 }
 
-float BSDF::Pdf(const glm::vec3& incident) const
+float BSDF::Pdf(const glm::vec3& incident, Lobes lobes) const
 {
-  float pdf = (1.0f - this->SpecularProbability) * Lambert::Pdf(incident);
-  if (this->SpecularProbability > 0.0f && this->Material.Alpha > 0.0f)
+  const float specular = this->GetSpecularProbability(lobes);
+  float pdf = (1.0f - specular) * Lambert::Pdf(incident);
+  if (specular > 0.0f && this->Material.Alpha > 0.0f)
   {
-    pdf += this->SpecularProbability * GGX(this->Material.Alpha).Pdf(this->Outgoing, incident);
+    pdf += specular * GGX(this->Material.Alpha).Pdf(this->Outgoing, incident);
   }
   return pdf;
 }
 
-bool BSDF::Sample(float lobe, const glm::vec2& u, BSDFSample& sample) const
+bool BSDF::Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes) const
 {
-  const bool specular = lobe < this->SpecularProbability;
+  const float specularProbability = this->GetSpecularProbability(lobes);
+  const bool specular = lobe < specularProbability;
   if (specular && this->Material.Alpha == 0.0f)
   {
     sample.Direction = { -this->Outgoing.x, -this->Outgoing.y, this->Outgoing.z };
-    sample.Weight = this->Fresnel(this->Outgoing.z) / this->SpecularProbability;
+    sample.Weight = this->Fresnel(this->Outgoing.z) / specularProbability;
     sample.Pdf = std::numeric_limits<float>::infinity();
     return true;
   }
   sample.Direction =
     specular ? GGX(this->Material.Alpha).Sample(this->Outgoing, u) : Lambert::Sample(u);
-  sample.Pdf = this->Pdf(sample.Direction);
+  sample.Pdf = this->Pdf(sample.Direction, lobes);
   if (!(sample.Direction.z > 0.0f) || !(sample.Pdf > 0.0f))
   {
     return false;
   }
-  sample.Weight = this->EvaluateCosine(sample.Direction) / sample.Pdf;
+  sample.Weight = this->EvaluateCosine(sample.Direction, lobes) / sample.Pdf;
   return true;
 }
 }

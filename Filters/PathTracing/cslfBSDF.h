@@ -23,6 +23,14 @@ struct BSDFSample
   float Pdf = 0.0f;            ///< per solid angle; infinite for a mirror's direction
 };
 
+/// The parts of a BSDF that a question is about.
+enum class Lobes
+{
+  All,
+  Diffuse, ///< what looks alike from everywhere, but for BSDF::DiffuseAlbedo
+  Specular ///< the facets
+};
+
 /**
  * How a surface point reflects towards one outgoing direction. Directions are local: z is the
  * shading normal, both point away from the surface, and both must be above it.
@@ -39,20 +47,37 @@ class VTKCSLF_EXPORT BSDF
 public:
   BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing);
 
-  /// Whether light from given directions is reflected at all: not so for a pure mirror.
-  bool IsMirror() const
+  bool HasDiffuse() const { return this->SpecularProbability < 1.0f; }
+  bool HasSpecular() const { return this->SpecularProbability > 0.0f; }
+  bool Has(Lobes lobes) const
   {
-    return this->SpecularProbability >= 1.0f && this->Material.Alpha == 0.0f;
+    return lobes == Lobes::All ||
+      (lobes == Lobes::Specular ? this->HasSpecular() : this->HasDiffuse());
   }
 
+  /// The chance that Sample takes the specular lobe.
+  float GetSpecularProbability(Lobes lobes) const
+  {
+    return lobes == Lobes::All ? this->SpecularProbability : lobes == Lobes::Specular ? 1.0f : 0.0f;
+  }
+
+  /// Whether light from given directions is reflected at all: not so for perfect mirrors.
+  bool IsMirror(Lobes lobes = Lobes::All) const
+  {
+    return this->Material.Alpha == 0.0f && this->GetSpecularProbability(lobes) >= 1.0f;
+  }
+
+  /// The factor of the diffuse lobe that does not depend on the incident direction.
+  glm::vec3 DiffuseAlbedo() const;
+
   /// BSDF times the cosine at the incident direction, a mirror's part left out.
-  glm::vec3 EvaluateCosine(const glm::vec3& incident) const;
+  glm::vec3 EvaluateCosine(const glm::vec3& incident, Lobes lobes = Lobes::All) const;
 
   /// The density with which Sample takes a direction, a mirror's part left out.
-  float Pdf(const glm::vec3& incident) const;
+  float Pdf(const glm::vec3& incident, Lobes lobes = Lobes::All) const;
 
   /// Samples an incident direction. False where the path ends.
-  bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample) const;
+  bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes = Lobes::All) const;
 
 private:
   glm::vec3 Fresnel(float cosine) const;

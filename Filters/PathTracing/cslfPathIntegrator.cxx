@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPathIntegrator.h"
 
-#include "cslfBSDF.h"
-#include "cslfFrame.h"
-#include "cslfSampling.h"
+#include "RadianceCache/cslfRadianceCache.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace cslf
@@ -31,52 +30,71 @@ bool Survive(glm::vec3& beta, float u)
 }
 }
 
-/// A surface point of the path and how it reflects towards the previous one.
-struct PathIntegrator::Vertex
+glm::vec3 PathIntegrator::GetRadiance(
+  const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const
 {
-  glm::vec3 Position;
-  const Frame& Local;
-  const BSDF& Reflection;
-};
+  return this->GetRadiance({ ray, hit, 0, std::numeric_limits<float>::infinity() }, stream, rays);
+}
 
-glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) const
+glm::vec3 PathIntegrator::GetRadiance(
+  const Start& start, SampleStream stream, std::uint64_t& rays) const
 {
+  Ray ray = start.First;
+  Hit hit = start.Seen;
+  float pdf = start.Pdf;
   glm::vec3 radiance(0.0f);
   glm::vec3 beta(1.0f);
-  // The density of the ray's direction; a given ray is like a mirror's.
-  float pdf = std::numeric_limits<float>::infinity();
-  for (int depth = 0;; ++depth)
+  for (int depth = start.Depth;; ++depth)
   {
     // Add the environment where the path leaves the scene.
     if (!hit.IsValid())
     {
-      return radiance + beta * this->EnvironmentLight(ray.Direction, pdf);
+      return radiance + beta * this->Light.GetEnvironment(ray.Direction, pdf);
     }
 
     // Add what the surface emits.
     const SurfaceHit surface = this->World.GetSurface(ray, hit);
-    radiance += beta * this->EmittedLight(ray, hit, surface, pdf);
+    radiance += beta * this->Light.GetEmission(ray, hit, surface, pdf);
     if (depth >= this->Settings.MaximumDepth)
     {
       return radiance;
     }
 
-    // Add light that is sampled at its sources.
+    // Add the diffuse light that the cache knows, and leave it out of what follows.
     stream.NextVertex();
     const Frame frame(surface.ShadingNormal);
     const BSDF bsdf(*surface.Material, surface.BaseColor, frame.ToLocal(-ray.Direction));
-    if (!bsdf.IsMirror())
+    const float lobe = stream.Get1D(Dimension::Lobe);
+    Lobes lit = Lobes::All;
+    Lobes open = Lobes::All;
+    float openProbability = 1.0f;
+    if (this->Cache && bsdf.HasDiffuse())
     {
-      radiance += beta * this->DirectLight({ surface.LeavePosition, frame, bsdf }, stream);
+      radiance += beta * bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
+      lit = Lobes::Specular;
+      open = Lobes::Specular;
+      if (!this->Cache->IsComplete())
+      {
+        const float specular = bsdf.GetSpecularProbability(Lobes::All);
+        open = lobe < specular ? Lobes::Specular : Lobes::Diffuse;
+        openProbability = lobe < specular ? specular : 1.0f - specular;
+      }
+    }
+
+    // Add light that is sampled at its sources.
+    if (bsdf.Has(lit) && !bsdf.IsMirror(lit))
+    {
+      radiance +=
+        beta * this->Light.Sample({ surface.LeavePosition, frame, bsdf, lit }, stream, rays);
     }
 
     // Choose the direction in which the path goes on.
     BSDFSample sample;
-    if (!bsdf.Sample(stream.Get1D(Dimension::Lobe), stream.Get2D(Dimension::Direction), sample))
+    if (!bsdf.Has(open) || !bsdf.Sample(lobe, stream.Get2D(Dimension::Direction), sample, open))
     {
       return radiance;
     }
-    beta *= sample.Weight;
+    beta *= sample.Weight / openProbability;
     pdf = sample.Pdf;
 
     // End paths that carry little.
@@ -85,90 +103,8 @@ glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) con
       return radiance;
     }
     ray = { surface.LeavePosition, frame.ToWorld(sample.Direction) };
+    ++rays;
     hit = this->World.Intersect(ray);
   }
-}
-
-glm::vec3 PathIntegrator::EnvironmentLight(const glm::vec3& direction, float pdf) const
-{
-  const Environment& environment = this->World.GetEnvironment();
-  float weight = 1.0f;
-  if (environment.CanSample() && this->Settings.LightSampling && !std::isinf(pdf))
-  {
-    weight = this->Settings.BSDFSampling ? PowerHeuristic(pdf, environment.Pdf(direction)) : 0.0f;
-  }
-  return weight * environment.GetRadiance(direction);
-}
-
-glm::vec3 PathIntegrator::EmittedLight(
-  const Ray& ray, const Hit& hit, const SurfaceHit& surface, float pdf) const
-{
-  if (!surface.Material->IsEmissive())
-  {
-    return glm::vec3(0.0f);
-  }
-  const glm::vec3& emission = surface.Material->Emission;
-  float weight = 1.0f;
-  if (this->Settings.LightSampling && !std::isinf(pdf))
-  {
-    const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
-    weight = this->Settings.BSDFSampling
-      ? PowerHeuristic(pdf, this->World.GetAreaLights().Pdf(emission, hit.Distance, cosine))
-      : 0.0f;
-  }
-  return weight * emission;
-}
-
-glm::vec3 PathIntegrator::DirectLight(const Vertex& vertex, const SampleStream& stream) const
-{
-  glm::vec3 radiance(0.0f);
-  if (this->Settings.LightSampling)
-  {
-    if (!this->World.GetAreaLights().IsEmpty())
-    {
-      radiance += this->Arrive(vertex,
-        this->World.GetAreaLights().Sample(vertex.Position, stream.Get2D(Dimension::AreaLight)));
-    }
-    if (this->World.GetEnvironment().CanSample())
-    {
-      radiance += this->Arrive(
-        vertex, this->World.GetEnvironment().Sample(stream.Get2D(Dimension::Environment)));
-    }
-  }
-  for (const DirectionalLight& light : this->World.GetDirectionalLights())
-  {
-    radiance += this->Arrive(vertex, light.Sample());
-  }
-  for (const PointLight& light : this->World.GetPointLights())
-  {
-    radiance += this->Arrive(vertex, light.Sample(vertex.Position));
-  }
-  return radiance;
-}
-
-glm::vec3 PathIntegrator::Arrive(const Vertex& vertex, const LightSample& light) const
-{
-  // Is there light, and does the surface see it?
-  const glm::vec3 none(0.0f);
-  if (!(light.Pdf > 0.0f))
-  {
-    return none;
-  }
-  const glm::vec3 local = vertex.Local.ToLocal(light.Direction);
-  const glm::vec3 reflected = vertex.Reflection.EvaluateCosine(local);
-  if (reflected == none ||
-    this->World.IsOccluded({ vertex.Position, light.Direction }, light.Distance))
-  {
-    return none;
-  }
-
-  // Share the estimate with the BSDF's own samples, which never meet a light without extent.
-  if (std::isinf(light.Pdf))
-  {
-    return reflected * light.Radiance;
-  }
-  const float weight =
-    this->Settings.BSDFSampling ? PowerHeuristic(light.Pdf, vertex.Reflection.Pdf(local)) : 1.0f;
-  return reflected * light.Radiance * (weight / light.Pdf);
 }
 }

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Path tracing with next-event estimation and multiple importance sampling: the unbiased estimate
- * of the radiance along a ray.
+ * Path tracing with next-event estimation and multiple importance sampling: the estimate of the
+ * radiance along a ray, unbiased unless a cache stands in for the light that surfaces diffuse.
  */
 #ifndef cslfPathIntegrator_h
 #define cslfPathIntegrator_h
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfSampleStream.h"
-#include "cslfScene.h"
+#include "cslfDirectLight.h"
+
+#include <cstdint>
 
 namespace cslf
 {
-class BSDF;
-struct Frame;
+class RadianceCache;
 
 struct PathSettings
 {
@@ -32,26 +32,40 @@ struct PathSettings
 class VTKCSLF_EXPORT PathIntegrator
 {
 public:
-  PathIntegrator(const Scene& scene, const PathSettings& settings)
+  /// With a cache, which may be null and may be unfinished, paths end where it knows the rest.
+  PathIntegrator(
+    const Scene& scene, const PathSettings& settings, const RadianceCache* cache = nullptr)
     : World(scene)
     , Settings(settings)
+    , Light(scene, settings.LightSampling, settings.BSDFSampling)
+    , Cache(cache)
   {
   }
 
-  /// The radiance that comes from a ray's first hit, which must be valid.
-  glm::vec3 GetRadiance(Ray ray, Hit hit, SampleStream stream) const;
+  /// A path's first ray and what it hits.
+  struct Start
+  {
+    Ray First;
+    Hit Seen;
+    int Depth = 0; ///< reflections before
+    float Pdf;     ///< of the ray's direction, per solid angle; infinite for a given ray
+  };
+
+  /// The radiance that comes along a given ray from its first hit, which must be valid. Adds the
+  /// rays traced.
+  glm::vec3 GetRadiance(
+    const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const;
+
+  /// The radiance that a path goes on to find.
+  glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
+
+  const DirectLight& GetLight() const { return this->Light; }
 
 private:
-  struct Vertex;
-
-  glm::vec3 EnvironmentLight(const glm::vec3& direction, float pdf) const;
-  glm::vec3 EmittedLight(
-    const Ray& ray, const Hit& hit, const SurfaceHit& surface, float pdf) const;
-  glm::vec3 DirectLight(const Vertex& vertex, const SampleStream& stream) const;
-  glm::vec3 Arrive(const Vertex& vertex, const LightSample& light) const;
-
   const Scene& World;
   PathSettings Settings;
+  DirectLight Light;
+  const RadianceCache* Cache;
 };
 }
 

@@ -103,6 +103,14 @@ Value Interpolate(const std::vector<Value>& values, const glm::uvec3& triangle, 
     hit.V * values[triangle.z];
 }
 
+/// The normal of the side from which the vertices run counterclockwise.
+glm::vec3 GetNormal(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  const glm::vec3& corner = mesh.Vertices[triangle.x];
+  return glm::normalize(
+    glm::cross(mesh.Vertices[triangle.y] - corner, mesh.Vertices[triangle.z] - corner));
+}
+
 bool HasNormals(const Mesh& mesh, const glm::uvec3& triangle)
 {
   const glm::vec3 none(0.0f);
@@ -163,6 +171,12 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   , Emitters(CollectEmitters(this->Meshes))
   , Tree(std::make_unique<Acceleration>())
 {
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : this->Meshes)
+  {
+    this->FirstTriangles.push_back(triangles);
+    triangles += mesh.Triangles.size();
+  }
   // Without a configuration: Embree's "threads" would bind every other user of TBB as well.
   this->Tree->Device.reset(rtcNewDevice(nullptr));
   RTCDevice device = this->Tree->Device.get();
@@ -198,7 +212,9 @@ Hit Scene::Intersect(const Ray& ray) const
   EmbreeIntersect(this->Tree->World.get(), query);
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
-    hit = { query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID };
+    const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+    hit = { query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID,
+      glm::dot(normal, ray.Direction) > 0.0f };
   }
   return hit;
 }
@@ -231,8 +247,9 @@ void Scene::Intersect(RayPacket& packet) const
     packet.Hits[i] = Hit();
     if (valid[i] && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
     {
+      const glm::vec3 normal(query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]);
       packet.Hits[i] = { query.ray.tfar[i], query.hit.u[i], query.hit.v[i], query.hit.geomID[i],
-        query.hit.primID[i] };
+        query.hit.primID[i], glm::dot(normal, packet.Rays[i].Direction) > 0.0f };
     }
   }
 }
@@ -256,10 +273,7 @@ SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
 
   SurfaceHit surface;
   glm::vec3 position = Interpolate(mesh.Vertices, triangle, hit);
-  const glm::vec3& corner = mesh.Vertices[triangle.x];
-  surface.GeometricNormal = TurnTo(glm::normalize(glm::cross(mesh.Vertices[triangle.y] - corner,
-                                     mesh.Vertices[triangle.z] - corner)),
-    outgoing);
+  surface.GeometricNormal = TurnTo(GetNormal(mesh, triangle), outgoing);
   surface.ShadingNormal = surface.GeometricNormal;
   if (HasNormals(mesh, triangle))
   {
@@ -269,17 +283,28 @@ SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
   }
   surface.LeavePosition = position + SurfaceOffset * surface.GeometricNormal;
   surface.Material = &mesh.Material;
+  surface.BaseColor = this->GetBaseColor(hit);
+  return surface;
+}
+
+SurfaceHit Scene::GetSurface(const Hit& hit) const
+{
+  const Mesh& mesh = this->Meshes[hit.Mesh];
+  const glm::vec3 normal = GetNormal(mesh, mesh.Triangles[hit.Triangle]);
+  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? normal : -normal }, hit);
+}
+
+glm::vec3 Scene::GetBaseColor(const Hit& hit) const
+{
+  const Mesh& mesh = this->Meshes[hit.Mesh];
   switch (mesh.Coloring)
   {
     case Mesh::ColorsOf::Vertices:
-      surface.BaseColor = Interpolate(mesh.Colors, triangle, hit);
-      break;
+      return Interpolate(mesh.Colors, mesh.Triangles[hit.Triangle], hit);
     case Mesh::ColorsOf::Triangles:
-      surface.BaseColor = mesh.Colors[hit.Triangle];
-      break;
+      return mesh.Colors[hit.Triangle];
     default:
-      surface.BaseColor = mesh.Material.BaseColor;
+      return mesh.Material.BaseColor;
   }
-  return surface;
 }
 }

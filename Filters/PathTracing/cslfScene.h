@@ -42,6 +42,7 @@ struct Hit
   float V = 0.0f; ///< and of the third
   std::uint32_t Mesh = None;
   std::uint32_t Triangle = None;
+  bool Back = false; ///< whether the ray comes from where the vertices run clockwise
 
   bool IsValid() const { return this->Mesh != None; }
 };
@@ -126,6 +127,19 @@ public:
 
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
 
+  /// The surface as seen along its normal, from the hit's side.
+  SurfaceHit GetSurface(const Hit& hit) const;
+
+  glm::vec3 GetBaseColor(const Hit& hit) const;
+
+  const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
+
+  /// The number of a triangle among those of all meshes.
+  std::size_t GetTriangleIndex(std::uint32_t mesh, std::uint32_t triangle) const
+  {
+    return this->FirstTriangles[mesh] + triangle;
+  }
+
   const Environment& GetEnvironment() const { return this->Lights.Surroundings; }
   const std::vector<DirectionalLight>& GetDirectionalLights() const
   {
@@ -138,6 +152,7 @@ private:
   struct Acceleration;
 
   std::vector<Mesh> Meshes;
+  std::vector<std::size_t> FirstTriangles; // of each mesh
   LightSet Lights;
   AreaLights Emitters;
   std::string Error;

@@ -100,14 +100,14 @@ struct TexelRenderer::Sums
 };
 
 TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
-  const RenderSettings& settings, std::function<RayGrid(int slice, int tile)> rays,
+  const RenderSettings& settings, std::function<RayGrid(int slice, int tile)> grids,
   const TexelOutput& output)
   : World(scene)
   , Layout(layout)
   , Settings(settings)
-  , Rays(std::move(rays))
+  , Grids(std::move(grids))
   , Output(output)
-  , Integrator(scene, settings.Paths)
+  , Integrator(scene, settings.Paths, settings.Cache)
 {
 }
 
@@ -148,7 +148,7 @@ TexelRenderer::Block TexelRenderer::MakeBlock(std::int64_t index) const
   index /= rows;
   block.Tile = static_cast<int>(index % this->Layout.Tiles);
   block.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
-  block.Grid = this->Rays(block.Slice, block.Tile);
+  block.Grid = this->Grids(block.Slice, block.Tile);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int x = block.LaneX(lane);
@@ -191,15 +191,17 @@ void TexelRenderer::AddSamples(const Block& block, std::uint32_t index, Sums sum
   this->World.Intersect(packet);
 
   // Follow each.
+  std::uint64_t count = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const Ray& ray = packet.Rays[lane];
     const Hit& hit = packet.Hits[lane];
     Sums& sum = sums[lane];
+    count += packet.Active[lane] ? 1 : 0;
     if (hit.IsValid())
     {
       sum.Radiance +=
-        this->Integrator.GetRadiance(ray, hit, SampleStream(block.Hashes[lane], index));
+        this->Integrator.GetRadiance(ray, hit, SampleStream(block.Hashes[lane], index), count);
       ++sum.Covered;
       sum.AddDepth(rays[lane].ToParameter(hit.Distance), offsets[lane]);
     }
@@ -209,6 +211,7 @@ void TexelRenderer::AddSamples(const Block& block, std::uint32_t index, Sums sum
       ++sum.Covered;
     }
   }
+  this->Rays.fetch_add(count, std::memory_order_relaxed);
 }
 
 void TexelRenderer::FindDepths(const Block& block, Sums sums[]) const

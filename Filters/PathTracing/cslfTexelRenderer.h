@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -63,6 +64,7 @@ struct RenderSettings
   double Exposure = 1.0;
   bool ShowEnvironment = false; ///< whether rays that miss see the environment, with alpha 1
   PathSettings Paths;
+  const RadianceCache* Cache = nullptr; ///< of the scene; null where paths are traced to their end
 };
 
 /// Renders the texels of a picture, whichever way they are dealt out: a texel depends on its
@@ -71,11 +73,14 @@ class VTKCSLF_EXPORT TexelRenderer
 {
 public:
   TexelRenderer(const Scene& scene, const PictureLayout& layout, const RenderSettings& settings,
-    std::function<RayGrid(int slice, int tile)> rays, const TexelOutput& output);
+    std::function<RayGrid(int slice, int tile)> grids, const TexelOutput& output);
 
   /// Renders all texels on VTK's threads. Between batches tells the calling thread how much is
   /// done, which says whether to go on. False where it did not.
   bool Render(const std::function<bool(double)>& goOn) const;
+
+  /// The rays traced so far.
+  std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
 private:
   static constexpr int BlockSide = 4; // a packet of rays is one of each texel of a block
@@ -92,9 +97,10 @@ private:
   const Scene& World;
   PictureLayout Layout;
   RenderSettings Settings;
-  std::function<RayGrid(int, int)> Rays;
+  std::function<RayGrid(int, int)> Grids;
   TexelOutput Output;
   PathIntegrator Integrator;
+  mutable std::atomic<std::uint64_t> Rays{ 0 };
 };
 }
 

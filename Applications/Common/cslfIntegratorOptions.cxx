@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfIntegratorOptions.h"
+
+#include "vtkCSLFPathTracer.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+constexpr const char* PathTracing = "path";
+constexpr const char* RadianceCaching = "cache";
+}
+
+void IntegratorOptions::AddTo(CLI::App& command)
+{
+  const std::string group = "Light transport";
+  command
+    .add_option("--integrator", this->Integrator,
+      "path: trace every path to its end, the reference; cache: work out once what diffuse "
+      "surfaces shine with")
+    ->check(CLI::IsMember({ PathTracing, RadianceCaching }))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--spp", this->Samples, "samples per texel or pixel")
+    ->check(CLI::Range(1, 1 << 20))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--seed", this->Seed, "of the random numbers")
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--cache-tolerance", this->CacheTolerance,
+      "the cache's bias and noise, in parts of displayed white")
+    ->check(CLI::Range(1e-6, 1.0))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--cache-spacing", this->CacheSpacing,
+      "the smallest distance of the cache's points, in parts of the scene's diagonal")
+    ->check(CLI::Range(1e-5, 1.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--cache-samples", this->CacheSamples, "the most paths for a point of it")
+    ->check(CLI::Range(64, 1 << 20))
+    ->capture_default_str()
+    ->group(group);
+}
+
+void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
+{
+  tracer->SetIntegrator(this->Integrator == PathTracing ? vtkCSLFPathTracer::PathTracing
+                                                        : vtkCSLFPathTracer::RadianceCaching);
+  tracer->SetSamples(this->Samples);
+  tracer->SetSeed(this->Seed);
+  tracer->SetCacheTolerance(this->CacheTolerance);
+  tracer->SetCacheSpacing(this->CacheSpacing);
+  tracer->SetCacheSamples(this->CacheSamples);
+}
+
+nlohmann::json IntegratorOptions::GetCost(vtkCSLFPathTracer* tracer)
+{
+  return { { "rays", tracer->GetNumberOfRays() }, { "render_seconds", tracer->GetRenderSeconds() },
+    { "cache_rays", tracer->GetNumberOfCacheRays() },
+    { "cache_points", tracer->GetNumberOfCachePoints() },
+    { "cache_seconds", tracer->GetCacheSeconds() } };
+}
+}
+}

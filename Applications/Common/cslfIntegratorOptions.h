@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How light is followed: the command line's part of it, and what it cost.
+ */
+#ifndef cslfIntegratorOptions_h
+#define cslfIntegratorOptions_h
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+class vtkCSLFPathTracer;
+
+namespace CLI
+{
+class App;
+}
+
+namespace cslf
+{
+namespace tool
+{
+class IntegratorOptions
+{
+public:
+  /// `integrator` is the default: "cache" or "path".
+  explicit IntegratorOptions(const std::string& integrator)
+    : Integrator(integrator)
+  {
+  }
+
+  void AddTo(CLI::App& command);
+  void Apply(vtkCSLFPathTracer* tracer) const;
+
+  /// What the tracer's last update cost.
+  static nlohmann::json GetCost(vtkCSLFPathTracer* tracer);
+
+private:
+  std::string Integrator;
+  int Samples = 64;
+  int Seed = 0;
+  double CacheTolerance = 1.0 / 256;
+  double CacheSpacing = 0.001;
+  int CacheSamples = 1024;
+};
+}
+}
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The light that one point of a surface would diffuse, were it white: estimated to a stated noise.
+ */
+#ifndef cslfDiffuseEstimator_h
+#define cslfDiffuseEstimator_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/cslfPathIntegrator.h"
+#include "cslfLatticeBuilder.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+namespace cslf
+{
+class VTKCSLF_EXPORT DiffuseEstimator
+{
+public:
+  struct Settings
+  {
+    int FirstSamples = 64;  ///< taken at every point; a multiple of 16
+    int LastSamples = 1024; ///< taken where the noise demands it
+    float Noise = 0.004f;   ///< the standard error that is good enough, in the units of `Display`
+    std::uint32_t Seed = 0;
+    std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
+  };
+
+  DiffuseEstimator(const Scene& scene, const PathIntegrator& paths, Settings settings)
+    : World(scene)
+    , Paths(paths)
+    , Limits(std::move(settings))
+  {
+  }
+
+  /// The light that is sampled at its sources.
+  SurfaceEstimate SampleLights(const Hit& place, std::uint64_t key);
+
+  /// The light that is found by looking around, in directions spread by the cosine.
+  SurfaceEstimate Gather(const Hit& place, std::uint64_t key);
+
+  std::uint64_t GetNumberOfRays() const { return this->Rays; }
+
+private:
+  struct Receiver;
+
+  template <typename Sample>
+  SurfaceEstimate Average(const Hit& place, std::uint64_t key, Sample sample);
+
+  const Scene& World;
+  const PathIntegrator& Paths;
+  Settings Limits;
+  std::atomic<std::uint64_t> Rays{ 0 };
+};
+}
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The light that surfaces diffuse, worked out once for all viewpoints: it looks alike from
+ * everywhere, so a texel that sees a diffuse surface needs no path but a look-up.
+ *
+ * Stored is the diffuse radiance of a white surface: the irradiance over pi, weighted by what a
+ * dielectric's boundary lets in. The surface's own colour, and what the boundary lets out, are
+ * multiplied at the look-up, so textures stay as sharp as they are.
+ */
+#ifndef cslfRadianceCache_h
+#define cslfRadianceCache_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/cslfPathIntegrator.h"
+#include "cslfLatticeBuilder.h"
+#include "cslfSurfaceLattice.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace cslf
+{
+struct CacheSettings
+{
+  /// The largest error of interpolation between stored points that adds no further points, in parts
+  /// of white as it is displayed.
+  double Tolerance = 1.0 / 256;
+
+  /// The smallest distance of stored points, in scene space.
+  double Spacing = 0.005;
+
+  /// The most paths for one point.
+  int Samples = 1024;
+
+  double Exposure = 1.0;
+  std::uint32_t Seed = 0;
+  PathSettings Paths;
+};
+
+class VTKCSLF_EXPORT RadianceCache
+{
+public:
+  RadianceCache(const Scene& scene, const CacheSettings& settings);
+
+  /// Fills the cache. `goOn` is told the progress, in [0,1]; false where it returned false.
+  bool Build(const std::function<bool(double)>& goOn);
+
+  /// The diffuse radiance of a surface point, were it white.
+  glm::vec3 Get(const Hit& hit) const
+  {
+    const std::size_t triangle = this->World.GetTriangleIndex(hit.Mesh, hit.Triangle);
+    const glm::vec3 value = this->Values.Get(triangle, hit.Back, hit.U, hit.V);
+    return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
+  }
+
+  /// Whether the values hold all light, or only what is sampled at its sources.
+  bool IsComplete() const { return this->Complete; }
+
+  /// The points estimated, several times at the same place included.
+  std::size_t GetNumberOfEstimates() const { return this->Estimates; }
+  std::size_t GetNumberOfValues() const { return this->Values.GetNumberOfValues(); }
+  std::uint64_t GetNumberOfRays() const { return this->Rays; }
+
+private:
+  /// Told the progress, in [0,1]; the work ends where it returns false.
+  using Progress = std::function<bool(double)>;
+
+  LatticeSettings GetLatticeSettings() const;
+  bool SampleLights(const Progress& goOn);
+  bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
+    SurfaceLattice& values, const Progress& goOn);
+
+  const Scene& World;
+  CacheSettings Settings;
+  PathIntegrator Paths;
+  SurfaceLattice Values;
+  SurfaceLattice Second; // while the cache is built: a second summand
+  bool HasSecond = false;
+  bool Complete = false;
+  std::size_t Estimates = 0;
+  std::uint64_t Rays = 0;
+};
+}
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Values on the surface of triangles, as fine as each place needs.
+ *
+ * Every triangle has two sides. Each side is split into bricks, triangles of about the same size,
+ * and each brick holds values at the points of a triangular lattice of its own fineness, between
+ * which they are interpolated linearly (after Yuksel, Keyser and House, "Mesh Colors", ACM TOG
+ * 29(2), 2010). So no texture coordinates are needed, and a look-up costs two steps whatever the
+ * fineness.
+ */
+#ifndef cslfSurfaceLattice_h
+#define cslfSurfaceLattice_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cslf
+{
+/// A small triangle of a triangle that is split into `splits` parts along each edge. Every second
+/// one stands on its head; its coordinates run from the corner opposite to the triangle's own
+/// first.
+struct LatticeCell
+{
+  int I = 0; ///< along the triangle's second vertex
+  int J = 0; ///< and its third
+  bool Flipped = false;
+  float U = 0.0f; ///< barycentric coordinates within
+  float V = 0.0f;
+
+  LatticeCell(float u, float v, int splits)
+  {
+    const float x = u * static_cast<float>(splits);
+    const float y = v * static_cast<float>(splits);
+    this->I = std::clamp(static_cast<int>(x), 0, splits - 1);
+    this->J = std::clamp(static_cast<int>(y), 0, splits - 1 - this->I);
+    this->U = x - static_cast<float>(this->I);
+    this->V = y - static_cast<float>(this->J);
+    this->Flipped = this->U + this->V > 1.0f && this->I + this->J < splits - 1;
+    if (this->Flipped)
+    {
+      this->U = 1.0f - this->U;
+      this->V = 1.0f - this->V;
+    }
+  }
+};
+
+/// The number of a cell among those of its triangle.
+inline int CellIndex(int i, int j, bool flipped, int splits)
+{
+  return j * (2 * splits - j) + 2 * i + (flipped ? 1 : 0);
+}
+
+/// The number of a lattice's point among those of its brick.
+inline int PointIndex(int i, int j, int splits)
+{
+  return j * (splits + 1) - j * (j - 1) / 2 + i;
+}
+
+inline int CountPoints(int splits)
+{
+  return (splits + 1) * (splits + 2) / 2;
+}
+
+class VTKCSLF_EXPORT SurfaceLattice
+{
+public:
+  /// A brick that holds one value for all of it.
+  static constexpr std::uint32_t Constant = 0xffffffffu;
+
+  struct Brick
+  {
+    std::uint32_t First = 0;        ///< its first value
+    std::uint32_t Level = Constant; ///< the binary logarithm of the splits along its edges
+  };
+
+  SurfaceLattice() = default;
+
+  /// Bricks that are 0 everywhere. `splits` holds, for each triangle, the binary logarithm of the
+  /// number of bricks along its edges.
+  explicit SurfaceLattice(const std::vector<std::uint8_t>& splits);
+
+  /// The same bricks, 0 everywhere.
+  SurfaceLattice MakeEmpty() const;
+
+  std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+  std::size_t GetNumberOfBricks() const { return this->Bricks.size(); }
+  std::size_t GetNumberOfValues() const { return this->Values.size(); }
+  int GetSplits(std::size_t triangle) const { return 1 << this->Triangles[triangle].Split; }
+
+  std::size_t GetBrickIndex(std::size_t triangle, bool back, int cell) const
+  {
+    const int splits = this->GetSplits(triangle);
+    return this->Triangles[triangle].FirstBrick + (back ? splits * splits : 0) + cell;
+  }
+  const Brick& GetBrick(std::size_t index) const { return this->Bricks[index]; }
+
+  /// Gives a brick its values: one, or those of a lattice's points.
+  void SetBrick(std::size_t index, std::uint32_t level, const std::vector<glm::vec3>& values);
+
+  /// The value at a point, given by barycentric coordinates.
+  glm::vec3 Get(std::size_t triangle, bool back, float u, float v) const
+  {
+    const Triangle& place = this->Triangles[triangle];
+    if (place.Split == 0)
+    {
+      return this->GetInBrick(this->Bricks[place.FirstBrick + (back ? 1 : 0)], u, v);
+    }
+    const LatticeCell cell(u, v, 1 << place.Split);
+    const int index = CellIndex(cell.I, cell.J, cell.Flipped, 1 << place.Split);
+    return this->GetInBrick(
+      this->Bricks[this->GetBrickIndex(triangle, back, index)], cell.U, cell.V);
+  }
+
+  /// The value at a point of a brick, given by barycentric coordinates within it.
+  glm::vec3 GetInBrick(const Brick& brick, float u, float v) const
+  {
+    const glm::vec3* values = this->Values.data() + brick.First;
+    if (brick.Level == Constant)
+    {
+      return *values;
+    }
+    const int splits = 1 << brick.Level;
+    const LatticeCell cell(u, v, splits);
+    const int flip = cell.Flipped ? 1 : 0;
+    const int here = PointIndex(cell.I + flip, cell.J + flip, splits);
+    const int alongU = PointIndex(cell.I + 1 - flip, cell.J + flip, splits);
+    const int alongV = PointIndex(cell.I + flip, cell.J + 1 - flip, splits);
+    return (1.0f - cell.U - cell.V) * values[here] + cell.U * values[alongU] +
+      cell.V * values[alongV];
+  }
+
+private:
+  struct Triangle
+  {
+    std::uint32_t FirstBrick;
+    std::uint32_t Split;
+  };
+
+  std::vector<Triangle> Triangles;
+  std::vector<Brick> Bricks;
+  std::vector<glm::vec3> Values;
+};
+}
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfDirectLight.h"
+
+#include "cslfSampling.h"
+
+#include <cmath>
+
+namespace cslf
+{
+glm::vec3 DirectLight::GetEnvironment(const glm::vec3& direction, float pdf) const
+{
+  const Environment& environment = this->World.GetEnvironment();
+  float weight = 1.0f;
+  if (environment.CanSample() && this->LightSampling && !std::isinf(pdf))
+  {
+    weight = this->BSDFSampling ? PowerHeuristic(pdf, environment.Pdf(direction)) : 0.0f;
+  }
+  return weight * environment.GetRadiance(direction);
+}
+
+glm::vec3 DirectLight::GetEmission(
+  const Ray& ray, const Hit& hit, const SurfaceHit& surface, float pdf) const
+{
+  if (!surface.Material->IsEmissive())
+  {
+    return glm::vec3(0.0f);
+  }
+  const glm::vec3& emission = surface.Material->Emission;
+  float weight = 1.0f;
+  if (this->LightSampling && !std::isinf(pdf))
+  {
+    const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
+    weight = this->BSDFSampling
+      ? PowerHeuristic(pdf, this->World.GetAreaLights().Pdf(emission, hit.Distance, cosine))
+      : 0.0f;
+  }
+  return weight * emission;
+}
+
+bool DirectLight::CanSample() const
+{
+  const bool extended = this->LightSampling &&
+    (!this->World.GetAreaLights().IsEmpty() || this->World.GetEnvironment().CanSample());
+  return extended || !this->World.GetDirectionalLights().empty() ||
+    !this->World.GetPointLights().empty();
+}
+
+glm::vec3 DirectLight::Sample(
+  const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const
+{
+  glm::vec3 radiance(0.0f);
+  if (this->LightSampling)
+  {
+    const AreaLights& areas = this->World.GetAreaLights();
+    if (!areas.IsEmpty())
+    {
+      radiance +=
+        this->Arrive(point, areas.Sample(point.Position, stream.Get2D(Dimension::AreaLight)), rays);
+    }
+    const Environment& environment = this->World.GetEnvironment();
+    if (environment.CanSample())
+    {
+      radiance +=
+        this->Arrive(point, environment.Sample(stream.Get2D(Dimension::Environment)), rays);
+    }
+  }
+  for (const DirectionalLight& light : this->World.GetDirectionalLights())
+  {
+    radiance += this->Arrive(point, light.Sample(), rays);
+  }
+  for (const PointLight& light : this->World.GetPointLights())
+  {
+    radiance += this->Arrive(point, light.Sample(point.Position), rays);
+  }
+  return radiance;
+}
+
+glm::vec3 DirectLight::Arrive(
+  const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const
+{
+  // Is there light, and does the surface see it?
+  const glm::vec3 none(0.0f);
+  if (!(light.Pdf > 0.0f))
+  {
+    return none;
+  }
+  const glm::vec3 local = point.Local.ToLocal(light.Direction);
+  const glm::vec3 reflected = point.Reflection.EvaluateCosine(local, point.Open);
+  if (reflected == none)
+  {
+    return none;
+  }
+  ++rays;
+  if (this->World.IsOccluded({ point.Position, light.Direction }, light.Distance))
+  {
+    return none;
+  }
+
+  // Share the estimate with the BSDF's own samples, which never meet a light without extent.
+  if (std::isinf(light.Pdf))
+  {
+    return reflected * light.Radiance;
+  }
+  const float weight =
+    this->BSDFSampling ? PowerHeuristic(light.Pdf, point.Reflection.Pdf(local, point.Open)) : 1.0f;
+  return reflected * light.Radiance * (weight / light.Pdf);
+}
+}

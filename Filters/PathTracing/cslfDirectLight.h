@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Light that reaches a surface point without detour, estimated in two ways that share the work:
+ * sampled at its sources, or found by directions that the BSDF samples (multiple importance
+ * sampling, Veach and Guibas, SIGGRAPH 1995).
+ */
+#ifndef cslfDirectLight_h
+#define cslfDirectLight_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfBSDF.h"
+#include "cslfFrame.h"
+#include "cslfSampleStream.h"
+#include "cslfScene.h"
+
+namespace cslf
+{
+/// A surface point and how it reflects towards the one before it on the path.
+struct ScatteringPoint
+{
+  glm::vec3 Position;
+  const Frame& Local;
+  const BSDF& Reflection;
+  Lobes Open; ///< the lobes that are asked about
+};
+
+class VTKCSLF_EXPORT DirectLight
+{
+public:
+  /// Either estimator alone gives the same light, a mirror's reflections and what no light sampling
+  /// knows apart.
+  DirectLight(const Scene& scene, bool lightSampling, bool bsdfSampling)
+    : World(scene)
+    , LightSampling(lightSampling)
+    , BSDFSampling(bsdfSampling)
+  {
+  }
+
+  /// What a ray that leaves the scene adds, if its direction was sampled with density `pdf`:
+  /// infinite for a ray that was given.
+  glm::vec3 GetEnvironment(const glm::vec3& direction, float pdf) const;
+
+  /// What a ray's first hit adds by its own emission.
+  glm::vec3 GetEmission(const Ray& ray, const Hit& hit, const SurfaceHit& surface, float pdf) const;
+
+  /// The reflected light of the sources that are sampled. Counts the rays it traces.
+  glm::vec3 Sample(
+    const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const;
+
+  /// Whether Sample can give anything but darkness.
+  bool CanSample() const;
+
+private:
+  glm::vec3 Arrive(
+    const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const;
+
+  const Scene& World;
+  bool LightSampling;
+  bool BSDFSampling;
+};
+}
+
+#endif
