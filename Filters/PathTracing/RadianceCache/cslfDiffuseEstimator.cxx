@@ -7,13 +7,40 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace cslf
 {
 namespace
 {
-// Samples whose mean counts as one observation of the noise.
-constexpr int ChunkSize = 16;
+// Samples that are added up before anything is asked; a power of two.
+constexpr int BlockSize = 8;
+
+// The parts of a sequence whose means tell its noise. Each is a low-discrepancy sequence itself;
+// all together are better than their differences tell.
+constexpr int Parts = 8;
+
+/// The mean of `count` samples, and its standard error.
+glm::dvec3 Mean(const std::vector<glm::dvec3>& sums, int count, glm::dvec3& error)
+{
+  const std::size_t length = sums.size() / Parts;
+  glm::dvec3 total(0.0);
+  glm::dvec3 squares(0.0);
+  for (std::size_t part = 0; part < Parts; ++part)
+  {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < length; ++i)
+    {
+      sum += sums[part * length + i];
+    }
+    total += sum;
+    squares += sum * sum;
+  }
+  const glm::dvec3 variance =
+    glm::max(squares - total * total / double(Parts), 0.0) / (Parts - 1.0);
+  error = glm::sqrt(variance * double(Parts)) / double(count);
+  return total / double(count);
+}
 }
 
 /// A point of the surface as a white one.
@@ -43,8 +70,8 @@ SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, S
     return estimate;
   }
   const std::uint64_t hash = MixBits(key, this->Limits.Seed);
-  glm::dvec3 sum(0.0);
-  glm::dvec3 sumOfSquares(0.0); // of chunks' means
+  const glm::dvec3 albedo = receiver.Reflection.DiffuseAlbedo();
+  std::vector<glm::dvec3> sums; // of BlockSize samples each
   double nearness = 0.0;
   std::uint64_t rays = 0;
   int count = 0;
@@ -52,26 +79,21 @@ SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, S
   {
     while (count < end)
     {
-      glm::dvec3 chunk(0.0);
-      for (int i = 0; i < ChunkSize; ++i, ++count)
+      glm::dvec3 sum(0.0);
+      for (int i = 0; i < BlockSize; ++i, ++count)
       {
         const SampleStream stream(hash, static_cast<std::uint32_t>(count));
-        chunk += glm::dvec3(sample(receiver, stream, rays, nearness));
+        sum += glm::dvec3(sample(receiver, stream, rays, nearness));
       }
-      chunk /= ChunkSize;
-      sum += chunk;
-      sumOfSquares += chunk * chunk;
+      sums.push_back(sum / albedo);
     }
-    const double chunks = count / ChunkSize;
-    const glm::dvec3 mean = sum / chunks;
-    const glm::dvec3 variance =
-      glm::max(sumOfSquares / chunks - mean * mean, 0.0) / std::max(chunks - 1.0, 1.0);
-    const glm::dvec3 albedo = receiver.Reflection.DiffuseAlbedo();
-    estimate.Value = mean / albedo;
-    const glm::vec3 upper = (mean + glm::sqrt(variance)) / albedo;
-    const glm::vec3 noise = this->Limits.Display(upper, receiver.Surface.BaseColor) -
+    glm::dvec3 error;
+    estimate.Value = Mean(sums, count, error);
+    const glm::vec3 noise =
+      this->Limits.Display(glm::dvec3(estimate.Value) + error, receiver.Surface.BaseColor) -
       this->Limits.Display(estimate.Value, receiver.Surface.BaseColor);
-    if (std::max({ noise.x, noise.y, noise.z }) < this->Limits.Noise)
+    estimate.Noise = std::max({ noise.x, noise.y, noise.z });
+    if (estimate.Noise < this->Limits.Noise)
     {
       break;
     }
@@ -110,7 +132,7 @@ SurfaceEstimate DiffuseEstimator::Gather(const Hit& place, std::uint64_t key)
       PathIntegrator::Start start;
       start.First = { receiver.Surface.LeavePosition, receiver.Local.ToWorld(sample.Direction) };
       start.Seen = this->World.Intersect(start.First);
-      start.Depth = 1;
+      start.Depth = this->Limits.Depth;
       start.Pdf = sample.Pdf;
       ++rays;
       if (start.Seen.IsValid())

@@ -23,9 +23,10 @@ class VTKCSLF_EXPORT DiffuseEstimator
 public:
   struct Settings
   {
-    int FirstSamples = 64;  ///< taken at every point; a multiple of 16
+    int FirstSamples = 64;  ///< taken at every point; a power of two, at least 64
     int LastSamples = 1024; ///< taken where the noise demands it
     float Noise = 0.004f;   ///< the standard error that is good enough, in the units of `Display`
+    int Depth = 1;          ///< the reflections after which the point's light is seen, at least 1
     std::uint32_t Seed = 0;
     std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
   };

@@ -14,23 +14,38 @@ namespace cslf
 {
 namespace
 {
-// The finest splits of a triangle's edges, as a binary logarithm: what a key has room for.
+// The size of a brick, as the binary logarithm of spacings.
+constexpr int BrickLevels = 4;
+
+// The finest lattice of one brick: beyond, it is split.
+constexpr int LeafLevel = 2;
+
+// How often the spacing is halved where something very bright ends: the error of a point's light is
+// carried far by all surfaces that it lights.
+constexpr int ExtraLevels = 5;
+
+// The finest spacings along a triangle's edges, as a binary logarithm: with the extra levels, what
+// a key has room for.
 constexpr int LargestDepth = 12;
 
-// The most corners of bricks in a scene; beyond, the spacing grows.
+// How many spacings wide the interpolation between white and black may be; half as many between
+// twice as bright and black, and so on.
+constexpr double BrightEdge = 2.0;
+
+// The most bricks of a scene; beyond, the spacing grows.
 constexpr std::size_t MaximumBricks = std::size_t(1) << 23;
 
 // Bricks that are worked on together: enough for all threads, and of bounded memory.
 constexpr std::size_t BatchBricks = std::size_t(1) << 13;
 
-// How far points keep off a triangle's edges, in parts of the spacing, lest they lie on the surface
-// that meets it there and see what is behind.
+// How far points keep off a triangle's edges, in parts of the finest spacing, lest they lie on the
+// surface that meets it there and see what is behind.
 constexpr float Inset = 0.05f;
 constexpr float LargestInset = 0.1f;
 
 // Where the key's parts begin: which triangle and side, and the two coordinates.
-constexpr int SideShift = 26;
-constexpr int RowShift = 13;
+constexpr int RowShift = LargestDepth + ExtraLevels + 1;
+constexpr int SideShift = 2 * RowShift;
 constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
 
 float LongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
@@ -62,12 +77,11 @@ struct LatticeBuilder::Patch
   std::uint32_t Mesh;
   std::uint32_t Triangle;
   bool Back;
-  int I; // its cell in the triangle
-  int J;
   bool Flipped;
-  int Levels; // of its finest points
-  int Level;
-  int LastLevel; // that is allowed
+  int Column; // of its first corner among the triangle's finest points
+  int Row;
+  int Size; // of its edges, in finest points, as a binary logarithm
+  int Level = 0;
   bool IsConstant;
   bool IsOpen = true;
   std::vector<std::uint32_t> Points;
@@ -104,7 +118,7 @@ void LatticeBuilder::ChooseSplits()
         const float ratio = LongestEdge(mesh, triangle) / this->Settings.Spacing;
         const int depth =
           std::clamp(static_cast<int>(std::ceil(std::log2(ratio))), 0, LargestDepth);
-        const int split = std::max(0, depth - LatticeSettings::BrickLevels);
+        const int split = std::max(0, depth - BrickLevels);
         this->Depths.push_back(static_cast<std::uint8_t>(depth));
         splits.push_back(static_cast<std::uint8_t>(split));
         bricks += std::size_t(2) << (2 * split);
@@ -149,31 +163,26 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
 {
   const std::size_t index = this->World.GetTriangleIndex(mesh, triangle);
   const int splits = this->Lattice.GetSplits(index);
-  const int levels = std::min<int>(this->Depths[index], LatticeSettings::BrickLevels);
+  const int levels = std::min<int>(this->Depths[index], BrickLevels);
   Patch patch;
   patch.Mesh = mesh;
   patch.Triangle = triangle;
-  patch.Levels = levels;
-  patch.LastLevel = std::min(levels, this->Settings.LastLevel);
-  patch.Level = std::min(patch.LastLevel, this->Settings.FirstLevel);
+  patch.Size = levels + ExtraLevels;
+  patch.Level = std::min({ levels, this->Settings.FirstLevel, LeafLevel });
   patch.IsConstant = this->IsSmall(mesh, triangle);
   for (const bool back : { false, true })
   {
     patch.Back = back;
-    for (patch.J = 0; patch.J < splits; ++patch.J)
+    for (int j = 0; j < splits; ++j)
     {
-      for (patch.I = 0; patch.I < splits - patch.J; ++patch.I)
+      for (int i = 0; i < 2 * (splits - j) - 1; ++i)
       {
-        for (const bool flipped : { false, true })
-        {
-          if (!flipped || patch.I + patch.J < splits - 1)
-          {
-            patch.Flipped = flipped;
-            patch.Brick = this->Lattice.GetBrickIndex(
-              index, back, CellIndex(patch.I, patch.J, flipped, splits));
-            this->Patches.push_back(patch);
-          }
-        }
+        patch.Flipped = i % 2 == 1;
+        patch.Column = (i + 1) / 2 << patch.Size;
+        patch.Row = (patch.Flipped ? j + 1 : j) << patch.Size;
+        patch.Brick =
+          this->Lattice.GetBrickIndex(index, back, CellIndex(i / 2, j, patch.Flipped, splits));
+        this->Patches.push_back(patch);
       }
     }
   }
@@ -181,8 +190,8 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
 
 void LatticeBuilder::BuildBatch()
 {
-  bool isOpen = true;
-  while (isOpen)
+  while (std::any_of(
+    this->Patches.begin(), this->Patches.end(), [](const Patch& patch) { return patch.IsOpen; }))
   {
     for (Patch& patch : this->Patches)
     {
@@ -192,13 +201,7 @@ void LatticeBuilder::BuildBatch()
       }
     }
     this->EvaluateRequests();
-    isOpen = false;
-    for (Patch& patch : this->Patches)
-    {
-      patch.IsOpen = patch.IsOpen && patch.Level < patch.LastLevel && this->NeedsMore(patch);
-      patch.Level += patch.IsOpen ? 1 : 0;
-      isOpen = isOpen || patch.IsOpen;
-    }
+    this->Refine();
   }
   for (const Patch& patch : this->Patches)
   {
@@ -211,40 +214,77 @@ void LatticeBuilder::BuildBatch()
   this->Evaluated = 0;
 }
 
-void LatticeBuilder::RequestAll(Patch& patch)
+void LatticeBuilder::Refine()
 {
-  patch.Points.clear();
-  if (patch.IsConstant)
+  const std::size_t count = this->Patches.size();
+  for (std::size_t index = 0; index < count; ++index)
   {
-    patch.Points.push_back(this->Request(patch, 0, 0, 0));
-    return;
-  }
-  const int splits = 1 << patch.Level;
-  for (int j = 0; j <= splits; ++j)
-  {
-    for (int i = 0; i <= splits - j; ++i)
+    Patch& patch = this->Patches[index];
+    patch.IsOpen = patch.IsOpen && !patch.IsConstant &&
+      patch.Level < patch.Size && this->NeedsMore(patch);
+    if (patch.IsOpen && patch.Level < LeafLevel)
     {
-      patch.Points.push_back(this->Request(patch, i, j, patch.Level));
+      ++patch.Level;
+    }
+    else if (patch.IsOpen)
+    {
+      this->Split(index);
     }
   }
 }
 
-std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j, int level)
+void LatticeBuilder::Split(std::size_t index)
+{
+  const Patch parent = this->Patches[index];
+  const std::size_t first = this->Lattice.SplitBrick(parent.Brick);
+  const int half = (parent.Flipped ? -1 : 1) * (1 << (parent.Size - 1));
+  // The cells in their order: two on the first row and the flipped one between, one on the second.
+  for (int cell = 0; cell < 4; ++cell)
+  {
+    Patch child = parent;
+    child.Brick = first + cell;
+    child.Size = parent.Size - 1;
+    child.Flipped = parent.Flipped != (cell == 1);
+    child.Column += cell == 1 || cell == 2 ? half : 0;
+    child.Row += cell == 1 || cell == 3 ? half : 0;
+    child.Points.clear();
+    if (cell == 0)
+    {
+      this->Patches[index] = child;
+    }
+    else
+    {
+      this->Patches.push_back(child);
+    }
+  }
+}
+
+void LatticeBuilder::RequestAll(Patch& patch)
+{
+  patch.Points.clear();
+  const int splits = patch.IsConstant ? 0 : 1 << patch.Level;
+  for (int j = 0; j <= splits; ++j)
+  {
+    for (int i = 0; i <= splits - j; ++i)
+    {
+      patch.Points.push_back(this->Request(patch, i, j));
+    }
+  }
+}
+
+std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
 {
   // Where is the point among the triangle's finest ones?
   const std::size_t triangle = this->World.GetTriangleIndex(patch.Mesh, patch.Triangle);
-  const int depth = this->Depths[triangle];
-  const int size = 1 << patch.Levels;
-  const int step = size >> level;
-  const int flip = patch.Flipped ? -1 : 1;
-  const int row = (patch.J + (patch.Flipped ? 1 : 0)) * size + flip * j * step;
-  const int column = (patch.I + (patch.Flipped ? 1 : 0)) * size + flip * i * step;
+  const int last = 1 << (this->Depths[triangle] + ExtraLevels);
+  const int step = (patch.Flipped ? -1 : 1) * (1 << (patch.Size - patch.Level));
+  const int column = patch.Column + i * step;
+  const int row = patch.Row + j * step;
 
   // The corners of smooth triangles are their neighbours', too.
   const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  const int last = 1 << depth;
-  std::uint64_t key = ((std::uint64_t(2 * triangle + (patch.Back ? 1 : 0)) << SideShift) |
-    (std::uint64_t(row) << RowShift) | std::uint64_t(column));
+  std::uint64_t key = (std::uint64_t(2 * triangle + (patch.Back ? 1 : 0)) << SideShift) |
+    (std::uint64_t(row) << RowShift) | std::uint64_t(column);
   const bool isCorner = (row == 0 && column == 0) || row == last || column == last;
   if (isCorner && !mesh.Normals.empty())
   {
@@ -260,20 +300,21 @@ std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j, int leve
     return entry->second;
   }
 
+  constexpr float third = 1.0f / 3.0f;
   Point point;
   point.Key = key;
   point.Place.Mesh = patch.Mesh;
   point.Place.Triangle = patch.Triangle;
   point.Place.Back = patch.Back;
-  constexpr float third = 1.0f / 3.0f;
   point.Place.U = third;
   point.Place.V = third;
   if (!patch.IsConstant)
   {
     const float edge = LongestEdge(mesh, mesh.Triangles[patch.Triangle]);
-    const float keep = 1.0f - std::min(LargestInset, Inset * this->Settings.Spacing / edge);
-    point.Place.U += keep * (static_cast<float>(column) / last - third);
-    point.Place.V += keep * (static_cast<float>(row) / last - third);
+    const float inset = Inset * this->Settings.Spacing / (1 << ExtraLevels);
+    const float keep = 1.0f - std::min(LargestInset, inset / edge);
+    point.Place.U += keep * (static_cast<float>(column) / static_cast<float>(last) - third);
+    point.Place.V += keep * (static_cast<float>(row) / static_cast<float>(last) - third);
   }
   this->Points.push_back(point);
   return entry->second;
@@ -294,6 +335,14 @@ void LatticeBuilder::EvaluateRequests()
   this->Evaluated = this->Points.size();
 }
 
+float LatticeBuilder::GetDistance(const Patch& patch) const
+{
+  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
+  const std::size_t triangle = this->World.GetTriangleIndex(patch.Mesh, patch.Triangle);
+  const int points = 1 << (this->Depths[triangle] + ExtraLevels - patch.Size + patch.Level);
+  return LongestEdge(mesh, mesh.Triangles[patch.Triangle]) / static_cast<float>(points);
+}
+
 bool LatticeBuilder::NeedsMore(const Patch& patch) const
 {
   if (patch.Level == 0)
@@ -306,20 +355,9 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
   {
     for (int i = 0; i <= splits - j; ++i)
     {
-      float error = 0.0f;
-      if (i % 2 == 1 && j % 2 == 0)
-      {
-        error = this->InterpolationError(patch, i, j, 1, 0);
-      }
-      else if (i % 2 == 0 && j % 2 == 1)
-      {
-        error = this->InterpolationError(patch, i, j, 0, 1);
-      }
-      else if (i % 2 == 1 && j % 2 == 1)
-      {
-        error = this->InterpolationError(patch, i, j, 1, -1);
-      }
-      if (error > this->Settings.Tolerance)
+      const bool isMissed = i % 2 == 1 ? this->IsMissed(patch, i, j, 1, j % 2 == 1 ? -1 : 0)
+                                       : j % 2 == 1 && this->IsMissed(patch, i, j, 0, 1);
+      if (isMissed)
       {
         return true;
       }
@@ -328,52 +366,62 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
   return false;
 }
 
-float LatticeBuilder::InterpolationError(
-  const Patch& patch, int i, int j, int sideI, int sideJ) const
+bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const
 {
   const Point& point = this->Points[patch.GetPoint(i, j)];
-  const glm::vec3 mean = 0.5f *
-    (this->Points[patch.GetPoint(i - sideI, j - sideJ)].Estimate.Value +
-      this->Points[patch.GetPoint(i + sideI, j + sideJ)].Estimate.Value);
+  const SurfaceEstimate& here = point.Estimate;
+  const SurfaceEstimate& before = this->Points[patch.GetPoint(i - sideI, j - sideJ)].Estimate;
+  const SurfaceEstimate& after = this->Points[patch.GetPoint(i + sideI, j + sideJ)].Estimate;
+  const glm::vec3 interpolated = 0.5f * (before.Value + after.Value);
+  // What is brighter than white lights other places, however narrow it is.
+  const float distance = this->GetDistance(patch);
+  if (this->IsBright(here.Value - interpolated, distance))
+  {
+    return true;
+  }
+  if (distance < 1.5f * this->Settings.Spacing || this->Settings.OnlyBright)
+  {
+    return false;
+  }
   const glm::vec3 color = this->World.GetBaseColor(point.Place);
-  return Largest(
-    this->Settings.Display(point.Estimate.Value, color) - this->Settings.Display(mean, color));
+  const float error = Largest(
+    this->Settings.Display(here.Value, color) - this->Settings.Display(interpolated, color));
+  return error > this->Settings.Tolerance + here.Noise + 0.5f * (before.Noise + after.Noise);
 }
 
 bool LatticeBuilder::VariesWithin(const Patch& patch) const
 {
-  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  const float size = LongestEdge(mesh, mesh.Triangles[patch.Triangle]) /
-    static_cast<float>(
-      this->Lattice.GetSplits(this->World.GetTriangleIndex(patch.Mesh, patch.Triangle)));
   const Point& first = this->Points[patch.Points[0]];
   const glm::vec3 color = this->World.GetBaseColor(first.Place);
   const glm::vec3 seen = this->Settings.Display(first.Estimate.Value, color);
-  for (std::uint32_t index : patch.Points)
-  {
-    const SurfaceEstimate& estimate = this->Points[index].Estimate;
-    if (estimate.Reach < size ||
-      Largest(this->Settings.Display(estimate.Value, color) - seen) > this->Settings.Tolerance)
+  const float size = this->GetDistance(patch);
+  const bool isLarge = size > 1.5f * this->Settings.Spacing && !this->Settings.OnlyBright;
+  return std::any_of(patch.Points.begin(), patch.Points.end(),
+    [&](std::uint32_t index)
     {
-      return true;
-    }
-  }
-  return false;
+      const SurfaceEstimate& estimate = this->Points[index].Estimate;
+      const bool varies = estimate.Reach < size ||
+        Largest(this->Settings.Display(estimate.Value, color) - seen) > this->Settings.Tolerance;
+      return (isLarge && varies) || this->IsBright(estimate.Value - first.Estimate.Value, size);
+    });
+}
+
+bool LatticeBuilder::IsBright(const glm::vec3& error, float distance) const
+{
+  const double radiance = this->Settings.Exposure * Largest(error);
+  return radiance * distance > BrightEdge * this->Settings.Spacing;
 }
 
 void LatticeBuilder::Store(const Patch& patch)
 {
   std::vector<glm::vec3> values;
-  bool varies = false;
   for (std::uint32_t index : patch.Points)
   {
     values.push_back(this->Points[index].Estimate.Value);
-    varies = varies || values.back() != values.front();
   }
-  if (!varies)
-  {
-    values.resize(1);
-  }
+  const bool varies = std::any_of(values.begin(), values.end(),
+    [&values](const glm::vec3& value) { return value != values.front(); });
+  values.resize(varies ? values.size() : 1);
   this->Lattice.SetBrick(patch.Brick,
     varies ? static_cast<std::uint32_t>(patch.Level) : SurfaceLattice::Constant, values);
 }

@@ -27,26 +27,28 @@ struct SurfaceEstimate
   /// How far away what it sees is, in scene space: at distances larger than this, the value may
   /// change although the estimates around do not.
   float Reach = 0.0f;
+
+  /// The standard error, in the units of `LatticeSettings::Display`.
+  float Noise = 0.0f;
 };
 
 struct LatticeSettings
 {
-  /// The levels from a brick's corners to points at the smallest distance.
-  static constexpr int BrickLevels = 4;
-
-  /// The smallest distance of points, in scene space. Where the whole scene at this distance would
-  /// be more than MaximumPoints points, the distance grows.
+  /// The distance of points, in scene space, that is fine enough for edges between light and shadow
+  /// no brighter than white. Grows where the scene would need more than millions of bricks.
   float Spacing = 0.01f;
-
-  /// The level that every brick has at least, where its triangle's size allows: details smaller
-  /// than that fineness may be missed.
-  int FirstLevel = 0;
-
-  /// The level that no brick goes beyond; 0 for corners only.
-  int LastLevel = BrickLevels;
 
   /// Points are added where interpolation errs by more than this, in the units of `Display`.
   float Tolerance = 0.004f;
+
+  /// Whether points are added only where something bright would bleed over its edges.
+  bool OnlyBright = false;
+
+  /// The level that every brick has at least, where its triangle's size allows, so that details are
+  /// not missed: 0 is their corners, 16 spacings apart; each further level halves that.
+  int FirstLevel = 0;
+
+  double Exposure = 1.0;
 
   /// What a viewer sees of a value on a surface of the given base colour.
   std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
@@ -76,12 +78,16 @@ private:
   bool IsSmall(std::uint32_t mesh, std::uint32_t triangle) const;
   void AddTriangle(std::uint32_t mesh, std::uint32_t triangle);
   void BuildBatch();
-  std::uint32_t Request(const Patch& patch, int i, int j, int level);
   void RequestAll(Patch& patch);
+  std::uint32_t Request(const Patch& patch, int i, int j);
   void EvaluateRequests();
+  void Refine();
+  float GetDistance(const Patch& patch) const;
   bool NeedsMore(const Patch& patch) const;
   bool VariesWithin(const Patch& patch) const;
-  float InterpolationError(const Patch& patch, int i, int j, int sideI, int sideJ) const;
+  bool IsBright(const glm::vec3& error, float distance) const;
+  bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
+  void Split(std::size_t index);
   void Store(const Patch& patch);
 
   const Scene& World;
@@ -91,6 +97,10 @@ private:
   std::vector<std::uint8_t> Depths; // of each triangle: the binary logarithm of its finest splits
   std::size_t Estimates = 0;
 
+public:
+  long Hist[10] = {};
+
+private:
   // The batch of triangles at work.
   std::vector<Patch> Patches;
   std::vector<Point> Points;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace cslf
 {
@@ -23,50 +24,98 @@ constexpr int RoughSamples = 64;
 constexpr int FirstLightSamples = 64;
 constexpr int FirstGatherSamples = 256;
 
+// The standard error of a point, in parts of the tolerance.
+constexpr float NoiseShare = 0.5f;
+
 // The parts of the work, for the progress.
 constexpr double LightShare = 0.2;
 constexpr double RoughShare = 0.1;
 
-/// The values of two lattices of the same bricks, added.
-std::vector<glm::vec3> AddBricks(
-  const SurfaceLattice& a, const SurfaceLattice& b, std::size_t index, std::uint32_t& level)
+/// Adds two lattices that have the same roots.
+class LatticeSum
 {
-  const SurfaceLattice::Brick& brickA = a.GetBrick(index);
-  const SurfaceLattice::Brick& brickB = b.GetBrick(index);
-  const bool isConstantA = brickA.Level == SurfaceLattice::Constant;
-  const bool isConstantB = brickB.Level == SurfaceLattice::Constant;
-  level = isConstantA ? brickB.Level
-    : isConstantB     ? brickA.Level
-                      : std::max(brickA.Level, brickB.Level);
-  if (level == SurfaceLattice::Constant)
+public:
+  LatticeSum(const SurfaceLattice& a, const SurfaceLattice& b)
+    : A(a)
+    , B(b)
+    , Sum(a.MakeEmpty())
   {
-    return { a.GetInBrick(brickA, 0.0f, 0.0f) + b.GetInBrick(brickB, 0.0f, 0.0f) };
-  }
-  const int splits = 1 << level;
-  std::vector<glm::vec3> values;
-  for (int j = 0; j <= splits; ++j)
-  {
-    for (int i = 0; i <= splits - j; ++i)
+    for (std::size_t root = 0; root < this->Sum.GetNumberOfRoots(); ++root)
     {
-      const float u = static_cast<float>(i) / static_cast<float>(splits);
-      const float v = static_cast<float>(j) / static_cast<float>(splits);
-      values.push_back(a.GetInBrick(brickA, u, v) + b.GetInBrick(brickB, u, v));
+      this->Root = root;
+      this->Add(root, a.GetBrick(root), b.GetBrick(root), {});
     }
   }
-  return values;
-}
 
-SurfaceLattice AddLattices(const SurfaceLattice& a, const SurfaceLattice& b)
-{
-  SurfaceLattice sum = a.MakeEmpty();
-  for (std::size_t index = 0; index < sum.GetNumberOfBricks(); ++index)
+  SurfaceLattice& Get() { return this->Sum; }
+
+private:
+  using Brick = SurfaceLattice::Brick;
+
+  /// Takes barycentric coordinates of a brick to those of its root.
+  struct Place
   {
-    std::uint32_t level = 0;
-    const std::vector<glm::vec3> values = AddBricks(a, b, index, level);
-    sum.SetBrick(index, level, values);
+    glm::vec2 Corner{ 0.0f };
+    float Scale = 1.0f;
+
+    Place GetPart(int cell) const
+    {
+      const float half = 0.5f * this->Scale;
+      const glm::vec2 corner(
+        cell == 1 || cell == 2 ? half : 0.0f, cell == 1 || cell == 3 ? half : 0.0f);
+      return { this->Corner + corner, cell == 1 ? -half : half };
+    }
+  };
+
+  static bool IsLattice(const Brick& brick)
+  {
+    return brick.Level != SurfaceLattice::Constant && brick.Level != SurfaceLattice::Split;
   }
-  return sum;
-}
+
+  void Add(std::size_t index, const Brick& a, const Brick& b, const Place& place)
+  {
+    const bool isSplitA = a.Level == SurfaceLattice::Split;
+    const bool isSplitB = b.Level == SurfaceLattice::Split;
+    if (!isSplitA && !isSplitB)
+    {
+      this->SetValues(index, a, b, place);
+      return;
+    }
+    const std::size_t first = this->Sum.SplitBrick(index);
+    for (int cell = 0; cell < 4; ++cell)
+    {
+      this->Add(first + cell, isSplitA ? this->A.GetBrick(a.First + cell) : a,
+        isSplitB ? this->B.GetBrick(b.First + cell) : b, place.GetPart(cell));
+    }
+  }
+
+  void SetValues(std::size_t index, const Brick& a, const Brick& b, const Place& place)
+  {
+    std::uint32_t level = SurfaceLattice::Constant;
+    if (IsLattice(a) || IsLattice(b))
+    {
+      level = std::max(IsLattice(a) ? a.Level : 0, IsLattice(b) ? b.Level : 0);
+    }
+    const int splits = level == SurfaceLattice::Constant ? 0 : 1 << level;
+    std::vector<glm::vec3> values;
+    for (int j = 0; j <= splits; ++j)
+    {
+      for (int i = 0; i <= splits - j; ++i)
+      {
+        const glm::vec2 local = glm::vec2(i, j) / static_cast<float>(std::max(splits, 1));
+        const glm::vec2 point = place.Corner + place.Scale * local;
+        values.push_back(this->A.GetInBrick(this->A.GetBrick(this->Root), point.x, point.y) +
+          this->B.GetInBrick(this->B.GetBrick(this->Root), point.x, point.y));
+      }
+    }
+    this->Sum.SetBrick(index, level, values);
+  }
+
+  const SurfaceLattice& A;
+  const SurfaceLattice& B;
+  SurfaceLattice Sum;
+  std::size_t Root = 0;
+};
 
 /// Tells a part of the progress.
 std::function<bool(double)> Within(
@@ -92,9 +141,9 @@ bool RadianceCache::Build(const Progress& goOn)
   }
   // All other light, roughly, by whole paths.
   LatticeSettings lattice = this->GetLatticeSettings();
-  lattice.LastLevel = 0;
+  lattice.OnlyBright = true;
   SurfaceLattice rough;
-  if (!this->Gather(lattice, RoughSamples, RoughSamples, rough,
+  if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough,
         Within(goOn, LightShare, LightShare + RoughShare)))
   {
     return false;
@@ -104,12 +153,12 @@ bool RadianceCache::Build(const Progress& goOn)
   this->Complete = true;
   // And finely, by paths that end at what they see first.
   SurfaceLattice fine;
-  if (!this->Gather(this->GetLatticeSettings(), FirstGatherSamples, this->Settings.Samples, fine,
+  if (!this->Gather(this->GetLatticeSettings(), FirstGatherSamples, this->Settings.Samples, 1, fine,
         Within(goOn, LightShare + RoughShare, 1.0)))
   {
     return false;
   }
-  this->Values = AddLattices(this->Values, fine);
+  this->Values = std::move(LatticeSum(this->Values, fine).Get());
   this->Second = SurfaceLattice();
   this->HasSecond = false;
   return true;
@@ -120,6 +169,7 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   LatticeSettings lattice;
   lattice.Spacing = static_cast<float>(this->Settings.Spacing);
   lattice.Tolerance = static_cast<float>(this->Settings.Tolerance);
+  lattice.Exposure = this->Settings.Exposure;
   lattice.Display = [exposure = this->Settings.Exposure](
                       const glm::vec3& value, const glm::vec3& baseColor)
   { return glm::vec3(LinearToSRGB(exposure * glm::dvec3(value * baseColor))); };
@@ -131,29 +181,35 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.FirstLevel = FirstLightLevel;
   DiffuseEstimator estimator(this->World, this->Paths,
-    { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples), lattice.Tolerance,
-      this->Settings.Seed, lattice.Display });
+    { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples),
+      NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display });
   LatticeBuilder builder(this->World, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && this->Paths.GetLight().CanSample();
   const bool done = !isLit || builder.Build(goOn);
   this->Values = std::move(builder.GetLattice());
+  if (getenv("CSLF_DEBUG"))
+    fprintf(stderr, "estimates %zu rays %zu values %zu\n", builder.GetNumberOfEstimates(),
+      (size_t)estimator.GetNumberOfRays(), this->Values.GetNumberOfValues());
   this->Estimates += builder.GetNumberOfEstimates();
   this->Rays += estimator.GetNumberOfRays();
   return done;
 }
 
-bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
+bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
   SurfaceLattice& values, const Progress& goOn)
 {
   DiffuseEstimator estimator(this->World, this->Paths,
-    { firstSamples, std::max(firstSamples, lastSamples), lattice.Tolerance, this->Settings.Seed,
-      lattice.Display });
+    { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance,
+      depth, this->Settings.Seed, lattice.Display });
   LatticeBuilder builder(this->World, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const bool done = !isLit || builder.Build(goOn);
   values = std::move(builder.GetLattice());
+  if (getenv("CSLF_DEBUG"))
+    fprintf(stderr, "estimates %zu rays %zu values %zu\n", builder.GetNumberOfEstimates(),
+      (size_t)estimator.GetNumberOfRays(), this->Values.GetNumberOfValues());
   this->Estimates += builder.GetNumberOfEstimates();
   this->Rays += estimator.GetNumberOfRays();
   return done;

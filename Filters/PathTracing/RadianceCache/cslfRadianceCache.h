@@ -71,7 +71,7 @@ private:
 
   LatticeSettings GetLatticeSettings() const;
   bool SampleLights(const Progress& goOn);
-  bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
+  bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
     SurfaceLattice& values, const Progress& goOn);
 
   const Scene& World;

@@ -4,11 +4,11 @@
  * @file
  * Values on the surface of triangles, as fine as each place needs.
  *
- * Every triangle has two sides. Each side is split into bricks, triangles of about the same size,
- * and each brick holds values at the points of a triangular lattice of its own fineness, between
- * which they are interpolated linearly (after Yuksel, Keyser and House, "Mesh Colors", ACM TOG
- * 29(2), 2010). So no texture coordinates are needed, and a look-up costs two steps whatever the
- * fineness.
+ * Every triangle has two sides. Each side is split into bricks, triangles of about the same size.
+ * A brick holds values at the points of a small triangular lattice, between which they are
+ * interpolated linearly (after Yuksel, Keyser and House, "Mesh Colors", ACM TOG 29(2), 2010), or is
+ * split into four bricks. So no texture coordinates are needed, and a look-up descends only where
+ * there is detail.
  */
 #ifndef cslfSurfaceLattice_h
 #define cslfSurfaceLattice_h
@@ -75,10 +75,12 @@ class VTKCSLF_EXPORT SurfaceLattice
 public:
   /// A brick that holds one value for all of it.
   static constexpr std::uint32_t Constant = 0xffffffffu;
+  /// A brick that is split into four.
+  static constexpr std::uint32_t Split = 0xfffffffeu;
 
   struct Brick
   {
-    std::uint32_t First = 0;        ///< its first value
+    std::uint32_t First = 0; ///< its first value, or the first of the bricks it is split into
     std::uint32_t Level = Constant; ///< the binary logarithm of the splits along its edges
   };
 
@@ -92,9 +94,10 @@ public:
   SurfaceLattice MakeEmpty() const;
 
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
-  std::size_t GetNumberOfBricks() const { return this->Bricks.size(); }
+  /// Bricks that are not parts of others come first.
+  std::size_t GetNumberOfRoots() const { return this->NumberOfRoots; }
   std::size_t GetNumberOfValues() const { return this->Values.size(); }
-  int GetSplits(std::size_t triangle) const { return 1 << this->Triangles[triangle].Split; }
+  int GetSplits(std::size_t triangle) const { return 1 << this->Triangles[triangle].Depth; }
 
   std::size_t GetBrickIndex(std::size_t triangle, bool back, int cell) const
   {
@@ -106,23 +109,34 @@ public:
   /// Gives a brick its values: one, or those of a lattice's points.
   void SetBrick(std::size_t index, std::uint32_t level, const std::vector<glm::vec3>& values);
 
+  /// Splits a brick into four and returns the index of the first, which stands for the cell 0; they
+  /// are in the cells' order.
+  std::size_t SplitBrick(std::size_t index);
+
   /// The value at a point, given by barycentric coordinates.
   glm::vec3 Get(std::size_t triangle, bool back, float u, float v) const
   {
     const Triangle& place = this->Triangles[triangle];
-    if (place.Split == 0)
+    if (place.Depth == 0)
     {
       return this->GetInBrick(this->Bricks[place.FirstBrick + (back ? 1 : 0)], u, v);
     }
-    const LatticeCell cell(u, v, 1 << place.Split);
-    const int index = CellIndex(cell.I, cell.J, cell.Flipped, 1 << place.Split);
+    const LatticeCell cell(u, v, 1 << place.Depth);
+    const int index = CellIndex(cell.I, cell.J, cell.Flipped, 1 << place.Depth);
     return this->GetInBrick(
       this->Bricks[this->GetBrickIndex(triangle, back, index)], cell.U, cell.V);
   }
 
   /// The value at a point of a brick, given by barycentric coordinates within it.
-  glm::vec3 GetInBrick(const Brick& brick, float u, float v) const
+  glm::vec3 GetInBrick(Brick brick, float u, float v) const
   {
+    while (brick.Level == Split)
+    {
+      const LatticeCell cell(u, v, 2);
+      brick = this->Bricks[brick.First + CellIndex(cell.I, cell.J, cell.Flipped, 2)];
+      u = cell.U;
+      v = cell.V;
+    }
     const glm::vec3* values = this->Values.data() + brick.First;
     if (brick.Level == Constant)
     {
@@ -142,9 +156,10 @@ private:
   struct Triangle
   {
     std::uint32_t FirstBrick;
-    std::uint32_t Split;
+    std::uint32_t Depth; // the binary logarithm of the bricks along its edges
   };
 
+  std::size_t NumberOfRoots = 0;
   std::vector<Triangle> Triangles;
   std::vector<Brick> Bricks;
   std::vector<glm::vec3> Values;
