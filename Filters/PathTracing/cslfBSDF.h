@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The metallic-roughness material: glTF 2.0, appendix B, with layers that conserve energy.
+ * The metallic-roughness material with transmission: glTF 2.0, appendix B, and its extensions
+ * KHR_materials_transmission and KHR_materials_ior, with layers that conserve energy.
  */
 #ifndef cslfBSDF_h
 #define cslfBSDF_h
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfFacets.h"
 #include "cslfSurfaceMaterial.h"
 
 #include <glm/vec2.hpp>
@@ -21,15 +23,18 @@ struct BSDFSample
   glm::vec3 Direction{ 0.0f }; ///< local
   glm::vec3 Weight{ 0.0f };    ///< BSDF times cosine, over the density
   float Pdf = 0.0f;            ///< per solid angle; infinite for a mirror's direction
+  float Compression = 1.0f;    ///< the factor of the weight that refraction accounts for
 };
 
 /**
- * How a surface point reflects towards one outgoing direction. Directions are local: z is the
- * shading normal, both point away from the surface, and both must be above it.
+ * How a surface point scatters light towards one outgoing direction. Directions are local: z is the
+ * shading normal, both point away from the surface. The outgoing one must be above it; incident
+ * ones below bring light that comes through.
  *
- * A metal of reflectance "base colour" and a dielectric are blended by "metallic". Both reflect
- * through the same facets, GGX. Under the dielectric's boundary lies a diffuse base, which gets
- * what the boundary lets through, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
+ * A metal of reflectance "base colour" and a dielectric are blended by "metallic", an opaque
+ * dielectric and glass by "transmission". All have the same facets, GGX; what glass lets through is
+ * tinted by the base colour. Under the opaque boundary lies a diffuse base, which gets what the
+ * boundary lets through, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
  * albedo: unlike glTF's example code, this never reflects more than it receives (Kelemen and
  * Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 short
  * papers).
@@ -37,13 +42,19 @@ struct BSDFSample
 class VTKCSLF_EXPORT BSDF
 {
 public:
-  BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing);
+  /// `inside` tells whether the outgoing direction lies behind the surface, in the glass.
+  BSDF(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
+    bool inside);
 
-  /// Whether light from given directions is reflected at all: not so for a pure mirror.
-  bool IsMirror() const
+  /// Of a material that no texture varies, seen from outside.
+  BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing)
+    : BSDF(material, { baseColor, material.Metallic, material.Alpha }, outgoing, false)
   {
-    return this->SpecularProbability >= 1.0f && this->Material.Alpha == 0.0f;
   }
+
+  /// Whether light from given directions is scattered at all: not so for a pure mirror, and for
+  /// clear glass.
+  bool IsMirror() const { return this->SpecularProbability >= 1.0f && this->Specular.IsSmooth(); }
 
   /// BSDF times the cosine at the incident direction, a mirror's part left out.
   glm::vec3 EvaluateCosine(const glm::vec3& incident) const;
@@ -55,12 +66,13 @@ public:
   bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample) const;
 
 private:
-  glm::vec3 Fresnel(float cosine) const;
   float DiffuseTransmission(const glm::vec3& incident) const;
 
   const SurfaceMaterial& Material;
-  glm::vec3 BaseColor;
+  MaterialPoint Point;
   glm::vec3 Outgoing;
+  Facets Specular;
+  float DiffusePart; // what is neither metal nor glass
   float SpecularProbability = 0.0f;
 };
 }

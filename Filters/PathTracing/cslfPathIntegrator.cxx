@@ -18,10 +18,12 @@ constexpr int RouletteDepth = 3;
 // The largest chance of going on, so that paths end between white surfaces too.
 constexpr float LargestSurvival = 0.95f;
 
-/// Russian roulette on the path's weight. False where the path ends.
-bool Survive(glm::vec3& beta, float u)
+/// Russian roulette on the path's weight, without the compression that leaving the glass undoes.
+/// False where the path ends.
+bool Survive(glm::vec3& beta, float compression, float u)
 {
-  const float survival = std::min(std::max({ beta.x, beta.y, beta.z }), LargestSurvival);
+  const float weight = std::max({ beta.x, beta.y, beta.z }) / compression;
+  const float survival = std::min(weight, LargestSurvival);
   if (u >= survival)
   {
     return false;
@@ -34,7 +36,7 @@ bool Survive(glm::vec3& beta, float u)
 /// A surface point of the path and how it reflects towards the previous one.
 struct PathIntegrator::Vertex
 {
-  glm::vec3 Position;
+  const SurfaceHit& Surface;
   const Frame& Local;
   const BSDF& Reflection;
 };
@@ -43,6 +45,7 @@ glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) con
 {
   glm::vec3 radiance(0.0f);
   glm::vec3 beta(1.0f);
+  float compression = 1.0f;
   // The density of the ray's direction; a given ray is like a mirror's.
   float pdf = std::numeric_limits<float>::infinity();
   for (int depth = 0;; ++depth)
@@ -64,10 +67,11 @@ glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) con
     // Add light that is sampled at its sources.
     stream.NextVertex();
     const Frame frame(surface.ShadingNormal);
-    const BSDF bsdf(*surface.Material, surface.BaseColor, frame.ToLocal(-ray.Direction));
+    const BSDF bsdf(
+      *surface.Material, surface.GetMaterialPoint(), frame.ToLocal(-ray.Direction), surface.Inside);
     if (!bsdf.IsMirror())
     {
-      radiance += beta * this->DirectLight({ surface.LeavePosition, frame, bsdf }, stream);
+      radiance += beta * this->DirectLight({ surface, frame, bsdf }, stream);
     }
 
     // Choose the direction in which the path goes on.
@@ -77,14 +81,15 @@ glm::vec3 PathIntegrator::GetRadiance(Ray ray, Hit hit, SampleStream stream) con
       return radiance;
     }
     beta *= sample.Weight;
+    compression *= sample.Compression;
     pdf = sample.Pdf;
 
     // End paths that carry little.
-    if (depth >= RouletteDepth && !Survive(beta, stream.Get1D(Dimension::Roulette)))
+    if (depth >= RouletteDepth && !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
     {
       return radiance;
     }
-    ray = { surface.LeavePosition, frame.ToWorld(sample.Direction) };
+    ray = { surface.GetStart(sample.Direction.z), frame.ToWorld(sample.Direction) };
     hit = this->World.Intersect(ray);
   }
 }
@@ -107,16 +112,16 @@ glm::vec3 PathIntegrator::EmittedLight(
   {
     return glm::vec3(0.0f);
   }
-  const glm::vec3& emission = surface.Material->Emission;
   float weight = 1.0f;
   if (this->Settings.LightSampling && !std::isinf(pdf))
   {
     const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
     weight = this->Settings.BSDFSampling
-      ? PowerHeuristic(pdf, this->World.GetAreaLights().Pdf(emission, hit.Distance, cosine))
+      ? PowerHeuristic(
+          pdf, this->World.GetAreaLights().Pdf(surface.EmissionImportance, hit.Distance, cosine))
       : 0.0f;
   }
-  return weight * emission;
+  return weight * surface.Emission;
 }
 
 glm::vec3 PathIntegrator::DirectLight(const Vertex& vertex, const SampleStream& stream) const
@@ -127,7 +132,8 @@ glm::vec3 PathIntegrator::DirectLight(const Vertex& vertex, const SampleStream& 
     if (!this->World.GetAreaLights().IsEmpty())
     {
       radiance += this->Arrive(vertex,
-        this->World.GetAreaLights().Sample(vertex.Position, stream.Get2D(Dimension::AreaLight)));
+        this->World.GetAreaLights().Sample(
+          vertex.Surface.LeavePosition, stream.Get2D(Dimension::AreaLight)));
     }
     if (this->World.GetEnvironment().CanSample())
     {
@@ -141,7 +147,7 @@ glm::vec3 PathIntegrator::DirectLight(const Vertex& vertex, const SampleStream& 
   }
   for (const PointLight& light : this->World.GetPointLights())
   {
-    radiance += this->Arrive(vertex, light.Sample(vertex.Position));
+    radiance += this->Arrive(vertex, light.Sample(vertex.Surface.LeavePosition));
   }
   return radiance;
 }
@@ -155,9 +161,14 @@ glm::vec3 PathIntegrator::Arrive(const Vertex& vertex, const LightSample& light)
     return none;
   }
   const glm::vec3 local = vertex.Local.ToLocal(light.Direction);
-  const glm::vec3 reflected = vertex.Reflection.EvaluateCosine(local);
-  if (reflected == none ||
-    this->World.IsOccluded({ vertex.Position, light.Direction }, light.Distance))
+  glm::vec3 reflected = vertex.Reflection.EvaluateCosine(local);
+  if (reflected == none)
+  {
+    return none;
+  }
+  reflected *= this->World.GetTransmittance(
+    { vertex.Surface.GetStart(local.z), light.Direction }, light.Distance);
+  if (reflected == none)
   {
     return none;
   }
