@@ -25,13 +25,18 @@ list(APPEND sources
   ../Filters/PathTracing/cslfDirectLight.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
+  ../Filters/PathTracing/cslfFacets.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
+  ../Filters/PathTracing/cslfMesh.cxx
+  ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
   ../Filters/PathTracing/cslfTexelRenderer.cxx
+  ../Filters/PathTracing/cslfTexture.cxx
+  ../Filters/PathTracing/cslfTextureReader.cxx
   ../Filters/PathTracing/cslfTriangles.cxx)
 list(APPEND private_headers
   ../Filters/PathTracing/cslfAreaLights.h
@@ -41,12 +46,15 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfDistribution.h
   ../Filters/PathTracing/cslfEmbree.h
   ../Filters/PathTracing/cslfEnvironment.h
+  ../Filters/PathTracing/cslfFacets.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
   ../Filters/PathTracing/cslfLambert.h
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
+  ../Filters/PathTracing/cslfMesh.h
+  ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfSampleStream.h
@@ -56,6 +64,8 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
+  ../Filters/PathTracing/cslfTexture.h
+  ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangles.h)
 
 # The light that surfaces diffuse, worked out once.

@@ -2,15 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterial.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkCSLFMaterial);
 
@@ -35,8 +45,107 @@ constexpr Parameter Emission = { "Emission", 3, 0.0, 0.0, Unlimited };
 constexpr Parameter IndexOfRefraction = { "IndexOfRefraction", 1, 1.0, 1.0, Unlimited };
 constexpr Parameter Transmission = { "Transmission", 1, 0.0, 0.0, 1.0 };
 constexpr Parameter Opacity = { "Opacity", 1, 1.0, 0.0, 1.0 };
+constexpr Parameter OpacityCutoff = { "OpacityCutoff", 1, 0.0, 0.0, 1.0 };
+constexpr Parameter NormalScale = { "NormalScale", 1, 1.0, -Unlimited, Unlimited };
 constexpr Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, Opacity };
+  Transmission, Opacity, OpacityCutoff, NormalScale };
+
+// By vtkCSLFMaterial::TextureSlots.
+constexpr const char* TextureNames[] = { "BaseColorTexture", "MetallicRoughnessTexture",
+  "NormalTexture", "EmissionTexture" };
+
+// What follows the name of a texture in that of its layout, and the layout's components.
+constexpr const char* LayoutSuffix = "Layout";
+enum LayoutComponents
+{
+  LayoutWidth,
+  LayoutHeight,
+  LayoutRepeat,
+  LayoutInterpolate,
+  LayoutSize
+};
+
+// Boundaries reflect this much of light from straight above at a specular coefficient of 1.
+constexpr double LargestSpecular = 0.08;
+
+bool IsSlot(int slot)
+{
+  return slot >= 0 && slot < static_cast<int>(std::size(TextureNames));
+}
+
+std::string GetLayoutName(int slot)
+{
+  return std::string(TextureNames[slot]) + LayoutSuffix;
+}
+
+void RemoveTexture(vtkDataObject* data, int slot)
+{
+  data->GetFieldData()->RemoveArray(TextureNames[slot]);
+  data->GetFieldData()->RemoveArray(GetLayoutName(slot).c_str());
+}
+
+/// The pixels and layout of a texture; null where there is none that can be used.
+std::pair<vtkUnsignedCharArray*, vtkDataArray*> FindTexture(vtkDataObject* data, int slot)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  auto* pixels = vtkUnsignedCharArray::SafeDownCast(fields->GetArray(TextureNames[slot]));
+  vtkDataArray* layout = fields->GetArray(GetLayoutName(slot).c_str());
+  if (!pixels || !layout || layout->GetNumberOfComponents() != LayoutSize ||
+    layout->GetNumberOfTuples() < 1 || pixels->GetNumberOfComponents() > 4)
+  {
+    return { nullptr, nullptr };
+  }
+  const double width = layout->GetComponent(0, LayoutWidth);
+  const double height = layout->GetComponent(0, LayoutHeight);
+  const bool fits = width >= 1.0 && height >= 1.0 && width <= VTK_INT_MAX &&
+    height <= VTK_INT_MAX && width * height == static_cast<double>(pixels->GetNumberOfTuples());
+  return fits ? std::make_pair(pixels, layout) : std::make_pair(nullptr, nullptr);
+}
+
+/// The index of refraction of a boundary that reflects this much of light from straight above.
+double ToIndexOfRefraction(double reflectance)
+{
+  const double root = std::sqrt(reflectance);
+  return (1.0 + root) / (1.0 - root);
+}
+
+/// The material of a property of VTK's classic model: see SetFromProperty.
+void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
+{
+  const double* specular = property->GetSpecularColor();
+  const double luminance = 0.2126 * specular[0] + 0.7152 * specular[1] + 0.0722 * specular[2];
+  const double reflectance =
+    LargestSpecular * std::clamp(property->GetSpecular() * luminance, 0.0, 1.0);
+  const double alpha = std::sqrt(2.0 / (std::max(property->GetSpecularPower(), 0.0) + 2.0));
+  vtkCSLFMaterial::SetMetallic(data, Metallic.Default);
+  vtkCSLFMaterial::SetRoughness(data, reflectance > 0.0 ? std::sqrt(alpha) : Roughness.Default);
+  vtkCSLFMaterial::SetIndexOfRefraction(data, ToIndexOfRefraction(reflectance));
+  vtkCSLFMaterial::SetEmission(data, 0.0, 0.0, 0.0);
+  vtkCSLFMaterial::SetNormalScale(data, NormalScale.Default);
+  for (int slot = 0; IsSlot(slot); ++slot)
+  {
+    RemoveTexture(data, slot);
+  }
+}
+
+void SetFromPhysicalProperty(vtkDataObject* data, vtkProperty* property)
+{
+  vtkCSLFMaterial::SetMetallic(data, property->GetMetallic());
+  vtkCSLFMaterial::SetRoughness(data, property->GetRoughness());
+  vtkCSLFMaterial::SetIndexOfRefraction(data, property->GetBaseIOR());
+  vtkCSLFMaterial::SetNormalScale(data, property->GetNormalScale());
+  const char* const names[] = { "albedoTex", "materialTex", "normalTex", "emissiveTex" };
+  bool emissive = false;
+  for (int slot = 0; IsSlot(slot); ++slot)
+  {
+    const bool textured =
+      vtkCSLFMaterial::SetTextureFrom(data, slot, property->GetTexture(names[slot]));
+    emissive = textured && slot == vtkCSLFMaterial::EmissionTexture;
+  }
+  const double* factor = property->GetEmissiveFactor();
+  vtkCSLFMaterial::SetEmission(
+    data, emissive ? factor[0] : 0.0, emissive ? factor[1] : 0.0, emissive ? factor[2] : 0.0);
+}
 
 double Clamp(const Parameter& parameter, double value)
 {
@@ -91,7 +200,7 @@ double Get(vtkDataObject* data, const Parameter& parameter)
 
 void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property)
 {
-  if (!property)
+  if (!data || !property)
   {
     return;
   }
@@ -100,12 +209,17 @@ void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property
   property->GetDiffuseColor(color);
   const double coefficient = physical ? 1.0 : property->GetDiffuse();
   SetBaseColor(data, coefficient * color[0], coefficient * color[1], coefficient * color[2]);
-  SetMetallic(data, physical ? property->GetMetallic() : Metallic.Default);
-  SetRoughness(data, physical ? property->GetRoughness() : Roughness.Default);
-  SetIndexOfRefraction(data, physical ? property->GetBaseIOR() : IndexOfRefraction.Default);
-  SetEmission(data, 0.0, 0.0, 0.0);
   SetTransmission(data, Transmission.Default);
   SetOpacity(data, property->GetOpacity());
+  SetOpacityCutoff(data, OpacityCutoff.Default);
+  if (physical)
+  {
+    SetFromPhysicalProperty(data, property);
+  }
+  else
+  {
+    SetFromClassicProperty(data, property);
+  }
 }
 
 void vtkCSLFMaterial::SetBaseColor(vtkDataObject* data, double red, double green, double blue)
@@ -180,6 +294,97 @@ double vtkCSLFMaterial::GetOpacity(vtkDataObject* data)
   return Get(data, Opacity);
 }
 
+void vtkCSLFMaterial::SetOpacityCutoff(vtkDataObject* data, double cutoff)
+{
+  Set(data, OpacityCutoff, &cutoff);
+}
+
+double vtkCSLFMaterial::GetOpacityCutoff(vtkDataObject* data)
+{
+  return Get(data, OpacityCutoff);
+}
+
+void vtkCSLFMaterial::SetNormalScale(vtkDataObject* data, double scale)
+{
+  Set(data, NormalScale, &scale);
+}
+
+double vtkCSLFMaterial::GetNormalScale(vtkDataObject* data)
+{
+  return Get(data, NormalScale);
+}
+
+bool vtkCSLFMaterial::SetTexture(
+  vtkDataObject* data, int slot, vtkImageData* image, bool repeat, bool interpolate)
+{
+  if (!data || !IsSlot(slot))
+  {
+    return false;
+  }
+  RemoveTexture(data, slot);
+  if (!image)
+  {
+    return false;
+  }
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  auto* scalars = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+  if (!scalars || scalars->GetNumberOfComponents() > 4 || dimensions[0] < 1 || dimensions[1] < 1 ||
+    dimensions[2] != 1)
+  {
+    vtkGenericWarningMacro("A texture is left out: its image must be two-dimensional, of unsigned "
+                           "chars of 1 to 4 components.");
+    return false;
+  }
+  vtkNew<vtkUnsignedCharArray> pixels;
+  pixels->ShallowCopy(scalars);
+  pixels->SetName(TextureNames[slot]);
+  vtkNew<vtkIntArray> layout;
+  layout->SetName(GetLayoutName(slot).c_str());
+  layout->SetNumberOfComponents(LayoutSize);
+  layout->InsertNextTuple4(dimensions[0], dimensions[1], repeat ? 1 : 0, interpolate ? 1 : 0);
+  data->GetFieldData()->AddArray(pixels);
+  data->GetFieldData()->AddArray(layout);
+  return true;
+}
+
+bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* texture)
+{
+  if (!texture)
+  {
+    return SetTexture(data, slot, nullptr);
+  }
+  if (texture->GetCubeMap() || !texture->GetInputAlgorithm())
+  {
+    vtkGenericWarningMacro("A texture is left out: it is a cube map, or without an image.");
+    return SetTexture(data, slot, nullptr);
+  }
+  texture->GetInputAlgorithm()->Update();
+  return SetTexture(
+    data, slot, texture->GetInput(), texture->GetRepeat() != 0, texture->GetInterpolate() != 0);
+}
+
+bool vtkCSLFMaterial::GetTexture(
+  vtkDataObject* data, int slot, vtkImageData* image, bool& repeat, bool& interpolate)
+{
+  if (!data || !image || !IsSlot(slot))
+  {
+    return false;
+  }
+  const auto [pixels, layout] = FindTexture(data, slot);
+  if (!pixels)
+  {
+    return false;
+  }
+  image->Initialize();
+  image->SetDimensions(static_cast<int>(layout->GetComponent(0, LayoutWidth)),
+    static_cast<int>(layout->GetComponent(0, LayoutHeight)), 1);
+  image->GetPointData()->SetScalars(pixels);
+  repeat = layout->GetComponent(0, LayoutRepeat) != 0.0;
+  interpolate = layout->GetComponent(0, LayoutInterpolate) != 0.0;
+  return true;
+}
+
 void vtkCSLFMaterial::Inherit(vtkDataObject* data, vtkDataObject* fallback)
 {
   for (const Parameter& parameter : Parameters)
@@ -188,6 +393,15 @@ void vtkCSLFMaterial::Inherit(vtkDataObject* data, vtkDataObject* fallback)
     if (data && array && !Find(data, parameter))
     {
       data->GetFieldData()->AddArray(array);
+    }
+  }
+  for (int slot = 0; data && fallback && IsSlot(slot); ++slot)
+  {
+    const auto [pixels, layout] = FindTexture(fallback, slot);
+    if (pixels && !FindTexture(data, slot).first)
+    {
+      data->GetFieldData()->AddArray(pixels);
+      data->GetFieldData()->AddArray(layout);
     }
   }
 }

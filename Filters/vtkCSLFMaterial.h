@@ -8,20 +8,34 @@
  * vtkPolyData itself, or, for arrays that it lacks, of the composite data set it is a leaf of. Any
  * VTK pipeline carries them along. This class knows the arrays' names; each holds one tuple:
  *
- * | array | components | meaning | range | default |
- * |---|---|---|---|---|
- * | `BaseColor` | 3 | sRGB-encoded; a dielectric's diffuse reflectance, a metal's reflectance at
- * normal incidence | [0,1] | 0.8, 0.8, 0.8 | | `Metallic` | 1 | 0 is a dielectric, 1 a metal, a
- * blend between | [0,1] | 0 | | `Roughness` | 1 | perceptual; its square is GGX's alpha; below 0.03
- * a perfect mirror | [0,1] | 1 | | `Emission` | 3 | radiance, linear, from both sides | >= 0 | 0,
- * 0, 0 | | `IndexOfRefraction` | 1 | of a dielectric's glossy boundary; 1 has none | >= 1 | 1 | |
- * `Transmission` | 1 | the part of the light that passes a dielectric's boundary | [0,1] | 0 | |
- * `Opacity` | 1 | 0 is invisible, 1 covers | [0,1] | 1 |
+ * - `BaseColor`: 3 components in [0,1], sRGB-encoded, by default 0.8, 0.8, 0.8. A dielectric's
+ *   diffuse reflectance, a metal's reflectance at normal incidence, the tint of what glass lets
+ *   through.
+ * - `Metallic`: in [0,1], by default 0. 0 is a dielectric, 1 a metal, a blend between.
+ * - `Roughness`: in [0,1], by default 1. Perceptual; its square is GGX's alpha; below 0.03 smooth.
+ * - `Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both sides.
+ * - `IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has none.
+ * - `Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
+ * - `Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
+ *   passes as if there were none.
+ * - `OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
+ * - `NormalScale`: any number, by default 1. How far the normal texture bends normals.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
- * purely diffuse. Transmission other than 0 and opacity other than 1 are carried but not
- * represented by the tracer, which warns of them. Colours of points or cells, where they are shown,
- * replace the base colour (see vtkCSLFPathTracer).
+ * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
+ * their alpha multiplies the opacity (see vtkCSLFPathTracer).
+ *
+ * Glass is solid: its surfaces should be closed, with the vertices of their polygons
+ * counterclockwise seen from outside, since that tells light whether it enters or leaves.
+ *
+ * Textures are images that multiply these factors; they lie on the surface by its texture
+ * coordinates. They travel as field data too, pixels in an array named `BaseColorTexture`,
+ * `MetallicRoughnessTexture`, `NormalTexture` or `EmissionTexture`: unsigned char, 1 to 4
+ * components (grey, grey and alpha, RGB, RGBA), one tuple a pixel, the row of v = 0 first. An array
+ * of the same name and `Layout` has one tuple of 4 integers: width, height, whether the image
+ * repeats beyond [0,1] (else its edge goes on), and whether it is interpolated. Colours are sRGB;
+ * the alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
+ * normals are as in glTF.
  *
  * Values out of range are clamped when set.
  *
@@ -34,7 +48,9 @@
 #include "vtkObject.h"
 
 class vtkDataObject;
+class vtkImageData;
 class vtkProperty;
+class vtkTexture;
 
 class VTKCSLF_EXPORT vtkCSLFMaterial : public vtkObject
 {
@@ -46,12 +62,19 @@ public:
   /**
    * Sets all arrays from a property.
    *
-   * With PBR interpolation: base colour, metallic, roughness, base index of refraction, opacity. An
-   * emissive factor only scales an emissive texture, and textures are not read, so there is no
-   * emission. Any other interpolation gives a diffuse surface of the diffuse colour times the
-   * diffuse coefficient, and the opacity; ambient and Blinn-Phong specular terms are no light
-   * transport and have no counterpart. Coats, anisotropy, edge tint, textures, edges and
-   * representations other than surfaces are not represented.
+   * With PBR interpolation: base colour, metallic, roughness, base index of refraction, opacity,
+   * normal scale, and the textures `albedoTex`, `materialTex`, `normalTex` and `emissiveTex`; the
+   * emission is the emissive factor where there is an emissive texture, since VTK multiplies the
+   * two, and else 0. Occlusion is left to light transport.
+   *
+   * Any other interpolation gives a diffuse base of the diffuse colour times the diffuse
+   * coefficient, and the opacity. A specular coefficient adds a boundary of the reflectance 0.08
+   * times coefficient and the specular colour's luminance, so that 0.5 with white is glass's 0.04,
+   * whose facets have the exponent that is the specular power (alpha squared = 2 / (power + 2)).
+   * Ambient terms are no light transport and have no counterpart.
+   *
+   * Coats, anisotropy, edge tint, edges, culling and representations other than surfaces are not
+   * represented.
    */
   static void SetFromProperty(vtkDataObject* data, vtkProperty* property);
 
@@ -111,6 +134,52 @@ public:
   static void SetOpacity(vtkDataObject* data, double opacity);
   static double GetOpacity(vtkDataObject* data);
   ///@}
+
+  ///@{
+  /**
+   * Set or get the opacity below which a surface is not there, in [0,1]; 0 for none. Default: 0.
+   */
+  static void SetOpacityCutoff(vtkDataObject* data, double cutoff);
+  static double GetOpacityCutoff(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the factor of the normal texture's x and y. Default: 1.
+   */
+  static void SetNormalScale(vtkDataObject* data, double scale);
+  static double GetNormalScale(vtkDataObject* data);
+  ///@}
+
+  enum TextureSlots
+  {
+    BaseColorTexture = 0,     ///< sRGB colour times the base colour, alpha times the opacity
+    MetallicRoughnessTexture, ///< blue times metallic, green times roughness
+    NormalTexture,  ///< the normal's x, y, z along u, along v, outwards: [-1,1] as [0,255]
+    EmissionTexture ///< sRGB colour times the emission
+  };
+
+  /**
+   * Sets a texture: a two-dimensional image of unsigned chars of 1 to 4 components, whose pixels
+   * are shared, not copied. `repeat` tells whether it goes on beyond texture coordinates in [0,1],
+   * and `interpolate` whether it is bilinear between pixels. Returns false, with a warning, for any
+   * other image; null removes the texture.
+   */
+  static bool SetTexture(vtkDataObject* data, int slot, vtkImageData* image, bool repeat = true,
+    bool interpolate = true);
+
+  /**
+   * Sets a texture from the input image of a vtkTexture, and its way to repeat and interpolate.
+   * Cube maps are no such textures; a transform of the texture is not represented. Returns false,
+   * with a warning, where it cannot be used; null removes the texture.
+   */
+  static bool SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* texture);
+
+  /**
+   * Gets a texture. Returns false, and leaves all else alone, where there is none.
+   */
+  static bool GetTexture(
+    vtkDataObject* data, int slot, vtkImageData* image, bool& repeat, bool& interpolate);
 
   /**
    * Copies the arrays of `fallback` that `data` lacks. For a block that inherits from its root.

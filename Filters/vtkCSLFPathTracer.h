@@ -13,11 +13,14 @@
  * polygons with coordinates that are not finite are left out, named in one warning. Triangles
  * without area show nothing and are left out silently. A scene without any triangle is an error.
  * - Surfaces are two-sided. Point normals, where present, smooth the shading.
- * - Materials and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.
+ * - Materials, textures and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.
+ * - Rays pass surfaces of an opacity below 1 by chance. Alpha is the share of rays that end on some
+ * surface; depth is that of the first surface whose opacity is at least one half.
  * - With ScalarVisibility, the active scalars (or what SetInputArrayToProcess chooses: points, then
  * cells) replace the base colour: unsigned chars of 3 or 4 components are sRGB colours; all else is
  * mapped through LookupTable, or the array's own lookup table, or a default one over the range of
- * all inputs' arrays. Colours of points are interpolated after they are made linear.
+ * all inputs' arrays. Colours of points are interpolated after they are made linear; their alpha
+ * multiplies the opacity.
  *
  * Light transport: path tracing, where light from emissive triangles and environment images
  * is sampled at its source as well as by the surface, combined by the power heuristic; from the
@@ -120,7 +123,7 @@ public:
   ///@{
   /**
    * The number of reflections of the longest path: 0 shows emission only, 1 adds direct light, more
-   * add indirect light. Default: 8.
+   * add indirect light. Each passage through a surface of glass counts as one. Default: 8.
    */
   vtkSetClampMacro(MaximumDepth, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumDepth, int);

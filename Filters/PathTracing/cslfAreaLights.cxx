@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfAreaLights.h"
 
+#include "cslfMesh.h"
 #include "cslfSampling.h"
 
 #include <glm/geometric.hpp>
@@ -19,7 +20,7 @@ AreaLights::AreaLights(std::vector<EmissiveTriangle> triangles)
   for (const EmissiveTriangle& triangle : this->Triangles)
   {
     const float area = 0.5f * glm::length(glm::cross(triangle.EdgeU, triangle.EdgeV));
-    weights.push_back(double(area) * Luminance(triangle.Radiance));
+    weights.push_back(double(area) * triangle.Importance);
   }
   this->Choice = Distribution1D(weights);
 }
@@ -40,17 +41,18 @@ LightSample AreaLights::Sample(const glm::vec3& from, const glm::vec2& u) const
     const glm::vec3 normal = glm::normalize(glm::cross(triangle.EdgeU, triangle.EdgeV));
     sample.Distance = distance;
     sample.Direction = path / distance;
-    sample.Radiance = triangle.Radiance;
+    const TrianglePoint place{ triangle.Triangle, point.x, point.y };
+    sample.Radiance = triangle.Source->GetOpacity(place) * triangle.Source->GetEmission(place);
     sample.Pdf =
-      this->Pdf(triangle.Radiance, distance, std::abs(glm::dot(normal, sample.Direction)));
+      this->Pdf(triangle.Importance, distance, std::abs(glm::dot(normal, sample.Direction)));
   }
   return sample;
 }
 
-float AreaLights::Pdf(const glm::vec3& radiance, float distance, float cosine) const
+float AreaLights::Pdf(float importance, float distance, float cosine) const
 {
   // Per area, a triangle's choice and its area cancel.
-  const auto perArea = static_cast<float>(Luminance(radiance) / this->Choice.GetTotal());
+  const auto perArea = static_cast<float>(importance / this->Choice.GetTotal());
   return cosine > 0.0f ? perArea * distance * distance / cosine : 0.0f;
 }
 }

@@ -14,20 +14,25 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace cslf
 {
-/// A triangle that emits the same radiance everywhere, in all directions, from both sides.
+struct Mesh;
+
+/// A triangle that emits light in all directions, from both sides.
 struct EmissiveTriangle
 {
   glm::vec3 Corner;
   glm::vec3 EdgeU;
   glm::vec3 EdgeV;
-  glm::vec3 Radiance;
+  float Importance;   ///< about its mean luminance
+  const Mesh* Source; ///< tells the radiance of its points
+  std::uint32_t Triangle;
 };
 
-/// Triangles are chosen in proportion to their area and luminance, points uniformly within.
+/// Triangles are chosen in proportion to their area and importance, points uniformly within.
 class VTKCSLF_EXPORT AreaLights
 {
 public:
@@ -37,9 +42,9 @@ public:
   bool IsEmpty() const { return this->Triangles.empty(); }
   LightSample Sample(const glm::vec3& from, const glm::vec2& u) const;
 
-  /// The density, per solid angle, with which Sample takes the point of an emissive triangle at a
-  /// distance along a ray that meets it at `cosine` to its normal.
-  float Pdf(const glm::vec3& radiance, float distance, float cosine) const;
+  /// The density, per solid angle, with which Sample takes the point of a triangle of some
+  /// importance at a distance along a ray that meets it at `cosine` to its normal.
+  float Pdf(float importance, float distance, float cosine) const;
 
 private:
   std::vector<EmissiveTriangle> Triangles;

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The metallic-roughness material: glTF 2.0, appendix B, with layers that conserve energy.
+ * The metallic-roughness material with transmission: glTF 2.0, appendix B, and its extensions
+ * KHR_materials_transmission and KHR_materials_ior, with layers that conserve energy.
  */
 #ifndef cslfBSDF_h
 #define cslfBSDF_h
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfFacets.h"
 #include "cslfSurfaceMaterial.h"
 
 #include <glm/vec2.hpp>
@@ -21,6 +23,7 @@ struct BSDFSample
   glm::vec3 Direction{ 0.0f }; ///< local
   glm::vec3 Weight{ 0.0f };    ///< BSDF times cosine, over the density
   float Pdf = 0.0f;            ///< per solid angle; infinite for a mirror's direction
+  float Compression = 1.0f;    ///< the factor of the weight that refraction accounts for
 };
 
 /// The parts of a BSDF that a question is about.
@@ -28,16 +31,18 @@ enum class Lobes
 {
   All,
   Diffuse, ///< what looks alike from everywhere, but for BSDF::DiffuseAlbedo
-  Specular ///< the facets
+  Specular ///< the facets: what they reflect and what they let through
 };
 
 /**
- * How a surface point reflects towards one outgoing direction. Directions are local: z is the
- * shading normal, both point away from the surface, and both must be above it.
+ * How a surface point scatters light towards one outgoing direction. Directions are local: z is the
+ * shading normal, both point away from the surface. The outgoing one must be above it; incident
+ * ones below bring light that comes through.
  *
- * A metal of reflectance "base colour" and a dielectric are blended by "metallic". Both reflect
- * through the same facets, GGX. Under the dielectric's boundary lies a diffuse base, which gets
- * what the boundary lets through, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
+ * A metal of reflectance "base colour" and a dielectric are blended by "metallic", an opaque
+ * dielectric and glass by "transmission". All have the same facets, GGX; what glass lets through is
+ * tinted by the base colour. Under the opaque boundary lies a diffuse base, which gets what the
+ * boundary lets through, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
  * albedo: unlike glTF's example code, this never reflects more than it receives (Kelemen and
  * Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 short
  * papers).
@@ -45,7 +50,15 @@ enum class Lobes
 class VTKCSLF_EXPORT BSDF
 {
 public:
-  BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing);
+  /// `inside` tells whether the outgoing direction lies behind the surface, in the glass.
+  BSDF(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
+    bool inside);
+
+  /// Of a material that no texture varies, seen from outside.
+  BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing)
+    : BSDF(material, { baseColor, material.Metallic, material.Alpha }, outgoing, false)
+  {
+  }
 
   bool HasDiffuse() const { return this->SpecularProbability < 1.0f; }
   bool HasSpecular() const { return this->SpecularProbability > 0.0f; }
@@ -61,10 +74,11 @@ public:
     return lobes == Lobes::All ? this->SpecularProbability : lobes == Lobes::Specular ? 1.0f : 0.0f;
   }
 
-  /// Whether light from given directions is reflected at all: not so for perfect mirrors.
+  /// Whether light from given directions is scattered at all: not so for a pure mirror, and for
+  /// clear glass.
   bool IsMirror(Lobes lobes = Lobes::All) const
   {
-    return this->Material.Alpha == 0.0f && this->GetSpecularProbability(lobes) >= 1.0f;
+    return this->GetSpecularProbability(lobes) >= 1.0f && this->Specular.IsSmooth();
   }
 
   /// The factor of the diffuse lobe that does not depend on the incident direction.
@@ -80,12 +94,13 @@ public:
   bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes = Lobes::All) const;
 
 private:
-  glm::vec3 Fresnel(float cosine) const;
   float DiffuseTransmission(const glm::vec3& incident) const;
 
   const SurfaceMaterial& Material;
-  glm::vec3 BaseColor;
+  MaterialPoint Point;
   glm::vec3 Outgoing;
+  Facets Specular;
+  float DiffusePart; // what is neither metal nor glass
   float SpecularProbability = 0.0f;
 };
 }

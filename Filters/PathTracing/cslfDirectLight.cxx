@@ -26,16 +26,16 @@ glm::vec3 DirectLight::GetEmission(
   {
     return glm::vec3(0.0f);
   }
-  const glm::vec3& emission = surface.Material->Emission;
   float weight = 1.0f;
   if (this->LightSampling && !std::isinf(pdf))
   {
     const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
     weight = this->BSDFSampling
-      ? PowerHeuristic(pdf, this->World.GetAreaLights().Pdf(emission, hit.Distance, cosine))
+      ? PowerHeuristic(
+          pdf, this->World.GetAreaLights().Pdf(surface.EmissionImportance, hit.Distance, cosine))
       : 0.0f;
   }
-  return weight * emission;
+  return weight * surface.Emission;
 }
 
 bool DirectLight::CanSample() const
@@ -55,8 +55,8 @@ glm::vec3 DirectLight::Sample(
     const AreaLights& areas = this->World.GetAreaLights();
     if (!areas.IsEmpty())
     {
-      radiance +=
-        this->Arrive(point, areas.Sample(point.Position, stream.Get2D(Dimension::AreaLight)), rays);
+      radiance += this->Arrive(
+        point, areas.Sample(point.Surface.LeavePosition, stream.Get2D(Dimension::AreaLight)), rays);
     }
     const Environment& environment = this->World.GetEnvironment();
     if (environment.CanSample())
@@ -71,7 +71,7 @@ glm::vec3 DirectLight::Sample(
   }
   for (const PointLight& light : this->World.GetPointLights())
   {
-    radiance += this->Arrive(point, light.Sample(point.Position), rays);
+    radiance += this->Arrive(point, light.Sample(point.Surface.LeavePosition), rays);
   }
   return radiance;
 }
@@ -86,13 +86,15 @@ glm::vec3 DirectLight::Arrive(
     return none;
   }
   const glm::vec3 local = point.Local.ToLocal(light.Direction);
-  const glm::vec3 reflected = point.Reflection.EvaluateCosine(local, point.Open);
+  glm::vec3 reflected = point.Reflection.EvaluateCosine(local, point.Open);
   if (reflected == none)
   {
     return none;
   }
   ++rays;
-  if (this->World.IsOccluded({ point.Position, light.Direction }, light.Distance))
+  reflected *= this->World.GetTransmittance(
+    { point.Surface.GetStart(local.z), light.Direction }, light.Distance);
+  if (reflected == none)
   {
     return none;
   }

@@ -21,7 +21,7 @@ namespace cslf
 /// A surface point and how it reflects towards the one before it on the path.
 struct ScatteringPoint
 {
-  glm::vec3 Position;
+  const SurfaceHit& Surface;
   const Frame& Local;
   const BSDF& Reflection;
   Lobes Open; ///< the lobes that are asked about

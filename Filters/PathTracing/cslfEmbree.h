@@ -30,50 +30,88 @@ using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, EmbreeRel
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, EmbreeRelease>;
 using EmbreeGeometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, EmbreeRelease>;
 
+/// How a ray deals with surfaces whose opacity is neither 0 nor 1.
+enum class Passing
+{
+  ByChance,  ///< passes with the chance that the opacity says
+  ByHalf,    ///< passes where the opacity is below one half
+  Attenuated ///< passes, and its light is attenuated: of queries for occlusion only
+};
+
 #if RTC_VERSION_MAJOR < 4
 
-/// The first hit of one ray.
-inline void EmbreeIntersect(RTCScene scene, RTCRayHit& rayHit)
+/// What the filters of opacity get of a query; all queries go with one.
+struct EmbreeQuery
 {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &rayHit);
+  RTCIntersectContext Context; // first, since that is what filters get a pointer to
+  Passing Rule;
+  float* Transmittance = nullptr; // of the rays by their id, where they are attenuated
+
+  explicit EmbreeQuery(Passing rule)
+    : Rule(rule)
+  {
+    rtcInitIntersectContext(&this->Context);
+  }
+};
+
+/// The first hit of one ray.
+inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit)
+{
+  rtcIntersect1(scene, &query.Context, &rayHit);
 }
 
 /// Whether anything lies along the ray: sets tfar to -infinity if so.
-inline void EmbreeOccluded(RTCScene scene, RTCRay& ray)
+inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
 {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &ray);
+  rtcOccluded1(scene, &query.Context, &ray);
 }
 
 /// The first hits of 16 rays that run alike; lanes with valid == 0 are left alone.
-inline void EmbreeIntersectCoherent(RTCScene scene, const int valid[16], RTCRayHit16& rayHit)
+inline void EmbreeIntersectCoherent(
+  RTCScene scene, EmbreeQuery query, const int valid[16], RTCRayHit16& rayHit)
 {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid, scene, &context, &rayHit);
+  query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &query.Context, &rayHit);
 }
 
 #else
 
-inline void EmbreeIntersect(RTCScene scene, RTCRayHit& rayHit)
+struct EmbreeQuery
 {
-  rtcIntersect1(scene, &rayHit);
+  RTCRayQueryContext Context;
+  Passing Rule;
+  float* Transmittance = nullptr;
+
+  explicit EmbreeQuery(Passing rule)
+    : Rule(rule)
+  {
+    rtcInitRayQueryContext(&this->Context);
+  }
+};
+
+inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit)
+{
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &query.Context;
+  rtcIntersect1(scene, &rayHit, &arguments);
 }
 
-inline void EmbreeOccluded(RTCScene scene, RTCRay& ray)
+inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
 {
-  rtcOccluded1(scene, &ray);
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &query.Context;
+  rtcOccluded1(scene, &ray, &arguments);
 }
 
-inline void EmbreeIntersectCoherent(RTCScene scene, const int valid[16], RTCRayHit16& rayHit)
+inline void EmbreeIntersectCoherent(
+  RTCScene scene, EmbreeQuery query, const int valid[16], RTCRayHit16& rayHit)
 {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  arguments.context = &query.Context;
   rtcIntersect16(valid, scene, &rayHit, &arguments);
 }
 

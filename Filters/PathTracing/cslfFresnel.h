@@ -14,16 +14,20 @@
 
 namespace cslf
 {
-/// Unpolarised light entering a dielectric of relative index `ior` >= 1 at angle acos(`cosine`):
-/// the exact equations. An index of 1 reflects nothing.
+/// Unpolarised light that meets a dielectric of relative index `ior` at angle acos(`cosine`): the
+/// exact equations. An index of 1 reflects nothing; below 1, flat angles are reflected totally.
 inline float DielectricFresnel(float cosine, float ior)
 {
-  if (ior <= 1.0f)
+  if (ior == 1.0f)
   {
     return 0.0f;
   }
   const float cosIn = std::clamp(cosine, 0.0f, 1.0f);
   const float sinOut2 = (1.0f - cosIn * cosIn) / (ior * ior);
+  if (sinOut2 >= 1.0f)
+  {
+    return 1.0f;
+  }
   const float cosOut = std::sqrt(std::max(0.0f, 1.0f - sinOut2));
   const float parallel = (ior * cosIn - cosOut) / (ior * cosIn + cosOut);
   const float perpendicular = (cosIn - ior * cosOut) / (cosIn + ior * cosOut);

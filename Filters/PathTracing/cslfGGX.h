@@ -67,9 +67,23 @@ public:
     return this->Density(half) * this->Masking(outgoing) / (4.0f * outgoing.z);
   }
 
-  /// The outgoing direction mirrored by one of the facets it sees (Dupuy and Benyoub, "Sampling
-  /// Visible GGX Normals with Spherical Caps", HPG 2023). May lie below the surface.
+  /// The density of the normals of those facets that are seen from the outgoing direction.
+  float VisibleDensity(const glm::vec3& outgoing, const glm::vec3& normal) const
+  {
+    return this->Density(normal) * this->Masking(outgoing) *
+      std::max(0.0f, glm::dot(outgoing, normal)) / outgoing.z;
+  }
+
+  /// The outgoing direction mirrored by one of the facets it sees. May lie below the surface.
   glm::vec3 Sample(const glm::vec3& outgoing, const glm::vec2& u) const
+  {
+    const glm::vec3 facet = this->SampleFacet(outgoing, u);
+    return 2.0f * glm::dot(outgoing, facet) * facet - outgoing;
+  }
+
+  /// The normal of a facet, with VisibleDensity (Dupuy and Benyoub, "Sampling Visible GGX Normals
+  /// with Spherical Caps", HPG 2023).
+  glm::vec3 SampleFacet(const glm::vec3& outgoing, const glm::vec2& u) const
   {
     const glm::vec3 stretched =
       glm::normalize(glm::vec3(this->Alpha * outgoing.x, this->Alpha * outgoing.y, outgoing.z));
@@ -78,9 +92,8 @@ public:
     const float radius = std::sqrt(std::clamp(1.0f - z * z, 0.0f, 1.0f));
     const glm::vec3 cap =
       glm::vec3(radius * std::cos(angle), radius * std::sin(angle), z) + stretched;
-    const glm::vec3 facet =
-      glm::normalize(glm::vec3(this->Alpha * cap.x, this->Alpha * cap.y, std::max(cap.z, 1e-7f)));
-    return 2.0f * glm::dot(outgoing, facet) * facet - outgoing;
+    return glm::normalize(
+      glm::vec3(this->Alpha * cap.x, this->Alpha * cap.y, std::max(cap.z, 1e-7f)));
   }
 
 private:

@@ -17,10 +17,12 @@ constexpr int RouletteDepth = 3;
 // The largest chance of going on, so that paths end between white surfaces too.
 constexpr float LargestSurvival = 0.95f;
 
-/// Russian roulette on the path's weight. False where the path ends.
-bool Survive(glm::vec3& beta, float u)
+/// Russian roulette on the path's weight, without the compression that leaving the glass undoes.
+/// False where the path ends.
+bool Survive(glm::vec3& beta, float compression, float u)
 {
-  const float survival = std::min(std::max({ beta.x, beta.y, beta.z }), LargestSurvival);
+  const float weight = std::max({ beta.x, beta.y, beta.z }) / compression;
+  const float survival = std::min(weight, LargestSurvival);
   if (u >= survival)
   {
     return false;
@@ -44,6 +46,7 @@ glm::vec3 PathIntegrator::GetRadiance(
   float pdf = start.Pdf;
   glm::vec3 radiance(0.0f);
   glm::vec3 beta(1.0f);
+  float compression = 1.0f;
   for (int depth = start.Depth;; ++depth)
   {
     // Add the environment where the path leaves the scene.
@@ -63,7 +66,8 @@ glm::vec3 PathIntegrator::GetRadiance(
     // Add the diffuse light that the cache knows, and leave it out of what follows.
     stream.NextVertex();
     const Frame frame(surface.ShadingNormal);
-    const BSDF bsdf(*surface.Material, surface.BaseColor, frame.ToLocal(-ray.Direction));
+    const BSDF bsdf(
+      *surface.Material, surface.GetMaterialPoint(), frame.ToLocal(-ray.Direction), surface.Inside);
     const float lobe = stream.Get1D(Dimension::Lobe);
     Lobes lit = Lobes::All;
     Lobes open = Lobes::All;
@@ -84,8 +88,7 @@ glm::vec3 PathIntegrator::GetRadiance(
     // Add light that is sampled at its sources.
     if (bsdf.Has(lit) && !bsdf.IsMirror(lit))
     {
-      radiance +=
-        beta * this->Light.Sample({ surface.LeavePosition, frame, bsdf, lit }, stream, rays);
+      radiance += beta * this->Light.Sample({ surface, frame, bsdf, lit }, stream, rays);
     }
 
     // Choose the direction in which the path goes on.
@@ -95,14 +98,15 @@ glm::vec3 PathIntegrator::GetRadiance(
       return radiance;
     }
     beta *= sample.Weight / openProbability;
+    compression *= sample.Compression;
     pdf = sample.Pdf;
 
     // End paths that carry little.
-    if (depth >= RouletteDepth && !Survive(beta, stream.Get1D(Dimension::Roulette)))
+    if (depth >= RouletteDepth && !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
     {
       return radiance;
     }
-    ray = { surface.LeavePosition, frame.ToWorld(sample.Direction) };
+    ray = { surface.GetStart(sample.Direction.z), frame.ToWorld(sample.Direction) };
     ++rays;
     hit = this->World.Intersect(ray);
   }

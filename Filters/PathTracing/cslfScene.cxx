@@ -3,11 +3,13 @@
 #include "cslfScene.h"
 
 #include "cslfEmbree.h"
+#include "cslfOpacity.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -72,43 +74,35 @@ void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned in
   {
     std::copy(mesh.Vertices.begin(), mesh.Vertices.end(), vertices);
     std::copy(mesh.Triangles.begin(), mesh.Triangles.end(), triangles);
+    if (mesh.IsTranslucent())
+    {
+      PassByOpacity(geometry.get(), mesh);
+    }
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene, geometry.get(), id);
   }
 }
 
-std::vector<EmissiveTriangle> CollectEmitters(const std::vector<Mesh>& meshes)
+/// The meshes must stay where they are.
+std::vector<EmissiveTriangle> CollectEmitters(std::vector<Mesh>& meshes)
 {
   std::vector<EmissiveTriangle> emitters;
-  for (const Mesh& mesh : meshes)
+  for (Mesh& mesh : meshes)
   {
+    mesh.PrepareEmission();
     if (!mesh.Material.IsEmissive())
     {
       continue;
     }
-    for (const glm::uvec3& triangle : mesh.Triangles)
+    for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
     {
+      const glm::uvec3& triangle = mesh.Triangles[i];
       const glm::vec3& corner = mesh.Vertices[triangle.x];
       emitters.push_back({ corner, mesh.Vertices[triangle.y] - corner,
-        mesh.Vertices[triangle.z] - corner, mesh.Material.Emission });
+        mesh.Vertices[triangle.z] - corner, mesh.GetEmissionImportance(i), &mesh, i });
     }
   }
   return emitters;
-}
-
-template <typename Value>
-Value Interpolate(const std::vector<Value>& values, const glm::uvec3& triangle, const Hit& hit)
-{
-  return (1.0f - hit.U - hit.V) * values[triangle.x] + hit.U * values[triangle.y] +
-    hit.V * values[triangle.z];
-}
-
-/// The normal of the side from which the vertices run counterclockwise.
-glm::vec3 GetNormal(const Mesh& mesh, const glm::uvec3& triangle)
-{
-  const glm::vec3& corner = mesh.Vertices[triangle.x];
-  return glm::normalize(
-    glm::cross(mesh.Vertices[triangle.y] - corner, mesh.Vertices[triangle.z] - corner));
 }
 
 bool HasNormals(const Mesh& mesh, const glm::uvec3& triangle)
@@ -124,16 +118,32 @@ glm::vec3 TurnTo(const glm::vec3& normal, const glm::vec3& side)
   return glm::dot(normal, side) < 0.0f ? -normal : normal;
 }
 
-/// The interpolated normal, turned to the side of the geometric one and so that the ray sees its
-/// front.
-glm::vec3 FindShadingNormal(const Mesh& mesh, const glm::uvec3& triangle, const Hit& hit,
-  const glm::vec3& geometric, const glm::vec3& outgoing)
+/// The normal of the side from which the vertices run counterclockwise.
+glm::vec3 GetFrontNormal(const Mesh& mesh, const glm::uvec3& triangle)
 {
-  glm::vec3 normal = TurnTo(Interpolate(mesh.Normals, triangle, hit), geometric);
+  const glm::vec3& corner = mesh.Vertices[triangle.x];
+  return glm::normalize(
+    glm::cross(mesh.Vertices[triangle.y] - corner, mesh.Vertices[triangle.z] - corner));
+}
+
+/// The interpolated normal, bent by the normal texture, turned to the ray's side, and so that the
+/// ray sees its front.
+glm::vec3 FindShadingNormal(
+  const Mesh& mesh, const Hit& hit, const SurfaceHit& surface, const glm::vec3& outgoing)
+{
+  const glm::uvec3& triangle = mesh.Triangles[hit.Triangle];
+  const glm::vec3 front = surface.Inside ? -surface.GeometricNormal : surface.GeometricNormal;
+  glm::vec3 normal = front;
+  if (HasNormals(mesh, triangle))
+  {
+    normal = TurnTo(mesh.Interpolate(mesh.Normals, hit.GetPlace()), front);
+    normal = glm::length(normal) > 1e-6f ? normal : front;
+  }
+  normal = TurnTo(mesh.BendNormal(normal, hit.GetPlace()), surface.GeometricNormal);
   const float length = glm::length(normal);
   if (!(length > 1e-6f))
   {
-    return geometric;
+    return surface.GeometricNormal;
   }
   normal /= length;
   const float cosine = glm::dot(normal, outgoing);
@@ -189,7 +199,11 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   this->Tree->World.reset(rtcNewScene(device));
   RTCScene world = this->Tree->World.get();
   rtcSetSceneFlags(world, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(world, RTC_BUILD_QUALITY_HIGH);
+  // The builder of high quality refers to triangles more than once; rays that are attenuated must
+  // meet each only once.
+  const bool translucent = std::any_of(this->Meshes.begin(), this->Meshes.end(),
+    [](const Mesh& mesh) { return mesh.IsTranslucent(); });
+  rtcSetSceneBuildQuality(world, translucent ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
   for (std::size_t i = 0; i < this->Meshes.size(); ++i)
   {
     AddGeometry(device, world, this->Meshes[i], static_cast<unsigned int>(i));
@@ -209,7 +223,7 @@ Hit Scene::Intersect(const Ray& ray) const
   RTCRayHit query;
   query.ray = ToEmbree(ray, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  EmbreeIntersect(this->Tree->World.get(), query);
+  EmbreeIntersect(this->Tree->World.get(), EmbreeQuery(Passing::ByChance), query);
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
     const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
@@ -241,7 +255,8 @@ void Scene::Intersect(RayPacket& packet) const
     query.ray.flags[i] = 0;
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
   }
-  EmbreeIntersectCoherent(this->Tree->World.get(), valid, query);
+  const EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
+  EmbreeIntersectCoherent(this->Tree->World.get(), rule, valid, query);
   for (int i = 0; i < RayPacket::Size; ++i)
   {
     packet.Hits[i] = Hit();
@@ -254,57 +269,60 @@ void Scene::Intersect(RayPacket& packet) const
   }
 }
 
-bool Scene::IsOccluded(const Ray& ray, float distance) const
+float Scene::GetTransmittance(const Ray& ray, float distance) const
 {
   if (!IsTraceable(ray))
   {
-    return true;
+    return 0.0f;
   }
+  float transmittance = 1.0f;
+  EmbreeQuery rule(Passing::Attenuated);
+  rule.Transmittance = &transmittance;
   RTCRay query = ToEmbree(ray, distance * ShadowLength);
-  EmbreeOccluded(this->Tree->World.get(), query);
-  return query.tfar < 0.0f;
+  EmbreeOccluded(this->Tree->World.get(), rule, query);
+  return query.tfar < 0.0f ? 0.0f : transmittance;
 }
 
 SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
 {
   const Mesh& mesh = this->Meshes[hit.Mesh];
   const glm::uvec3& triangle = mesh.Triangles[hit.Triangle];
+  const TrianglePoint place = hit.GetPlace();
   const glm::vec3 outgoing = -ray.Direction;
 
+  // Where it is, and which way it faces.
   SurfaceHit surface;
-  glm::vec3 position = Interpolate(mesh.Vertices, triangle, hit);
-  surface.GeometricNormal = TurnTo(GetNormal(mesh, triangle), outgoing);
-  surface.ShadingNormal = surface.GeometricNormal;
-  if (HasNormals(mesh, triangle))
-  {
-    surface.ShadingNormal =
-      FindShadingNormal(mesh, triangle, hit, surface.GeometricNormal, outgoing);
-    position = RaiseToSmoothSurface(mesh, triangle, hit, surface.GeometricNormal, position);
-  }
-  surface.LeavePosition = position + SurfaceOffset * surface.GeometricNormal;
+  const glm::vec3 front = GetFrontNormal(mesh, triangle);
+  surface.GeometricNormal = TurnTo(front, outgoing);
+  surface.Inside = surface.GeometricNormal != front;
+  surface.ShadingNormal = FindShadingNormal(mesh, hit, surface, outgoing);
+  const glm::vec3 position = mesh.Interpolate(mesh.Vertices, place);
+  surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
+  surface.LeavePosition = HasNormals(mesh, triangle)
+    ? RaiseToSmoothSurface(mesh, triangle, hit, surface.GeometricNormal, position)
+    : position;
+  surface.LeavePosition += SurfaceOffset * surface.GeometricNormal;
+
+  // What it is made of.
+  const MaterialPoint point = mesh.GetMaterialPoint(place);
   surface.Material = &mesh.Material;
-  surface.BaseColor = this->GetBaseColor(hit);
+  surface.BaseColor = point.BaseColor;
+  surface.Metallic = point.Metallic;
+  surface.Alpha = point.Alpha;
+  surface.Emission = glm::vec3(0.0f);
+  surface.EmissionImportance = 0.0f;
+  if (mesh.Material.IsEmissive())
+  {
+    surface.Emission = mesh.GetEmission(place);
+    surface.EmissionImportance = mesh.GetEmissionImportance(hit.Triangle);
+  }
   return surface;
 }
 
 SurfaceHit Scene::GetSurface(const Hit& hit) const
 {
   const Mesh& mesh = this->Meshes[hit.Mesh];
-  const glm::vec3 normal = GetNormal(mesh, mesh.Triangles[hit.Triangle]);
-  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? normal : -normal }, hit);
-}
-
-glm::vec3 Scene::GetBaseColor(const Hit& hit) const
-{
-  const Mesh& mesh = this->Meshes[hit.Mesh];
-  switch (mesh.Coloring)
-  {
-    case Mesh::ColorsOf::Vertices:
-      return Interpolate(mesh.Colors, mesh.Triangles[hit.Triangle], hit);
-    case Mesh::ColorsOf::Triangles:
-      return mesh.Colors[hit.Triangle];
-    default:
-      return mesh.Material.BaseColor;
-  }
+  const glm::vec3 front = GetFrontNormal(mesh, mesh.Triangles[hit.Triangle]);
+  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, hit);
 }
 }

@@ -13,8 +13,8 @@
 #include "cslfAreaLights.h"
 #include "cslfDirectionalLight.h"
 #include "cslfEnvironment.h"
+#include "cslfMesh.h"
 #include "cslfPointLight.h"
-#include "cslfSurfaceMaterial.h"
 
 #include <glm/vec3.hpp>
 
@@ -45,6 +45,7 @@ struct Hit
   bool Back = false; ///< whether the ray comes from where the vertices run clockwise
 
   bool IsValid() const { return this->Mesh != None; }
+  TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V }; }
 };
 
 /// Rays that run alike and are traced together.
@@ -55,24 +56,10 @@ struct RayPacket
   Ray Rays[Size];
   Hit Hits[Size];
   bool Active[Size] = {};
-};
 
-/// Triangles of one material.
-struct Mesh
-{
-  enum class ColorsOf
-  {
-    None,
-    Vertices,
-    Triangles
-  };
-
-  std::vector<glm::vec3> Vertices;
-  std::vector<glm::uvec3> Triangles;
-  std::vector<glm::vec3> Normals; ///< one a vertex, or none at all; of length 0 where unknown
-  std::vector<glm::vec3> Colors;  ///< linear, replacing the material's base colour
-  ColorsOf Coloring = ColorsOf::None;
-  SurfaceMaterial Material;
+  /// Whether surfaces count where their opacity is at least one half, and else do not: what depths
+  /// are found by, so that they do not depend on chance.
+  bool PassByHalf = false;
 };
 
 /// A surface point as a ray sees it.
@@ -81,8 +68,25 @@ struct SurfaceHit
   glm::vec3 GeometricNormal; ///< on the side the ray comes from
   glm::vec3 ShadingNormal;   ///< on that side too, and facing the ray
   glm::vec3 LeavePosition;   ///< where rays start that leave on that side: a little off the surface
+  glm::vec3 PassPosition;    ///< where rays start that leave on the other side
+  bool Inside;               ///< whether the ray comes from behind: its triangle is clockwise
   glm::vec3 BaseColor;
+  float Metallic;
+  float Alpha;
+  glm::vec3 Emission;
+  float EmissionImportance; ///< of the triangle to the light sampler; 0 where nothing is emitted
   const SurfaceMaterial* Material;
+
+  /// Where rays start that leave at a cosine to the shading normal.
+  const glm::vec3& GetStart(float cosine) const
+  {
+    return cosine < 0.0f ? this->PassPosition : this->LeavePosition;
+  }
+
+  MaterialPoint GetMaterialPoint() const
+  {
+    return { this->BaseColor, this->Metallic, this->Alpha };
+  }
 };
 
 /// The similarity between world and scene space.
@@ -121,16 +125,19 @@ public:
   Hit Intersect(const Ray& ray) const;
   void Intersect(RayPacket& packet) const;
 
-  /// Whether anything lies on a ray before the distance, that of a light: its own surface does not
-  /// count.
-  bool IsOccluded(const Ray& ray, float distance) const;
+  /// The part of the light that passes all surfaces on a ray before the distance, that of a light:
+  /// its own surface does not count. Partly opaque surfaces attenuate, glass and all else blocks.
+  float GetTransmittance(const Ray& ray, float distance) const;
 
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
 
   /// The surface as seen along its normal, from the hit's side.
   SurfaceHit GetSurface(const Hit& hit) const;
 
-  glm::vec3 GetBaseColor(const Hit& hit) const;
+  glm::vec3 GetBaseColor(const Hit& hit) const
+  {
+    return this->Meshes[hit.Mesh].GetBaseColor(hit.GetPlace());
+  }
 
   const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
 

@@ -5,6 +5,7 @@
 #include "cslfColor.h"
 #include "cslfLightReader.h"
 #include "cslfSurfaceColors.h"
+#include "cslfTextureReader.h"
 #include "cslfTriangles.h"
 #include "vtkCSLFMaterial.h"
 
@@ -38,6 +39,7 @@ struct Block
   vtkSmartPointer<vtkDataArray> Scalars;
   bool ScalarsOfCells = false;
   SurfaceMaterial Material;
+  MaterialTextures Textures;
 };
 
 /// What the user is told of, once.
@@ -47,9 +49,8 @@ struct Omissions
   vtkIdType Lines = 0;
   vtkIdType Vertices = 0;
   vtkIdType Lights = 0;
+  vtkIdType Textures = 0;
   std::set<std::string> DataTypes;
-  bool Transmission = false;
-  bool Opacity = false;
 
   std::string ToText() const
   {
@@ -67,15 +68,19 @@ struct Omissions
     count(this->Lines, "line(s)");
     count(this->Vertices, "vertex cell(s)");
     count(this->Lights, "light(s) with arrays that do not match or are not finite");
+    count(this->Textures, "block(s)' textures for want of texture coordinates");
     for (const std::string& type : this->DataTypes)
     {
       add(true, "data of type " + type);
     }
-    add(this->Transmission, "transmission (other than 0)");
-    add(this->Opacity, "opacity (other than 1)");
     return text.empty() ? text : text + ".";
   }
 };
+
+bool HasAny(const MaterialTextures& textures)
+{
+  return textures.BaseColor || textures.MetallicRoughness || textures.Normal || textures.Emission;
+}
 
 /// The normal of a point, of unit length, or of length 0 where it has none.
 glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
@@ -98,7 +103,7 @@ public:
   {
   }
 
-  Mesh Make(SurfaceColors& colors, bool& translucent)
+  Mesh Make(SurfaceColors& colors)
   {
     vtkCellArray* polygons = this->Source.Triangles.Surface->GetPolys();
     vtkNew<vtkIdList> corners;
@@ -108,8 +113,10 @@ public:
       this->AddTriangle(cell, corners->GetPointer(0));
     }
     this->AddNormals();
-    this->AddColors(colors, translucent);
+    this->AddTexCoords();
+    this->AddColors(colors);
     this->Result.Material = this->Source.Material;
+    this->Result.Textures = this->Source.Textures;
     return std::move(this->Result);
   }
 
@@ -157,20 +164,40 @@ private:
     }
   }
 
-  void AddColors(SurfaceColors& colors, bool& translucent)
+  void AddTexCoords()
+  {
+    if (!HasAny(this->Source.Textures))
+    {
+      return;
+    }
+    vtkDataArray* coordinates = this->Source.Triangles.Surface->GetPointData()->GetTCoords();
+    this->Result.TexCoords.reserve(this->Points.size());
+    for (vtkIdType point : this->Points)
+    {
+      const glm::vec2 place(
+        coordinates->GetComponent(point, 0), coordinates->GetComponent(point, 1));
+      this->Result.TexCoords.push_back(std::isfinite(place.x + place.y) ? place : glm::vec2(0.0f));
+    }
+  }
+
+  void AddColors(SurfaceColors& colors)
   {
     if (!this->Source.Scalars)
     {
       return;
     }
-    const std::vector<glm::vec3> mapped = colors.Map(this->Source.Scalars, translucent);
+    const MappedColors mapped = colors.Map(this->Source.Scalars);
     const bool ofCells = this->Source.ScalarsOfCells;
     this->Result.Coloring = ofCells ? Mesh::ColorsOf::Triangles : Mesh::ColorsOf::Vertices;
     const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
     this->Result.Colors.reserve(used.size());
     for (vtkIdType index : used)
     {
-      this->Result.Colors.push_back(mapped[index]);
+      this->Result.Colors.push_back(mapped.Colors[index]);
+      if (!mapped.Opacities.empty())
+      {
+        this->Result.Opacities.push_back(mapped.Opacities[index]);
+      }
     }
   }
 
@@ -260,7 +287,7 @@ private:
     {
       this->Colors.AddToRange(block.Scalars);
     }
-    block.Material = this->ReadMaterial(data, root);
+    this->ReadMaterial(data, root, block);
     this->AddToBounds(block);
     this->Blocks.push_back(std::move(block));
   }
@@ -281,7 +308,7 @@ private:
     }
   }
 
-  SurfaceMaterial ReadMaterial(vtkPolyData* data, vtkDataObject* root)
+  void ReadMaterial(vtkPolyData* data, vtkDataObject* root, Block& block)
   {
     vtkNew<vtkPolyData> holder;
     vtkCSLFMaterial::Inherit(holder, data);
@@ -290,13 +317,35 @@ private:
     double emission[3];
     vtkCSLFMaterial::GetBaseColor(holder, color);
     vtkCSLFMaterial::GetEmission(holder, emission);
-    this->Omitted.Transmission |= vtkCSLFMaterial::GetTransmission(holder) != 0.0;
-    this->Omitted.Opacity |= vtkCSLFMaterial::GetOpacity(holder) != 1.0;
-    return SurfaceMaterial(SRGBToLinear(glm::dvec3(color[0], color[1], color[2])),
-      static_cast<float>(vtkCSLFMaterial::GetMetallic(holder)),
-      static_cast<float>(vtkCSLFMaterial::GetRoughness(holder)),
-      static_cast<float>(vtkCSLFMaterial::GetIndexOfRefraction(holder)),
+    const auto number = [](double value) { return static_cast<float>(value); };
+    block.Material = SurfaceMaterial(SRGBToLinear(glm::dvec3(color[0], color[1], color[2])),
+      number(vtkCSLFMaterial::GetMetallic(holder)), number(vtkCSLFMaterial::GetRoughness(holder)),
+      number(vtkCSLFMaterial::GetIndexOfRefraction(holder)),
       glm::vec3(emission[0], emission[1], emission[2]));
+    block.Material.Transmission = number(vtkCSLFMaterial::GetTransmission(holder));
+    block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
+    block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
+    block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
+    this->ReadTextures(holder, block);
+  }
+
+  void ReadTextures(vtkDataObject* material, Block& block)
+  {
+    block.Textures = this->Textures.Read(material);
+    if (!HasAny(block.Textures))
+    {
+      return;
+    }
+    vtkDataArray* coordinates = block.Triangles.Surface->GetPointData()->GetTCoords();
+    if (!coordinates || coordinates->GetNumberOfComponents() < 2)
+    {
+      block.Textures = MaterialTextures();
+      ++this->Omitted.Textures;
+    }
+    if (block.Textures.MetallicRoughness)
+    {
+      block.Material.VaryRoughness();
+    }
   }
 
   std::vector<Mesh> MakeMeshes(const SceneFrame& frame)
@@ -304,7 +353,7 @@ private:
     std::vector<Mesh> meshes;
     for (const Block& block : this->Blocks)
     {
-      Mesh mesh = MeshMaker(block, frame).Make(this->Colors, this->Omitted.Opacity);
+      Mesh mesh = MeshMaker(block, frame).Make(this->Colors);
       if (!mesh.Triangles.empty())
       {
         meshes.push_back(std::move(mesh));
@@ -334,6 +383,7 @@ private:
   const SceneOptions& Options;
   SurfaceColors Colors;
   LightReader Lights;
+  TextureReader Textures;
   std::vector<Block> Blocks;
   Omissions Omitted;
   glm::dvec3 Lower{ VTK_DOUBLE_MAX };

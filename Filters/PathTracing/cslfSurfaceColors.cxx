@@ -50,7 +50,7 @@ void SurfaceColors::AddToRange(vtkDataArray* array)
   }
 }
 
-std::vector<glm::vec3> SurfaceColors::Map(vtkDataArray* array, bool& translucent)
+MappedColors SurfaceColors::Map(vtkDataArray* array)
 {
   vtkSmartPointer<vtkUnsignedCharArray> colors = vtkUnsignedCharArray::SafeDownCast(array);
   if (!HoldsColors(array))
@@ -74,13 +74,22 @@ std::vector<glm::vec3> SurfaceColors::Map(vtkDataArray* array, bool& translucent
 
   static const std::array<float, 256> linear = MakeLinearTable();
   const int components = colors->GetNumberOfComponents();
-  std::vector<glm::vec3> result(colors->GetNumberOfTuples());
+  MappedColors result;
+  result.Colors.reserve(colors->GetNumberOfTuples());
+  bool translucent = false;
   const unsigned char* values = colors->GetPointer(0);
-  for (glm::vec3& color : result)
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i, values += components)
   {
-    color = { linear[values[0]], linear[values[1]], linear[values[2]] };
-    translucent = translucent || (components == 4 && values[3] < 255);
-    values += components;
+    result.Colors.emplace_back(linear[values[0]], linear[values[1]], linear[values[2]]);
+    if (components == 4)
+    {
+      result.Opacities.push_back(static_cast<float>(values[3]) / 255.0f);
+      translucent = translucent || values[3] < 255;
+    }
+  }
+  if (!translucent)
+  {
+    result.Opacities.clear();
   }
   return result;
 }

@@ -19,6 +19,12 @@ class vtkScalarsToColors;
 
 namespace cslf
 {
+struct MappedColors
+{
+  std::vector<glm::vec3> Colors; ///< linear
+  std::vector<float> Opacities;  ///< none where all are 1
+};
+
 /// Maps the arrays of all blocks of a scene alike.
 class SurfaceColors
 {
@@ -29,9 +35,9 @@ public:
   /// Announces an array: arrays without a lookup table share a default one over all their values.
   void AddToRange(vtkDataArray* array);
 
-  /// A colour for each tuple, linear. Unsigned chars of 3 or 4 components are sRGB colours
-  /// themselves; all else is mapped. Sets `translucent` where an opacity is below 1.
-  std::vector<glm::vec3> Map(vtkDataArray* array, bool& translucent);
+  /// A colour for each tuple. Unsigned chars of 3 or 4 components are sRGB colours themselves; all
+  /// else is mapped.
+  MappedColors Map(vtkDataArray* array);
 
 private:
   vtkScalarsToColors* LookupTable;

@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <vector>
 
 namespace cslf
 {
@@ -24,18 +25,44 @@ public:
   /// A boundary that reflects nothing.
   SpecularAlbedo() = default;
 
-  /// `alpha` of 0 is a smooth boundary.
+  /// Of one roughness: `alpha` of 0 is a smooth boundary.
   SpecularAlbedo(float ior, float alpha);
 
-  float Get(float cosine) const;
+  /// Of any roughness, where a texture varies it.
+  explicit SpecularAlbedo(float ior);
+
+  float Get(float cosine, float alpha) const;
 
   /// The mean over the hemisphere, weighted by the cosine.
-  float GetAverage() const { return this->Average; }
+  float GetAverage(float alpha) const;
 
 private:
-  static constexpr int Steps = 32;
-  std::array<float, Steps + 1> Values{};
-  float Average = 0.0f;
+  static constexpr int Steps = 32;          // between the cosines of 0 and 1
+  static constexpr int RoughnessSteps = 24; // between the roughness of 0 and 1
+
+  struct Row
+  {
+    std::array<float, Steps + 1> Values{};
+    float Average = 0.0f;
+
+    float Get(float cosine) const;
+  };
+
+  static Row MakeRow(float ior, float alpha);
+
+  /// Calls `read(row)` for the rows around an alpha, and interpolates.
+  template <typename Read>
+  float Interpolate(float alpha, const Read& read) const;
+
+  std::vector<Row> Rows; // none, the one of the material, or one a step of the roughness
+};
+
+/// What textures vary over a surface.
+struct MaterialPoint
+{
+  glm::vec3 BaseColor{ 0.6f }; ///< linear
+  float Metallic = 0.0f;       ///< in [0,1]
+  float Alpha = 1.0f;          ///< GGX's; 0 is a perfect mirror
 };
 
 class VTKCSLF_EXPORT SurfaceMaterial
@@ -45,10 +72,21 @@ public:
   SurfaceMaterial(const glm::vec3& baseColor, float metallic, float roughness,
     float indexOfRefraction, const glm::vec3& emission);
 
+  /// GGX's alpha of a perceptual roughness; 0 where facets deviate too little to be seen.
+  static float ToAlpha(float roughness);
+
+  /// Prepares for a roughness that varies.
+  void VaryRoughness();
+
   glm::vec3 BaseColor{ 0.6f };       ///< linear
   float Metallic = 0.0f;             ///< in [0,1]
+  float Roughness = 1.0f;            ///< perceptual, in [0,1]
   float Alpha = 1.0f;                ///< GGX's; 0 is a perfect mirror
   float IndexOfRefraction = 1.0f;    ///< at least 1; 1 has no boundary that reflects
+  float Transmission = 0.0f;         ///< the part of a dielectric that is glass, in [0,1]
+  float Opacity = 1.0f;              ///< the chance that light meets the surface, in [0,1]
+  float OpacityCutoff = 0.0f;        ///< above 0: opacities below count as 0, others as 1
+  float NormalScale = 1.0f;          ///< how far the normal texture bends normals
   glm::vec3 Emission{ 0.0f };        ///< radiance, from both sides
   SpecularAlbedo DielectricSpecular; ///< of the dielectric boundary
 

@@ -224,6 +224,7 @@ void TexelRenderer::FindDepths(const Block& block, Sums sums[]) const
     rays[lane] = SetRay(block.Grid, center, packet, lane);
     packet.Active[lane] = packet.Active[lane] && block.Inside[lane];
   }
+  packet.PassByHalf = true;
   this->World.Intersect(packet);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Scenes whose light is known in closed form, and estimators that must agree.
-#include "PathTracing/cslfPathIntegrator.h"
 #include "PathTracing/cslfSampling.h"
+#include "cslfTestTransport.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>
@@ -14,68 +14,7 @@
 
 namespace
 {
-const glm::vec3 Dark(0.0f);
-const glm::vec3 White(1.0f);
-
-cslf::SurfaceMaterial MakeDiffuse(float reflectance, float emission = 0.0f)
-{
-  return { glm::vec3(reflectance), 0.0f, 1.0f, 1.0f, glm::vec3(emission) };
-}
-
-cslf::Mesh MakeRectangle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v,
-  const cslf::SurfaceMaterial& material)
-{
-  cslf::Mesh mesh;
-  mesh.Vertices = { center - u - v, center + u - v, center + u + v, center - u + v };
-  mesh.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  mesh.Material = material;
-  return mesh;
-}
-
-cslf::LightSet MakeUniformLight(float radiance)
-{
-  cslf::LightSet lights;
-  lights.Surroundings =
-    cslf::Environment(glm::vec3(radiance), glm::vec3(radiance), cslf::EnvironmentAxes());
-  return lights;
-}
-
-struct Estimate
-{
-  double Mean = 0.0;
-  double Error = 0.0; // standard error
-};
-
-/// The first component of the radiance against a direction.
-Estimate Trace(
-  const cslf::Scene& scene, const cslf::Ray& ray, const cslf::PathSettings& settings, int samples)
-{
-  const cslf::PathIntegrator integrator(scene, settings);
-  const cslf::Hit hit = scene.Intersect(ray);
-  CSLF_CHECK(hit.IsValid());
-  Estimate estimate;
-  constexpr int groups = 16; // each a sequence of its own
-  double squares = 0.0;
-  for (int group = 0; group < groups && hit.IsValid(); ++group)
-  {
-    const std::uint64_t hash = cslf::SampleStream::HashTexel(1, group, 0, 0);
-    double mean = 0.0;
-    for (int i = 0; i < samples / groups; ++i)
-    {
-      mean += integrator.GetRadiance(ray, hit, { hash, static_cast<std::uint32_t>(i) }).x;
-    }
-    mean /= samples / groups;
-    estimate.Mean += mean / groups;
-    squares += mean * mean / groups;
-  }
-  estimate.Error = std::sqrt(std::max(0.0, squares - estimate.Mean * estimate.Mean) / (groups - 1));
-  return estimate;
-}
-
-cslf::Ray LookAt(const glm::vec3& from, const glm::vec3& at)
-{
-  return { from, glm::normalize(at - from) };
-}
+using namespace cslf::testing;
 
 /// The form factor from a point to a rectangle parallel to its surface, one corner straight above.
 /// Odd in width and length.

@@ -20,6 +20,7 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -63,6 +64,10 @@ void TestDefaultsAndRanges()
   CSLF_CHECK(vtkCSLFMaterial::GetTransmission(data) == 0.75);
   CSLF_CHECK(vtkCSLFMaterial::GetOpacity(data) == 0.125);
   CSLF_CHECK(data->GetFieldData()->GetNumberOfArrays() == 7);
+  vtkCSLFMaterial::SetOpacityCutoff(data, 1.5);
+  vtkCSLFMaterial::SetNormalScale(data, -0.5);
+  CSLF_CHECK(vtkCSLFMaterial::GetOpacityCutoff(data) == 1.0);
+  CSLF_CHECK(vtkCSLFMaterial::GetNormalScale(data) == -0.5);
 
   // A block keeps what it has and takes the rest of its root.
   vtkNew<vtkPolyData> block;
@@ -79,6 +84,8 @@ void TestProperty()
   property->SetColor(1.0, 0.5, 0.25);
   property->SetDiffuse(0.5);
   property->SetSpecular(0.5);
+  property->SetSpecularColor(1.0, 1.0, 1.0);
+  property->SetSpecularPower(30.0);
   property->SetMetallic(1.0);
   property->SetOpacity(0.5);
   double tuple[3];
@@ -86,8 +93,13 @@ void TestProperty()
   vtkCSLFMaterial::GetBaseColor(data, tuple);
   CSLF_CHECK(tuple[0] == 0.5 && tuple[1] == 0.25 && tuple[2] == 0.125);
   CSLF_CHECK(vtkCSLFMaterial::GetMetallic(data) == 0.0);
-  CSLF_CHECK(vtkCSLFMaterial::GetIndexOfRefraction(data) == 1.0);
+  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetIndexOfRefraction(data), 1.5, 1e-9);
+  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetRoughness(data), std::pow(2.0 / 32.0, 0.25), 1e-9);
   CSLF_CHECK(vtkCSLFMaterial::GetOpacity(data) == 0.5);
+  property->SetSpecular(0.0);
+  vtkCSLFMaterial::SetFromProperty(data, property);
+  CSLF_CHECK(vtkCSLFMaterial::GetIndexOfRefraction(data) == 1.0);
+  CSLF_CHECK(vtkCSLFMaterial::GetRoughness(data) == 1.0);
 
   property->SetInterpolationToPBR();
   property->SetRoughness(0.3);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The random numbers, the tables they choose from, and each BSDF's samples against its density.
+// The random numbers, the tables they choose from, and the lights' samples against their density.
 #include "PathTracing/cslfAreaLights.h"
-#include "PathTracing/cslfBSDF.h"
 #include "PathTracing/cslfDistribution.h"
 #include "PathTracing/cslfEnvironment.h"
 #include "PathTracing/cslfFrame.h"
+#include "PathTracing/cslfMesh.h"
 #include "PathTracing/cslfSampleStream.h"
 #include "PathTracing/cslfSampling.h"
 #include "cslfTesting.h"
@@ -89,121 +89,10 @@ void TestDistributions()
   CSLF_CHECK_NEAR(sum / 64.0, 4.0 / 6.0, 0.1);
 }
 
-cslf::SurfaceMaterial MakeMaterial(float metallic, float roughness, float ior, float base)
-{
-  return { glm::vec3(base, 0.7f * base, base), metallic, roughness, ior, glm::vec3(0.0f) };
-}
-
 glm::vec3 MakeDirection(double cosine, double azimuth)
 {
   const double sine = std::sqrt(1.0 - cosine * cosine);
   return { sine * std::cos(azimuth), sine * std::sin(azimuth), cosine };
-}
-
-/// Chi-squared test of the samples' directions against the integral of the density, over bins in
-/// the cosine and the azimuth; also whether each sample's weight is BSDF over density.
-void TestSamplesAgainstDensity(const cslf::SurfaceMaterial& material, double cosine)
-{
-  constexpr int rings = 10;
-  constexpr int sectors = 12;
-  constexpr int samples = 1 << 15;
-  const cslf::BSDF bsdf(material, material.BaseColor, MakeDirection(cosine, 0.4));
-  std::vector<double> observed(rings * sectors, 0.0);
-  int ended = 0;
-  for (int i = 0; i < samples; ++i)
-  {
-    // Independent numbers: a stratified sequence would pass too easily.
-    const SampleStream stream(SampleStream::HashTexel(5, i, 0, 0), 0);
-    cslf::BSDFSample sample;
-    if (!bsdf.Sample(stream.Get1D(Dimension::Lobe), stream.Get2D(Dimension::Direction), sample))
-    {
-      ++ended;
-      continue;
-    }
-    CSLF_CHECK_NEAR(glm::length(sample.Direction), 1.0, 1e-3);
-    const glm::vec3 expected = bsdf.EvaluateCosine(sample.Direction) / bsdf.Pdf(sample.Direction);
-    CSLF_CHECK(glm::distance(sample.Weight, expected) <= 1e-4f * (1.0f + glm::length(expected)));
-    const int ring = std::min(static_cast<int>(sample.Direction.z * rings), rings - 1);
-    const double turn = std::atan2(sample.Direction.y, sample.Direction.x) / (2.0 * cslf::Pi) + 0.5;
-    ++observed[ring * sectors + std::min(static_cast<int>(turn * sectors), sectors - 1)];
-  }
-
-  constexpr int steps = 48; // of each bin's integral, along each axis
-  double total = 0.0;
-  double chi2 = 0.0;
-  int bins = 0;
-  for (int bin = 0; bin < rings * sectors; ++bin)
-  {
-    double expected = 0.0;
-    for (int i = 0; i < steps * steps; ++i)
-    {
-      const double z = (bin / sectors + (i / steps + 0.5) / steps) / rings;
-      const double turn = (bin % sectors + (i % steps + 0.5) / steps) / sectors;
-      expected += bsdf.Pdf(MakeDirection(z, 2.0 * cslf::Pi * (turn - 0.5)));
-    }
-    expected *= samples * 2.0 * cslf::Pi / (rings * sectors * steps * steps);
-    total += expected;
-    if (expected > 10.0)
-    {
-      chi2 += (observed[bin] - expected) * (observed[bin] - expected) / expected;
-      ++bins;
-    }
-  }
-  CSLF_CHECK_NEAR(total / samples, 1.0 - static_cast<double>(ended) / samples, 0.01);
-  // Mean and deviation of chi-squared are the degrees of freedom and the root of twice them.
-  CSLF_CHECK(chi2 < bins + 5.0 * std::sqrt(2.0 * bins));
-}
-
-double IntegrateReflectance(const cslf::SurfaceMaterial& material, double cosine)
-{
-  constexpr int samples = 4096;
-  const cslf::BSDF bsdf(material, material.BaseColor, MakeDirection(cosine, 1.0));
-  double sum = 0.0;
-  for (std::uint32_t i = 0; i < samples; ++i)
-  {
-    const SampleStream stream(SampleStream::HashTexel(9, 0, 0, 0), i);
-    cslf::BSDFSample sample;
-    if (bsdf.Sample(stream.Get1D(Dimension::Lobe), stream.Get2D(Dimension::Direction), sample))
-    {
-      sum += sample.Weight.x;
-    }
-  }
-  return sum / samples;
-}
-
-void TestBSDFs()
-{
-  for (double cosine : { 0.15, 0.6, 0.99 })
-  {
-    TestSamplesAgainstDensity(MakeMaterial(0.0f, 1.0f, 1.0f, 0.8f), cosine);
-    TestSamplesAgainstDensity(MakeMaterial(1.0f, 0.5f, 1.0f, 0.8f), cosine);
-    TestSamplesAgainstDensity(MakeMaterial(1.0f, 1.0f, 1.0f, 0.8f), cosine);
-    TestSamplesAgainstDensity(MakeMaterial(0.0f, 0.6f, 1.5f, 0.8f), cosine);
-    TestSamplesAgainstDensity(MakeMaterial(0.5f, 0.7f, 1.5f, 0.3f), cosine);
-  }
-  for (double cosine : { 0.05, 0.3, 0.7, 1.0 })
-  {
-    for (float roughness : { 0.0f, 0.1f, 0.3f, 0.6f, 1.0f })
-    {
-      // Nothing reflects more than it receives, and what a dielectric's boundary lets through, a
-      // white base below gives back.
-      CSLF_CHECK_NEAR(
-        IntegrateReflectance(MakeMaterial(0.0f, roughness, 1.5f, 1.0f), cosine), 1.0, 0.01);
-      const double metal = IntegrateReflectance(MakeMaterial(1.0f, roughness, 1.0f, 1.0f), cosine);
-      CSLF_CHECK(metal <= 1.001 && metal > 0.2);
-      CSLF_CHECK(IntegrateReflectance(MakeMaterial(0.5f, roughness, 2.5f, 1.0f), cosine) <= 1.005);
-    }
-    CSLF_CHECK_NEAR(IntegrateReflectance(MakeMaterial(0.0f, 0.5f, 1.0f, 0.5f), cosine), 0.5, 1e-4);
-    CSLF_CHECK_NEAR(IntegrateReflectance(MakeMaterial(1.0f, 0.0f, 1.0f, 1.0f), cosine), 1.0, 1e-4);
-  }
-
-  // Helmholtz reciprocity.
-  const cslf::SurfaceMaterial material = MakeMaterial(0.3f, 0.4f, 1.5f, 0.6f);
-  const glm::vec3 a = MakeDirection(0.8, 0.1);
-  const glm::vec3 b = MakeDirection(0.4, 2.0);
-  const glm::vec3 forth = cslf::BSDF(material, material.BaseColor, a).EvaluateCosine(b) / b.z;
-  const glm::vec3 back = cslf::BSDF(material, material.BaseColor, b).EvaluateCosine(a) / a.z;
-  CSLF_CHECK(glm::distance(forth, back) < 1e-5f);
 }
 
 void TestFrame()
@@ -221,8 +110,10 @@ void TestFrame()
 void TestLights()
 {
   // An area light's samples know their density.
-  const cslf::AreaLights lights({ { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::vec3(1.0f) },
-    { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, glm::vec3(4.0f, 0.0f, 1.0f) } });
+  cslf::Mesh source;
+  source.Material.Emission = glm::vec3(1.0f);
+  const cslf::AreaLights lights({ { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1.0f, &source, 0 },
+    { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, 4.0f, &source, 1 } });
   double solidAngle = 0.0;
   for (std::uint32_t i = 0; i < 4096; ++i)
   {
@@ -282,7 +173,6 @@ int TestCSLFSampling(int, char*[])
   TestSampleStream();
   TestDistributions();
   TestFrame();
-  TestBSDFs();
   TestLights();
   return cslf::testing::Result();
 }

@@ -20,6 +20,13 @@ constexpr int BlockSize = 8;
 // all together are better than their differences tell.
 constexpr int Parts = 8;
 
+MaterialPoint MakeWhite(const SurfaceHit& surface)
+{
+  MaterialPoint point = surface.GetMaterialPoint();
+  point.BaseColor = glm::vec3(1.0f);
+  return point;
+}
+
 /// The mean of `count` samples, and its standard error.
 glm::dvec3 Mean(const std::vector<glm::dvec3>& sums, int count, glm::dvec3& error)
 {
@@ -53,8 +60,8 @@ struct DiffuseEstimator::Receiver
   Receiver(const Scene& scene, const Hit& place)
     : Surface(scene.GetSurface(place))
     , Local(Surface.ShadingNormal)
-    , Reflection(
-        *Surface.Material, glm::vec3(1.0f), this->Local.ToLocal(this->Surface.GeometricNormal))
+    , Reflection(*Surface.Material, MakeWhite(Surface),
+        this->Local.ToLocal(this->Surface.GeometricNormal), this->Surface.Inside)
   {
   }
 };
@@ -112,8 +119,7 @@ SurfaceEstimate DiffuseEstimator::SampleLights(const Hit& place, std::uint64_t k
     [this](const Receiver& receiver, const SampleStream& stream, std::uint64_t& rays, double&)
     {
       return this->Paths.GetLight().Sample(
-        { receiver.Surface.LeavePosition, receiver.Local, receiver.Reflection, Lobes::Diffuse },
-        stream, rays);
+        { receiver.Surface, receiver.Local, receiver.Reflection, Lobes::Diffuse }, stream, rays);
     });
 }
 

@@ -220,8 +220,8 @@ void LatticeBuilder::Refine()
   for (std::size_t index = 0; index < count; ++index)
   {
     Patch& patch = this->Patches[index];
-    patch.IsOpen = patch.IsOpen && !patch.IsConstant &&
-      patch.Level < patch.Size && this->NeedsMore(patch);
+    patch.IsOpen =
+      patch.IsOpen && !patch.IsConstant && patch.Level < patch.Size && this->NeedsMore(patch);
     if (patch.IsOpen && patch.Level < LeafLevel)
     {
       ++patch.Level;

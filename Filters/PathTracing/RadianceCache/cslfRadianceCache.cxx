@@ -196,12 +196,12 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   return done;
 }
 
-bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
-  SurfaceLattice& values, const Progress& goOn)
+bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
+  int depth, SurfaceLattice& values, const Progress& goOn)
 {
   DiffuseEstimator estimator(this->World, this->Paths,
-    { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance,
-      depth, this->Settings.Seed, lattice.Display });
+    { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance, depth,
+      this->Settings.Seed, lattice.Display });
   LatticeBuilder builder(this->World, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;

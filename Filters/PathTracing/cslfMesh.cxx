@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMesh.h"
+
+#include "cslfSampling.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+// The points of a triangle that its emission is estimated from, along each side of a square.
+constexpr int EmissionSamples = 8;
+}
+
+template <typename Value>
+Value Mesh::GetColoring(
+  const std::vector<Value>& values, const Value& none, const TrianglePoint& point) const
+{
+  if (values.empty() || this->Coloring == ColorsOf::None)
+  {
+    return none;
+  }
+  return this->Coloring == ColorsOf::Vertices ? this->Interpolate(values, point)
+                                              : values[point.Triangle];
+}
+
+glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const
+{
+  const glm::vec3 color = this->GetColoring(this->Colors, this->Material.BaseColor, point);
+  return this->Textures.BaseColor
+    ? color * glm::vec3(this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)))
+    : color;
+}
+
+MaterialPoint Mesh::GetMaterialPoint(const TrianglePoint& point) const
+{
+  MaterialPoint result{ this->GetBaseColor(point), this->Material.Metallic, this->Material.Alpha };
+  if (this->Textures.MetallicRoughness)
+  {
+    const glm::vec4 factors =
+      this->Textures.MetallicRoughness->Get(this->Interpolate(this->TexCoords, point));
+    result.Metallic = this->Material.Metallic * factors.z;
+    result.Alpha = SurfaceMaterial::ToAlpha(this->Material.Roughness * factors.y);
+  }
+  return result;
+}
+
+bool Mesh::IsTranslucent() const
+{
+  return this->Material.Opacity < 1.0f || !this->Opacities.empty() ||
+    (this->Textures.BaseColor && this->Textures.BaseColor->IsTranslucent());
+}
+
+float Mesh::GetOpacity(const TrianglePoint& point) const
+{
+  float opacity = this->Material.Opacity * this->GetColoring(this->Opacities, 1.0f, point);
+  if (this->Textures.BaseColor && this->Textures.BaseColor->IsTranslucent())
+  {
+    opacity *= this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)).w;
+  }
+  const float cutoff = this->Material.OpacityCutoff;
+  return cutoff > 0.0f ? (opacity < cutoff ? 0.0f : 1.0f) : opacity;
+}
+
+glm::vec3 Mesh::GetEmission(const TrianglePoint& point) const
+{
+  const glm::vec3& emission = this->Material.Emission;
+  return this->Textures.Emission
+    ? emission * glm::vec3(this->Textures.Emission->Get(this->Interpolate(this->TexCoords, point)))
+    : emission;
+}
+
+void Mesh::PrepareEmission()
+{
+  this->EmissionImportances.clear();
+  if (this->Material.IsEmissive() && (this->Textures.Emission || this->IsTranslucent()))
+  {
+    this->EmissionImportances.reserve(this->Triangles.size());
+    for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
+    {
+      this->EmissionImportances.push_back(this->EstimateEmission(i));
+    }
+  }
+}
+
+float Mesh::GetEmissionImportance(std::uint32_t triangle) const
+{
+  return this->EmissionImportances.empty() ? Luminance(this->Material.Emission)
+                                           : this->EmissionImportances[triangle];
+}
+
+float Mesh::EstimateEmission(std::uint32_t triangle) const
+{
+  float sum = 0.0f;
+  for (int i = 0; i < EmissionSamples * EmissionSamples; ++i)
+  {
+    const glm::vec2 u =
+      (glm::vec2(i % EmissionSamples, i / EmissionSamples) + 0.5f) / float(EmissionSamples);
+    const glm::vec2 place = SampleTriangle(u);
+    const TrianglePoint point{ triangle, place.x, place.y };
+    sum += this->GetOpacity(point) * Luminance(this->GetEmission(point));
+  }
+  return sum / (EmissionSamples * EmissionSamples);
+}
+
+glm::vec3 Mesh::BendNormal(const glm::vec3& normal, const TrianglePoint& point) const
+{
+  if (!this->Textures.Normal)
+  {
+    return normal;
+  }
+  // The directions in which the texture's coordinates grow, along the surface.
+  const glm::uvec3& corners = this->Triangles[point.Triangle];
+  const glm::vec3 edges[2] = { this->Vertices[corners.y] - this->Vertices[corners.x],
+    this->Vertices[corners.z] - this->Vertices[corners.x] };
+  const glm::vec2 steps[2] = { this->TexCoords[corners.y] - this->TexCoords[corners.x],
+    this->TexCoords[corners.z] - this->TexCoords[corners.x] };
+  const float turn = steps[0].x * steps[1].y - steps[0].y * steps[1].x;
+  const glm::vec3 along =
+    (steps[1].y * edges[0] - steps[0].y * edges[1]) * std::copysign(1.0f, turn);
+  const glm::vec3 z = glm::normalize(normal);
+  const glm::vec3 tangent = along - glm::dot(along, z) * z;
+  const float length = glm::length(tangent);
+  if (turn == 0.0f || !(length > 0.0f))
+  {
+    return normal;
+  }
+  const glm::vec3 x = tangent / length;
+  const glm::vec3 y = glm::cross(z, x) * std::copysign(1.0f, turn);
+
+  const glm::vec3 bent =
+    2.0f * glm::vec3(this->Textures.Normal->Get(this->Interpolate(this->TexCoords, point))) - 1.0f;
+  const float scale = this->Material.NormalScale;
+  return scale * bent.x * x + scale * bent.y * y + bent.z * z;
+}
+}

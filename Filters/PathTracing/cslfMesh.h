@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Triangles of one material, and what varies over them.
+ */
+#ifndef cslfMesh_h
+#define cslfMesh_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfSurfaceMaterial.h"
+#include "cslfTexture.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace cslf
+{
+/// A point of a triangle.
+struct TrianglePoint
+{
+  std::uint32_t Triangle = 0;
+  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex
+  float V = 0.0f; ///< and of the third
+};
+
+/// Images that factors of the material are multiplied by; null where there is none.
+struct MaterialTextures
+{
+  std::shared_ptr<const Texture> BaseColor;         ///< its alpha is opacity
+  std::shared_ptr<const Texture> MetallicRoughness; ///< blue and green
+  std::shared_ptr<const Texture> Normal;            ///< in the texture's own frame, [-1,1] as [0,1]
+  std::shared_ptr<const Texture> Emission;
+};
+
+struct VTKCSLF_EXPORT Mesh
+{
+  enum class ColorsOf
+  {
+    None,
+    Vertices,
+    Triangles
+  };
+
+  std::vector<glm::vec3> Vertices;
+  std::vector<glm::uvec3> Triangles;
+  std::vector<glm::vec3> Normals;   ///< one a vertex, or none at all; of length 0 where unknown
+  std::vector<glm::vec2> TexCoords; ///< one a vertex; there are some if there is a texture
+  std::vector<glm::vec3> Colors;    ///< linear, replacing the material's base colour
+  std::vector<float> Opacities;     ///< those of the colours, or none at all
+  ColorsOf Coloring = ColorsOf::None;
+  SurfaceMaterial Material;
+  MaterialTextures Textures;
+
+  /// What is given at the vertices, at a point.
+  template <typename Value>
+  Value Interpolate(const std::vector<Value>& values, const TrianglePoint& point) const
+  {
+    const glm::uvec3& corners = this->Triangles[point.Triangle];
+    return (1.0f - point.U - point.V) * values[corners.x] + point.U * values[corners.y] +
+      point.V * values[corners.z];
+  }
+
+  glm::vec3 GetBaseColor(const TrianglePoint& point) const;
+  MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
+
+  /// Whether light passes through the surface somewhere as if it were not there.
+  bool IsTranslucent() const;
+
+  /// The chance that light meets the surface, in [0,1].
+  float GetOpacity(const TrianglePoint& point) const;
+
+  /// The radiance of the surface where light meets it.
+  glm::vec3 GetEmission(const TrianglePoint& point) const;
+
+  /// Works out what the light of each triangle is worth; once, when all else is known.
+  void PrepareEmission();
+
+  /// About the mean luminance of a triangle's emission, thinned by its opacity: what its light is
+  /// worth to a sampler.
+  float GetEmissionImportance(std::uint32_t triangle) const;
+
+  /// A normal, bent by the normal texture. Its length does not matter.
+  glm::vec3 BendNormal(const glm::vec3& normal, const TrianglePoint& point) const;
+
+private:
+  template <typename Value>
+  Value GetColoring(
+    const std::vector<Value>& values, const Value& none, const TrianglePoint& point) const;
+  float EstimateEmission(std::uint32_t triangle) const;
+
+  std::vector<float> EmissionImportances; // one a triangle where it varies, or none at all
+};
+}
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfOpacity.h"
+
+#include "cslfMesh.h"
+#include "cslfSampleStream.h"
+
+#include <cstring>
+
+namespace cslf
+{
+namespace
+{
+/// Two floats' bits as one number.
+std::uint64_t GetBits(float a, float b)
+{
+  std::uint32_t bits[2];
+  std::memcpy(&bits[0], &a, sizeof(a));
+  std::memcpy(&bits[1], &b, sizeof(b));
+  return (std::uint64_t(bits[0]) << 32) | bits[1];
+}
+
+/// A number in [0,1) for a ray's meeting with a triangle: the same whenever it is asked for, in
+/// whatever order Embree finds the triangles, and how often.
+float GetChance(const RTCFilterFunctionNArguments* query, unsigned int lane)
+{
+  RTCRayN* ray = query->ray;
+  const unsigned int size = query->N;
+  std::uint64_t hash =
+    MixBits(GetBits(RTCRayN_org_x(ray, size, lane), RTCRayN_org_y(ray, size, lane)),
+      GetBits(RTCRayN_org_z(ray, size, lane), RTCRayN_dir_x(ray, size, lane)));
+  hash = MixBits(hash, GetBits(RTCRayN_dir_y(ray, size, lane), RTCRayN_dir_z(ray, size, lane)));
+  hash = MixBits(hash,
+    (std::uint64_t(RTCHitN_geomID(query->hit, size, lane)) << 32) |
+      RTCHitN_primID(query->hit, size, lane));
+  hash = MixBits(hash, RTCHitN_instID(query->hit, size, lane, 0));
+  return static_cast<float>(hash >> 40) * 0x1p-24f;
+}
+
+/// Refuses the hits that rays pass.
+void RefuseHits(const RTCFilterFunctionNArguments* query)
+{
+  const auto& mesh = *static_cast<const Mesh*>(query->geometryUserPtr);
+  const auto& rule = *reinterpret_cast<const EmbreeQuery*>(query->context);
+  for (unsigned int lane = 0; lane < query->N; ++lane)
+  {
+    if (query->valid[lane] == 0)
+    {
+      continue;
+    }
+    const float opacity = mesh.GetOpacity({ RTCHitN_primID(query->hit, query->N, lane),
+      RTCHitN_u(query->hit, query->N, lane), RTCHitN_v(query->hit, query->N, lane) });
+    bool met = false;
+    switch (rule.Rule)
+    {
+      case Passing::ByChance:
+        met = GetChance(query, lane) < opacity;
+        break;
+      case Passing::ByHalf:
+        met = opacity >= 0.5f;
+        break;
+      case Passing::Attenuated:
+      {
+        float& part = rule.Transmittance[RTCRayN_id(query->ray, query->N, lane)];
+        part *= 1.0f - opacity;
+        met = part <= 0.0f;
+        break;
+      }
+    }
+    query->valid[lane] = met ? -1 : 0;
+  }
+}
+}
+
+void PassByOpacity(RTCGeometry geometry, const Mesh& mesh)
+{
+  rtcSetGeometryUserData(geometry, const_cast<Mesh*>(&mesh));
+  rtcSetGeometryIntersectFilterFunction(geometry, RefuseHits);
+  rtcSetGeometryOccludedFilterFunction(geometry, RefuseHits);
+}
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Small scenes for tests of light transport, and estimates of the light along one ray.
+ */
+#ifndef cslfTestTransport_h
+#define cslfTestTransport_h
+
+#include "PathTracing/cslfPathIntegrator.h"
+#include "cslfTesting.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace testing
+{
+inline const glm::vec3 Dark(0.0f);
+inline const glm::vec3 White(1.0f);
+
+inline SurfaceMaterial MakeDiffuse(float reflectance, float emission = 0.0f)
+{
+  return { glm::vec3(reflectance), 0.0f, 1.0f, 1.0f, glm::vec3(emission) };
+}
+
+inline Mesh MakeRectangle(
+  const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, const SurfaceMaterial& material)
+{
+  Mesh mesh;
+  mesh.Vertices = { center - u - v, center + u - v, center + u + v, center - u + v };
+  mesh.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  mesh.Material = material;
+  return mesh;
+}
+
+inline LightSet MakeUniformLight(float radiance)
+{
+  LightSet lights;
+  lights.Surroundings = Environment(glm::vec3(radiance), glm::vec3(radiance), EnvironmentAxes());
+  return lights;
+}
+
+struct Estimate
+{
+  double Mean = 0.0;
+  double Error = 0.0; // standard error
+};
+
+/// The first component of the radiance against a direction.
+inline Estimate Trace(const Scene& scene, const Ray& ray, const PathSettings& settings, int samples)
+{
+  const PathIntegrator integrator(scene, settings);
+  const Hit hit = scene.Intersect(ray);
+  CSLF_CHECK(hit.IsValid());
+  Estimate estimate;
+  constexpr int groups = 16; // each a sequence of its own
+  double squares = 0.0;
+  for (int group = 0; group < groups && hit.IsValid(); ++group)
+  {
+    const std::uint64_t hash = SampleStream::HashTexel(1, group, 0, 0);
+    double mean = 0.0;
+    for (int i = 0; i < samples / groups; ++i)
+    {
+      mean += integrator.GetRadiance(ray, hit, { hash, static_cast<std::uint32_t>(i) }).x;
+    }
+    mean /= samples / groups;
+    estimate.Mean += mean / groups;
+    squares += mean * mean / groups;
+  }
+  estimate.Error = std::sqrt(std::max(0.0, squares - estimate.Mean * estimate.Mean) / (groups - 1));
+  return estimate;
+}
+
+inline Ray LookAt(const glm::vec3& from, const glm::vec3& at)
+{
+  return { from, glm::normalize(at - from) };
+}
+}
+}
+
+#endif
