@@ -30,6 +30,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
+  ../Filters/PathTracing/cslfRayGrid.cxx
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
@@ -57,6 +58,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
+  ../Filters/PathTracing/cslfRayGrid.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScene.h
@@ -66,7 +68,8 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTexelRenderer.h
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
-  ../Filters/PathTracing/cslfTriangles.h)
+  ../Filters/PathTracing/cslfTriangles.h
+  ../Filters/PathTracing/cslfVectorize.h)
 
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources

@@ -43,10 +43,53 @@ inline unsigned char ToByte(double value)
   return static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
 }
 
+/// Takes linear values to the nearest of 256 sRGB-encoded levels, by a table.
+class ByteEncoder
+{
+public:
+  ByteEncoder()
+  {
+    for (int level = 0; level <= 256; ++level)
+    {
+      this->Lower[level] = level < 256 ? SRGBToLinear((level - 0.5) / 255.0) : 2.0;
+    }
+    for (int step = 0; step <= Steps; ++step)
+    {
+      this->Levels[step] = ToByte(LinearToSRGB(static_cast<double>(step) / Steps));
+    }
+  }
+
+  /// Values are clamped to [0,1].
+  unsigned char Encode(double linear) const
+  {
+    const double clamped = linear > 0.0 ? std::min(linear, 1.0) : 0.0;
+    int level = this->Levels[static_cast<int>(clamped * Steps)];
+    while (clamped >= this->Lower[level + 1])
+    {
+      ++level;
+    }
+    return static_cast<unsigned char>(level);
+  }
+
+private:
+  static constexpr int Steps = 4096;
+  double Lower[257];               // the least value of each level
+  unsigned char Levels[Steps + 1]; // the level of each step's least value
+};
+
 /// The `Color` bytes of a texel: `radiance` is linear, times exposure, associated with `alpha` (its
 /// coverage). The mean of the samples that hit is encoded, then multiplied by alpha.
 inline void EncodeColor(const glm::dvec3& radiance, double alpha, unsigned char color[4])
 {
+  if (alpha == 1.0)
+  {
+    static const ByteEncoder encoder;
+    color[0] = encoder.Encode(radiance.x);
+    color[1] = encoder.Encode(radiance.y);
+    color[2] = encoder.Encode(radiance.z);
+    color[3] = 255;
+    return;
+  }
   const glm::dvec3 encoded = alpha > 0.0 ? alpha * LinearToSRGB(radiance / alpha) : glm::dvec3(0.0);
   color[0] = ToByte(encoded.x);
   color[1] = ToByte(encoded.y);

@@ -66,6 +66,13 @@ struct VTKCSLF_EXPORT Mesh
       point.V * values[corners.z];
   }
 
+  /// Whether it looks alike from everywhere, and does not shine by itself.
+  bool IsDiffuse() const
+  {
+    return this->Material.IndexOfRefraction == 1.0f && this->Material.Metallic == 0.0f &&
+      this->Material.Transmission == 0.0f && !this->Material.IsEmissive();
+  }
+
   glm::vec3 GetBaseColor(const TrianglePoint& point) const;
   MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
 

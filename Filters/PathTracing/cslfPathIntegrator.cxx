@@ -32,6 +32,21 @@ bool Survive(glm::vec3& beta, float compression, float u)
 }
 }
 
+PathIntegrator::PathIntegrator(
+  const Scene& scene, const PathSettings& settings, const RadianceCache* cache)
+  : World(scene)
+  , Settings(settings)
+  , Light(scene, settings.LightSampling, settings.BSDFSampling)
+  , Cache(cache)
+  , IsLookUp(cache && cache->IsComplete())
+{
+}
+
+glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
+{
+  return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
+}
+
 glm::vec3 PathIntegrator::GetRadiance(
   const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const
 {

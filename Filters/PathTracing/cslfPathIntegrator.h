@@ -34,13 +34,7 @@ class VTKCSLF_EXPORT PathIntegrator
 public:
   /// With a cache, which may be null and may be unfinished, paths end where it knows the rest.
   PathIntegrator(
-    const Scene& scene, const PathSettings& settings, const RadianceCache* cache = nullptr)
-    : World(scene)
-    , Settings(settings)
-    , Light(scene, settings.LightSampling, settings.BSDFSampling)
-    , Cache(cache)
-  {
-  }
+    const Scene& scene, const PathSettings& settings, const RadianceCache* cache = nullptr);
 
   /// A path's first ray and what it hits.
   struct Start
@@ -59,6 +53,15 @@ public:
   /// The radiance that a path goes on to find.
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
+  /// Whether the cache alone knows what leaves a hit towards anywhere.
+  bool CanLookUp(const Hit& hit) const
+  {
+    return this->IsLookUp && this->World.GetMeshes()[hit.Mesh].IsDiffuse();
+  }
+
+  /// That radiance.
+  glm::vec3 LookUp(const Hit& hit) const;
+
   const DirectLight& GetLight() const { return this->Light; }
 
 private:
@@ -66,6 +69,7 @@ private:
   PathSettings Settings;
   DirectLight Light;
   const RadianceCache* Cache;
+  bool IsLookUp; // whether the cache was complete from the start
 };
 }
 

@@ -64,13 +64,32 @@ public:
   /// Two numbers in [0,1).
   glm::vec2 Get2D(Dimension dimension) const
   {
-    const std::uint64_t hash =
-      MixBits(this->TexelHash, this->Vertex + static_cast<std::uint32_t>(dimension));
-    const auto low = static_cast<std::uint32_t>(hash);
-    const auto high = static_cast<std::uint32_t>(hash >> 32);
-    const std::uint32_t index = ReverseBits(ScrambleReversed(ReverseBits(this->Index), low ^ high));
-    return { ToUnit(ReverseBits(ScrambleReversed(index, low))),
-      ToUnit(ReverseBits(ScrambleReversed(MultiplyByPascal(index), high))) };
+    const Scramble scramble = MakeScramble(this->TexelHash, dimension, this->Vertex);
+    glm::vec2 point;
+    Get2D(this->Index, scramble, point.x, point.y);
+    return point;
+  }
+
+  /// What makes the pair of dimensions of a texel its own.
+  struct Scramble
+  {
+    std::uint32_t Low;
+    std::uint32_t High;
+  };
+
+  static Scramble MakeScramble(
+    std::uint64_t texelHash, Dimension dimension, std::uint32_t vertex = 0)
+  {
+    const std::uint64_t hash = MixBits(texelHash, vertex + static_cast<std::uint32_t>(dimension));
+    return { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32) };
+  }
+
+  static void Get2D(std::uint32_t sample, const Scramble& scramble, float& x, float& y)
+  {
+    const std::uint32_t index =
+      ReverseBits(ScrambleReversed(ReverseBits(sample), scramble.Low ^ scramble.High));
+    x = ToUnit(ReverseBits(ScrambleReversed(index, scramble.Low)));
+    y = ToUnit(ReverseBits(ScrambleReversed(MultiplyByPascal(index), scramble.High)));
   }
 
   /// One number in [0,1).

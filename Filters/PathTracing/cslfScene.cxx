@@ -4,6 +4,7 @@
 
 #include "cslfEmbree.h"
 #include "cslfOpacity.h"
+#include "cslfVectorize.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -52,6 +53,31 @@ RTCRay ToEmbree(const Ray& ray, float distance)
   result.id = 0;
   result.flags = 0;
   return result;
+}
+
+CSLF_VECTORIZE void FillQuery(const RayPacket& packet, RTCRayHit16& query, int* valid)
+{
+  static_assert(Hit::None == RTC_INVALID_GEOMETRY_ID, "hits of nothing are told alike");
+  for (int i = 0; i < RayPacket::Size; ++i)
+  {
+    const float sum = packet.OriginX[i] + packet.OriginY[i] + packet.OriginZ[i] +
+      packet.DirectionX[i] + packet.DirectionY[i] + packet.DirectionZ[i];
+    // Only what is finite is equal to itself less nothing.
+    valid[i] = sum - sum == 0.0f ? packet.Active[i] : 0;
+    query.ray.org_x[i] = packet.OriginX[i];
+    query.ray.org_y[i] = packet.OriginY[i];
+    query.ray.org_z[i] = packet.OriginZ[i];
+    query.ray.dir_x[i] = packet.DirectionX[i];
+    query.ray.dir_y[i] = packet.DirectionY[i];
+    query.ray.dir_z[i] = packet.DirectionZ[i];
+    query.ray.tnear[i] = 0.0f;
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.time[i] = 0.0f;
+    query.ray.mask[i] = ~0u;
+    query.ray.id[i] = 0;
+    query.ray.flags[i] = 0;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
 }
 
 void ReportError(void* user, RTCError, const char* text)
@@ -237,34 +263,19 @@ void Scene::Intersect(RayPacket& packet) const
 {
   RTCRayHit16 query;
   alignas(64) int valid[RayPacket::Size];
-  for (int i = 0; i < RayPacket::Size; ++i)
-  {
-    const Ray& ray = packet.Rays[i];
-    valid[i] = packet.Active[i] && IsTraceable(ray) ? -1 : 0;
-    query.ray.org_x[i] = ray.Origin.x;
-    query.ray.org_y[i] = ray.Origin.y;
-    query.ray.org_z[i] = ray.Origin.z;
-    query.ray.dir_x[i] = ray.Direction.x;
-    query.ray.dir_y[i] = ray.Direction.y;
-    query.ray.dir_z[i] = ray.Direction.z;
-    query.ray.tnear[i] = 0.0f;
-    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-    query.ray.time[i] = 0.0f;
-    query.ray.mask[i] = ~0u;
-    query.ray.id[i] = 0;
-    query.ray.flags[i] = 0;
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-  }
+  FillQuery(packet, query, valid);
   const EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
   EmbreeIntersectCoherent(this->Tree->World.get(), rule, valid, query);
   for (int i = 0; i < RayPacket::Size; ++i)
   {
-    packet.Hits[i] = Hit();
-    if (valid[i] && query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+    Hit& hit = packet.Hits[i];
+    hit.Mesh = query.hit.geomID[i];
+    if (hit.IsValid())
     {
-      const glm::vec3 normal(query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]);
-      packet.Hits[i] = { query.ray.tfar[i], query.hit.u[i], query.hit.v[i], query.hit.geomID[i],
-        query.hit.primID[i], glm::dot(normal, packet.Rays[i].Direction) > 0.0f };
+      const float away = query.hit.Ng_x[i] * query.ray.dir_x[i] +
+        query.hit.Ng_y[i] * query.ray.dir_y[i] + query.hit.Ng_z[i] * query.ray.dir_z[i];
+      hit = { query.ray.tfar[i], query.hit.u[i], query.hit.v[i], query.hit.geomID[i],
+        query.hit.primID[i], away > 0.0f };
     }
   }
 }

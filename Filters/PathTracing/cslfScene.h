@@ -53,13 +53,33 @@ struct RayPacket
 {
   static constexpr int Size = 16;
 
-  Ray Rays[Size];
+  alignas(64) float OriginX[Size];
+  alignas(64) float OriginY[Size];
+  alignas(64) float OriginZ[Size];
+  alignas(64) float DirectionX[Size]; ///< of unit length
+  alignas(64) float DirectionY[Size];
+  alignas(64) float DirectionZ[Size];
+  alignas(64) int Active[Size]; ///< -1 where there is a ray, else 0
   Hit Hits[Size];
-  bool Active[Size] = {};
 
   /// Whether surfaces count where their opacity is at least one half, and else do not: what depths
   /// are found by, so that they do not depend on chance.
   bool PassByHalf = false;
+
+  Ray GetRay(int lane) const
+  {
+    return { { this->OriginX[lane], this->OriginY[lane], this->OriginZ[lane] },
+      { this->DirectionX[lane], this->DirectionY[lane], this->DirectionZ[lane] } };
+  }
+  void SetRay(int lane, const Ray& ray)
+  {
+    this->OriginX[lane] = ray.Origin.x;
+    this->OriginY[lane] = ray.Origin.y;
+    this->OriginZ[lane] = ray.Origin.z;
+    this->DirectionX[lane] = ray.Direction.x;
+    this->DirectionY[lane] = ray.Direction.y;
+    this->DirectionZ[lane] = ray.Direction.z;
+  }
 };
 
 /// A surface point as a ray sees it.

@@ -3,11 +3,10 @@
 #include "cslfTexelRenderer.h"
 
 #include "cslfColor.h"
+#include "cslfVectorize.h"
 
 #include <vtkSMPTools.h>
 #include <vtkType.h>
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,49 +19,16 @@ namespace
 {
 // The samples of a batch: enough to keep many threads busy, about a second's worth on few.
 constexpr std::int64_t BatchSamples = 1 << 20;
-constexpr std::int64_t SmallestBatch = 64;
+constexpr std::int64_t SmallestBatch = 16;
 
-// Rays that start further from the scene, whose radius is 1, are moved closer, for a float's sake.
-constexpr double FarAway = 8.0;
-constexpr double Near = 2.0;
-
-/// How the grid's parameter of a packet's ray depends on its distance.
-struct PacketRay
+/// The places of a sample in each of 16 texels.
+CSLF_VECTORIZE void FindPlaces(
+  std::uint32_t sample, const std::uint32_t* low, const std::uint32_t* high, float* x, float* y)
 {
-  double Start = 0.0;  // the parameter where the packet's ray starts
-  double Length = 1.0; // of the grid's direction
-
-  double ToParameter(float distance) const { return this->Start + distance / this->Length; }
-};
-
-/// Makes a lane of the packet the ray through a position of the grid: inactive where that cannot
-/// meet the scene.
-PacketRay SetRay(const RayGrid& grid, const glm::dvec2& position, RayPacket& packet, int lane)
-{
-  const glm::dvec3 origin = grid.Origin + position.x * grid.OriginX + position.y * grid.OriginY;
-  const glm::dvec3 path =
-    grid.Direction + position.x * grid.DirectionX + position.y * grid.DirectionY;
-  PacketRay ray;
-  ray.Length = glm::length(path);
-  packet.Active[lane] = ray.Length > 0.0 && std::isfinite(ray.Length);
-  if (!packet.Active[lane])
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    return ray;
+    SampleStream::Get2D(sample, { low[lane], high[lane] }, x[lane], y[lane]);
   }
-  const glm::dvec3 direction = path / ray.Length;
-  double start = 0.0;
-  const double distance2 = glm::dot(origin, origin);
-  if (distance2 > FarAway * FarAway)
-  {
-    // Start on a sphere around the scene.
-    const double along = -glm::dot(origin, direction);
-    const double inside2 = Near * Near - (distance2 - along * along);
-    packet.Active[lane] = along > 0.0 && inside2 > 0.0;
-    start = along - std::sqrt(std::max(inside2, 0.0));
-  }
-  ray.Start = start / ray.Length;
-  packet.Rays[lane] = { origin + start * direction, direction };
-  return ray;
 }
 }
 
@@ -72,10 +38,13 @@ struct TexelRenderer::Block
   RayGrid Grid;
   int Slice;
   int Tile;
-  int X; // of the first texel, in the tile
-  int Y;
-  bool Inside[RayPacket::Size];          // whether the tile has the lane's texel
+  int Y; // of the first texel, in the tile
+  int X;
+  int Inside[RayPacket::Size];           // -1 where the tile has the lane's texel, else 0
   std::uint64_t Hashes[RayPacket::Size]; // of the texels, for their random numbers
+  std::uint32_t Low[RayPacket::Size];    // the scramble of their samples' places
+  std::uint32_t High[RayPacket::Size];
+  std::uint64_t Rays = 0;
 
   int LaneX(int lane) const { return this->X + lane % BlockSide; }
   int LaneY(int lane) const { return this->Y + lane / BlockSide; }
@@ -84,12 +53,12 @@ struct TexelRenderer::Block
 /// What the samples of a texel add up to.
 struct TexelRenderer::Sums
 {
-  glm::dvec3 Radiance{ 0.0 };
+  glm::vec3 Radiance{ 0.0f };
   int Covered = 0; // samples that see something
   double Depth = 1.0;
-  double DepthOffset = std::numeric_limits<double>::max(); // how far from the centre that was found
+  float DepthOffset = std::numeric_limits<float>::max(); // squared, from the centre to that sample
 
-  void AddDepth(double depth, double offset)
+  void AddDepth(double depth, float offset)
   {
     if (offset < this->DepthOffset)
     {
@@ -111,56 +80,69 @@ TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
 {
 }
 
+std::int64_t TexelRenderer::GetRowsOfTile() const
+{
+  return (this->Layout.TileHeight + BlockSide - 1) / BlockSide;
+}
+
 bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
 {
-  const std::int64_t columns = (this->Layout.TileWidth + BlockSide - 1) / BlockSide;
-  const std::int64_t rows = (this->Layout.TileHeight + BlockSide - 1) / BlockSide;
-  const std::int64_t blocks = columns * rows * this->Layout.Tiles * this->Layout.Slices;
-  const std::int64_t samplesOfBlock =
-    std::int64_t(BlockSide) * BlockSide * std::max(this->Settings.Samples, 1);
-  const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfBlock);
-  for (std::int64_t first = 0; first < blocks; first += batch)
+  const std::int64_t rows = this->GetRowsOfTile() * this->Layout.Tiles * this->Layout.Slices;
+  const std::int64_t samplesOfRow =
+    std::int64_t(BlockSide) * this->Layout.TileWidth * std::max(this->Settings.Samples, 1);
+  const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfRow);
+  for (std::int64_t first = 0; first < rows; first += batch)
   {
-    if (!goOn(static_cast<double>(first) / static_cast<double>(blocks)))
+    if (!goOn(static_cast<double>(first) / static_cast<double>(rows)))
     {
       return false;
     }
-    vtkSMPTools::For(first, std::min(first + batch, blocks),
+    vtkSMPTools::For(first, std::min(first + batch, rows),
       [this](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType index = begin; index < end; ++index)
         {
-          this->RenderBlock(this->MakeBlock(index));
+          this->RenderRow(index);
         }
       });
   }
   return goOn(1.0);
 }
 
-TexelRenderer::Block TexelRenderer::MakeBlock(std::int64_t index) const
+void TexelRenderer::RenderRow(std::int64_t index) const
 {
-  const int columns = (this->Layout.TileWidth + BlockSide - 1) / BlockSide;
-  const int rows = (this->Layout.TileHeight + BlockSide - 1) / BlockSide;
+  const std::int64_t rows = this->GetRowsOfTile();
   Block block;
-  block.X = static_cast<int>(index % columns) * BlockSide;
-  index /= columns;
   block.Y = static_cast<int>(index % rows) * BlockSide;
   index /= rows;
   block.Tile = static_cast<int>(index % this->Layout.Tiles);
   block.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
   block.Grid = this->Grids(block.Slice, block.Tile);
+  for (int column = 0; column < this->Layout.TileWidth; column += BlockSide)
+  {
+    this->SetTexels(block, column);
+    this->RenderBlock(block);
+  }
+  this->Rays.fetch_add(block.Rays, std::memory_order_relaxed);
+}
+
+void TexelRenderer::SetTexels(Block& block, int column) const
+{
+  block.X = column;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int x = block.LaneX(lane);
     const int y = block.LaneY(lane);
-    block.Inside[lane] = x < this->Layout.TileWidth && y < this->Layout.TileHeight;
+    block.Inside[lane] = x < this->Layout.TileWidth && y < this->Layout.TileHeight ? -1 : 0;
     block.Hashes[lane] = SampleStream::HashTexel(
       this->Settings.Seed, block.Slice, block.Tile * this->Layout.TileWidth + x, y);
+    const auto scramble = SampleStream::MakeScramble(block.Hashes[lane], Dimension::Pixel);
+    block.Low[lane] = scramble.Low;
+    block.High[lane] = scramble.High;
   }
-  return block;
 }
 
-void TexelRenderer::RenderBlock(const Block& block) const
+void TexelRenderer::RenderBlock(Block& block) const
 {
   Sums sums[RayPacket::Size];
   for (int index = 0; index < this->Settings.Samples; ++index)
@@ -174,64 +156,75 @@ void TexelRenderer::RenderBlock(const Block& block) const
   this->Write(block, sums);
 }
 
-void TexelRenderer::AddSamples(const Block& block, std::uint32_t index, Sums sums[]) const
+void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) const
 {
   // Take one ray of each texel.
-  RayPacket packet;
-  PacketRay rays[RayPacket::Size];
-  double offsets[RayPacket::Size];
+  float placesX[RayPacket::Size];
+  float placesY[RayPacket::Size];
+  FindPlaces(index, block.Low, block.High, placesX, placesY);
+  float x[RayPacket::Size];
+  float y[RayPacket::Size];
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    const glm::dvec2 place = SampleStream(block.Hashes[lane], index).Get2D(Dimension::Pixel);
-    offsets[lane] = glm::length(place - 0.5);
-    rays[lane] =
-      SetRay(block.Grid, glm::dvec2(block.LaneX(lane), block.LaneY(lane)) + place, packet, lane);
-    packet.Active[lane] = packet.Active[lane] && block.Inside[lane];
+    x[lane] = static_cast<float>(block.LaneX(lane)) + placesX[lane];
+    y[lane] = static_cast<float>(block.LaneY(lane)) + placesY[lane];
+  }
+  RayPacket packet;
+  const PacketScale scale = SetRays(block.Grid, x, y, packet);
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    packet.Active[lane] &= block.Inside[lane];
+    block.Rays -= packet.Active[lane];
   }
   this->World.Intersect(packet);
 
   // Follow each.
-  std::uint64_t count = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    const Ray& ray = packet.Rays[lane];
     const Hit& hit = packet.Hits[lane];
     Sums& sum = sums[lane];
-    count += packet.Active[lane] ? 1 : 0;
     if (hit.IsValid())
     {
-      sum.Radiance +=
-        this->Integrator.GetRadiance(ray, hit, SampleStream(block.Hashes[lane], index), count);
+      sum.Radiance += this->Integrator.CanLookUp(hit)
+        ? this->Integrator.LookUp(hit)
+        : this->Integrator.GetRadiance(
+            packet.GetRay(lane), hit, SampleStream(block.Hashes[lane], index), block.Rays);
       ++sum.Covered;
-      sum.AddDepth(rays[lane].ToParameter(hit.Distance), offsets[lane]);
+      const float offsetX = placesX[lane] - 0.5f;
+      const float offsetY = placesY[lane] - 0.5f;
+      sum.AddDepth(scale.ToParameter(lane, hit.Distance), offsetX * offsetX + offsetY * offsetY);
     }
-    else if (this->Settings.ShowEnvironment)
+    else if (this->Settings.ShowEnvironment && block.Inside[lane])
     {
-      sum.Radiance += this->World.GetEnvironment().GetRadiance(ray.Direction);
+      sum.Radiance += this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction);
       ++sum.Covered;
     }
   }
-  this->Rays.fetch_add(count, std::memory_order_relaxed);
 }
 
 void TexelRenderer::FindDepths(const Block& block, Sums sums[]) const
 {
-  RayPacket packet;
-  PacketRay rays[RayPacket::Size];
+  float x[RayPacket::Size];
+  float y[RayPacket::Size];
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    const glm::dvec2 center = glm::dvec2(block.LaneX(lane), block.LaneY(lane)) + 0.5;
-    rays[lane] = SetRay(block.Grid, center, packet, lane);
-    packet.Active[lane] = packet.Active[lane] && block.Inside[lane];
+    x[lane] = static_cast<float>(block.LaneX(lane)) + 0.5f;
+    y[lane] = static_cast<float>(block.LaneY(lane)) + 0.5f;
   }
+  RayPacket packet;
   packet.PassByHalf = true;
+  const PacketScale scale = SetRays(block.Grid, x, y, packet);
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    packet.Active[lane] &= block.Inside[lane];
+  }
   this->World.Intersect(packet);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const Hit& hit = packet.Hits[lane];
     if (hit.IsValid())
     {
-      sums[lane].Depth = rays[lane].ToParameter(hit.Distance);
+      sums[lane].Depth = scale.ToParameter(lane, hit.Distance);
     }
     else if (this->Settings.ShowEnvironment)
     {
@@ -254,7 +247,8 @@ void TexelRenderer::Write(const Block& block, const Sums sums[]) const
       block.LaneY(lane);
     const std::int64_t texel =
       row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth + block.LaneX(lane);
-    const glm::dvec3 radiance = sum.Radiance * (this->Settings.Exposure / this->Settings.Samples);
+    const glm::dvec3 radiance =
+      glm::dvec3(sum.Radiance) * (this->Settings.Exposure / this->Settings.Samples);
     const double alpha = static_cast<double>(sum.Covered) / this->Settings.Samples;
     if (this->Output.ColorBytes)
     {

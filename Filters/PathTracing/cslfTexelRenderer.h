@@ -10,9 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "cslfPathIntegrator.h"
-
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include "cslfRayGrid.h"
 
 #include <atomic>
 #include <cstdint>
@@ -21,22 +19,6 @@
 
 namespace cslf
 {
-/**
- * The rays of a tile of texels, in scene space. Origin and direction vary linearly with the
- * position, which is in texels from the tile's first corner: that covers the faces of a cube seen
- * from a viewpoint, and the perspective and parallel cameras of VTK. A ray's parameter is 1 at the
- * end of its direction.
- */
-struct RayGrid
-{
-  glm::dvec3 Origin{ 0.0 };
-  glm::dvec3 OriginX{ 0.0 };
-  glm::dvec3 OriginY{ 0.0 };
-  glm::dvec3 Direction{ 0.0 };
-  glm::dvec3 DirectionX{ 0.0 };
-  glm::dvec3 DirectionY{ 0.0 };
-};
-
 /// A picture of slices, each a strip of tiles.
 struct PictureLayout
 {
@@ -88,9 +70,11 @@ private:
   struct Block;
   struct Sums;
 
-  Block MakeBlock(std::int64_t index) const;
-  void RenderBlock(const Block& block) const;
-  void AddSamples(const Block& block, std::uint32_t index, Sums sums[]) const;
+  std::int64_t GetRowsOfTile() const;
+  void RenderRow(std::int64_t index) const;
+  void SetTexels(Block& block, int column) const;
+  void RenderBlock(Block& block) const;
+  void AddSamples(Block& block, std::uint32_t index, Sums sums[]) const;
   void FindDepths(const Block& block, Sums sums[]) const;
   void Write(const Block& block, const Sums sums[]) const;
 

@@ -59,13 +59,14 @@ inline Estimate Trace(const Scene& scene, const Ray& ray, const PathSettings& se
   Estimate estimate;
   constexpr int groups = 16; // each a sequence of its own
   double squares = 0.0;
+  std::uint64_t rays = 0;
   for (int group = 0; group < groups && hit.IsValid(); ++group)
   {
     const std::uint64_t hash = SampleStream::HashTexel(1, group, 0, 0);
     double mean = 0.0;
     for (int i = 0; i < samples / groups; ++i)
     {
-      mean += integrator.GetRadiance(ray, hit, { hash, static_cast<std::uint32_t>(i) }).x;
+      mean += integrator.GetRadiance(ray, hit, { hash, static_cast<std::uint32_t>(i) }, rays).x;
     }
     mean /= samples / groups;
     estimate.Mean += mean / groups;

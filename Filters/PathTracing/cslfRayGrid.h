@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The primary rays: those of a tile of texels.
+ */
+#ifndef cslfRayGrid_h
+#define cslfRayGrid_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfScene.h"
+
+#include <glm/vec3.hpp>
+
+namespace cslf
+{
+/**
+ * The rays of a tile of texels, in scene space. Origin and direction vary linearly with the
+ * position, which is in texels from the tile's first corner: that covers the faces of a cube seen
+ * from a viewpoint, and the perspective and parallel cameras of VTK. A ray's parameter is 1 at the
+ * end of its direction.
+ */
+struct RayGrid
+{
+  glm::dvec3 Origin{ 0.0 };
+  glm::dvec3 OriginX{ 0.0 };
+  glm::dvec3 OriginY{ 0.0 };
+  glm::dvec3 Direction{ 0.0 };
+  glm::dvec3 DirectionX{ 0.0 };
+  glm::dvec3 DirectionY{ 0.0 };
+};
+
+/// How the grid's parameter of a packet's rays depends on their distance.
+struct PacketScale
+{
+  double Start[RayPacket::Size]; ///< the parameter where the packet's ray starts
+  float Length[RayPacket::Size]; ///< of the grid's direction
+
+  double ToParameter(int lane, float distance) const
+  {
+    return this->Start[lane] + static_cast<double>(distance / this->Length[lane]);
+  }
+};
+
+/// Makes each lane of the packet the ray through a position of the grid: inactive where that cannot
+/// meet the scene.
+VTKCSLF_EXPORT PacketScale SetRays(const RayGrid& grid, const float x[RayPacket::Size],
+  const float y[RayPacket::Size], RayPacket& packet);
+}
+
+#endif

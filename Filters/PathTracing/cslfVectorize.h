@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Marks functions whose loops run over the lanes of a packet: compiled once for every generation of
+ * vector instructions, of which the processor's newest is taken when the library is loaded.
+ */
+#ifndef cslfVectorize_h
+#define cslfVectorize_h
+
+// Sanitizers are not yet up when the choice is made.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&       \
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define CSLF_VECTORIZE __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define CSLF_VECTORIZE
+#endif
+
+#endif
