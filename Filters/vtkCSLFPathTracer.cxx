@@ -305,24 +305,24 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   return sampling.dump();
 }
 
-std::string vtkCSLFPathTracer::MakeCacheKey()
+std::string vtkCSLFPathTracer::MakeCacheKey(double spacing)
 {
   std::ostringstream key;
   key << std::setprecision(17) << this->MaximumDepth << ' ' << this->Seed << ' ' << this->Exposure
-      << ' ' << this->CacheTolerance << ' ' << this->CacheSpacing << ' ' << this->CacheSamples;
+      << ' ' << this->CacheTolerance << ' ' << spacing << ' ' << this->CacheSamples;
   return key.str();
 }
 
-bool vtkCSLFPathTracer::UpdateCache(double share)
+bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
 {
-  if (this->Internals->CacheKey == this->MakeCacheKey())
+  if (this->Internals->CacheKey == this->MakeCacheKey(spacing))
   {
     return true;
   }
   const auto start = std::chrono::steady_clock::now();
   cslf::CacheSettings settings;
   settings.Tolerance = this->CacheTolerance;
-  settings.Spacing = 2.0 * this->CacheSpacing; // the bounding sphere's radius is 1
+  settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
   settings.Samples = this->CacheSamples;
   settings.Exposure = this->Exposure;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
@@ -342,7 +342,7 @@ bool vtkCSLFPathTracer::UpdateCache(double share)
   this->CacheSeconds += SecondsSince(start);
   if (done)
   {
-    this->Internals->CacheKey = this->MakeCacheKey();
+    this->Internals->CacheKey = this->MakeCacheKey(spacing);
   }
   return done;
 }
@@ -363,7 +363,8 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
   cslf::RenderSettings settings = this->GetRenderSettings();
   if (this->Integrator == RadianceCaching)
   {
-    if (!this->UpdateCache(share))
+    const double automatic = 0.3 / std::max(layout.TileWidth, layout.TileHeight);
+    if (!this->UpdateCache(this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, share))
     {
       return false;
     }

@@ -88,7 +88,7 @@ public:
    * The bias of radiance caching: points are added where interpolation would err by more than this,
    * in parts of white as it is displayed (sRGB-encoded, Exposure included), until they are as close
    * as CacheSpacing. The noise of each point is kept below it, too, where CacheSamples allow.
-   * Default: 1/256, one level of 8 bits.
+   * Default: 1/128, two levels of 8 bits.
    */
   vtkSetClampMacro(CacheTolerance, double, 1e-6, 1.0);
   vtkGetMacro(CacheTolerance, double);
@@ -97,9 +97,11 @@ public:
   ///@{
   /**
    * The smallest distance of radiance caching's points, in parts of the diagonal of the scene's
-   * bounds: the width of the sharpest shadow edge. Default: 0.001.
+   * bounds: about the width of the sharpest shadow edge. 0 stands for 0.3 divided by the texels or
+   * pixels along the longer side of a picture, about half a texel on the far side of the cube.
+   * Default: 0.
    */
-  vtkSetClampMacro(CacheSpacing, double, 1e-5, 1.0);
+  vtkSetClampMacro(CacheSpacing, double, 0.0, 1.0);
   vtkGetMacro(CacheSpacing, double);
   ///@}
 
@@ -283,14 +285,14 @@ private:
   std::string MakeSceneKey(vtkInformationVector** inputVector);
   bool BuildScene(vtkInformationVector** inputVector);
   cslf::RenderSettings GetRenderSettings();
-  std::string MakeCacheKey();
-  bool UpdateCache(double share);
+  std::string MakeCacheKey(double spacing);
+  bool UpdateCache(double spacing, double share);
 
   int Integrator = PathTracing;
   int Samples = 64;
   int MaximumDepth = 8;
-  double CacheTolerance = 1.0 / 256;
-  double CacheSpacing = 0.001;
+  double CacheTolerance = 1.0 / 128;
+  double CacheSpacing = 0.0;
   int CacheSamples = 1024;
   int Seed = 0;
   double Exposure = 1.0;

@@ -41,8 +41,9 @@ void IntegratorOptions::AddTo(CLI::App& command)
     ->group(group);
   command
     .add_option("--cache-spacing", this->CacheSpacing,
-      "the smallest distance of the cache's points, in parts of the scene's diagonal")
-    ->check(CLI::Range(1e-5, 1.0))
+      "the smallest distance of the cache's points, in parts of the scene's diagonal; 0: by the "
+      "resolution")
+    ->check(CLI::Range(0.0, 1.0))
     ->capture_default_str()
     ->group(group);
   command.add_option("--cache-samples", this->CacheSamples, "the most paths for a point of it")

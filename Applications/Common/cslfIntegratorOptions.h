@@ -41,8 +41,8 @@ private:
   std::string Integrator;
   int Samples = 64;
   int Seed = 0;
-  double CacheTolerance = 1.0 / 256;
-  double CacheSpacing = 0.001;
+  double CacheTolerance = 1.0 / 128;
+  double CacheSpacing = 0.0;
   int CacheSamples = 1024;
 };
 }
