@@ -14,6 +14,7 @@ list(APPEND classes
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
   ../Filters/vtkCSLFSampler
+  ../Filters/vtkCSLFSceneImporter
   ../Filters/vtkCSLFViewTracer)
 list(APPEND private_headers
   ../Filters/cslfVTKCompatibility.h)
@@ -24,6 +25,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
+  ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
@@ -44,6 +46,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfDistribution.h
   ../Filters/PathTracing/cslfEmbree.h
   ../Filters/PathTracing/cslfEnvironment.h
+  ../Filters/PathTracing/cslfEnvironmentReader.h
   ../Filters/PathTracing/cslfFacets.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
@@ -65,6 +68,17 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangles.h)
+
+# From renderers to scenes.
+list(APPEND sources
+  ../Filters/SceneImport/cslfActorImporter.cxx
+  ../Filters/SceneImport/cslfLightImporter.cxx
+  ../Filters/SceneImport/cslfMappedScalars.cxx)
+list(APPEND private_headers
+  ../Filters/SceneImport/cslfActorImporter.h
+  ../Filters/SceneImport/cslfImportedScene.h
+  ../Filters/SceneImport/cslfLightImporter.h
+  ../Filters/SceneImport/cslfMappedScalars.h)
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources

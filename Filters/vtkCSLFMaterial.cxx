@@ -47,8 +47,10 @@ constexpr Parameter Transmission = { "Transmission", 1, 0.0, 0.0, 1.0 };
 constexpr Parameter Opacity = { "Opacity", 1, 1.0, 0.0, 1.0 };
 constexpr Parameter OpacityCutoff = { "OpacityCutoff", 1, 0.0, 0.0, 1.0 };
 constexpr Parameter NormalScale = { "NormalScale", 1, 1.0, -Unlimited, Unlimited };
+constexpr Parameter LineRadius = { "LineRadius", 1, 0.0, 0.0, Unlimited };
+constexpr Parameter PointRadius = { "PointRadius", 1, 0.0, 0.0, Unlimited };
 constexpr Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, Opacity, OpacityCutoff, NormalScale };
+  Transmission, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius };
 
 // By vtkCSLFMaterial::TextureSlots.
 constexpr const char* TextureNames[] = { "BaseColorTexture", "MetallicRoughnessTexture",
@@ -312,6 +314,26 @@ void vtkCSLFMaterial::SetNormalScale(vtkDataObject* data, double scale)
 double vtkCSLFMaterial::GetNormalScale(vtkDataObject* data)
 {
   return Get(data, NormalScale);
+}
+
+void vtkCSLFMaterial::SetLineRadius(vtkDataObject* data, double radius)
+{
+  Set(data, LineRadius, &radius);
+}
+
+double vtkCSLFMaterial::GetLineRadius(vtkDataObject* data)
+{
+  return Get(data, LineRadius);
+}
+
+void vtkCSLFMaterial::SetPointRadius(vtkDataObject* data, double radius)
+{
+  Set(data, PointRadius, &radius);
+}
+
+double vtkCSLFMaterial::GetPointRadius(vtkDataObject* data)
+{
+  return Get(data, PointRadius);
 }
 
 bool vtkCSLFMaterial::SetTexture(

@@ -20,6 +20,8 @@
  *   passes as if there were none.
  * - `OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
  * - `NormalScale`: any number, by default 1. How far the normal texture bends normals.
+ * - `LineRadius`, `PointRadius`: not negative, world units, by default 0. Of the tubes and spheres
+ *   that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
  * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
@@ -149,6 +151,24 @@ public:
    */
   static void SetNormalScale(vtkDataObject* data, double scale);
   static double GetNormalScale(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the radius of lines, in world units; 0 for a small part of the scene's size, see
+   * above. Default: 0.
+   */
+  static void SetLineRadius(vtkDataObject* data, double radius);
+  static double GetLineRadius(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the radius of vertices, in world units; 0 for a small part of the scene's size, see
+   * above. Default: 0.
+   */
+  static void SetPointRadius(vtkDataObject* data, double radius);
+  static double GetPointRadius(vtkDataObject* data);
   ///@}
 
   enum TextureSlots

@@ -263,7 +263,7 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
   {
     throw Failure("The field was sampled under an image: give it by --environment.");
   }
-  if (!this->Environment && !mode.empty())
+  if (!this->Environment && !mode.empty() && mode != "scene")
   {
     const nlohmann::json white = { 1.0, 1.0, 1.0 };
     if (environment.value("color", white) != white)
