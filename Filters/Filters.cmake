@@ -7,6 +7,7 @@ list(APPEND classes
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFEncoder
   ../Filters/vtkCSLFFieldQuality
+  ../Filters/vtkCSLFGLTFReader
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
   ../Filters/vtkCSLFImageWriter
@@ -69,13 +70,17 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangles.h)
 
-# From renderers to scenes.
+# From renderers and files to scenes.
 list(APPEND sources
   ../Filters/SceneImport/cslfActorImporter.cxx
+  ../Filters/SceneImport/cslfGLTFBlocks.cxx
+  ../Filters/SceneImport/cslfGLTFExtensions.cxx
   ../Filters/SceneImport/cslfLightImporter.cxx
   ../Filters/SceneImport/cslfMappedScalars.cxx)
 list(APPEND private_headers
   ../Filters/SceneImport/cslfActorImporter.h
+  ../Filters/SceneImport/cslfGLTFBlocks.h
+  ../Filters/SceneImport/cslfGLTFExtensions.h
   ../Filters/SceneImport/cslfImportedScene.h
   ../Filters/SceneImport/cslfLightImporter.h
   ../Filters/SceneImport/cslfMappedScalars.h)

@@ -16,6 +16,7 @@
  * - `Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both sides.
  * - `IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has none.
  * - `Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
+ * - `ThinWalled`: 0 or 1, by default 0. Whether glass is a thin sheet, which does not bend light.
  * - `Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
  *   passes as if there were none.
  * - `OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
@@ -27,8 +28,9 @@
  * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
  * their alpha multiplies the opacity (see vtkCSLFPathTracer).
  *
- * Glass is solid: its surfaces should be closed, with the vertices of their polygons
- * counterclockwise seen from outside, since that tells light whether it enters or leaves.
+ * Glass is solid unless it is thin-walled: its surfaces should be closed, with the vertices of
+ * their polygons counterclockwise seen from outside, since that tells light whether it enters or
+ * leaves.
  *
  * Textures are images that multiply these factors; they lie on the surface by its texture
  * coordinates. They travel as field data too, pixels in an array named `BaseColorTexture`,
@@ -127,6 +129,14 @@ public:
    */
   static void SetTransmission(vtkDataObject* data, double transmission);
   static double GetTransmission(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get whether glass is a thin sheet. Default: false.
+   */
+  static void SetThinWalled(vtkDataObject* data, bool thin);
+  static bool GetThinWalled(vtkDataObject* data);
   ///@}
 
   ///@{

@@ -81,16 +81,6 @@ void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
     }
   }
 }
-
-std::string Join(const std::set<std::string>& names)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 }
 
 vtkCSLFSceneImporter::vtkCSLFSceneImporter()
@@ -183,7 +173,7 @@ int vtkCSLFSceneImporter::RequestData(
   output->SetBlock(index, lights);
   if (!scene.Omitted.empty())
   {
-    vtkWarningMacro("Not represented of the renderer's scene: " << Join(scene.Omitted) << ".");
+    vtkWarningMacro("Not represented of the renderer's scene: " << scene.ListOmitted() << ".");
   }
   return 1;
 }

@@ -345,6 +345,7 @@ private:
       number(vtkCSLFMaterial::GetIndexOfRefraction(holder)),
       glm::vec3(emission[0], emission[1], emission[2]));
     block.Material.Transmission = number(vtkCSLFMaterial::GetTransmission(holder));
+    block.Material.Thin = vtkCSLFMaterial::GetThinWalled(holder);
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));

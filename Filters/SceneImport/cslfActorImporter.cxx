@@ -17,6 +17,7 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMatrixToLinearTransform.h>
@@ -101,6 +102,34 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
   return copy;
 }
 
+/// Applies the transform of texture coordinates that an actor may have among its property keys.
+void TransformTCoords(vtkActor* actor, vtkPolyData* block)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
+  if (!keys || !keys->Has(vtkProp::GeneralTextureTransform()) || !coordinates ||
+    coordinates->GetNumberOfComponents() < 2)
+  {
+    return;
+  }
+  const double* matrix = keys->Get(vtkProp::GeneralTextureTransform());
+  vtkNew<vtkFloatArray> moved;
+  moved->SetName(coordinates->GetName());
+  moved->SetNumberOfComponents(2);
+  moved->SetNumberOfTuples(coordinates->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    const double u = coordinates->GetComponent(i, 0);
+    const double v = coordinates->GetComponent(i, 1);
+    for (int c = 0; c < 2; ++c)
+    {
+      const double* row = matrix + 4 * c;
+      moved->SetTypedComponent(i, c, static_cast<float>(row[0] * u + row[1] * v + row[3]));
+    }
+  }
+  block->GetPointData()->SetTCoords(moved);
+}
+
 /// Imports one actor.
 class Importer
 {
@@ -176,6 +205,7 @@ private:
       mapped = MapScalars(this->Mapper, surface, !this->IsTextured());
     }
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
+    TransformTCoords(this->Actor, block);
     // What the data itself says of its material comes before the property.
     vtkCSLFMaterial::Inherit(block, leaf);
     vtkNew<vtkPolyData> material;

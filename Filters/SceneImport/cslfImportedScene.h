@@ -31,6 +31,17 @@ struct ImportedScene
   std::vector<ImportedBlock> Blocks;
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
   std::set<std::string> Omitted;       ///< what cannot be represented, in words
+
+  /// What cannot be represented, with commas.
+  std::string ListOmitted() const
+  {
+    std::string text;
+    for (const std::string& name : this->Omitted)
+    {
+      text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+  }
 };
 }
 
