@@ -7,6 +7,7 @@ list(APPEND classes
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFEncoder
   ../Filters/vtkCSLFFieldQuality
+  ../Filters/vtkCSLFGLTFReader
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
   ../Filters/vtkCSLFImageWriter
@@ -14,6 +15,7 @@ list(APPEND classes
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
   ../Filters/vtkCSLFSampler
+  ../Filters/vtkCSLFSceneImporter
   ../Filters/vtkCSLFViewTracer)
 list(APPEND private_headers
   ../Filters/cslfVTKCompatibility.h)
@@ -25,6 +27,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfDirectLight.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
+  ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
@@ -47,6 +50,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfDistribution.h
   ../Filters/PathTracing/cslfEmbree.h
   ../Filters/PathTracing/cslfEnvironment.h
+  ../Filters/PathTracing/cslfEnvironmentReader.h
   ../Filters/PathTracing/cslfFacets.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
@@ -82,6 +86,21 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
+
+# From renderers and files to scenes.
+list(APPEND sources
+  ../Filters/SceneImport/cslfActorImporter.cxx
+  ../Filters/SceneImport/cslfGLTFBlocks.cxx
+  ../Filters/SceneImport/cslfGLTFExtensions.cxx
+  ../Filters/SceneImport/cslfLightImporter.cxx
+  ../Filters/SceneImport/cslfMappedScalars.cxx)
+list(APPEND private_headers
+  ../Filters/SceneImport/cslfActorImporter.h
+  ../Filters/SceneImport/cslfGLTFBlocks.h
+  ../Filters/SceneImport/cslfGLTFExtensions.h
+  ../Filters/SceneImport/cslfImportedScene.h
+  ../Filters/SceneImport/cslfLightImporter.h
+  ../Filters/SceneImport/cslfMappedScalars.h)
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources

@@ -8,7 +8,14 @@
 #define cslfVTKCompatibility_h
 
 #include <vtkAlgorithm.h>
+#include <vtkMapper.h>
 #include <vtkVersionMacros.h>
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include <vtkCompositePolyDataMapper.h>
+#else
+#include <vtkCompositePolyDataMapper2.h>
+#endif
 
 namespace cslf
 {
@@ -20,6 +27,17 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif
+}
+
+/// How a mapper of composite data shows its blocks; null for other mappers.
+inline vtkCompositeDataDisplayAttributes* GetDisplayAttributes(vtkMapper* mapper)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper);
+#else
+  auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
+#endif
+  return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
 }
 }
 

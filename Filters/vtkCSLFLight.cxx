@@ -7,16 +7,20 @@
 #include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 
 vtkStandardNewMacro(vtkCSLFLight);
 
 namespace
 {
-void Append(vtkDataObject* data, const char* name, const double tuple[3])
+void Append(vtkDataObject* data, const char* name, const double* tuple, int components = 3)
 {
   if (!data)
   {
@@ -24,9 +28,9 @@ void Append(vtkDataObject* data, const char* name, const double tuple[3])
   }
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
-  array->SetNumberOfComponents(3);
+  array->SetNumberOfComponents(components);
   vtkDataArray* present = data->GetFieldData()->GetArray(name);
-  if (present && present->GetNumberOfComponents() == 3)
+  if (present && present->GetNumberOfComponents() == components)
   {
     array->DeepCopy(present);
   }
@@ -49,6 +53,64 @@ void vtkCSLFLight::AddPointLight(
   Append(data, PointLightIntensity(), intensity);
 }
 
+void vtkCSLFLight::AddSpotLight(vtkDataObject* data, const double position[3],
+  const double direction[3], const double intensity[3], double coneAngle, double exponent)
+{
+  const double cone[2] = { coneAngle, exponent };
+  Append(data, SpotLightPosition(), position);
+  Append(data, SpotLightIntensity(), intensity);
+  Append(data, SpotLightDirection(), direction);
+  Append(data, SpotLightCone(), cone, 2);
+}
+
+void vtkCSLFLight::SetEnvironment(
+  vtkDataObject* data, const double bottom[3], const double top[3], const double up[3])
+{
+  if (data)
+  {
+    data->GetFieldData()->RemoveArray(EnvironmentRadiance());
+    data->GetFieldData()->RemoveArray(EnvironmentUp());
+    Append(data, EnvironmentRadiance(), bottom);
+    Append(data, EnvironmentRadiance(), top);
+    Append(data, EnvironmentUp(), up);
+  }
+}
+
+bool vtkCSLFLight::SetEnvironmentImage(
+  vtkDataObject* data, vtkImageData* image, const double up[3], const double right[3])
+{
+  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  int dimensions[3] = { 0, 0, 0 };
+  if (image)
+  {
+    image->GetDimensions(dimensions);
+  }
+  const bool usable = scalars && dimensions[0] > 0 && dimensions[1] > 0 && dimensions[2] == 1 &&
+    (scalars->GetDataType() == VTK_FLOAT || scalars->GetDataType() == VTK_UNSIGNED_CHAR) &&
+    (scalars->GetNumberOfComponents() == 3 || scalars->GetNumberOfComponents() == 4);
+  if (!data || !usable)
+  {
+    vtkGenericWarningMacro(
+      "An environment is left out: its image must be two-dimensional, of floats "
+      "or unsigned chars of 3 or 4 components.");
+    return false;
+  }
+  auto pixels = vtk::TakeSmartPointer(scalars->NewInstance());
+  pixels->ShallowCopy(scalars);
+  pixels->SetName(EnvironmentImage());
+  vtkNew<vtkIntArray> layout;
+  layout->SetName(EnvironmentImageLayout());
+  layout->SetNumberOfComponents(2);
+  layout->InsertNextTuple2(dimensions[0], dimensions[1]);
+  data->GetFieldData()->AddArray(pixels);
+  data->GetFieldData()->AddArray(layout);
+  data->GetFieldData()->RemoveArray(EnvironmentUp());
+  data->GetFieldData()->RemoveArray(EnvironmentRight());
+  Append(data, EnvironmentUp(), up);
+  Append(data, EnvironmentRight(), right);
+  return true;
+}
+
 void vtkCSLFLight::AddLight(vtkDataObject* data, vtkLight* light)
 {
   if (!light || !light->GetSwitch())
@@ -67,19 +129,23 @@ void vtkCSLFLight::AddLight(vtkDataObject* data, vtkLight* light)
   {
     irradiance[i] = vtkMath::Pi() * light->GetIntensity() * cslf::SRGBToLinear(color[i]);
   }
+  double direction[3];
+  vtkMath::Subtract(focalPoint, position, direction);
   if (!light->GetPositional())
   {
-    double direction[3];
-    vtkMath::Subtract(focalPoint, position, direction);
     AddDirectionalLight(data, direction, irradiance);
     return;
   }
+  vtkMath::MultiplyScalar(irradiance, vtkMath::Dot(direction, direction));
   if (light->GetConeAngle() < 90.0)
   {
-    vtkGenericWarningMacro("A spot light's cone is left out: it lights all around.");
+    AddSpotLight(
+      data, position, direction, irradiance, light->GetConeAngle(), light->GetExponent());
   }
-  vtkMath::MultiplyScalar(irradiance, vtkMath::Distance2BetweenPoints(position, focalPoint));
-  AddPointLight(data, position, irradiance);
+  else
+  {
+    AddPointLight(data, position, irradiance);
+  }
 }
 
 void vtkCSLFLight::RemoveLights(vtkDataObject* data)
@@ -89,7 +155,9 @@ void vtkCSLFLight::RemoveLights(vtkDataObject* data)
     return;
   }
   for (const char* name : { DirectionalLightDirection(), DirectionalLightIrradiance(),
-         PointLightPosition(), PointLightIntensity() })
+         PointLightPosition(), PointLightIntensity(), SpotLightPosition(), SpotLightIntensity(),
+         SpotLightDirection(), SpotLightCone(), EnvironmentRadiance(), EnvironmentUp(),
+         EnvironmentRight(), EnvironmentImage(), EnvironmentImageLayout() })
   {
     data->GetFieldData()->RemoveArray(name);
   }

@@ -4,7 +4,7 @@
  * @class   vtkCSLFLight
  * @brief   lights that travel with the data, as field data
  *
- * The path tracing filters read directional and point lights from the field data of their inputs:
+ * The path tracing filters read lights and the environment from the field data of their inputs:
  * of the root data object, and of each block of a composite data set, which may hold nothing else.
  * Any VTK pipeline carries them along. This class knows the arrays' names; each has one tuple a
  * light:
@@ -15,6 +15,18 @@
  * | `DirectionalLightIrradiance` | 3 | on a surface that faces the light, linear RGB |
  * | `PointLightPosition` | 3 | world |
  * | `PointLightIntensity` | 3 | irradiance times squared distance in world units, linear RGB |
+ * | `SpotLightPosition` | 3 | world |
+ * | `SpotLightIntensity` | 3 | as of a point light, along the axis |
+ * | `SpotLightDirection` | 3 | the axis, away from the light, world; any length but 0 |
+ * | `SpotLightCone` | 2 | the angle between axis and cone in degrees; the exponent of the cosine to
+ * the axis that the intensity falls off with |
+ *
+ * The environment is light from infinitely far away; where there is one, it takes the place of the
+ * filter's own. It is described by `EnvironmentRadiance`, 3 components, one tuple for the same
+ * radiance all around (linear), two for those of bottom and top; `EnvironmentUp` and
+ * `EnvironmentRight`, 3 components, its axes in the world; and `EnvironmentImage` with
+ * `EnvironmentImageLayout`, a lat-long image that is added: 3 or 4 components a pixel, floats
+ * (linear) or unsigned chars (sRGB), the row of the bottom first, and its width and height.
  *
  * Lights with an extent are surfaces whose material has an emission (see vtkCSLFMaterial), or the
  * environment (see vtkCSLFPathTracer).
@@ -28,6 +40,7 @@
 #include "vtkObject.h"
 
 class vtkDataObject;
+class vtkImageData;
 class vtkLight;
 
 class VTKCSLF_EXPORT vtkCSLFLight : public vtkObject
@@ -45,6 +58,15 @@ public:
   static const char* DirectionalLightIrradiance() { return "DirectionalLightIrradiance"; }
   static const char* PointLightPosition() { return "PointLightPosition"; }
   static const char* PointLightIntensity() { return "PointLightIntensity"; }
+  static const char* SpotLightPosition() { return "SpotLightPosition"; }
+  static const char* SpotLightIntensity() { return "SpotLightIntensity"; }
+  static const char* SpotLightDirection() { return "SpotLightDirection"; }
+  static const char* SpotLightCone() { return "SpotLightCone"; }
+  static const char* EnvironmentRadiance() { return "EnvironmentRadiance"; }
+  static const char* EnvironmentUp() { return "EnvironmentUp"; }
+  static const char* EnvironmentRight() { return "EnvironmentRight"; }
+  static const char* EnvironmentImage() { return "EnvironmentImage"; }
+  static const char* EnvironmentImageLayout() { return "EnvironmentImageLayout"; }
   ///@}
 
   /**
@@ -62,16 +84,40 @@ public:
     vtkDataObject* data, const double position[3], const double intensity[3]);
 
   /**
-   * Adds a VTK light that is switched on: a positional one as a point light, any other as a
-   * directional one. Its diffuse colour (sRGB) times its intensity is what VTK multiplies a diffuse
-   * surface's colour by where the surface faces the light; the light added does the same, a point
-   * light at its focal point, since light falls off with distance. A cone of less than 90 degrees
-   * is left out with a warning. Headlights and camera lights are taken where they stand now.
+   * Adds a spot light: a point light whose intensity falls off with the cosine to the axis
+   * `direction` (world, any length but 0) to the power of `exponent`, and is 0 beyond `coneAngle`
+   * degrees from it.
+   */
+  static void AddSpotLight(vtkDataObject* data, const double position[3], const double direction[3],
+    const double intensity[3], double coneAngle, double exponent);
+
+  /**
+   * Sets the environment: radiance (linear RGB) from `bottom` to `top`, linear in the height of the
+   * direction's unit vector along `up` (world, any length but 0).
+   */
+  static void SetEnvironment(
+    vtkDataObject* data, const double bottom[3], const double top[3], const double up[3]);
+
+  /**
+   * Adds a lat-long image to the environment, as the environment texture of a vtkRenderer: floats
+   * (linear) or unsigned chars (sRGB), 3 components or 4; its middle column lies in the direction
+   * `right`, its top row in that of `up` (world, not parallel). Returns false, with a warning, for
+   * any other image.
+   */
+  static bool SetEnvironmentImage(
+    vtkDataObject* data, vtkImageData* image, const double up[3], const double right[3]);
+
+  /**
+   * Adds a VTK light that is switched on: a positional one as a point light, or as a spot light if
+   * its cone is narrower than 90 degrees, any other as a directional one. Its diffuse colour (sRGB)
+   * times its intensity is what VTK multiplies a diffuse surface's colour by where the surface
+   * faces the light; the light added does the same, a point or spot light at its focal point, since
+   * light falls off with distance. Headlights and camera lights are taken where they stand now.
    */
   static void AddLight(vtkDataObject* data, vtkLight* light);
 
   /**
-   * Removes all lights from the field data.
+   * Removes all lights and the environment from the field data.
    */
   static void RemoveLights(vtkDataObject* data);
 

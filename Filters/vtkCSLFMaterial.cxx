@@ -44,11 +44,14 @@ constexpr Parameter Roughness = { "Roughness", 1, 1.0, 0.0, 1.0 };
 constexpr Parameter Emission = { "Emission", 3, 0.0, 0.0, Unlimited };
 constexpr Parameter IndexOfRefraction = { "IndexOfRefraction", 1, 1.0, 1.0, Unlimited };
 constexpr Parameter Transmission = { "Transmission", 1, 0.0, 0.0, 1.0 };
+constexpr Parameter ThinWalled = { "ThinWalled", 1, 0.0, 0.0, 1.0 };
 constexpr Parameter Opacity = { "Opacity", 1, 1.0, 0.0, 1.0 };
 constexpr Parameter OpacityCutoff = { "OpacityCutoff", 1, 0.0, 0.0, 1.0 };
 constexpr Parameter NormalScale = { "NormalScale", 1, 1.0, -Unlimited, Unlimited };
+constexpr Parameter LineRadius = { "LineRadius", 1, 0.0, 0.0, Unlimited };
+constexpr Parameter PointRadius = { "PointRadius", 1, 0.0, 0.0, Unlimited };
 constexpr Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, Opacity, OpacityCutoff, NormalScale };
+  Transmission, ThinWalled, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius };
 
 // By vtkCSLFMaterial::TextureSlots.
 constexpr const char* TextureNames[] = { "BaseColorTexture", "MetallicRoughnessTexture",
@@ -210,6 +213,7 @@ void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property
   const double coefficient = physical ? 1.0 : property->GetDiffuse();
   SetBaseColor(data, coefficient * color[0], coefficient * color[1], coefficient * color[2]);
   SetTransmission(data, Transmission.Default);
+  SetThinWalled(data, false);
   SetOpacity(data, property->GetOpacity());
   SetOpacityCutoff(data, OpacityCutoff.Default);
   if (physical)
@@ -284,6 +288,17 @@ double vtkCSLFMaterial::GetTransmission(vtkDataObject* data)
   return Get(data, Transmission);
 }
 
+void vtkCSLFMaterial::SetThinWalled(vtkDataObject* data, bool thin)
+{
+  const double value = thin ? 1.0 : 0.0;
+  Set(data, ThinWalled, &value);
+}
+
+bool vtkCSLFMaterial::GetThinWalled(vtkDataObject* data)
+{
+  return Get(data, ThinWalled) != 0.0;
+}
+
 void vtkCSLFMaterial::SetOpacity(vtkDataObject* data, double opacity)
 {
   Set(data, Opacity, &opacity);
@@ -312,6 +327,26 @@ void vtkCSLFMaterial::SetNormalScale(vtkDataObject* data, double scale)
 double vtkCSLFMaterial::GetNormalScale(vtkDataObject* data)
 {
   return Get(data, NormalScale);
+}
+
+void vtkCSLFMaterial::SetLineRadius(vtkDataObject* data, double radius)
+{
+  Set(data, LineRadius, &radius);
+}
+
+double vtkCSLFMaterial::GetLineRadius(vtkDataObject* data)
+{
+  return Get(data, LineRadius);
+}
+
+void vtkCSLFMaterial::SetPointRadius(vtkDataObject* data, double radius)
+{
+  Set(data, PointRadius, &radius);
+}
+
+double vtkCSLFMaterial::GetPointRadius(vtkDataObject* data)
+{
+  return Get(data, PointRadius);
 }
 
 bool vtkCSLFMaterial::SetTexture(

@@ -16,17 +16,21 @@
  * - `Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both sides.
  * - `IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has none.
  * - `Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
+ * - `ThinWalled`: 0 or 1, by default 0. Whether glass is a thin sheet, which does not bend light.
  * - `Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
  *   passes as if there were none.
  * - `OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
  * - `NormalScale`: any number, by default 1. How far the normal texture bends normals.
+ * - `LineRadius`, `PointRadius`: not negative, world units, by default 0. Of the tubes and spheres
+ *   that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
  * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
  * their alpha multiplies the opacity (see vtkCSLFPathTracer).
  *
- * Glass is solid: its surfaces should be closed, with the vertices of their polygons
- * counterclockwise seen from outside, since that tells light whether it enters or leaves.
+ * Glass is solid unless it is thin-walled: its surfaces should be closed, with the vertices of
+ * their polygons counterclockwise seen from outside, since that tells light whether it enters or
+ * leaves.
  *
  * Textures are images that multiply these factors; they lie on the surface by its texture
  * coordinates. They travel as field data too, pixels in an array named `BaseColorTexture`,
@@ -129,6 +133,14 @@ public:
 
   ///@{
   /**
+   * Set or get whether glass is a thin sheet. Default: false.
+   */
+  static void SetThinWalled(vtkDataObject* data, bool thin);
+  static bool GetThinWalled(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
    * Set or get the opacity, in [0,1]. Default: 1.
    */
   static void SetOpacity(vtkDataObject* data, double opacity);
@@ -149,6 +161,24 @@ public:
    */
   static void SetNormalScale(vtkDataObject* data, double scale);
   static double GetNormalScale(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the radius of lines, in world units; 0 for a small part of the scene's size, see
+   * above. Default: 0.
+   */
+  static void SetLineRadius(vtkDataObject* data, double radius);
+  static double GetLineRadius(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the radius of vertices, in world units; 0 for a small part of the scene's size, see
+   * above. Default: 0.
+   */
+  static void SetPointRadius(vtkDataObject* data, double radius);
+  static double GetPointRadius(vtkDataObject* data);
   ///@}
 
   enum TextureSlots

@@ -7,6 +7,7 @@
 #include "PathTracing/cslfTexelRenderer.h"
 #include "cslfColor.h"
 #include "cslfVTKCompatibility.h"
+#include "vtkCSLFSceneImporter.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
@@ -14,7 +15,9 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
+#include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -79,6 +82,7 @@ void WriteTimes(vtkDataObject* data, std::ostream& key)
 
 struct vtkCSLFPathTracer::vtkInternals
 {
+  vtkSmartPointer<vtkCSLFSceneImporter> Importer; // if there is a renderer
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   cslf::BuiltScene Scene;
   std::string SceneKey; // what the scene was built from; empty if there is none
@@ -143,9 +147,37 @@ vtkCSLFPathTracer::~vtkCSLFPathTracer()
 
 vtkMTimeType vtkCSLFPathTracer::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  vtkScalarsToColors* table = this->Internals->LookupTable;
-  return table ? std::max(time, table->GetMTime()) : time;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (vtkScalarsToColors* table = this->Internals->LookupTable)
+  {
+    time = std::max(time, table->GetMTime());
+  }
+  if (vtkCSLFSceneImporter* importer = this->Internals->Importer)
+  {
+    time = std::max(time, importer->GetMTime());
+  }
+  return time;
+}
+
+void vtkCSLFPathTracer::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->GetRenderer() == renderer)
+  {
+    return;
+  }
+  this->Internals->Importer = nullptr;
+  if (renderer)
+  {
+    this->Internals->Importer = vtkSmartPointer<vtkCSLFSceneImporter>::New();
+    this->Internals->Importer->SetRenderer(renderer);
+  }
+  this->Modified();
+}
+
+vtkRenderer* vtkCSLFPathTracer::GetRenderer()
+{
+  vtkCSLFSceneImporter* importer = this->Internals->Importer;
+  return importer ? importer->GetRenderer() : nullptr;
 }
 
 void vtkCSLFPathTracer::SetLookupTable(vtkScalarsToColors* lookupTable)
@@ -173,6 +205,7 @@ int vtkCSLFPathTracer::FillInputPortInformation(int port, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -190,28 +223,40 @@ int vtkCSLFPathTracer::RequestUpdateExtent(
   return 1;
 }
 
+std::vector<vtkDataObject*> vtkCSLFPathTracer::GetSceneInputs(vtkInformationVector** inputVector)
+{
+  std::vector<vtkDataObject*> inputs = GetInputs(inputVector[0]);
+  if (vtkCSLFSceneImporter* importer = this->Internals->Importer)
+  {
+    importer->Update();
+    inputs.push_back(importer->GetOutput());
+  }
+  return inputs;
+}
+
 const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** inputVector)
 {
-  if (this->Internals->SceneKey.empty() ||
-    this->Internals->SceneKey != this->MakeSceneKey(inputVector))
+  const std::vector<vtkDataObject*> inputs = this->GetSceneInputs(inputVector);
+  const std::string key = this->MakeSceneKey(inputs);
+  if (this->Internals->SceneKey != key)
   {
     this->Internals->SceneKey.clear();
     this->Internals->CacheKey.clear();
     this->Internals->Cache.reset();
-    if (!this->BuildScene(inputVector))
+    if (!this->BuildScene(inputs))
     {
       return nullptr;
     }
-    this->Internals->SceneKey = this->MakeSceneKey(inputVector);
+    this->Internals->SceneKey = this->MakeSceneKey(inputs);
   }
   return &this->Internals->Scene;
 }
 
-std::string vtkCSLFPathTracer::MakeSceneKey(vtkInformationVector** inputVector)
+std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& inputs)
 {
   std::ostringstream key;
   key << std::setprecision(17);
-  for (vtkDataObject* input : GetInputs(inputVector[0]))
+  for (vtkDataObject* input : inputs)
   {
     WriteTimes(input, key);
   }
@@ -228,8 +273,13 @@ std::string vtkCSLFPathTracer::MakeSceneKey(vtkInformationVector** inputVector)
   return key.str();
 }
 
-bool vtkCSLFPathTracer::BuildScene(vtkInformationVector** inputVector)
+bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
 {
+  if (inputs.empty())
+  {
+    vtkErrorMacro("There is neither an input nor a renderer.");
+    return false;
+  }
   cslf::SceneOptions options;
   std::string error;
   if (!vtkInternals::MakeEnvironment(this, options.Surroundings, error))
@@ -250,7 +300,7 @@ bool vtkCSLFPathTracer::BuildScene(vtkInformationVector** inputVector)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
-  this->Internals->Scene = cslf::BuildScene(GetInputs(inputVector[0]), options);
+  this->Internals->Scene = cslf::BuildScene(inputs, options);
   if (!this->Internals->Scene.World)
   {
     vtkErrorMacro(<< this->Internals->Scene.Error);
@@ -278,16 +328,22 @@ std::string vtkCSLFPathTracer::DescribeSampling()
 {
   static const char* const modes[] = { "none", "constant", "gradient", "image" };
   nlohmann::json environment = { { "mode", modes[this->EnvironmentMode] } };
-  if (this->EnvironmentMode != NoEnvironment)
+  if (this->Internals->Scene.HasEnvironment)
+  {
+    environment["mode"] = "scene";
+  }
+  else if (this->EnvironmentMode != NoEnvironment)
   {
     environment["intensity"] = this->EnvironmentIntensity;
     environment["up"] = this->EnvironmentUp;
   }
-  if (this->EnvironmentMode == ConstantEnvironment || this->EnvironmentMode == GradientEnvironment)
+  const bool own = !this->Internals->Scene.HasEnvironment;
+  const bool gradient = own && this->EnvironmentMode == GradientEnvironment;
+  if (gradient || (own && this->EnvironmentMode == ConstantEnvironment))
   {
     environment["color"] = this->EnvironmentColor;
   }
-  if (this->EnvironmentMode == GradientEnvironment)
+  if (gradient)
   {
     environment["bottom_color"] = this->EnvironmentBottomColor;
   }
@@ -412,5 +468,6 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnvironmentUp: " << this->EnvironmentUp[0] << " " << this->EnvironmentUp[1]
      << " " << this->EnvironmentUp[2] << "\n";
   os << indent << "ScalarVisibility: " << this->ScalarVisibility << "\n";
+  os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "LookupTable: " << this->Internals->LookupTable.Get() << "\n";
 }

@@ -7,7 +7,7 @@
  * Superclass of vtkCSLFSampler, which makes a light field, and vtkCSLFViewTracer, which makes the
  * picture of one camera. Input port 0 takes any number of connections, each a vtkPolyData,
  * vtkMultiBlockDataSet or vtkPartitionedDataSetCollection (leaves of vtkPolyData); together they
- * are the scene.
+ * are the scene. So is what a vtkRenderer shows: see SetRenderer.
  *
  * - Polygons and triangle strips are traced. Lines, vertex cells, leaves of other types, and
  * polygons with coordinates that are not finite are left out, named in one warning. Triangles
@@ -40,7 +40,10 @@
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
+#include <vector>     // for std::vector
 
+class vtkDataObject;
+class vtkRenderer;
 class vtkScalarsToColors;
 
 namespace cslf
@@ -59,7 +62,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Takes the lookup table's time into account.
+   * Takes the lookup table's time into account, and that of all that the renderer shows.
    */
   vtkMTimeType GetMTime() override;
 
@@ -234,6 +237,18 @@ public:
 
   ///@{
   /**
+   * A renderer whose visible actors and lights are a part of the scene, in place of input
+   * connections or beside them: as by an input from a vtkCSLFSceneImporter, where it is told what
+   * becomes of actors, properties and lights. Its lights take the place of the environment
+   * parameters. Nothing is drawn, and no window is needed. Changes of anything it shows are
+   * noticed. Default: none.
+   */
+  virtual void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer();
+  ///@}
+
+  ///@{
+  /**
    * What maps scalars to colours, with its own range. Default: none, see above.
    */
   virtual void SetLookupTable(vtkScalarsToColors* lookupTable);
@@ -282,8 +297,9 @@ private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
   void operator=(const vtkCSLFPathTracer&) = delete;
 
-  std::string MakeSceneKey(vtkInformationVector** inputVector);
-  bool BuildScene(vtkInformationVector** inputVector);
+  std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
+  std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
+  bool BuildScene(const std::vector<vtkDataObject*>& inputs);
   cslf::RenderSettings GetRenderSettings();
   std::string MakeCacheKey(double spacing);
   bool UpdateCache(double spacing, double share);

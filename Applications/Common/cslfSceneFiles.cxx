@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneFiles.h"
 
-#include "cslfColor.h"
 #include "cslfMessages.h"
 
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
 
@@ -13,14 +13,12 @@
 #include <vtkCellData.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
-#include <vtkGLTFReader.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -65,8 +63,8 @@ const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders
     { ".obj", ReadWith<vtkOBJReader> },
     { ".vtp", ReadWith<vtkXMLPolyDataReader> },
     { ".vtm", ReadWith<vtkXMLMultiBlockDataReader> },
-    { ".gltf", ReadWith<vtkGLTFReader> },
-    { ".glb", ReadWith<vtkGLTFReader> },
+    { ".gltf", ReadWith<vtkCSLFGLTFReader> },
+    { ".glb", ReadWith<vtkCSLFGLTFReader> },
   };
   return readers;
 }
@@ -92,32 +90,6 @@ void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)
       visit(polyData);
     }
   }
-}
-
-/// glTF has linear vertex colours in an array of its own name; in VTK colours are sRGB bytes.
-void ShowVertexColors(vtkPolyData* polyData)
-{
-  vtkDataArray* linear = polyData->GetPointData()->GetArray("COLOR_0");
-  if (!linear || linear->GetNumberOfComponents() < 3)
-  {
-    return;
-  }
-  const double one = linear->GetDataType() == VTK_UNSIGNED_CHAR ? VTK_UNSIGNED_CHAR_MAX
-    : linear->GetDataType() == VTK_UNSIGNED_SHORT               ? VTK_UNSIGNED_SHORT_MAX
-                                                                : 1.0;
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("Colors");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(linear->GetNumberOfTuples());
-  for (vtkIdType point = 0; point < linear->GetNumberOfTuples(); ++point)
-  {
-    for (int component = 0; component < 3; ++component)
-    {
-      const double value = LinearToSRGB(linear->GetComponent(point, component) / one);
-      colors->SetTypedComponent(point, component, ToByte(value));
-    }
-  }
-  polyData->GetPointData()->SetScalars(colors);
 }
 
 Part ReadPart(const std::string& input)
@@ -146,12 +118,7 @@ Part ReadPart(const std::string& input)
   Part part = reader->second(input);
   const std::string error = GetFirstError();
   vtkIdType cells = 0;
-  ForEachPolyData(part,
-    [&](vtkPolyData* polyData)
-    {
-      ShowVertexColors(polyData);
-      cells += polyData->GetNumberOfCells();
-    });
+  ForEachPolyData(part, [&](vtkPolyData* polyData) { cells += polyData->GetNumberOfCells(); });
   if (cells == 0 || !error.empty())
   {
     // Some readers only warn of files that they cannot read.
@@ -263,7 +230,7 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
   {
     throw Failure("The field was sampled under an image: give it by --environment.");
   }
-  if (!this->Environment && !mode.empty())
+  if (!this->Environment && !mode.empty() && mode != "scene")
   {
     const nlohmann::json white = { 1.0, 1.0, 1.0 };
     if (environment.value("color", white) != white)

@@ -27,27 +27,35 @@ Facets::Facets(const SurfaceMaterial& material, const MaterialPoint& point, bool
   , Opaque((1.0f - point.Metallic) * (1.0f - material.Transmission))
   , Glass((1.0f - point.Metallic) * material.Transmission)
   , Index(material.IndexOfRefraction)
-  , Eta(inside ? 1.0f / material.IndexOfRefraction : material.IndexOfRefraction)
+  , Eta(inside && !material.Thin ? 1.0f / material.IndexOfRefraction : material.IndexOfRefraction)
   , Alpha(point.Alpha)
+  , Thin(material.Thin)
 {
   if (std::abs(this->Eta - 1.0f) < SmallestContrast)
   {
     this->Eta = 1.0f;
   }
+  this->Straight = this->Thin || this->Eta == 1.0f;
 }
 
-glm::vec3 Facets::GetReflectance(float cosine) const
+/// What glass reflects. In a thin sheet light goes back and forth between its boundaries.
+float Facets::GlassFresnel(float cosine) const
+{
+  const float fresnel = DielectricFresnel(cosine, this->Eta);
+  return this->Thin ? 2.0f * fresnel / (1.0f + fresnel) : fresnel;
+}
+
+glm::vec3 Facets::GetReflectance(float cosine, float glassCosine) const
 {
   return this->Metallic * SchlickFresnel(cosine, this->BaseColor) +
     glm::vec3(this->Opaque * DielectricFresnel(cosine, this->Index) +
-      (this->Glass > 0.0f ? this->Glass * DielectricFresnel(cosine, this->Eta) : 0.0f));
+      (this->Glass > 0.0f ? this->Glass * this->GlassFresnel(glassCosine) : 0.0f));
 }
 
 glm::vec3 Facets::GetTransmittance(float cosine) const
 {
-  return this->Glass > 0.0f
-    ? this->Glass * (1.0f - DielectricFresnel(cosine, this->Eta)) * this->BaseColor
-    : glm::vec3(0.0f);
+  return this->Glass > 0.0f ? this->Glass * (1.0f - this->GlassFresnel(cosine)) * this->BaseColor
+                            : glm::vec3(0.0f);
 }
 
 float Facets::ReflectionProbability(float cosine) const
@@ -70,9 +78,11 @@ glm::vec3 Facets::EvaluateCosine(const glm::vec3& outgoing, const glm::vec3& inc
   if (IsReflected(incident))
   {
     const float cosine = glm::dot(outgoing, glm::normalize(outgoing + incident));
-    return this->GetReflectance(cosine) * GGX(this->Alpha).EvaluateCosine(outgoing, incident);
+    // Light that goes straight meets no facets, so what they reflect of it is told by the angle.
+    return this->GetReflectance(cosine, this->Straight ? outgoing.z : cosine) *
+      GGX(this->Alpha).EvaluateCosine(outgoing, incident);
   }
-  if (this->Glass == 0.0f || this->GoesStraight())
+  if (this->Glass == 0.0f || this->Straight)
   {
     return glm::vec3(0.0f);
   }
@@ -92,10 +102,10 @@ float Facets::Pdf(const glm::vec3& outgoing, const glm::vec3& incident) const
   if (IsReflected(incident))
   {
     const float cosine =
-      this->GoesStraight() ? outgoing.z : glm::dot(outgoing, glm::normalize(outgoing + incident));
+      this->Straight ? outgoing.z : glm::dot(outgoing, glm::normalize(outgoing + incident));
     return this->ReflectionProbability(cosine) * GGX(this->Alpha).Pdf(outgoing, incident);
   }
-  if (this->Glass == 0.0f || this->GoesStraight())
+  if (this->Glass == 0.0f || this->Straight)
   {
     return 0.0f;
   }
@@ -131,7 +141,7 @@ bool Facets::Sample(
     facet = GGX(this->Alpha).SampleFacet(outgoing, u);
   }
   const float cosine = glm::dot(outgoing, facet);
-  const float chooseBy = this->GoesStraight() ? outgoing.z : cosine;
+  const float chooseBy = this->Straight ? outgoing.z : cosine;
   const float probability = this->ReflectionProbability(chooseBy);
   if (probability >= 1.0f || which < probability)
   {
@@ -140,8 +150,8 @@ bool Facets::Sample(
     choice.Weight = this->GetReflectance(chooseBy) / probability;
     return choice.Direction.z > 0.0f;
   }
-  choice.IsSmooth = this->Alpha == 0.0f || this->GoesStraight();
-  choice.Direction = this->GoesStraight() ? -outgoing : this->Refract(outgoing, facet, cosine);
+  choice.IsSmooth = this->Alpha == 0.0f || this->Straight;
+  choice.Direction = this->Straight ? -outgoing : this->Refract(outgoing, facet, cosine);
   choice.Weight =
     this->GetTransmittance(chooseBy) * (this->GetCompression() / (1.0f - probability));
   return choice.Direction.z < 0.0f;

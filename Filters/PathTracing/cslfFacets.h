@@ -46,13 +46,13 @@ public:
   }
 
   /// What a facet reflects of light at an angle acos(`cosine`) to its normal.
-  glm::vec3 GetReflectance(float cosine) const;
+  glm::vec3 GetReflectance(float cosine) const { return this->GetReflectance(cosine, cosine); }
 
   /// What a facet lets through, without the compression.
   glm::vec3 GetTransmittance(float cosine) const;
 
   /// What radiance is multiplied by as it comes through from the far side.
-  float GetCompression() const { return 1.0f / (this->Eta * this->Eta); }
+  float GetCompression() const { return this->Straight ? 1.0f : 1.0f / (this->Eta * this->Eta); }
 
   /// BSDF times the cosine at the incident direction, what is smooth left out.
   glm::vec3 EvaluateCosine(const glm::vec3& outgoing, const glm::vec3& incident) const;
@@ -65,7 +65,8 @@ public:
   bool Sample(const glm::vec3& outgoing, float which, const glm::vec2& u, Choice& choice) const;
 
 private:
-  bool GoesStraight() const { return this->Eta == 1.0f; }
+  float GlassFresnel(float cosine) const;
+  glm::vec3 GetReflectance(float cosine, float glassCosine) const;
   float ReflectionProbability(float cosine) const;
   float RefractionDensity(
     const glm::vec3& outgoing, const glm::vec3& incident, float& cosine) const;
@@ -78,6 +79,8 @@ private:
   float Index;  // of refraction, behind the surface
   float Eta;    // the index of the far side over that of the outgoing direction's
   float Alpha;  // GGX's
+  bool Thin;
+  bool Straight; // whether light goes through without a bend
 };
 }
 

@@ -11,6 +11,10 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace cslf
 {
@@ -22,7 +26,6 @@ glm::dvec3 GetTuple3(vtkDataArray* array, vtkIdType index)
   array->GetTuple(index, tuple);
   return { tuple[0], tuple[1], tuple[2] };
 }
-
 }
 
 void LightReader::Add(vtkDataObject* data)
@@ -33,6 +36,40 @@ void LightReader::Add(vtkDataObject* data)
       vtkCSLFLight::DirectionalLightIrradiance(), true, this->Directional);
     this->Read(data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity(), false,
       this->Points);
+    this->ReadSpots(data);
+  }
+}
+
+void LightReader::ReadSpots(vtkDataObject* data)
+{
+  std::vector<Light> spots;
+  this->Read(
+    data, vtkCSLFLight::SpotLightPosition(), vtkCSLFLight::SpotLightIntensity(), false, spots);
+  vtkDataArray* axes = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightDirection());
+  vtkDataArray* cones = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightCone());
+  const auto count = static_cast<vtkIdType>(spots.size());
+  if (count > 0 &&
+    (!axes || !cones || axes->GetNumberOfComponents() != 3 || cones->GetNumberOfComponents() != 2 ||
+      axes->GetNumberOfTuples() != count || cones->GetNumberOfTuples() != count))
+  {
+    ++this->Rejected;
+    return;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Light& light = spots[i];
+    light.Axis = GetTuple3(axes, i);
+    light.ConeAngle = cones->GetComponent(i, 0);
+    light.Exponent = cones->GetComponent(i, 1);
+    if (IsFinite(light.Axis) && glm::length(light.Axis) > 0.0 && light.ConeAngle >= 0.0 &&
+      light.Exponent >= 0.0)
+    {
+      this->Points.push_back(light);
+    }
+    else
+    {
+      ++this->Rejected;
+    }
   }
 }
 
@@ -53,7 +90,7 @@ void LightReader::Read(vtkDataObject* data, const char* places, const char* powe
   }
   for (vtkIdType i = 0; i < place->GetNumberOfTuples(); ++i)
   {
-    const Light light{ GetTuple3(place, i), glm::max(GetTuple3(power, i), 0.0) };
+    const Light light{ GetTuple3(place, i), glm::max(GetTuple3(power, i), 0.0), glm::dvec3(0.0) };
     if (IsFinite(light.Place) && IsFinite(light.Power) &&
       (!directions || glm::length(light.Place) > 0.0))
     {
@@ -75,8 +112,16 @@ void LightReader::MoveTo(LightSet& lights, const SceneFrame& frame) const
   for (const Light& light : this->Points)
   {
     // Irradiance falls off with the squared distance, which shrinks with the scene.
-    lights.Points.push_back(
-      { frame.PointToScene(light.Place), light.Power / (frame.Radius * frame.Radius) });
+    PointLight point{ frame.PointToScene(light.Place),
+      light.Power / (frame.Radius * frame.Radius) };
+    if (light.Axis != glm::dvec3(0.0))
+    {
+      point.Axis = glm::normalize(light.Axis);
+      point.ConeCosine =
+        static_cast<float>(std::cos(glm::radians(std::min(light.ConeAngle, 180.0))));
+      point.Exponent = static_cast<float>(light.Exponent);
+    }
+    lights.Points.push_back(point);
   }
 }
 }

@@ -34,8 +34,12 @@ private:
   {
     glm::dvec3 Place; // position, or direction
     glm::dvec3 Power; // intensity, or irradiance
+    glm::dvec3 Axis{ 0.0 };
+    double ConeAngle = 0.0; // in degrees
+    double Exponent = 0.0;
   };
 
+  void ReadSpots(vtkDataObject* data);
   void Read(vtkDataObject* data, const char* places, const char* powers, bool directions,
     std::vector<Light>& lights);
 

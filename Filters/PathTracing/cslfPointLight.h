@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Light from one point, alike in all directions.
+ * Light from one point, alike in all directions or within a cone.
  */
 #ifndef cslfPointLight_h
 #define cslfPointLight_h
@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cslf
@@ -19,6 +20,9 @@ struct PointLight
 {
   glm::vec3 Position{ 0.0f };
   glm::vec3 Intensity{ 0.0f }; ///< radiant intensity: irradiance times squared distance
+  glm::vec3 Axis{ 0.0f };      ///< of the cone, of unit length; 0 for light all around
+  float ConeCosine = 0.0f;     ///< of the angle between the axis and the cone's surface
+  float Exponent = 0.0f;       ///< of the cosine to the axis that the intensity falls off with
 
   LightSample Sample(const glm::vec3& from) const
   {
@@ -29,10 +33,22 @@ struct PointLight
     {
       sample.Distance = std::sqrt(distance2);
       sample.Direction = path / sample.Distance;
-      sample.Radiance = this->Intensity / distance2;
+      sample.Radiance = this->GetFalloff(sample.Direction) / distance2 * this->Intensity;
       sample.Pdf = std::numeric_limits<float>::infinity();
     }
     return sample;
+  }
+
+private:
+  /// The part of the intensity that goes to a point from which the light is seen in a direction.
+  float GetFalloff(const glm::vec3& direction) const
+  {
+    if (this->Axis == glm::vec3(0.0f))
+    {
+      return 1.0f;
+    }
+    const float cosine = -glm::dot(direction, this->Axis);
+    return cosine < this->ConeCosine ? 0.0f : std::pow(std::max(cosine, 0.0f), this->Exponent);
   }
 };
 }

@@ -3,6 +3,7 @@
 #include "cslfSceneBuilder.h"
 
 #include "cslfColor.h"
+#include "cslfEnvironmentReader.h"
 #include "cslfLightReader.h"
 #include "cslfSurfaceColors.h"
 #include "cslfTextureReader.h"
@@ -23,6 +24,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -49,6 +51,7 @@ struct Omissions
   vtkIdType Lines = 0;
   vtkIdType Vertices = 0;
   vtkIdType Lights = 0;
+  vtkIdType Environments = 0;
   vtkIdType Textures = 0;
   std::set<std::string> DataTypes;
 
@@ -68,6 +71,7 @@ struct Omissions
     count(this->Lines, "line(s)");
     count(this->Vertices, "vertex cell(s)");
     count(this->Lights, "light(s) with arrays that do not match or are not finite");
+    count(this->Environments, "environment(s) with arrays that do not match or are not finite");
     count(this->Textures, "block(s)' textures for want of texture coordinates");
     for (const std::string& type : this->DataTypes)
     {
@@ -238,16 +242,34 @@ public:
       built.Bounds[2 * axis + 1] = this->Upper[axis];
     }
     LightSet lights;
-    lights.Surroundings = this->Options.Surroundings;
+    lights.Surroundings = this->Surroundings.value_or(this->Options.Surroundings);
+    built.HasEnvironment = this->Surroundings.has_value();
     this->Lights.MoveTo(lights, built.Frame);
     std::vector<Mesh> meshes = this->MakeMeshes(built.Frame);
     return this->Finish(std::move(built), std::move(meshes), std::move(lights));
   }
 
 private:
+  void AddLights(vtkDataObject* data)
+  {
+    this->Lights.Add(data);
+    Environment environment;
+    if (!this->Surroundings && HasEnvironment(data))
+    {
+      if (ReadEnvironment(data, environment))
+      {
+        this->Surroundings = std::move(environment);
+      }
+      else
+      {
+        ++this->Omitted.Environments;
+      }
+    }
+  }
+
   void AddInput(vtkDataObject* input)
   {
-    this->Lights.Add(input);
+    this->AddLights(input);
     auto* composite = vtkCompositeDataSet::SafeDownCast(input);
     if (!composite)
     {
@@ -257,7 +279,7 @@ private:
     auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
-      this->Lights.Add(leaf->GetCurrentDataObject());
+      this->AddLights(leaf->GetCurrentDataObject());
       this->AddLeaf(leaf->GetCurrentDataObject(), input);
     }
   }
@@ -323,6 +345,7 @@ private:
       number(vtkCSLFMaterial::GetIndexOfRefraction(holder)),
       glm::vec3(emission[0], emission[1], emission[2]));
     block.Material.Transmission = number(vtkCSLFMaterial::GetTransmission(holder));
+    block.Material.Thin = vtkCSLFMaterial::GetThinWalled(holder);
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
@@ -383,6 +406,7 @@ private:
   const SceneOptions& Options;
   SurfaceColors Colors;
   LightReader Lights;
+  std::optional<Environment> Surroundings; // of the first data object that has one
   TextureReader Textures;
   std::vector<Block> Blocks;
   Omissions Omitted;

@@ -31,7 +31,7 @@ struct SceneOptions
   /// What maps arrays that hold no colours; null for the array's own, or a default one.
   vtkScalarsToColors* LookupTable = nullptr;
 
-  Environment Surroundings;
+  Environment Surroundings; ///< unless an input brings its own
 };
 
 struct BuiltScene
@@ -39,6 +39,7 @@ struct BuiltScene
   std::unique_ptr<Scene> World; ///< null where the scene cannot be used
   SceneFrame Frame;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
+  bool HasEnvironment = false;                         ///< whether an input brought it
   std::string Error;                                   ///< why not, in one line
   std::string Warning;                                 ///< what was left out, in one line, or empty
 };

@@ -84,6 +84,7 @@ public:
   float Alpha = 1.0f;                ///< GGX's; 0 is a perfect mirror
   float IndexOfRefraction = 1.0f;    ///< at least 1; 1 has no boundary that reflects
   float Transmission = 0.0f;         ///< the part of a dielectric that is glass, in [0,1]
+  bool Thin = false;                 ///< whether glass is a sheet, else solid
   float Opacity = 1.0f;              ///< the chance that light meets the surface, in [0,1]
   float OpacityCutoff = 0.0f;        ///< above 0: opacities below count as 0, others as 1
   float NormalScale = 1.0f;          ///< how far the normal texture bends normals

@@ -28,6 +28,13 @@ cslf::SurfaceMaterial MakeMaterial(
   return material;
 }
 
+cslf::SurfaceMaterial MakeThin(float roughness, float base)
+{
+  cslf::SurfaceMaterial material = MakeMaterial(0.0f, roughness, 1.5f, base, 1.0f);
+  material.Thin = true;
+  return material;
+}
+
 cslf::BSDF MakeBSDF(
   const cslf::SurfaceMaterial& material, const glm::vec3& outgoing, bool inside = false)
 {
@@ -141,8 +148,9 @@ void TestDensities()
       TestSamplesAgainstDensity(MakeMaterial(0.0f, 0.9f, 1.3f, 0.3f, 1.0f), cosine, inside);
       TestSamplesAgainstDensity(MakeMaterial(0.4f, 0.7f, 2.0f, 0.8f, 0.5f), cosine, inside);
     }
-    // Light that goes on straight, beside a rough metal.
+    // Light that goes on straight, beside a rough metal, and through a sheet.
     TestSamplesAgainstDensity(MakeMaterial(0.5f, 0.7f, 1.0f, 0.8f, 0.7f), cosine);
+    TestSamplesAgainstDensity(MakeThin(0.6f, 0.8f), cosine);
   }
 }
 
@@ -215,6 +223,22 @@ void TestEnergyOfGlass()
           CSLF_CHECK(albedo <= 1.001 && albedo > 0.2);
           CSLF_CHECK(roughness > 0.1f || cosine < 0.3 || albedo > 0.97);
         }
+      }
+    }
+  }
+  // A sheet reflects at both of its boundaries, from either side: R = F + (1 - F)^2 F + ...
+  for (bool inside : { false, true })
+  {
+    CSLF_CHECK_NEAR(IntegrateAlbedo(MakeThin(0.0f, 1.0f), 0.6, inside), 1.0, 1e-4);
+    const double f = cslf::DielectricFresnel(0.6f, 1.5f);
+    const double r = f + (1.0 - f) * (1.0 - f) * f / (1.0 - f * f);
+    CSLF_CHECK_NEAR(
+      IntegrateAlbedo(MakeThin(0.0f, 0.25f), 0.6, inside), r + 0.25 * (1.0 - r), 2e-3);
+    for (double cosine : { 0.05, 0.3, 0.7, 1.0 })
+    {
+      for (float roughness : { 0.3f, 1.0f })
+      {
+        CSLF_CHECK(IntegrateAlbedo(MakeThin(roughness, 1.0f), cosine, inside) <= 1.001);
       }
     }
   }

@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfActorImporter.h"
+
+#include "cslfMappedScalars.h"
+#include "cslfVTKCompatibility.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataDisplayAttributes.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkExtractEdges.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkMatrixToLinearTransform.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkReverseSense.h>
+#include <vtkTexture.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace cslf
+{
+namespace
+{
+/// How a block of composite data differs from its actor.
+struct BlockStyle
+{
+  bool Visible = true;
+  std::optional<std::array<double, 3>> Color;
+  std::optional<double> Opacity;
+
+  /// What the attributes of the mapper say of a data object, which its children inherit.
+  BlockStyle Of(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data) const
+  {
+    BlockStyle style = *this;
+    if (!attributes)
+    {
+      return style;
+    }
+    if (attributes->HasBlockVisibility(data))
+    {
+      style.Visible = attributes->GetBlockVisibility(data);
+    }
+    if (attributes->HasBlockColor(data))
+    {
+      style.Color.emplace();
+      attributes->GetBlockColor(data, style.Color->data());
+    }
+    if (attributes->HasBlockOpacity(data))
+    {
+      style.Opacity = attributes->GetBlockOpacity(data);
+    }
+    return style;
+  }
+};
+
+void UpdateInputs(vtkMapper* mapper)
+{
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      mapper->GetInputAlgorithm(port, i)->Update();
+    }
+  }
+}
+
+/// Multiplies red, green and blue.
+void Dim(vtkUnsignedCharArray* colors, double factor)
+{
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < std::min(colors->GetNumberOfComponents(), 3); ++c)
+    {
+      const double value = std::clamp(factor * colors->GetTypedComponent(i, c), 0.0, 255.0);
+      colors->SetTypedComponent(i, c, static_cast<unsigned char>(value + 0.5));
+    }
+  }
+}
+
+/// Keeps the geometry only: points, cells, normals and texture coordinates.
+vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->CopyStructure(source);
+  copy->GetPointData()->SetNormals(source->GetPointData()->GetNormals());
+  copy->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
+  return copy;
+}
+
+/// Applies the transform of texture coordinates that an actor may have among its property keys.
+void TransformTCoords(vtkActor* actor, vtkPolyData* block)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
+  if (!keys || !keys->Has(vtkProp::GeneralTextureTransform()) || !coordinates ||
+    coordinates->GetNumberOfComponents() < 2)
+  {
+    return;
+  }
+  const double* matrix = keys->Get(vtkProp::GeneralTextureTransform());
+  vtkNew<vtkFloatArray> moved;
+  moved->SetName(coordinates->GetName());
+  moved->SetNumberOfComponents(2);
+  moved->SetNumberOfTuples(coordinates->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    const double u = coordinates->GetComponent(i, 0);
+    const double v = coordinates->GetComponent(i, 1);
+    for (int c = 0; c < 2; ++c)
+    {
+      const double* row = matrix + 4 * c;
+      moved->SetTypedComponent(i, c, static_cast<float>(row[0] * u + row[1] * v + row[3]));
+    }
+  }
+  block->GetPointData()->SetTCoords(moved);
+}
+
+/// Imports one actor.
+class Importer
+{
+public:
+  Importer(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
+    : Actor(actor)
+    , Mapper(actor->GetMapper())
+    , Property(actor->GetProperty())
+    , Matrix(matrix)
+    , Scene(scene)
+    , Attributes(GetDisplayAttributes(actor->GetMapper()))
+  {
+  }
+
+  void Import()
+  {
+    this->NameOmissions();
+    UpdateInputs(this->Mapper);
+    this->ImportData(this->Mapper->GetInputDataObject(0, 0), BlockStyle());
+  }
+
+private:
+  void Omit(bool present, const char* what)
+  {
+    if (present)
+    {
+      this->Scene.Omitted.insert(what);
+    }
+  }
+
+  void NameOmissions()
+  {
+    const bool physical = this->Property->GetInterpolation() == VTK_PBR;
+    this->Omit(this->Actor->GetBackfaceProperty() != nullptr, "properties of back faces");
+    this->Omit(this->Property->GetBackfaceCulling() || this->Property->GetFrontfaceCulling(),
+      "culling of faces");
+    this->Omit(!this->Property->GetLighting(), "surfaces without lighting, which are lit");
+    this->Omit(physical && this->Property->GetCoatStrength() > 0.0, "coats");
+    this->Omit(physical && this->Property->GetAnisotropy() != 0.0, "anisotropy");
+    this->Omit(this->Mapper->GetNumberOfClippingPlanes() > 0, "clipping planes");
+    vtkTexture* texture = this->Actor->GetTexture();
+    this->Omit(texture && texture->GetTransform(), "transforms of textures");
+  }
+
+  void ImportData(vtkDataObject* data, const BlockStyle& inherited)
+  {
+    const BlockStyle style = inherited.Of(this->Attributes, data);
+    if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+    {
+      vtkSmartPointer<vtkDataObjectTreeIterator> child;
+      child.TakeReference(tree->NewTreeIterator());
+      child->VisitOnlyLeavesOff();
+      child->TraverseSubTreeOff();
+      for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem())
+      {
+        this->ImportData(child->GetCurrentDataObject(), style);
+      }
+      return;
+    }
+    auto* leaf = vtkDataSet::SafeDownCast(data);
+    if (leaf && leaf->GetNumberOfPoints() > 0 && style.Visible)
+    {
+      this->ImportLeaf(leaf, style);
+    }
+  }
+
+  void ImportLeaf(vtkDataSet* leaf, const BlockStyle& style)
+  {
+    vtkSmartPointer<vtkPolyData> surface = ExtractSurface(leaf, this->Matrix);
+    MappedScalars mapped;
+    if (!style.Color)
+    {
+      mapped = MapScalars(this->Mapper, surface, !this->IsTextured());
+    }
+    vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
+    TransformTCoords(this->Actor, block);
+    // What the data itself says of its material comes before the property.
+    vtkCSLFMaterial::Inherit(block, leaf);
+    vtkNew<vtkPolyData> material;
+    this->SetMaterial(material, style);
+    vtkCSLFMaterial::Inherit(block, material);
+    this->SetColors(block, mapped);
+    if (this->Property->GetInterpolation() == VTK_FLAT)
+    {
+      block->GetPointData()->SetNormals(nullptr);
+    }
+    switch (this->Property->GetRepresentation())
+    {
+      case VTK_POINTS:
+        this->AddPoints(block);
+        break;
+      case VTK_WIREFRAME:
+        this->AddEdges(block);
+        break;
+      default:
+        this->Add(block);
+        this->AddDecoration(block);
+    }
+  }
+
+  bool IsTextured() const
+  {
+    return this->Actor->GetTexture() ||
+      (this->Property->GetInterpolation() == VTK_PBR && this->Property->GetNumberOfTextures() > 0);
+  }
+
+  void SetMaterial(vtkPolyData* block, const BlockStyle& style)
+  {
+    vtkCSLFMaterial::SetFromProperty(block, this->Property);
+    if (style.Color)
+    {
+      const auto& color = *style.Color;
+      vtkCSLFMaterial::SetBaseColor(block, color[0], color[1], color[2]);
+    }
+    vtkCSLFMaterial::SetOpacity(block, style.Opacity.value_or(this->Property->GetOpacity()));
+    if (this->Actor->GetTexture())
+    {
+      vtkCSLFMaterial::SetTextureFrom(
+        block, vtkCSLFMaterial::BaseColorTexture, this->Actor->GetTexture());
+    }
+  }
+
+  void SetColors(vtkPolyData* block, const MappedScalars& mapped)
+  {
+    const bool physical = this->Property->GetInterpolation() == VTK_PBR;
+    const double coefficient = physical ? 1.0 : this->Property->GetDiffuse();
+    if (mapped.Table)
+    {
+      vtkCSLFMaterial::SetBaseColor(block, coefficient, coefficient, coefficient);
+      vtkCSLFMaterial::SetTexture(
+        block, vtkCSLFMaterial::BaseColorTexture, mapped.Table, false, true);
+      block->GetPointData()->SetTCoords(mapped.Coordinates);
+    }
+    if (mapped.Colors)
+    {
+      mapped.Colors->SetName("Colors");
+      if (coefficient != 1.0)
+      {
+        Dim(mapped.Colors, coefficient);
+      }
+      vtkDataSetAttributes* attributes = block->GetPointData();
+      if (mapped.OfCells)
+      {
+        attributes = block->GetCellData();
+      }
+      attributes->SetScalars(mapped.Colors);
+    }
+  }
+
+  void Add(vtkPolyData* block)
+  {
+    this->Scene.Blocks.push_back(
+      { block, this->Property->GetLineWidth(), this->Property->GetPointSize() });
+  }
+
+  /// All points, as vertices.
+  void AddPoints(vtkPolyData* block)
+  {
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+    vtkNew<vtkPolyData> points;
+    points->SetPoints(block->GetPoints());
+    points->SetVerts(vertices);
+    points->GetPointData()->ShallowCopy(block->GetPointData());
+    points->SetFieldData(block->GetFieldData());
+    this->Add(points);
+  }
+
+  /// The edges of polygons, as lines; lines as they are.
+  void AddEdges(vtkPolyData* block)
+  {
+    vtkNew<vtkExtractEdges> edges;
+    edges->SetInputData(block);
+    edges->Update();
+    vtkPolyData* lines = edges->GetOutput();
+    lines->SetFieldData(block->GetFieldData());
+    this->Add(lines);
+  }
+
+  /// Edges and vertices that are drawn on the surface, in colours of their own.
+  void AddDecoration(vtkPolyData* block)
+  {
+    vtkNew<vtkPolyData> bare;
+    bare->CopyStructure(block);
+    vtkCSLFMaterial::SetOpacity(bare, this->Property->GetOpacity());
+    if (this->Property->GetEdgeVisibility())
+    {
+      const double* color = this->Property->GetEdgeColor();
+      vtkCSLFMaterial::SetBaseColor(bare, color[0], color[1], color[2]);
+      this->AddEdges(bare);
+    }
+    if (this->Property->GetVertexVisibility())
+    {
+      const double* color = this->Property->GetVertexColor();
+      vtkNew<vtkPolyData> vertices;
+      vertices->ShallowCopy(bare);
+      vertices->SetFieldData(vtkNew<vtkFieldData>());
+      vtkCSLFMaterial::SetBaseColor(vertices, color[0], color[1], color[2]);
+      vtkCSLFMaterial::SetOpacity(vertices, this->Property->GetOpacity());
+      this->AddPoints(vertices);
+    }
+  }
+
+  vtkActor* Actor;
+  vtkMapper* Mapper;
+  vtkProperty* Property;
+  vtkMatrix4x4* Matrix;
+  ImportedScene& Scene;
+  vtkCompositeDataDisplayAttributes* Attributes;
+};
+
+/// The time of a data object and all its leaves.
+vtkMTimeType GetDataTime(vtkDataObject* data)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      time = std::max(time, leaf->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+vtkMTimeType GetTextureTime(vtkTexture* texture)
+{
+  vtkMTimeType time = texture->GetMTime();
+  if (texture->GetInputAlgorithm())
+  {
+    texture->GetInputAlgorithm()->Update();
+    time = std::max(time, GetDataTime(texture->GetInput()));
+  }
+  return time;
+}
+}
+
+bool IsImportable(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  // A light field in the scene that it is sampled from would show itself.
+  return mapper && !mapper->IsA("vtkCSLFMapper") && mapper->GetNumberOfInputConnections(0) > 0;
+}
+
+vtkMTimeType GetImportTime(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkMTimeType time =
+    std::max({ actor->GetMTime(), mapper->GetMTime(), actor->GetProperty()->GetMTime() });
+  UpdateInputs(mapper);
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      time = std::max(time, GetDataTime(mapper->GetInputDataObject(port, i)));
+    }
+  }
+  if (vtkCompositeDataDisplayAttributes* attributes = GetDisplayAttributes(mapper))
+  {
+    time = std::max(time, attributes->GetMTime());
+  }
+  if (actor->GetTexture())
+  {
+    time = std::max(time, GetTextureTime(actor->GetTexture()));
+  }
+  for (const auto& texture : actor->GetProperty()->GetAllTextures())
+  {
+    time = std::max(time, GetTextureTime(texture.second));
+  }
+  return time;
+}
+
+void ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
+{
+  Importer(actor, matrix, scene).Import();
+}
+
+vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matrix)
+{
+  vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
+  if (!surface)
+  {
+    vtkNew<vtkDataSetSurfaceFilter> filter;
+    filter->SetInputData(data);
+    filter->Update();
+    surface = filter->GetOutput();
+  }
+  if (!matrix || matrix->IsIdentity())
+  {
+    return surface;
+  }
+  vtkNew<vtkMatrixToLinearTransform> transform;
+  transform->SetInput(matrix);
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetTransform(transform);
+  filter->Update();
+  if (matrix->Determinant() > 0.0)
+  {
+    return filter->GetOutput();
+  }
+  // A reflection turns fronts to backs.
+  vtkNew<vtkReverseSense> reverse;
+  reverse->SetInputConnection(filter->GetOutputPort());
+  reverse->ReverseCellsOn();
+  reverse->Update();
+  return reverse->GetOutput();
+}
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From actors to polygonal data with materials.
+ */
+#ifndef cslfActorImporter_h
+#define cslfActorImporter_h
+
+#include "cslfImportedScene.h"
+
+#include <vtkType.h>
+
+class vtkActor;
+class vtkMatrix4x4;
+class vtkPolyData;
+class vtkDataSet;
+
+namespace cslf
+{
+/// Whether an actor can be imported: all but those without a mapper of surfaces.
+bool IsImportable(vtkActor* actor);
+
+/// The time of the last change of what ImportActor reads. Updates the pipelines of its mapper.
+vtkMTimeType GetImportTime(vtkActor* actor);
+
+/// Adds what an importable actor shows, placed by a matrix.
+void ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
+
+/// The surface of a data set, in the world.
+vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matrix);
+}
+
+#endif

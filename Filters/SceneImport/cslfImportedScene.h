@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What an import has gathered so far.
+ */
+#ifndef cslfImportedScene_h
+#define cslfImportedScene_h
+
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// Polygonal data with its material, and how wide its lines and points are drawn.
+struct ImportedBlock
+{
+  vtkSmartPointer<vtkPolyData> Data;
+  double LineWidth = 1.0; ///< in pixels
+  double PointSize = 1.0;
+};
+
+struct ImportedScene
+{
+  std::vector<ImportedBlock> Blocks;
+  vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
+  std::set<std::string> Omitted;       ///< what cannot be represented, in words
+
+  /// What cannot be represented, with commas.
+  std::string ListOmitted() const
+  {
+    std::string text;
+    for (const std::string& name : this->Omitted)
+    {
+      text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The colours that a mapper gives to data.
+ */
+#ifndef cslfMappedScalars_h
+#define cslfMappedScalars_h
+
+#include <vtkSmartPointer.h>
+
+class vtkDataSet;
+class vtkFloatArray;
+class vtkImageData;
+class vtkMapper;
+class vtkUnsignedCharArray;
+
+namespace cslf
+{
+/// Either colours, of points or cells, or a texture of the lookup table and where the points lie on
+/// it; or neither, where the mapper shows no scalars.
+struct MappedScalars
+{
+  vtkSmartPointer<vtkUnsignedCharArray> Colors;
+  bool OfCells = false;
+  vtkSmartPointer<vtkImageData> Table;
+  vtkSmartPointer<vtkFloatArray> Coordinates;
+};
+
+/// Maps scalars as the mapper would; neither it nor the data is changed. `useTable` allows for the
+/// texture, where the mapper interpolates before it maps.
+MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable);
+}
+
+#endif

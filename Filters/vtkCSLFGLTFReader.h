@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFGLTFReader
+ * @brief   reads glTF 2.0 with its materials
+ *
+ * Reads a `.gltf` or `.glb` file through VTK's loader. The output, a vtkMultiBlockDataSet, has a
+ * block for each primitive of each node of the file's default scene, in the world, with its
+ * material as vtkCSLFMaterial has it:
+ *
+ * - base colour factor and texture, times the colours of vertices; metallic and roughness factors
+ *   and texture; normal texture and its scale; emissive factor and texture;
+ * - alpha mode: opaque has opacity 1, blend the alpha of factor, texture and vertices, mask the
+ * same with the cut-off;
+ * - the extensions KHR_materials_emissive_strength, KHR_materials_ior (without it the index of
+ *   refraction is 1.5, as glTF says), KHR_materials_transmission (factor), and of
+ *   KHR_materials_volume whether glass is solid: without a thickness it is thin-walled.
+ *
+ * Primitives without a material are grey and diffuse, as all data without one, or of their
+ * vertices' colours; glTF's own default would be a rough white metal.
+ *
+ * Named in one warning, and not represented: other extensions, textures of transmission, textures
+ * with different sets of coordinates, mirrored repetition, skins and morph targets (shown at rest),
+ * unlit materials (which are lit), lights. Cameras and animations have no counterpart.
+ *
+ * @sa vtkCSLFMaterial vtkCSLFPathTracer
+ */
+#ifndef vtkCSLFGLTFReader_h
+#define vtkCSLFGLTFReader_h
+
+#include "vtkCSLFModule.h" // for export macro
+#include "vtkMultiBlockDataSetAlgorithm.h"
+
+class VTKCSLF_EXPORT vtkCSLFGLTFReader : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static vtkCSLFGLTFReader* New();
+  vtkTypeMacro(vtkCSLFGLTFReader, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file, `.gltf` or `.glb`. Required.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkCSLFGLTFReader();
+  ~vtkCSLFGLTFReader() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkCSLFGLTFReader(const vtkCSLFGLTFReader&) = delete;
+  void operator=(const vtkCSLFGLTFReader&) = delete;
+
+  char* FileName = nullptr;
+};
+
+#endif

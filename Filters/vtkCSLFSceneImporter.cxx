@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFSceneImporter.h"
+
+#include "SceneImport/cslfActorImporter.h"
+#include "SceneImport/cslfImportedScene.h"
+#include "SceneImport/cslfLightImporter.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkActor.h>
+#include <vtkAssemblyNode.h>
+#include <vtkAssemblyPath.h>
+#include <vtkBoundingBox.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMapper.h>
+#include <vtkObjectFactory.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <functional>
+
+vtkStandardNewMacro(vtkCSLFSceneImporter);
+
+namespace
+{
+/// The prop that a path ends in, and where; null where the path is not visible.
+vtkProp* GetVisibleEnd(vtkAssemblyPath* path)
+{
+  vtkCollectionSimpleIterator cookie;
+  path->InitTraversal(cookie);
+  while (vtkAssemblyNode* node = path->GetNextNode(cookie))
+  {
+    if (!node->GetViewProp()->GetVisibility())
+    {
+      return nullptr;
+    }
+  }
+  return path->GetLastNode()->GetViewProp();
+}
+
+/// Calls `visit(prop, matrix)` for all visible props that are no assemblies.
+void ForEachProp(vtkRenderer* renderer, const std::function<void(vtkProp*, vtkMatrix4x4*)>& visit)
+{
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      if (vtkProp* end = GetVisibleEnd(path))
+      {
+        visit(end, path->GetLastNode()->GetMatrix());
+      }
+    }
+  }
+}
+
+/// Takes widths in pixels for widths in the world.
+void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
+{
+  vtkBoundingBox box;
+  for (const cslf::ImportedBlock& block : blocks)
+  {
+    double bounds[6];
+    block.Data->GetCellsBounds(bounds);
+    box.AddBounds(bounds);
+  }
+  const double pixel = box.IsValid() ? pixelSize * box.GetDiagonalLength() : 0.0;
+  for (cslf::ImportedBlock& block : blocks)
+  {
+    if (block.Data->GetNumberOfLines() > 0 && vtkCSLFMaterial::GetLineRadius(block.Data) == 0.0)
+    {
+      vtkCSLFMaterial::SetLineRadius(block.Data, 0.5 * pixel * block.LineWidth);
+    }
+    if (block.Data->GetNumberOfVerts() > 0 && vtkCSLFMaterial::GetPointRadius(block.Data) == 0.0)
+    {
+      vtkCSLFMaterial::SetPointRadius(block.Data, 0.5 * pixel * block.PointSize);
+    }
+  }
+}
+}
+
+vtkCSLFSceneImporter::vtkCSLFSceneImporter()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkCSLFSceneImporter::~vtkCSLFSceneImporter() = default;
+
+void vtkCSLFSceneImporter::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer != renderer)
+  {
+    this->Renderer = renderer;
+    this->Modified();
+  }
+}
+
+vtkRenderer* vtkCSLFSceneImporter::GetRenderer()
+{
+  return this->Renderer;
+}
+
+vtkMTimeType vtkCSLFSceneImporter::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (!this->Renderer || this->FindingTime)
+  {
+    return time;
+  }
+  this->FindingTime = true;
+  time = std::max({ time, this->Renderer->GetMTime(), this->Renderer->GetViewProps()->GetMTime(),
+    cslf::GetLightTime(this->Renderer, this->HeadlightsAllAround) });
+  vtkCollectionSimpleIterator cookie;
+  this->Renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(cookie))
+  {
+    time = std::max(time, prop->GetMTime());
+  }
+  ForEachProp(this->Renderer,
+    [&time](vtkProp* prop, vtkMatrix4x4*)
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      if (actor && cslf::IsImportable(actor))
+      {
+        time = std::max(time, cslf::GetImportTime(actor));
+      }
+    });
+  this->FindingTime = false;
+  return time;
+}
+
+int vtkCSLFSceneImporter::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->Renderer)
+  {
+    vtkErrorMacro("Renderer is not set.");
+    return 0;
+  }
+  cslf::ImportedScene scene;
+  ForEachProp(this->Renderer,
+    [&scene](vtkProp* prop, vtkMatrix4x4* matrix)
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      if (!actor)
+      {
+        scene.Omitted.insert(prop->GetClassName());
+      }
+      else if (cslf::IsImportable(actor))
+      {
+        cslf::ImportActor(actor, matrix, scene);
+      }
+      else if (actor->GetMapper())
+      {
+        scene.Omitted.insert(actor->GetMapper()->GetClassName());
+      }
+    });
+  cslf::ImportLights(this->Renderer, this->HeadlightsAllAround, scene);
+  SetRadii(scene.Blocks, this->PixelSize);
+
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
+  unsigned int index = 0;
+  for (const cslf::ImportedBlock& block : scene.Blocks)
+  {
+    output->SetBlock(index++, block.Data);
+  }
+  vtkNew<vtkPolyData> lights;
+  lights->SetFieldData(scene.Lights->GetFieldData());
+  output->SetBlock(index, lights);
+  if (!scene.Omitted.empty())
+  {
+    vtkWarningMacro("Not represented of the renderer's scene: " << scene.ListOmitted() << ".");
+  }
+  return 1;
+}
+
+void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
+  os << indent << "PixelSize: " << this->PixelSize << "\n";
+}
