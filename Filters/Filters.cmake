@@ -24,6 +24,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
+  ../Filters/PathTracing/cslfFingerprint.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfScene.cxx
@@ -39,6 +40,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfDistribution.h
   ../Filters/PathTracing/cslfEmbree.h
   ../Filters/PathTracing/cslfEnvironment.h
+  ../Filters/PathTracing/cslfFingerprint.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
@@ -97,6 +99,6 @@ list(APPEND private_headers
 
 # Pulling fields slab by slab.
 list(APPEND sources
-  ../Filters/Pipeline/cslfSlabs.cxx)
+  ../Filters/Pipeline/cslfSlabs.cxx
 list(APPEND private_headers
-  ../Filters/Pipeline/cslfSlabs.h)
+  ../Filters/Pipeline/cslfSlabs.h

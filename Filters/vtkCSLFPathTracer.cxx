@@ -280,9 +280,10 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   {
     environment["bottom_color"] = this->EnvironmentBottomColor;
   }
-  const nlohmann::json sampling = { { "samples", this->Samples },
-    { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed }, { "exposure", this->Exposure },
-    { "show_environment", this->ShowEnvironment }, { "environment", environment } };
+  const nlohmann::json sampling = { { "scene", this->Internals->Scene.Fingerprint },
+    { "samples", this->Samples }, { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed },
+    { "exposure", this->Exposure }, { "show_environment", this->ShowEnvironment },
+    { "environment", environment } };
   return sampling.dump();
 }
 

@@ -3,6 +3,7 @@
 #include "cslfSceneBuilder.h"
 
 #include "cslfColor.h"
+#include "cslfFingerprint.h"
 #include "cslfLightReader.h"
 #include "cslfSurfaceColors.h"
 #include "cslfTriangles.h"
@@ -221,6 +222,7 @@ private:
   void AddInput(vtkDataObject* input)
   {
     this->Lights.Add(input);
+    this->Identity.Add(input);
     auto* composite = vtkCompositeDataSet::SafeDownCast(input);
     if (!composite)
     {
@@ -231,6 +233,7 @@ private:
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
       this->Lights.Add(leaf->GetCurrentDataObject());
+      this->Identity.Add(leaf->GetCurrentDataObject());
       this->AddLeaf(leaf->GetCurrentDataObject(), input);
     }
   }
@@ -322,6 +325,7 @@ private:
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;
     }
+    built.Fingerprint = this->Identify(meshes, lights, built.Frame);
     built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
     built.Error = built.World->GetError();
     if (!built.Error.empty())
@@ -331,11 +335,26 @@ private:
     return built;
   }
 
+  /// Materials and lights are in the inputs' field data, which is taken already.
+  std::string Identify(
+    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
+  {
+    this->Identity.Add(
+      std::vector<double>{ frame.Center.x, frame.Center.y, frame.Center.z, frame.Radius });
+    for (const Mesh& mesh : meshes)
+    {
+      this->Identity.Add(mesh);
+    }
+    this->Identity.Add(lights.Surroundings.GetImage().Pixels);
+    return this->Identity.Finish();
+  }
+
   const SceneOptions& Options;
   SurfaceColors Colors;
   LightReader Lights;
   std::vector<Block> Blocks;
   Omissions Omitted;
+  Fingerprint Identity;
   glm::dvec3 Lower{ VTK_DOUBLE_MAX };
   glm::dvec3 Upper{ VTK_DOUBLE_MIN };
 };

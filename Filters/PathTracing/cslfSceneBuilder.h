@@ -39,8 +39,9 @@ struct BuiltScene
   std::unique_ptr<Scene> World; ///< null where the scene cannot be used
   SceneFrame Frame;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
-  std::string Error;                                   ///< why not, in one line
-  std::string Warning;                                 ///< what was left out, in one line, or empty
+  std::string Fingerprint; ///< tells the scene from others: a hash of all that is seen of it
+  std::string Error;       ///< why not, in one line
+  std::string Warning;     ///< what was left out, in one line, or empty
 };
 
 /// Builds the scene of polygonal data and composite data sets of such.
