@@ -66,10 +66,12 @@ list(APPEND sources
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
+  ../Filters/Coding/cslfFileLock.cxx
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
   ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
   ../Filters/Coding/cslfTrack.cxx)
 list(APPEND private_headers
@@ -80,10 +82,12 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
+  ../Filters/Coding/cslfFileLock.h
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
   ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
   ../Filters/Coding/cslfTrack.h)
 
@@ -100,5 +104,7 @@ list(APPEND private_headers
 # Pulling fields slab by slab.
 list(APPEND sources
   ../Filters/Pipeline/cslfSlabs.cxx
+  ../Filters/Pipeline/cslfSlicePuller.cxx)
 list(APPEND private_headers
   ../Filters/Pipeline/cslfSlabs.h
+  ../Filters/Pipeline/cslfSlicePuller.h)
