@@ -13,6 +13,7 @@ list(APPEND classes
   ../Filters/vtkCSLFLight
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
+  ../Filters/vtkCSLFResample
   ../Filters/vtkCSLFSampler
   ../Filters/vtkCSLFViewTracer)
 list(APPEND private_headers
@@ -108,3 +109,11 @@ list(APPEND sources
 list(APPEND private_headers
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
+
+# Coarser fields.
+list(APPEND sources
+  ../Filters/Resampling/cslfNesting.cxx
+  ../Filters/Resampling/cslfTexelReducer.cxx)
+list(APPEND private_headers
+  ../Filters/Resampling/cslfNesting.h
+  ../Filters/Resampling/cslfTexelReducer.h)
