@@ -55,8 +55,8 @@ int main(int argc, char* argv[])
   app.set_version_flag("--version", CSLF_VERSION);
   app.require_subcommand(1);
   Command chosen;
-  for (const auto add : { AddSample, AddEncode, AddDecode, AddRender, AddTrace, AddCompare, AddInfo,
-         AddView, AddEvaluate, AddSheet })
+  for (const auto add : { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace,
+         AddCompare, AddInfo, AddView, AddEvaluate, AddSheet })
   {
     add(app, chosen);
   }

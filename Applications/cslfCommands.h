@@ -37,6 +37,7 @@ void AddSample(CLI::App& app, Command& chosen);
 void AddEncode(CLI::App& app, Command& chosen);
 void AddDecode(CLI::App& app, Command& chosen);
 void AddRender(CLI::App& app, Command& chosen);
+void AddResample(CLI::App& app, Command& chosen);
 void AddTrace(CLI::App& app, Command& chosen);
 void AddCompare(CLI::App& app, Command& chosen);
 void AddInfo(CLI::App& app, Command& chosen);

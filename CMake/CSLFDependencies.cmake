@@ -8,7 +8,7 @@ set(cslf_vtk_components
   ImagingColor ImagingCore ImagingGeneral ImagingStatistics ImagingStencil
   InteractionStyle InteractionWidgets
   IOGeometry IOImage IOPLY IOXML
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI opengl)
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI opengl vtksys)
 if (CSLF_BUILD_TESTING)
   list(APPEND cslf_vtk_components TestingCore TestingRendering)
 endif ()

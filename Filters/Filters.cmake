@@ -14,6 +14,7 @@ list(APPEND classes
   ../Filters/vtkCSLFLight
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
+  ../Filters/vtkCSLFResample
   ../Filters/vtkCSLFSampler
   ../Filters/vtkCSLFSceneImporter
   ../Filters/vtkCSLFViewTracer)
@@ -29,6 +30,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
+  ../Filters/PathTracing/cslfFingerprint.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
@@ -52,6 +54,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfEnvironment.h
   ../Filters/PathTracing/cslfEnvironmentReader.h
   ../Filters/PathTracing/cslfFacets.h
+  ../Filters/PathTracing/cslfFingerprint.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
@@ -110,10 +113,12 @@ list(APPEND sources
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
+  ../Filters/Coding/cslfFileLock.cxx
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
   ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
   ../Filters/Coding/cslfTrack.cxx)
 list(APPEND private_headers
@@ -124,10 +129,12 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
+  ../Filters/Coding/cslfFileLock.h
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
   ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
   ../Filters/Coding/cslfTrack.h)
 
@@ -143,6 +150,16 @@ list(APPEND private_headers
 
 # Pulling fields slab by slab.
 list(APPEND sources
-  ../Filters/Pipeline/cslfSlabs.cxx)
+  ../Filters/Pipeline/cslfSlabs.cxx
+  ../Filters/Pipeline/cslfSlicePuller.cxx)
 list(APPEND private_headers
-  ../Filters/Pipeline/cslfSlabs.h)
+  ../Filters/Pipeline/cslfSlabs.h
+  ../Filters/Pipeline/cslfSlicePuller.h)
+
+# Coarser fields.
+list(APPEND sources
+  ../Filters/Resampling/cslfNesting.cxx
+  ../Filters/Resampling/cslfTexelReducer.cxx)
+list(APPEND private_headers
+  ../Filters/Resampling/cslfNesting.h
+  ../Filters/Resampling/cslfTexelReducer.h)

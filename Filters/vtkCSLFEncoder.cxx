@@ -3,15 +3,13 @@
 #include "vtkCSLFEncoder.h"
 
 #include "Coding/cslfFieldWriter.h"
+#include "Pipeline/cslfSlicePuller.h"
 
-#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -85,33 +83,26 @@ public:
   Session(vtkCSLFEncoder* self, vtkInformation* inInfo, const cslf::EncodeSettings& settings,
     const cslf::Layout& grid)
     : Self(self)
-    , InInfo(inInfo)
     , Grid(grid)
+    , Puller(inInfo, grid)
     , Writer(self->FileName, settings, grid)
-    , Texels(static_cast<std::size_t>(grid.GetStripWidth()) * grid.GetResolution())
   {
   }
 
   bool Run()
   {
     const cslf::AVLogSilence silence;
-    const int groups = static_cast<int>(this->Writer.GetGroups().size());
-    const int atOnce = this->GetGroupsAtOnce();
-    for (int group = 0; group < groups; group += atOnce)
+    if (!this->Begin())
     {
-      const int count = std::min(atOnce, groups - group);
-      if (!this->Pull(this->Writer.GetSlices(group, count)))
+      return false;
+    }
+    while (!this->Writer.GetMissingGroups().empty())
+    {
+      const std::vector<int> groups = this->ChooseGroups();
+      std::vector<cslf::GroupParts> parts;
+      if (!this->MakeGroups(groups, parts) || !this->StoreGroups(groups, parts))
       {
         return false;
-      }
-      std::string error;
-      if (!this->Writer.WriteGroups(group, count, this->GetFrames(), error))
-      {
-        return this->Fail(vtkErrorCode::UnknownError, error);
-      }
-      if (!this->Report((1.0 - JoinShare) * (group + count) / groups))
-      {
-        return this->Fail(vtkErrorCode::UserError, "it was stopped");
       }
     }
     std::string error;
@@ -133,90 +124,23 @@ private:
     return !this->Self->GetAbortExecute();
   }
 
-  int GetGroupsAtOnce() const
+  /// Progress is that of the groups that are stored.
+  bool ReportGroups()
   {
-    constexpr int texelBytes = 6;
-    const double groupBytes = 1.0 * texelBytes * this->Texels * this->Self->GroupLength;
-    const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-    return std::max(
-      1, static_cast<int>(std::min<double>(GroupsPerThread * threads, SlabBytes / groupBytes)));
+    const double missing = static_cast<double>(this->Writer.GetMissingGroups().size());
+    return this->Report((1.0 - JoinShare) * (1.0 - missing / this->Writer.GetGroupCount())) ||
+      this->Fail(vtkErrorCode::UserError, "it was stopped");
   }
 
-  /// Pulls slices, given in coding order, in as few slabs as possible.
-  bool Pull(const std::vector<int>& slices)
-  {
-    this->Color.resize(4 * this->Texels * slices.size());
-    std::vector<std::pair<int, std::size_t>> sorted; // slice, place
-    for (std::size_t place = 0; place < slices.size(); ++place)
-    {
-      sorted.emplace_back(slices[place], place);
-    }
-    std::sort(sorted.begin(), sorted.end());
-    for (std::size_t begin = 0; begin < sorted.size();)
-    {
-      std::size_t end = begin + 1;
-      while (end < sorted.size() && sorted[end].first == sorted[end - 1].first + 1)
-      {
-        ++end;
-      }
-      vtkImageData* image = this->Update(sorted[begin].first, sorted[end - 1].first);
-      if (!image || !this->Check(image))
-      {
-        return false;
-      }
-      this->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
-      for (; begin < end; ++begin)
-      {
-        this->Copy(image, sorted[begin].first, sorted[begin].second);
-      }
-    }
-    return true;
-  }
-
-  vtkImageData* Update(int first, int last)
-  {
-    int extent[6];
-    this->Grid.GetWholeExtent(extent);
-    extent[4] = first;
-    extent[5] = last;
-    this->InInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(
-      vtkExecutive::PRODUCER()->GetExecutive(this->InInfo));
-    auto* image = executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(this->InInfo))
-      ? vtkImageData::GetData(this->InInfo)
-      : nullptr;
-    if (!image || image->GetExtent()[4] > first || image->GetExtent()[5] < last)
-    {
-      this->Fail(vtkErrorCode::UnknownError,
-        "the input did not give the viewpoints " + std::to_string(first) + " to " +
-          std::to_string(last));
-      return nullptr;
-    }
-    return image;
-  }
-
-  /// Checks a slab's description; the first one is the file's.
-  bool Check(vtkImageData* image)
+  /// The input holds its first viewpoint, which tells what the field is.
+  bool Begin()
   {
     std::string error;
-    const auto field = cslf::Description::ReadFrom(image, error);
-    if (!field)
+    if (!this->Puller.Begin(error))
     {
       return this->Self->Fail(vtkErrorCode::FileFormatError, error);
     }
-    const std::string text = field->ToText();
-    if (!this->Text.empty())
-    {
-      return text == this->Text ||
-        this->Fail(vtkErrorCode::UnknownError, "the input changed between two slabs");
-    }
-    this->Text = text;
-    error = cslf::FindFault(*field);
-    if (!error.empty())
-    {
-      return this->Self->Fail(vtkErrorCode::FileFormatError, error);
-    }
-    for (const cslf::Channel& channel : field->Channels)
+    for (const cslf::Channel& channel : this->Puller.GetField().Channels)
     {
       if (channel.Name != cslf::ColorName && channel.Name != cslf::DepthName)
       {
@@ -224,47 +148,63 @@ private:
           this->Self, "The channel \"" << channel.Name << "\" is left out of the coded file.");
       }
     }
-    this->HasDepth = field->FindChannel(cslf::DepthName) != nullptr;
-    return this->Writer.Begin(*field, error) ||
-      this->Fail(vtkErrorCode::CannotOpenFileError, error);
+    this->Writer.Begin(this->Puller.GetField());
+    std::string warning;
+    if (!this->Writer.OpenParts(
+          this->Self->Restart, this->Puller.GetFirstChecksum(), warning, error))
+    {
+      return this->Fail(vtkErrorCode::CannotOpenFileError, error);
+    }
+    if (!warning.empty())
+    {
+      vtkWarningWithObjectMacro(this->Self, << this->Self->FileName << ": " << warning);
+    }
+    return this->ReportGroups();
   }
 
-  void Copy(vtkImageData* image, int slice, std::size_t place)
+  std::vector<int> ChooseGroups() const
   {
-    vtkPointData* data = image->GetPointData();
-    const std::size_t offset = this->Texels * (slice - image->GetExtent()[4]);
-    const auto* color =
-      static_cast<unsigned char*>(data->GetArray(cslf::ColorName)->GetVoidPointer(0));
-    std::copy_n(
-      color + 4 * offset, 4 * this->Texels, this->Color.begin() + 4 * this->Texels * place);
-    if (this->HasDepth)
-    {
-      const auto* depth =
-        static_cast<unsigned short*>(data->GetArray(cslf::DepthName)->GetVoidPointer(0));
-      std::copy_n(depth + offset, this->Texels, this->Depth.begin() + this->Texels * place);
-    }
+    const std::vector<int>& missing = this->Writer.GetMissingGroups();
+    const int count = std::min(this->GetGroupsAtOnce(), static_cast<int>(missing.size()));
+    return { missing.begin(), missing.begin() + count };
   }
 
-  std::vector<cslf::ConstSlice> GetFrames() const
+  int GetGroupsAtOnce() const
   {
-    std::vector<cslf::ConstSlice> frames(this->Color.size() / (4 * this->Texels));
-    for (std::size_t place = 0; place < frames.size(); ++place)
+    constexpr int texelBytes = 6;
+    const double groupBytes = 1.0 * texelBytes * this->Grid.GetStripWidth() *
+      this->Grid.GetResolution() * this->Self->GroupLength;
+    const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+    return std::max(
+      1, static_cast<int>(std::min<double>(GroupsPerThread * threads, SlabBytes / groupBytes)));
+  }
+
+  bool MakeGroups(const std::vector<int>& groups, std::vector<cslf::GroupParts>& parts)
+  {
+    std::string error;
+    return (this->Puller.Pull(this->Writer.GetSlices(groups), error) &&
+             this->Writer.EncodeGroups(
+               groups, this->Puller.GetSlices(), [] {}, parts, error)) ||
+      this->Fail(vtkErrorCode::UnknownError, error);
+  }
+
+  bool StoreGroups(const std::vector<int>& groups, const std::vector<cslf::GroupParts>& parts)
+  {
+    std::string error;
+    for (std::size_t place = 0; place < groups.size(); ++place)
     {
-      frames[place].Color = this->Color.data() + 4 * this->Texels * place;
-      frames[place].Depth = this->HasDepth ? this->Depth.data() + this->Texels * place : nullptr;
+      if (!this->Writer.StoreGroup(groups[place], parts[place], error))
+      {
+        return this->Fail(vtkErrorCode::UnknownError, error);
+      }
     }
-    return frames;
+    return this->ReportGroups();
   }
 
   vtkCSLFEncoder* Self;
-  vtkInformation* InInfo;
   cslf::Layout Grid;
+  cslf::SlicePuller Puller;
   cslf::FieldWriter Writer;
-  std::size_t Texels; ///< of one slice
-  std::string Text;   ///< the description
-  bool HasDepth = false;
-  std::vector<unsigned char> Color; ///< of the slab, in coding order
-  std::vector<unsigned short> Depth;
 };
 
 vtkCSLFEncoder::vtkCSLFEncoder()
@@ -372,4 +312,5 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PixelFormat: " << (this->PixelFormat ? this->PixelFormat : "(none)") << "\n";
   os << indent << "GroupLength: " << this->GroupLength << "\n";
   os << indent << "Lossless: " << (this->Lossless ? "On" : "Off") << "\n";
+  os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
 }

@@ -24,6 +24,14 @@
  * then. On an error or abort nothing is left behind. Documentation/FileFormat.md specifies the
  * file.
  *
+ * A process that is killed leaves that folder. The next one that writes the same field with the
+ * same settings to the same file goes on from there: it asks its input for none of the viewpoints
+ * whose groups are whole, but for the first one, and ends with the same bytes. What belongs to
+ * another field or other settings is discarded, with a warning. To tell that, the field's
+ * description and first viewpoint are compared, so an input must change one of them where it
+ * changes any viewpoint; vtkCSLFSampler does, since it describes the scene by a hash. Two processes
+ * cannot write one file at once: the second one fails.
+ *
  * @sa
  * vtkCSLFDecoder vtkCSLFSampler
  */
@@ -123,6 +131,16 @@ public:
 
   ///@{
   /**
+   * Set/get whether to go on from what a run that was killed left of the same file. If off, all
+   * begins anew. Default on.
+   */
+  vtkSetMacro(Restart, bool);
+  vtkGetMacro(Restart, bool);
+  vtkBooleanMacro(Restart, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/get the light field without a pipeline.
    */
   void SetInputData(vtkImageData* input);
@@ -159,6 +177,7 @@ private:
   char* PixelFormat = nullptr;
   int GroupLength = 16;
   bool Lossless = false;
+  bool Restart = true;
 };
 
 #endif

@@ -347,12 +347,11 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   {
     environment["bottom_color"] = this->EnvironmentBottomColor;
   }
-  nlohmann::json sampling = {
+  nlohmann::json sampling = { { "scene", this->Internals->Scene.Fingerprint },
     { "integrator", this->Integrator == RadianceCaching ? "radiance-caching" : "path-tracing" },
     { "samples", this->Samples }, { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed },
     { "exposure", this->Exposure }, { "show_environment", this->ShowEnvironment },
-    { "environment", environment }
-  };
+    { "environment", environment } };
   if (this->Integrator == RadianceCaching)
   {
     sampling["cache"] = { { "tolerance", this->CacheTolerance }, { "spacing", this->CacheSpacing },

@@ -282,7 +282,8 @@ protected:
   const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
 
   /**
-   * The sampling and scene parameters as a JSON object, for the record.
+   * The sampling and scene parameters as a JSON object, for the record: everything that the
+   * texels depend on, and a hash of the scene. Call it after UpdateScene.
    */
   std::string DescribeSampling();
 

@@ -199,6 +199,10 @@ void CodingOptions::AddTo(CLI::App& command)
     ->capture_default_str()
     ->group(group);
   command.add_flag("--lossless", this->Lossless, "code every bit")->group(group);
+  command
+    .add_flag("--restart,!--no-restart", this->Restart,
+      "go on from what a run that was killed has left in OUTPUT.partial (default), or begin anew")
+    ->group(group);
 }
 
 void RequireWritable(const std::string& fileName)
@@ -258,6 +262,7 @@ void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& 
   encoder->SetPixelFormat(this->Coding.PixelFormat.c_str());
   encoder->SetGroupLength(this->Coding.GroupLength);
   encoder->SetLossless(this->Coding.Lossless);
+  encoder->SetRestart(this->Coding.Restart);
   const ProgressBar bar(encoder, label);
   if (!encoder->Write())
   {

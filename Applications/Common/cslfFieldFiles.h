@@ -67,6 +67,7 @@ struct CodingOptions
   std::string PixelFormat = "yuv444p";
   int GroupLength = 16;
   bool Lossless = false;
+  bool Restart = true;
 
   void AddTo(CLI::App& command);
 };

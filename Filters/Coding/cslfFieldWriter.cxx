@@ -7,8 +7,11 @@
 
 #include <vtkSMPTools.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <filesystem>
+#include <thread>
 
 namespace cslf
 {
@@ -101,11 +104,16 @@ FieldWriter::FieldWriter(
   this->Header.Slices = std::move(order.Slices);
 }
 
-std::vector<int> FieldWriter::GetSlices(int firstGroup, int count) const
+std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
 {
   const std::vector<int> starts = this->Header.GetGroupStarts();
-  const auto begin = this->Header.Slices.begin();
-  return { begin + starts[firstGroup], begin + starts[firstGroup + count] };
+  std::vector<int> slices;
+  for (int group : groups)
+  {
+    const auto begin = this->Header.Slices.begin();
+    slices.insert(slices.end(), begin + starts[group], begin + starts[group + 1]);
+  }
+  return slices;
 }
 
 void FieldWriter::MakeEncodings(bool hasDepth)
@@ -137,7 +145,7 @@ void FieldWriter::MakeEncodings(bool hasDepth)
   }
 }
 
-bool FieldWriter::Begin(const Description& field, std::string& error)
+void FieldWriter::Begin(const Description& field)
 {
   this->Header.Field = field;
   this->Header.Field.Channels.clear();
@@ -149,43 +157,125 @@ bool FieldWriter::Begin(const Description& field, std::string& error)
     }
   }
   this->MakeEncodings(field.FindChannel(DepthName) != nullptr);
-  return this->Parts.Create(error);
 }
 
-bool FieldWriter::WriteGroups(
-  int firstGroup, int count, const std::vector<ConstSlice>& slices, std::string& error)
+std::string FieldWriter::MakeManifest(std::uint32_t sample) const
 {
-  const std::vector<int> starts = this->Header.GetGroupStarts();
+  const EncodeSettings& settings = this->Settings;
+  const nlohmann::json manifest = { { "version", 1 }, { "cslf", CSLF_VERSION },
+    { "codec", avcodec_version() }, { "description", this->Header.Field.ToJSON() },
+    { "sample", sample }, { "preset", settings.Preset }, { "pixel_format", settings.PixelFormat },
+    { "crf", settings.CRF }, { "coverage_crf", settings.CoverageCRF },
+    { "depth_crf", settings.DepthCRF }, { "group_length", settings.GroupLength },
+    { "lossless", settings.Lossless } };
+  return manifest.dump();
+}
+
+bool FieldWriter::OpenParts(
+  bool restart, std::uint32_t sample, std::string& warning, std::string& error)
+{
+  bool discarded = false;
+  if (!this->Parts.Open(this->MakeManifest(sample), restart, discarded, error))
+  {
+    return false;
+  }
+  int damaged = 0;
+  this->Missing.clear();
+  for (int group = 0; group < this->GetGroupCount(); ++group)
+  {
+    if (!this->FindGroup(group))
+    {
+      const TrackRole last = this->Encodings.back().Kind.Role;
+      damaged += this->Parts.Has(last, group) ? 1 : 0;
+      this->Missing.push_back(group);
+    }
+  }
+  if (discarded)
+  {
+    warning = "What an earlier run left of the file was made of another field or with other "
+              "settings: it is discarded.";
+  }
+  else if (damaged > 0)
+  {
+    warning =
+      std::to_string(damaged) + " group(s) that an earlier run left are damaged: they are redone.";
+  }
+  return true;
+}
+
+bool FieldWriter::FindGroup(int group)
+{
+  GroupParts parts(this->Encodings.size());
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    std::string ignored;
+    if (!this->Parts.Read(this->Encodings[track].Kind.Role, group, parts[track], ignored) ||
+      parts[track].Frames.size() != static_cast<std::size_t>(this->Header.Groups[group]))
+    {
+      return false;
+    }
+  }
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    std::string ignored;
+    if (!this->Note(track, group, parts[track], ignored))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool FieldWriter::EncodeGroups(const std::vector<int>& groups,
+  const std::vector<ConstSlice>& slices, const std::function<void()>& idle,
+  std::vector<GroupParts>& parts, std::string& error) const
+{
   const std::size_t tracks = this->Encodings.size();
-  const std::size_t jobs = count * tracks;
-  std::vector<CodedGroup> parts(jobs);
+  const std::size_t jobs = groups.size() * tracks;
+  std::vector<std::size_t> starts;
+  std::size_t start = 0;
+  for (int group : groups)
+  {
+    starts.push_back(start);
+    start += this->Header.Groups[group];
+  }
+  parts.assign(groups.size(), GroupParts(tracks));
   std::vector<std::string> errors(jobs);
+  const std::thread::id caller = std::this_thread::get_id();
   vtkSMPTools::For(0, static_cast<vtkIdType>(jobs), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType job = begin; job < end; ++job)
       {
-        const int group = firstGroup + static_cast<int>(job / tracks);
+        const std::size_t place = job / tracks;
         const Encoding& encoding = this->Encodings[job % tracks];
-        const auto from = slices.begin() + (starts[group] - starts[firstGroup]);
-        const std::vector<ConstSlice> frames(from, from + this->Header.Groups[group]);
-        CodedGroup& part = parts[job];
-        if (EncodeGroup(encoding.Kind, this->Header.Field.Grid.GetResolution(), encoding.Options,
-              frames, part, errors[job]))
+        const auto from = slices.begin() + static_cast<std::ptrdiff_t>(starts[place]);
+        const std::vector<ConstSlice> frames(from, from + this->Header.Groups[groups[place]]);
+        EncodeGroup(encoding.Kind, this->Header.Field.Grid.GetResolution(), encoding.Options,
+          frames, parts[place][job % tracks], errors[job]);
+        if (std::this_thread::get_id() == caller)
         {
-          this->Parts.Write(encoding.Kind.Role, group, part, errors[job]);
+          idle();
         }
       }
     });
-  for (std::size_t job = 0; job < jobs; ++job)
+  const auto failed = std::find_if(
+    errors.begin(), errors.end(), [](const std::string& text) { return !text.empty(); });
+  error = failed == errors.end() ? std::string() : *failed;
+  return error.empty();
+}
+
+bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& error)
+{
+  for (std::size_t track = 0; track < parts.size(); ++track)
   {
-    error = errors[job];
-    if (!error.empty() ||
-      !this->Note(job % tracks, firstGroup + static_cast<int>(job / tracks), parts[job], error))
+    if (!this->Note(track, group, parts[track], error) ||
+      !this->Parts.Write(this->Encodings[track].Kind.Role, group, parts[track], error))
     {
       return false;
     }
   }
+  this->Missing.erase(std::find(this->Missing.begin(), this->Missing.end(), group));
   return true;
 }
 

@@ -11,8 +11,8 @@
 #include "Coding/cslfFrameOrder.h"
 #include "Coding/cslfPartStore.h"
 
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,24 +37,40 @@ std::string FindFault(const std::string& fileName, const EncodeSettings& setting
 /// What keeps a field from being coded, in one line; empty where nothing does.
 std::string FindFault(const Description& field);
 
+/// A group's part of each track.
+using GroupParts = std::vector<CodedGroup>;
+
+/// First Begin. Then EncodeGroups for every group, on any machine. Where the file is written:
+/// OpenParts, StoreGroup for each group that it did not find, Finish.
 class FieldWriter
 {
 public:
   /// For a field of `grid`'s numbers of viewpoints and texels.
   FieldWriter(const std::string& fileName, const EncodeSettings& settings, const Layout& grid);
 
-  /// The lengths of the groups in coding order.
-  const std::vector<int>& GetGroups() const { return this->Header.Groups; }
+  /// How many groups there are.
+  int GetGroupCount() const { return static_cast<int>(this->Header.Groups.size()); }
 
   /// The slices of some groups in coding order.
-  std::vector<int> GetSlices(int firstGroup, int count) const;
+  std::vector<int> GetSlices(const std::vector<int>& groups) const;
 
-  /// Makes the folder of parts. `field` has passed FindFault.
-  bool Begin(const Description& field, std::string& error);
+  /// Fixes the tracks. `field` has passed FindFault.
+  void Begin(const Description& field);
 
-  /// Codes some groups, whose slices come in coding order, side by side.
-  bool WriteGroups(
-    int firstGroup, int count, const std::vector<ConstSlice>& slices, std::string& error);
+  /// Makes the folder of parts, and finds what a killed run left there of the same field, if
+  /// `restart` is set; `sample` stands for the field's samples. A warning tells what is discarded.
+  bool OpenParts(bool restart, std::uint32_t sample, std::string& warning, std::string& error);
+
+  /// The groups that are not stored yet, in coding order.
+  const std::vector<int>& GetMissingGroups() const { return this->Missing; }
+
+  /// Codes some groups, whose slices come in coding order, side by side. `idle` is called now and
+  /// then on the calling thread.
+  bool EncodeGroups(const std::vector<int>& groups, const std::vector<ConstSlice>& slices,
+    const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const;
+
+  /// Keeps a group that was missing.
+  bool StoreGroup(int group, const GroupParts& parts, std::string& error);
 
   /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop.
   bool Finish(const std::function<bool(double)>& progress, std::string& error);
@@ -69,6 +85,8 @@ private:
   };
 
   void MakeEncodings(bool hasDepth);
+  std::string MakeManifest(std::uint32_t sample) const;
+  bool FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
   void DropFullCoverage();
 
@@ -76,6 +94,7 @@ private:
   EncodeSettings Settings;
   FileHeader Header;
   std::vector<Encoding> Encodings; ///< one for each of the header's tracks
+  std::vector<int> Missing;
 };
 }
 

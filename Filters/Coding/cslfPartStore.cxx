@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfPartStore.h"
 
-#include <zlib.h>
+#include "Coding/cslfPart.h"
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <system_error>
 
@@ -20,98 +20,65 @@ constexpr const char* PartPrefix = "group-";
 constexpr const char* PartSuffix = ".part";
 constexpr const char* UnfinishedSuffix = ".unfinished";
 constexpr const char* WholeName = "whole";
+constexpr const char* ManifestName = "manifest.json";
+constexpr const char* LockName = "lock";
 
-/// The first bytes of a part, with the version of its layout.
-constexpr std::uint32_t Magic = 0x31504643;
+/// How often the folder may vanish under a new run, each time removed by one that ends.
+constexpr int LockAttempts = 100;
 
-/// Numbers and bytes one after the other.
-class Buffer
+bool BeginsWith(const std::string& text, const std::string& prefix)
 {
-public:
-  std::vector<std::uint8_t> Bytes;
-
-  void Put(std::uint32_t number)
-  {
-    const auto* data = reinterpret_cast<const std::uint8_t*>(&number);
-    this->Bytes.insert(this->Bytes.end(), data, data + sizeof(number));
-  }
-  void Put(const std::vector<std::uint8_t>& data)
-  {
-    this->Put(static_cast<std::uint32_t>(data.size()));
-    this->Bytes.insert(this->Bytes.end(), data.begin(), data.end());
-  }
-  bool Take(std::uint32_t& number)
-  {
-    if (this->Bytes.size() - this->Position < sizeof(number))
-    {
-      return false;
-    }
-    std::memcpy(&number, this->Bytes.data() + this->Position, sizeof(number));
-    this->Position += sizeof(number);
-    return true;
-  }
-  bool Take(std::vector<std::uint8_t>& data)
-  {
-    std::uint32_t size = 0;
-    if (!this->Take(size) || size > this->Bytes.size() - this->Position)
-    {
-      return false;
-    }
-    const auto begin = this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->Position);
-    data.assign(begin, begin + size);
-    this->Position += size;
-    return true;
-  }
-  std::uint32_t GetChecksum(std::size_t size) const
-  {
-    return static_cast<std::uint32_t>(::crc32(0, this->Bytes.data(), static_cast<uInt>(size)));
-  }
-
-private:
-  std::size_t Position = 0;
-};
-
-Buffer Pack(const CodedGroup& part)
-{
-  Buffer buffer;
-  buffer.Put(Magic);
-  buffer.Put(part.CRC);
-  buffer.Put(part.CoveredFully ? 1u : 0u);
-  buffer.Put(part.ParameterSets);
-  buffer.Put(static_cast<std::uint32_t>(part.Frames.size()));
-  for (const CodedFrame& frame : part.Frames)
-  {
-    buffer.Put(static_cast<std::uint32_t>(frame.Index));
-    buffer.Put(frame.Data);
-  }
-  buffer.Put(buffer.GetChecksum(buffer.Bytes.size()));
-  return buffer;
+  return text.rfind(prefix, 0) == 0;
 }
 
-bool Unpack(Buffer& buffer, CodedGroup& part)
+bool EndsWith(const std::string& text, const std::string& suffix)
 {
-  std::uint32_t magic = 0;
-  std::uint32_t covered = 0;
-  std::uint32_t frames = 0;
-  if (!buffer.Take(magic) || magic != Magic || !buffer.Take(part.CRC) || !buffer.Take(covered) ||
-    !buffer.Take(part.ParameterSets) || !buffer.Take(frames) || frames > MaximumGroupLength)
+  return text.size() >= suffix.size() &&
+    text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+std::vector<fs::path> FindFiles(
+  const std::string& folder, const std::function<bool(const std::string&)>& isWanted)
+{
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
   {
-    return false;
-  }
-  part.CoveredFully = covered != 0;
-  part.Frames.resize(frames);
-  for (CodedFrame& frame : part.Frames)
-  {
-    std::uint32_t index = 0;
-    if (!buffer.Take(index) || !buffer.Take(frame.Data))
+    if (isWanted(entry.path().filename().string()))
     {
-      return false;
+      files.push_back(entry.path());
     }
-    frame.Index = static_cast<int>(index);
   }
-  std::uint32_t checksum = 0;
-  return buffer.Take(checksum) &&
-    checksum == buffer.GetChecksum(buffer.Bytes.size() - sizeof(checksum));
+  return files;
+}
+
+void Remove(const std::vector<fs::path>& files)
+{
+  std::error_code ignored;
+  for (const fs::path& file : files)
+  {
+    fs::remove(file, ignored);
+  }
+}
+
+template <typename Bytes>
+Bytes ReadBytes(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  return Bytes(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+bool IsPart(const std::string& name)
+{
+  return BeginsWith(name, PartPrefix) && EndsWith(name, PartSuffix);
+}
+
+/// What a run that was killed left half-written.
+bool IsUnfinished(const std::string& name)
+{
+  return (BeginsWith(name, PartPrefix) && EndsWith(name, UnfinishedSuffix)) ||
+    name == std::string(ManifestName) + UnfinishedSuffix ||
+    BeginsWith(name, std::string(WholeName) + ".");
 }
 }
 
@@ -123,37 +90,84 @@ PartStore::PartStore(const std::string& fileName)
 
 PartStore::~PartStore()
 {
-  if (this->Created)
+  if (this->Opened)
   {
-    this->Clear();
+    this->RemoveUnfinished();
+    this->RemoveParts();
+    // The lock goes last: as long as its file is there, nobody else touches the folder.
+    Remove({ this->GetName(LockName) });
     std::error_code ignored;
     fs::remove(this->Folder, ignored);
   }
 }
 
-bool PartStore::Create(std::string& error)
+bool PartStore::Lock(std::string& error)
 {
-  std::error_code code;
-  std::error_code ignored;
-  if (!fs::create_directory(this->Folder, code) && !fs::is_directory(this->Folder, ignored))
+  for (int attempt = 0; attempt < LockAttempts; ++attempt)
   {
-    error = "cannot make the folder " + this->Folder + ": " + code.message();
+    std::error_code code;
+    std::error_code ignored;
+    if (!fs::create_directory(this->Folder, code) && !fs::is_directory(this->Folder, ignored))
+    {
+      error = "cannot make the folder " + this->Folder + ": " + code.message();
+      return false;
+    }
+    const FileLock::Outcome outcome = this->Holder.Acquire(this->GetName(LockName), error);
+    if (outcome == FileLock::Outcome::Locked)
+    {
+      return true;
+    }
+    if (!error.empty())
+    {
+      return false;
+    }
+    if (outcome == FileLock::Outcome::Busy)
+    {
+      break;
+    }
+  }
+  error = "another process is writing it (it holds " + this->GetName(LockName) + ")";
+  return false;
+}
+
+bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, std::string& error)
+{
+  discarded = false;
+  if (!this->Lock(error))
+  {
     return false;
   }
-  this->Created = true;
-  this->Clear();
-  return true;
+  this->Opened = true;
+  this->RemoveUnfinished();
+  const std::string name = this->GetName(ManifestName);
+  if (keep && ReadBytes<std::string>(name) == manifest)
+  {
+    return true;
+  }
+  discarded = keep && this->CountParts() > 0;
+  this->RemoveParts();
+  return this->WriteWhole(name, manifest.data(), manifest.size(), error);
+}
+
+bool PartStore::Has(TrackRole role, int group) const
+{
+  std::error_code ignored;
+  return fs::exists(this->GetPartName(role, group), ignored);
 }
 
 bool PartStore::Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const
 {
-  const std::string name = this->GetPartName(role, group);
+  const std::vector<std::uint8_t> bytes = PackPart(part);
+  return this->WriteWhole(this->GetPartName(role, group), bytes.data(), bytes.size(), error);
+}
+
+bool PartStore::WriteWhole(
+  const std::string& name, const void* data, std::size_t size, std::string& error) const
+{
   const std::string unfinished = name + UnfinishedSuffix;
-  const Buffer buffer = Pack(part);
   {
     std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
-    file.write(reinterpret_cast<const char*>(buffer.Bytes.data()),
-      static_cast<std::streamsize>(buffer.Bytes.size()));
+    file.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
     file.close();
     if (!file)
     {
@@ -174,11 +188,7 @@ bool PartStore::Write(TrackRole role, int group, const CodedGroup& part, std::st
 bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& error) const
 {
   const std::string name = this->GetPartName(role, group);
-  std::ifstream file(name, std::ios::binary);
-  Buffer buffer;
-  buffer.Bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  part = CodedGroup();
-  if (!Unpack(buffer, part))
+  if (!UnpackPart(ReadBytes<std::vector<std::uint8_t>>(name), part))
   {
     error = "the part " + name + " is missing or damaged";
     return false;
@@ -188,8 +198,7 @@ bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& e
 
 std::string PartStore::GetWholeName() const
 {
-  return (fs::path(this->Folder) / WholeName).string() +
-    fs::path(this->FileName).extension().string();
+  return this->GetName(WholeName) + fs::path(this->FileName).extension().string();
 }
 
 bool PartStore::Publish(std::string& error) const
@@ -204,28 +213,30 @@ bool PartStore::Publish(std::string& error) const
   return true;
 }
 
-std::string PartStore::GetPartName(TrackRole role, int group) const
+std::string PartStore::GetName(const std::string& name) const
 {
-  const std::string name = PartPrefix + std::to_string(group) + "-" + NameOfRole(role) + PartSuffix;
   return (fs::path(this->Folder) / name).string();
 }
 
-void PartStore::Clear() const
+std::string PartStore::GetPartName(TrackRole role, int group) const
 {
-  std::error_code ignored;
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(this->Folder, ignored))
-  {
-    const std::string name = entry.path().filename().string();
-    const std::string whole = WholeName;
-    if (name.rfind(PartPrefix, 0) == 0 || name.rfind(whole + ".", 0) == 0)
-    {
-      files.push_back(entry.path());
-    }
-  }
-  for (const fs::path& file : files)
-  {
-    fs::remove(file, ignored);
-  }
+  return this->GetName(PartPrefix + std::to_string(group) + "-" + NameOfRole(role) + PartSuffix);
+}
+
+int PartStore::CountParts() const
+{
+  return static_cast<int>(FindFiles(this->Folder, IsPart).size());
+}
+
+void PartStore::RemoveUnfinished() const
+{
+  Remove(FindFiles(this->Folder, IsUnfinished));
+}
+
+void PartStore::RemoveParts() const
+{
+  // The manifest goes last: it is what the parts that are left are trusted by.
+  Remove(FindFiles(this->Folder, IsPart));
+  Remove({ this->GetName(ManifestName) });
 }
 }

@@ -4,12 +4,14 @@
  * @file
  * The parts of an unfinished file, one for each group and track, in a folder beside it.
  *
- * A part appears whole, by renaming, so whatever lies there under its own name can be trusted as
- * far as its checksum goes. The layout of a part is private to the machine that wrote it.
+ * A part appears whole, by renaming, and carries a checksum. A manifest tells what the parts are
+ * parts of, so that a run that was killed can be gone on with. A lock keeps two processes from
+ * writing one file.
  */
 #ifndef cslfPartStore_h
 #define cslfPartStore_h
 
+#include "Coding/cslfFileLock.h"
 #include "Coding/cslfGroupCodec.h"
 
 #include <string>
@@ -22,14 +24,20 @@ public:
   /// The parts of the file that shall be named `fileName`.
   explicit PartStore(const std::string& fileName);
 
-  /// Removes the folder and what this class put there.
+  /// Removes the folder and what this class put there, if it was opened.
   ~PartStore();
 
   PartStore(const PartStore&) = delete;
   PartStore& operator=(const PartStore&) = delete;
 
-  /// Makes the folder, empty of parts. On failure returns false and says why, in one line.
-  bool Create(std::string& error);
+  /// Makes the folder or takes over what a killed run left of it. Its parts stay if `keep` is set
+  /// and they were made under the same manifest, a text that tells all they depend on; `discarded`
+  /// tells that there were some of another one although `keep` is set. On failure returns false
+  /// and says why, in one line.
+  bool Open(const std::string& manifest, bool keep, bool& discarded, std::string& error);
+
+  /// Whether there is a part of that name, damaged or not.
+  bool Has(TrackRole role, int group) const;
 
   bool Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const;
   bool Read(TrackRole role, int group, CodedGroup& part, std::string& error) const;
@@ -41,12 +49,19 @@ public:
   bool Publish(std::string& error) const;
 
 private:
+  bool Lock(std::string& error);
+  std::string GetName(const std::string& name) const;
   std::string GetPartName(TrackRole role, int group) const;
-  void Clear() const;
+  bool WriteWhole(
+    const std::string& name, const void* data, std::size_t size, std::string& error) const;
+  int CountParts() const;
+  void RemoveUnfinished() const;
+  void RemoveParts() const;
 
   std::string FileName;
   std::string Folder;
-  bool Created = false;
+  FileLock Holder;
+  bool Opened = false;
 };
 }
 

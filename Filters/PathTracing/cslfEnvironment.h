@@ -66,6 +66,9 @@ public:
   /// Whether Sample and Pdf are of use.
   bool CanSample() const { return this->Importance.GetTotal() > 0.0; }
 
+  /// The image, without pixels where there is none.
+  const EnvironmentImage& GetImage() const { return this->Image; }
+
   glm::vec3 GetRadiance(const glm::vec3& direction) const;
   LightSample Sample(const glm::vec2& u) const;
   float Pdf(const glm::vec3& direction) const;

@@ -4,6 +4,7 @@
 
 #include "cslfColor.h"
 #include "cslfEnvironmentReader.h"
+#include "cslfFingerprint.h"
 #include "cslfLightReader.h"
 #include "cslfSurfaceColors.h"
 #include "cslfTextureReader.h"
@@ -270,6 +271,7 @@ private:
   void AddInput(vtkDataObject* input)
   {
     this->AddLights(input);
+    this->Identity.Add(input);
     auto* composite = vtkCompositeDataSet::SafeDownCast(input);
     if (!composite)
     {
@@ -280,6 +282,7 @@ private:
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
       this->AddLights(leaf->GetCurrentDataObject());
+      this->Identity.Add(leaf->GetCurrentDataObject());
       this->AddLeaf(leaf->GetCurrentDataObject(), input);
     }
   }
@@ -394,6 +397,7 @@ private:
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;
     }
+    built.Fingerprint = this->Identify(meshes, lights, built.Frame);
     built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
     built.Error = built.World->GetError();
     if (!built.Error.empty())
@@ -403,6 +407,20 @@ private:
     return built;
   }
 
+  /// Materials and lights are in the inputs' field data, which is taken already.
+  std::string Identify(
+    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
+  {
+    this->Identity.Add(
+      std::vector<double>{ frame.Center.x, frame.Center.y, frame.Center.z, frame.Radius });
+    for (const Mesh& mesh : meshes)
+    {
+      this->Identity.Add(mesh);
+    }
+    this->Identity.Add(lights.Surroundings.GetImage().Pixels);
+    return this->Identity.Finish();
+  }
+
   const SceneOptions& Options;
   SurfaceColors Colors;
   LightReader Lights;
@@ -410,6 +428,7 @@ private:
   TextureReader Textures;
   std::vector<Block> Blocks;
   Omissions Omitted;
+  Fingerprint Identity;
   glm::dvec3 Lower{ VTK_DOUBLE_MAX };
   glm::dvec3 Upper{ VTK_DOUBLE_MIN };
 };

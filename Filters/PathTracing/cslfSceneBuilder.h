@@ -42,6 +42,7 @@ struct BuiltScene
   bool HasEnvironment = false;                         ///< whether an input brought it
   std::string Error;                                   ///< why not, in one line
   std::string Warning;                                 ///< what was left out, in one line, or empty
+  std::string Fingerprint; ///< tells the scene from others: a hash of all that is seen of it
 };
 
 /// Builds the scene of polygonal data and composite data sets of such.

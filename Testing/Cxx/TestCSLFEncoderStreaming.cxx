@@ -4,84 +4,19 @@
 // The encoder asks for bounded slabs, gives the same bytes for any number of threads, and stops
 // when it is told to, leaving nothing behind.
 #include "cslfCodecTesting.h"
+#include "cslfFieldSource.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkImageAlgorithm.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkInformationVector.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkSMPTools.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
-
-#include <algorithm>
 
 namespace
 {
-/// Gives just the slices that are asked for, and counts them.
-class FieldSource : public vtkImageAlgorithm
-{
-public:
-  static FieldSource* New();
-  vtkTypeMacro(FieldSource, vtkImageAlgorithm);
-
-  vtkSmartPointer<vtkImageData> Field;
-  int LargestRequest = 0;
-  int Slices = 0;
-  int FailingSlice = -1;
-
-protected:
-  FieldSource() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
-  {
-    outputVector->GetInformationObject(0)->Set(
-      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->Field->GetExtent(), 6);
-    return 1;
-  }
-
-  int RequestData(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
-  {
-    vtkInformation* info = outputVector->GetInformationObject(0);
-    int extent[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-    const int slices = extent[5] - extent[4] + 1;
-    this->LargestRequest = std::max(this->LargestRequest, slices);
-    this->Slices += slices;
-    if (extent[4] <= this->FailingSlice && this->FailingSlice <= extent[5])
-    {
-      vtkErrorMacro("The source fails here.");
-      return 0;
-    }
-    vtkImageData* output = vtkImageData::GetData(info);
-    output->CopyStructure(this->Field);
-    output->SetExtent(extent);
-    vtkPointData* data = this->Field->GetPointData();
-    output->GetPointData()->CopyAllocate(data);
-    const int whole = this->Field->GetExtent()[5] + 1;
-    const vtkIdType texels = this->Field->GetNumberOfPoints() / whole;
-    output->GetPointData()->CopyData(data, 0, slices * texels, extent[4] * texels);
-    output->GetFieldData()->ShallowCopy(this->Field->GetFieldData());
-    return 1;
-  }
-};
-vtkStandardNewMacro(FieldSource);
-
-vtkSmartPointer<FieldSource> MakeSource(vtkImageData* field)
-{
-  auto source = vtkSmartPointer<FieldSource>::New();
-  source->Field = field;
-  return source;
-}
+using cslf::testing::MakeSource;
 
 void TestThreads(vtkImageData* field, const std::string& folder)
 {

@@ -6,6 +6,7 @@
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSampler.h"
 
@@ -16,11 +17,13 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -29,6 +32,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -121,12 +125,73 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   CSLF_CHECK(slabColor == color);
   CSLF_CHECK(slabDepth == depth);
 
+  // The same scene under the same name, in whatever process.
+  const auto scene = sampling["scene"].get<std::string>();
+  CSLF_CHECK(scene.size() == 32);
+  const auto again = nlohmann::json::parse(GetDescription(slabs->GetOutput()).Sampling);
+  CSLF_CHECK(again["scene"] == scene);
+
   // Another seed, other noise.
   sampler->SetSeed(12);
   sampler->SetGenerateDepth(false);
   sampler->Update();
   CSLF_CHECK(GetBytes(sampler->GetOutput(), cslf::ColorName) != color);
   CSLF_CHECK(!sampler->GetOutput()->GetPointData()->GetArray(cslf::DepthName));
+}
+
+/// The scene's hash in a sampler's description.
+std::string IdentifyScene(vtkPolyData* polyData)
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputData(polyData);
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(1);
+  sampler->SetSamples(1);
+  sampler->Update();
+  const auto sampling = nlohmann::json::parse(GetDescription(sampler->GetOutput()).Sampling);
+  return sampling["scene"].get<std::string>();
+}
+
+/// The hash follows whatever is seen of the scene, and nothing else.
+void TestSceneHash()
+{
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  const auto copy = [&source]()
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->DeepCopy(source->GetOutput());
+    return data;
+  };
+  const auto sphere = copy();
+  std::set<std::string> hashes = { IdentifyScene(sphere) };
+  CSLF_CHECK(hashes.count(IdentifyScene(copy())) == 1);
+
+  const auto expectAnother = [&hashes](vtkPolyData* data)
+  { CSLF_CHECK(hashes.insert(IdentifyScene(data)).second); };
+  const auto moved = copy();
+  double point[3];
+  moved->GetPoint(3, point);
+  moved->GetPoints()->SetPoint(3, point[0], point[1], point[2] + 1e-3);
+  expectAnother(moved);
+  const auto flat = copy();
+  flat->GetPointData()->SetNormals(nullptr);
+  expectAnother(flat);
+  const auto rough = copy();
+  vtkCSLFMaterial::SetRoughness(rough, 0.25);
+  expectAnother(rough);
+  const auto lit = copy();
+  const double place[3] = { 0.0, 5.0, 0.0 };
+  const double power[3] = { 1.0, 1.0, 1.0 };
+  vtkCSLFLight::AddPointLight(lit, place, power);
+  expectAnother(lit);
+  const auto colored = copy();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(colored->GetNumberOfPoints());
+  colors->FillValue(100);
+  colored->GetPointData()->SetScalars(colors);
+  expectAnother(colored);
 }
 
 /// The first hit of a sphere, as a fraction of the way.
@@ -321,6 +386,7 @@ int TestCSLFSampler(int, char*[])
   TestShapeAndSlabs(2, 5, VTK_UNSIGNED_CHAR);
   TestShapeAndSlabs(3, 8, VTK_FLOAT);
   TestDepthAndCoverage();
+  TestSceneHash();
   TestWhiteFurnace();
   TestErrors();
   TestAbort();

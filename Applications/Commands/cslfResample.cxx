@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf resample: a coarser light field from a light field.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+
+#include "vtkCSLFResample.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::string Input;
+  std::string Output;
+  int ResolutionDivisor = 1;
+  int ViewpointStride = 1;
+  CodingOptions Coding;
+};
+
+Result Run(const Options& options)
+{
+  const FieldWriter writer(options.Output, options.Coding);
+  std::error_code failure;
+  if (std::filesystem::equivalent(options.Input, options.Output, failure))
+  {
+    throw Failure("The input and the output are the same.");
+  }
+  const FieldFile input = OpenField(options.Input);
+  vtkNew<vtkCSLFResample> resample;
+  resample->SetInputConnection(input.Reader->GetOutputPort());
+  resample->SetResolutionDivisor(options.ResolutionDivisor);
+  resample->SetViewpointStride(options.ViewpointStride);
+  writer.Write(resample->GetOutputPort(), "Resampling");
+  ThrowOnError();
+
+  const FieldFile output = OpenField(options.Output);
+  Result result;
+  result.JSON = Summarize(output.Field);
+  result.JSON["output"] = options.Output;
+  result.JSON["bytes"] = CountBytes(options.Output);
+  std::ostringstream text;
+  text << options.Output << ": " << output.Field.Grid.GetSlices() << " viewpoints of "
+       << output.Field.Grid.GetResolution() << " x " << output.Field.Grid.GetResolution()
+       << " texels, " << CountBytes(options.Output) << " bytes\n";
+  result.Text = text.str();
+  return result;
+}
+}
+
+void AddResample(CLI::App& app, Command& chosen)
+{
+  CLI::App* command =
+    app.add_subcommand("resample", "Make a coarser light field: fewer texels, fewer viewpoints");
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->Input, std::string("the light field: ") + FieldFormats)
+    ->required();
+  command
+    ->add_option(
+      "-o,--output", options->Output, std::string("the coarser light field: ") + FieldFormats)
+    ->required();
+  command
+    ->add_option("--resolution-divisor", options->ResolutionDivisor,
+      "texels along each side that become one; divides N")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command
+    ->add_option("--viewpoint-stride", options->ViewpointStride,
+      "every which viewpoint along each side is kept; divides M - 1")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  options->Coding.AddTo(*command);
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

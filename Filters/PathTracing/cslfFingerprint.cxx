@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFingerprint.h"
+
+#include "cslfScene.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+
+#include <vtksys/MD5.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace cslf
+{
+namespace
+{
+/// MD5 takes its input in pieces of an int's length.
+constexpr std::size_t LargestPiece = std::size_t(1) << 30;
+
+constexpr int DigitCount = 32;
+}
+
+struct Fingerprint::State
+{
+  vtksysMD5* MD5 = vtksysMD5_New();
+  ~State() { vtksysMD5_Delete(this->MD5); }
+};
+
+Fingerprint::Fingerprint()
+  : Hash(std::make_unique<State>())
+{
+  vtksysMD5_Initialize(this->Hash->MD5);
+}
+
+Fingerprint::~Fingerprint() = default;
+
+void Fingerprint::AddBytes(const void* bytes, std::size_t count)
+{
+  const auto* begin = static_cast<const unsigned char*>(bytes);
+  for (std::size_t done = 0; done < count; done += LargestPiece)
+  {
+    vtksysMD5_Append(
+      this->Hash->MD5, begin + done, static_cast<int>(std::min(LargestPiece, count - done)));
+  }
+}
+
+void Fingerprint::Add(vtkDataObject* data)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = fields->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    this->Add(std::vector<char>(name.begin(), name.end()));
+    this->Add(std::vector<vtkIdType>{
+      array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples() });
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      const std::size_t bytes =
+        static_cast<std::size_t>(numbers->GetNumberOfValues()) * numbers->GetDataTypeSize();
+      this->AddBytes(numbers->GetVoidPointer(0), bytes);
+    }
+    else if (auto* texts = vtkStringArray::SafeDownCast(array))
+    {
+      for (vtkIdType j = 0; j < texts->GetNumberOfValues(); ++j)
+      {
+        const std::string text = texts->GetValue(j);
+        this->Add(std::vector<char>(text.begin(), text.end()));
+      }
+    }
+  }
+}
+
+void Fingerprint::Add(const Mesh& mesh)
+{
+  this->Add(mesh.Vertices);
+  this->Add(mesh.Triangles);
+  this->Add(mesh.Normals);
+  this->Add(mesh.Colors);
+  this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring) });
+}
+
+std::string Fingerprint::Finish()
+{
+  char digits[DigitCount];
+  vtksysMD5_FinalizeHex(this->Hash->MD5, digits);
+  return std::string(digits, DigitCount);
+}
+}

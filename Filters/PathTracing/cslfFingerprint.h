@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A hash that tells one scene from another.
+ */
+#ifndef cslfFingerprint_h
+#define cslfFingerprint_h
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+class vtkDataObject;
+
+namespace cslf
+{
+struct Mesh;
+
+/// Takes everything in order; equal contents give equal text in every process.
+class Fingerprint
+{
+public:
+  Fingerprint();
+  ~Fingerprint();
+  Fingerprint(const Fingerprint&) = delete;
+  Fingerprint& operator=(const Fingerprint&) = delete;
+
+  /// The arrays of an object's field data: its material and lights.
+  void Add(vtkDataObject* data);
+
+  /// Geometry and colours.
+  void Add(const Mesh& mesh);
+
+  /// Numbers, after how many there are.
+  template <typename Value>
+  void Add(const std::vector<Value>& values)
+  {
+    static_assert(std::is_trivially_copyable<Value>::value, "its bytes must be its content");
+    const std::size_t count = values.size();
+    this->AddBytes(&count, sizeof(count));
+    this->AddBytes(values.data(), count * sizeof(Value));
+  }
+
+  /// The hash, in hexadecimal digits. Nothing can be added afterwards.
+  std::string Finish();
+
+private:
+  void AddBytes(const void* bytes, std::size_t count);
+
+  struct State;
+  std::unique_ptr<State> Hash;
+};
+}
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/cslfSlicePuller.h"
+
+#include "Coding/cslfFieldWriter.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationExecutivePortKey.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+const unsigned char* GetColor(vtkImageData* image)
+{
+  return static_cast<unsigned char*>(image->GetPointData()->GetArray(ColorName)->GetVoidPointer(0));
+}
+
+const unsigned short* GetDepth(vtkImageData* image)
+{
+  return static_cast<unsigned short*>(
+    image->GetPointData()->GetArray(DepthName)->GetVoidPointer(0));
+}
+}
+
+SlicePuller::SlicePuller(vtkInformation* information, const Layout& grid)
+  : Information(information)
+  , Grid(grid)
+  , Texels(static_cast<std::size_t>(grid.GetStripWidth()) * grid.GetResolution())
+{
+}
+
+bool SlicePuller::Begin(std::string& error)
+{
+  const auto field = Description::ReadFrom(vtkImageData::GetData(this->Information), error);
+  if (!field)
+  {
+    return false;
+  }
+  error = FindFault(*field);
+  if (!error.empty())
+  {
+    return false;
+  }
+  this->Field = *field;
+  this->Text = field->ToText();
+  this->HasDepth = field->FindChannel(DepthName) != nullptr;
+  return true;
+}
+
+std::uint32_t SlicePuller::GetFirstChecksum() const
+{
+  vtkImageData* image = vtkImageData::GetData(this->Information);
+  uLong checksum =
+    ::crc32(0, GetColor(image), static_cast<uInt>(4 * this->Texels * sizeof(unsigned char)));
+  if (this->HasDepth)
+  {
+    checksum = ::crc32(checksum, reinterpret_cast<const Bytef*>(GetDepth(image)),
+      static_cast<uInt>(this->Texels * sizeof(unsigned short)));
+  }
+  return static_cast<std::uint32_t>(checksum);
+}
+
+bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
+{
+  this->Color.resize(4 * this->Texels * slices.size());
+  this->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
+  std::vector<std::pair<int, std::size_t>> sorted; // slice, place
+  for (std::size_t place = 0; place < slices.size(); ++place)
+  {
+    sorted.emplace_back(slices[place], place);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t begin = 0; begin < sorted.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < sorted.size() && sorted[end].first == sorted[end - 1].first + 1)
+    {
+      ++end;
+    }
+    vtkImageData* image = this->Update(sorted[begin].first, sorted[end - 1].first, error);
+    if (!image)
+    {
+      return false;
+    }
+    for (; begin < end; ++begin)
+    {
+      this->Copy(image, sorted[begin].first, sorted[begin].second);
+    }
+  }
+  return true;
+}
+
+vtkImageData* SlicePuller::Update(int first, int last, std::string& error)
+{
+  int extent[6];
+  this->Grid.GetWholeExtent(extent);
+  extent[4] = first;
+  extent[5] = last;
+  vtkInformation* information = this->Information;
+  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(
+    vtkExecutive::PRODUCER()->GetExecutive(information));
+  auto* image = executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(information))
+    ? vtkImageData::GetData(information)
+    : nullptr;
+  if (!image || image->GetExtent()[4] > first || image->GetExtent()[5] < last)
+  {
+    error = "the input did not give the viewpoints " + std::to_string(first) + " to " +
+      std::to_string(last);
+    return nullptr;
+  }
+  const auto field = Description::ReadFrom(image, error);
+  if (field && field->ToText() != this->Text)
+  {
+    error = "the input changed between two slabs";
+    return nullptr;
+  }
+  return field ? image : nullptr;
+}
+
+void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
+{
+  const std::size_t offset = this->Texels * (slice - image->GetExtent()[4]);
+  std::copy_n(GetColor(image) + 4 * offset, 4 * this->Texels,
+    this->Color.begin() + static_cast<std::ptrdiff_t>(4 * this->Texels * place));
+  if (this->HasDepth)
+  {
+    std::copy_n(GetDepth(image) + offset, this->Texels,
+      this->Depth.begin() + static_cast<std::ptrdiff_t>(this->Texels * place));
+  }
+}
+
+std::vector<ConstSlice> SlicePuller::GetSlices() const
+{
+  std::vector<ConstSlice> slices(this->Color.size() / (4 * this->Texels));
+  for (std::size_t place = 0; place < slices.size(); ++place)
+  {
+    slices[place].Color = this->Color.data() + 4 * this->Texels * place;
+    slices[place].Depth = this->HasDepth ? this->Depth.data() + this->Texels * place : nullptr;
+  }
+  return slices;
+}
+}

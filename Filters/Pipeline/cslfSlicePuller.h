@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Pulling a light field of byte colours and 16-bit depth through the pipeline in an order of one's
+ * own.
+ */
+#ifndef cslfSlicePuller_h
+#define cslfSlicePuller_h
+
+#include "Coding/cslfFrameConverter.h"
+#include "cslfDescription.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkInformation;
+
+namespace cslf
+{
+class SlicePuller
+{
+public:
+  /// Pulls from the connection of that pipeline information, whose whole extent is `grid`'s.
+  SlicePuller(vtkInformation* information, const Layout& grid);
+
+  /// Reads the description of what the input holds already. On failure returns false and says why,
+  /// in a sentence.
+  bool Begin(std::string& error);
+
+  const Description& GetField() const { return this->Field; }
+
+  /// The CRC-32 of the first viewpoint that the input holds already.
+  std::uint32_t GetFirstChecksum() const;
+
+  /// Pulls slices, in any order, in as few slabs as possible. On failure returns false and says
+  /// why, in one line.
+  bool Pull(const std::vector<int>& slices, std::string& error);
+
+  /// What was pulled last, in the order asked for.
+  std::vector<ConstSlice> GetSlices() const;
+
+private:
+  vtkImageData* Update(int first, int last, std::string& error);
+  void Copy(vtkImageData* image, int slice, std::size_t place);
+
+  vtkInformation* Information;
+  Layout Grid;
+  std::size_t Texels; ///< of one slice
+  Description Field;
+  std::string Text; ///< the description
+  bool HasDepth = false;
+  std::vector<unsigned char> Color; ///< of the slices pulled last
+  std::vector<unsigned short> Depth;
+};
+}
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFResample.h"
+
+#include "Pipeline/cslfSlabs.h"
+#include "Resampling/cslfNesting.h"
+#include "Resampling/cslfTexelReducer.h"
+#include "cslfVTKCompatibility.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationExecutivePortKey.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+vtkStandardNewMacro(vtkCSLFResample);
+
+namespace
+{
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// What the input's slices pulled at once may take, in bytes, at 20 bytes a texel: float colour and
+/// depth.
+constexpr double PullBytes = 64.0 * 1024 * 1024;
+constexpr double TexelBytesEstimate = 20.0;
+
+int GetSlicesAtOnce(const int extent[6])
+{
+  const double texels = (extent[1] + 1.0) * (extent[3] + 1.0);
+  return static_cast<int>(std::max(2.0, PullBytes / (TexelBytesEstimate * texels)));
+}
+
+/// A point-data array for each channel.
+void Allocate(const cslf::Description& field, vtkImageData* image)
+{
+  for (const cslf::Channel& channel : field.Channels)
+  {
+    auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
+    array->SetName(channel.Name.c_str());
+    array->SetNumberOfComponents(channel.Components);
+    array->SetNumberOfTuples(image->GetNumberOfPoints());
+    image->GetPointData()->AddArray(array);
+  }
+  image->GetPointData()->SetActiveScalars(cslf::ColorName);
+}
+}
+
+/// Fills the part of the output that is asked for.
+class vtkCSLFResample::Pass
+{
+public:
+  Pass(vtkCSLFResample* self, vtkInformation* inInfo, const cslf::Nesting& nesting,
+    vtkImageData* output)
+    : Self(self)
+    , InInfo(inInfo)
+    , Nesting(nesting)
+    , Output(output)
+  {
+    inInfo->Get(Pipeline::WHOLE_EXTENT(), this->Whole);
+  }
+
+  /// False on failure, which is reported. An abort leaves the output empty.
+  bool Run(const cslf::Slab& slices)
+  {
+    for (int first = slices.First; first <= slices.Last;)
+    {
+      const int last = this->Nesting.FindEnd(first, slices.Last, GetSlicesAtOnce(this->Whole));
+      vtkImageData* input = this->Pull(this->Nesting.ToInput(first), this->Nesting.ToInput(last));
+      if (!input || !this->Begin(input, slices))
+      {
+        return false;
+      }
+      const cslf::TexelReducer reducer(*this->Field, this->Self->ResolutionDivisor);
+      vtkSMPTools::For(first, last + 1, 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (int slice = static_cast<int>(begin); slice < end; ++slice)
+          {
+            reducer.Reduce(input, this->Nesting.ToInput(slice), this->Output, slice);
+          }
+        });
+      this->Self->UpdateProgress((last + 1.0 - slices.First) / slices.GetCount());
+      if (cslf::IsAborted(this->Self))
+      {
+        this->Output->Initialize();
+        return true;
+      }
+      first = last + 1;
+    }
+    return true;
+  }
+
+private:
+  bool Fail(const std::string& error)
+  {
+    vtkErrorWithObjectMacro(this->Self, << error);
+    this->Output->Initialize();
+    return false;
+  }
+
+  vtkImageData* Pull(int first, int last)
+  {
+    vtkImageData* image = vtkImageData::GetData(this->InInfo);
+    const auto holds = [&]()
+    { return image && image->GetExtent()[4] <= first && image->GetExtent()[5] >= last; };
+    if (!holds())
+    {
+      int extent[6];
+      std::copy_n(this->Whole, 6, extent);
+      extent[4] = first;
+      extent[5] = last;
+      this->InInfo->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+      auto* executive =
+        Pipeline::SafeDownCast(vtkExecutive::PRODUCER()->GetExecutive(this->InInfo));
+      const bool updated =
+        executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(this->InInfo)) != 0;
+      image = updated ? vtkImageData::GetData(this->InInfo) : nullptr;
+    }
+    if (!holds())
+    {
+      this->Fail("The input did not give the viewpoints " + std::to_string(first) + " to " +
+        std::to_string(last) + ".");
+      return nullptr;
+    }
+    return image;
+  }
+
+  /// Checks what was pulled. The first time, makes the output.
+  bool Begin(vtkImageData* input, const cslf::Slab& slices)
+  {
+    std::string error;
+    auto field = cslf::Description::ReadFrom(input, error);
+    if (!field)
+    {
+      return this->Fail(error);
+    }
+    if (this->Field)
+    {
+      return field->ToText() == this->Field->ToText() ||
+        this->Fail("The input's description changes between its parts.");
+    }
+    this->Field = field;
+    const cslf::Description coarse = this->Nesting.Apply(*field);
+    int extent[6];
+    this->Nesting.GetWholeExtent(extent);
+    extent[4] = slices.First;
+    extent[5] = slices.Last;
+    this->Output->SetExtent(extent);
+    this->Output->SetSpacing(1.0, 1.0, 1.0);
+    this->Output->SetOrigin(0.0, 0.0, 0.0);
+    Allocate(coarse, this->Output);
+    coarse.WriteTo(this->Output->GetFieldData());
+    return true;
+  }
+
+  vtkCSLFResample* Self;
+  vtkInformation* InInfo;
+  const cslf::Nesting& Nesting;
+  vtkImageData* Output;
+  int Whole[6];
+  std::optional<cslf::Description> Field; ///< the input's
+};
+
+int vtkCSLFResample::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto nesting = this->MakeNesting(inputVector);
+  if (!nesting)
+  {
+    return 0;
+  }
+  int extent[6];
+  nesting->GetWholeExtent(extent);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
+  outInfo->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+int vtkCSLFResample::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // VTK asks for data even of filters that could not tell what they make.
+  const auto nesting = this->MakeNesting(inputVector);
+  if (!nesting)
+  {
+    return 0;
+  }
+  // What is pulled first.
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  int extent[6];
+  inInfo->Get(Pipeline::WHOLE_EXTENT(), extent);
+  int asked[6];
+  outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), asked);
+  const int last = nesting->FindEnd(asked[4], asked[5], GetSlicesAtOnce(extent));
+  extent[4] = nesting->ToInput(asked[4]);
+  extent[5] = nesting->ToInput(last);
+  inInfo->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkCSLFResample::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto nesting = this->MakeNesting(inputVector);
+  if (!nesting)
+  {
+    return 0;
+  }
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  int asked[6];
+  outInfo->Get(Pipeline::UPDATE_EXTENT(), asked);
+  Pass pass(
+    this, inputVector[0]->GetInformationObject(0), *nesting, vtkImageData::GetData(outInfo));
+  return pass.Run({ asked[4], asked[5] }) ? 1 : 0;
+}
+
+std::optional<cslf::Nesting> vtkCSLFResample::MakeNesting(vtkInformationVector** inputVector)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  inputVector[0]->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT(), extent);
+  const cslf::Nesting nesting(extent, this->ResolutionDivisor, this->ViewpointStride);
+  const std::string fault = nesting.FindFault();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return std::nullopt;
+  }
+  return nesting;
+}
+
+void vtkCSLFResample::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ResolutionDivisor: " << this->ResolutionDivisor << "\n";
+  os << indent << "ViewpointStride: " << this->ViewpointStride << "\n";
+}

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The encoder goes on from what a killed run has left, and ends with the same bytes. The folder of
+// parts as it is in the middle of a run is what a kill at that moment leaves.
+#include "cslfCodecTesting.h"
+#include "cslfFieldSource.h"
+#include "cslfTesting.h"
+#include "vtkCSLFEncoder.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+using cslf::testing::ReadBytes;
+using Change = std::function<void(vtkCSLFEncoder*)>;
+
+/// How far the run is that is killed.
+constexpr double Killed = 0.5;
+
+struct Outcome
+{
+  bool Written = false;
+  int Slices = 0; ///< pulled
+  int Warnings = 0;
+  double FirstProgress = 0.0;
+};
+
+void Set(vtkCSLFEncoder* encoder, const std::string& fileName, const Change& change)
+{
+  encoder->SetPreset("ultrafast");
+  encoder->SetFileName(fileName.c_str());
+  change(encoder);
+}
+
+Outcome Write(
+  vtkImageData* field, const std::string& fileName, const Change& change = [](vtkCSLFEncoder*) {})
+{
+  const auto source = cslf::testing::MakeSource(field);
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputConnection(source->GetOutputPort());
+  Set(encoder, fileName, change);
+  Outcome outcome;
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&outcome);
+  watch->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* progress)
+    {
+      // The executive begins with 0.
+      double& first = static_cast<Outcome*>(data)->FirstProgress;
+      first = first > 0.0 ? first : *static_cast<double*>(progress);
+    });
+  encoder->AddObserver(vtkCommand::ProgressEvent, watch);
+  const cslf::testing::Observed observed(encoder);
+  outcome.Written = encoder->Write() == 1;
+  outcome.Slices = source->Slices;
+  outcome.Warnings = observed.GetWarnings();
+  CSLF_CHECK(observed.GetErrors() == 0);
+  CSLF_CHECK(!cslf::testing::Exists(fileName + ".partial"));
+  return outcome;
+}
+
+/// What a run that is killed half-way leaves, under another name.
+struct Remains
+{
+  std::string Folder;
+  std::string Kept;
+  bool Taken = false;
+};
+
+Remains Interrupt(vtkImageData* field, const std::string& fileName)
+{
+  Remains remains{ fileName + ".partial", fileName + ".kept" };
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(field);
+  Set(encoder, fileName, [](vtkCSLFEncoder*) {});
+  vtkNew<vtkCallbackCommand> copy;
+  copy->SetClientData(&remains);
+  copy->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* progress)
+    {
+      auto* all = static_cast<Remains*>(data);
+      if (!all->Taken && *static_cast<double*>(progress) > Killed)
+      {
+        fs::copy(all->Folder, all->Kept);
+        all->Taken = true;
+      }
+    });
+  encoder->AddObserver(vtkCommand::ProgressEvent, copy);
+  // Small steps, so that half-way there is something done and something to do.
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ 1 }, [&]() { CSLF_CHECK(encoder->Write() == 1 && remains.Taken); });
+  return remains;
+}
+
+void PutBack(const Remains& remains)
+{
+  fs::remove_all(remains.Folder);
+  fs::copy(remains.Kept, remains.Folder);
+}
+
+void TestRestart(vtkImageData* field, const Remains& remains, const std::string& fileName,
+  const std::vector<char>& expected)
+{
+  PutBack(remains);
+  cslf::testing::WriteBytes(remains.Folder + "/group-0-color.part.unfinished", { 'x' });
+  cslf::testing::WriteBytes(remains.Folder + "/whole.mp4", { 'x' });
+  const int slices = field->GetExtent()[5] + 1;
+  const Outcome outcome = Write(field, fileName);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 0);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+  // The first slice, and those of the groups that are missing.
+  CSLF_CHECK(outcome.Slices > 1 && outcome.Slices <= (1.0 - Killed) * slices + 1);
+  CSLF_CHECK(outcome.FirstProgress > 0.9 * Killed);
+
+  PutBack(remains);
+  const Outcome anew =
+    Write(field, fileName, [](vtkCSLFEncoder* encoder) { encoder->RestartOff(); });
+  CSLF_CHECK(anew.Written && anew.Warnings == 0 && anew.Slices >= slices);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+}
+
+void TestDamage(vtkImageData* field, const Remains& remains, const std::string& fileName,
+  const std::vector<char>& expected)
+{
+  PutBack(remains);
+  const int whole = Write(field, fileName).Slices;
+  for (const char* name : { "/group-0-color.part", "/group-1-depth.part" })
+  {
+    PutBack(remains);
+    std::vector<char> bytes = ReadBytes(remains.Folder + name);
+    CSLF_CHECK(bytes.size() > 100);
+    bytes[bytes.size() / 2] ^= 1;
+    cslf::testing::WriteBytes(remains.Folder + name, bytes);
+    const Outcome outcome = Write(field, fileName);
+    CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices > whole);
+    CSLF_CHECK(ReadBytes(fileName) == expected);
+  }
+  PutBack(remains);
+  cslf::testing::WriteBytes(remains.Folder + "/manifest.json", { '{' });
+  const Outcome outcome = Write(field, fileName);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 1);
+  CSLF_CHECK(outcome.Slices > field->GetExtent()[5]);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+}
+
+void TestChange(vtkImageData* field, const Remains& remains, const std::string& fileName)
+{
+  const int slices = field->GetExtent()[5] + 1;
+  const Change change = [](vtkCSLFEncoder* encoder) { encoder->SetDepthCRF(20.0); };
+  PutBack(remains);
+  Outcome outcome = Write(field, fileName, change);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices >= slices);
+  const std::vector<char> bytes = ReadBytes(fileName);
+  CSLF_CHECK(Write(field, fileName, change).Warnings == 0);
+  CSLF_CHECK(ReadBytes(fileName) == bytes);
+
+  // Another field of the same description.
+  vtkNew<vtkImageData> other;
+  other->DeepCopy(field);
+  auto* colors =
+    vtkUnsignedCharArray::SafeDownCast(other->GetPointData()->GetArray(cslf::ColorName));
+  colors->SetValue(0, colors->GetValue(0) ^ 1);
+  PutBack(remains);
+  outcome = Write(other, fileName);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices >= slices);
+}
+
+/// A second writer of the same file fails, and does not disturb the first.
+void TestLock(vtkImageData* field, const std::string& fileName, const std::vector<char>& expected)
+{
+  struct Second
+  {
+    vtkImageData* Field;
+    std::string FileName;
+    int Attempts = 0;
+  } second{ field, fileName };
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(field);
+  Set(encoder, fileName, [](vtkCSLFEncoder*) {});
+  vtkNew<vtkCallbackCommand> disturb;
+  disturb->SetClientData(&second);
+  disturb->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* progress)
+    {
+      // The executive begins with 0 and ends with 1.
+      const double share = *static_cast<double*>(progress);
+      if (share == 0.0 || share == 1.0)
+      {
+        return;
+      }
+      auto* all = static_cast<Second*>(data);
+      vtkNew<vtkCSLFEncoder> other;
+      other->SetInputData(all->Field);
+      Set(other, all->FileName, [](vtkCSLFEncoder*) {});
+      const cslf::testing::Observed observed(other);
+      CSLF_CHECK(other->Write() == 0);
+      CSLF_CHECK(observed.HasError("another process is writing it"));
+      ++all->Attempts;
+    });
+  encoder->AddObserver(vtkCommand::ProgressEvent, disturb);
+  CSLF_CHECK(encoder->Write() == 1);
+  CSLF_CHECK(second.Attempts > 2);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+  CSLF_CHECK(!cslf::testing::Exists(fileName + ".partial"));
+}
+}
+
+int TestCSLFEncoderRestart(int argc, char* argv[])
+{
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "EncoderRestart");
+  const auto field = cslf::testing::MakeByteField(5, 16);
+  const std::string fileName = folder + "/field.mp4";
+  const Remains remains = Interrupt(field, fileName);
+  const std::vector<char> expected = ReadBytes(fileName);
+  CSLF_CHECK(!expected.empty());
+  TestRestart(field, remains, fileName, expected);
+  TestDamage(field, remains, fileName, expected);
+  TestChange(field, remains, fileName);
+  TestLock(field, fileName, expected);
+  return cslf::testing::Result();
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A source that gives just the slices of a light field that it is asked for, and counts them.
+ */
+#ifndef cslfFieldSource_h
+#define cslfFieldSource_h
+
+#include <vtkImageAlgorithm.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+namespace cslf
+{
+namespace testing
+{
+class FieldSource : public vtkImageAlgorithm
+{
+public:
+  static FieldSource* New();
+  vtkTypeMacro(FieldSource, vtkImageAlgorithm);
+
+  vtkSmartPointer<vtkImageData> Field;
+  int LargestRequest = 0;
+  int Slices = 0;        ///< given so far
+  int FailingSlice = -1; ///< fails when asked for it
+
+protected:
+  FieldSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+};
+
+vtkSmartPointer<FieldSource> MakeSource(vtkImageData* field);
+}
+}
+
+#endif

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Runs that are killed are gone on with, and end with the bytes of an uninterrupted run.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --preset ultrafast)
+execute_process(
+  COMMAND "${UTILITIES}/measure-restart.sh" "${CSLF}" 4 "${DIRECTORY}/kills" sample ${scene}
+  RESULT_VARIABLE result
+  OUTPUT_VARIABLE output
+  ERROR_VARIABLE output)
+if (NOT result STREQUAL "0")
+  message(FATAL_ERROR "Killing and restarting ended with ${result}:\n${output}")
+endif ()
+message("${output}")
+
+# Starts a run and kills it as soon as some of its parts are whole, again where that was too late.
+function (cslf_kill file)
+  execute_process(
+    COMMAND bash -c "
+      for attempt in 1 2 3 4 5; do
+        rm -f ${file}
+        '${CSLF}' \"$@\" -o ${file} > log.txt 2>&1 &
+        while kill -0 $! && ! [ -e ${file}.partial/group-3-color.part ]; do sleep 0.01; done
+        kill -KILL $!
+        wait $!
+        if [ -e ${file}.partial/manifest.json ] && ! [ -e ${file} ]; then exit 0; fi
+      done
+      exit 1" bash ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    ERROR_QUIET)
+  if (NOT result STREQUAL "0")
+    message(FATAL_ERROR "cslf ${ARGN} was not killed in the middle of its work.")
+  endif ()
+endfunction ()
+
+# Runs the tool, which must succeed with one line on standard error that matches `pattern`, and give
+# the bytes of `expected`.
+function (cslf_expect_bytes pattern expected file)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN} -o ${file}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_QUIET
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES "${pattern}")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}, and said: ${error}")
+  endif ()
+  file(SHA256 "${DIRECTORY}/${expected}" wanted)
+  file(SHA256 "${DIRECTORY}/${file}" actual)
+  if (NOT actual STREQUAL wanted)
+    message(FATAL_ERROR "cslf ${ARGN}\ngave other bytes than ${expected}.")
+  endif ()
+  if (EXISTS "${DIRECTORY}/${file}.partial")
+    message(FATAL_ERROR "cslf ${ARGN}\nleft ${file}.partial.")
+  endif ()
+  file(REMOVE "${DIRECTORY}/${file}")
+endfunction ()
+
+# A part damaged by hand is redone.
+set(slow cornell-box -M 5 -N 32 --spp 8 --max-depth 3 --preset ultrafast)
+cslf_run(sample ${slow} -o slow.mp4)
+cslf_kill(killed.mp4 sample ${slow})
+file(APPEND "${DIRECTORY}/killed.mp4.partial/group-1-color.part" "x")
+file(WRITE "${DIRECTORY}/killed.mp4.partial/group-2-color.part" "")
+cslf_expect_bytes("^cslf: warning: [^\n]*2 group[^\n]*redone[^\n]*\n$" slow.mp4 killed.mp4
+  sample ${slow})
+
+# Other parameters, another scene, or no wish to go on: from the beginning.
+cslf_run(sample ${slow} --seed 1 -o seed.mp4)
+cslf_kill(killed.mp4 sample ${slow})
+cslf_expect_bytes("^cslf: warning: [^\n]*discarded[^\n]*\n$" seed.mp4 killed.mp4
+  sample ${slow} --seed 1)
+file(WRITE "${DIRECTORY}/scene.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\nf 1 3 4\n")
+set(triangles scene.obj -M 5 -N 32 --spp 32 --preset ultrafast)
+cslf_kill(killed.mp4 sample ${triangles})
+file(WRITE "${DIRECTORY}/scene.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\nf 2 3 4\n")
+cslf_run(sample ${triangles} -o other.mp4)
+cslf_expect_bytes("^cslf: warning: [^\n]*discarded[^\n]*\n$" other.mp4 killed.mp4
+  sample ${triangles})
+cslf_kill(killed.mp4 sample ${slow})
+cslf_expect_bytes("^$" seed.mp4 killed.mp4 sample ${slow} --seed 1 --no-restart)

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Kills runs of the cslf tool at random moments, starts each again, and compares what comes out with
+# an uninterrupted run.
+#
+# usage: measure-restart.sh CSLF KILLS FOLDER ARGUMENT...
+#   CSLF         the tool
+#   KILLS        how many runs are killed, each once
+#   FOLDER       to work in
+#   ARGUMENT...  the command whose output is written, without -o, for instance
+#                sample cornell-box -M 9 -N 64 --spp 64
+# CSLF_SEED seeds the random moments (default 1), CSLF_EXTENSION names the container (default mp4).
+set -euo pipefail
+
+cslf="$1"
+kills="$2"
+folder="$3"
+shift 3
+extension="${CSLF_EXTENSION:-mp4}"
+RANDOM="${CSLF_SEED:-1}"
+
+mkdir -p "$folder"
+reference="$folder/reference.$extension"
+file="$folder/killed.$extension"
+rm -rf "$reference" "$file" "$reference.partial" "$file.partial"
+
+milliseconds()
+{
+  date +%s%3N
+}
+
+begin="$(milliseconds)"
+"$cslf" "$@" -o "$reference" > "$folder/log.txt"
+length="$(($(milliseconds) - begin))"
+echo "uninterrupted: $length ms"
+
+interrupted=0
+for ((kill = 1; kill <= kills; ++kill)); do
+  rm -f "$file"
+  moment="$((length * RANDOM / 32768))"
+  "$cslf" "$@" -o "$file" > "$folder/log.txt" &
+  process="$!"
+  sleep "$((moment / 1000)).$(printf '%03d' "$((moment % 1000))")"
+  builtin kill -KILL "$process" 2> /dev/null || true
+  wait "$process" 2> /dev/null || true
+  # Killed so late that it was done already, it tells nothing about restarts but harms nothing.
+  if [ ! -e "$file" ]; then
+    interrupted="$((interrupted + 1))"
+  fi
+  parts="$(find "$file.partial" -name '*.part' 2> /dev/null | wc -l)"
+  begin="$(milliseconds)"
+  "$cslf" "$@" -o "$file" > "$folder/log.txt" 2> "$folder/errors.txt"
+  echo "kill $kill: after $moment ms, $parts parts left, restart took $(($(milliseconds) - begin)) ms"
+  if [ -s "$folder/errors.txt" ]; then
+    cat "$folder/errors.txt" >&2
+    exit 1
+  fi
+  if ! cmp "$file" "$reference"; then
+    echo "The bytes differ after kill $kill." >&2
+    exit 1
+  fi
+  if [ -e "$file.partial" ]; then
+    echo "Kill $kill left $file.partial." >&2
+    exit 1
+  fi
+done
+echo "$kills kills, $interrupted of unfinished runs: all files equal"
