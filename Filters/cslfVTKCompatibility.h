@@ -21,6 +21,16 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 #endif
 }
+
+/// Asks a filter that is at work to stop.
+inline void Abort(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  algorithm->SetAbortExecuteAndUpdateTime();
+#else
+  algorithm->SetAbortExecute(1);
+#endif
+}
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfParallel.h"
 #include "cslfSceneFiles.h"
 
 #include "vtkCSLFSampler.h"
@@ -88,6 +89,10 @@ Result Run(const Options& options)
   writer.Write(sampler->GetOutputPort(), "Sampling");
   ThrowOnError();
 
+  if (!IsFirstRank())
+  {
+    return {};
+  }
   const FieldFile file = OpenField(options.Output);
   const double seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -152,7 +157,12 @@ void AddSample(CLI::App& app, Command& chosen)
   options->Scene.AddTo(*command);
   AddField(*command, *options);
   options->Coding.AddTo(*command);
-  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+  command->callback(
+    [options, &chosen]
+    {
+      SetShared(IsVideo(options->Output));
+      chosen = [options] { return Run(*options); };
+    });
 }
 }
 }
