@@ -4,6 +4,9 @@
 // The cslf command-line tool.
 #include "cslfCommands.h"
 #include "cslfMessages.h"
+#include "cslfParallel.h"
+
+#include <vtkSMPTools.h>
 
 #include <CLI/CLI.hpp>
 
@@ -20,16 +23,11 @@ using namespace cslf::tool;
 int Run(const Command& command, bool isJSON)
 {
   std::string error;
+  Result result;
   try
   {
-    const Result result = command();
+    result = command();
     error = GetFirstError();
-    if (error.empty())
-    {
-      PrintWarnings();
-      std::cout << (isJSON ? result.JSON.dump(2) + "\n" : result.Text) << std::flush;
-      return EXIT_SUCCESS;
-    }
   }
   catch (const std::bad_alloc&)
   {
@@ -42,13 +40,27 @@ int Run(const Command& command, bool isJSON)
     const std::string text = exception.what();
     error = text.find(error) != std::string::npos ? text : error;
   }
-  PrintError(error);
-  return EXIT_FAILURE;
+  const Ending ending = Conclude(error);
+  if (ending.HasFailed)
+  {
+    if (!ending.Error.empty())
+    {
+      PrintError(ending.Error);
+    }
+    return EXIT_FAILURE;
+  }
+  if (IsFirstRank())
+  {
+    PrintWarnings();
+    std::cout << (isJSON ? result.JSON.dump(2) + "\n" : result.Text) << std::flush;
+  }
+  return EXIT_SUCCESS;
 }
 }
 
 int main(int argc, char* argv[])
 {
+  const ParallelRun parallel(&argc, &argv);
   CLI::App app(
     "Cube surface light fields: sample a scene, code it as video, look at it from anywhere.",
     "cslf");
@@ -61,9 +73,12 @@ int main(int argc, char* argv[])
     add(app, chosen);
   }
   bool isJSON = false;
+  int threads = 0;
   for (CLI::App* command : app.get_subcommands({}))
   {
     command->add_flag("--json", isJSON, "print one JSON object instead of text");
+    command->add_option("--threads", threads, "threads to work with (default: as many as cores)")
+      ->check(CLI::PositiveNumber);
   }
   try
   {
@@ -71,6 +86,11 @@ int main(int argc, char* argv[])
   }
   catch (const CLI::ParseError& error)
   {
+    if (!IsFirstRank())
+    {
+      return error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success) ? EXIT_SUCCESS
+                                                                                : EXIT_FAILURE;
+    }
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
     {
       return app.exit(error);
@@ -79,6 +99,14 @@ int main(int argc, char* argv[])
     PrintError(isUnknown ? std::string("There is no command ") + argv[1] + ": see cslf --help."
                          : error.what());
     return EXIT_FAILURE;
+  }
+  if (!TakesPart())
+  {
+    return EXIT_SUCCESS;
+  }
+  if (threads > 0)
+  {
+    vtkSMPTools::Initialize(threads);
   }
   CatchMessages();
   return Run(chosen, isJSON);

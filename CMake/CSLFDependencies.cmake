@@ -8,6 +8,7 @@ set(cslf_vtk_components
   ImagingColor ImagingCore ImagingGeneral ImagingStatistics ImagingStencil
   InteractionStyle InteractionWidgets
   IOGeometry IOImage IOPLY IOXML
+  ParallelCore
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI opengl vtksys)
 if (CSLF_BUILD_TESTING)
   list(APPEND cslf_vtk_components TestingCore TestingRendering)
@@ -18,8 +19,8 @@ if (CSLF_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${cslf_vtk_components}
-  # VTK's OpenGL loader: glew up to 9.3, glad since.
-  OPTIONAL_COMPONENTS glew glad)
+  # VTK's OpenGL loader: glew up to 9.3, glad since. MPI, for several processes at once.
+  OPTIONAL_COMPONENTS glew glad ParallelMPI)
 
 find_package(embree 3 QUIET)
 if (NOT embree_FOUND)

@@ -3,7 +3,10 @@
 
 # CSLFConfig.cmake for the build and the install tree.
 include(CMakePackageConfigHelpers)
-set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore RenderingCore RenderingOpenGL2")
+set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore ParallelCore RenderingCore RenderingOpenGL2")
+if (TARGET VTK::ParallelMPI)
+  string(APPEND cslf_package_vtk_components " ParallelMPI")
+endif ()
 set(cslf_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/CSLF")
 set(cslf_cmake_build_directory "${CMAKE_BINARY_DIR}/${cslf_cmake_destination}")
 configure_package_config_file(

@@ -110,6 +110,7 @@ list(APPEND sources
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
+  ../Filters/Coding/cslfEncodeSession.cxx
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
@@ -126,6 +127,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
+  ../Filters/Coding/cslfEncodeSession.h
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
@@ -148,11 +150,19 @@ list(APPEND private_headers
 list(APPEND private_headers
   ../Filters/Quality/cslfPSNR.h)
 
+# Several processes at work together.
+list(APPEND sources
+  ../Filters/Parallel/cslfRanks.cxx)
+list(APPEND private_headers
+  ../Filters/Parallel/cslfRanks.h)
+
 # Pulling fields slab by slab.
 list(APPEND sources
+  ../Filters/Pipeline/cslfPipelineWatch.cxx
   ../Filters/Pipeline/cslfSlabs.cxx
   ../Filters/Pipeline/cslfSlicePuller.cxx)
 list(APPEND private_headers
+  ../Filters/Pipeline/cslfPipelineWatch.h
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
 

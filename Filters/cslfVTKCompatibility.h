@@ -39,6 +39,16 @@ inline vtkCompositeDataDisplayAttributes* GetDisplayAttributes(vtkMapper* mapper
 #endif
   return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
 }
+
+/// Asks a filter that is at work to stop.
+inline void Abort(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  algorithm->SetAbortExecuteAndUpdateTime();
+#else
+  algorithm->SetAbortExecute(1);
+#endif
+}
 }
 
 #endif

@@ -32,6 +32,13 @@
  * changes any viewpoint; vtkCSLFSampler does, since it describes the scene by a hash. Two processes
  * cannot write one file at once: the second one fails.
  *
+ * With a controller of several ranks, which must be a vtkMPIController, all of them call Write
+ * with the same settings and an input of their own that gives the same field. They share the work:
+ * each asks for groups as it becomes free, pulls just their viewpoints from its own input, and
+ * sends what it has coded to rank 0, which writes the file. The bytes are the same for any number
+ * of ranks, and no other rank touches a file. Rank 0 reports the progress, and can abort. Where one
+ * rank fails, all fail; the lowest of them reports its error, and Write returns 0 on all.
+ *
  * @sa
  * vtkCSLFDecoder vtkCSLFSampler
  */
@@ -41,9 +48,15 @@
 #include "vtkAlgorithm.h"
 #include "vtkCSLFModule.h" // For export macro
 
-#include <string> // For std::string
-
 class vtkImageData;
+class vtkMultiProcessController;
+
+namespace cslf
+{
+class EncodeSession;
+struct EncodeFault;
+struct EncodeJob;
+}
 
 class VTKCSLF_EXPORT vtkCSLFEncoder : public vtkAlgorithm
 {
@@ -141,6 +154,15 @@ public:
 
   ///@{
   /**
+   * Set/get what connects the processes that write the file together; see above. Null for writing
+   * alone. Default: the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  ///@{
+  /**
    * Set/get the light field without a pipeline.
    */
   void SetInputData(vtkImageData* input);
@@ -148,7 +170,8 @@ public:
   ///@}
 
   /**
-   * Writes the file. Returns 1 on success; otherwise 0, and the error code tells the kind of error.
+   * Writes the file, on all ranks of the controller together. Returns 1 on success; otherwise 0,
+   * and the error code tells the kind of error.
    */
   int Write();
 
@@ -165,10 +188,11 @@ private:
   vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
   void operator=(const vtkCSLFEncoder&) = delete;
 
-  class Session;
+  cslf::EncodeJob MakeJob();
+  bool Report(const cslf::EncodeFault& fault);
 
-  bool Fail(unsigned long code, const std::string& text);
-
+  cslf::EncodeSession* Session = nullptr; // while Write is at work
+  vtkMultiProcessController* Controller = nullptr;
   char* FileName = nullptr;
   double CRF = 22.0;
   double CoverageCRF = 16.0;

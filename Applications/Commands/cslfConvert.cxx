@@ -5,6 +5,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfParallel.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
@@ -57,6 +58,10 @@ Result Run(const Options& options, bool toVideo)
   writer.Write(file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding");
   ThrowOnError();
 
+  if (!IsFirstRank())
+  {
+    return {};
+  }
   const double bytes = static_cast<double>(CountBytes(options.Output));
   const double rawBytes = CountRawBytes(file.Field);
   Result result;
@@ -87,7 +92,11 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
     options->Coding.AddTo(*command);
   }
   command->callback(
-    [=, &chosen] { chosen = [options, toVideo] { return Run(*options, toVideo); }; });
+    [=, &chosen]
+    {
+      SetShared(IsVideo(options->Output));
+      chosen = [options, toVideo] { return Run(*options, toVideo); };
+    });
 }
 }
 

@@ -5,6 +5,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfParallel.h"
 
 #include "vtkCSLFResample.h"
 
@@ -48,6 +49,10 @@ Result Run(const Options& options)
   writer.Write(resample->GetOutputPort(), "Resampling");
   ThrowOnError();
 
+  if (!IsFirstRank())
+  {
+    return {};
+  }
   const FieldFile output = OpenField(options.Output);
   Result result;
   result.JSON = Summarize(output.Field);
@@ -84,7 +89,12 @@ void AddResample(CLI::App& app, Command& chosen)
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   options->Coding.AddTo(*command);
-  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+  command->callback(
+    [options, &chosen]
+    {
+      SetShared(IsVideo(options->Output));
+      chosen = [options] { return Run(*options); };
+    });
 }
 }
 }

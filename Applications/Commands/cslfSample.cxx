@@ -6,6 +6,7 @@
 #include "cslfFieldFiles.h"
 #include "cslfIntegratorOptions.h"
 #include "cslfMessages.h"
+#include "cslfParallel.h"
 #include "cslfSceneFiles.h"
 
 #include "vtkCSLFSampler.h"
@@ -86,6 +87,10 @@ Result Run(const Options& options)
   writer.Write(sampler->GetOutputPort(), "Sampling");
   ThrowOnError();
 
+  if (!IsFirstRank())
+  {
+    return {};
+  }
   const FieldFile file = OpenField(options.Output);
   const double seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -144,7 +149,12 @@ void AddSample(CLI::App& app, Command& chosen)
   AddField(*command, *options);
   options->Integrator.AddTo(*command);
   options->Coding.AddTo(*command);
-  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+  command->callback(
+    [options, &chosen]
+    {
+      SetShared(IsVideo(options->Output));
+      chosen = [options] { return Run(*options); };
+    });
 }
 }
 }

@@ -3,6 +3,7 @@
 #include "cslfFieldFiles.h"
 
 #include "cslfMessages.h"
+#include "cslfParallel.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"
@@ -101,6 +102,11 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
   }
   return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
 }
+}
+
+bool IsVideo(const std::string& fileName)
+{
+  return FindFormat(fileName) == FieldFormat::Video;
 }
 
 FieldFile OpenField(const std::string& fileName)
@@ -233,7 +239,7 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
     throw Failure("Cannot write " + fileName + ": the formats are " + FieldFormats + ".");
   }
   this->Format = *format;
-  if (this->Format != FieldFormat::Folder)
+  if (this->Format != FieldFormat::Folder && IsFirstRank())
   {
     RequireWritable(fileName);
   }
@@ -264,9 +270,15 @@ void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& 
   encoder->SetLossless(this->Coding.Lossless);
   encoder->SetRestart(this->Coding.Restart);
   const ProgressBar bar(encoder, label);
-  if (!encoder->Write())
+  bool isWritten = false;
   {
-    throw Failure("Cannot write " + this->FileName + ".");
+    const SharedWork shared;
+    isWritten = encoder->Write() != 0;
+  }
+  if (!isWritten)
+  {
+    // Where processes share the work, those that failed have said why.
+    throw Failure(IsShared() ? GetFirstError() : "Cannot write " + this->FileName + ".");
   }
 }
 

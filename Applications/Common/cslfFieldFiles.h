@@ -47,6 +47,9 @@ struct FieldFile
   Description Field;
 };
 
+/// Whether a field of that file name is a video.
+bool IsVideo(const std::string& fileName);
+
 /// Opens a field. Throws a Failure where it is missing or is no light field.
 FieldFile OpenField(const std::string& fileName);
 
@@ -80,7 +83,8 @@ public:
   /// where the place cannot be written.
   FieldWriter(const std::string& fileName, const CodingOptions& coding);
 
-  /// Pulls the field from the connection and writes it. Throws a Failure.
+  /// Pulls the field from the connection and writes it. Throws a Failure. Under mpirun, all
+  /// processes write a video together.
   void Write(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   FieldFormat GetFormat() const { return this->Format; }

@@ -33,7 +33,7 @@ std::string Join(const std::vector<std::string>& names)
 }
 }
 
-std::string FindFault(const std::string& fileName, const EncodeSettings& settings, int resolution)
+std::string FindFault(const std::string& fileName)
 {
   const fs::path path(fileName);
   if (!FindContainer(fileName))
@@ -50,6 +50,11 @@ std::string FindFault(const std::string& fileName, const EncodeSettings& setting
   {
     return "The folder of " + fileName + " does not exist.";
   }
+  return {};
+}
+
+std::string FindFault(const EncodeSettings& settings, int resolution)
+{
   const auto& presets = GetPresets();
   if (std::find(presets.begin(), presets.end(), settings.Preset) == presets.end())
   {
@@ -145,7 +150,7 @@ void FieldWriter::MakeEncodings(bool hasDepth)
   }
 }
 
-void FieldWriter::Begin(const Description& field)
+void FieldWriter::Begin(const Description& field, std::uint32_t sample)
 {
   this->Header.Field = field;
   this->Header.Field.Channels.clear();
@@ -157,6 +162,7 @@ void FieldWriter::Begin(const Description& field)
     }
   }
   this->MakeEncodings(field.FindChannel(DepthName) != nullptr);
+  this->Manifest = this->MakeManifest(sample);
 }
 
 std::string FieldWriter::MakeManifest(std::uint32_t sample) const
@@ -171,11 +177,10 @@ std::string FieldWriter::MakeManifest(std::uint32_t sample) const
   return manifest.dump();
 }
 
-bool FieldWriter::OpenParts(
-  bool restart, std::uint32_t sample, std::string& warning, std::string& error)
+bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
 {
   bool discarded = false;
-  if (!this->Parts.Open(this->MakeManifest(sample), restart, discarded, error))
+  if (!this->Parts.Open(this->Manifest, restart, discarded, error))
   {
     return false;
   }

@@ -30,9 +30,12 @@ struct EncodeSettings
   bool Lossless = false;
 };
 
-/// What keeps a file of that name from being written with these settings for frames of that
-/// resolution, in one line; empty where nothing does. Touches no file.
-std::string FindFault(const std::string& fileName, const EncodeSettings& settings, int resolution);
+/// What keeps a file of that name from being written, in one line; empty where nothing does.
+/// Touches no file.
+std::string FindFault(const std::string& fileName);
+
+/// What keeps frames of that resolution from being coded with these settings, likewise.
+std::string FindFault(const EncodeSettings& settings, int resolution);
 
 /// What keeps a field from being coded, in one line; empty where nothing does.
 std::string FindFault(const Description& field);
@@ -54,12 +57,17 @@ public:
   /// The slices of some groups in coding order.
   std::vector<int> GetSlices(const std::vector<int>& groups) const;
 
-  /// Fixes the tracks. `field` has passed FindFault.
-  void Begin(const Description& field);
+  /// Fixes the tracks. `field` has passed FindFault; `sample` stands for the field's samples.
+  void Begin(const Description& field, std::uint32_t sample);
 
-  /// Makes the folder of parts, and finds what a killed run left there of the same field, if
-  /// `restart` is set; `sample` stands for the field's samples. A warning tells what is discarded.
-  bool OpenParts(bool restart, std::uint32_t sample, std::string& warning, std::string& error);
+  std::size_t GetTrackCount() const { return this->Encodings.size(); }
+
+  /// A text that tells all that the parts depend on.
+  const std::string& GetManifest() const { return this->Manifest; }
+
+  /// Makes the folder of parts, and finds what a killed run left there under the same manifest, if
+  /// `restart` is set. A warning tells what is discarded.
+  bool OpenParts(bool restart, std::string& warning, std::string& error);
 
   /// The groups that are not stored yet, in coding order.
   const std::vector<int>& GetMissingGroups() const { return this->Missing; }
@@ -94,6 +102,7 @@ private:
   EncodeSettings Settings;
   FileHeader Header;
   std::vector<Encoding> Encodings; ///< one for each of the header's tracks
+  std::string Manifest;
   std::vector<int> Missing;
 };
 }

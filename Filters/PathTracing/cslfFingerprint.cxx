@@ -80,7 +80,9 @@ void Fingerprint::Add(const Mesh& mesh)
   this->Add(mesh.Vertices);
   this->Add(mesh.Triangles);
   this->Add(mesh.Normals);
+  this->Add(mesh.TexCoords);
   this->Add(mesh.Colors);
+  this->Add(mesh.Opacities);
   this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring) });
 }
 
