@@ -3,7 +3,7 @@
 
 # CSLFConfig.cmake for the build and the install tree.
 include(CMakePackageConfigHelpers)
-set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore ParallelCore RenderingCore RenderingOpenGL2")
+set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore IOGeometry ParallelCore RenderingCore RenderingOpenGL2")
 if (TARGET VTK::ParallelMPI)
   string(APPEND cslf_package_vtk_components " ParallelMPI")
 endif ()

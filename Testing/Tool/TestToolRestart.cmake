@@ -4,7 +4,7 @@
 # Runs that are killed are gone on with, and end with the bytes of an uninterrupted run.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --preset ultrafast)
+set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --integrator path --preset ultrafast)
 execute_process(
   COMMAND "${UTILITIES}/measure-restart.sh" "${CSLF}" 4 "${DIRECTORY}/kills" sample ${scene}
   RESULT_VARIABLE result

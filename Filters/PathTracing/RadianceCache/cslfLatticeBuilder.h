@@ -97,10 +97,6 @@ private:
   std::vector<std::uint8_t> Depths; // of each triangle: the binary logarithm of its finest splits
   std::size_t Estimates = 0;
 
-public:
-  long Hist[10] = {};
-
-private:
   // The batch of triangles at work.
   std::vector<Patch> Patches;
   std::vector<Point> Points;

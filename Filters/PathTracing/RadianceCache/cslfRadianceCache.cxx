@@ -188,9 +188,6 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && this->Paths.GetLight().CanSample();
   const bool done = !isLit || builder.Build(goOn);
   this->Values = std::move(builder.GetLattice());
-  if (getenv("CSLF_DEBUG"))
-    fprintf(stderr, "estimates %zu rays %zu values %zu\n", builder.GetNumberOfEstimates(),
-      (size_t)estimator.GetNumberOfRays(), this->Values.GetNumberOfValues());
   this->Estimates += builder.GetNumberOfEstimates();
   this->Rays += estimator.GetNumberOfRays();
   return done;
@@ -207,9 +204,6 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const bool done = !isLit || builder.Build(goOn);
   values = std::move(builder.GetLattice());
-  if (getenv("CSLF_DEBUG"))
-    fprintf(stderr, "estimates %zu rays %zu values %zu\n", builder.GetNumberOfEstimates(),
-      (size_t)estimator.GetNumberOfRays(), this->Values.GetNumberOfValues());
   this->Estimates += builder.GetNumberOfEstimates();
   this->Rays += estimator.GetNumberOfRays();
   return done;
