@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Several ranks write one file: the bytes of one rank, each viewpoint sampled once, no file touched
+// but by rank 0, and where one rank fails all fail, with one message.
+#include "cslfCodecTesting.h"
+#include "cslfFieldSource.h"
+#include "cslfTesting.h"
+#include "vtkCSLFEncoder.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkCommunicator.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkMPIController.h>
+#include <vtkNew.h>
+
+#include <filesystem>
+#include <functional>
+
+namespace
+{
+using cslf::testing::FieldSource;
+using cslf::testing::ReadBytes;
+
+/// What all the tests use.
+struct Setting
+{
+  vtkMultiProcessController* Controller;
+  vtkSmartPointer<vtkImageData> Field;
+  std::string Folder;
+
+  int GetRank() const { return this->Controller->GetLocalProcessId(); }
+
+  /// Only rank 0's is ever touched.
+  std::string GetFileName() const
+  {
+    return (this->GetRank() == 0 ? this->Folder : "/no/such/folder") + "/field.mp4";
+  }
+
+  int Sum(int mine) const
+  {
+    int all = 0;
+    this->Controller->AllReduce(&mine, &all, 1, vtkCommunicator::SUM_OP);
+    return all;
+  }
+};
+
+void Set(const Setting& setting, vtkCSLFEncoder* encoder)
+{
+  encoder->SetController(setting.Controller);
+  encoder->SetPreset("ultrafast");
+  encoder->SetFileName(setting.GetFileName().c_str());
+}
+
+void TestBytes(const Setting& setting)
+{
+  const auto source = cslf::testing::MakeSource(setting.Field);
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputConnection(source->GetOutputPort());
+  Set(setting, encoder);
+  CSLF_CHECK(encoder->Write() == 1);
+  CSLF_CHECK(encoder->GetErrorCode() == vtkErrorCode::NoError);
+  // Every rank pulls the first viewpoint to know the field; all are pulled once.
+  const int slices = setting.Field->GetExtent()[5] + 1;
+  const int all = setting.Sum(source->Slices);
+  CSLF_CHECK(all >= slices && all <= slices + setting.Controller->GetNumberOfProcesses());
+  CSLF_CHECK(source->Slices < slices);
+  if (setting.GetRank() == 0)
+  {
+    const std::vector<char> bytes = ReadBytes(setting.GetFileName());
+    CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+    encoder->SetController(nullptr);
+    CSLF_CHECK(encoder->Write() == 1);
+    CSLF_CHECK(!bytes.empty() && ReadBytes(setting.GetFileName()) == bytes);
+    std::filesystem::remove(setting.GetFileName());
+  }
+}
+
+/// One rank is disturbed; all must fail, and only the rank `telling` may say why.
+void TestFailure(const Setting& setting, int disturbed, int telling, const std::string& message,
+  const std::function<void(FieldSource*, vtkCSLFEncoder*)>& disturb)
+{
+  const auto source = cslf::testing::MakeSource(setting.Field);
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputConnection(source->GetOutputPort());
+  Set(setting, encoder);
+  if (setting.GetRank() == disturbed)
+  {
+    disturb(source, encoder);
+  }
+  const cslf::testing::Observed observed(encoder);
+  const cslf::testing::Observed sourceObserved(source);
+  CSLF_CHECK(encoder->Write() == 0);
+  CSLF_CHECK(encoder->GetErrorCode() != vtkErrorCode::NoError);
+  CSLF_CHECK(setting.Sum(observed.GetErrors()) == 1);
+  if (setting.GetRank() == telling)
+  {
+    CSLF_CHECK(observed.HasError(message));
+  }
+  CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName()));
+  CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+}
+
+void TestFailures(const Setting& setting)
+{
+  const int last = setting.Controller->GetNumberOfProcesses() - 1;
+  for (int rank = 0; rank <= last; ++rank)
+  {
+    TestFailure(setting, rank, rank, "The input failed",
+      [](FieldSource* source, vtkCSLFEncoder*) { source->FailingSlice = 0; });
+    TestFailure(setting, rank, rank, "There is no input",
+      [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->RemoveAllInputs(); });
+    TestFailure(setting, rank, rank, "is none of ultrafast",
+      [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetPreset("quick"); });
+    TestFailure(setting, rank, 0, "different fields, settings or versions",
+      [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetCRF(30.0); });
+  }
+  // In the middle of the work, whoever it meets: of all ranks' sources the same slice fails.
+  for (int slice : { 60, 149 })
+  {
+    const auto source = cslf::testing::MakeSource(setting.Field);
+    source->FailingSlice = slice;
+    vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetInputConnection(source->GetOutputPort());
+    Set(setting, encoder);
+    const cslf::testing::Observed observed(encoder);
+    const cslf::testing::Observed sourceObserved(source);
+    CSLF_CHECK(encoder->Write() == 0);
+    CSLF_CHECK(setting.Sum(observed.GetErrors()) == 1);
+    CSLF_CHECK(setting.Sum(sourceObserved.GetErrors()) == 1);
+    CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+  }
+}
+
+void TestAbort(const Setting& setting)
+{
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      algorithm->SetAbortExecute(algorithm->GetProgress() > 0.1 ? 1 : 0);
+    });
+  TestFailure(setting, 0, 0, "stopped",
+    [&abort](FieldSource*, vtkCSLFEncoder* encoder)
+    { encoder->AddObserver(vtkCommand::ProgressEvent, abort); });
+}
+}
+
+int TestCSLFEncoderParallel(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv, 0);
+  Setting setting{ controller, cslf::testing::MakeByteField(5, 16) };
+  if (setting.GetRank() == 0)
+  {
+    setting.Folder = cslf::testing::MakeFolder(argc, argv, "EncoderParallel");
+  }
+  CSLF_CHECK(controller->GetNumberOfProcesses() > 1);
+  TestBytes(setting);
+  TestFailures(setting);
+  TestAbort(setting);
+  TestBytes(setting);
+  const bool good = setting.Sum(cslf::testing::Failures()) == 0;
+  controller->Finalize();
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}

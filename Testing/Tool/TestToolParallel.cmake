@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The tool under mpiexec: one file of the same bytes for any number of processes, also after a kill;
+# one message and exit code 1 where a process fails.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --preset ultrafast --threads 1)
+cslf_run(sample ${scene} -o one.mp4)
+file(SHA256 "${DIRECTORY}/one.mp4" expected)
+
+# Runs `command...` in so many processes. Leaves `result`, `output` and `error`.
+macro (cslf_run_parallel processes)
+  execute_process(
+    COMMAND "${MPIEXEC}" -n ${processes} ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error
+    TIMEOUT 100)
+endmacro ()
+
+macro (cslf_expect_same file)
+  if (NOT result STREQUAL "0" OR NOT error STREQUAL "")
+    message(FATAL_ERROR "${file} ended with ${result}: ${error}")
+  endif ()
+  file(SHA256 "${DIRECTORY}/${file}" actual)
+  if (NOT actual STREQUAL expected OR EXISTS "${DIRECTORY}/${file}.partial")
+    message(FATAL_ERROR "${file} has other bytes than that of one process, or left its parts.")
+  endif ()
+endmacro ()
+
+foreach (processes IN ITEMS 2 3)
+  cslf_run_parallel(${processes} "${CSLF}" sample ${scene} -o ${processes}.mp4 --json)
+  cslf_expect_same(${processes}.mp4)
+  expect_json(5 views)
+endforeach ()
+
+# What a killed process left is used by several.
+execute_process(
+  COMMAND bash -c "
+    '${CSLF}' \"$@\" -o killed.mp4 > log.txt 2>&1 &
+    while kill -0 $! && ! [ -e killed.mp4.partial/group-1-color.part ]; do sleep 0.01; done
+    kill -KILL $!
+    wait $!" bash sample ${scene}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  ERROR_QUIET)
+cslf_run_parallel(2 "${CSLF}" sample ${scene} -o killed.mp4)
+cslf_expect_same(killed.mp4)
+
+# Other formats are written by the first process alone.
+cslf_run(decode one.mp4 -o one.vti)
+cslf_run_parallel(2 "${CSLF}" encode one.vti -o again.mp4 --preset ultrafast)
+if (NOT result STREQUAL "0" OR NOT EXISTS "${DIRECTORY}/again.mp4")
+  message(FATAL_ERROR "Encoding ended with ${result}: ${error}")
+endif ()
+cslf_run_parallel(2 "${CSLF}" decode one.mp4 -o two.vti)
+cslf_run(compare one.vti two.vti --json)
+expect_json(ON channels Color equal)
+
+# Checks that the last run failed with one message of the tool's; mpiexec may add its own.
+macro (cslf_expect_failure pattern)
+  string(REGEX MATCHALL "cslf: error: [^\n]+" messages "${error}")
+  list(LENGTH messages count)
+  if (NOT result STREQUAL "1" OR NOT count EQUAL 1 OR NOT messages MATCHES "${pattern}")
+    message(FATAL_ERROR "Instead of ${pattern}, the run ended with ${result}: ${error}")
+  endif ()
+  file(GLOB left "${DIRECTORY}/x*")
+  if (left)
+    message(FATAL_ERROR "The run left ${left}")
+  endif ()
+endmacro ()
+
+cslf_run_parallel(3 "${CSLF}" sample ${scene} -o nowhere/x.mp4)
+cslf_expect_failure("Cannot write")
+cslf_run_parallel(3 "${CSLF}" sample missing.ply -o x.mp4)
+cslf_expect_failure("missing.ply")
+# A process that fails alone: the last one, of another scene or none.
+function (cslf_write_script name last)
+  file(WRITE "${DIRECTORY}/${name}" "#!/usr/bin/env bash
+if [ \"\${OMPI_COMM_WORLD_RANK:-\${PMI_RANK:-0}}\" = 2 ]; then
+  set -- \"$@\" ${last}
+fi
+exec '${CSLF}' \"$@\"
+")
+  file(CHMOD "${DIRECTORY}/${name}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+endfunction ()
+cslf_write_script(missing.sh missing.ply)
+cslf_run_parallel(3 ./missing.sh sample ${scene} -o x.mp4)
+cslf_expect_failure("missing.ply")
+cslf_write_script(other.sh "--seed 3")
+cslf_run_parallel(3 ./other.sh sample ${scene} -o x.mp4)
+cslf_expect_failure("different")
