@@ -28,6 +28,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
+  ../Filters/PathTracing/cslfHitGeometry.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
@@ -52,6 +53,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
+  ../Filters/PathTracing/cslfHitGeometry.h
   ../Filters/PathTracing/cslfLambert.h
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h

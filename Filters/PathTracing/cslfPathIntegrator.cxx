@@ -113,7 +113,7 @@ glm::vec3 PathIntegrator::EmittedLight(
     return glm::vec3(0.0f);
   }
   float weight = 1.0f;
-  if (this->Settings.LightSampling && !std::isinf(pdf))
+  if (this->Settings.LightSampling && !std::isinf(pdf) && surface.EmissionImportance > 0.0f)
   {
     const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
     weight = this->Settings.BSDFSampling

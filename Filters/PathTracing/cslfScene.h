@@ -32,7 +32,7 @@ struct Ray
   glm::vec3 Direction{ 0.0f, 0.0f, 1.0f }; ///< of unit length
 };
 
-/// Where a ray first meets a triangle.
+/// Where a ray first meets a triangle, a sphere or a tube.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -42,9 +42,13 @@ struct Hit
   float V = 0.0f; ///< and of the third
   std::uint32_t Mesh = None;
   std::uint32_t Triangle = None;
+  std::uint32_t Instance = None; ///< of the mesh, if it has any
 
   bool IsValid() const { return this->Mesh != None; }
-  TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V }; }
+  TrianglePoint GetPlace() const 
+  {
+    return { this->Triangle, this->U, this->V, this->Instance };
+  }
 };
 
 /// Rays that run alike and are traced together.
@@ -140,6 +144,8 @@ public:
 
 private:
   struct Acceleration;
+
+  std::uint32_t GetInstance(std::uint32_t mesh, std::uint32_t geometry) const;
 
   std::vector<Mesh> Meshes;
   LightSet Lights;
