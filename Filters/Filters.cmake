@@ -11,6 +11,7 @@ list(APPEND classes
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
   ../Filters/vtkCSLFImageWriter
+  ../Filters/vtkCSLFInstances
   ../Filters/vtkCSLFLight
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
@@ -31,9 +32,11 @@ list(APPEND sources
   ../Filters/PathTracing/cslfHitGeometry.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
+  ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfScene.cxx
+  ../Filters/PathTracing/cslfSceneBlock.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
@@ -58,12 +61,14 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
   ../Filters/PathTracing/cslfMesh.h
+  ../Filters/PathTracing/cslfMeshMaker.h
   ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScene.h
+  ../Filters/PathTracing/cslfSceneBlock.h
   ../Filters/PathTracing/cslfSceneBuilder.h
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
