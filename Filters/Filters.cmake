@@ -82,12 +82,14 @@ list(APPEND sources
   ../Filters/SceneImport/cslfActorImporter.cxx
   ../Filters/SceneImport/cslfGLTFBlocks.cxx
   ../Filters/SceneImport/cslfGLTFExtensions.cxx
+  ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfLightImporter.cxx
   ../Filters/SceneImport/cslfMappedScalars.cxx)
 list(APPEND private_headers
   ../Filters/SceneImport/cslfActorImporter.h
   ../Filters/SceneImport/cslfGLTFBlocks.h
   ../Filters/SceneImport/cslfGLTFExtensions.h
+  ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportedScene.h
   ../Filters/SceneImport/cslfLightImporter.h
   ../Filters/SceneImport/cslfMappedScalars.h)
