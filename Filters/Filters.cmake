@@ -11,6 +11,7 @@ list(APPEND classes
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
   ../Filters/vtkCSLFImageWriter
+  ../Filters/vtkCSLFInstances
   ../Filters/vtkCSLFLight
   ../Filters/vtkCSLFMaterial
   ../Filters/vtkCSLFPathTracer
@@ -31,12 +32,15 @@ list(APPEND sources
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
   ../Filters/PathTracing/cslfFingerprint.cxx
+  ../Filters/PathTracing/cslfHitGeometry.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
+  ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfRayGrid.cxx
   ../Filters/PathTracing/cslfScene.cxx
+  ../Filters/PathTracing/cslfSceneBlock.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
@@ -58,10 +62,12 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
+  ../Filters/PathTracing/cslfHitGeometry.h
   ../Filters/PathTracing/cslfLambert.h
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
   ../Filters/PathTracing/cslfMesh.h
+  ../Filters/PathTracing/cslfMeshMaker.h
   ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
@@ -69,6 +75,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScene.h
+  ../Filters/PathTracing/cslfSceneBlock.h
   ../Filters/PathTracing/cslfSceneBuilder.h
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
@@ -95,12 +102,14 @@ list(APPEND sources
   ../Filters/SceneImport/cslfActorImporter.cxx
   ../Filters/SceneImport/cslfGLTFBlocks.cxx
   ../Filters/SceneImport/cslfGLTFExtensions.cxx
+  ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfLightImporter.cxx
   ../Filters/SceneImport/cslfMappedScalars.cxx)
 list(APPEND private_headers
   ../Filters/SceneImport/cslfActorImporter.h
   ../Filters/SceneImport/cslfGLTFBlocks.h
   ../Filters/SceneImport/cslfGLTFExtensions.h
+  ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportedScene.h
   ../Filters/SceneImport/cslfLightImporter.h
   ../Filters/SceneImport/cslfMappedScalars.h)

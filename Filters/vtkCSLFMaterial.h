@@ -77,8 +77,8 @@ public:
    * whose facets have the exponent that is the specular power (alpha squared = 2 / (power + 2)).
    * Ambient terms are no light transport and have no counterpart.
    *
-   * Coats, anisotropy, edge tint, edges, culling and representations other than surfaces are not
-   * represented.
+   * Coats, anisotropy, edge tint and culling are not represented; vtkCSLFSceneImporter represents
+   * edges, wireframes and points.
    */
   static void SetFromProperty(vtkDataObject* data, vtkProperty* property);
 

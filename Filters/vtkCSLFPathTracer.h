@@ -9,9 +9,12 @@
  * vtkMultiBlockDataSet or vtkPartitionedDataSetCollection (leaves of vtkPolyData); together they
  * are the scene. So is what a vtkRenderer shows: see SetRenderer.
  *
- * - Polygons and triangle strips are traced. Lines, vertex cells, leaves of other types, and
- * polygons with coordinates that are not finite are left out, named in one warning. Triangles
- * without area show nothing and are left out silently. A scene without any triangle is an error.
+ * - Polygons and triangle strips are traced as triangles, vertex cells as spheres and lines as tubes
+ * with round ends, of a radius that vtkCSLFMaterial tells, or for each point an array of point data
+ * named `PointRadius` or `LineRadius`, in world units. Leaves of other types, and cells with
+ * coordinates that are not finite, are left out, named in one warning. Triangles without area show
+ * nothing and are left out silently. A scene without anything to trace is an error.
+ * - Data is shown at each of its instances, if it has any: see vtkCSLFInstances.
  * - Surfaces are two-sided. Point normals, where present, smooth the shading.
  * - Materials, textures and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.
  * - Rays pass surfaces of an opacity below 1 by chance. Alpha is the share of rays that end on some

@@ -41,7 +41,7 @@ LightSample AreaLights::Sample(const glm::vec3& from, const glm::vec2& u) const
     const glm::vec3 normal = glm::normalize(glm::cross(triangle.EdgeU, triangle.EdgeV));
     sample.Distance = distance;
     sample.Direction = path / distance;
-    const TrianglePoint place{ triangle.Triangle, point.x, point.y };
+    const TrianglePoint place{ triangle.Triangle, point.x, point.y, triangle.Instance };
     sample.Radiance = triangle.Source->GetOpacity(place) * triangle.Source->GetEmission(place);
     sample.Pdf =
       this->Pdf(triangle.Importance, distance, std::abs(glm::dot(normal, sample.Direction)));
@@ -51,6 +51,10 @@ LightSample AreaLights::Sample(const glm::vec3& from, const glm::vec2& u) const
 
 float AreaLights::Pdf(float importance, float distance, float cosine) const
 {
+  if (importance == 0.0f)
+  {
+    return 0.0f;
+  }
   // Per area, a triangle's choice and its area cancel.
   const auto perArea = static_cast<float>(importance / this->Choice.GetTotal());
   return cosine > 0.0f ? perArea * distance * distance / cosine : 0.0f;

@@ -30,6 +30,7 @@ struct EmissiveTriangle
   float Importance;   ///< about its mean luminance
   const Mesh* Source; ///< tells the radiance of its points
   std::uint32_t Triangle;
+  std::uint32_t Instance;
 };
 
 /// Triangles are chosen in proportion to their area and importance, points uniformly within.

@@ -27,7 +27,7 @@ glm::vec3 DirectLight::GetEmission(
     return glm::vec3(0.0f);
   }
   float weight = 1.0f;
-  if (this->LightSampling && !std::isinf(pdf))
+  if (this->LightSampling && !std::isinf(pdf) && surface.EmissionImportance > 0.0f)
   {
     const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
     weight = this->BSDFSampling

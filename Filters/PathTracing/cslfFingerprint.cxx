@@ -83,7 +83,9 @@ void Fingerprint::Add(const Mesh& mesh)
   this->Add(mesh.TexCoords);
   this->Add(mesh.Colors);
   this->Add(mesh.Opacities);
-  this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring) });
+  this->Add(mesh.Radii);
+  this->Add(mesh.Instances);
+  this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring), static_cast<int>(mesh.Shape) });
 }
 
 std::string Fingerprint::Finish()

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cslf
@@ -29,9 +30,24 @@ Value Mesh::GetColoring(
                                               : values[point.Triangle];
 }
 
+std::uint32_t Mesh::GetNumberOfShapes() const
+{
+  switch (this->Shape)
+  {
+    case Shapes::Spheres:
+      return static_cast<std::uint32_t>(this->Vertices.size());
+    case Shapes::Tubes:
+      return static_cast<std::uint32_t>(this->Vertices.size() / 2);
+    default:
+      return static_cast<std::uint32_t>(this->Triangles.size());
+  }
+}
+
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const
 {
-  const glm::vec3 color = this->GetColoring(this->Colors, this->Material.BaseColor, point);
+  const glm::vec3 color = this->HasInstanceColors
+    ? this->Instances[point.Instance].Color
+    : this->GetColoring(this->Colors, this->Material.BaseColor, point);
   return this->Textures.BaseColor
     ? color * glm::vec3(this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)))
     : color;
@@ -52,7 +68,9 @@ MaterialPoint Mesh::GetMaterialPoint(const TrianglePoint& point) const
 
 bool Mesh::IsTranslucent() const
 {
-  return this->Material.Opacity < 1.0f || !this->Opacities.empty() ||
+  const bool instances = std::any_of(this->Instances.begin(), this->Instances.end(),
+    [](const MeshInstance& instance) { return instance.Opacity < 1.0f; });
+  return instances || this->Material.Opacity < 1.0f || !this->Opacities.empty() ||
     (this->Textures.BaseColor && this->Textures.BaseColor->IsTranslucent());
 }
 
@@ -62,6 +80,10 @@ float Mesh::GetOpacity(const TrianglePoint& point) const
   if (this->Textures.BaseColor && this->Textures.BaseColor->IsTranslucent())
   {
     opacity *= this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)).w;
+  }
+  if (point.Instance != TrianglePoint::None)
+  {
+    opacity *= this->Instances[point.Instance].Opacity;
   }
   const float cutoff = this->Material.OpacityCutoff;
   return cutoff > 0.0f ? (opacity < cutoff ? 0.0f : 1.0f) : opacity;
@@ -78,7 +100,8 @@ glm::vec3 Mesh::GetEmission(const TrianglePoint& point) const
 void Mesh::PrepareEmission()
 {
   this->EmissionImportances.clear();
-  if (this->Material.IsEmissive() && (this->Textures.Emission || this->IsTranslucent()))
+  if (this->Shape == Shapes::Triangles && this->Material.IsEmissive() &&
+    (this->Textures.Emission || this->IsTranslucent()))
   {
     this->EmissionImportances.reserve(this->Triangles.size());
     for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
@@ -90,6 +113,10 @@ void Mesh::PrepareEmission()
 
 float Mesh::GetEmissionImportance(std::uint32_t triangle) const
 {
+  if (this->Shape != Shapes::Triangles)
+  {
+    return 0.0f;
+  }
   return this->EmissionImportances.empty() ? Luminance(this->Material.Emission)
                                            : this->EmissionImportances[triangle];
 }
@@ -108,7 +135,8 @@ float Mesh::EstimateEmission(std::uint32_t triangle) const
   return sum / (EmissionSamples * EmissionSamples);
 }
 
-glm::vec3 Mesh::BendNormal(const glm::vec3& normal, const TrianglePoint& point) const
+glm::vec3 Mesh::BendNormal(
+  const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const
 {
   if (!this->Textures.Normal)
   {
@@ -116,22 +144,22 @@ glm::vec3 Mesh::BendNormal(const glm::vec3& normal, const TrianglePoint& point) 
   }
   // The directions in which the texture's coordinates grow, along the surface.
   const glm::uvec3& corners = this->Triangles[point.Triangle];
-  const glm::vec3 edges[2] = { this->Vertices[corners.y] - this->Vertices[corners.x],
-    this->Vertices[corners.z] - this->Vertices[corners.x] };
   const glm::vec2 steps[2] = { this->TexCoords[corners.y] - this->TexCoords[corners.x],
     this->TexCoords[corners.z] - this->TexCoords[corners.x] };
   const float turn = steps[0].x * steps[1].y - steps[0].y * steps[1].x;
-  const glm::vec3 along =
-    (steps[1].y * edges[0] - steps[0].y * edges[1]) * std::copysign(1.0f, turn);
+  const float side = std::copysign(1.0f, turn);
+  const glm::vec3 alongU = side * (steps[1].y * edges[0] - steps[0].y * edges[1]);
+  const glm::vec3 alongV = side * (steps[0].x * edges[1] - steps[1].x * edges[0]);
   const glm::vec3 z = glm::normalize(normal);
-  const glm::vec3 tangent = along - glm::dot(along, z) * z;
+  const glm::vec3 tangent = alongU - glm::dot(alongU, z) * z;
   const float length = glm::length(tangent);
   if (turn == 0.0f || !(length > 0.0f))
   {
     return normal;
   }
   const glm::vec3 x = tangent / length;
-  const glm::vec3 y = glm::cross(z, x) * std::copysign(1.0f, turn);
+  glm::vec3 y = glm::cross(z, x);
+  y = glm::dot(y, alongV) < 0.0f ? -y : y;
 
   const glm::vec3 bent =
     2.0f * glm::vec3(this->Textures.Normal->Get(this->Interpolate(this->TexCoords, point))) - 1.0f;

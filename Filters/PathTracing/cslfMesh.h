@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles of one material, and what varies over them.
+ * Triangles, spheres or tubes of one material, and what varies over them.
  */
 #ifndef cslfMesh_h
 #define cslfMesh_h
@@ -12,6 +12,7 @@
 #include "cslfSurfaceMaterial.h"
 #include "cslfTexture.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -21,12 +22,24 @@
 
 namespace cslf
 {
-/// A point of a triangle.
+/// A point of a triangle; or of a sphere or tube.
 struct TrianglePoint
 {
+  static constexpr std::uint32_t None = 0xffffffffu;
+
   std::uint32_t Triangle = 0;
-  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex
+  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex; along a tube
   float V = 0.0f; ///< and of the third
+  std::uint32_t Instance = None;
+};
+
+/// One of the places of a mesh, and its colour there.
+struct MeshInstance
+{
+  glm::mat3 Linear{ 1.0f }; ///< with the offset: from the mesh to the scene
+  glm::vec3 Offset{ 0.0f };
+  glm::vec3 Color{ 1.0f }; ///< linear; counts if the mesh has colours of instances
+  float Opacity = 1.0f;
 };
 
 /// Images that factors of the material are multiplied by; null where there is none.
@@ -47,7 +60,16 @@ struct VTKCSLF_EXPORT Mesh
     Triangles
   };
 
+  enum class Shapes
+  {
+    Triangles,
+    Spheres, ///< one around each vertex
+    Tubes    ///< with round ends, one around each two vertices
+  };
+
+  Shapes Shape = Shapes::Triangles;
   std::vector<glm::vec3> Vertices;
+  std::vector<float> Radii; ///< of spheres and tubes, one a vertex
   std::vector<glm::uvec3> Triangles;
   std::vector<glm::vec3> Normals;   ///< one a vertex, or none at all; of length 0 where unknown
   std::vector<glm::vec2> TexCoords; ///< one a vertex; there are some if there is a texture
@@ -57,13 +79,37 @@ struct VTKCSLF_EXPORT Mesh
   SurfaceMaterial Material;
   MaterialTextures Textures;
 
+  /// Where the mesh is, if it is not where it lies; its vertices may then be in a space of their
+  /// own.
+  std::vector<MeshInstance> Instances;
+  bool HasInstanceColors = false;
+  std::uint32_t FirstInstance = 0; ///< among those of the scene
+
+  std::uint32_t GetNumberOfShapes() const;
+
   /// What is given at the vertices, at a point.
   template <typename Value>
   Value Interpolate(const std::vector<Value>& values, const TrianglePoint& point) const
   {
+    switch (this->Shape)
+    {
+      case Shapes::Spheres:
+        return values[point.Triangle];
+      case Shapes::Tubes:
+        return (1.0f - point.U) * values[2 * point.Triangle] +
+          point.U * values[2 * point.Triangle + 1];
+      default:
+        break;
+    }
     const glm::uvec3& corners = this->Triangles[point.Triangle];
     return (1.0f - point.U - point.V) * values[corners.x] + point.U * values[corners.y] +
       point.V * values[corners.z];
+  }
+
+  /// Whether each of its points is one place of the scene, given by a triangle.
+  bool CanHoldLattice() const
+  {
+    return this->Shape == Shapes::Triangles && this->Instances.empty();
   }
 
   /// Whether it looks alike from everywhere, and does not shine by itself.
@@ -89,11 +135,13 @@ struct VTKCSLF_EXPORT Mesh
   void PrepareEmission();
 
   /// About the mean luminance of a triangle's emission, thinned by its opacity: what its light is
-  /// worth to a sampler.
+  /// worth to a sampler. That of spheres and tubes is not sampled: 0.
   float GetEmissionImportance(std::uint32_t triangle) const;
 
-  /// A normal, bent by the normal texture. Its length does not matter.
-  glm::vec3 BendNormal(const glm::vec3& normal, const TrianglePoint& point) const;
+  /// A normal on the front side, bent by the normal texture, where the triangle's two edges from
+  /// its first corner are. Its length does not matter.
+  glm::vec3 BendNormal(
+    const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const;
 
 private:
   template <typename Value>

@@ -48,8 +48,10 @@ void RefuseHits(const RTCFilterFunctionNArguments* query)
     {
       continue;
     }
+    const unsigned int instance = RTCHitN_instID(query->hit, query->N, lane, 0);
     const float opacity = mesh.GetOpacity({ RTCHitN_primID(query->hit, query->N, lane),
-      RTCHitN_u(query->hit, query->N, lane), RTCHitN_v(query->hit, query->N, lane) });
+      RTCHitN_u(query->hit, query->N, lane), RTCHitN_v(query->hit, query->N, lane),
+      instance == RTC_INVALID_GEOMETRY_ID ? TrianglePoint::None : instance - mesh.FirstInstance });
     bool met = false;
     switch (rule.Rule)
     {

@@ -87,7 +87,7 @@ glm::vec3 PathIntegrator::GetRadiance(
     Lobes lit = Lobes::All;
     Lobes open = Lobes::All;
     float openProbability = 1.0f;
-    if (this->Cache && bsdf.HasDiffuse())
+    if (this->Cache && this->Cache->Covers(hit) && bsdf.HasDiffuse())
     {
       radiance += beta * bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
       lit = Lobes::Specular;

@@ -56,7 +56,8 @@ public:
   /// Whether the cache alone knows what leaves a hit towards anywhere.
   bool CanLookUp(const Hit& hit) const
   {
-    return this->IsLookUp && this->World.GetMeshes()[hit.Mesh].IsDiffuse();
+    const Mesh& mesh = this->World.GetMeshes()[hit.Mesh];
+    return this->IsLookUp && mesh.IsDiffuse() && mesh.CanHoldLattice();
   }
 
   /// That radiance.

@@ -3,11 +3,12 @@
 #include "cslfScene.h"
 
 #include "cslfEmbree.h"
+#include "cslfHitGeometry.h"
 #include "cslfOpacity.h"
 #include "cslfVectorize.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -19,15 +20,8 @@ namespace cslf
 {
 namespace
 {
-// How far rays start off a surface, in radii of the scene: a hundred times the rounding of a
-// vertex.
-constexpr float SurfaceOffset = 1e-5f;
-
 // The part of the way to a light that must be free.
 constexpr float ShadowLength = 0.9999f;
-
-// The least cosine between a shading normal and the direction it is seen from.
-constexpr float SmallestCosine = 1e-3f;
 
 bool IsTraceable(const Ray& ray)
 {
@@ -77,6 +71,7 @@ CSLF_VECTORIZE void FillQuery(const RayPacket& packet, RTCRayHit16& query, int* 
     query.ray.id[i] = 0;
     query.ray.flags[i] = 0;
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
 }
 
@@ -89,17 +84,68 @@ void ReportError(void* user, RTCError, const char* text)
   }
 }
 
-void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned int id)
+template <typename Value>
+Value* MakeBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count)
 {
-  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry.get(),
-    RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.Vertices.size()));
-  auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry.get(),
-    RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.Triangles.size()));
+  return static_cast<Value*>(
+    rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), count));
+}
+
+bool FillTriangles(RTCGeometry geometry, const Mesh& mesh)
+{
+  auto* vertices = MakeBuffer<glm::vec3>(
+    geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.Vertices.size());
+  auto* triangles = MakeBuffer<glm::uvec3>(
+    geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.Triangles.size());
   if (vertices && triangles)
   {
     std::copy(mesh.Vertices.begin(), mesh.Vertices.end(), vertices);
     std::copy(mesh.Triangles.begin(), mesh.Triangles.end(), triangles);
+  }
+  return vertices && triangles;
+}
+
+/// Spheres around vertices, or tubes around each two.
+bool FillRound(RTCGeometry geometry, const Mesh& mesh)
+{
+  const std::size_t count = mesh.Vertices.size();
+  auto* vertices =
+    MakeBuffer<glm::vec4>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, count);
+  if (!vertices)
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    vertices[i] = glm::vec4(mesh.Vertices[i], mesh.Radii[i]);
+  }
+  if (mesh.Shape == Mesh::Shapes::Tubes)
+  {
+    auto* starts = MakeBuffer<std::uint32_t>(
+      geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, mesh.GetNumberOfShapes());
+    for (std::uint32_t i = 0; starts && i < mesh.GetNumberOfShapes(); ++i)
+    {
+      starts[i] = 2 * i;
+    }
+    return starts != nullptr;
+  }
+  return true;
+}
+
+void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned int id)
+{
+  const RTCGeometryType type = mesh.Shape == Mesh::Shapes::Triangles ? RTC_GEOMETRY_TYPE_TRIANGLE
+    : mesh.Shape == Mesh::Shapes::Spheres ? RTC_GEOMETRY_TYPE_SPHERE_POINT
+                                          : RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE;
+  const EmbreeGeometry geometry(rtcNewGeometry(device, type));
+  if (!geometry)
+  {
+    return;
+  }
+  const bool filled = mesh.Shape == Mesh::Shapes::Triangles ? FillTriangles(geometry.get(), mesh)
+                                                            : FillRound(geometry.get(), mesh);
+  if (filled)
+  {
     if (mesh.IsTranslucent())
     {
       PassByOpacity(geometry.get(), mesh);
@@ -107,6 +153,40 @@ void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned in
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene, geometry.get(), id);
   }
+}
+
+void AddInstance(
+  RTCDevice device, RTCScene scene, RTCScene part, const MeshInstance& instance, unsigned int id)
+{
+  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+  rtcSetGeometryInstancedScene(geometry.get(), part);
+  const glm::vec3 columns[4] = { instance.Linear[0], instance.Linear[1], instance.Linear[2],
+    instance.Offset };
+  rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(scene, geometry.get(), id);
+}
+
+/// The triangles of an emissive mesh, in each of its instances.
+std::vector<TrianglePoint> ListEmissive(const Mesh& mesh)
+{
+  std::vector<TrianglePoint> places;
+  const auto add = [&mesh, &places](std::uint32_t instance)
+  {
+    for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
+    {
+      places.push_back({ i, 0.0f, 0.0f, instance });
+    }
+  };
+  for (std::uint32_t i = 0; i < mesh.Instances.size(); ++i)
+  {
+    add(i);
+  }
+  if (mesh.Instances.empty())
+  {
+    add(TrianglePoint::None);
+  }
+  return places;
 }
 
 /// The meshes must stay where they are.
@@ -120,84 +200,24 @@ std::vector<EmissiveTriangle> CollectEmitters(std::vector<Mesh>& meshes)
     {
       continue;
     }
-    for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
+    for (const TrianglePoint& place : ListEmissive(mesh))
     {
-      const glm::uvec3& triangle = mesh.Triangles[i];
-      const glm::vec3& corner = mesh.Vertices[triangle.x];
-      emitters.push_back({ corner, mesh.Vertices[triangle.y] - corner,
-        mesh.Vertices[triangle.z] - corner, mesh.GetEmissionImportance(i), &mesh, i });
+      const glm::uvec3& corners = mesh.Triangles[place.Triangle];
+      const auto get = [&mesh, &place](std::uint32_t vertex)
+      { return ToScene(mesh, place.Instance, mesh.Vertices[vertex]); };
+      const glm::vec3 corner = get(corners.x);
+      emitters.push_back({ corner, get(corners.y) - corner, get(corners.z) - corner,
+        mesh.GetEmissionImportance(place.Triangle), &mesh, place.Triangle, place.Instance });
     }
   }
   return emitters;
-}
-
-bool HasNormals(const Mesh& mesh, const glm::uvec3& triangle)
-{
-  const glm::vec3 none(0.0f);
-  return !mesh.Normals.empty() && mesh.Normals[triangle.x] != none &&
-    mesh.Normals[triangle.y] != none && mesh.Normals[triangle.z] != none;
-}
-
-/// A normal, turned to the side of another.
-glm::vec3 TurnTo(const glm::vec3& normal, const glm::vec3& side)
-{
-  return glm::dot(normal, side) < 0.0f ? -normal : normal;
-}
-
-/// The normal of the side from which the vertices run counterclockwise.
-glm::vec3 GetFrontNormal(const Mesh& mesh, const glm::uvec3& triangle)
-{
-  const glm::vec3& corner = mesh.Vertices[triangle.x];
-  return glm::normalize(
-    glm::cross(mesh.Vertices[triangle.y] - corner, mesh.Vertices[triangle.z] - corner));
-}
-
-/// The interpolated normal, bent by the normal texture, turned to the ray's side, and so that the
-/// ray sees its front.
-glm::vec3 FindShadingNormal(
-  const Mesh& mesh, const Hit& hit, const SurfaceHit& surface, const glm::vec3& outgoing)
-{
-  const glm::uvec3& triangle = mesh.Triangles[hit.Triangle];
-  const glm::vec3 front = surface.Inside ? -surface.GeometricNormal : surface.GeometricNormal;
-  glm::vec3 normal = front;
-  if (HasNormals(mesh, triangle))
-  {
-    normal = TurnTo(mesh.Interpolate(mesh.Normals, hit.GetPlace()), front);
-    normal = glm::length(normal) > 1e-6f ? normal : front;
-  }
-  normal = TurnTo(mesh.BendNormal(normal, hit.GetPlace()), surface.GeometricNormal);
-  const float length = glm::length(normal);
-  if (!(length > 1e-6f))
-  {
-    return surface.GeometricNormal;
-  }
-  normal /= length;
-  const float cosine = glm::dot(normal, outgoing);
-  return cosine < SmallestCosine ? glm::normalize(normal + (SmallestCosine - cosine) * outgoing)
-                                 : normal;
-}
-
-/// A point of a triangle, raised to the smooth surface that its corners' normals suggest, so that
-/// the triangle does not shadow directions above the shading normal's horizon: Hanika, "Hacking the
-/// Shadow Terminator", Ray Tracing Gems II, 2021.
-glm::vec3 RaiseToSmoothSurface(const Mesh& mesh, const glm::uvec3& triangle, const Hit& hit,
-  const glm::vec3& geometric, const glm::vec3& position)
-{
-  const float weights[3] = { 1.0f - hit.U - hit.V, hit.U, hit.V };
-  glm::vec3 raised = position;
-  for (int i = 0; i < 3; ++i)
-  {
-    const glm::vec3 normal = TurnTo(mesh.Normals[triangle[i]], geometric);
-    const float depth = glm::dot(position - mesh.Vertices[triangle[i]], normal);
-    raised -= weights[i] * std::min(depth, 0.0f) * normal;
-  }
-  return raised;
 }
 }
 
 struct Scene::Acceleration
 {
   EmbreeDevice Device;
+  std::vector<EmbreeScene> Parts; // of meshes that have instances
   EmbreeScene World;
 };
 
@@ -211,7 +231,7 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   for (const Mesh& mesh : this->Meshes)
   {
     this->FirstTriangles.push_back(triangles);
-    triangles += mesh.Triangles.size();
+    triangles += mesh.CanHoldLattice() ? mesh.Triangles.size() : 0;
   }
   // Without a configuration: Embree's "threads" would bind every other user of TBB as well.
   this->Tree->Device.reset(rtcNewDevice(nullptr));
@@ -222,22 +242,50 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     return;
   }
   rtcSetDeviceErrorFunction(device, ReportError, &this->Error);
-  this->Tree->World.reset(rtcNewScene(device));
-  RTCScene world = this->Tree->World.get();
-  rtcSetSceneFlags(world, RTC_SCENE_FLAG_ROBUST);
   // The builder of high quality refers to triangles more than once; rays that are attenuated must
   // meet each only once.
   const bool translucent = std::any_of(this->Meshes.begin(), this->Meshes.end(),
     [](const Mesh& mesh) { return mesh.IsTranslucent(); });
-  rtcSetSceneBuildQuality(world, translucent ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
-  for (std::size_t i = 0; i < this->Meshes.size(); ++i)
+  const auto makeScene = [device, translucent]
   {
-    AddGeometry(device, world, this->Meshes[i], static_cast<unsigned int>(i));
+    EmbreeScene scene(rtcNewScene(device));
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(
+      scene.get(), translucent ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
+    return scene;
+  };
+  this->Tree->World = makeScene();
+  RTCScene world = this->Tree->World.get();
+  // Instances are numbered after the meshes.
+  auto next = static_cast<std::uint32_t>(this->Meshes.size());
+  for (std::uint32_t i = 0; i < this->Meshes.size(); ++i)
+  {
+    Mesh& mesh = this->Meshes[i];
+    if (mesh.Instances.empty())
+    {
+      AddGeometry(device, world, mesh, i);
+      continue;
+    }
+    this->Tree->Parts.push_back(makeScene());
+    RTCScene part = this->Tree->Parts.back().get();
+    AddGeometry(device, part, mesh, i);
+    rtcCommitScene(part);
+    mesh.FirstInstance = next;
+    for (const MeshInstance& instance : mesh.Instances)
+    {
+      AddInstance(device, world, part, instance, next++);
+    }
   }
   rtcCommitScene(world);
 }
 
 Scene::~Scene() = default;
+
+std::uint32_t Scene::GetInstance(std::uint32_t mesh, std::uint32_t geometry) const
+{
+  return geometry == RTC_INVALID_GEOMETRY_ID ? TrianglePoint::None
+                                             : geometry - this->Meshes[mesh].FirstInstance;
+}
 
 Hit Scene::Intersect(const Ray& ray) const
 {
@@ -249,11 +297,13 @@ Hit Scene::Intersect(const Ray& ray) const
   RTCRayHit query;
   query.ray = ToEmbree(ray, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   EmbreeIntersect(this->Tree->World.get(), EmbreeQuery(Passing::ByChance), query);
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
     const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
     hit = { query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID,
+      this->GetInstance(query.hit.geomID, query.hit.instID[0]),
       glm::dot(normal, ray.Direction) > 0.0f };
   }
   return hit;
@@ -275,7 +325,8 @@ void Scene::Intersect(RayPacket& packet) const
       const float away = query.hit.Ng_x[i] * query.ray.dir_x[i] +
         query.hit.Ng_y[i] * query.ray.dir_y[i] + query.hit.Ng_z[i] * query.ray.dir_z[i];
       hit = { query.ray.tfar[i], query.hit.u[i], query.hit.v[i], query.hit.geomID[i],
-        query.hit.primID[i], away > 0.0f };
+        query.hit.primID[i], this->GetInstance(query.hit.geomID[i], query.hit.instID[0][i]),
+        away > 0.0f };
     }
   }
 }
@@ -297,22 +348,9 @@ float Scene::GetTransmittance(const Ray& ray, float distance) const
 SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
 {
   const Mesh& mesh = this->Meshes[hit.Mesh];
-  const glm::uvec3& triangle = mesh.Triangles[hit.Triangle];
-  const TrianglePoint place = hit.GetPlace();
-  const glm::vec3 outgoing = -ray.Direction;
-
-  // Where it is, and which way it faces.
+  TrianglePoint place = hit.GetPlace();
   SurfaceHit surface;
-  const glm::vec3 front = GetFrontNormal(mesh, triangle);
-  surface.GeometricNormal = TurnTo(front, outgoing);
-  surface.Inside = surface.GeometricNormal != front;
-  surface.ShadingNormal = FindShadingNormal(mesh, hit, surface, outgoing);
-  const glm::vec3 position = mesh.Interpolate(mesh.Vertices, place);
-  surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
-  surface.LeavePosition = HasNormals(mesh, triangle)
-    ? RaiseToSmoothSurface(mesh, triangle, hit, surface.GeometricNormal, position)
-    : position;
-  surface.LeavePosition += SurfaceOffset * surface.GeometricNormal;
+  Locate(mesh, ray, hit, place, surface);
 
   // What it is made of.
   const MaterialPoint point = mesh.GetMaterialPoint(place);
@@ -333,7 +371,10 @@ SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
 SurfaceHit Scene::GetSurface(const Hit& hit) const
 {
   const Mesh& mesh = this->Meshes[hit.Mesh];
-  const glm::vec3 front = GetFrontNormal(mesh, mesh.Triangles[hit.Triangle]);
+  const glm::uvec3& corners = mesh.Triangles[hit.Triangle];
+  const glm::vec3& corner = mesh.Vertices[corners.x];
+  const glm::vec3 front = glm::normalize(
+    glm::cross(mesh.Vertices[corners.y] - corner, mesh.Vertices[corners.z] - corner));
   return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, hit);
 }
 }

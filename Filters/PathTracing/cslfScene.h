@@ -32,7 +32,7 @@ struct Ray
   glm::vec3 Direction{ 0.0f, 0.0f, 1.0f }; ///< of unit length
 };
 
-/// Where a ray first meets a triangle.
+/// Where a ray first meets a triangle, a sphere or a tube.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -42,10 +42,11 @@ struct Hit
   float V = 0.0f; ///< and of the third
   std::uint32_t Mesh = None;
   std::uint32_t Triangle = None;
-  bool Back = false; ///< whether the ray comes from where the vertices run clockwise
+  std::uint32_t Instance = None; ///< of the mesh, if it has any
+  bool Back = false;             ///< whether the ray comes from where the vertices run clockwise
 
   bool IsValid() const { return this->Mesh != None; }
-  TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V }; }
+  TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V, this->Instance }; }
 };
 
 /// Rays that run alike and are traced together.
@@ -161,7 +162,7 @@ public:
 
   const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
 
-  /// The number of a triangle among those of all meshes.
+  /// The number of a triangle among those of all meshes that can hold a lattice.
   std::size_t GetTriangleIndex(std::uint32_t mesh, std::uint32_t triangle) const
   {
     return this->FirstTriangles[mesh] + triangle;
@@ -177,6 +178,8 @@ public:
 
 private:
   struct Acceleration;
+
+  std::uint32_t GetInstance(std::uint32_t mesh, std::uint32_t geometry) const;
 
   std::vector<Mesh> Meshes;
   std::vector<std::size_t> FirstTriangles; // of each mesh

@@ -6,16 +6,16 @@
 #include "cslfEnvironmentReader.h"
 #include "cslfFingerprint.h"
 #include "cslfLightReader.h"
+#include "cslfMeshMaker.h"
+#include "cslfSceneBlock.h"
 #include "cslfSurfaceColors.h"
 #include "cslfTextureReader.h"
 #include "cslfTriangles.h"
 #include "vtkCSLFMaterial.h"
 
-#include <vtkCellArray.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -33,24 +33,16 @@ namespace cslf
 {
 namespace
 {
-constexpr std::uint32_t Unused = 0xffffffffu;
-
-/// What one polygonal data object contributes.
-struct Block
-{
-  TriangleSelection Triangles;
-  vtkSmartPointer<vtkDataArray> Scalars;
-  bool ScalarsOfCells = false;
-  SurfaceMaterial Material;
-  MaterialTextures Textures;
-};
+// The radius of lines and vertices that are given none, in diagonals of the scene's bounding box.
+constexpr double StandardRadius = 0.0005;
 
 /// What the user is told of, once.
 struct Omissions
 {
   vtkIdType Triangles = 0;
-  vtkIdType Lines = 0;
-  vtkIdType Vertices = 0;
+  vtkIdType Round = 0;
+  vtkIdType RoundGlass = 0;
+  vtkIdType Instances = 0;
   vtkIdType Lights = 0;
   vtkIdType Environments = 0;
   vtkIdType Textures = 0;
@@ -69,8 +61,9 @@ struct Omissions
     const auto count = [&add](vtkIdType number, const char* what)
     { add(number > 0, std::to_string(number) + " " + what); };
     count(this->Triangles, "polygon(s) with coordinates that are not finite");
-    count(this->Lines, "line(s)");
-    count(this->Vertices, "vertex cell(s)");
+    count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
+    count(this->RoundGlass, "block(s)' transmission of lines or vertices");
+    count(this->Instances, "block(s)' instances with arrays that do not match or are not finite");
     count(this->Lights, "light(s) with arrays that do not match or are not finite");
     count(this->Environments, "environment(s) with arrays that do not match or are not finite");
     count(this->Textures, "block(s)' textures for want of texture coordinates");
@@ -80,138 +73,6 @@ struct Omissions
     }
     return text.empty() ? text : text + ".";
   }
-};
-
-bool HasAny(const MaterialTextures& textures)
-{
-  return textures.BaseColor || textures.MetallicRoughness || textures.Normal || textures.Emission;
-}
-
-/// The normal of a point, of unit length, or of length 0 where it has none.
-glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
-{
-  double normal[3];
-  normals->GetTuple(point, normal);
-  const glm::dvec3 vector(normal[0], normal[1], normal[2]);
-  const double length = glm::length(vector);
-  return std::isfinite(length) && length > 0.0 ? glm::vec3(vector / length) : glm::vec3(0.0f);
-}
-
-/// Copies the triangles that have an area, and the points that they use, into scene space.
-class MeshMaker
-{
-public:
-  MeshMaker(const Block& block, const SceneFrame& frame)
-    : Source(block)
-    , Frame(frame)
-    , Index(block.Triangles.Surface->GetNumberOfPoints(), Unused)
-  {
-  }
-
-  Mesh Make(SurfaceColors& colors)
-  {
-    vtkCellArray* polygons = this->Source.Triangles.Surface->GetPolys();
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell : this->Source.Triangles.Cells)
-    {
-      polygons->GetCellAtId(cell, corners);
-      this->AddTriangle(cell, corners->GetPointer(0));
-    }
-    this->AddNormals();
-    this->AddTexCoords();
-    this->AddColors(colors);
-    this->Result.Material = this->Source.Material;
-    this->Result.Textures = this->Source.Textures;
-    return std::move(this->Result);
-  }
-
-private:
-  glm::vec3 ToScene(vtkIdType point) const
-  {
-    return this->Frame.PointToScene(GetPoint(this->Source.Triangles.Surface, point));
-  }
-
-  void AddTriangle(vtkIdType cell, const vtkIdType* corners)
-  {
-    const glm::vec3 first = this->ToScene(corners[0]);
-    const glm::vec3 normal =
-      glm::cross(this->ToScene(corners[1]) - first, this->ToScene(corners[2]) - first);
-    if (!std::isnormal(glm::dot(normal, normal)))
-    {
-      return;
-    }
-    glm::uvec3 triangle;
-    for (int i = 0; i < 3; ++i)
-    {
-      std::uint32_t& index = this->Index[corners[i]];
-      if (index == Unused)
-      {
-        index = static_cast<std::uint32_t>(this->Points.size());
-        this->Points.push_back(corners[i]);
-        this->Result.Vertices.push_back(this->ToScene(corners[i]));
-      }
-      triangle[i] = index;
-    }
-    this->Result.Triangles.push_back(triangle);
-    this->Cells.push_back(cell);
-  }
-
-  void AddNormals()
-  {
-    vtkDataArray* normals = this->Source.Triangles.Surface->GetPointData()->GetNormals();
-    if (normals && normals->GetNumberOfComponents() == 3)
-    {
-      this->Result.Normals.reserve(this->Points.size());
-      for (vtkIdType point : this->Points)
-      {
-        this->Result.Normals.push_back(GetNormal(normals, point));
-      }
-    }
-  }
-
-  void AddTexCoords()
-  {
-    if (!HasAny(this->Source.Textures))
-    {
-      return;
-    }
-    vtkDataArray* coordinates = this->Source.Triangles.Surface->GetPointData()->GetTCoords();
-    this->Result.TexCoords.reserve(this->Points.size());
-    for (vtkIdType point : this->Points)
-    {
-      const glm::vec2 place(
-        coordinates->GetComponent(point, 0), coordinates->GetComponent(point, 1));
-      this->Result.TexCoords.push_back(std::isfinite(place.x + place.y) ? place : glm::vec2(0.0f));
-    }
-  }
-
-  void AddColors(SurfaceColors& colors)
-  {
-    if (!this->Source.Scalars)
-    {
-      return;
-    }
-    const MappedColors mapped = colors.Map(this->Source.Scalars);
-    const bool ofCells = this->Source.ScalarsOfCells;
-    this->Result.Coloring = ofCells ? Mesh::ColorsOf::Triangles : Mesh::ColorsOf::Vertices;
-    const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
-    this->Result.Colors.reserve(used.size());
-    for (vtkIdType index : used)
-    {
-      this->Result.Colors.push_back(mapped.Colors[index]);
-      if (!mapped.Opacities.empty())
-      {
-        this->Result.Opacities.push_back(mapped.Opacities[index]);
-      }
-    }
-  }
-
-  const Block& Source;
-  const SceneFrame& Frame;
-  Mesh Result;
-  std::vector<std::uint32_t> Index; // of each point, its vertex
-  std::vector<vtkIdType> Points;    // of each vertex, its point
-  std::vector<vtkIdType> Cells;     // of each triangle, its cell
 };
 
 class Builder
@@ -230,6 +91,7 @@ public:
       this->AddInput(input);
     }
     this->Omitted.Lights = this->Lights.GetNumberOfRejected();
+    this->SetRadii();
     BuiltScene built;
     if (!(this->Lower.x <= this->Upper.x))
     {
@@ -298,42 +160,81 @@ private:
       }
       return;
     }
-    this->Omitted.Lines += data->GetNumberOfLines();
-    this->Omitted.Vertices += data->GetNumberOfVerts();
-    Block block;
-    block.Triangles = SelectTriangles(data);
-    this->Omitted.Triangles += block.Triangles.Removed;
-    if (block.Triangles.Cells.empty())
+    SceneBlock block;
+    block.Data = data;
+    this->ReadMaterial(data, root, block);
+    this->CheckTextures(block);
+    const InstanceSelection instances = SelectInstances(data);
+    this->Omitted.Instances += instances.IsBroken ? 1 : 0;
+    block.Instances = instances.Places;
+    if (instances.IsBroken || (instances.IsPresent && instances.Places.empty()))
     {
       return;
     }
-    block.Scalars = this->Options.FindScalars(block.Triangles.Surface, block.ScalarsOfCells);
-    if (block.Scalars)
-    {
-      this->Colors.AddToRange(block.Scalars);
-    }
-    this->ReadMaterial(data, root, block);
-    this->AddToBounds(block);
-    this->Blocks.push_back(std::move(block));
-  }
 
-  void AddToBounds(const Block& block)
-  {
-    vtkPolyData* surface = block.Triangles.Surface;
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell : block.Triangles.Cells)
+    // Triangles.
+    TriangleSelection triangles = SelectTriangles(data);
+    this->Omitted.Triangles += triangles.Removed;
+    if (!triangles.Cells.empty())
     {
-      surface->GetPolys()->GetCellAtId(cell, corners);
-      for (vtkIdType i = 0; i < 3; ++i)
+      block.Data = triangles.Surface;
+      block.Triangles = std::move(triangles.Cells);
+      this->AddBlock(block);
+    }
+    block.Triangles.clear();
+
+    // Vertices and lines.
+    block.Data = data;
+    for (const Mesh::Shapes shape : { Mesh::Shapes::Spheres, Mesh::Shapes::Tubes })
+    {
+      RoundSelection round = SelectRound(data, shape);
+      this->Omitted.Round += round.Removed;
+      if (!round.Parts.empty())
       {
-        const glm::dvec3 point = GetPoint(surface, corners->GetId(i));
-        this->Lower = glm::min(this->Lower, point);
-        this->Upper = glm::max(this->Upper, point);
+        block.Shape = shape;
+        block.Round = std::move(round.Parts);
+        this->AddRoundBlock(block);
       }
     }
   }
 
-  void ReadMaterial(vtkPolyData* data, vtkDataObject* root, Block& block)
+  void AddRoundBlock(SceneBlock block)
+  {
+    this->Omitted.RoundGlass += block.Material.Transmission > 0.0f ? 1 : 0;
+    block.Material.Transmission = 0.0f;
+    block.Textures.Normal = nullptr;
+    block.StandardRadius =
+      block.Shape == Mesh::Shapes::Tubes ? block.LineRadius : block.PointRadius;
+    this->AddBlock(std::move(block));
+  }
+
+  void AddBlock(SceneBlock block)
+  {
+    block.Scalars = this->Options.FindScalars(block.Data, block.ScalarsOfCells);
+    if (block.Scalars)
+    {
+      this->Colors.AddToRange(block.Scalars);
+    }
+    block.AddTo(this->Lower, this->Upper, 0.0);
+    this->Blocks.push_back(std::move(block));
+  }
+
+  /// Adds to the bounds what spheres and tubes reach beyond their points.
+  void SetRadii()
+  {
+    const double diagonal = glm::length(this->Upper - this->Lower);
+    const double standard = diagonal > 0.0 ? StandardRadius * diagonal : 1.0;
+    for (SceneBlock& block : this->Blocks)
+    {
+      if (block.Shape != Mesh::Shapes::Triangles)
+      {
+        block.StandardRadius = block.StandardRadius > 0.0 ? block.StandardRadius : standard;
+        block.AddTo(this->Lower, this->Upper, block.GetLargestRadius());
+      }
+    }
+  }
+
+  void ReadMaterial(vtkPolyData* data, vtkDataObject* root, SceneBlock& block)
   {
     vtkNew<vtkPolyData> holder;
     vtkCSLFMaterial::Inherit(holder, data);
@@ -352,17 +253,18 @@ private:
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
-    this->ReadTextures(holder, block);
+    block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);
+    block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
+    block.Textures = this->Textures.Read(holder);
   }
 
-  void ReadTextures(vtkDataObject* material, Block& block)
+  void CheckTextures(SceneBlock& block)
   {
-    block.Textures = this->Textures.Read(material);
-    if (!HasAny(block.Textures))
+    if (!block.HasTextures())
     {
       return;
     }
-    vtkDataArray* coordinates = block.Triangles.Surface->GetPointData()->GetTCoords();
+    vtkDataArray* coordinates = block.Data->GetPointData()->GetTCoords();
     if (!coordinates || coordinates->GetNumberOfComponents() < 2)
     {
       block.Textures = MaterialTextures();
@@ -377,10 +279,10 @@ private:
   std::vector<Mesh> MakeMeshes(const SceneFrame& frame)
   {
     std::vector<Mesh> meshes;
-    for (const Block& block : this->Blocks)
+    for (const SceneBlock& block : this->Blocks)
     {
-      Mesh mesh = MeshMaker(block, frame).Make(this->Colors);
-      if (!mesh.Triangles.empty())
+      Mesh mesh = MakeMesh(block, frame, this->Colors);
+      if (mesh.GetNumberOfShapes() > 0)
       {
         meshes.push_back(std::move(mesh));
       }
@@ -393,7 +295,7 @@ private:
     built.Warning = this->Omitted.ToText();
     if (meshes.empty())
     {
-      built.Error = "The scene has no triangles with an area." +
+      built.Error = "The scene has no triangles with an area, lines or vertices." +
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;
     }
@@ -426,7 +328,7 @@ private:
   LightReader Lights;
   std::optional<Environment> Surroundings; // of the first data object that has one
   TextureReader Textures;
-  std::vector<Block> Blocks;
+  std::vector<SceneBlock> Blocks;
   Omissions Omitted;
   Fingerprint Identity;
   glm::dvec3 Lower{ VTK_DOUBLE_MAX };

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorImporter.h"
 
+#include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
 #include "cslfVTKCompatibility.h"
+#include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkActor.h>
@@ -16,6 +18,7 @@
 #include <vtkExtractEdges.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMapper.h>
@@ -148,6 +151,15 @@ public:
   {
     this->NameOmissions();
     UpdateInputs(this->Mapper);
+    if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(this->Mapper))
+    {
+      for (vtkPolyData* source : ImportGlyphs(this->Actor, glyphs, this->Matrix, this->Scene))
+      {
+        this->SetMaterial(source, BlockStyle());
+        this->AddRepresentation(source);
+      }
+      return;
+    }
     this->ImportData(this->Mapper->GetInputDataObject(0, 0), BlockStyle());
   }
 
@@ -212,6 +224,11 @@ private:
     this->SetMaterial(material, style);
     vtkCSLFMaterial::Inherit(block, material);
     this->SetColors(block, mapped);
+    this->AddRepresentation(block);
+  }
+
+  void AddRepresentation(vtkPolyData* block)
+  {
     if (this->Property->GetInterpolation() == VTK_FLAT)
     {
       block->GetPointData()->SetNormals(nullptr);
@@ -315,25 +332,28 @@ private:
   /// Edges and vertices that are drawn on the surface, in colours of their own.
   void AddDecoration(vtkPolyData* block)
   {
-    vtkNew<vtkPolyData> bare;
-    bare->CopyStructure(block);
-    vtkCSLFMaterial::SetOpacity(bare, this->Property->GetOpacity());
     if (this->Property->GetEdgeVisibility())
     {
-      const double* color = this->Property->GetEdgeColor();
-      vtkCSLFMaterial::SetBaseColor(bare, color[0], color[1], color[2]);
-      this->AddEdges(bare);
+      this->AddEdges(this->MakeBare(block, this->Property->GetEdgeColor()));
     }
     if (this->Property->GetVertexVisibility())
     {
-      const double* color = this->Property->GetVertexColor();
-      vtkNew<vtkPolyData> vertices;
-      vertices->ShallowCopy(bare);
-      vertices->SetFieldData(vtkNew<vtkFieldData>());
-      vtkCSLFMaterial::SetBaseColor(vertices, color[0], color[1], color[2]);
-      vtkCSLFMaterial::SetOpacity(vertices, this->Property->GetOpacity());
-      this->AddPoints(vertices);
+      this->AddPoints(this->MakeBare(block, this->Property->GetVertexColor()));
     }
+  }
+
+  /// A block's geometry in one colour, in the block's places.
+  vtkSmartPointer<vtkPolyData> MakeBare(vtkPolyData* block, const double* color) const
+  {
+    auto bare = vtkSmartPointer<vtkPolyData>::New();
+    bare->CopyStructure(block);
+    vtkCSLFMaterial::SetBaseColor(bare, color[0], color[1], color[2]);
+    vtkCSLFMaterial::SetOpacity(bare, this->Property->GetOpacity());
+    if (vtkDataArray* places = block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix()))
+    {
+      bare->GetFieldData()->AddArray(places);
+    }
+    return bare;
   }
 
   vtkActor* Actor;

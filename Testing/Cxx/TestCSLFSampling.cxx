@@ -112,8 +112,8 @@ void TestLights()
   // An area light's samples know their density.
   cslf::Mesh source;
   source.Material.Emission = glm::vec3(1.0f);
-  const cslf::AreaLights lights({ { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1.0f, &source, 0 },
-    { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, 4.0f, &source, 1 } });
+  const cslf::AreaLights lights({ { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1.0f, &source, 0, cslf::TrianglePoint::None },
+    { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, 4.0f, &source, 1, cslf::TrianglePoint::None } });
   double solidAngle = 0.0;
   for (std::uint32_t i = 0; i < 4096; ++i)
   {

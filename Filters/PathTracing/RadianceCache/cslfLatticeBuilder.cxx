@@ -113,8 +113,9 @@ void LatticeBuilder::ChooseSplits()
     this->Depths.clear();
     for (const Mesh& mesh : this->World.GetMeshes())
     {
-      for (const glm::uvec3& triangle : mesh.Triangles)
+      for (std::size_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
       {
+        const glm::uvec3& triangle = mesh.Triangles[i];
         const float ratio = LongestEdge(mesh, triangle) / this->Settings.Spacing;
         const int depth =
           std::clamp(static_cast<int>(std::ceil(std::log2(ratio))), 0, LargestDepth);
@@ -142,7 +143,8 @@ bool LatticeBuilder::Build(const std::function<bool(double)>& goOn)
   std::size_t done = 0;
   for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
   {
-    for (std::uint32_t triangle = 0; triangle < meshes[mesh].Triangles.size(); ++triangle, ++done)
+    const std::size_t triangles = meshes[mesh].CanHoldLattice() ? meshes[mesh].Triangles.size() : 0;
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle, ++done)
     {
       this->AddTriangle(mesh, triangle);
       if (this->Patches.size() >= BatchBricks)

@@ -49,7 +49,10 @@ public:
   /// Fills the cache. `goOn` is told the progress, in [0,1]; false where it returned false.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// The diffuse radiance of a surface point, were it white.
+  /// Whether the cache knows a surface: spheres, tubes and instances it does not.
+  bool Covers(const Hit& hit) const { return this->World.GetMeshes()[hit.Mesh].CanHoldLattice(); }
+
+  /// The diffuse radiance of a surface point that it covers, were it white.
   glm::vec3 Get(const Hit& hit) const
   {
     const std::size_t triangle = this->World.GetTriangleIndex(hit.Mesh, hit.Triangle);

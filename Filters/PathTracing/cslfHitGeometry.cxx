@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfHitGeometry.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+// How far rays start off a surface, in radii of the scene: a hundred times the rounding of a
+// vertex.
+constexpr float SurfaceOffset = 1e-5f;
+
+// The least cosine between a shading normal and the direction it is seen from.
+constexpr float SmallestCosine = 1e-3f;
+
+/// A triangle in the scene.
+struct HitTriangle
+{
+  glm::vec3 Corners[3];
+  glm::vec3 Normals[3]; // of any length
+  glm::vec3 Front;      // the normal of the side from which the corners run counterclockwise
+  bool IsSmooth;        // whether all corners have a normal
+};
+
+/// A normal, turned to the side of another.
+glm::vec3 TurnTo(const glm::vec3& normal, const glm::vec3& side)
+{
+  return glm::dot(normal, side) < 0.0f ? -normal : normal;
+}
+
+/// What takes a mesh's normals to the scene.
+glm::mat3 GetNormalMatrix(const MeshInstance& instance)
+{
+  return glm::transpose(glm::inverse(instance.Linear));
+}
+
+HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
+{
+  const glm::uvec3& corners = mesh.Triangles[place.Triangle];
+  HitTriangle triangle;
+  triangle.IsSmooth = !mesh.Normals.empty();
+  for (int i = 0; i < 3; ++i)
+  {
+    triangle.Corners[i] = mesh.Vertices[corners[i]];
+    triangle.Normals[i] = mesh.Normals.empty() ? glm::vec3(0.0f) : mesh.Normals[corners[i]];
+    triangle.IsSmooth = triangle.IsSmooth && triangle.Normals[i] != glm::vec3(0.0f);
+  }
+  float side = 1.0f;
+  if (place.Instance != TrianglePoint::None)
+  {
+    const MeshInstance& instance = mesh.Instances[place.Instance];
+    const glm::mat3 normals = GetNormalMatrix(instance);
+    for (int i = 0; i < 3; ++i)
+    {
+      triangle.Corners[i] = instance.Linear * triangle.Corners[i] + instance.Offset;
+      triangle.Normals[i] =
+        triangle.IsSmooth ? glm::normalize(normals * triangle.Normals[i]) : triangle.Normals[i];
+    }
+    side = glm::determinant(instance.Linear) < 0.0f ? -1.0f : 1.0f;
+  }
+  triangle.Front = side *
+    glm::normalize(glm::cross(
+      triangle.Corners[1] - triangle.Corners[0], triangle.Corners[2] - triangle.Corners[0]));
+  return triangle;
+}
+
+glm::vec3 Interpolate(const glm::vec3 values[3], const TrianglePoint& place)
+{
+  return (1.0f - place.U - place.V) * values[0] + place.U * values[1] + place.V * values[2];
+}
+
+/// The interpolated normal, bent by the normal texture, turned to the ray's side, and so that the
+/// ray sees its front.
+glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
+  const TrianglePoint& place, const SurfaceHit& surface, const glm::vec3& outgoing)
+{
+  glm::vec3 normal = triangle.Front;
+  if (triangle.IsSmooth)
+  {
+    normal = TurnTo(Interpolate(triangle.Normals, place), triangle.Front);
+    normal = glm::length(normal) > 1e-6f ? normal : triangle.Front;
+  }
+  const glm::vec3 edges[2] = { triangle.Corners[1] - triangle.Corners[0],
+    triangle.Corners[2] - triangle.Corners[0] };
+  normal = TurnTo(mesh.BendNormal(normal, edges, place), surface.GeometricNormal);
+  const float length = glm::length(normal);
+  if (!(length > 1e-6f))
+  {
+    return surface.GeometricNormal;
+  }
+  normal /= length;
+  const float cosine = glm::dot(normal, outgoing);
+  return cosine < SmallestCosine ? glm::normalize(normal + (SmallestCosine - cosine) * outgoing)
+                                 : normal;
+}
+
+/// A point of a triangle, raised to the smooth surface that its corners' normals suggest, so that
+/// the triangle does not shadow directions above the shading normal's horizon: Hanika, "Hacking the
+/// Shadow Terminator", Ray Tracing Gems II, 2021.
+glm::vec3 RaiseToSmoothSurface(const HitTriangle& triangle, const TrianglePoint& place,
+  const glm::vec3& geometric, const glm::vec3& position)
+{
+  const float weights[3] = { 1.0f - place.U - place.V, place.U, place.V };
+  glm::vec3 raised = position;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::vec3 normal = TurnTo(triangle.Normals[i], geometric);
+    const float depth = glm::dot(position - triangle.Corners[i], normal);
+    raised -= weights[i] * std::min(depth, 0.0f) * normal;
+  }
+  return raised;
+}
+
+void LocateOnTriangle(
+  const Mesh& mesh, const glm::vec3& outgoing, const TrianglePoint& place, SurfaceHit& surface)
+{
+  const HitTriangle triangle = GetTriangle(mesh, place);
+  surface.GeometricNormal = TurnTo(triangle.Front, outgoing);
+  surface.Inside = surface.GeometricNormal != triangle.Front;
+  surface.ShadingNormal = FindShadingNormal(mesh, triangle, place, surface, outgoing);
+  const glm::vec3 position = Interpolate(triangle.Corners, place);
+  surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
+  surface.LeavePosition = triangle.IsSmooth
+    ? RaiseToSmoothSurface(triangle, place, surface.GeometricNormal, position)
+    : position;
+  surface.LeavePosition += SurfaceOffset * surface.GeometricNormal;
+}
+
+/// The centre and radius of the sphere that touches a tube's surface at a point, and how far along
+/// the tube it is, in [0,1]. A tube is what a sphere passes over whose radius grows evenly; its
+/// surface leans by the slope of the radius.
+glm::vec4 FindTubeSphere(const Mesh& mesh, std::uint32_t tube, const glm::vec3& point, float& along)
+{
+  const glm::vec3& start = mesh.Vertices[2 * tube];
+  const glm::vec3 path = mesh.Vertices[2 * tube + 1] - start;
+  const float length = glm::length(path);
+  const float radius = mesh.Radii[2 * tube];
+  const float slope = length > 0.0f ? (mesh.Radii[2 * tube + 1] - radius) / length : 0.0f;
+  along = 0.0f;
+  if (length > 0.0f && slope * slope < 1.0f)
+  {
+    const float height = glm::dot(point - start, path) / length;
+    along = std::clamp((height + slope * radius) / ((1.0f - slope * slope) * length), 0.0f, 1.0f);
+  }
+  return { start + along * path, radius + along * slope * length };
+}
+
+void LocateOnRound(
+  const Mesh& mesh, const Ray& ray, const Hit& hit, TrianglePoint& place, SurfaceHit& surface)
+{
+  // Find the surface in the space of the mesh.
+  glm::vec3 point = ray.Origin + hit.Distance * ray.Direction;
+  const bool instanced = place.Instance != TrianglePoint::None;
+  if (instanced)
+  {
+    const MeshInstance& instance = mesh.Instances[place.Instance];
+    point = glm::inverse(instance.Linear) * (point - instance.Offset);
+  }
+  const glm::vec4 sphere = mesh.Shape == Mesh::Shapes::Tubes
+    ? FindTubeSphere(mesh, place.Triangle, point, place.U)
+    : glm::vec4(mesh.Vertices[place.Triangle], mesh.Radii[place.Triangle]);
+  const glm::vec3 center(sphere);
+  glm::vec3 normal = point - center;
+  const float length = glm::length(normal);
+  normal = length > 0.0f ? normal / length : -ray.Direction;
+  const glm::vec3 position = ToScene(mesh, place.Instance, center + sphere.w * normal);
+  if (instanced)
+  {
+    normal = glm::normalize(GetNormalMatrix(mesh.Instances[place.Instance]) * normal);
+  }
+
+  surface.GeometricNormal = TurnTo(normal, -ray.Direction);
+  surface.Inside = surface.GeometricNormal != normal;
+  surface.ShadingNormal = surface.GeometricNormal;
+  surface.LeavePosition = position + SurfaceOffset * surface.GeometricNormal;
+  surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
+}
+}
+
+glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point)
+{
+  if (instance == TrianglePoint::None)
+  {
+    return point;
+  }
+  const MeshInstance& placed = mesh.Instances[instance];
+  return placed.Linear * point + placed.Offset;
+}
+
+void Locate(
+  const Mesh& mesh, const Ray& ray, const Hit& hit, TrianglePoint& place, SurfaceHit& surface)
+{
+  if (mesh.Shape == Mesh::Shapes::Triangles)
+  {
+    LocateOnTriangle(mesh, -ray.Direction, place, surface);
+  }
+  else
+  {
+    LocateOnRound(mesh, ray, hit, place, surface);
+  }
+}
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where a hit lies, and which way the surface faces there.
+ */
+#ifndef cslfHitGeometry_h
+#define cslfHitGeometry_h
+
+#include "cslfScene.h"
+
+namespace cslf
+{
+/// A point of a mesh in the scene, in one of its instances or where it lies.
+glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point);
+
+/// Finds a hit's normals and positions. On tubes, `place` is moved to where the surface belongs to.
+void Locate(
+  const Mesh& mesh, const Ray& ray, const Hit& hit, TrianglePoint& place, SurfaceHit& surface);
+}
+
+#endif

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMeshMaker.h"
+
+#include "cslfTriangles.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr std::uint32_t Unused = 0xffffffffu;
+
+/// The normal of a point, of unit length, or of length 0 where it has none.
+glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
+{
+  double normal[3];
+  normals->GetTuple(point, normal);
+  const glm::dvec3 vector(normal[0], normal[1], normal[2]);
+  const double length = glm::length(vector);
+  return std::isfinite(length) && length > 0.0 ? glm::vec3(vector / length) : glm::vec3(0.0f);
+}
+
+/// The space that a block's mesh is in: the scene's, or, where the block has instances, its own.
+SceneFrame FindFrame(const SceneBlock& block, const SceneFrame& frame)
+{
+  if (block.Instances.empty())
+  {
+    return frame;
+  }
+  SceneBlock single = block;
+  single.Instances.clear();
+  glm::dvec3 lower(VTK_DOUBLE_MAX);
+  glm::dvec3 upper(VTK_DOUBLE_MIN);
+  single.AddTo(lower, upper, single.GetLargestRadius());
+  return { 0.5 * (lower + upper), 0.5 * glm::length(upper - lower) };
+}
+
+/// Makes the mesh of one block.
+class MeshMaker
+{
+public:
+  MeshMaker(const SceneBlock& block, const SceneFrame& frame)
+    : Source(block)
+    , World(frame)
+    , Frame(FindFrame(block, frame))
+    , Index(block.Data->GetNumberOfPoints(), Unused)
+  {
+  }
+
+  Mesh Make(SurfaceColors& colors)
+  {
+    this->Result.Shape = this->Source.Shape;
+    this->AddTriangles();
+    this->AddRound();
+    this->AddNormals();
+    this->AddTexCoords();
+    this->AddColors(colors);
+    this->AddInstances();
+    this->Result.Material = this->Source.Material;
+    this->Result.Textures = this->Source.Textures;
+    return std::move(this->Result);
+  }
+
+private:
+  glm::vec3 ToMesh(vtkIdType point) const
+  {
+    return this->Frame.PointToScene(GetPoint(this->Source.Data, point));
+  }
+
+  void AddTriangles()
+  {
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell : this->Source.Triangles)
+    {
+      this->Source.Data->GetPolys()->GetCellAtId(cell, corners);
+      this->AddTriangle(cell, corners->GetPointer(0));
+    }
+  }
+
+  void AddTriangle(vtkIdType cell, const vtkIdType* corners)
+  {
+    const glm::vec3 first = this->ToMesh(corners[0]);
+    const glm::vec3 normal =
+      glm::cross(this->ToMesh(corners[1]) - first, this->ToMesh(corners[2]) - first);
+    if (!std::isnormal(glm::dot(normal, normal)))
+    {
+      return;
+    }
+    glm::uvec3 triangle;
+    for (int i = 0; i < 3; ++i)
+    {
+      std::uint32_t& index = this->Index[corners[i]];
+      if (index == Unused)
+      {
+        index = static_cast<std::uint32_t>(this->Points.size());
+        this->Points.push_back(corners[i]);
+        this->Result.Vertices.push_back(this->ToMesh(corners[i]));
+      }
+      triangle[i] = index;
+    }
+    this->Result.Triangles.push_back(triangle);
+    this->Cells.push_back(cell);
+  }
+
+  /// Each sphere has a vertex of its own, each part of a line two.
+  void AddRound()
+  {
+    const int count = this->Source.Shape == Mesh::Shapes::Tubes ? 2 : 1;
+    for (const RoundPart& part : this->Source.Round)
+    {
+      if (!(this->Source.GetRadius(part.Points[0]) > 0.0) ||
+        !(this->Source.GetRadius(part.Points[1]) > 0.0))
+      {
+        continue;
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        this->Points.push_back(part.Points[i]);
+        this->Result.Vertices.push_back(this->ToMesh(part.Points[i]));
+        this->Result.Radii.push_back(
+          static_cast<float>(this->Source.GetRadius(part.Points[i]) / this->Frame.Radius));
+      }
+      this->Cells.push_back(part.Cell);
+    }
+  }
+
+  void AddNormals()
+  {
+    vtkDataArray* normals = this->Source.Data->GetPointData()->GetNormals();
+    if (normals && normals->GetNumberOfComponents() == 3)
+    {
+      this->Result.Normals.reserve(this->Points.size());
+      for (vtkIdType point : this->Points)
+      {
+        this->Result.Normals.push_back(GetNormal(normals, point));
+      }
+    }
+  }
+
+  void AddTexCoords()
+  {
+    if (!this->Source.HasTextures())
+    {
+      return;
+    }
+    vtkDataArray* coordinates = this->Source.Data->GetPointData()->GetTCoords();
+    this->Result.TexCoords.reserve(this->Points.size());
+    for (vtkIdType point : this->Points)
+    {
+      const glm::vec2 place(
+        coordinates->GetComponent(point, 0), coordinates->GetComponent(point, 1));
+      this->Result.TexCoords.push_back(std::isfinite(place.x + place.y) ? place : glm::vec2(0.0f));
+    }
+  }
+
+  void AddColors(SurfaceColors& colors)
+  {
+    if (!this->Source.Scalars)
+    {
+      return;
+    }
+    const MappedColors mapped = colors.Map(this->Source.Scalars);
+    const bool ofCells = this->Source.ScalarsOfCells;
+    this->Result.Coloring = ofCells ? Mesh::ColorsOf::Triangles : Mesh::ColorsOf::Vertices;
+    const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
+    this->Result.Colors.reserve(used.size());
+    for (vtkIdType index : used)
+    {
+      this->Result.Colors.push_back(mapped.Colors[index]);
+      if (!mapped.Opacities.empty())
+      {
+        this->Result.Opacities.push_back(mapped.Opacities[index]);
+      }
+    }
+  }
+
+  void AddInstances()
+  {
+    const glm::dmat3 scale(this->Frame.Radius / this->World.Radius);
+    for (const BlockInstance& instance : this->Source.Instances)
+    {
+      MeshInstance placed;
+      placed.Linear = glm::dmat3(instance.ToWorld) * scale;
+      placed.Offset = this->World.PointToScene(
+        glm::dvec3(instance.ToWorld * glm::dvec4(this->Frame.Center, 1.0)));
+      placed.Color = instance.Color;
+      placed.Opacity = instance.Opacity;
+      this->Result.HasInstanceColors = instance.HasColor;
+      this->Result.Instances.push_back(placed);
+    }
+  }
+
+  const SceneBlock& Source;
+  const SceneFrame& World;
+  SceneFrame Frame; // of the mesh
+  Mesh Result;
+  std::vector<std::uint32_t> Index; // of each point, its vertex in triangles
+  std::vector<vtkIdType> Points;    // of each vertex, its point
+  std::vector<vtkIdType> Cells;     // of each shape, its cell
+};
+}
+
+Mesh MakeMesh(const SceneBlock& block, const SceneFrame& frame, SurfaceColors& colors)
+{
+  return MeshMaker(block, frame).Make(colors);
+}
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What one polygonal data object contributes to a scene: its triangles, its vertices or its lines.
+ */
+#ifndef cslfSceneBlock_h
+#define cslfSceneBlock_h
+
+#include "cslfMesh.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <glm/mat4x4.hpp>
+
+#include <vector>
+
+class vtkDataArray;
+
+namespace cslf
+{
+/// A sphere or a part of a line.
+struct RoundPart
+{
+  vtkIdType Points[2]; ///< the first only, of a sphere
+  vtkIdType Cell;
+};
+
+struct RoundSelection
+{
+  std::vector<RoundPart> Parts;
+  vtkIdType Removed = 0; ///< how many had coordinates that are not finite
+};
+
+/// The vertices (as spheres) or the parts of lines (as tubes) of polygonal data.
+RoundSelection SelectRound(vtkPolyData* data, Mesh::Shapes shape);
+
+/// A place of a block, in the world.
+struct BlockInstance
+{
+  glm::dmat4 ToWorld{ 1.0 };
+  glm::vec3 Color{ 1.0f }; ///< linear
+  float Opacity = 1.0f;
+  bool HasColor = false;
+};
+
+struct InstanceSelection
+{
+  std::vector<BlockInstance> Places; ///< without those that have no extent
+  bool IsPresent = false;
+  bool IsBroken = false; ///< whether arrays do not match or are not finite
+};
+
+/// The instances in a block's field data: see vtkCSLFInstances.
+InstanceSelection SelectInstances(vtkPolyData* data);
+
+struct SceneBlock
+{
+  vtkSmartPointer<vtkPolyData> Data;
+  Mesh::Shapes Shape = Mesh::Shapes::Triangles;
+  std::vector<vtkIdType> Triangles; ///< cells of the data's polygons
+  std::vector<RoundPart> Round;
+  double LineRadius = 0.0; ///< in the world; 0 for the scene's
+  double PointRadius = 0.0;
+  double StandardRadius = 0.0; ///< of points without one of their own
+  vtkSmartPointer<vtkDataArray> Scalars;
+  bool ScalarsOfCells = false;
+  SurfaceMaterial Material;
+  MaterialTextures Textures;
+  std::vector<BlockInstance> Instances;
+
+  bool HasTextures() const;
+
+  /// Extends bounds by the points, with a margin, in all instances.
+  void AddTo(glm::dvec3& lower, glm::dvec3& upper, double margin) const;
+
+  /// The radius of a point's sphere or tube, in the space of the data.
+  double GetRadius(vtkIdType point) const;
+  double GetLargestRadius() const;
+};
+}
+
+#endif

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGlyphImporter.h"
+
+#include "cslfMappedScalars.h"
+#include "vtkCSLFInstances.h"
+
+#include <vtkActor.h>
+#include <vtkBitArray.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkInformation.h>
+#include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkTransform.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+/// The array of points that the mapper reads for one of its purposes, or null.
+vtkDataArray* FindArray(vtkGlyph3DMapper* mapper, int purpose, vtkDataSet* data)
+{
+  vtkInformation* info = mapper->GetInputArrayInformation(purpose);
+  if (const char* name = info->Get(vtkDataObject::FIELD_NAME()))
+  {
+    return data->GetPointData()->GetArray(name);
+  }
+  return info->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE())
+    ? data->GetPointData()->GetAttribute(info->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+    : nullptr;
+}
+
+/// The length of an array's tuple.
+double GetNorm(vtkDataArray* array, vtkIdType tuple)
+{
+  double sum = 0.0;
+  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+  {
+    sum += array->GetComponent(tuple, i) * array->GetComponent(tuple, i);
+  }
+  return std::sqrt(sum);
+}
+
+/// Turns the x axis to a direction, by half a turn around the middle between the two, as the mapper
+/// does.
+void TurnToDirection(const double direction[3], vtkTransform* transform)
+{
+  const double length = vtkMath::Norm(direction);
+  if (!(length > 0.0))
+  {
+    return;
+  }
+  if (direction[1] == 0.0 && direction[2] == 0.0)
+  {
+    transform->RotateY(direction[0] < 0.0 ? 180.0 : 0.0);
+    return;
+  }
+  transform->RotateWXYZ(
+    180.0, 0.5 * (direction[0] + length), 0.5 * direction[1], 0.5 * direction[2]);
+}
+
+/// A quaternion w, x, y, z as a rotation.
+void TurnByQuaternion(const double quaternion[4], vtkTransform* transform)
+{
+  const double sine = vtkMath::Norm(quaternion + 1);
+  if (sine > 0.0)
+  {
+    const double angle = vtkMath::DegreesFromRadians(2.0 * std::atan2(sine, quaternion[0]));
+    transform->RotateWXYZ(angle, quaternion[1], quaternion[2], quaternion[3]);
+  }
+}
+
+/// Where the mapper puts the glyph of each point of a data set.
+class GlyphPlacer
+{
+public:
+  GlyphPlacer(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+    : Mapper(mapper)
+    , Data(data)
+    , Scales(mapper->GetScaleMode() == vtkGlyph3DMapper::NO_DATA_SCALING
+          ? nullptr
+          : FindArray(mapper, vtkGlyph3DMapper::SCALE, data))
+    , Orientations(
+        mapper->GetOrient() ? FindArray(mapper, vtkGlyph3DMapper::ORIENTATION, data) : nullptr)
+    , Masks(vtkArrayDownCast<vtkBitArray>(
+        mapper->GetMasking() ? FindArray(mapper, vtkGlyph3DMapper::MASK, data) : nullptr))
+    , Sources(mapper->GetSourceIndexing() ? FindArray(mapper, vtkGlyph3DMapper::SOURCE_INDEX, data)
+                                          : nullptr)
+  {
+  }
+
+  bool IsShown(vtkIdType point) const { return !this->Masks || this->Masks->GetValue(point) != 0; }
+
+  int GetSource(vtkIdType point, int count) const
+  {
+    const double index = this->Sources ? GetNorm(this->Sources, point) : 0.0;
+    return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
+  }
+
+  /// After the actor's matrix.
+  void Place(vtkIdType point, vtkTransform* transform) const
+  {
+    double position[3];
+    this->Data->GetPoint(point, position);
+    transform->Translate(position);
+    this->Orient(point, transform);
+    if (this->Mapper->GetScaling())
+    {
+      double scale[3];
+      this->GetScale(point, scale);
+      transform->Scale(scale);
+    }
+  }
+
+private:
+  void Orient(vtkIdType point, vtkTransform* transform) const
+  {
+    const int mode = this->Mapper->GetOrientationMode();
+    const int components = mode == vtkGlyph3DMapper::QUATERNION ? 4 : 3;
+    if (!this->Orientations || this->Orientations->GetNumberOfComponents() != components)
+    {
+      return;
+    }
+    double orientation[4];
+    this->Orientations->GetTuple(point, orientation);
+    switch (mode)
+    {
+      case vtkGlyph3DMapper::ROTATION:
+        transform->RotateZ(orientation[2]);
+        transform->RotateX(orientation[0]);
+        transform->RotateY(orientation[1]);
+        break;
+      case vtkGlyph3DMapper::QUATERNION:
+        TurnByQuaternion(orientation, transform);
+        break;
+      default:
+        TurnToDirection(orientation, transform);
+    }
+  }
+
+  void GetScale(vtkIdType point, double scale[3]) const
+  {
+    std::fill_n(scale, 3, 1.0);
+    if (this->Scales)
+    {
+      const bool each = this->Mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS &&
+        this->Scales->GetNumberOfComponents() == 3;
+      for (int i = 0; i < 3; ++i)
+      {
+        scale[i] = this->ClampScale(
+          each ? this->Scales->GetComponent(point, i) : GetNorm(this->Scales, point));
+      }
+    }
+    vtkMath::MultiplyScalar(scale, this->Mapper->GetScaleFactor());
+  }
+
+  double ClampScale(double value) const
+  {
+    if (!this->Mapper->GetClamping())
+    {
+      return value;
+    }
+    const double* range = this->Mapper->GetRange();
+    const double width = range[1] - range[0];
+    return (std::clamp(value, range[0], std::max(range[0], range[1])) - range[0]) /
+      (width == 0.0 ? 1.0 : width);
+  }
+
+  vtkGlyph3DMapper* Mapper;
+  vtkDataSet* Data;
+  vtkDataArray* Scales;
+  vtkDataArray* Orientations;
+  vtkBitArray* Masks; // the mapper knows no others
+  vtkDataArray* Sources;
+};
+
+/// The source's geometry, without its scalars, which the mapper does not show.
+vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  if (source)
+  {
+    copy->CopyStructure(source);
+    copy->GetPointData()->SetNormals(source->GetPointData()->GetNormals());
+    copy->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
+  }
+  return copy;
+}
+
+void AddPoints(vtkDataSet* data, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix,
+  std::vector<vtkSmartPointer<vtkPolyData>>& sources)
+{
+  const GlyphPlacer placer(mapper, data);
+  const MappedScalars mapped = MapScalars(mapper, data, false);
+  vtkUnsignedCharArray* colors = mapped.OfCells ? nullptr : mapped.Colors.Get();
+  vtkNew<vtkTransform> transform;
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+  {
+    if (!placer.IsShown(point))
+    {
+      continue;
+    }
+    transform->SetMatrix(matrix);
+    placer.Place(point, transform);
+    vtkPolyData* source = sources[placer.GetSource(point, static_cast<int>(sources.size()))];
+    if (!colors)
+    {
+      vtkCSLFInstances::AddInstance(source, transform->GetMatrix());
+      continue;
+    }
+    double color[4] = { 0.0, 0.0, 0.0, 1.0 };
+    for (int i = 0; i < std::min(colors->GetNumberOfComponents(), 4); ++i)
+    {
+      color[i] = colors->GetTypedComponent(point, i) / 255.0;
+    }
+    vtkCSLFInstances::AddInstance(source, transform->GetMatrix(), color);
+  }
+}
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> ImportGlyphs(
+  vtkActor* actor, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> sources;
+  if (mapper->GetUseSourceTableTree())
+  {
+    scene.Omitted.insert("glyphs of a source table tree");
+    return sources;
+  }
+  const int count = mapper->GetNumberOfInputConnections(1);
+  for (int i = 0; i < count; ++i)
+  {
+    sources.push_back(CopySource(mapper->GetSource(i)));
+  }
+  if (sources.empty())
+  {
+    return sources;
+  }
+  vtkNew<vtkMatrix4x4> place;
+  place->DeepCopy(matrix ? matrix : actor->GetMatrix());
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* data = vtkDataSet::SafeDownCast(input))
+  {
+    AddPoints(data, mapper, place, sources);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (auto* part = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()))
+      {
+        AddPoints(part, mapper, place, sources);
+      }
+    }
+  }
+  sources.erase(std::remove_if(sources.begin(), sources.end(),
+                  [](vtkPolyData* source) {
+                    return !source->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+                  }),
+    sources.end());
+  return sources;
+}
+}

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The glyphs of a mapper as instances, drawn by VTK and traced: where they are, and their colours.
+#include "cslfTesting.h"
+#include "vtkCSLFInstances.h"
+#include "vtkCSLFSceneImporter.h"
+#include "vtkCSLFViewTracer.h"
+
+#include <vtkActor.h>
+#include <vtkArrowSource.h>
+#include <vtkBitArray.h>
+#include <vtkCamera.h>
+#include <vtkConeSource.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int Side = 96;
+
+vtkSmartPointer<vtkPolyData> MakePoints()
+{
+  const double places[][3] = { { -2, -2, 0 }, { 2, -2, 0 }, { 2, 2, 0 }, { -2, 2, 0 },
+    { 0, 0, 0 } };
+  const double directions[][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 2, 0 }, { 1, 1, 1 },
+    { 0, 0, 0 } };
+  // Of the same rotations, as quaternions and as angles.
+  const double half = std::sqrt(0.5);
+  const double quaternions[][4] = { { 1, 0, 0, 0 }, { half, 0, 0, half }, { half, half, 0, 0 },
+    { 0.5, 0.5, 0.5, 0.5 }, { half, 0, half, 0 } };
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("Directions");
+  vectors->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> turns;
+  turns->SetName("Quaternions");
+  turns->SetNumberOfComponents(4);
+  vtkNew<vtkDoubleArray> angles;
+  angles->SetName("Angles");
+  angles->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> sizes;
+  sizes->SetName("Sizes");
+  sizes->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Values");
+  vtkNew<vtkBitArray> masks;
+  masks->SetName("Masks");
+  for (int i = 0; i < 5; ++i)
+  {
+    points->InsertNextPoint(places[i]);
+    vectors->InsertNextTuple(directions[i]);
+    turns->InsertNextTuple(quaternions[i]);
+    angles->InsertNextTuple3(20.0 * i, 30.0, 50.0 * i);
+    sizes->InsertNextTuple3(0.5 + 0.2 * i, 1.0, 1.5 - 0.2 * i);
+    values->InsertNextValue(static_cast<float>(i));
+    masks->InsertNextValue(i == 1 ? 0 : 1);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  for (vtkDataArray* array :
+    { static_cast<vtkDataArray*>(vectors), static_cast<vtkDataArray*>(turns),
+      static_cast<vtkDataArray*>(angles), static_cast<vtkDataArray*>(sizes),
+      static_cast<vtkDataArray*>(values), static_cast<vtkDataArray*>(masks) })
+  {
+    data->GetPointData()->AddArray(array);
+  }
+  data->GetPointData()->SetActiveScalars("Values");
+  return data;
+}
+
+/// Glyphs in a window of VTK, and the same traced.
+struct Glyphs
+{
+  vtkNew<vtkGlyph3DMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+
+  Glyphs()
+  {
+    this->Mapper->SetInputData(MakePoints());
+    vtkNew<vtkConeSource> cone;
+    cone->SetResolution(12);
+    cone->SetCenter(0.3, 0.1, 0.0); // so that turns show
+    this->Mapper->SetSourceConnection(cone->GetOutputPort());
+    this->Mapper->SetScaleArray("Sizes");
+    this->Mapper->SetOrientationArray("Directions");
+    this->Mapper->SetMaskArray("Masks");
+    this->Mapper->SetSourceIndexArray("Values");
+    this->Mapper->SetScalarRange(0.0, 4.0);
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetPosition(0.2, 0.1, 0.0);
+    this->Renderer->AddActor(this->Actor);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(1, 2, 10);
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(4.0);
+    this->Renderer->ResetCameraClippingRange(-5, 5, -5, 5, -5, 5);
+    this->Window->SetSize(Side, Side);
+    this->Window->SetMultiSamples(0);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  /// The share of the pixels where only one of the two pictures has a glyph, or both have other
+  /// hues.
+  double Compare()
+  {
+    vtkNew<vtkWindowToImageFilter> drawn;
+    drawn->SetInput(this->Window);
+    drawn->ReadFrontBufferOff();
+    drawn->Update();
+    vtkNew<vtkCSLFViewTracer> traced;
+    traced->SetRenderer(this->Renderer);
+    traced->SetCamera(this->Renderer->GetActiveCamera());
+    traced->SetSize(Side, Side);
+    traced->SetSamples(4);
+    traced->SetMaximumDepth(1);
+    traced->Update();
+    vtkDataArray* first = drawn->GetOutput()->GetPointData()->GetScalars();
+    vtkDataArray* second = traced->GetOutput()->GetPointData()->GetScalars();
+    int differ = 0;
+    int covered = 0;
+    for (vtkIdType i = 0; i < first->GetNumberOfTuples(); ++i)
+    {
+      const bool a = GetLargest(first, i) > 20;
+      const bool b = second->GetComponent(i, 3) >= 128;
+      covered += a ? 1 : 0;
+      differ += a != b || (a && GetHue(first, i) != GetHue(second, i)) ? 1 : 0;
+    }
+    CSLF_CHECK(covered > 200);
+    return static_cast<double>(differ) / covered;
+  }
+
+private:
+  static double GetLargest(vtkDataArray* colors, vtkIdType pixel)
+  {
+    return std::max({ colors->GetComponent(pixel, 0), colors->GetComponent(pixel, 1),
+      colors->GetComponent(pixel, 2) });
+  }
+
+  /// Which components are bright.
+  static int GetHue(vtkDataArray* colors, vtkIdType pixel)
+  {
+    int hue = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      hue |= colors->GetComponent(pixel, c) > 0.5 * GetLargest(colors, pixel) ? 1 << c : 0;
+    }
+    return hue;
+  }
+};
+
+void TestAgainstDrawing()
+{
+  Glyphs glyphs;
+  vtkGlyph3DMapper* mapper = glyphs.Mapper;
+  constexpr double edges = 0.15; // of the pixels lie on outlines
+  mapper->ScalarVisibilityOff();
+  CSLF_CHECK(glyphs.Compare() < edges); // directions
+  mapper->SetOrientationModeToRotation();
+  mapper->SetOrientationArray("Angles");
+  CSLF_CHECK(glyphs.Compare() < edges);
+  mapper->SetOrientationModeToQuaternion();
+  mapper->SetOrientationArray("Quaternions");
+  CSLF_CHECK(glyphs.Compare() < edges);
+  mapper->SetScaleModeToScaleByVectorComponents();
+  mapper->SetScaleFactor(1.5);
+  CSLF_CHECK(glyphs.Compare() < edges);
+  mapper->SetScaleModeToScaleByMagnitude();
+  mapper->ClampingOn();
+  mapper->SetRange(0.5, 2.5);
+  CSLF_CHECK(glyphs.Compare() < edges);
+  mapper->SetScaleModeToNoDataScaling();
+  mapper->MaskingOn();
+  CSLF_CHECK(glyphs.Compare() < edges);
+  mapper->ScalarVisibilityOn();
+  CSLF_CHECK(glyphs.Compare() < edges);
+  vtkNew<vtkArrowSource> arrow;
+  mapper->SetSourceConnection(1, arrow->GetOutputPort());
+  mapper->SourceIndexingOn();
+  CSLF_CHECK(glyphs.Compare() < edges);
+}
+
+void TestStructure()
+{
+  // One copy of the geometry, and as many instances as there are points that are not masked.
+  Glyphs glyphs;
+  glyphs.Mapper->MaskingOn();
+  glyphs.Actor->GetProperty()->EdgeVisibilityOn();
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(glyphs.Renderer);
+  importer->Update();
+  vtkMultiBlockDataSet* output = importer->GetOutput();
+  CSLF_CHECK(output->GetNumberOfBlocks() == 3);
+  for (unsigned int i : { 0u, 1u })
+  {
+    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(i));
+    CSLF_CHECK(block && block->GetNumberOfPoints() > 0 && block->GetNumberOfPoints() < 100);
+    vtkDataArray* places = block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+    CSLF_CHECK(places && places->GetNumberOfTuples() == 4);
+    vtkDataArray* colors = block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor());
+    CSLF_CHECK((colors != nullptr) == (i == 0));
+  }
+  const vtkMTimeType time = importer->GetMTime();
+  glyphs.Mapper->SetScaleFactor(2.0);
+  CSLF_CHECK(importer->GetMTime() > time);
+}
+}
+
+int TestCSLFGlyphs(int, char*[])
+{
+  TestStructure();
+  TestAgainstDrawing();
+  return cslf::testing::Result();
+}
