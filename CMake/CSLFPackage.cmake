@@ -3,7 +3,12 @@
 
 # CSLFConfig.cmake for the build and the install tree.
 include(CMakePackageConfigHelpers)
-set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore RenderingCore RenderingOpenGL2")
+# What the headers need, and those of the library's own modules that have dependencies to be found.
+string(JOIN " " cslf_package_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel
+  FiltersExtraction FiltersGeneral FiltersGeometry
+  ImagingCore IOGeometry
+  RenderingCore RenderingOpenGL2)
 set(cslf_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/CSLF")
 set(cslf_cmake_build_directory "${CMAKE_BINARY_DIR}/${cslf_cmake_destination}")
 configure_package_config_file(
