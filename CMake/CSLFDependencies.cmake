@@ -3,8 +3,8 @@
 
 # Everything CSLF is built from, found in one place.
 set(cslf_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMisc
-  FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+  CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonTransforms
+  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   ImagingColor ImagingCore ImagingGeneral ImagingStatistics ImagingStencil
   InteractionStyle InteractionWidgets
   IOGeometry IOImage IOPLY IOXML

@@ -3,7 +3,12 @@
 
 # CSLFConfig.cmake for the build and the install tree.
 include(CMakePackageConfigHelpers)
-set(cslf_package_vtk_components "CommonCore CommonDataModel CommonExecutionModel ImagingCore IOGeometry ParallelCore RenderingCore RenderingOpenGL2")
+# What the headers need, and those of the library's own modules that have dependencies to be found.
+string(JOIN " " cslf_package_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel
+  FiltersExtraction FiltersGeneral FiltersGeometry
+  ImagingCore IOGeometry ParallelCore
+  RenderingCore RenderingOpenGL2)
 if (TARGET VTK::ParallelMPI)
   string(APPEND cslf_package_vtk_components " ParallelMPI")
 endif ()

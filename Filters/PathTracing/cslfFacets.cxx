@@ -27,10 +27,14 @@ Facets::Facets(const SurfaceMaterial& material, const MaterialPoint& point, bool
   , Opaque((1.0f - point.Metallic) * (1.0f - material.Transmission))
   , Glass((1.0f - point.Metallic) * material.Transmission)
   , Index(material.IndexOfRefraction)
-  , Eta(inside && !material.Thin ? 1.0f / material.IndexOfRefraction : material.IndexOfRefraction)
+  , Eta(material.IndexOfRefraction)
   , Alpha(point.Alpha)
   , Thin(material.Thin)
 {
+  if (inside && this->Glass > 0.0f && !this->Thin)
+  {
+    this->Eta = 1.0f / this->Eta;
+  }
   if (std::abs(this->Eta - 1.0f) < SmallestContrast)
   {
     this->Eta = 1.0f;

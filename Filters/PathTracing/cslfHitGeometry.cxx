@@ -23,7 +23,7 @@ constexpr float SmallestCosine = 1e-3f;
 struct HitTriangle
 {
   glm::vec3 Corners[3];
-  glm::vec3 Normals[3]; // of any length
+  glm::vec3 Normals[3]; // of any length; where it is smooth
   glm::vec3 Front;      // the normal of the side from which the corners run counterclockwise
   bool IsSmooth;        // whether all corners have a normal
 };
@@ -48,8 +48,11 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
   for (int i = 0; i < 3; ++i)
   {
     triangle.Corners[i] = mesh.Vertices[corners[i]];
-    triangle.Normals[i] = mesh.Normals.empty() ? glm::vec3(0.0f) : mesh.Normals[corners[i]];
-    triangle.IsSmooth = triangle.IsSmooth && triangle.Normals[i] != glm::vec3(0.0f);
+    if (triangle.IsSmooth)
+    {
+      triangle.Normals[i] = mesh.Normals[corners[i]];
+      triangle.IsSmooth = triangle.Normals[i] != glm::vec3(0.0f);
+    }
   }
   float side = 1.0f;
   if (place.Instance != TrianglePoint::None)
@@ -59,8 +62,10 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
     for (int i = 0; i < 3; ++i)
     {
       triangle.Corners[i] = instance.Linear * triangle.Corners[i] + instance.Offset;
-      triangle.Normals[i] =
-        triangle.IsSmooth ? glm::normalize(normals * triangle.Normals[i]) : triangle.Normals[i];
+      if (triangle.IsSmooth)
+      {
+        triangle.Normals[i] = glm::normalize(normals * triangle.Normals[i]);
+      }
     }
     side = glm::determinant(instance.Linear) < 0.0f ? -1.0f : 1.0f;
   }
@@ -86,9 +91,13 @@ glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
     normal = TurnTo(Interpolate(triangle.Normals, place), triangle.Front);
     normal = glm::length(normal) > 1e-6f ? normal : triangle.Front;
   }
-  const glm::vec3 edges[2] = { triangle.Corners[1] - triangle.Corners[0],
-    triangle.Corners[2] - triangle.Corners[0] };
-  normal = TurnTo(mesh.BendNormal(normal, edges, place), surface.GeometricNormal);
+  if (mesh.Textures.Normal)
+  {
+    const glm::vec3 edges[2] = { triangle.Corners[1] - triangle.Corners[0],
+      triangle.Corners[2] - triangle.Corners[0] };
+    normal = mesh.BendNormal(normal, edges, place);
+  }
+  normal = TurnTo(normal, surface.GeometricNormal);
   const float length = glm::length(normal);
   if (!(length > 1e-6f))
   {
@@ -123,7 +132,9 @@ void LocateOnTriangle(
   const HitTriangle triangle = GetTriangle(mesh, place);
   surface.GeometricNormal = TurnTo(triangle.Front, outgoing);
   surface.Inside = surface.GeometricNormal != triangle.Front;
-  surface.ShadingNormal = FindShadingNormal(mesh, triangle, place, surface, outgoing);
+  surface.ShadingNormal = triangle.IsSmooth || mesh.Textures.Normal
+    ? FindShadingNormal(mesh, triangle, place, surface, outgoing)
+    : surface.GeometricNormal;
   const glm::vec3 position = Interpolate(triangle.Corners, place);
   surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
   surface.LeavePosition = triangle.IsSmooth

@@ -138,10 +138,6 @@ float Mesh::EstimateEmission(std::uint32_t triangle) const
 glm::vec3 Mesh::BendNormal(
   const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const
 {
-  if (!this->Textures.Normal)
-  {
-    return normal;
-  }
   // The directions in which the texture's coordinates grow, along the surface.
   const glm::uvec3& corners = this->Triangles[point.Triangle];
   const glm::vec2 steps[2] = { this->TexCoords[corners.y] - this->TexCoords[corners.x],

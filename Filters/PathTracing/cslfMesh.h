@@ -138,8 +138,8 @@ struct VTKCSLF_EXPORT Mesh
   /// worth to a sampler. That of spheres and tubes is not sampled: 0.
   float GetEmissionImportance(std::uint32_t triangle) const;
 
-  /// A normal on the front side, bent by the normal texture, where the triangle's two edges from
-  /// its first corner are. Its length does not matter.
+  /// A normal on the front side, bent by the normal texture, which there must be. The edges are
+  /// those from the triangle's first corner. Lengths of normals do not matter.
   glm::vec3 BendNormal(
     const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const;
 

@@ -49,7 +49,6 @@ cslf_fail("float" "x" sample cornell-box -o x.mp4 ${tiny} --float)
 
 # Meshes with nothing to show.
 file(WRITE "${DIRECTORY}/empty.obj" "v 0 0 0\nv 1 0 0\n")
-file(WRITE "${DIRECTORY}/lines.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n")
 function (write_vtp name offset points)
   file(WRITE "${DIRECTORY}/${name}.vtp" "<VTKFile type=\"PolyData\" version=\"0.1\"
 byte_order=\"LittleEndian\" header_type=\"UInt32\">
@@ -67,7 +66,6 @@ set(points "MAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAADAfwAAAAAA
 write_vtp(nan 0 ${points})
 write_vtp(wild 99 ${points})
 cslf_fail("" "x" sample empty.obj -o x.vti ${tiny})
-cslf_fail("" "x" sample lines.obj -o x.vti ${tiny})
 
 # With a triangle that can be shown, what cannot be is a warning.
 execute_process(

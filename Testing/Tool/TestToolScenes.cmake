@@ -77,6 +77,10 @@ foreach (format IN ITEMS stl ply vtp vtm gltf)
   expect_json_at_least(30 psnr)
 endforeach ()
 
+# Lines are tubes.
+file(WRITE "${DIRECTORY}/lines.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n")
+cslf_run(trace lines.obj -o lines.png ${view})
+
 # Vertex colours of glTF are linear: a red of 0.5 is a brighter one than in sRGB.
 cslf_run(trace square.ply -o red.png ${view} --base-color 0.735 0 0)
 file(READ "${DIRECTORY}/square.gltf" gltf)
