@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
+#include "Parallel/cslfSceneGather.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
 #include "cslfColor.h"
@@ -13,6 +14,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkPolyData.h>
 #include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
@@ -29,6 +31,8 @@
 #include <sstream>
 #include <utility>
 #include <vector>
+
+vtkCxxSetObjectMacro(vtkCSLFPathTracer, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -125,10 +129,12 @@ vtkCSLFPathTracer::vtkCSLFPathTracer()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkCSLFPathTracer::~vtkCSLFPathTracer()
 {
+  this->SetController(nullptr);
   this->SetEnvironmentFileName(nullptr);
 }
 
@@ -171,11 +177,14 @@ int vtkCSLFPathTracer::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Every texel sees the whole scene.
+  const bool gathers = this->MustGather();
+  const int piece = gathers ? this->Controller->GetLocalProcessId() : 0;
+  const int pieces = gathers ? this->Controller->GetNumberOfProcesses() : 1;
   for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* info = inputVector[0]->GetInformationObject(i);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return 1;
@@ -205,9 +214,9 @@ std::string vtkCSLFPathTracer::MakeSceneKey(vtkInformationVector** inputVector)
     WriteTimes(input, key);
   }
   vtkScalarsToColors* table = this->Internals->LookupTable;
-  key << this->ScalarVisibility << ' ' << this->GetInputArrayInformation(0)->GetMTime() << ' '
-      << (table ? table->GetMTime() : 0) << ' ' << this->EnvironmentMode << ' '
-      << this->EnvironmentIntensity << ' '
+  key << this->MustGather() << ' ' << this->ScalarVisibility << ' '
+      << this->GetInputArrayInformation(0)->GetMTime() << ' ' << (table ? table->GetMTime() : 0)
+      << ' ' << this->EnvironmentMode << ' ' << this->EnvironmentIntensity << ' '
       << (this->EnvironmentFileName ? this->EnvironmentFileName : "");
   for (int i = 0; i < 3; ++i)
   {
@@ -239,7 +248,18 @@ bool vtkCSLFPathTracer::BuildScene(vtkInformationVector** inputVector)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
-  this->Internals->Scene = cslf::BuildScene(GetInputs(inputVector[0]), options);
+  std::vector<vtkDataObject*> inputs = GetInputs(inputVector[0]);
+  std::vector<vtkSmartPointer<vtkDataObject>> gathered;
+  if (this->MustGather())
+  {
+    if (!cslf::GatherScene(this->Controller, inputs, gathered, error))
+    {
+      vtkErrorMacro(<< error);
+      return false;
+    }
+    inputs.assign(gathered.begin(), gathered.end());
+  }
+  this->Internals->Scene = cslf::BuildScene(inputs, options);
   if (!this->Internals->Scene.World)
   {
     vtkErrorMacro(<< this->Internals->Scene.Error);
@@ -250,6 +270,11 @@ bool vtkCSLFPathTracer::BuildScene(vtkInformationVector** inputVector)
     vtkWarningMacro(<< this->Internals->Scene.Warning);
   }
   return true;
+}
+
+bool vtkCSLFPathTracer::MustGather()
+{
+  return this->DistributedScene && this->Controller && this->Controller->GetNumberOfProcesses() > 1;
 }
 
 cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
@@ -316,5 +341,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnvironmentUp: " << this->EnvironmentUp[0] << " " << this->EnvironmentUp[1]
      << " " << this->EnvironmentUp[2] << "\n";
   os << indent << "ScalarVisibility: " << this->ScalarVisibility << "\n";
+  os << indent << "DistributedScene: " << this->DistributedScene << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "LookupTable: " << this->Internals->LookupTable.Get() << "\n";
 }

@@ -37,6 +37,7 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+class vtkMultiProcessController;
 class vtkScalarsToColors;
 
 namespace cslf
@@ -184,6 +185,28 @@ public:
   vtkScalarsToColors* GetLookupTable();
   ///@}
 
+  ///@{
+  /**
+   * Whether each rank of the controller holds a piece of the scene, as where the inputs are read or
+   * made in pieces. If on, each rank asks its inputs for its own piece, and every rank traces all
+   * of them together, in the order of the ranks. Lights, which are field data and so may be on
+   * every piece, are taken from the first rank that has some on an input, or on a leaf of it. All
+   * ranks must update together whenever the scene changes. If off, each rank asks for the whole
+   * scene and traces what it gets: the choice where all ranks read the same files. Default: off.
+   */
+  vtkSetMacro(DistributedScene, bool);
+  vtkGetMacro(DistributedScene, bool);
+  vtkBooleanMacro(DistributedScene, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What connects the ranks of a distributed scene. Default: the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
 protected:
   vtkCSLFPathTracer();
   ~vtkCSLFPathTracer() override;
@@ -219,6 +242,7 @@ private:
 
   std::string MakeSceneKey(vtkInformationVector** inputVector);
   bool BuildScene(vtkInformationVector** inputVector);
+  bool MustGather();
 
   int Samples = 64;
   int MaximumDepth = 8;
@@ -232,6 +256,8 @@ private:
   char* EnvironmentFileName = nullptr;
   double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
   bool ScalarVisibility = true;
+  bool DistributedScene = false;
+  vtkMultiProcessController* Controller = nullptr;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
