@@ -161,9 +161,11 @@ list(APPEND private_headers
 
 # Several processes at work together.
 list(APPEND sources
-  ../Filters/Parallel/cslfRanks.cxx)
+  ../Filters/Parallel/cslfRanks.cxx
+  ../Filters/Parallel/cslfSceneGather.cxx)
 list(APPEND private_headers
-  ../Filters/Parallel/cslfRanks.h)
+  ../Filters/Parallel/cslfRanks.h
+  ../Filters/Parallel/cslfSceneGather.h)
 
 # Pulling fields slab by slab.
 list(APPEND sources

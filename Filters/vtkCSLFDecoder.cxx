@@ -3,6 +3,7 @@
 #include "vtkCSLFDecoder.h"
 
 #include "Coding/cslfFieldReader.h"
+#include "Pipeline/cslfSlabs.h"
 
 #include <vtkErrorCode.h>
 #include <vtkIdTypeArray.h>
@@ -130,6 +131,7 @@ int vtkCSLFDecoder::RequestInformation(
   outInfo->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
   outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  cslf::SplitAlongZ(outInfo);
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_UNSIGNED_CHAR, 4);
   return 1;
 }

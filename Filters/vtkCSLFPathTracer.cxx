@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
+#include "Parallel/cslfSceneGather.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
@@ -16,6 +17,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
@@ -34,6 +36,8 @@
 #include <sstream>
 #include <utility>
 #include <vector>
+
+vtkCxxSetObjectMacro(vtkCSLFPathTracer, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -138,10 +142,12 @@ vtkCSLFPathTracer::vtkCSLFPathTracer()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkCSLFPathTracer::~vtkCSLFPathTracer()
 {
+  this->SetController(nullptr);
   this->SetEnvironmentFileName(nullptr);
 }
 
@@ -213,11 +219,14 @@ int vtkCSLFPathTracer::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Every texel sees the whole scene.
+  const bool gathers = this->MustGather();
+  const int piece = gathers ? this->Controller->GetLocalProcessId() : 0;
+  const int pieces = gathers ? this->Controller->GetNumberOfProcesses() : 1;
   for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* info = inputVector[0]->GetInformationObject(i);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return 1;
@@ -261,9 +270,9 @@ std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& i
     WriteTimes(input, key);
   }
   vtkScalarsToColors* table = this->Internals->LookupTable;
-  key << this->ScalarVisibility << ' ' << this->GetInputArrayInformation(0)->GetMTime() << ' '
-      << (table ? table->GetMTime() : 0) << ' ' << this->EnvironmentMode << ' '
-      << this->EnvironmentIntensity << ' '
+  key << this->MustGather() << ' ' << this->ScalarVisibility << ' '
+      << this->GetInputArrayInformation(0)->GetMTime() << ' ' << (table ? table->GetMTime() : 0)
+      << ' ' << this->EnvironmentMode << ' ' << this->EnvironmentIntensity << ' '
       << (this->EnvironmentFileName ? this->EnvironmentFileName : "");
   for (int i = 0; i < 3; ++i)
   {
@@ -300,6 +309,17 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
+  std::vector<vtkDataObject*> parts = inputs;
+  std::vector<vtkSmartPointer<vtkDataObject>> gathered;
+  if (this->MustGather())
+  {
+    if (!cslf::GatherScene(this->Controller, parts, gathered, error))
+    {
+      vtkErrorMacro(<< error);
+      return false;
+    }
+    parts.assign(gathered.begin(), gathered.end());
+  }
   this->Internals->Scene = cslf::BuildScene(inputs, options);
   if (!this->Internals->Scene.World)
   {
@@ -311,6 +331,11 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     vtkWarningMacro(<< this->Internals->Scene.Warning);
   }
   return true;
+}
+
+bool vtkCSLFPathTracer::MustGather()
+{
+  return this->DistributedScene && this->Controller && this->Controller->GetNumberOfProcesses() > 1;
 }
 
 cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
@@ -468,5 +493,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->EnvironmentUp[2] << "\n";
   os << indent << "ScalarVisibility: " << this->ScalarVisibility << "\n";
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
+  os << indent << "DistributedScene: " << this->DistributedScene << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "LookupTable: " << this->Internals->LookupTable.Get() << "\n";
 }

@@ -9,11 +9,11 @@
  * vtkMultiBlockDataSet or vtkPartitionedDataSetCollection (leaves of vtkPolyData); together they
  * are the scene. So is what a vtkRenderer shows: see SetRenderer.
  *
- * - Polygons and triangle strips are traced as triangles, vertex cells as spheres and lines as tubes
- * with round ends, of a radius that vtkCSLFMaterial tells, or for each point an array of point data
- * named `PointRadius` or `LineRadius`, in world units. Leaves of other types, and cells with
- * coordinates that are not finite, are left out, named in one warning. Triangles without area show
- * nothing and are left out silently. A scene without anything to trace is an error.
+ * - Polygons and triangle strips are traced as triangles, vertex cells as spheres and lines as
+ * tubes with round ends, of a radius that vtkCSLFMaterial tells, or for each point an array of
+ * point data named `PointRadius` or `LineRadius`, in world units. Leaves of other types, and cells
+ * with coordinates that are not finite, are left out, named in one warning. Triangles without area
+ * show nothing and are left out silently. A scene without anything to trace is an error.
  * - Data is shown at each of its instances, if it has any: see vtkCSLFInstances.
  * - Surfaces are two-sided. Point normals, where present, smooth the shading.
  * - Materials, textures and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.
@@ -45,8 +45,11 @@
 #include <string>     // for std::string
 #include <vector>     // for std::vector
 
-class vtkDataObject;
+<<<<<<< HEAD class vtkDataObject;
 class vtkRenderer;
+=======
+class vtkMultiProcessController;
+>>>>>>> scale
 class vtkScalarsToColors;
 
 namespace cslf
@@ -260,6 +263,7 @@ public:
 
   ///@{
   /**
+<<<<<<< HEAD
    * What the output cost: the rays traced for it and the seconds that took; the rays traced to fill
    * the cache, the seconds that took, and the values stored. Sums over all updates since a
    * parameter changed, so a downstream filter may pull the output piece by piece.
@@ -269,70 +273,101 @@ public:
   vtkGetMacro(NumberOfCacheRays, vtkTypeUInt64);
   vtkGetMacro(NumberOfCachePoints, vtkTypeUInt64);
   vtkGetMacro(CacheSeconds, double);
-  ///@}
-
-protected:
-  vtkCSLFPathTracer();
-  ~vtkCSLFPathTracer() override;
-
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
-  /**
-   * The scene of the inputs, or null after an error. Valid until the next call.
+=======
+   * Whether each rank of the controller holds a piece of the scene, as where the inputs are read or
+   * made in pieces. If on, each rank asks its inputs for its own piece, and every rank traces all
+   * of them together, in the order of the ranks. Lights, which are field data and so may be on
+   * every piece, are taken from the first rank that has some on an input, or on a leaf of it. All
+   * ranks must update together whenever the scene changes. If off, each rank asks for the whole
+   * scene and traces what it gets: the choice where all ranks read the same files. Default: off.
    */
-  const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
+  vtkSetMacro(DistributedScene, bool);
+   vtkGetMacro(DistributedScene, bool);
+   vtkBooleanMacro(DistributedScene, bool);
+   ///@}
 
-  /**
-   * The sampling and scene parameters as a JSON object, for the record: everything that the
-   * texels depend on, and a hash of the scene. Call it after UpdateScene.
-   */
-  std::string DescribeSampling();
+   ///@{
+   /**
+    * What connects the ranks of a distributed scene. Default: the global controller.
+    */
+   virtual void SetController(vtkMultiProcessController* controller);
+   vtkGetObjectMacro(Controller, vtkMultiProcessController);
+>>>>>>> scale
+   ///@}
 
-  /**
-   * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
-   */
-  bool Render(const cslf::PictureLayout& layout,
-    const std::function<cslf::RayGrid(int slice, int tile)>& grids,
-    const cslf::TexelOutput& output);
+ protected:
+   vtkCSLFPathTracer();
+   ~vtkCSLFPathTracer() override;
 
-private:
-  vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
-  void operator=(const vtkCSLFPathTracer&) = delete;
+   int FillInputPortInformation(int port, vtkInformation* info) override;
+   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+     vtkInformationVector* outputVector) override;
 
-  std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
-  std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
-  bool BuildScene(const std::vector<vtkDataObject*>& inputs);
-  cslf::RenderSettings GetRenderSettings();
-  std::string MakeCacheKey(double spacing);
-  bool UpdateCache(double spacing, double share);
+   /**
+    * The scene of the inputs, or null after an error. Valid until the next call.
+    */
+   const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
 
-  int Integrator = PathTracing;
-  int Samples = 64;
-  int MaximumDepth = 8;
-  double CacheTolerance = 1.0 / 128;
-  double CacheSpacing = 0.0;
-  int CacheSamples = 1024;
-  int Seed = 0;
-  double Exposure = 1.0;
-  bool ShowEnvironment = false;
-  int EnvironmentMode = ConstantEnvironment;
-  double EnvironmentColor[3] = { 1.0, 1.0, 1.0 };
-  double EnvironmentBottomColor[3] = { 0.2, 0.2, 0.2 };
-  double EnvironmentIntensity = 1.0;
-  char* EnvironmentFileName = nullptr;
-  double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
-  bool ScalarVisibility = true;
-  vtkTypeUInt64 NumberOfRays = 0;
-  vtkTypeUInt64 NumberOfCacheRays = 0;
-  vtkTypeUInt64 NumberOfCachePoints = 0;
-  double RenderSeconds = 0.0;
-  double CacheSeconds = 0.0;
-  vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
+   /**
+    * The sampling and scene parameters as a JSON object, for the record: everything that the
+    * texels depend on, and a hash of the scene. Call it after UpdateScene.
+    */
+   std::string DescribeSampling();
 
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+   /**
+    * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
+    */
+   bool Render(const cslf::PictureLayout& layout,
+     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+     const cslf::TexelOutput& output);
+
+ private:
+   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
+   void operator=(const vtkCSLFPathTracer&) = delete;
+
+<<<<<<< HEAD
+   std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
+   std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
+   bool BuildScene(const std::vector<vtkDataObject*>& inputs);
+   cslf::RenderSettings GetRenderSettings();
+   std::string MakeCacheKey(double spacing);
+   bool UpdateCache(double spacing, double share);
+=======
+   std::string MakeSceneKey(vtkInformationVector** inputVector);
+   bool BuildScene(vtkInformationVector** inputVector);
+   bool MustGather();
+>>>>>>> scale
+
+   int Integrator = PathTracing;
+   int Samples = 64;
+   int MaximumDepth = 8;
+   double CacheTolerance = 1.0 / 128;
+   double CacheSpacing = 0.0;
+   int CacheSamples = 1024;
+   int Seed = 0;
+   double Exposure = 1.0;
+   bool ShowEnvironment = false;
+   int EnvironmentMode = ConstantEnvironment;
+   double EnvironmentColor[3] = { 1.0, 1.0, 1.0 };
+   double EnvironmentBottomColor[3] = { 0.2, 0.2, 0.2 };
+   double EnvironmentIntensity = 1.0;
+   char* EnvironmentFileName = nullptr;
+   double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
+   bool ScalarVisibility = true;
+<<<<<<< HEAD
+   vtkTypeUInt64 NumberOfRays = 0;
+   vtkTypeUInt64 NumberOfCacheRays = 0;
+   vtkTypeUInt64 NumberOfCachePoints = 0;
+   double RenderSeconds = 0.0;
+   double CacheSeconds = 0.0;
+   vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
+=======
+   bool DistributedScene = false;
+   vtkMultiProcessController* Controller = nullptr;
+>>>>>>> scale
+
+   struct vtkInternals;
+   std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -187,6 +187,7 @@ int vtkCSLFResample::RequestInformation(
   outInfo->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
   outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  cslf::SplitAlongZ(outInfo);
   return 1;
 }
 

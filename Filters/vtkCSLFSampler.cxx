@@ -4,6 +4,7 @@
 
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
+#include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
 
 #include <vtkDataObject.h>
@@ -121,6 +122,7 @@ int vtkCSLFSampler::RequestInformation(
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
   info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  cslf::SplitAlongZ(info);
   vtkDataObject::SetPointDataActiveScalarInfo(info, this->ColorType, 4);
   return 1;
 }

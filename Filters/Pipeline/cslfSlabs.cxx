@@ -5,8 +5,10 @@
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
+#include <vtkExtentTranslator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkInformationIntegerRequestKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -29,6 +31,11 @@ constexpr int SlabCount = 64;
 int TexelBytes(const Channel& channel)
 {
   return channel.Components * vtkDataArray::GetDataTypeSize(channel.Type);
+}
+
+void SplitAlongZ(vtkInformation* information)
+{
+  vtkExtentTranslator::UPDATE_SPLIT_MODE()->Set(information, vtkExtentTranslator::Z_SLAB_MODE);
 }
 
 SlabStream::SlabStream(vtkAlgorithmOutput* connection)

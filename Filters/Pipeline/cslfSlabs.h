@@ -15,6 +15,7 @@
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkImageData;
+class vtkInformation;
 
 namespace cslf
 {
@@ -70,6 +71,10 @@ private:
   vtkImageData* Image = nullptr; // owned by the producer
   std::string Error;
 };
+
+/// Pieces of the output of that pipeline information are ranges of z slices, which meet in one slice
+/// as pieces of image data do.
+void SplitAlongZ(vtkInformation* information);
 
 /// The bytes of one texel of a channel.
 int TexelBytes(const Channel& channel);

@@ -139,6 +139,38 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   CSLF_CHECK(!sampler->GetOutput()->GetPointData()->GetArray(cslf::DepthName));
 }
 
+/// Pieces are z slabs, which together are the whole.
+void TestPieces()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetEnvironmentModeToNone();
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(16);
+  sampler->SetSamples(2);
+  sampler->Update();
+  const std::string whole = GetBytes(sampler->GetOutput(), cslf::ColorName);
+  const std::size_t slice = whole.size() / 24;
+  for (int pieces : { 2, 5, 24 })
+  {
+    int end = 0;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      CSLF_CHECK(sampler->UpdatePiece(piece, pieces, 0) == 1);
+      vtkImageData* field = sampler->GetOutput();
+      const cslf::Description description = GetDescription(field);
+      const int* extent = field->GetExtent();
+      CSLF_CHECK(extent[4] <= end && extent[5] >= end - 1);
+      CSLF_CHECK(extent[5] - extent[4] <= 24 / pieces + 1);
+      end = extent[5] + 1;
+      CSLF_CHECK(GetBytes(field, cslf::ColorName) ==
+        whole.substr(slice * extent[4], slice * (extent[5] - extent[4] + 1)));
+    }
+    CSLF_CHECK(end == 24);
+  }
+}
+
 /// The scene's hash in a sampler's description.
 std::string IdentifyScene(vtkPolyData* polyData)
 {
@@ -386,6 +418,7 @@ int TestCSLFSampler(int, char*[])
   TestShapeAndSlabs(2, 5, VTK_UNSIGNED_CHAR);
   TestShapeAndSlabs(3, 8, VTK_FLOAT);
   TestDepthAndCoverage();
+  TestPieces();
   TestSceneHash();
   TestWhiteFurnace();
   TestErrors();

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A scene of which each rank holds a piece is sampled like the whole on one rank.
+#include "cslfDescription.h"
+#include "cslfTesting.h"
+#include "vtkCSLFLight.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkCommunicator.h>
+#include <vtkDataArray.h>
+#include <vtkExecutive.h>
+#include <vtkImageData.h>
+#include <vtkMPIController.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// The piece of the scene that belongs to a rank: a sphere of a colour of its own.
+vtkSmartPointer<vtkPolyData> MakePiece(int rank)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(1.2 * rank, 0.0, 0.0);
+  source->Update();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(source->GetOutput()->GetNumberOfPoints());
+  colors->FillComponent(0, 250.0 - 100.0 * rank);
+  colors->FillComponent(1, 100.0 * rank);
+  colors->FillComponent(2, 77.0);
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  piece->DeepCopy(source->GetOutput());
+  piece->GetPointData()->SetScalars(colors);
+  vtkCSLFMaterial::SetRoughness(piece, 0.2 + 0.2 * rank);
+  vtkCSLFMaterial::SetIndexOfRefraction(piece, 1.5);
+  return piece;
+}
+
+/// A light that shines on the whole scene, as field data is the same on all pieces.
+void AddLight(vtkDataObject* data)
+{
+  const double direction[3] = { -1.0, -2.0, -1.0 };
+  const double irradiance[3] = { 0.5, 0.4, 0.3 };
+  vtkCSLFLight::AddDirectionalLight(data, direction, irradiance);
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<int>& ranks, int count)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetNumberOfBlocks(static_cast<unsigned int>(count));
+  for (int rank : ranks)
+  {
+    blocks->SetBlock(static_cast<unsigned int>(rank), MakePiece(rank));
+  }
+  AddLight(blocks);
+  vtkCSLFMaterial::SetMetallic(blocks, 0.5);
+  return blocks;
+}
+
+void SetUp(vtkCSLFSampler* sampler, vtkMultiProcessController* controller)
+{
+  sampler->SetController(controller);
+  sampler->SetDistributedScene(controller != nullptr);
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(12);
+  sampler->SetSamples(4);
+}
+
+/// A field's description and its samples.
+struct Sampled
+{
+  std::string Text;
+  std::string Bytes;
+};
+
+Sampled Sample(vtkCSLFSampler* sampler)
+{
+  sampler->Update();
+  std::string error;
+  const auto description = cslf::Description::ReadFrom(sampler->GetOutput(), error);
+  CSLF_CHECK(description.has_value());
+  Sampled field;
+  field.Text = description ? description->ToText() : std::string();
+  for (const char* name : { cslf::ColorName, cslf::DepthName })
+  {
+    vtkDataArray* array = sampler->GetOutput()->GetPointData()->GetArray(name);
+    const auto size =
+      static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize();
+    field.Bytes.append(static_cast<const char*>(array->GetVoidPointer(0)), size);
+  }
+  return field;
+}
+
+void TestBlocks(vtkMultiProcessController* controller)
+{
+  const int rank = controller->GetLocalProcessId();
+  const int count = controller->GetNumberOfProcesses();
+  vtkNew<vtkCSLFSampler> together;
+  SetUp(together, controller);
+  together->SetInputDataObject(MakeBlocks({ rank }, count));
+  const std::string bytes = Sample(together).Bytes;
+
+  std::vector<int> all;
+  for (int i = 0; i < count; ++i)
+  {
+    all.push_back(i);
+  }
+  vtkNew<vtkCSLFSampler> alone;
+  SetUp(alone, nullptr);
+  alone->SetInputDataObject(MakeBlocks(all, count));
+  // The field data of the root comes once for each rank, which the scene's hash tells; what is seen
+  // is the same.
+  CSLF_CHECK(Sample(alone).Bytes == bytes);
+}
+
+/// A source that makes its sphere in pieces; every rank has all of it.
+void TestPieces(vtkMultiProcessController* controller)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(24);
+  vtkNew<vtkCSLFSampler> together;
+  SetUp(together, controller);
+  together->SetInputConnection(source->GetOutputPort());
+  const Sampled field = Sample(together);
+  const std::string mine = field.Text + field.Bytes;
+  std::string first = mine;
+  controller->Broadcast(first.data(), static_cast<vtkIdType>(first.size()), 0);
+  CSLF_CHECK(first == mine);
+  CSLF_CHECK(source->GetOutput()->GetNumberOfPolys() < 200);
+
+  // Not distributed, each rank traces the whole that it gets.
+  together->DistributedSceneOff();
+  const Sampled whole = Sample(together);
+  vtkNew<vtkCSLFSampler> alone;
+  SetUp(alone, nullptr);
+  alone->SetInputConnection(source->GetOutputPort());
+  const Sampled expected = Sample(alone);
+  CSLF_CHECK(expected.Text == whole.Text && expected.Bytes == whole.Bytes);
+}
+}
+
+int TestCSLFSamplerParallel(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv, 0);
+  TestBlocks(controller);
+  TestPieces(controller);
+  const int mine = cslf::testing::Failures();
+  int all = 0;
+  controller->AllReduce(&mine, &all, 1, vtkCommunicator::SUM_OP);
+  controller->Finalize();
+  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
