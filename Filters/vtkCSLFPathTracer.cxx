@@ -320,7 +320,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     }
     parts.assign(gathered.begin(), gathered.end());
   }
-  this->Internals->Scene = cslf::BuildScene(inputs, options);
+  this->Internals->Scene = cslf::BuildScene(parts, options);
   if (!this->Internals->Scene.World)
   {
     vtkErrorMacro(<< this->Internals->Scene.Error);

@@ -45,11 +45,9 @@
 #include <string>     // for std::string
 #include <vector>     // for std::vector
 
-<<<<<<< HEAD class vtkDataObject;
-class vtkRenderer;
-=======
+class vtkDataObject;
 class vtkMultiProcessController;
->>>>>>> scale
+class vtkRenderer;
 class vtkScalarsToColors;
 
 namespace cslf
@@ -263,7 +261,6 @@ public:
 
   ///@{
   /**
-<<<<<<< HEAD
    * What the output cost: the rays traced for it and the seconds that took; the rays traced to fill
    * the cache, the seconds that took, and the values stored. Sums over all updates since a
    * parameter changed, so a downstream filter may pull the output piece by piece.
@@ -273,7 +270,10 @@ public:
   vtkGetMacro(NumberOfCacheRays, vtkTypeUInt64);
   vtkGetMacro(NumberOfCachePoints, vtkTypeUInt64);
   vtkGetMacro(CacheSeconds, double);
-=======
+  ///@}
+
+  ///@{
+  /**
    * Whether each rank of the controller holds a piece of the scene, as where the inputs are read or
    * made in pieces. If on, each rank asks its inputs for its own piece, and every rank traces all
    * of them together, in the order of the ranks. Lights, which are field data and so may be on
@@ -282,92 +282,83 @@ public:
    * scene and traces what it gets: the choice where all ranks read the same files. Default: off.
    */
   vtkSetMacro(DistributedScene, bool);
-   vtkGetMacro(DistributedScene, bool);
-   vtkBooleanMacro(DistributedScene, bool);
-   ///@}
+  vtkGetMacro(DistributedScene, bool);
+  vtkBooleanMacro(DistributedScene, bool);
+  ///@}
 
-   ///@{
-   /**
-    * What connects the ranks of a distributed scene. Default: the global controller.
-    */
-   virtual void SetController(vtkMultiProcessController* controller);
-   vtkGetObjectMacro(Controller, vtkMultiProcessController);
->>>>>>> scale
-   ///@}
+  ///@{
+  /**
+   * What connects the ranks of a distributed scene. Default: the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
 
- protected:
-   vtkCSLFPathTracer();
-   ~vtkCSLFPathTracer() override;
+protected:
+  vtkCSLFPathTracer();
+  ~vtkCSLFPathTracer() override;
 
-   int FillInputPortInformation(int port, vtkInformation* info) override;
-   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-     vtkInformationVector* outputVector) override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
-   /**
-    * The scene of the inputs, or null after an error. Valid until the next call.
-    */
-   const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
+  /**
+   * The scene of the inputs, or null after an error. Valid until the next call.
+   */
+  const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
 
-   /**
-    * The sampling and scene parameters as a JSON object, for the record: everything that the
-    * texels depend on, and a hash of the scene. Call it after UpdateScene.
-    */
-   std::string DescribeSampling();
+  /**
+   * The sampling and scene parameters as a JSON object, for the record: everything that the
+   * texels depend on, and a hash of the scene. Call it after UpdateScene.
+   */
+  std::string DescribeSampling();
 
-   /**
-    * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
-    */
-   bool Render(const cslf::PictureLayout& layout,
-     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
-     const cslf::TexelOutput& output);
+  /**
+   * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
+   */
+  bool Render(const cslf::PictureLayout& layout,
+    const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+    const cslf::TexelOutput& output);
 
- private:
-   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
-   void operator=(const vtkCSLFPathTracer&) = delete;
+private:
+  vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
+  void operator=(const vtkCSLFPathTracer&) = delete;
 
-<<<<<<< HEAD
-   std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
-   std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
-   bool BuildScene(const std::vector<vtkDataObject*>& inputs);
-   cslf::RenderSettings GetRenderSettings();
-   std::string MakeCacheKey(double spacing);
-   bool UpdateCache(double spacing, double share);
-=======
-   std::string MakeSceneKey(vtkInformationVector** inputVector);
-   bool BuildScene(vtkInformationVector** inputVector);
-   bool MustGather();
->>>>>>> scale
+  std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
+  std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
+  bool BuildScene(const std::vector<vtkDataObject*>& inputs);
+  cslf::RenderSettings GetRenderSettings();
+  std::string MakeCacheKey(double spacing);
+  bool UpdateCache(double spacing, double share);
+  bool MustGather();
 
-   int Integrator = PathTracing;
-   int Samples = 64;
-   int MaximumDepth = 8;
-   double CacheTolerance = 1.0 / 128;
-   double CacheSpacing = 0.0;
-   int CacheSamples = 1024;
-   int Seed = 0;
-   double Exposure = 1.0;
-   bool ShowEnvironment = false;
-   int EnvironmentMode = ConstantEnvironment;
-   double EnvironmentColor[3] = { 1.0, 1.0, 1.0 };
-   double EnvironmentBottomColor[3] = { 0.2, 0.2, 0.2 };
-   double EnvironmentIntensity = 1.0;
-   char* EnvironmentFileName = nullptr;
-   double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
-   bool ScalarVisibility = true;
-<<<<<<< HEAD
-   vtkTypeUInt64 NumberOfRays = 0;
-   vtkTypeUInt64 NumberOfCacheRays = 0;
-   vtkTypeUInt64 NumberOfCachePoints = 0;
-   double RenderSeconds = 0.0;
-   double CacheSeconds = 0.0;
-   vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
-=======
-   bool DistributedScene = false;
-   vtkMultiProcessController* Controller = nullptr;
->>>>>>> scale
+  int Integrator = PathTracing;
+  int Samples = 64;
+  int MaximumDepth = 8;
+  double CacheTolerance = 1.0 / 128;
+  double CacheSpacing = 0.0;
+  int CacheSamples = 1024;
+  int Seed = 0;
+  double Exposure = 1.0;
+  bool ShowEnvironment = false;
+  int EnvironmentMode = ConstantEnvironment;
+  double EnvironmentColor[3] = { 1.0, 1.0, 1.0 };
+  double EnvironmentBottomColor[3] = { 0.2, 0.2, 0.2 };
+  double EnvironmentIntensity = 1.0;
+  char* EnvironmentFileName = nullptr;
+  double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
+  bool ScalarVisibility = true;
+  vtkTypeUInt64 NumberOfRays = 0;
+  vtkTypeUInt64 NumberOfCacheRays = 0;
+  vtkTypeUInt64 NumberOfCachePoints = 0;
+  double RenderSeconds = 0.0;
+  double CacheSeconds = 0.0;
+  vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
+  bool DistributedScene = false;
+  vtkMultiProcessController* Controller = nullptr;
 
-   struct vtkInternals;
-   std::unique_ptr<vtkInternals> Internals;
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif
