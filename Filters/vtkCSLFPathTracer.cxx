@@ -342,6 +342,7 @@ cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
 {
   cslf::RenderSettings settings;
   settings.Samples = this->Samples;
+  settings.NoiseTarget = this->NoiseTarget;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Exposure = this->Exposure;
   settings.ShowEnvironment = this->ShowEnvironment;
@@ -377,6 +378,10 @@ std::string vtkCSLFPathTracer::DescribeSampling()
     { "samples", this->Samples }, { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed },
     { "exposure", this->Exposure }, { "show_environment", this->ShowEnvironment },
     { "environment", environment } };
+  if (this->NoiseTarget > 0.0)
+  {
+    sampling["noise_target"] = this->NoiseTarget;
+  }
   if (this->Integrator == RadianceCaching)
   {
     sampling["cache"] = { { "tolerance", this->CacheTolerance }, { "spacing", this->CacheSpacing },
@@ -477,6 +482,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RenderSeconds: " << this->RenderSeconds << "\n";
   os << indent << "CacheSeconds: " << this->CacheSeconds << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
+  os << indent << "NoiseTarget: " << this->NoiseTarget << "\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";

@@ -131,6 +131,18 @@ public:
 
   ///@{
   /**
+   * Where above 0, sampling of a square of 4 x 4 texels ends early, at a power of two of samples,
+   * when the standard error of all their colours is at most this, in parts of displayed white:
+   * 1/256 is one level of 8 bits. Texels without noise, which see only what radiance caching knows,
+   * may do with one sample; all others have at least 4 of the Samples. Default: 0, take all
+   * Samples.
+   */
+  vtkSetClampMacro(NoiseTarget, double, 0.0, 1.0);
+  vtkGetMacro(NoiseTarget, double);
+  ///@}
+
+  ///@{
+  /**
    * The number of reflections of the longest path: 0 shows emission only, 1 adds direct light, more
    * add indirect light. Each passage through a surface of glass counts as one. Default: 8.
    */
@@ -334,6 +346,7 @@ private:
 
   int Integrator = PathTracing;
   int Samples = 64;
+  double NoiseTarget = 0.0;
   int MaximumDepth = 8;
   double CacheTolerance = 1.0 / 128;
   double CacheSpacing = 0.0;

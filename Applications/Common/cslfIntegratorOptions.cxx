@@ -30,6 +30,14 @@ void IntegratorOptions::AddTo(CLI::App& command)
     ->check(CLI::Range(1, 1 << 20))
     ->capture_default_str()
     ->group(group);
+  command
+    .add_option("--noise", this->NoiseTarget,
+      "take fewer samples where the standard error is at most this, in parts of displayed white; "
+      "0: "
+      "take all")
+    ->check(CLI::Range(0.0, 1.0))
+    ->capture_default_str()
+    ->group(group);
   command.add_option("--seed", this->Seed, "of the random numbers")
     ->capture_default_str()
     ->group(group);
@@ -57,6 +65,7 @@ void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
   tracer->SetIntegrator(this->Integrator == PathTracing ? vtkCSLFPathTracer::PathTracing
                                                         : vtkCSLFPathTracer::RadianceCaching);
   tracer->SetSamples(this->Samples);
+  tracer->SetNoiseTarget(this->NoiseTarget);
   tracer->SetSeed(this->Seed);
   tracer->SetCacheTolerance(this->CacheTolerance);
   tracer->SetCacheSpacing(this->CacheSpacing);

@@ -40,6 +40,7 @@ public:
 private:
   std::string Integrator;
   int Samples = 64;
+  double NoiseTarget = 0.0;
   int Seed = 0;
   double CacheTolerance = 1.0 / 128;
   double CacheSpacing = 0.0;

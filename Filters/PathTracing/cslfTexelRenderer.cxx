@@ -8,6 +8,9 @@
 #include <vtkSMPTools.h>
 #include <vtkType.h>
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +23,13 @@ namespace
 // The samples of a batch: enough to keep many threads busy, about a second's worth on few.
 constexpr std::int64_t BatchSamples = 1 << 20;
 constexpr std::int64_t SmallestBatch = 16;
+
+// The fewest samples whose differences are taken for their noise.
+constexpr int FewestSamples = 4;
+
+// Across the 4 texels of a block's side a colour may change by this many noise targets, for one
+// sample to do: between its texel's centre and itself there is a quarter of a texel on average.
+constexpr double RangeOfTarget = 8.0;
 
 /// The places of a sample in each of 16 texels.
 CSLF_VECTORIZE void FindPlaces(
@@ -45,6 +55,8 @@ struct TexelRenderer::Block
   std::uint32_t Low[RayPacket::Size];    // the scramble of their samples' places
   std::uint32_t High[RayPacket::Size];
   std::uint64_t Rays = 0;
+  int Samples = 0;      // taken of each texel
+  bool IsExact = false; // whether all are without noise
 
   int LaneX(int lane) const { return this->X + lane % BlockSide; }
   int LaneY(int lane) const { return this->Y + lane / BlockSide; }
@@ -54,7 +66,8 @@ struct TexelRenderer::Block
 struct TexelRenderer::Sums
 {
   glm::vec3 Radiance{ 0.0f };
-  int Covered = 0; // samples that see something
+  glm::vec3 Squares{ 0.0f }; // of the samples' radiance
+  int Covered = 0;           // samples that see something
   double Depth = 1.0;
   float DepthOffset = std::numeric_limits<float>::max(); // squared, from the centre to that sample
 
@@ -145,15 +158,79 @@ void TexelRenderer::SetTexels(Block& block, int column) const
 void TexelRenderer::RenderBlock(Block& block) const
 {
   Sums sums[RayPacket::Size];
-  for (int index = 0; index < this->Settings.Samples; ++index)
+  block.IsExact = true;
+  for (block.Samples = 0; block.Samples < this->Settings.Samples;)
   {
-    this->AddSamples(block, static_cast<std::uint32_t>(index), sums);
+    this->AddSamples(block, static_cast<std::uint32_t>(block.Samples), sums);
+    ++block.Samples;
+    if (this->Settings.NoiseTarget > 0.0 && this->IsGoodEnough(block, sums))
+    {
+      break;
+    }
   }
   if (this->Output.Depth)
   {
     this->FindDepths(block, sums);
   }
   this->Write(block, sums);
+}
+
+bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
+{
+  // Sequences are best at powers of two. A few samples tell of noise only where there is none.
+  if ((block.Samples & (block.Samples - 1)) != 0)
+  {
+    return false;
+  }
+  if (block.Samples < FewestSamples)
+  {
+    return block.IsExact && this->IsSmooth(block, sums);
+  }
+  const auto count = static_cast<float>(block.Samples);
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    const Sums& sum = sums[lane];
+    const glm::vec3 mean = sum.Radiance / count;
+    const glm::vec3 variance =
+      glm::max(sum.Squares / count - mean * mean, glm::vec3(0.0f)) / (count - 1.0f);
+    const glm::vec3 error = this->Display(mean + glm::sqrt(variance)) - this->Display(mean);
+    const float alpha = static_cast<float>(sum.Covered) / count;
+    const float errorOfAlpha = std::sqrt(alpha * (1.0f - alpha) / (count - 1.0f));
+    if (!(std::max({ error.x, error.y, error.z, errorOfAlpha }) <= this->Settings.NoiseTarget))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool TexelRenderer::IsSmooth(const Block& block, const Sums sums[]) const
+{
+  // Where in its texel a sample lies matters as much as the texels differ from their neighbours.
+  const auto count = static_cast<float>(block.Samples);
+  glm::vec3 lowest(1.0f);
+  glm::vec3 highest(0.0f);
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    if (block.Inside[lane])
+    {
+      if (sums[lane].Covered != sums[0].Covered)
+      {
+        return false;
+      }
+      const glm::vec3 color = this->Display(sums[lane].Radiance / count);
+      lowest = glm::min(lowest, color);
+      highest = glm::max(highest, color);
+    }
+  }
+  const glm::vec3 range = highest - lowest;
+  return std::max({ range.x, range.y, range.z }) < RangeOfTarget * this->Settings.NoiseTarget;
+}
+
+glm::vec3 TexelRenderer::Display(const glm::vec3& radiance) const
+{
+  return glm::sqrt(
+    glm::min(radiance * static_cast<float>(this->Settings.Exposure), glm::vec3(1.0f)));
 }
 
 void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) const
@@ -185,10 +262,13 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
     Sums& sum = sums[lane];
     if (hit.IsValid())
     {
-      sum.Radiance += this->Integrator.CanLookUp(hit)
-        ? this->Integrator.LookUp(hit)
-        : this->Integrator.GetRadiance(
-            packet.GetRay(lane), hit, SampleStream(block.Hashes[lane], index), block.Rays);
+      const bool isExact = this->Integrator.CanLookUp(hit);
+      block.IsExact = block.IsExact && isExact;
+      const glm::vec3 radiance = isExact ? this->Integrator.LookUp(hit)
+                                         : this->Integrator.GetRadiance(packet.GetRay(lane), hit,
+                                             SampleStream(block.Hashes[lane], index), block.Rays);
+      sum.Radiance += radiance;
+      sum.Squares += radiance * radiance;
       ++sum.Covered;
       const float offsetX = placesX[lane] - 0.5f;
       const float offsetY = placesY[lane] - 0.5f;
@@ -196,7 +276,10 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
     }
     else if (this->Settings.ShowEnvironment && block.Inside[lane])
     {
-      sum.Radiance += this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction);
+      const glm::vec3 radiance =
+        this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction);
+      sum.Radiance += radiance;
+      sum.Squares += radiance * radiance;
       ++sum.Covered;
     }
   }
@@ -248,8 +331,8 @@ void TexelRenderer::Write(const Block& block, const Sums sums[]) const
     const std::int64_t texel =
       row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth + block.LaneX(lane);
     const glm::dvec3 radiance =
-      glm::dvec3(sum.Radiance) * (this->Settings.Exposure / this->Settings.Samples);
-    const double alpha = static_cast<double>(sum.Covered) / this->Settings.Samples;
+      glm::dvec3(sum.Radiance) * (this->Settings.Exposure / block.Samples);
+    const double alpha = static_cast<double>(sum.Covered) / block.Samples;
     if (this->Output.ColorBytes)
     {
       EncodeColor(radiance, alpha, this->Output.ColorBytes + 4 * texel);

@@ -42,6 +42,7 @@ struct TexelOutput
 struct RenderSettings
 {
   int Samples = 64;
+  double NoiseTarget = 0.0; ///< the displayed error at which sampling ends early; 0 for never
   std::uint32_t Seed = 0;
   double Exposure = 1.0;
   bool ShowEnvironment = false; ///< whether rays that miss see the environment, with alpha 1
@@ -75,6 +76,9 @@ private:
   void SetTexels(Block& block, int column) const;
   void RenderBlock(Block& block) const;
   void AddSamples(Block& block, std::uint32_t index, Sums sums[]) const;
+  bool IsGoodEnough(const Block& block, const Sums sums[]) const;
+  bool IsSmooth(const Block& block, const Sums sums[]) const;
+  glm::vec3 Display(const glm::vec3& radiance) const;
   void FindDepths(const Block& block, Sums sums[]) const;
   void Write(const Block& block, const Sums sums[]) const;
 

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Radiance caching: lattices hold what they are given and grow where they must; the cached light is
+// that of path tracing, for diffuse, glossy and mirror surfaces, at every depth, on both sides.
+#include "PathTracing/RadianceCache/cslfLatticeBuilder.h"
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "PathTracing/RadianceCache/cslfSurfaceLattice.h"
+#include "cslfTestTransport.h"
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFImageQuality.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFViewTracer.h"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMinimalStandardRandomSequence.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkSphereSource.h>
+
+#include <atomic>
+
+namespace
+{
+using cslf::testing::MakeDiffuse;
+using cslf::testing::MakeRectangle;
+
+glm::vec3 Linear(float u, float v)
+{
+  return { 1.0f + 2.0f * u - 3.0f * v, u, 5.0f * v };
+}
+
+/// Fills a brick with a function of its triangle's coordinates.
+void Fill(cslf::SurfaceLattice& lattice, std::size_t brick, std::uint32_t level,
+  const glm::vec2& corner, float size)
+{
+  const int splits = 1 << level;
+  std::vector<glm::vec3> values;
+  for (int j = 0; j <= splits; ++j)
+  {
+    for (int i = 0; i <= splits - j; ++i)
+    {
+      const glm::vec2 point = corner + size * glm::vec2(i, j) / static_cast<float>(splits);
+      values.push_back(Linear(point.x, point.y));
+    }
+  }
+  lattice.SetBrick(brick, level, values);
+}
+
+/// A linear function must come back exactly, through bricks of any level and parts of bricks.
+void TestLattice()
+{
+  cslf::SurfaceLattice lattice({ 1, 0 });
+  CSLF_CHECK(lattice.GetNumberOfTriangles() == 2 && lattice.GetNumberOfRoots() == 2 * 4 + 2);
+  for (const bool back : { false, true })
+  {
+    Fill(lattice, lattice.GetBrickIndex(0, back, 0), 0, { 0.0f, 0.0f }, 0.5f);
+    Fill(lattice, lattice.GetBrickIndex(0, back, 1), 2, { 0.5f, 0.5f }, -0.5f);
+    Fill(lattice, lattice.GetBrickIndex(0, back, 2), 1, { 0.5f, 0.0f }, 0.5f);
+    const std::size_t parts = lattice.SplitBrick(lattice.GetBrickIndex(0, back, 3));
+    Fill(lattice, parts, 0, { 0.0f, 0.5f }, 0.25f);
+    Fill(lattice, parts + 1, 1, { 0.25f, 0.75f }, -0.25f);
+    Fill(lattice, parts + 2, 2, { 0.25f, 0.5f }, 0.25f);
+    Fill(lattice, parts + 3, 0, { 0.0f, 0.75f }, 0.25f);
+  }
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  float worst = 0.0f;
+  for (int i = 0; i < 10000; ++i)
+  {
+    auto u = static_cast<float>(random->GetNextRangeValue(0.0, 1.0));
+    auto v = static_cast<float>(random->GetNextRangeValue(0.0, 1.0));
+    if (u + v > 1.0f)
+    {
+      u = 1.0f - u;
+      v = 1.0f - v;
+    }
+    worst = std::max(worst, glm::distance(lattice.Get(0, i % 2 == 1, u, v), Linear(u, v)));
+    CSLF_CHECK(lattice.Get(1, i % 2 == 1, u, v) == glm::vec3(0.0f));
+  }
+  CSLF_CHECK(worst < 1e-5f);
+}
+
+/// A lattice of an edge between light and shadow: right beside the edge, and with few points.
+void TestRefinement()
+{
+  const cslf::Scene scene({ MakeRectangle(glm::vec3(0.0f), { 1.0f, 0.0f, 0.0f },
+                            { 0.0f, 1.0f, 0.0f }, MakeDiffuse(1.0f)) },
+    cslf::LightSet());
+  const auto getLight = [](const glm::vec3& point, float brightness)
+  {
+    const bool lit = point.x + 0.3f * point.y > 0.123f;
+    return glm::vec3(lit ? brightness * (1.0f - 0.2f * point.y * point.y) : 0.0f);
+  };
+  cslf::LatticeSettings settings;
+  settings.Spacing = 0.01f;
+  settings.Tolerance = 0.01f;
+  settings.FirstLevel = 1;
+  settings.Display = [](const glm::vec3& value, const glm::vec3&)
+  { return glm::min(value, glm::vec3(1.0f)); };
+  const auto getPosition = [&scene](const cslf::Hit& place)
+  {
+    const cslf::Mesh& mesh = scene.GetMeshes()[place.Mesh];
+    return mesh.Interpolate(mesh.Vertices, place.GetPlace());
+  };
+  for (const float brightness : { 1.0f, 20.0f })
+  {
+    std::atomic<int> calls{ 0 };
+    cslf::LatticeBuilder builder(scene, settings,
+      [&](const cslf::Hit& place, std::uint64_t)
+      {
+        ++calls;
+        cslf::SurfaceEstimate estimate;
+        estimate.Reach = 10.0f;
+        estimate.Value = place.Back ? glm::vec3(0.5f) : getLight(getPosition(place), brightness);
+        return estimate;
+      });
+    CSLF_CHECK(builder.Build([](double) { return true; }));
+    CSLF_CHECK(builder.GetNumberOfEstimates() == static_cast<std::size_t>(calls));
+    CSLF_CHECK(calls < 12000); // a grid of this spacing would have 80000 points on two sides
+
+    double farError = 0.0;
+    double bleeding = 0.0;
+    vtkNew<vtkMinimalStandardRandomSequence> random;
+    constexpr int count = 20000;
+    for (int i = 0; i < count; ++i)
+    {
+      cslf::Hit place;
+      place.Mesh = 0;
+      place.Triangle = i % 2;
+      place.U = static_cast<float>(random->GetNextRangeValue(0.0, 0.5));
+      place.V = static_cast<float>(random->GetNextRangeValue(0.0, 0.5));
+      const glm::vec3 point = getPosition(place);
+      const float error = builder.GetLattice().Get(place.Triangle, false, place.U, place.V).x -
+        getLight(point, brightness).x;
+      const float toEdge = std::abs(point.x + 0.3f * point.y - 0.123f);
+      farError = std::max<double>(farError, toEdge > 0.02f ? std::abs(error) : 0.0);
+      bleeding += std::abs(error) / count;
+      CSLF_CHECK(builder.GetLattice().Get(place.Triangle, true, place.U, place.V).x == 0.5f);
+    }
+    CSLF_CHECK(farError < 0.01 * brightness);
+    // The width of the edge shrinks as the light grows.
+    CSLF_CHECK(bleeding < 0.006);
+  }
+
+  // Abort.
+  cslf::LatticeBuilder aborted(scene, settings,
+    [](const cslf::Hit&, std::uint64_t) { return cslf::SurfaceEstimate(); });
+  CSLF_CHECK(!aborted.Build([](double) { return false; }));
+}
+
+/// The picture of a scene by either integrator.
+class Comparison
+{
+public:
+  Comparison(vtkDataObject* scene, double x, double y, double z)
+  {
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(x, y, z);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetViewAngle(40.0);
+    for (vtkCSLFViewTracer* tracer : { this->Reference.Get(), this->Cached.Get() })
+    {
+      tracer->AddInputDataObject(0, scene);
+      tracer->SetCamera(camera);
+      tracer->SetSize(48, 48);
+      tracer->SetSamples(512);
+    }
+    this->Cached->SetIntegratorToRadianceCaching();
+    this->Cached->SetCacheSpacing(0.01);
+    this->Cached->SetSamples(64);
+  }
+
+  double GetPSNR()
+  {
+    this->Reference->Update();
+    this->Cached->Update();
+    vtkNew<vtkCSLFImageQuality> quality;
+    quality->SetInputData(0, this->Reference->GetOutput());
+    quality->SetInputData(1, this->Cached->GetOutput());
+    quality->Update();
+    return quality->GetPSNR();
+  }
+
+  vtkNew<vtkCSLFViewTracer> Reference;
+  vtkNew<vtkCSLFViewTracer> Cached;
+};
+
+void TestDepths()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  box->Update();
+  Comparison comparison(box->GetOutput(), 0.4, 0.2, 4.0);
+  for (vtkCSLFViewTracer* tracer : { comparison.Reference.Get(), comparison.Cached.Get() })
+  {
+    tracer->SetEnvironmentModeToNone();
+  }
+  for (const int depth : { 0, 1, 2, 8 })
+  {
+    comparison.Reference->SetMaximumDepth(depth);
+    comparison.Cached->SetMaximumDepth(depth);
+    CSLF_CHECK(comparison.GetPSNR() > 40.0);
+  }
+  CSLF_CHECK(comparison.Cached->GetNumberOfCacheRays() > 0);
+  CSLF_CHECK(comparison.Cached->GetNumberOfCachePoints() > 0);
+
+  // The cache is kept while only the rest changes.
+  const vtkTypeUInt64 points = comparison.Cached->GetNumberOfCachePoints();
+  comparison.Cached->SetSamples(1);
+  comparison.Cached->Update();
+  CSLF_CHECK(comparison.Cached->GetNumberOfCacheRays() == 0);
+  CSLF_CHECK(comparison.Cached->GetNumberOfCachePoints() == points);
+}
+
+/// Surfaces that shine, glossy ones and mirrors beside diffuse ones.
+void TestMaterials()
+{
+  for (const double metallic : { 0.0, 0.5, 1.0 })
+  {
+    for (const double roughness : { 0.0, 0.4 })
+    {
+      vtkNew<vtkCSLFCornellBoxSource> box;
+      box->Update();
+      auto* block = vtkPolyData::SafeDownCast(box->GetOutput()->GetBlock(6));
+      vtkCSLFMaterial::SetIndexOfRefraction(block, 1.5);
+      vtkCSLFMaterial::SetMetallic(block, metallic);
+      vtkCSLFMaterial::SetRoughness(block, roughness);
+      Comparison comparison(box->GetOutput(), 0.4, 0.2, 4.0);
+      CSLF_CHECK(comparison.GetPSNR() > 38.0);
+    }
+  }
+}
+
+/// A convex body under uniform light is uniform, smooth or flat, and the noise target is kept.
+void TestUniform()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(16);
+  sphere->Update();
+  for (const bool smooth : { true, false })
+  {
+    if (!smooth)
+    {
+      sphere->GetOutput()->GetPointData()->SetNormals(nullptr);
+    }
+    Comparison comparison(sphere->GetOutput(), 0.0, 0.0, 2.0);
+    comparison.Cached->SetColorType(VTK_FLOAT);
+    comparison.Cached->Update();
+    vtkDataArray* colors = comparison.Cached->GetOutput()->GetPointData()->GetScalars();
+    const vtkIdType center = 24 * 48 + 24;
+    const double albedo = std::pow((0.8 + 0.055) / 1.055, 2.4);
+    const double tolerance = smooth ? 0.01 : 1e-4;
+    CSLF_CHECK_NEAR(colors->GetComponent(center, 1), albedo, tolerance);
+    comparison.Cached->SetNoiseTarget(0.01);
+    comparison.Cached->Update();
+    CSLF_CHECK(comparison.Cached->GetNumberOfRays() < 64u * 48u * 48u / 4u);
+  }
+}
+
+/// The same values for any number of threads.
+void TestDeterminism()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  box->Update();
+  vtkNew<vtkImageData> pictures[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkSMPTools::Initialize(i + 1);
+    Comparison comparison(box->GetOutput(), 0.4, 0.2, 4.0);
+    comparison.Cached->SetColorType(VTK_FLOAT);
+    comparison.Cached->Update();
+    pictures[i]->DeepCopy(comparison.Cached->GetOutput());
+  }
+  vtkSMPTools::Initialize(0);
+  vtkDataArray* first = pictures[0]->GetPointData()->GetScalars();
+  vtkDataArray* second = pictures[1]->GetPointData()->GetScalars();
+  bool equal = true;
+  for (vtkIdType i = 0; i < first->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      equal = equal && first->GetComponent(i, c) == second->GetComponent(i, c);
+    }
+  }
+  CSLF_CHECK(equal);
+}
+}
+
+int TestCSLFRadianceCache(int, char*[])
+{
+  TestLattice();
+  TestRefinement();
+  TestDepths();
+  TestMaterials();
+  TestUniform();
+  TestDeterminism();
+  return cslf::testing::Result();
+}
