@@ -113,9 +113,7 @@ void TestPhysicalTextures()
   bool repeat = false;
   bool interpolate = false;
   const auto has = [&](int slot)
-  {
-    return vtkCSLFMaterial::GetTexture(GetBlock(importer, 0), slot, read, repeat, interpolate);
-  };
+  { return vtkCSLFMaterial::GetTexture(GetBlock(importer, 0), slot, read, repeat, interpolate); };
   CSLF_CHECK(has(vtkCSLFMaterial::BaseColorTexture));
   CSLF_CHECK(has(vtkCSLFMaterial::MetallicRoughnessTexture));
   CSLF_CHECK(!has(vtkCSLFMaterial::NormalTexture) && !has(vtkCSLFMaterial::EmissionTexture));

@@ -373,8 +373,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeMixedScene()
   {
     pixels[i] = static_cast<unsigned char>(16 * i + 15);
   }
-  vtkCSLFMaterial::SetTexture(
-    sheet->GetOutput(), vtkCSLFMaterial::BaseColorTexture, image);
+  vtkCSLFMaterial::SetTexture(sheet->GetOutput(), vtkCSLFMaterial::BaseColorTexture, image);
   vtkCSLFMaterial::SetTransmission(sheet->GetOutput(), 0.5);
   vtkCSLFMaterial::SetIndexOfRefraction(sheet->GetOutput(), 1.4);
   vtkCSLFMaterial::SetRoughness(sheet->GetOutput(), 0.5);

@@ -270,7 +270,7 @@ void TestMetallicRoughness()
   lights.Surroundings =
     cslf::Environment(Dark, White, cslf::EnvironmentAxes::FromUp(glm::dvec3(0, 1, 0)));
   cslf::SurfaceMaterial factors(glm::vec3(0.5f), 1.0f, 1.0f, 1.5f, Dark);
-  factors.VaryRoughness();
+  factors.DielectricSpecular = cslf::SpecularAlbedo(1.5f);
   cslf::Mesh textured = MakeTextured({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, factors);
   textured.Textures.MetallicRoughness = MakeUniform(7, 102, 51, cslf::TextureKind::Numbers);
   const cslf::Mesh plain = MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
