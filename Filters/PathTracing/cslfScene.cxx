@@ -127,8 +127,8 @@ void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned in
   }
 }
 
-void AddInstance(RTCDevice device, RTCScene scene, RTCScene part, const MeshInstance& instance,
-  unsigned int id)
+void AddInstance(
+  RTCDevice device, RTCScene scene, RTCScene part, const MeshInstance& instance, unsigned int id)
 {
   const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
   rtcSetGeometryInstancedScene(geometry.get(), part);
@@ -139,7 +139,7 @@ void AddInstance(RTCDevice device, RTCScene scene, RTCScene part, const MeshInst
   rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
-/// The triangles of an emissive mesh, in each of its instances.
+/// The triangles of a mesh that emit light, in each of its instances.
 std::vector<TrianglePoint> ListEmissive(const Mesh& mesh)
 {
   std::vector<TrianglePoint> places;
@@ -147,7 +147,10 @@ std::vector<TrianglePoint> ListEmissive(const Mesh& mesh)
   {
     for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
     {
-      places.push_back({ i, 0.0f, 0.0f, instance });
+      if (mesh.GetEmissionImportance(i) > 0.0f)
+      {
+        places.push_back({ i, 0.0f, 0.0f, instance });
+      }
     }
   };
   for (std::uint32_t i = 0; i < mesh.Instances.size(); ++i)

@@ -314,6 +314,16 @@ void TestEmission()
       estimate.Mean, corner.Mean, 4.0 * (estimate.Error + corner.Error) + 0.002 * corner.Mean);
   }
 }
+void TestDarkEmission()
+{
+  // An emissive surface whose texture is black is no light at all.
+  cslf::Mesh mesh = MakeTextured({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.5f, 3.0f));
+  mesh.Textures.Emission = MakeUniform(0, 0, 0, cslf::TextureKind::Colors);
+  const cslf::Scene scene({ mesh }, MakeUniformLight(1.0f));
+  CSLF_CHECK(scene.GetAreaLights().IsEmpty());
+  CSLF_CHECK_NEAR(
+    Trace(scene, LookAt({ 0.1f, 0.2f, 1 }, { 0.1f, 0.2f, 0 }), {}, 64).Mean, 0.5, 1e-4);
+}
 }
 
 int TestCSLFTextures(int, char*[])
@@ -324,5 +334,6 @@ int TestCSLFTextures(int, char*[])
   TestNormals();
   TestMetallicRoughness();
   TestEmission();
+  TestDarkEmission();
   return cslf::testing::Result();
 }
