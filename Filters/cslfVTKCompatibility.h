@@ -29,14 +29,17 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
+/// The mapper of composite data.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
 /// How a mapper of composite data shows its blocks; null for other mappers.
 inline vtkCompositeDataDisplayAttributes* GetDisplayAttributes(vtkMapper* mapper)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper);
-#else
-  auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
-#endif
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
   return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
 }
 

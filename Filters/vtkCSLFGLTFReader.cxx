@@ -66,8 +66,10 @@ int vtkCSLFGLTFReader::RequestData(
     return 0;
   }
   vtkNew<vtkGLTFDocumentLoader> loader;
-  vtkNew<vtkEventForwarderCommand> silence; // one error is enough
+  // One error is enough, and the loader warns of extensions that are read here.
+  vtkNew<vtkEventForwarderCommand> silence;
   loader->AddObserver(vtkCommand::ErrorEvent, silence);
+  loader->AddObserver(vtkCommand::WarningEvent, silence);
   if (!Load(loader, this->FileName))
   {
     vtkErrorMacro("\"" << this->FileName << "\" cannot be read as glTF.");

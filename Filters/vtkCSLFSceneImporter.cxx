@@ -58,6 +58,25 @@ void ForEachProp(vtkRenderer* renderer, const std::function<void(vtkProp*, vtkMa
   }
 }
 
+/// What a prop that is not imported is named by: an actor by its mapper, if it has one. Null where
+/// it shows nothing.
+const char* GetOmittedName(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || actor->IsA("vtkSkybox"))
+  {
+    return prop->GetClassName();
+  }
+  if (actor->GetMapper())
+  {
+    const bool empty = actor->GetMapper()->GetNumberOfInputConnections(0) == 0;
+    return empty ? nullptr : actor->GetMapper()->GetClassName();
+  }
+  // Actors that draw by themselves are of classes of their own.
+  return vtkSmartPointer<vtkActor>::New()->IsA(actor->GetClassName()) ? nullptr
+                                                                      : actor->GetClassName();
+}
+
 /// Takes widths in pixels for widths in the world.
 void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
 {
@@ -146,17 +165,13 @@ int vtkCSLFSceneImporter::RequestData(
     [&scene](vtkProp* prop, vtkMatrix4x4* matrix)
     {
       auto* actor = vtkActor::SafeDownCast(prop);
-      if (!actor)
-      {
-        scene.Omitted.insert(prop->GetClassName());
-      }
-      else if (cslf::IsImportable(actor))
+      if (actor && cslf::IsImportable(actor))
       {
         cslf::ImportActor(actor, matrix, scene);
       }
-      else if (actor->GetMapper())
+      else if (const char* name = GetOmittedName(prop))
       {
-        scene.Omitted.insert(actor->GetMapper()->GetClassName());
+        scene.Omitted.insert(name);
       }
     });
   cslf::ImportLights(this->Renderer, this->HeadlightsAllAround, scene);

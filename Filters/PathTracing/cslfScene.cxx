@@ -167,7 +167,7 @@ void AddInstance(
   rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
-/// The triangles of an emissive mesh, in each of its instances.
+/// The triangles of a mesh that emit light, in each of its instances.
 std::vector<TrianglePoint> ListEmissive(const Mesh& mesh)
 {
   std::vector<TrianglePoint> places;
@@ -175,7 +175,10 @@ std::vector<TrianglePoint> ListEmissive(const Mesh& mesh)
   {
     for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
     {
-      places.push_back({ i, 0.0f, 0.0f, instance });
+      if (mesh.GetEmissionImportance(i) > 0.0f)
+      {
+        places.push_back({ i, 0.0f, 0.0f, instance });
+      }
     }
   };
   for (std::uint32_t i = 0; i < mesh.Instances.size(); ++i)

@@ -25,6 +25,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -160,40 +161,47 @@ private:
       }
       return;
     }
-    SceneBlock block;
-    block.Data = data;
-    this->ReadMaterial(data, root, block);
-    this->CheckTextures(block);
     const InstanceSelection instances = SelectInstances(data);
     this->Omitted.Instances += instances.IsBroken ? 1 : 0;
-    block.Instances = instances.Places;
-    if (instances.IsBroken || (instances.IsPresent && instances.Places.empty()))
+    if (data->GetNumberOfCells() == 0 || instances.IsBroken ||
+      (instances.IsPresent && instances.Places.empty()))
     {
       return;
     }
+    SceneBlock block;
+    block.Data = data;
+    block.Instances = instances.Places;
+    this->ReadMaterial(data, root, block);
+    this->CheckTextures(block);
+    this->AddTriangles(data, block);
+    this->AddRound(data, block);
+  }
 
-    // Triangles.
+  void AddTriangles(vtkPolyData* data, SceneBlock block)
+  {
     TriangleSelection triangles = SelectTriangles(data);
     this->Omitted.Triangles += triangles.Removed;
     if (!triangles.Cells.empty())
     {
       block.Data = triangles.Surface;
       block.Triangles = std::move(triangles.Cells);
-      this->AddBlock(block);
+      this->AddBlock(std::move(block));
     }
-    block.Triangles.clear();
+  }
 
-    // Vertices and lines.
-    block.Data = data;
+  /// Vertices and lines.
+  void AddRound(vtkPolyData* data, const SceneBlock& block)
+  {
     for (const Mesh::Shapes shape : { Mesh::Shapes::Spheres, Mesh::Shapes::Tubes })
     {
       RoundSelection round = SelectRound(data, shape);
       this->Omitted.Round += round.Removed;
       if (!round.Parts.empty())
       {
-        block.Shape = shape;
-        block.Round = std::move(round.Parts);
-        this->AddRoundBlock(block);
+        SceneBlock roundBlock = block;
+        roundBlock.Shape = shape;
+        roundBlock.Round = std::move(round.Parts);
+        this->AddRoundBlock(std::move(roundBlock));
       }
     }
   }
@@ -272,7 +280,9 @@ private:
     }
     if (block.Textures.MetallicRoughness)
     {
-      block.Material.VaryRoughness();
+      const float ior = block.Material.IndexOfRefraction;
+      const auto known = this->Albedos.try_emplace(ior, ior).first;
+      block.Material.DielectricSpecular = known->second;
     }
   }
 
@@ -328,6 +338,7 @@ private:
   LightReader Lights;
   std::optional<Environment> Surroundings; // of the first data object that has one
   TextureReader Textures;
+  std::map<float, SpecularAlbedo> Albedos; // of any roughness, by the index of refraction
   std::vector<SceneBlock> Blocks;
   Omissions Omitted;
   Fingerprint Identity;

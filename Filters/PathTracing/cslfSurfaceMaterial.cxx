@@ -114,11 +114,6 @@ float SurfaceMaterial::ToAlpha(float roughness)
   return alpha < SmallestAlpha ? 0.0f : alpha;
 }
 
-void SurfaceMaterial::VaryRoughness()
-{
-  this->DielectricSpecular = SpecularAlbedo(this->IndexOfRefraction);
-}
-
 SurfaceMaterial::SurfaceMaterial(const glm::vec3& baseColor, float metallic, float roughness,
   float indexOfRefraction, const glm::vec3& emission)
   : BaseColor(glm::clamp(baseColor, 0.0f, 1.0f))

@@ -75,21 +75,19 @@ public:
   /// GGX's alpha of a perceptual roughness; 0 where facets deviate too little to be seen.
   static float ToAlpha(float roughness);
 
-  /// Prepares for a roughness that varies.
-  void VaryRoughness();
-
-  glm::vec3 BaseColor{ 0.6f };       ///< linear
-  float Metallic = 0.0f;             ///< in [0,1]
-  float Roughness = 1.0f;            ///< perceptual, in [0,1]
-  float Alpha = 1.0f;                ///< GGX's; 0 is a perfect mirror
-  float IndexOfRefraction = 1.0f;    ///< at least 1; 1 has no boundary that reflects
-  float Transmission = 0.0f;         ///< the part of a dielectric that is glass, in [0,1]
-  bool Thin = false;                 ///< whether glass is a sheet, else solid
-  float Opacity = 1.0f;              ///< the chance that light meets the surface, in [0,1]
-  float OpacityCutoff = 0.0f;        ///< above 0: opacities below count as 0, others as 1
-  float NormalScale = 1.0f;          ///< how far the normal texture bends normals
-  glm::vec3 Emission{ 0.0f };        ///< radiance, from both sides
-  SpecularAlbedo DielectricSpecular; ///< of the dielectric boundary
+  glm::vec3 BaseColor{ 0.6f };    ///< linear
+  float Metallic = 0.0f;          ///< in [0,1]
+  float Roughness = 1.0f;         ///< perceptual, in [0,1]
+  float Alpha = 1.0f;             ///< GGX's; 0 is a perfect mirror
+  float IndexOfRefraction = 1.0f; ///< at least 1; 1 has no boundary that reflects
+  float Transmission = 0.0f;      ///< the part of a dielectric that is glass, in [0,1]
+  bool Thin = false;              ///< whether glass is a sheet, else solid
+  float Opacity = 1.0f;           ///< the chance that light meets the surface, in [0,1]
+  float OpacityCutoff = 0.0f;     ///< above 0: opacities below count as 0, others as 1
+  float NormalScale = 1.0f;       ///< how far the normal texture bends normals
+  glm::vec3 Emission{ 0.0f };     ///< radiance, from both sides
+  SpecularAlbedo
+    DielectricSpecular; ///< of the boundary; of any roughness where a texture varies it
 
   bool IsEmissive() const;
 };

@@ -395,7 +395,8 @@ bool IsImportable(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   // A light field in the scene that it is sampled from would show itself.
-  return mapper && !mapper->IsA("vtkCSLFMapper") && mapper->GetNumberOfInputConnections(0) > 0;
+  return mapper && !mapper->IsA("vtkCSLFMapper") && !actor->IsA("vtkSkybox") &&
+    mapper->GetNumberOfInputConnections(0) > 0;
 }
 
 vtkMTimeType GetImportTime(vtkActor* actor)

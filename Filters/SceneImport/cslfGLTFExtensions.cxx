@@ -55,18 +55,29 @@ double GetNumber(const nlohmann::json& parent, const char* name, double fallback
   return found != parent.end() && found->is_number() ? found->get<double>() : fallback;
 }
 
-GLTFMaterialExtension ReadMaterial(const nlohmann::json& material, std::set<std::string>& unknown)
+/// Names the extensions that a file says it uses and that nothing reads.
+void NameUnknown(const nlohmann::json& document, std::set<std::string>& unknown)
 {
   static const std::set<std::string> known = { "KHR_materials_ior", "KHR_materials_transmission",
-    "KHR_materials_emissive_strength", "KHR_materials_volume", "KHR_materials_unlit" };
-  const nlohmann::json extensions = GetObject(material, "extensions");
-  for (const auto& [name, value] : extensions.items())
+    "KHR_materials_emissive_strength", "KHR_materials_volume", "KHR_materials_unlit",
+    "KHR_lights_punctual" };
+  const auto used = document.find("extensionsUsed");
+  if (used == document.end() || !used->is_array())
   {
-    if (known.count(name) == 0)
+    return;
+  }
+  for (const nlohmann::json& name : *used)
+  {
+    if (name.is_string() && known.count(name.get<std::string>()) == 0)
     {
-      unknown.insert(name);
+      unknown.insert(name.get<std::string>());
     }
   }
+}
+
+GLTFMaterialExtension ReadMaterial(const nlohmann::json& material, std::set<std::string>& unknown)
+{
+  const nlohmann::json extensions = GetObject(material, "extensions");
   GLTFMaterialExtension result;
   result.IndexOfRefraction =
     GetNumber(GetObject(extensions, "KHR_materials_ior"), "ior", result.IndexOfRefraction);
@@ -89,8 +100,13 @@ std::vector<GLTFMaterialExtension> ReadGLTFExtensions(
 {
   std::vector<GLTFMaterialExtension> result;
   const nlohmann::json document = ReadJSON(fileName);
-  const auto materials = document.is_object() ? document.find("materials") : document.end();
-  if (document.is_object() && materials != document.end() && materials->is_array())
+  if (!document.is_object())
+  {
+    return result;
+  }
+  NameUnknown(document, unknown);
+  const auto materials = document.find("materials");
+  if (materials != document.end() && materials->is_array())
   {
     for (const nlohmann::json& material : *materials)
     {

@@ -49,6 +49,8 @@ std::string MakeBuffer()
 json MakeDocument(const json& materials)
 {
   json document = { { "asset", { { "version", "2.0" } } }, { "scene", 0 } };
+  document["extensionsUsed"] = { "KHR_materials_transmission", "KHR_materials_sheen",
+    "KHR_texture_transform" };
   document["buffers"] = { { { "byteLength", 156 } } };
   document["bufferViews"] = {
     { { "buffer", 0 }, { "byteOffset", 0 }, { "byteLength", 48 } },
@@ -161,7 +163,8 @@ void CheckMaterials(const std::string& fileName)
   reader->AddObserver(vtkCommand::WarningEvent, messages);
   reader->SetFileName(fileName.c_str());
   reader->Update();
-  CSLF_CHECK(messages->GetWarningMessage().find("KHR_materials_sheen") != std::string::npos);
+  CSLF_CHECK(messages->GetWarningMessage().find("KHR_materials_sheen, KHR_texture_transform.") !=
+    std::string::npos);
   vtkMultiBlockDataSet* output = reader->GetOutput();
   CSLF_CHECK(output->GetNumberOfBlocks() == 6);
   const auto get = [output](unsigned int i)

@@ -14,6 +14,7 @@
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkCubeAxesActor.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetMapper.h>
 #include <vtkElevationFilter.h>
@@ -320,9 +321,15 @@ void TestMaterials()
   CSLF_CHECK(!importer.WarnsOf("Not represented"));
   vtkNew<vtkTextActor> text;
   importer.Renderer->AddActor(text);
+  vtkNew<vtkCubeAxesActor> axes;
+  importer.Renderer->AddActor(axes);
+  vtkNew<vtkActor> nothing;
+  importer.Renderer->AddActor(nothing);
   property->BackfaceCullingOn();
   CSLF_CHECK(importer.WarnsOf("culling of faces, vtk"));
   CSLF_CHECK(importer.WarnsOf("TextActor"));
+  CSLF_CHECK(importer.WarnsOf("vtkCubeAxesActor"));
+  CSLF_CHECK(!importer.WarnsOf("vtkOpenGLActor"));
 }
 
 void TestLights()

@@ -26,6 +26,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTestErrorObserver.h>
@@ -339,6 +340,89 @@ void TestInstancesOfLamps()
   CSLF_CHECK(copies > 0.01);
   CSLF_CHECK_NEAR(trace(true) / copies, 1.0, 0.02);
 }
+
+/// Partly opaque instances, tubes, spheres and a texture, all at once.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeMixedScene()
+{
+  auto scene = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  vtkPolyData* data = plane->GetOutput();
+  vtkCSLFMaterial::SetOpacity(data, 0.4);
+  for (double x : { -1.0, 0.0, 0.7 })
+  {
+    vtkCSLFInstances::AddInstance(data, MakeMatrix(x, 0.3 * x, 40.0 * x, 1.0, 1.5));
+  }
+  scene->SetBlock(0, data);
+  auto line = MakePoints({ { -1, -1, -1 }, { 1, 1, 1 }, { 1, -1, 0.5 } }, true);
+  vtkCSLFMaterial::SetLineRadius(line, 0.2);
+  vtkCSLFMaterial::SetOpacity(line, 0.7);
+  scene->SetBlock(1, line);
+  auto points = MakePoints({ { 0.5, 0, 0.8 }, { -0.5, 0, 0.8 } }, false);
+  vtkCSLFMaterial::SetPointRadius(points, 0.3);
+  vtkCSLFMaterial::SetEmission(points, 1, 2, 3);
+  scene->SetBlock(2, points);
+  vtkNew<vtkPlaneSource> sheet;
+  sheet->SetCenter(0, 0, -0.5);
+  sheet->Update();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 16; ++i)
+  {
+    pixels[i] = static_cast<unsigned char>(16 * i + 15);
+  }
+  vtkCSLFMaterial::SetTexture(sheet->GetOutput(), vtkCSLFMaterial::BaseColorTexture, image);
+  vtkCSLFMaterial::SetTransmission(sheet->GetOutput(), 0.5);
+  vtkCSLFMaterial::SetIndexOfRefraction(sheet->GetOutput(), 1.4);
+  vtkCSLFMaterial::SetRoughness(sheet->GetOutput(), 0.5);
+  scene->SetBlock(3, sheet->GetOutput());
+  return scene;
+}
+
+void TestSlabsAndThreads()
+{
+  // The same bytes, however the field is pulled.
+  vtkNew<vtkCSLFSampler> whole;
+  vtkNew<vtkCSLFSampler> parts;
+  for (vtkCSLFSampler* sampler : { whole.Get(), parts.Get() })
+  {
+    sampler->SetInputDataObject(MakeMixedScene());
+    sampler->SetViewpoints(2);
+    sampler->SetResolution(12);
+    sampler->SetSamples(4);
+  }
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2 }, [&whole]() { whole->Update(); });
+  int extent[6];
+  whole->GetOutput()->GetExtent(extent);
+  const int last = extent[5];
+  int different = 0;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 },
+    [&]()
+    {
+      for (int first = 0; first <= last; first += 5)
+      {
+        extent[4] = first;
+        extent[5] = std::min(first + 4, last);
+        CSLF_CHECK(parts->UpdateExtent(extent) == 1);
+        for (const char* name : { "Color", "Depth" })
+        {
+          vtkDataArray* all = whole->GetOutput()->GetPointData()->GetArray(name);
+          vtkDataArray* part = parts->GetOutput()->GetPointData()->GetArray(name);
+          const vtkIdType offset = vtkIdType(first) * 60 * 12;
+          for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+          {
+            for (int c = 0; c < part->GetNumberOfComponents(); ++c)
+            {
+              different += part->GetComponent(i, c) != all->GetComponent(offset + i, c) ? 1 : 0;
+            }
+          }
+        }
+      }
+    });
+  CSLF_CHECK(different == 0);
+}
 }
 
 int TestCSLFShapes(int, char*[])
@@ -347,5 +431,6 @@ int TestCSLFShapes(int, char*[])
   TestTubes();
   TestInstances();
   TestInstancesOfLamps();
+  TestSlabsAndThreads();
   return cslf::testing::Result();
 }

@@ -270,7 +270,7 @@ void TestMetallicRoughness()
   lights.Surroundings =
     cslf::Environment(Dark, White, cslf::EnvironmentAxes::FromUp(glm::dvec3(0, 1, 0)));
   cslf::SurfaceMaterial factors(glm::vec3(0.5f), 1.0f, 1.0f, 1.5f, Dark);
-  factors.VaryRoughness();
+  factors.DielectricSpecular = cslf::SpecularAlbedo(1.5f);
   cslf::Mesh textured = MakeTextured({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, factors);
   textured.Textures.MetallicRoughness = MakeUniform(7, 102, 51, cslf::TextureKind::Numbers);
   const cslf::Mesh plain = MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
@@ -314,6 +314,16 @@ void TestEmission()
       estimate.Mean, corner.Mean, 4.0 * (estimate.Error + corner.Error) + 0.002 * corner.Mean);
   }
 }
+void TestDarkEmission()
+{
+  // An emissive surface whose texture is black is no light at all.
+  cslf::Mesh mesh = MakeTextured({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.5f, 3.0f));
+  mesh.Textures.Emission = MakeUniform(0, 0, 0, cslf::TextureKind::Colors);
+  const cslf::Scene scene({ mesh }, MakeUniformLight(1.0f));
+  CSLF_CHECK(scene.GetAreaLights().IsEmpty());
+  CSLF_CHECK_NEAR(
+    Trace(scene, LookAt({ 0.1f, 0.2f, 1 }, { 0.1f, 0.2f, 0 }), {}, 64).Mean, 0.5, 1e-4);
+}
 }
 
 int TestCSLFTextures(int, char*[])
@@ -324,5 +334,6 @@ int TestCSLFTextures(int, char*[])
   TestNormals();
   TestMetallicRoughness();
   TestEmission();
+  TestDarkEmission();
   return cslf::testing::Result();
 }

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Composite data of a renderer, with blocks of their own looks; and PBR textures of actors.
+#include "cslfTesting.h"
+#include "cslfVTKCompatibility.h"
+#include "vtkCSLFMapper.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFSampler.h"
+#include "vtkCSLFSceneImporter.h"
+
+#include <vtkActor.h>
+#include <vtkCommand.h>
+#include <vtkCompositeDataDisplayAttributes.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkTexture.h>
+
+#include <string>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeSquare()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  vtkSmartPointer<vtkPolyData> square = plane->GetOutput();
+  return square;
+}
+
+vtkPolyData* GetBlock(vtkCSLFSceneImporter* importer, unsigned int index)
+{
+  importer->Update();
+  return vtkPolyData::SafeDownCast(importer->GetOutput()->GetBlock(index));
+}
+
+void TestComposite()
+{
+  auto inner = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  inner->SetBlock(0, MakeSquare());
+  inner->SetBlock(1, MakeSquare());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeSquare());
+  blocks->SetBlock(1, inner);
+  blocks->SetBlock(2, vtkSmartPointer<vtkImageData>::New()); // empty
+  vtkNew<cslf::CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.0, 0.0, 1.0);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  CSLF_CHECK(GetBlock(importer, 0) && importer->GetOutput()->GetNumberOfBlocks() == 4);
+
+  // A colour of a block goes for all in it; an opacity of one of them.
+  const double red[3] = { 1.0, 0.0, 0.0 };
+  const vtkMTimeType time = importer->GetMTime();
+  attributes->SetBlockColor(inner, red);
+  attributes->SetBlockOpacity(inner->GetBlock(1), 0.25);
+  attributes->Modified();
+  CSLF_CHECK(importer->GetMTime() > time);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    double color[3];
+    vtkCSLFMaterial::GetBaseColor(GetBlock(importer, i), color);
+    CSLF_CHECK(color[0] == (i == 0 ? 0.0 : 1.0) && color[2] == (i == 0 ? 1.0 : 0.0));
+    CSLF_CHECK(vtkCSLFMaterial::GetOpacity(GetBlock(importer, i)) == (i == 2 ? 0.25 : 1.0));
+  }
+  attributes->SetBlockVisibility(inner, false);
+  attributes->Modified();
+  CSLF_CHECK(GetBlock(importer, 0) && importer->GetOutput()->GetNumberOfBlocks() == 2);
+}
+
+void TestPhysicalTextures()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  vtkNew<vtkTexture> colors;
+  colors->SetInputData(image);
+  colors->UseSRGBColorSpaceOn();
+  vtkNew<vtkTexture> numbers;
+  numbers->SetInputData(image);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeSquare());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPBR();
+  property->SetBaseColorTexture(colors);
+  property->SetORMTexture(numbers);
+  property->SetEmissiveFactor(1.0, 2.0, 3.0);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  vtkNew<vtkImageData> read;
+  bool repeat = false;
+  bool interpolate = false;
+  const auto has = [&](int slot)
+  { return vtkCSLFMaterial::GetTexture(GetBlock(importer, 0), slot, read, repeat, interpolate); };
+  CSLF_CHECK(has(vtkCSLFMaterial::BaseColorTexture));
+  CSLF_CHECK(has(vtkCSLFMaterial::MetallicRoughnessTexture));
+  CSLF_CHECK(!has(vtkCSLFMaterial::NormalTexture) && !has(vtkCSLFMaterial::EmissionTexture));
+  const vtkMTimeType time = importer->GetMTime();
+  image->Modified();
+  CSLF_CHECK(importer->GetMTime() > time);
+
+  // A transform of the coordinates, as the importer of glTF has it: v is turned around.
+  vtkDataArray* coordinates = GetBlock(importer, 0)->GetPointData()->GetTCoords();
+  CSLF_CHECK(coordinates && coordinates->GetComponent(0, 1) == 0.0);
+  double turn[16] = { 1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1 };
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkProp::GeneralTextureTransform(), turn, 16);
+  actor->SetPropertyKeys(keys);
+  actor->Modified();
+  coordinates = GetBlock(importer, 0)->GetPointData()->GetTCoords();
+  CSLF_CHECK(coordinates && coordinates->GetComponent(0, 1) == 1.0);
+}
+
+void TestFieldInItsOwnScene()
+{
+  // A light field that is shown where it was sampled does not sample itself.
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeSquare());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetRenderer(renderer);
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(4);
+  sampler->SetSamples(1);
+  vtkNew<vtkCSLFMapper> fieldMapper;
+  fieldMapper->SetInputConnection(sampler->GetOutputPort());
+  vtkNew<vtkActor> field;
+  field->SetMapper(fieldMapper);
+  renderer->AddActor(field);
+  sampler->Update();
+  CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() > 0);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  vtkNew<vtkTest::ErrorObserver> messages;
+  importer->AddObserver(vtkCommand::WarningEvent, messages);
+  importer->SetRenderer(renderer);
+  CSLF_CHECK(GetBlock(importer, 0) && importer->GetOutput()->GetNumberOfBlocks() == 2);
+  CSLF_CHECK(messages->GetWarningMessage().find("vtkCSLFMapper") != std::string::npos);
+}
+}
+
+int TestCSLFSceneImporterBlocks(int, char*[])
+{
+  TestComposite();
+  TestPhysicalTextures();
+  TestFieldInItsOwnScene();
+  return cslf::testing::Result();
+}
