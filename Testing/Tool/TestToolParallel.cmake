@@ -5,7 +5,7 @@
 # one message and exit code 1 where a process fails.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --preset ultrafast --threads 1)
+set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --integrator path --preset ultrafast --threads 1)
 cslf_run(sample ${scene} -o one.mp4)
 file(SHA256 "${DIRECTORY}/one.mp4" expected)
 
