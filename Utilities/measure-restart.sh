@@ -49,7 +49,8 @@ for ((kill = 1; kill <= kills; ++kill)); do
   if [ ! -e "$file" ]; then
     interrupted="$((interrupted + 1))"
   fi
-  parts="$(find "$file.partial" -name '*.part' 2> /dev/null | wc -l)"
+  # A run that is killed at once leaves no folder to look into.
+  parts="$( (find "$file.partial" -name '*.part' 2> /dev/null || true) | wc -l)"
   begin="$(milliseconds)"
   "$cslf" "$@" -o "$file" > "$folder/log.txt" 2> "$folder/errors.txt"
   echo "kill $kill: after $moment ms, $parts parts left, restart took $(($(milliseconds) - begin)) ms"
