@@ -21,8 +21,8 @@
  *
  * The cube must strictly contain the scene; else the filter reports an error.
  *
- * Any range of viewpoints (z slices) can be asked for by update extents. Pieces, as ParaView's ranks
- * ask for them, are such ranges.
+ * Any range of viewpoints (z slices) can be asked for by update extents. Pieces, as ParaView's
+ * ranks ask for them, are such ranges.
  *
  * @sa vtkCSLFViewTracer vtkCSLFMaterial vtkCSLFLight vtkCSLFCornellBoxSource
  */

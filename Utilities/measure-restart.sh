@@ -49,6 +49,7 @@ for ((kill = 1; kill <= kills; ++kill)); do
   if [ ! -e "$file" ]; then
     interrupted="$((interrupted + 1))"
   fi
+  # A run that is killed at once leaves no folder to look into.
   parts="$( (find "$file.partial" -name '*.part' 2> /dev/null || true) | wc -l)"
   begin="$(milliseconds)"
   "$cslf" "$@" -o "$file" > "$folder/log.txt" 2> "$folder/errors.txt"

@@ -14,15 +14,17 @@ namespace
 {
 constexpr const char* EncoderName = "libx265";
 
-/// x265's options: one thread, so that bytes do not depend on the machine's load; a closed group
-/// without scene cuts; no psycho-visual options, which add detail that is not there.
+/// x265's options: one thread, so that bytes do not depend on the machine's load; no weighted
+/// prediction, on which libx265 3.5 decides by memory that it has not set, so that bytes would
+/// depend on what the process did before; a closed group without scene cuts; no psycho-visual
+/// options, which add detail that is not there.
 std::string MakeParameters(const Track& track, const EncodeOptions& options)
 {
   std::ostringstream text;
   text << "log-level=none:info=0:repeat-headers=0:pools=none:frame-threads=1:wpp=0:pmode=0:pme=0"
        << ":scenecut=0:open-gop=0:keyint=" << options.GroupLength
        << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << 2 * MaximumGroupLength
-       << ":bframes=8:ref=5:psy-rd=0:psy-rdoq=0:aq-mode=0";
+       << ":bframes=8:ref=5:weightp=0:weightb=0:psy-rd=0:psy-rdoq=0:aq-mode=0";
   if (track.Lossless)
   {
     text << ":lossless=1";

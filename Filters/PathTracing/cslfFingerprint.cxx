@@ -4,9 +4,14 @@
 
 #include "cslfScene.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
 #include <vtksys/MD5.h>
@@ -48,29 +53,57 @@ void Fingerprint::AddBytes(const void* bytes, std::size_t count)
   }
 }
 
-void Fingerprint::Add(vtkDataObject* data)
+void Fingerprint::AddArray(vtkAbstractArray* array)
 {
-  vtkFieldData* fields = data->GetFieldData();
+  const std::string name = array->GetName() ? array->GetName() : "";
+  this->Add(std::vector<char>(name.begin(), name.end()));
+  this->Add(std::vector<vtkIdType>{
+    array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples() });
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    const std::size_t bytes =
+      static_cast<std::size_t>(numbers->GetNumberOfValues()) * numbers->GetDataTypeSize();
+    this->AddBytes(numbers->GetVoidPointer(0), bytes);
+  }
+  else if (auto* texts = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+    {
+      const std::string text = texts->GetValue(i);
+      this->Add(std::vector<char>(text.begin(), text.end()));
+    }
+  }
+}
+
+void Fingerprint::AddArrays(vtkFieldData* fields)
+{
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {
-    vtkAbstractArray* array = fields->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    this->Add(std::vector<char>(name.begin(), name.end()));
-    this->Add(std::vector<vtkIdType>{
-      array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples() });
-    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    this->AddArray(fields->GetAbstractArray(i));
+  }
+}
+
+void Fingerprint::Add(vtkDataObject* data)
+{
+  this->AddArrays(data->GetFieldData());
+  auto* polyData = vtkPolyData::SafeDownCast(data);
+  if (!polyData)
+  {
+    return;
+  }
+  this->AddArrays(polyData->GetPointData());
+  this->AddArrays(polyData->GetCellData());
+  if (polyData->GetPoints())
+  {
+    this->AddArray(polyData->GetPoints()->GetData());
+  }
+  for (vtkCellArray* cells :
+    { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips() })
+  {
+    if (cells)
     {
-      const std::size_t bytes =
-        static_cast<std::size_t>(numbers->GetNumberOfValues()) * numbers->GetDataTypeSize();
-      this->AddBytes(numbers->GetVoidPointer(0), bytes);
-    }
-    else if (auto* texts = vtkStringArray::SafeDownCast(array))
-    {
-      for (vtkIdType j = 0; j < texts->GetNumberOfValues(); ++j)
-      {
-        const std::string text = texts->GetValue(j);
-        this->Add(std::vector<char>(text.begin(), text.end()));
-      }
+      this->AddArray(cells->GetOffsetsArray());
+      this->AddArray(cells->GetConnectivityArray());
     }
   }
 }

@@ -12,7 +12,9 @@
 #include <type_traits>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataObject;
+class vtkFieldData;
 
 namespace cslf
 {
@@ -27,7 +29,8 @@ public:
   Fingerprint(const Fingerprint&) = delete;
   Fingerprint& operator=(const Fingerprint&) = delete;
 
-  /// The arrays of an object's field data: its material and lights.
+  /// The arrays of an object's field data, which are its material and lights, and all that
+  /// polygonal data holds.
   void Add(vtkDataObject* data);
 
   /// Geometry and colours.
@@ -47,6 +50,8 @@ public:
   std::string Finish();
 
 private:
+  void AddArrays(vtkFieldData* fields);
+  void AddArray(vtkAbstractArray* array);
   void AddBytes(const void* bytes, std::size_t count);
 
   struct State;

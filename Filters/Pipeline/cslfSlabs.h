@@ -72,8 +72,8 @@ private:
   std::string Error;
 };
 
-/// Pieces of the output of that pipeline information are ranges of z slices, which meet in one slice
-/// as pieces of image data do.
+/// Pieces of the output of that pipeline information are ranges of z slices, which meet in one
+/// slice as pieces of image data do.
 void SplitAlongZ(vtkInformation* information);
 
 /// The bytes of one texel of a channel.
