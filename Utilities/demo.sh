@@ -11,8 +11,8 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 folder="${1:-$source/build/demo}"
-viewpoints=9
-resolution=64
+viewpoints=17
+resolution=128
 
 cslf_install "${cslf_packages[@]}"
 cslf_build cslf
@@ -33,7 +33,7 @@ demo()
   echo
   echo "$title"
   if [ ! -e "$folder/$name.mp4" ]; then
-    "$cslf" sample "$@" -M "$viewpoints" -N "$resolution" --spp "$samples" \
+    "$cslf" sample "$@" -M "$viewpoints" -N "$resolution" --spp "$samples" --noise 0.004 \
       -o "$folder/$name.mp4"
   fi
   "$cslf" info "$folder/$name.mp4"
@@ -42,7 +42,7 @@ demo()
     --title "$title" --contact-sheet "$folder/$name.png" | tee "$folder/$name.txt"
 }
 
-demo cornell-box "Cornell box" 32 cornell-box
+demo cornell-box "Cornell box" 16 cornell-box
 demo dragon "Stanford dragon" 16 "$source/Testing/Data/dragon.ply" \
   --environment gradient --roughness 0.3 --metallic 1 --base-color 0.95 0.8 0.5
 "$cslf" sheet "$folder/cornell-box.png" "$folder/dragon.png" -o "$folder/contact-sheet.png"
