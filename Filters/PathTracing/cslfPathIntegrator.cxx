@@ -83,7 +83,7 @@ glm::vec3 PathIntegrator::GetRadiance(
     const Frame frame(surface.ShadingNormal);
     const BSDF bsdf(
       *surface.Material, surface.GetMaterialPoint(), frame.ToLocal(-ray.Direction), surface.Inside);
-    const float lobe = stream.Get1D(Dimension::Lobe);
+    const float lobe = bsdf.HasSpecular() ? stream.Get1D(Dimension::Lobe) : 1.0f;
     Lobes lit = Lobes::All;
     Lobes open = Lobes::All;
     float openProbability = 1.0f;

@@ -188,7 +188,6 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && this->Paths.GetLight().CanSample();
   const bool done = !isLit || builder.Build(goOn);
   this->Values = std::move(builder.GetLattice());
-  this->Estimates += builder.GetNumberOfEstimates();
   this->Rays += estimator.GetNumberOfRays();
   return done;
 }
@@ -204,7 +203,6 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const bool done = !isLit || builder.Build(goOn);
   values = std::move(builder.GetLattice());
-  this->Estimates += builder.GetNumberOfEstimates();
   this->Rays += estimator.GetNumberOfRays();
   return done;
 }

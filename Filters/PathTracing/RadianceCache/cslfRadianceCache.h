@@ -28,7 +28,7 @@ struct CacheSettings
 {
   /// The largest error of interpolation between stored points that adds no further points, in parts
   /// of white as it is displayed.
-  double Tolerance = 1.0 / 256;
+  double Tolerance = 1.0 / 128;
 
   /// The smallest distance of stored points, in scene space.
   double Spacing = 0.005;
@@ -63,8 +63,6 @@ public:
   /// Whether the values hold all light, or only what is sampled at its sources.
   bool IsComplete() const { return this->Complete; }
 
-  /// The points estimated, several times at the same place included.
-  std::size_t GetNumberOfEstimates() const { return this->Estimates; }
   std::size_t GetNumberOfValues() const { return this->Values.GetNumberOfValues(); }
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
@@ -73,7 +71,11 @@ private:
   using Progress = std::function<bool(double)>;
 
   LatticeSettings GetLatticeSettings() const;
+
+  /// Estimates the light that is sampled at its sources.
   bool SampleLights(const Progress& goOn);
+
+  /// Estimates the light that is found by looking around, after `depth` reflections at least.
   bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
     SurfaceLattice& values, const Progress& goOn);
 
@@ -84,7 +86,6 @@ private:
   SurfaceLattice Second; // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
-  std::size_t Estimates = 0;
   std::uint64_t Rays = 0;
 };
 }
