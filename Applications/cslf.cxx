@@ -68,7 +68,7 @@ int main(int argc, char* argv[])
   app.require_subcommand(1);
   Command chosen;
   for (const auto add : { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace,
-         AddCompare, AddInfo, AddView, AddEvaluate, AddSheet })
+         AddCompare, AddInfo, AddView, AddEvaluate, AddEvaluateTexels, AddSheet, AddExport })
   {
     add(app, chosen);
   }

@@ -43,7 +43,9 @@ void AddCompare(CLI::App& app, Command& chosen);
 void AddInfo(CLI::App& app, Command& chosen);
 void AddView(CLI::App& app, Command& chosen);
 void AddEvaluate(CLI::App& app, Command& chosen);
+void AddEvaluateTexels(CLI::App& app, Command& chosen);
 void AddSheet(CLI::App& app, Command& chosen);
+void AddExport(CLI::App& app, Command& chosen);
 ///@}
 }
 }

@@ -7,6 +7,7 @@ list(APPEND classes
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFEncoder
   ../Filters/vtkCSLFFieldQuality
+  ../Filters/vtkCSLFFieldReference
   ../Filters/vtkCSLFGLTFReader
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFImageReader
@@ -31,6 +32,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
+  ../Filters/PathTracing/cslfFieldRays.cxx
   ../Filters/PathTracing/cslfFingerprint.cxx
   ../Filters/PathTracing/cslfHitGeometry.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
@@ -58,6 +60,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfEnvironment.h
   ../Filters/PathTracing/cslfEnvironmentReader.h
   ../Filters/PathTracing/cslfFacets.h
+  ../Filters/PathTracing/cslfFieldRays.h
   ../Filters/PathTracing/cslfFingerprint.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
@@ -157,7 +160,8 @@ list(APPEND private_headers
 
 # Measures of quality.
 list(APPEND private_headers
-  ../Filters/Quality/cslfPSNR.h)
+  ../Filters/Quality/cslfPSNR.h
+  ../Filters/Quality/cslfTexelChoice.h)
 
 # Several processes at work together.
 list(APPEND sources

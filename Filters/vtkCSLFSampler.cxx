@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSampler.h"
 
+#include "PathTracing/cslfFieldRays.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
 #include "Pipeline/cslfSlabs.h"
@@ -28,25 +29,6 @@ vtkStandardNewMacro(vtkCSLFSampler);
 
 namespace
 {
-/// The rays from a slice's viewpoint to the texels of one of its tiles.
-cslf::RayGrid MakeRays(const cslf::Layout& layout, const cslf::Cube& box,
-  const cslf::SceneFrame& frame, int slice, int tile)
-{
-  const cslf::Viewpoint viewpoint = layout.ViewpointOf(slice);
-  const int face = cslf::ExitFaceOf(viewpoint.Face, tile);
-  const double step = 2.0 / layout.GetResolution();
-  const glm::dvec3 from = layout.ViewpointPosition(viewpoint);
-  const glm::dvec3 corner = cslf::FaceToCube(face, { -1.0, -1.0 });
-  const auto toScene = [&](const glm::dvec3& vectorCC)
-  { return frame.VectorToScene(box.VectorToWorld(vectorCC)); };
-  cslf::RayGrid rays;
-  rays.Origin = frame.PointToScene(box.PointToWorld(from));
-  rays.Direction = toScene(corner - from);
-  rays.DirectionX = toScene(cslf::FaceToCube(face, { -1.0 + step, -1.0 }) - corner);
-  rays.DirectionY = toScene(cslf::FaceToCube(face, { -1.0, -1.0 + step }) - corner);
-  return rays;
-}
-
 /// A point-data array for each channel.
 cslf::TexelOutput Allocate(const cslf::Description& description, vtkImageData* image)
 {
@@ -182,7 +164,7 @@ int vtkCSLFSampler::RequestData(
   const cslf::PictureLayout layout{ side, side, cslf::TileCount, extent[4],
     extent[5] - extent[4] + 1 };
   const auto makeRays = [&](int slice, int tile)
-  { return MakeRays(description.Grid, description.Box, scene->Frame, slice, tile); };
+  { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); };
   if (!this->Render(layout, makeRays, texels))
   {
     output->Initialize();

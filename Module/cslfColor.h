@@ -77,8 +77,15 @@ private:
   unsigned char Levels[Steps + 1]; // the level of each step's least value
 };
 
-/// The `Color` bytes of a texel: `radiance` is linear, times exposure, associated with `alpha` (its
-/// coverage). The mean of the samples that hit is encoded, then multiplied by alpha.
+/// What the red, green and blue of a texel are rounded from, in [0,1]: `radiance` is linear, times
+/// exposure, associated with `alpha` (its coverage). The mean of the samples that hit is encoded,
+/// then multiplied by alpha.
+inline glm::dvec3 EncodeRadiance(const glm::dvec3& radiance, double alpha)
+{
+  return alpha > 0.0 ? alpha * LinearToSRGB(radiance / alpha) : glm::dvec3(0.0);
+}
+
+/// The `Color` bytes of a texel, see EncodeRadiance.
 inline void EncodeColor(const glm::dvec3& radiance, double alpha, unsigned char color[4])
 {
   if (alpha == 1.0)
@@ -90,7 +97,7 @@ inline void EncodeColor(const glm::dvec3& radiance, double alpha, unsigned char 
     color[3] = 255;
     return;
   }
-  const glm::dvec3 encoded = alpha > 0.0 ? alpha * LinearToSRGB(radiance / alpha) : glm::dvec3(0.0);
+  const glm::dvec3 encoded = EncodeRadiance(radiance, alpha);
   color[0] = ToByte(encoded.x);
   color[1] = ToByte(encoded.y);
   color[2] = ToByte(encoded.z);

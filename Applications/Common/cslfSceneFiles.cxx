@@ -160,19 +160,16 @@ void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<
 void Scene::GetBounds(double bounds[6]) const
 {
   vtkBoundingBox box;
-  for (const Part& part : this->Parts)
-  {
-    ForEachPolyData(part,
-      [&](vtkPolyData* polyData)
+  this->ForEachPolyData(
+    [&](vtkPolyData* polyData)
+    {
+      double cells[6];
+      polyData->GetCellsBounds(cells);
+      if (std::all_of(cells, cells + 6, [](double value) { return std::isfinite(value); }))
       {
-        double cells[6];
-        polyData->GetCellsBounds(cells);
-        if (std::all_of(cells, cells + 6, [](double value) { return std::isfinite(value); }))
-        {
-          box.AddBounds(cells);
-        }
-      });
-  }
+        box.AddBounds(cells);
+      }
+    });
   if (!box.IsValid())
   {
     box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
@@ -180,12 +177,25 @@ void Scene::GetBounds(double bounds[6]) const
   box.GetBounds(bounds);
 }
 
-void SceneOptions::AddTo(CLI::App& command)
+void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const
+{
+  for (const Part& part : this->Parts)
+  {
+    tool::ForEachPolyData(part, visit);
+  }
+}
+
+void SceneOptions::AddInputsTo(CLI::App& command)
 {
   command
     .add_option(
       "input", this->Inputs, "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box")
     ->required();
+}
+
+void SceneOptions::AddTo(CLI::App& command)
+{
+  this->AddInputsTo(command);
   const std::string light = "Light";
   command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
   command

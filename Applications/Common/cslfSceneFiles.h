@@ -11,12 +11,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkCSLFPathTracer;
 class vtkDataObject;
+class vtkPolyData;
 
 namespace CLI
 {
@@ -35,6 +37,9 @@ public:
 
   /// The bounds of all cells, in VTK's order; a unit box around the origin where there are none.
   void GetBounds(double bounds[6]) const;
+
+  /// Visits the polygonal data of all parts.
+  void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
 
 /// A scene's files and the material and light options of the command line.
@@ -42,6 +47,9 @@ class SceneOptions
 {
 public:
   void AddTo(CLI::App& command);
+
+  /// The files only.
+  void AddInputsTo(CLI::App& command);
 
   /// Takes from a field's sampling parameters what the command line leaves out.
   void TakeDefaults(const nlohmann::json& sampling);

@@ -77,6 +77,16 @@ foreach (format IN ITEMS stl ply vtp vtm gltf)
   expect_json_at_least(30 psnr)
 endforeach ()
 
+# What is exported shows the same as what it was made of.
+cslf_run(export square.vtm square.gltf -o squares.obj --json)
+expect_json(4 triangles)
+cslf_run(export square.ply -o exported.obj --json)
+expect_json(2 triangles)
+cslf_run(trace exported.obj -o exported.png ${view})
+cslf_run(compare exported.png square.obj.png --json)
+expect_json_at_least(30 psnr)
+cslf_run(export cornell-box -o box.obj)
+
 # Lines are tubes.
 file(WRITE "${DIRECTORY}/lines.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n")
 cslf_run(trace lines.obj -o lines.png ${view})

@@ -35,4 +35,11 @@ if (NOT EXISTS "${DIRECTORY}/sheet.png")
   message(FATAL_ERROR "The contact sheet is missing.")
 endif ()
 
+# Texels: noise is all that parts the field from the reference.
+cslf_run(sample cornell-box -o noisy.vti -M 3 -N 16 --spp 4 --integrator path ${light})
+cslf_run(evaluate-texels noisy.vti cornell-box --texels 1000 --reference-spp 512 --json)
+expect_json(1000 texels)
+expect_json_at_least(25 psnr)
+expect_json_at_least(45 noise_floor)
+
 cslf_run(view box.vti --close-after 0.5 --size 96 96)

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf evaluate-texels: a light field's texels, measured against path-traced ones.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfSceneFiles.h"
+#include "cslfTable.h"
+
+#include "vtkCSLFFieldReference.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+/// The reference's noise must lie this far below what is measured against it.
+constexpr double NoiseMargin = 10.0;
+
+struct Options
+{
+  std::string Field;
+  SceneOptions Scene;
+  int Texels = 100000;
+  int Samples = 4096;
+  int Seed = 0;
+};
+
+Result Run(Options options)
+{
+  const FieldFile file = OpenField(options.Field);
+  options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
+  const Scene scene = options.Scene.Read();
+  vtkNew<vtkCSLFFieldReference> reference;
+  options.Scene.Apply(scene, reference);
+  reference->SetInputConnection(1, file.Reader->GetOutputPort());
+  reference->SetTexels(options.Texels);
+  reference->SetSamples(options.Samples);
+  reference->SetSeed(options.Seed);
+  {
+    const ProgressBar bar(reference, "Tracing the reference");
+    reference->Update();
+  }
+  ThrowOnError();
+
+  Result result;
+  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
+    { "texels", reference->GetNumberOfTexels() }, { "reference_spp", options.Samples },
+    { "seed", options.Seed }, { "psnr", reference->GetPSNR() },
+    { "noise_floor", reference->GetNoiseFloor() } };
+  result.Text = options.Field + ": PSNR " + Format(reference->GetPSNR(), 2) + " dB over " +
+    std::to_string(reference->GetNumberOfTexels()) +
+    " texels\nnoise floor of the reference: " + Format(reference->GetNoiseFloor(), 2) + " dB (" +
+    std::to_string(options.Samples) + " samples per texel)\n";
+  if (reference->GetNoiseFloor() < reference->GetPSNR() + NoiseMargin)
+  {
+    AddWarning("The reference's noise floor of " + Format(reference->GetNoiseFloor(), 2) +
+      " dB is less than 10 dB above the field: use more --reference-spp.");
+  }
+  return result;
+}
+}
+
+void AddEvaluateTexels(CLI::App& app, Command& chosen)
+{
+  CLI::App* command = app.add_subcommand(
+    "evaluate-texels", "Measure texels of a light field against path-traced ones");
+  command->footer(
+    "PSNR (at most 60 dB) of red, green and blue as 8 bits over black. The texels are chosen at "
+    "random, evenly over all viewpoints, and path-traced in two halves with different random "
+    "numbers; the noise floor is the PSNR of one half against the other plus 6.02 dB, as their "
+    "mean has a quarter of their difference's variance. Give the scene, light and material that "
+    "the field was sampled with.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+    ->required();
+  options->Scene.AddTo(*command);
+  command->add_option("--texels", options->Texels, "texels to measure, or all if there are fewer")
+    ->check(CLI::Range(1, 100000000))
+    ->capture_default_str();
+  command
+    ->add_option("--reference-spp", options->Samples,
+      "samples per texel of the reference, both halves; rounded up to a multiple of 32")
+    ->check(CLI::Range(1, 1 << 24))
+    ->capture_default_str();
+  command->add_option("--seed", options->Seed, "of the choice and of the reference")
+    ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

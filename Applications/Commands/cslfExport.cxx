@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf export: the triangles of a scene in one file, for other programs.
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfSceneFiles.h"
+
+#include "vtkCSLFInstances.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTriangleFilter.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace fs = std::filesystem;
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  SceneOptions Scene;
+  std::string Output;
+};
+
+/// Adds the triangles of polygonal data, at each of its instances if it has any.
+void AddTriangles(vtkPolyData* polyData, vtkAppendPolyData* append)
+{
+  vtkNew<vtkTriangleFilter> cut;
+  cut->PassVertsOff();
+  cut->PassLinesOff();
+  cut->SetInputData(polyData);
+  cut->Update();
+  vtkDataArray* matrices = polyData->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+  if (!matrices || matrices->GetNumberOfComponents() != 16)
+  {
+    append->AddInputData(cut->GetOutput());
+    return;
+  }
+  for (vtkIdType instance = 0; instance < matrices->GetNumberOfTuples(); ++instance)
+  {
+    vtkNew<vtkTransform> transform;
+    transform->SetMatrix(matrices->GetTuple(instance));
+    vtkNew<vtkTransformPolyDataFilter> place;
+    place->SetInputData(cut->GetOutput());
+    place->SetTransform(transform);
+    place->Update();
+    append->AddInputData(place->GetOutput());
+  }
+}
+
+vtkSmartPointer<vtkPolyData> MakeTriangles(const Scene& scene)
+{
+  vtkNew<vtkAppendPolyData> append;
+  scene.ForEachPolyData([&](vtkPolyData* polyData) { AddTriangles(polyData, append); });
+  append->Update();
+  ThrowOnError();
+  if (append->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw Failure("The scene has no triangles.");
+  }
+  return append->GetOutput();
+}
+
+/// The file appears whole or not at all.
+void Write(const std::string& fileName, vtkPolyData* triangles)
+{
+  const std::string temporary = fileName + ".partial";
+  vtkNew<vtkOBJWriter> writer;
+  writer->SetInputData(triangles);
+  writer->SetFileName(temporary.c_str());
+  writer->Write();
+  std::error_code failure;
+  if (writer->GetErrorCode() == 0 && GetFirstError().empty())
+  {
+    fs::rename(temporary, fileName, failure);
+    if (!failure)
+    {
+      return;
+    }
+  }
+  fs::remove(temporary, failure);
+  throw Failure("Cannot write " + fileName + ".");
+}
+
+Result Run(const Options& options)
+{
+  if (fs::path(options.Output).extension() != ".obj")
+  {
+    throw Failure("Scenes are exported as .obj.");
+  }
+  RequireWritable(options.Output);
+  const Scene scene = options.Scene.Read();
+  const auto triangles = MakeTriangles(scene);
+  Write(options.Output, triangles);
+  Result result;
+  result.JSON = { { "output", options.Output }, { "triangles", triangles->GetNumberOfPolys() },
+    { "points", triangles->GetNumberOfPoints() } };
+  result.Text =
+    options.Output + ": " + std::to_string(triangles->GetNumberOfPolys()) + " triangles\n";
+  return result;
+}
+}
+
+void AddExport(CLI::App& app, Command& chosen)
+{
+  CLI::App* command =
+    app.add_subcommand("export", "Write the triangles of a scene to one file, for other programs");
+  command->footer("Materials and lights, points and lines are left out. Normals and texture "
+                  "coordinates are written where all parts of the scene have them.");
+  const auto options = std::make_shared<Options>();
+  options->Scene.AddInputsTo(*command);
+  command->add_option("-o,--output", options->Output, "the triangles, .obj")->required();
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

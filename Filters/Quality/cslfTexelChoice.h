@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which texels of a field stand for all of them.
+ */
+#ifndef cslfTexelChoice_h
+#define cslfTexelChoice_h
+
+#include "PathTracing/cslfSampleStream.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace cslf
+{
+/// A choice of `count` of the texels 0 to `total` - 1: one at random from each of `count` ranges of
+/// equal length, up to one texel. So it ascends, no texel comes twice, and what needs the texels in
+/// order needs no list of them.
+class TexelChoice
+{
+public:
+  /// A count above the total is the total; then each texel is chosen.
+  TexelChoice(std::uint64_t total, std::uint64_t count, std::uint32_t seed)
+    : Total(total)
+    , Count(std::min(total, count))
+    , Seed(seed)
+  {
+  }
+
+  std::uint64_t GetCount() const { return this->Count; }
+
+  /// The texel of that index, which must be below the count.
+  std::uint64_t operator[](std::uint64_t index) const
+  {
+    const std::uint64_t length = this->Total / this->Count;
+    const std::uint64_t longer = this->Total % this->Count; // ranges with a texel more
+    const std::uint64_t first = index * length + std::min(index, longer);
+    return first + MixBits(MixBits(this->Seed, 0), index) % (length + (index < longer ? 1 : 0));
+  }
+
+private:
+  std::uint64_t Total;
+  std::uint64_t Count;
+  std::uint32_t Seed;
+};
+}
+
+#endif

@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFFieldReference.h"
+
+#include "PathTracing/cslfFieldRays.h"
+#include "PathTracing/cslfSceneBuilder.h"
+#include "PathTracing/cslfTexelRenderer.h"
+#include "Pipeline/cslfSlabs.h"
+#include "Quality/cslfPSNR.h"
+#include "Quality/cslfTexelChoice.h"
+#include "cslfColor.h"
+#include "cslfVTKCompatibility.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkDataObject.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <glm/geometric.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkCSLFFieldReference);
+
+namespace
+{
+/// A texel is traced as so many times so many smaller ones, of which a packet of rays has one each.
+constexpr int CellSide = 4;
+constexpr int Cells = CellSide * CellSide;
+constexpr int Halves = 2;
+
+/// Texels traced at once: enough to keep many threads busy.
+constexpr vtkIdType ChunkTexels = 8192;
+
+/// The share of reading the field in the progress, a guess.
+constexpr double ReadingShare = 0.1;
+
+constexpr double BestNoiseFloor = 100.0;
+
+/// Sets the reference's random numbers apart from those of a field of the same seed.
+constexpr std::uint64_t ReferenceSalt = 0x5265666572656e63u;
+
+cslf::Slab GetSlices(vtkInformation* field)
+{
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(field, extent);
+  return { extent[4], extent[5] };
+}
+
+std::uint64_t CountSliceTexels(vtkInformation* field)
+{
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(field, extent);
+  return (extent[1] - extent[0] + std::uint64_t(1)) * (extent[3] - extent[2] + std::uint64_t(1));
+}
+
+/// A half of a reference texel.
+struct Half
+{
+  glm::dvec3 Radiance{ 0.0 };
+  double Alpha = 0.0;
+
+  explicit Half(const float* cells)
+  {
+    for (int cell = 0; cell < Cells; ++cell, cells += 4)
+    {
+      this->Radiance += glm::dvec3(cells[0], cells[1], cells[2]) / static_cast<double>(Cells);
+      this->Alpha += static_cast<double>(cells[3]) / Cells;
+    }
+  }
+};
+
+vtkSmartPointer<vtkUnsignedCharArray> MakeColors(const char* name, vtkIdType texels)
+{
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetName(name);
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(texels);
+  return colors;
+}
+}
+
+/// One run of the filter. Methods that return false have reported why.
+class vtkCSLFFieldReference::Measurement
+{
+public:
+  Measurement(vtkCSLFFieldReference* self, vtkInformation* fieldInformation)
+    : Self(self)
+    , First(GetSlices(fieldInformation).First)
+    , SliceTexels(CountSliceTexels(fieldInformation))
+    , Chosen(this->SliceTexels * GetSlices(fieldInformation).GetCount(),
+        static_cast<std::uint64_t>(self->Texels), static_cast<std::uint32_t>(self->GetSeed()))
+    , Reference(MakeColors("Reference", this->GetCount()))
+    , Field(MakeColors("Field", this->GetCount()))
+  {
+    this->Indices->SetName("Texel");
+    this->Indices->SetNumberOfTuples(this->GetCount());
+    for (vtkIdType k = 0; k < this->GetCount(); ++k)
+    {
+      this->Indices->SetValue(
+        k, static_cast<vtkIdType>(this->First * this->SliceTexels + this->Chosen[k]));
+    }
+  }
+
+  vtkIdType GetCount() const { return static_cast<vtkIdType>(this->Chosen.GetCount()); }
+
+  /// Takes the chosen texels' colours from the field.
+  bool Read(vtkAlgorithmOutput* connection)
+  {
+    cslf::SlabStream stream(connection);
+    bool isRead = stream.Open();
+    for (vtkIdType k = 0; isRead && k < this->GetCount() && !cslf::IsAborted(this->Self);)
+    {
+      const cslf::Slab slab = stream.MakeSlab(this->GetSlice(k));
+      isRead = stream.Read(slab) && this->Check(stream.GetDescription());
+      for (; isRead && k < this->GetCount() && this->GetSlice(k) <= slab.Last; ++k)
+      {
+        this->TakeColor(stream, k);
+      }
+      this->Self->UpdateProgress(ReadingShare * k / this->GetCount());
+    }
+    if (!isRead && !stream.GetError().empty())
+    {
+      vtkErrorWithObjectMacro(this->Self, << stream.GetError());
+    }
+    this->Description = stream.GetDescription();
+    return isRead;
+  }
+
+  /// Traces the chosen texels and compares. False also where it was aborted.
+  bool Trace(const cslf::BuiltScene& scene)
+  {
+    this->WarnOfOtherScene(scene);
+    for (vtkIdType first = 0; first < this->GetCount(); first += ChunkTexels)
+    {
+      if (!this->TraceChunk(scene, first, std::min(first + ChunkTexels, this->GetCount())))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  double GetPSNR(double cap) const
+  {
+    return cslf::PSNR(this->Errors / (3.0 * this->GetCount()), 255.0, cap);
+  }
+
+  double GetNoiseFloor() const
+  {
+    return cslf::PSNR(this->Noise / (3.0 * this->GetCount()), 1.0, BestNoiseFloor);
+  }
+
+  void Write(vtkImageData* output) const
+  {
+    output->SetDimensions(static_cast<int>(this->GetCount()), 1, 1);
+    output->GetPointData()->SetScalars(this->Reference);
+    output->GetPointData()->AddArray(this->Field);
+    output->GetPointData()->AddArray(this->Indices);
+  }
+
+private:
+  int GetSlice(vtkIdType k) const
+  {
+    return this->First + static_cast<int>(this->Chosen[k] / this->SliceTexels);
+  }
+
+  bool Check(const cslf::Description& description)
+  {
+    const cslf::Channel* color = description.FindChannel(cslf::ColorName);
+    if (!color || color->Components != 4)
+    {
+      vtkErrorWithObjectMacro(this->Self, "The field has no colours.");
+      return false;
+    }
+    return true;
+  }
+
+  void TakeColor(const cslf::SlabStream& stream, vtkIdType k)
+  {
+    const cslf::Channel& channel = *stream.GetDescription().FindChannel(cslf::ColorName);
+    const unsigned char* texel = stream.GetSlice(channel, this->GetSlice(k)) +
+      this->Chosen[k] % this->SliceTexels * cslf::TexelBytes(channel);
+    unsigned char color[4];
+    if (channel.Type == VTK_FLOAT)
+    {
+      const auto* values = reinterpret_cast<const float*>(texel);
+      cslf::EncodeColor({ values[0], values[1], values[2] }, values[3], color);
+      texel = color;
+    }
+    this->Field->SetTypedTuple(k, texel);
+  }
+
+  void WarnOfOtherScene(const cslf::BuiltScene& scene)
+  {
+    const auto sampling = nlohmann::json::parse(this->Description.Sampling, nullptr, false);
+    const auto remembered = sampling.find("scene");
+    if (remembered != sampling.end() && *remembered != scene.Fingerprint)
+    {
+      vtkWarningWithObjectMacro(this->Self,
+        "The field was sampled from another scene, or with other materials or lights in it.");
+    }
+  }
+
+  bool TraceChunk(const cslf::BuiltScene& scene, vtkIdType first, vtkIdType last)
+  {
+    // A slice is a half of a texel, whose number makes its random numbers.
+    std::vector<float> cells(4 * Cells * Halves * (last - first));
+    cslf::TexelOutput output;
+    output.ColorFloats = cells.data();
+    const cslf::PictureLayout layout{ CellSide, CellSide, 1, static_cast<int>(Halves * first),
+      static_cast<int>(Halves * (last - first)) };
+    const auto grids = [&](int slice, int) { return this->MakeRays(scene.Frame, slice / Halves); };
+    const cslf::TexelRenderer renderer(*scene.World, layout, this->GetSettings(), grids, output);
+    const bool isDone = renderer.Render(
+      [&](double progress)
+      {
+        const double done = (first + progress * (last - first)) / this->GetCount();
+        this->Self->UpdateProgress(ReadingShare + (1.0 - ReadingShare) * done);
+        return !cslf::IsAborted(this->Self);
+      });
+    for (vtkIdType k = first; isDone && k < last; ++k)
+    {
+      const float* halves = cells.data() + 4 * Cells * Halves * (k - first);
+      this->Compare(k, Half(halves), Half(halves + 4 * Cells));
+    }
+    return isDone;
+  }
+
+  cslf::RenderSettings GetSettings() const
+  {
+    constexpr int parts = Halves * Cells;
+    cslf::RenderSettings settings;
+    settings.Samples = this->Self->GetSamples() / parts + (this->Self->GetSamples() % parts != 0);
+    settings.Seed = static_cast<std::uint32_t>(
+      cslf::MixBits(ReferenceSalt, static_cast<std::uint32_t>(this->Self->GetSeed())));
+    settings.Exposure = this->Self->GetExposure();
+    settings.ShowEnvironment = this->Self->GetShowEnvironment();
+    settings.Paths.MaximumDepth = this->Self->GetMaximumDepth();
+    return settings;
+  }
+
+  cslf::RayGrid MakeRays(const cslf::SceneFrame& frame, vtkIdType k) const
+  {
+    const cslf::Layout& grid = this->Description.Grid;
+    const std::uint64_t texel = this->Chosen[k] % this->SliceTexels;
+    const int side = grid.GetResolution();
+    const auto x = static_cast<int>(texel % grid.GetStripWidth());
+    const auto y = static_cast<int>(texel / grid.GetStripWidth());
+    const cslf::RayGrid tile =
+      cslf::MakeFieldRays(grid, this->Description.Box, frame, this->GetSlice(k), x / side);
+    return cslf::MakeTexelRays(tile, x % side, y, CellSide);
+  }
+
+  void Compare(vtkIdType k, const Half& first, const Half& second)
+  {
+    unsigned char reference[4];
+    cslf::EncodeColor(
+      0.5 * (first.Radiance + second.Radiance), 0.5 * (first.Alpha + second.Alpha), reference);
+    this->Reference->SetTypedTuple(k, reference);
+    unsigned char field[3];
+    this->Field->GetTypedTuple(k, field);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double error = static_cast<double>(field[i]) - reference[i];
+      this->Errors += error * error;
+    }
+    const glm::dvec3 noise = 0.5 *
+      (cslf::EncodeRadiance(first.Radiance, first.Alpha) -
+        cslf::EncodeRadiance(second.Radiance, second.Alpha));
+    this->Noise += glm::dot(noise, noise);
+  }
+
+  vtkCSLFFieldReference* Self;
+  int First; ///< slice that the field offers
+  std::uint64_t SliceTexels;
+  cslf::TexelChoice Chosen;
+  vtkSmartPointer<vtkUnsignedCharArray> Reference;
+  vtkSmartPointer<vtkUnsignedCharArray> Field;
+  vtkNew<vtkIdTypeArray> Indices;
+  cslf::Description Description;
+  double Errors = 0.0; ///< sum of squares, of 255 levels
+  double Noise = 0.0;  ///< sum of squares, of the encoded mean
+};
+
+vtkCSLFFieldReference::vtkCSLFFieldReference()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetSamples(4096);
+}
+
+int vtkCSLFFieldReference::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port != 1)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkCSLFFieldReference::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* field = inputVector[1]->GetInformationObject(0);
+  const cslf::Slab slices = GetSlices(field);
+  if (slices.GetCount() < 1 || CountSliceTexels(field) < 1)
+  {
+    vtkErrorMacro("The field is empty.");
+    return 0;
+  }
+  const double texels = static_cast<double>(CountSliceTexels(field)) * slices.GetCount();
+  const int count = static_cast<int>(std::min<double>(this->Texels, texels));
+  const int extent[6] = { 0, count - 1, 0, 0, 0, 0 };
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_UNSIGNED_CHAR, 3);
+  return 1;
+}
+
+int vtkCSLFFieldReference::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The field is pulled slab by slab when its turn comes; until then, as little as there is.
+  vtkInformation* field = inputVector[1]->GetInformationObject(0);
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(field, extent);
+  extent[5] = extent[4];
+  field->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
+int vtkCSLFFieldReference::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->PSNR = 0.0;
+  this->NoiseFloor = 0.0;
+  this->NumberOfTexels = 0;
+  const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
+  if (!scene)
+  {
+    return 0;
+  }
+  Measurement measurement(this, inputVector[1]->GetInformationObject(0));
+  if (!measurement.Read(this->GetInputConnection(1, 0)))
+  {
+    return 0;
+  }
+  if (!measurement.Trace(*scene))
+  {
+    return 1;
+  }
+  this->PSNR = measurement.GetPSNR(this->MaximumPSNR);
+  this->NoiseFloor = measurement.GetNoiseFloor();
+  this->NumberOfTexels = measurement.GetCount();
+  measurement.Write(vtkImageData::GetData(outputVector));
+  return 1;
+}
+
+void vtkCSLFFieldReference::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Texels: " << this->Texels << "\n";
+  os << indent << "MaximumPSNR: " << this->MaximumPSNR << "\n";
+  os << indent << "PSNR: " << this->PSNR << "\n";
+  os << indent << "NoiseFloor: " << this->NoiseFloor << "\n";
+  os << indent << "NumberOfTexels: " << this->NumberOfTexels << "\n";
+}
