@@ -27,11 +27,11 @@ depth=8
 
 cslf_install "${cslf_packages[@]}" libbenchmark-dev
 mkdir -p "$folder"
-(cd "$source" && cmake --preset benchmark && cmake --build --preset benchmark) > "$folder/build.log" ||
-  { cat "$folder/build.log" >&2; exit 1; }
+(cd "$source" && cmake --preset benchmark && cmake --build --preset benchmark)
 
 cslf="$build/bin/cslf"
-"$build/bin/cslfBenchmarks" --benchmark_repetitions="$runs" --benchmark_report_aggregates_only=true \
+"$build/bin/cslfBenchmarks" --benchmark_repetitions="$runs" \
+  --benchmark_report_aggregates_only=true \
   --benchmark_out="$folder/benchmarks.json" --benchmark_out_format=json "${meshes[@]}" \
   > "$folder/benchmarks.txt"
 
@@ -57,8 +57,8 @@ find_camera()
 }
 
 # compare_with_peer NAME SCENE: million rays a second of both, a line a run, in NAME.rates. The OBJ
-# has no materials, so the peer sees white surfaces, and the tool is told to. The peer draws frames of
-# few samples, of which two are left out; the tool one picture of as many samples.
+# has no materials, so the peer sees white surfaces, and the tool is told to. The peer draws frames
+# of few samples, the first two not counted; the tool one picture of as many samples.
 compare_with_peer()
 {
   local name="$1" object="$folder/$1.obj" run rates
@@ -69,7 +69,8 @@ compare_with_peer()
   for ((run = 0; run < runs; ++run)); do
     "$cslf" trace "$object" -o "$folder/$name.png" --json --environment white --base-color 1 1 1 \
       --position "${camera[@]:0:3}" --focal-point "${camera[@]:3:3}" --view-up 0 1 0 \
-      --view-angle 40 --size "$size" "$size" --spp "$((samples * frames))" --max-depth "$depth" \
+      --view-angle 40 --size "$size" "$size" --spp "$((samples * frames))" \
+      --max-depth "$depth" \
       > "$folder/$name.json"
     xvfb-run --auto-servernum pathtracer -i "$object" --ambientlight 1 1 1 \
       --vp "${camera[@]:0:3}" --vi "${camera[@]:3:3}" --vu 0 1 0 --fov 40 \
@@ -107,7 +108,7 @@ print(row.format("million rays/s, medians", "CSLF", "peer", "ratio"))
 with open(os.path.join(folder, "benchmarks.json")) as file:
     benchmarks = json.load(file)["benchmarks"]
 for benchmark in benchmarks:
-    if benchmark.get("aggregate_name") != "median":
+    if benchmark.get("aggregate_name", "median") != "median":
         continue
     name = benchmark["run_name"].split("/manual_time")[0].split("/repeats")[0]
     if "ratio" in benchmark:
