@@ -34,9 +34,6 @@ namespace tool
 {
 namespace
 {
-/// The truth's noise must lie this far below what is measured against it.
-constexpr double NoiseMargin = 10.0;
-
 struct Options
 {
   std::string Field;
@@ -130,11 +127,7 @@ Result Report(
     std::to_string(options.Size) + "\n" + table.ToText() +
     "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
     std::to_string(options.Samples) + " samples per pixel)\n";
-  if (noiseFloor < best + NoiseMargin)
-  {
-    AddWarning("The truth's noise floor of " + Format(noiseFloor, 2) +
-      " dB is less than 10 dB above the best lookup: use more --spp.");
-  }
+  WarnOfNoise(noiseFloor, best, "the best lookup", "--spp");
   return result;
 }
 

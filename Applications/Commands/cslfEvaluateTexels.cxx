@@ -23,9 +23,6 @@ namespace tool
 {
 namespace
 {
-/// The reference's noise must lie this far below what is measured against it.
-constexpr double NoiseMargin = 10.0;
-
 struct Options
 {
   std::string Field;
@@ -61,11 +58,7 @@ Result Run(Options options)
     std::to_string(reference->GetNumberOfTexels()) +
     " texels\nnoise floor of the reference: " + Format(reference->GetNoiseFloor(), 2) + " dB (" +
     std::to_string(options.Samples) + " samples per texel)\n";
-  if (reference->GetNoiseFloor() < reference->GetPSNR() + NoiseMargin)
-  {
-    AddWarning("The reference's noise floor of " + Format(reference->GetNoiseFloor(), 2) +
-      " dB is less than 10 dB above the field: use more --reference-spp.");
-  }
+  WarnOfNoise(reference->GetNoiseFloor(), reference->GetPSNR(), "the field", "--reference-spp");
   return result;
 }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMessages.h"
 
+#include "cslfTable.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkLogger.h>
@@ -172,6 +174,17 @@ void AddWarning(const std::string& text)
   if (vtkMessageCatcher* catcher = GetCatcher())
   {
     catcher->AddWarning(text);
+  }
+}
+
+void WarnOfNoise(
+  double noiseFloor, double psnr, const std::string& figure, const std::string& option)
+{
+  constexpr double margin = 10.0;
+  if (noiseFloor < psnr + margin)
+  {
+    AddWarning("The truth's noise floor of " + Format(noiseFloor, 2) +
+      " dB is less than 10 dB above " + figure + ": use more " + option + ".");
   }
 }
 

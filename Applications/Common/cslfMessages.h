@@ -42,6 +42,11 @@ void AddWarning(const std::string& text);
 /// Prints the warnings. A command that fails prints its error alone.
 void PrintWarnings();
 
+/// Warns where the noise of a truth, as a PSNR in dB, is too near to a figure measured against it:
+/// less than 10 dB above. `figure` is of what, and `option` is what lowers the noise.
+void WarnOfNoise(
+  double noiseFloor, double psnr, const std::string& figure, const std::string& option);
+
 void PrintError(const std::string& text);
 
 /// Shows the progress of a filter under this label. Does nothing unless standard error is a

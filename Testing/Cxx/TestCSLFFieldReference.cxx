@@ -23,6 +23,7 @@
 #include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <set>

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfBenchmarks.h"
+
+#include "PathTracing/cslfEmbree.h"
+#include "PathTracing/cslfFieldRays.h"
+#include "PathTracing/cslfSampleStream.h"
+#include "PathTracing/cslfSceneBuilder.h"
+#include "cslfDescription.h"
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace cslf
+{
+namespace benchmarks
+{
+namespace
+{
+constexpr int Viewpoints = 17;
+constexpr int Resolution = 128;
+constexpr int Samples = 4;
+
+/// The slab: viewpoints around the middle of the face that the box opens to.
+constexpr int SlabSlices = 4;
+constexpr int FrontFace = 4;
+
+/// A packet of rays, one for each texel of a square, as the renderer traces them.
+constexpr int BlockSide = 4;
+
+/// What a ray query needs to know of a packet.
+struct Rays
+{
+  float OriginX[RayPacket::Size];
+  float OriginY[RayPacket::Size];
+  float OriginZ[RayPacket::Size];
+  float DirectionX[RayPacket::Size];
+  float DirectionY[RayPacket::Size];
+  float DirectionZ[RayPacket::Size];
+
+  explicit Rays(const RayPacket& packet)
+  {
+    std::copy_n(packet.OriginX, RayPacket::Size, this->OriginX);
+    std::copy_n(packet.OriginY, RayPacket::Size, this->OriginY);
+    std::copy_n(packet.OriginZ, RayPacket::Size, this->OriginZ);
+    std::copy_n(packet.DirectionX, RayPacket::Size, this->DirectionX);
+    std::copy_n(packet.DirectionY, RayPacket::Size, this->DirectionY);
+    std::copy_n(packet.DirectionZ, RayPacket::Size, this->DirectionZ);
+  }
+};
+
+/// The rays of a tile: `Samples` a texel, and one to its centre for its depth.
+void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& rays)
+{
+  for (int row = 0; row < Resolution; row += BlockSide)
+  {
+    for (int column = 0; column < Resolution; column += BlockSide)
+    {
+      for (int sample = 0; sample <= Samples; ++sample)
+      {
+        float x[RayPacket::Size];
+        float y[RayPacket::Size];
+        for (int lane = 0; lane < RayPacket::Size; ++lane)
+        {
+          const int laneX = column + lane % BlockSide;
+          const int laneY = row + lane / BlockSide;
+          const SampleStream stream(
+            SampleStream::HashTexel(0, slice, tile * Resolution + laneX, laneY),
+            static_cast<std::uint32_t>(sample));
+          const glm::vec2 place =
+            sample < Samples ? stream.Get2D(Dimension::Pixel) : glm::vec2(0.5f);
+          x[lane] = static_cast<float>(laneX) + place.x;
+          y[lane] = static_cast<float>(laneY) + place.y;
+        }
+        RayPacket packet;
+        SetRays(grid, x, y, packet);
+        rays.emplace_back(packet);
+      }
+    }
+  }
+}
+
+/// Ray queries of the slab's rays, and nothing else.
+class BareQueries
+{
+public:
+  BareQueries(const BuiltScene& scene, const Layout& layout, const Cube& box, int firstSlice)
+    : Device(rtcNewDevice(nullptr))
+    , Tree(rtcNewScene(this->Device.get()))
+  {
+    for (const Mesh& mesh : scene.World->GetMeshes())
+    {
+      this->AddMesh(mesh);
+    }
+    rtcCommitScene(this->Tree.get());
+    for (int slice = firstSlice; slice < firstSlice + SlabSlices; ++slice)
+    {
+      for (int tile = 0; tile < TileCount; ++tile)
+      {
+        AddTileRays(
+          MakeFieldRays(layout, box, scene.Frame, slice, tile), slice, tile, this->Packets);
+      }
+    }
+  }
+
+  double CountRays() const { return static_cast<double>(this->Packets.size()) * RayPacket::Size; }
+
+  /// The seconds that all queries take on VTK's threads.
+  double Measure()
+  {
+    std::atomic<long long> hits{ 0 };
+    const auto start = std::chrono::steady_clock::now();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Packets.size()),
+      [&](vtkIdType begin, vtkIdType end) { hits += this->Intersect(begin, end); });
+    const auto end = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize(hits.load());
+    return std::chrono::duration<double>(end - start).count();
+  }
+
+private:
+  void AddMesh(const Mesh& mesh)
+  {
+    const EmbreeGeometry geometry(rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+      RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.Vertices.size());
+    void* triangles = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
+      RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.Triangles.size());
+    std::memcpy(vertices, mesh.Vertices.data(), mesh.Vertices.size() * sizeof(glm::vec3));
+    std::memcpy(triangles, mesh.Triangles.data(), mesh.Triangles.size() * sizeof(glm::uvec3));
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(this->Tree.get(), geometry.get());
+  }
+
+  /// The number of hits of a range of packets.
+  long long Intersect(vtkIdType begin, vtkIdType end) const
+  {
+    alignas(64) int valid[RayPacket::Size];
+    std::fill_n(valid, RayPacket::Size, -1);
+    const EmbreeQuery query(Passing::ByChance);
+    long long hits = 0;
+    for (vtkIdType k = begin; k < end; ++k)
+    {
+      alignas(64) RTCRayHit16 rayHit;
+      const Rays& rays = this->Packets[k];
+      std::memcpy(rayHit.ray.org_x, rays.OriginX, sizeof(rays.OriginX));
+      std::memcpy(rayHit.ray.org_y, rays.OriginY, sizeof(rays.OriginY));
+      std::memcpy(rayHit.ray.org_z, rays.OriginZ, sizeof(rays.OriginZ));
+      std::memcpy(rayHit.ray.dir_x, rays.DirectionX, sizeof(rays.DirectionX));
+      std::memcpy(rayHit.ray.dir_y, rays.DirectionY, sizeof(rays.DirectionY));
+      std::memcpy(rayHit.ray.dir_z, rays.DirectionZ, sizeof(rays.DirectionZ));
+      std::fill_n(rayHit.ray.tnear, RayPacket::Size, 0.0f);
+      std::fill_n(rayHit.ray.tfar, RayPacket::Size, std::numeric_limits<float>::infinity());
+      std::fill_n(rayHit.ray.time, RayPacket::Size, 0.0f);
+      std::fill_n(rayHit.ray.mask, RayPacket::Size, ~0u);
+      std::fill_n(rayHit.ray.flags, RayPacket::Size, 0u);
+      std::fill_n(rayHit.hit.geomID, RayPacket::Size, RTC_INVALID_GEOMETRY_ID);
+      std::fill_n(rayHit.hit.instID[0], RayPacket::Size, RTC_INVALID_GEOMETRY_ID);
+      EmbreeIntersectCoherent(this->Tree.get(), query, valid, rayHit);
+      for (const unsigned int geometry : rayHit.hit.geomID)
+      {
+        hits += geometry != RTC_INVALID_GEOMETRY_ID;
+      }
+    }
+    return hits;
+  }
+
+  EmbreeDevice Device;
+  EmbreeScene Tree;
+  std::vector<Rays> Packets;
+};
+
+void CompareCachedRendering(benchmark::State& state)
+{
+  // Make both sides ready; the cache is filled by a first rendering.
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetEnvironmentModeToNone();
+  sampler->SetViewpoints(Viewpoints);
+  sampler->SetResolution(Resolution);
+  sampler->SetSamples(Samples);
+  const Layout layout(Viewpoints, Resolution);
+  const int first = layout.SliceOf({ FrontFace, Viewpoints / 2, Viewpoints / 2 });
+  int slab[6];
+  layout.GetWholeExtent(slab);
+  slab[4] = first;
+  slab[5] = first + SlabSlices - 1;
+  sampler->UpdateExtent(slab);
+  SceneOptions options;
+  options.FindScalars = [](vtkPolyData*, bool&) -> vtkDataArray* { return nullptr; };
+  const BuiltScene scene = BuildScene({ box->GetOutputDataObject(0) }, options);
+  BareQueries bare(scene, layout, Cube::FromBounds(scene.Bounds, sampler->GetOffset()), first);
+  bare.Measure();
+
+  // Measure them in turn.
+  double bareSeconds = 0.0;
+  double cachedSeconds = 0.0;
+  for (auto _ : state)
+  {
+    bareSeconds += bare.Measure();
+    sampler->Modified();
+    sampler->UpdateExtent(slab);
+    cachedSeconds += sampler->GetRenderSeconds();
+    state.SetIterationTime(sampler->GetRenderSeconds());
+  }
+  const double rays = bare.CountRays() * static_cast<double>(state.iterations());
+  state.counters["bare_rays_per_second"] = rays / bareSeconds;
+  state.counters["cached_rays_per_second"] = rays / cachedSeconds;
+  state.counters["ratio"] = bareSeconds / cachedSeconds;
+}
+}
+
+void AddCachedRendering()
+{
+  benchmark::RegisterBenchmark("cached-rendering/cornell-box", CompareCachedRendering)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
+}
+}
+}
