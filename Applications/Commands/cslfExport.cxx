@@ -6,6 +6,7 @@
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 #include "cslfSceneFiles.h"
+#include "cslfWholeFile.h"
 
 #include "vtkCSLFInstances.h"
 
@@ -78,27 +79,6 @@ vtkSmartPointer<vtkPolyData> MakeTriangles(const Scene& scene)
   return append->GetOutput();
 }
 
-/// The file appears whole or not at all.
-void Write(const std::string& fileName, vtkPolyData* triangles)
-{
-  const std::string temporary = fileName + ".partial";
-  vtkNew<vtkOBJWriter> writer;
-  writer->SetInputData(triangles);
-  writer->SetFileName(temporary.c_str());
-  writer->Write();
-  std::error_code failure;
-  if (writer->GetErrorCode() == 0 && GetFirstError().empty())
-  {
-    fs::rename(temporary, fileName, failure);
-    if (!failure)
-    {
-      return;
-    }
-  }
-  fs::remove(temporary, failure);
-  throw Failure("Cannot write " + fileName + ".");
-}
-
 Result Run(const Options& options)
 {
   if (fs::path(options.Output).extension() != ".obj")
@@ -108,7 +88,9 @@ Result Run(const Options& options)
   RequireWritable(options.Output);
   const Scene scene = options.Scene.Read();
   const auto triangles = MakeTriangles(scene);
-  Write(options.Output, triangles);
+  vtkNew<vtkOBJWriter> writer;
+  writer->SetInputData(triangles);
+  WriteWhole(writer.Get(), options.Output);
   Result result;
   result.JSON = { { "output", options.Output }, { "triangles", triangles->GetNumberOfPolys() },
     { "points", triangles->GetNumberOfPoints() } };

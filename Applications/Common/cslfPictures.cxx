@@ -3,6 +3,7 @@
 #include "cslfPictures.h"
 
 #include "cslfMessages.h"
+#include "cslfWholeFile.h"
 
 #include "vtkCSLFMapper.h"
 
@@ -52,22 +53,9 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
 
 void WritePicture(const std::string& fileName, vtkImageData* picture)
 {
-  const std::string temporary = fileName + ".partial";
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
-  writer->SetFileName(temporary.c_str());
-  writer->Write();
-  std::error_code failure;
-  if (writer->GetErrorCode() == 0 && GetFirstError().empty())
-  {
-    fs::rename(temporary, fileName, failure);
-    if (!failure)
-    {
-      return;
-    }
-  }
-  fs::remove(temporary, failure);
-  throw Failure("Cannot write " + fileName + ".");
+  WriteWhole(writer.Get(), fileName);
 }
 
 vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)

@@ -38,8 +38,14 @@ PathIntegrator::PathIntegrator(
   , Settings(settings)
   , Light(scene, settings.LightSampling, settings.BSDFSampling)
   , Cache(cache)
-  , IsLookUp(cache && cache->IsComplete())
 {
+  if (cache && cache->IsComplete())
+  {
+    for (const Mesh& mesh : scene.GetMeshes())
+    {
+      this->LookUps.push_back(mesh.IsDiffuse() && mesh.CanHoldLattice());
+    }
+  }
 }
 
 glm::vec3 PathIntegrator::LookUp(const Hit& hit) const

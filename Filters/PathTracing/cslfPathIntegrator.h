@@ -13,6 +13,7 @@
 #include "cslfDirectLight.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cslf
 {
@@ -54,11 +55,7 @@ public:
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
   /// Whether the cache alone knows what leaves a hit towards anywhere.
-  bool CanLookUp(const Hit& hit) const
-  {
-    const Mesh& mesh = this->World.GetMeshes()[hit.Mesh];
-    return this->IsLookUp && mesh.IsDiffuse() && mesh.CanHoldLattice();
-  }
+  bool CanLookUp(const Hit& hit) const { return !this->LookUps.empty() && this->LookUps[hit.Mesh]; }
 
   /// That radiance.
   glm::vec3 LookUp(const Hit& hit) const;
@@ -70,7 +67,7 @@ private:
   PathSettings Settings;
   DirectLight Light;
   const RadianceCache* Cache;
-  bool IsLookUp; // whether the cache was complete from the start
+  std::vector<char> LookUps; // whether the cache knows all of a mesh; none if it is not complete
 };
 }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cslf
 {
@@ -79,6 +80,22 @@ inline Estimate Trace(const Scene& scene, const Ray& ray, const PathSettings& se
 inline Ray LookAt(const glm::vec3& from, const glm::vec3& at)
 {
   return { from, glm::normalize(at - from) };
+}
+
+/// Checks that light sampling alone and BSDF sampling alone, the latter with its own number of
+/// samples, agree with both together. Returns the estimates of both, and of BSDF sampling.
+inline std::pair<Estimate, Estimate> CheckEstimators(
+  const Scene& scene, const Ray& ray, PathSettings settings, int surfaceSamples)
+{
+  const Estimate both = Trace(scene, ray, settings, 1 << 15);
+  settings.BSDFSampling = false;
+  const Estimate light = Trace(scene, ray, settings, 1 << 16);
+  settings.BSDFSampling = true;
+  settings.LightSampling = false;
+  const Estimate surface = Trace(scene, ray, settings, surfaceSamples);
+  CSLF_CHECK_NEAR(light.Mean, both.Mean, 4.0 * (light.Error + both.Error));
+  CSLF_CHECK_NEAR(surface.Mean, both.Mean, 4.0 * (surface.Error + both.Error));
+  return { both, surface };
 }
 }
 }

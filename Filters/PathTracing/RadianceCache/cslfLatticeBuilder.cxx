@@ -32,6 +32,13 @@ constexpr int LargestDepth = 12;
 // twice as bright and black, and so on.
 constexpr double BrightEdge = 2.0;
 
+// Points of this distance, in spacings, or less are close enough: half of it would be closer than
+// was asked for.
+constexpr float CoarseSpacings = 1.5f;
+
+// How the spacing grows where bricks are too many.
+constexpr float SpacingGrowth = 1.5f;
+
 // The most bricks of a scene; beyond, the spacing grows.
 constexpr std::size_t MaximumBricks = std::size_t(1) << 23;
 
@@ -125,9 +132,9 @@ void LatticeBuilder::ChooseSplits()
         bricks += std::size_t(2) << (2 * split);
       }
     }
-    this->Settings.Spacing *= 1.5f;
+    this->Settings.Spacing *= SpacingGrowth;
   } while (bricks > MaximumBricks && bricks > 2 * splits.size());
-  this->Settings.Spacing /= 1.5f;
+  this->Settings.Spacing /= SpacingGrowth;
   this->Lattice = SurfaceLattice(splits);
 }
 
@@ -381,7 +388,7 @@ bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int s
   {
     return true;
   }
-  if (distance < 1.5f * this->Settings.Spacing || this->Settings.OnlyBright)
+  if (!this->IsCoarse(distance))
   {
     return false;
   }
@@ -397,15 +404,20 @@ bool LatticeBuilder::VariesWithin(const Patch& patch) const
   const glm::vec3 color = this->World.GetBaseColor(first.Place);
   const glm::vec3 seen = this->Settings.Display(first.Estimate.Value, color);
   const float size = this->GetDistance(patch);
-  const bool isLarge = size > 1.5f * this->Settings.Spacing && !this->Settings.OnlyBright;
+  const bool isCoarse = this->IsCoarse(size);
   return std::any_of(patch.Points.begin(), patch.Points.end(),
     [&](std::uint32_t index)
     {
       const SurfaceEstimate& estimate = this->Points[index].Estimate;
       const bool varies = estimate.Reach < size ||
         Largest(this->Settings.Display(estimate.Value, color) - seen) > this->Settings.Tolerance;
-      return (isLarge && varies) || this->IsBright(estimate.Value - first.Estimate.Value, size);
+      return (isCoarse && varies) || this->IsBright(estimate.Value - first.Estimate.Value, size);
     });
+}
+
+bool LatticeBuilder::IsCoarse(float distance) const
+{
+  return distance > CoarseSpacings * this->Settings.Spacing && !this->Settings.OnlyBright;
 }
 
 bool LatticeBuilder::IsBright(const glm::vec3& error, float distance) const

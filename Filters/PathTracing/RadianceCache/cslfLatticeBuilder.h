@@ -85,6 +85,7 @@ private:
   float GetDistance(const Patch& patch) const;
   bool NeedsMore(const Patch& patch) const;
   bool VariesWithin(const Patch& patch) const;
+  bool IsCoarse(float distance) const;
   bool IsBright(const glm::vec3& error, float distance) const;
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
   void Split(std::size_t index);

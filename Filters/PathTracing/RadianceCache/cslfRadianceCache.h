@@ -81,11 +81,11 @@ private:
 
   const Scene& World;
   CacheSettings Settings;
-  PathIntegrator Paths;
   SurfaceLattice Values;
   SurfaceLattice Second; // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
+  PathIntegrator Paths; // after what it asks when it is made
   std::uint64_t Rays = 0;
 };
 }
