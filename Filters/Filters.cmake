@@ -90,11 +90,14 @@ list(APPEND private_headers
 
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources
+  ../Filters/PathTracing/RadianceCache/cslfCacheFile.cxx
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
 list(APPEND private_headers
+  ../Filters/PathTracing/RadianceCache/cslfCacheFile.h
+  ../Filters/PathTracing/RadianceCache/cslfCacheShare.h
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
@@ -165,9 +168,11 @@ list(APPEND private_headers
 
 # Several processes at work together.
 list(APPEND sources
+  ../Filters/Parallel/cslfCacheKeeper.cxx
   ../Filters/Parallel/cslfRanks.cxx
   ../Filters/Parallel/cslfSceneGather.cxx)
 list(APPEND private_headers
+  ../Filters/Parallel/cslfCacheKeeper.h
   ../Filters/Parallel/cslfRanks.h
   ../Filters/Parallel/cslfSceneGather.h)
 

@@ -3,6 +3,9 @@
 #include "vtkCSLFEncoder.h"
 
 #include "Coding/cslfEncodeSession.h"
+#include "Parallel/cslfCacheKeeper.h"
+#include "Pipeline/cslfPipelineWatch.h"
+#include "vtkCSLFPathTracer.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -12,8 +15,42 @@
 #include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <optional>
+#include <vector>
+
 vtkStandardNewMacro(vtkCSLFEncoder);
 vtkCxxSetObjectMacro(vtkCSLFEncoder, Controller, vtkMultiProcessController);
+
+namespace
+{
+/// Lets the path tracers that feed a connection use a keeper, for a while.
+class CacheKeeping
+{
+public:
+  CacheKeeping(vtkAlgorithmOutput* connection, cslf::CacheKeeper* keeper)
+    : Producers(cslf::FindProducers(connection))
+  {
+    this->Set(keeper);
+  }
+  ~CacheKeeping() { this->Set(nullptr); }
+  CacheKeeping(const CacheKeeping&) = delete;
+  CacheKeeping& operator=(const CacheKeeping&) = delete;
+
+private:
+  void Set(cslf::CacheKeeper* keeper)
+  {
+    for (const auto& producer : this->Producers)
+    {
+      if (auto* tracer = vtkCSLFPathTracer::SafeDownCast(producer))
+      {
+        tracer->SetCacheKeeper(keeper);
+      }
+    }
+  }
+
+  std::vector<vtkSmartPointer<vtkAlgorithm>> Producers;
+};
+}
 
 vtkCSLFEncoder::vtkCSLFEncoder()
 {
@@ -93,9 +130,14 @@ int vtkCSLFEncoder::Write()
   {
     fault = { vtkErrorCode::UnknownError, "The input could not tell what it is." };
   }
-  cslf::EncodeSession session(this->MakeJob());
+  std::optional<cslf::CacheKeeper> keeper;
+  cslf::EncodeJob job = this->MakeJob();
+  job.Settle = [&keeper](bool isWell) { return keeper->Settle(isWell); };
+  cslf::EncodeSession session(job);
   if (session.Check(fault))
   {
+    keeper.emplace(this->Controller, session.GetCacheName(), job.Warn);
+    const CacheKeeping keeping(job.Connection, &*keeper);
     // Writing always writes, whether or not something changed.
     this->Modified();
     this->Session = &session;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
+#include "Parallel/cslfCacheKeeper.h"
 #include "Parallel/cslfSceneGather.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/cslfSceneBuilder.h"
@@ -92,6 +93,7 @@ struct vtkCSLFPathTracer::vtkInternals
   std::string SceneKey; // what the scene was built from; empty if there is none
   std::unique_ptr<cslf::RadianceCache> Cache;
   std::string CacheKey; // what the cache was built for; empty if there is none
+  cslf::CacheKeeper* Keeper = nullptr;
 
   /// On failure returns false and says why.
   static bool MakeEnvironment(
@@ -390,31 +392,69 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   return sampling.dump();
 }
 
+void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
+{
+  if (keeper && this->Internals->Keeper != keeper)
+  {
+    // The keeper waits for every rank to execute.
+    this->Modified();
+  }
+  this->Internals->Keeper = keeper;
+}
+
 std::string vtkCSLFPathTracer::MakeCacheKey(double spacing)
 {
-  std::ostringstream key;
-  key << std::setprecision(17) << this->MaximumDepth << ' ' << this->Seed << ' ' << this->Exposure
-      << ' ' << this->CacheTolerance << ' ' << spacing << ' ' << this->CacheSamples;
-  return key.str();
+  // What the texels depend on beyond the cache is left out.
+  nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
+  for (const char* name : { "samples", "noise_target", "show_environment" })
+  {
+    key.erase(name);
+  }
+  key["cache"]["spacing"] = spacing;
+  key["cslf"] = CSLF_VERSION;
+  return key.dump();
 }
 
 bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
 {
-  if (this->Internals->CacheKey == this->MakeCacheKey(spacing))
+  using Plan = cslf::CacheKeeper::Plan;
+  const std::string key = this->MakeCacheKey(spacing);
+  const bool isThere = this->Internals->CacheKey == key;
+  cslf::CacheKeeper* keeper = this->Internals->Keeper;
+  const Plan plan = keeper ? keeper->Join(key, isThere) : Plan::Alone;
+  if (plan == Plan::Break || (plan == Plan::Alone && isThere))
   {
-    return true;
+    return plan != Plan::Break;
   }
   const auto start = std::chrono::steady_clock::now();
-  cslf::CacheSettings settings;
-  settings.Tolerance = this->CacheTolerance;
-  settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
-  settings.Samples = this->CacheSamples;
-  settings.Exposure = this->Exposure;
-  settings.Seed = static_cast<std::uint32_t>(this->Seed);
-  settings.Paths.MaximumDepth = this->MaximumDepth;
-  this->Internals->CacheKey.clear();
-  this->Internals->Cache =
-    std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
+  if (!isThere || (plan == Plan::Together && !keeper->IsEverywhere()))
+  {
+    cslf::CacheSettings settings;
+    settings.Tolerance = this->CacheTolerance;
+    settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
+    settings.Samples = this->CacheSamples;
+    settings.Exposure = this->Exposure;
+    settings.Seed = static_cast<std::uint32_t>(this->Seed);
+    settings.Paths.MaximumDepth = this->MaximumDepth;
+    settings.Share = plan == Plan::Together ? keeper->GetShare() : nullptr;
+    this->Internals->CacheKey.clear();
+    this->Internals->Cache =
+      std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
+  }
+  const auto fill = [this, share] { return this->FillCache(share); };
+  const bool done =
+    plan == Plan::Together ? keeper->Make(*this->Internals->Cache, fill) : this->FillCache(share);
+  this->NumberOfCachePoints = this->Internals->Cache->GetNumberOfValues();
+  this->CacheSeconds += SecondsSince(start);
+  if (done)
+  {
+    this->Internals->CacheKey = key;
+  }
+  return done;
+}
+
+bool vtkCSLFPathTracer::FillCache(double share)
+{
   cslf::RadianceCache& cache = *this->Internals->Cache;
   const bool done = cache.Build(
     [this, share](double progress)
@@ -423,12 +463,6 @@ bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
       return !cslf::IsAborted(this);
     });
   this->NumberOfCacheRays += cache.GetNumberOfRays();
-  this->NumberOfCachePoints = cache.GetNumberOfValues();
-  this->CacheSeconds += SecondsSince(start);
-  if (done)
-  {
-    this->Internals->CacheKey = this->MakeCacheKey(spacing);
-  }
   return done;
 }
 

@@ -52,6 +52,7 @@ class vtkScalarsToColors;
 
 namespace cslf
 {
+class CacheKeeper;
 struct BuiltScene;
 struct PictureLayout;
 struct RayGrid;
@@ -306,6 +307,12 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
+  /**
+   * Sets what shares the next cache with other ranks and keeps it for a run that is started again,
+   * or null. vtkCSLFEncoder does while it writes a field.
+   */
+  void SetCacheKeeper(cslf::CacheKeeper* keeper);
+
 protected:
   vtkCSLFPathTracer();
   ~vtkCSLFPathTracer() override;
@@ -342,6 +349,7 @@ private:
   cslf::RenderSettings GetRenderSettings();
   std::string MakeCacheKey(double spacing);
   bool UpdateCache(double spacing, double share);
+  bool FillCache(double share);
   bool MustGather();
 
   int Integrator = PathTracing;

@@ -127,7 +127,14 @@ bool EncodeSession::CheckHere()
   }
   this->Puller.emplace(this->Job.Input, *this->Grid);
   this->Writer.emplace(this->Job.FileName, this->Job.Settings, *this->Grid);
-  return true;
+  std::string error;
+  return this->Team.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
+    this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
+}
+
+std::string EncodeSession::GetCacheName() const
+{
+  return this->Team.GetRank() == 0 ? this->Writer->GetCacheName() : std::string();
 }
 
 bool EncodeSession::Agree(const std::string& shared)
@@ -238,9 +245,18 @@ bool EncodeSession::Write(bool hasInput)
 {
   this->Written = true;
   const AVLogSilence silence;
-  const bool ready =
-    hasInput ? this->Begin() : this->Fail(vtkErrorCode::UnknownError, "The input failed.");
-  if (this->Agree(ready ? this->Writer->GetManifest() : std::string()))
+  const bool isSettled = !this->Job.Settle || this->Job.Settle(hasInput);
+  bool ready = false;
+  if (!hasInput)
+  {
+    this->Fail(vtkErrorCode::UnknownError, "The input failed.");
+  }
+  else if (isSettled)
+  {
+    ready = this->Begin();
+  }
+  // Where the input was broken off because another rank failed, that one tells.
+  if (this->Agree(ready ? this->Writer->GetManifest() : std::string()) && isSettled)
   {
     if (this->Team.GetRank() == 0)
     {

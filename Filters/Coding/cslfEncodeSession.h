@@ -39,6 +39,10 @@ struct EncodeJob
   vtkMultiProcessController* Controller = nullptr;
   std::function<bool(double)> Progress; ///< gets numbers from 0 to 1; false stops the work
   std::function<void(const std::string&)> Warn;
+
+  /// Ends what the ranks' inputs may have done together to make their first viewpoint: told whether
+  /// this rank's has it, tells whether no other has failed. May be empty.
+  std::function<bool(bool)> Settle;
 };
 
 /// What kept a file from being written: one of vtkErrorCode's, and a sentence.
@@ -62,6 +66,10 @@ public:
   bool Write(bool hasInput);
 
   bool HasWritten() const { return this->Written; }
+
+  /// After Check, where the input may keep what a run that is started again can use; empty on ranks
+  /// that touch no files.
+  std::string GetCacheName() const;
 
   /// What went wrong, if the code is not NoError. The text is empty where another rank is the one
   /// to tell.

@@ -65,7 +65,17 @@ public:
   /// A text that tells all that the parts depend on.
   const std::string& GetManifest() const { return this->Manifest; }
 
-  /// Makes the folder of parts, and finds what a killed run left there under the same manifest, if
+  /// Makes the folder of parts, or takes over what a killed run left, before anything is known of the
+  /// field. On failure returns false and says why.
+  bool ReserveParts(bool restart, std::string& error)
+  {
+    return this->Parts.Reserve(restart, error);
+  }
+
+  /// Where in that folder something that helps to go on may be kept.
+  std::string GetCacheName() const { return this->Parts.GetCacheName(); }
+
+  /// Opens the folder of parts, and finds what a killed run left there under the same manifest, if
   /// `restart` is set. A warning tells what is discarded.
   bool OpenParts(bool restart, std::string& warning, std::string& error);
 

@@ -21,6 +21,7 @@ constexpr const char* PartSuffix = ".part";
 constexpr const char* UnfinishedSuffix = ".unfinished";
 constexpr const char* WholeName = "whole";
 constexpr const char* ManifestName = "manifest.json";
+constexpr const char* CacheName = "radiance.cache";
 constexpr const char* LockName = "lock";
 
 /// How often the folder may vanish under a new run, each time removed by one that ends.
@@ -78,6 +79,7 @@ bool IsUnfinished(const std::string& name)
 {
   return (BeginsWith(name, PartPrefix) && EndsWith(name, UnfinishedSuffix)) ||
     name == std::string(ManifestName) + UnfinishedSuffix ||
+    name == std::string(CacheName) + UnfinishedSuffix ||
     BeginsWith(name, std::string(WholeName) + ".");
 }
 }
@@ -90,10 +92,14 @@ PartStore::PartStore(const std::string& fileName)
 
 PartStore::~PartStore()
 {
-  if (this->Opened)
+  if (this->Opened || this->IsNew)
   {
     this->RemoveUnfinished();
+    this->RemoveCache();
     this->RemoveParts();
+  }
+  if (this->Reserved)
+  {
     // The lock goes last: as long as its file is there, nobody else touches the folder.
     Remove({ this->GetName(LockName) });
     std::error_code ignored;
@@ -107,7 +113,8 @@ bool PartStore::Lock(std::string& error)
   {
     std::error_code code;
     std::error_code ignored;
-    if (!fs::create_directory(this->Folder, code) && !fs::is_directory(this->Folder, ignored))
+    this->IsNew = fs::create_directory(this->Folder, code);
+    if (!this->IsNew && !fs::is_directory(this->Folder, ignored))
     {
       error = "cannot make the folder " + this->Folder + ": " + code.message();
       return false;
@@ -130,15 +137,34 @@ bool PartStore::Lock(std::string& error)
   return false;
 }
 
+bool PartStore::Reserve(bool keep, std::string& error)
+{
+  if (this->Reserved)
+  {
+    return true;
+  }
+  if (!this->Lock(error))
+  {
+    this->IsNew = false;
+    return false;
+  }
+  this->Reserved = true;
+  this->RemoveUnfinished();
+  if (!keep)
+  {
+    this->RemoveCache();
+  }
+  return true;
+}
+
 bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, std::string& error)
 {
   discarded = false;
-  if (!this->Lock(error))
+  if (!this->Reserve(keep, error))
   {
     return false;
   }
   this->Opened = true;
-  this->RemoveUnfinished();
   const std::string name = this->GetName(ManifestName);
   if (keep && ReadBytes<std::string>(name) == manifest)
   {
@@ -196,6 +222,11 @@ bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& e
   return true;
 }
 
+std::string PartStore::GetCacheName() const
+{
+  return this->GetName(CacheName);
+}
+
 std::string PartStore::GetWholeName() const
 {
   return this->GetName(WholeName) + fs::path(this->FileName).extension().string();
@@ -226,6 +257,11 @@ std::string PartStore::GetPartName(TrackRole role, int group) const
 int PartStore::CountParts() const
 {
   return static_cast<int>(FindFiles(this->Folder, IsPart).size());
+}
+
+void PartStore::RemoveCache() const
+{
+  Remove({ this->GetCacheName() });
 }
 
 void PartStore::RemoveUnfinished() const

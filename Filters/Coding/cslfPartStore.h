@@ -24,13 +24,17 @@ public:
   /// The parts of the file that shall be named `fileName`.
   explicit PartStore(const std::string& fileName);
 
-  /// Removes the folder and what this class put there, if it was opened.
+  /// Removes the folder and what this class put there, if it was opened or newly made.
   ~PartStore();
 
   PartStore(const PartStore&) = delete;
   PartStore& operator=(const PartStore&) = delete;
 
-  /// Makes the folder or takes over what a killed run left of it. Its parts stay if `keep` is set
+  /// Makes the folder or takes over what a killed run left of it, and keeps others out. What is in it
+  /// stays if `keep` is set. On failure returns false and says why, in one line.
+  bool Reserve(bool keep, std::string& error);
+
+  /// Reserves the folder, unless that is done, for good. Its parts stay if `keep` is set
   /// and they were made under the same manifest, a text that tells all they depend on; `discarded`
   /// tells that there were some of another one although `keep` is set. On failure returns false
   /// and says why, in one line.
@@ -42,6 +46,9 @@ public:
   bool Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const;
   bool Read(TrackRole role, int group, CodedGroup& part, std::string& error) const;
 
+  /// Where something that helps to go on may be kept, to be removed with the folder.
+  std::string GetCacheName() const;
+
   /// Where the whole file is put together before it is renamed.
   std::string GetWholeName() const;
 
@@ -50,6 +57,7 @@ public:
 
 private:
   bool Lock(std::string& error);
+  void RemoveCache() const;
   std::string GetName(const std::string& name) const;
   std::string GetPartName(TrackRole role, int group) const;
   bool WriteWhole(
@@ -61,6 +69,8 @@ private:
   std::string FileName;
   std::string Folder;
   FileLock Holder;
+  bool Reserved = false;
+  bool IsNew = false; // no earlier run has left the folder
   bool Opened = false;
 };
 }

@@ -10,16 +10,43 @@
 #include <vtkCommand.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cslf
 {
+namespace
+{
+void Find(vtkAlgorithm* algorithm, std::vector<vtkSmartPointer<vtkAlgorithm>>& found)
+{
+  if (!algorithm || std::find(found.begin(), found.end(), algorithm) != found.end())
+  {
+    return;
+  }
+  found.emplace_back(algorithm);
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      Find(algorithm->GetInputConnection(port, i)->GetProducer(), found);
+    }
+  }
+}
+}
+
+std::vector<vtkSmartPointer<vtkAlgorithm>> FindProducers(vtkAlgorithmOutput* connection)
+{
+  std::vector<vtkSmartPointer<vtkAlgorithm>> found;
+  Find(connection ? connection->GetProducer() : nullptr, found);
+  return found;
+}
+
 PipelineWatch::PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool()> act)
   : Act(std::move(act))
 {
-  if (connection)
+  for (const auto& algorithm : FindProducers(connection))
   {
-    this->Add(connection->GetProducer());
+    this->Add(algorithm);
   }
 }
 
@@ -33,10 +60,6 @@ PipelineWatch::~PipelineWatch()
 
 void PipelineWatch::Add(vtkAlgorithm* algorithm)
 {
-  if (!algorithm || this->Observers.count(algorithm) > 0)
-  {
-    return;
-  }
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
   command->SetCallback(
@@ -50,12 +73,5 @@ void PipelineWatch::Add(vtkAlgorithm* algorithm)
       }
     });
   this->Observers[algorithm] = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
-  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
-    {
-      this->Add(algorithm->GetInputConnection(port, i)->GetProducer());
-    }
-  }
 }
 }

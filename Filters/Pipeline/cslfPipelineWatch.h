@@ -13,12 +13,16 @@
 #include <functional>
 #include <map>
 #include <thread>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 
 namespace cslf
 {
+/// The filters that feed a connection, which may be null: its own first, each once.
+std::vector<vtkSmartPointer<vtkAlgorithm>> FindProducers(vtkAlgorithmOutput* connection);
+
 class PipelineWatch
 {
 public:

@@ -331,17 +331,40 @@ std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
 
 void LatticeBuilder::EvaluateRequests()
 {
+  const CacheShare* share = this->Settings.Share;
   vtkSMPTools::For(static_cast<vtkIdType>(this->Evaluated),
     static_cast<vtkIdType>(this->Points.size()), 1,
-    [this](vtkIdType begin, vtkIdType end)
+    [this, share](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType index = begin; index < end; ++index)
       {
-        Point& point = this->Points[index];
-        point.Estimate = this->Estimate(point.Place, point.Key);
+        if (!share || share->GetOwner(index) == share->GetRank())
+        {
+          Point& point = this->Points[index];
+          point.Estimate = this->Estimate(point.Place, point.Key);
+        }
       }
     });
+  this->ExchangeEstimates();
   this->Evaluated = this->Points.size();
+}
+
+void LatticeBuilder::ExchangeEstimates()
+{
+  if (!this->Settings.Share)
+  {
+    return;
+  }
+  std::vector<SurfaceEstimate> estimates;
+  for (const Point& point : this->Points)
+  {
+    estimates.push_back(point.Estimate);
+  }
+  this->Settings.Share->Complete(estimates, this->Evaluated);
+  for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
+  {
+    this->Points[index].Estimate = estimates[index];
+  }
 }
 
 float LatticeBuilder::GetDistance(const Patch& patch) const

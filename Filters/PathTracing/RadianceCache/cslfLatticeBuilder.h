@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfScene.h"
+#include "cslfCacheShare.h"
 #include "cslfSurfaceLattice.h"
 
 #include <cstdint>
@@ -52,6 +53,9 @@ struct LatticeSettings
 
   /// What a viewer sees of a value on a surface of the given base colour.
   std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
+
+  /// The ranks that estimate the points together; null for this one alone.
+  CacheShare* Share = nullptr;
 };
 
 class VTKCSLF_EXPORT LatticeBuilder
@@ -81,6 +85,7 @@ private:
   void RequestAll(Patch& patch);
   std::uint32_t Request(const Patch& patch, int i, int j);
   void EvaluateRequests();
+  void ExchangeEstimates();
   void Refine();
   float GetDistance(const Patch& patch) const;
   bool NeedsMore(const Patch& patch) const;

@@ -134,6 +134,18 @@ RadianceCache::RadianceCache(const Scene& scene, const CacheSettings& settings)
 
 bool RadianceCache::Build(const Progress& goOn)
 {
+  CacheShare* share = this->Settings.Share;
+  if (!share)
+  {
+    return this->Fill(goOn);
+  }
+  const bool done = this->Fill([&goOn, share](double part) { return share->Agree(goOn(part)); });
+  this->Rays = share->Sum(this->Rays);
+  return done;
+}
+
+bool RadianceCache::Fill(const Progress& goOn)
+{
   // Light that is sampled at its sources has sharp shadows, which need many points of few samples.
   if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
   {
@@ -170,6 +182,7 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   lattice.Spacing = static_cast<float>(this->Settings.Spacing);
   lattice.Tolerance = static_cast<float>(this->Settings.Tolerance);
   lattice.Exposure = this->Settings.Exposure;
+  lattice.Share = this->Settings.Share;
   lattice.Display = [exposure = this->Settings.Exposure](
                       const glm::vec3& value, const glm::vec3& baseColor)
   { return glm::vec3(LinearToSRGB(exposure * glm::dvec3(value * baseColor))); };

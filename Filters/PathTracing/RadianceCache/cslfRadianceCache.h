@@ -39,6 +39,9 @@ struct CacheSettings
   double Exposure = 1.0;
   std::uint32_t Seed = 0;
   PathSettings Paths;
+
+  /// The ranks that fill the cache together, with the same settings; null for this one alone.
+  CacheShare* Share = nullptr;
 };
 
 class VTKCSLF_EXPORT RadianceCache
@@ -46,7 +49,8 @@ class VTKCSLF_EXPORT RadianceCache
 public:
   RadianceCache(const Scene& scene, const CacheSettings& settings);
 
-  /// Fills the cache. `goOn` is told the progress, in [0,1]; false where it returned false.
+  /// Fills the cache. `goOn` is told the progress, in [0,1]; false where it returned false, on any
+  /// rank.
   bool Build(const std::function<bool(double)>& goOn);
 
   /// Whether the cache knows a surface: spheres, tubes and instances it does not.
@@ -64,7 +68,18 @@ public:
   bool IsComplete() const { return this->Complete; }
 
   std::size_t GetNumberOfValues() const { return this->Values.GetNumberOfValues(); }
+
+  /// The rays traced to fill it, by all ranks.
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
+
+  /// Hands over all that a finished cache knows, to be kept, or taken back where the settings are
+  /// the same.
+  template <typename Archive>
+  void Exchange(Archive& archive)
+  {
+    archive.Value(this->Complete);
+    this->Values.Exchange(archive);
+  }
 
 private:
   /// Told the progress, in [0,1]; the work ends where it returns false.
@@ -78,6 +93,8 @@ private:
   /// Estimates the light that is found by looking around, after `depth` reflections at least.
   bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
     SurfaceLattice& values, const Progress& goOn);
+
+  bool Fill(const Progress& goOn);
 
   const Scene& World;
   CacheSettings Settings;

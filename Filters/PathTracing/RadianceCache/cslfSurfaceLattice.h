@@ -152,6 +152,16 @@ public:
       cell.V * values[alongV];
   }
 
+  /// Hands over all that it holds, or takes it back.
+  template <typename Archive>
+  void Exchange(Archive& archive)
+  {
+    archive.Value(this->NumberOfRoots);
+    archive.Array(this->Triangles);
+    archive.Array(this->Bricks);
+    archive.Array(this->Values);
+  }
+
 private:
   struct Triangle
   {

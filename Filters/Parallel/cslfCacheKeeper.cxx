@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Parallel/cslfCacheKeeper.h"
+
+#include "PathTracing/RadianceCache/cslfCacheFile.h"
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+
+#include <vtkCommunicator.h>
+#include <vtkMultiProcessController.h>
+#include <vtkMultiProcessStream.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// What is sent at once, in bytes: communicators count in ints.
+constexpr std::size_t LargestMessage = std::size_t(1) << 28;
+
+/// Rank 0's values to all others.
+class Broadcaster
+{
+public:
+  explicit Broadcaster(vtkMultiProcessController* controller)
+    : Controller(controller)
+  {
+  }
+
+  template <typename T>
+  void Value(T& value)
+  {
+    this->Send(&value, sizeof(value));
+  }
+
+  template <typename T>
+  void Array(std::vector<T>& values)
+  {
+    std::uint64_t count = values.size();
+    this->Value(count);
+    values.resize(count);
+    this->Send(values.data(), count * sizeof(T));
+  }
+
+private:
+  void Send(void* bytes, std::size_t count)
+  {
+    for (std::size_t begin = 0; begin < count; begin += LargestMessage)
+    {
+      const std::size_t size = std::min(LargestMessage, count - begin);
+      this->Controller->Broadcast(
+        static_cast<char*>(bytes) + begin, static_cast<vtkIdType>(size), 0);
+    }
+  }
+
+  vtkMultiProcessController* Controller;
+};
+}
+
+CacheKeeper::CacheKeeper(vtkMultiProcessController* controller, std::string fileName,
+  std::function<void(const std::string&)> warn)
+  : Controller(controller)
+  , FileName(std::move(fileName))
+  , Warn(std::move(warn))
+{
+}
+
+int CacheKeeper::GetRank() const
+{
+  return this->Controller ? this->Controller->GetLocalProcessId() : 0;
+}
+
+int CacheKeeper::GetCount() const
+{
+  return this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+}
+
+bool CacheKeeper::Agree(bool isFor)
+{
+  const int mine = isFor ? 1 : 0;
+  int all = mine;
+  if (this->GetCount() > 1)
+  {
+    this->Controller->AllReduce(&mine, &all, 1, vtkCommunicator::MIN_OP);
+  }
+  return all == 1;
+}
+
+std::uint64_t CacheKeeper::Sum(std::uint64_t mine)
+{
+  const auto part = static_cast<unsigned long long>(mine);
+  unsigned long long sum = part;
+  if (this->GetCount() > 1)
+  {
+    this->Controller->AllReduce(&part, &sum, 1, vtkCommunicator::SUM_OP);
+  }
+  return sum;
+}
+
+void CacheKeeper::Gather(const void* mine, const std::vector<std::size_t>& sizes, void* all)
+{
+  std::vector<vtkIdType> lengths;
+  std::vector<vtkIdType> offsets;
+  vtkIdType offset = 0;
+  for (const std::size_t size : sizes)
+  {
+    offsets.push_back(offset);
+    lengths.push_back(static_cast<vtkIdType>(size));
+    offset += lengths.back();
+  }
+  this->Controller->AllGatherV(static_cast<const char*>(mine), static_cast<char*>(all),
+    lengths[this->GetRank()], lengths.data(), offsets.data());
+}
+
+CacheKeeper::Arrival CacheKeeper::Meet(Arrival mine)
+{
+  this->HasMet = true;
+  const int own = mine;
+  int worst = own;
+  if (this->GetCount() > 1)
+  {
+    this->Controller->AllReduce(&own, &worst, 1, vtkCommunicator::MIN_OP);
+  }
+  this->IsBroken = worst == Failed;
+  return static_cast<Arrival>(worst);
+}
+
+bool CacheKeeper::IsOfAll(const std::string& text)
+{
+  if (this->GetCount() == 1)
+  {
+    return true;
+  }
+  vtkMultiProcessStream stream;
+  if (this->GetRank() == 0)
+  {
+    stream << text;
+  }
+  this->Controller->Broadcast(stream, 0);
+  std::string first = text;
+  if (this->GetRank() != 0)
+  {
+    stream >> first;
+  }
+  return this->Agree(first == text);
+}
+
+CacheKeeper::Plan CacheKeeper::Join(const std::string& key, bool isThere)
+{
+  if (this->HasMet)
+  {
+    return Plan::Alone;
+  }
+  const Arrival worst = this->Meet(isThere ? Having : Needing);
+  if (worst == Failed)
+  {
+    return Plan::Break;
+  }
+  this->AllHave = worst == Having;
+  this->Key = key;
+  return worst != Absent && this->IsOfAll(key) ? Plan::Together : Plan::Alone;
+}
+
+bool CacheKeeper::Settle(bool isWell)
+{
+  if (!this->HasMet)
+  {
+    this->Meet(isWell ? Absent : Failed);
+  }
+  return !this->IsBroken;
+}
+
+bool CacheKeeper::Read(RadianceCache& cache)
+{
+  auto state = CacheFileState::Missing;
+  if (!this->FileName.empty())
+  {
+    state = ReadCacheFile(this->FileName, this->Key, cache);
+  }
+  if (state == CacheFileState::Damaged)
+  {
+    this->Warn("The radiance cache that an earlier run left is damaged: it is made anew.");
+  }
+  int isRead = state == CacheFileState::Read ? 1 : 0;
+  if (this->GetCount() > 1)
+  {
+    this->Controller->Broadcast(&isRead, 1, 0);
+    if (isRead)
+    {
+      Broadcaster broadcaster(this->Controller);
+      cache.Exchange(broadcaster);
+    }
+  }
+  return isRead != 0;
+}
+
+bool CacheKeeper::Make(RadianceCache& cache, const std::function<bool()>& fill)
+{
+  if (!this->AllHave && this->Read(cache))
+  {
+    return true;
+  }
+  if (!this->AllHave && !fill())
+  {
+    return false;
+  }
+  if (!this->FileName.empty() && !WriteCacheFile(this->FileName, this->Key, cache))
+  {
+    this->Warn("The radiance cache could not be kept in " + this->FileName +
+      ": a run that is started again would have to make it anew.");
+  }
+  return true;
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A finished radiance cache in a file, sealed by a checksum. The layout is private to machines of
+ * one kind.
+ */
+#ifndef cslfCacheFile_h
+#define cslfCacheFile_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <string>
+
+namespace cslf
+{
+class RadianceCache;
+
+/// What became of reading a cache.
+enum class CacheFileState
+{
+  Missing, ///< there is no file, or it is that of another cache
+  Damaged, ///< there is one, but not as it was written
+  Read
+};
+
+/// Writes a cache, whole, by renaming `fileName` with `.unfinished` appended. The key tells all that
+/// the cache depends on. On failure returns false and leaves nothing new behind.
+VTKCSLF_EXPORT bool WriteCacheFile(
+  const std::string& fileName, const std::string& key, RadianceCache& cache);
+
+/// Reads a cache that was written with the same key. Unless it was read, the cache must be made
+/// anew.
+VTKCSLF_EXPORT CacheFileState ReadCacheFile(
+  const std::string& fileName, const std::string& key, RadianceCache& cache);
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Several ranks that work out the points of one cache together. All of them go through the same
+ * steps; each estimates a part of the points, and all get the estimates of all.
+ */
+#ifndef cslfCacheShare_h
+#define cslfCacheShare_h
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace cslf
+{
+class CacheShare
+{
+public:
+  virtual ~CacheShare() = default;
+
+  virtual int GetRank() const = 0;
+  virtual int GetCount() const = 0;
+
+  /// Whether all ranks are for it. All ranks call it together.
+  virtual bool Agree(bool isFor) = 0;
+
+  /// Adds up all ranks' numbers. All ranks call it together.
+  virtual std::uint64_t Sum(std::uint64_t mine) = 0;
+
+  /// Which rank estimates a point: few neighbours go together, so that the ranks have equal work.
+  int GetOwner(std::size_t point) const
+  {
+    return static_cast<int>(point / DealtPoints % static_cast<std::size_t>(this->GetCount()));
+  }
+
+  /// Completes values of which each rank has made its own, from `first` on. All ranks call it
+  /// together.
+  template <typename Value>
+  void Complete(std::vector<Value>& values, std::size_t first)
+  {
+    static_assert(std::is_trivially_copyable<Value>::value, "it is sent as bytes");
+    const int count = this->GetCount();
+    std::vector<std::size_t> sizes(count, 0);
+    std::vector<Value> mine;
+    for (std::size_t index = first; index < values.size(); ++index)
+    {
+      const int owner = this->GetOwner(index);
+      sizes[owner] += sizeof(Value);
+      if (owner == this->GetRank())
+      {
+        mine.push_back(values[index]);
+      }
+    }
+    std::vector<Value> all(values.size() - first);
+    this->Gather(mine.data(), sizes, all.data());
+    std::vector<std::size_t> places(count, 0);
+    for (int rank = 1; rank < count; ++rank)
+    {
+      places[rank] = places[rank - 1] + sizes[rank - 1] / sizeof(Value);
+    }
+    for (std::size_t index = first; index < values.size(); ++index)
+    {
+      values[index] = all[places[this->GetOwner(index)]++];
+    }
+  }
+
+private:
+  static constexpr std::size_t DealtPoints = 4;
+
+  /// Brings bytes together on all ranks, one rank's after the other's. `sizes` are all ranks'.
+  virtual void Gather(const void* mine, const std::vector<std::size_t>& sizes, void* all) = 0;
+};
+}
+
+#endif
