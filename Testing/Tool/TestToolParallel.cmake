@@ -48,6 +48,35 @@ execute_process(
 cslf_run_parallel(2 "${CSLF}" sample ${scene} -o killed.mp4)
 cslf_expect_same(killed.mp4)
 
+# Processes make the radiance cache together, and all use what a killed one left of it.
+set(cached cornell-box -M 3 -N 16 --spp 4 --cache-samples 64 --cache-spacing 0.04 --preset ultrafast
+  --threads 1)
+cslf_run(sample ${cached} -o cached.mp4 --json)
+string(JSON rays GET "${output}" cost cache_rays)
+set(expected_of_paths "${expected}")
+file(SHA256 "${DIRECTORY}/cached.mp4" expected)
+foreach (processes IN ITEMS 2 3)
+  cslf_run_parallel(${processes} "${CSLF}" sample ${cached} -o cached-${processes}.mp4 --json)
+  cslf_expect_same(cached-${processes}.mp4)
+  expect_json("${rays}" cost cache_rays)
+endforeach ()
+execute_process(
+  COMMAND bash -c "
+    for attempt in 1 2 3 4 5; do
+      rm -f kept.mp4
+      '${CSLF}' \"$@\" -o kept.mp4 > log.txt 2>&1 &
+      while kill -0 $! && ! [ -e kept.mp4.partial/radiance.cache ]; do sleep 0.01; done
+      kill -KILL $!
+      wait $!
+      if ! [ -e kept.mp4 ]; then exit 0; fi
+    done" bash sample ${cached}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  ERROR_QUIET)
+cslf_run_parallel(3 "${CSLF}" sample ${cached} -o kept.mp4 --json)
+cslf_expect_same(kept.mp4)
+expect_json(0 cost cache_rays)
+set(expected "${expected_of_paths}")
+
 # Other formats are written by the first process alone.
 cslf_run(decode one.mp4 -o one.vti)
 cslf_run_parallel(2 "${CSLF}" encode one.vti -o again.mp4 --preset ultrafast)
@@ -88,6 +117,13 @@ endfunction ()
 cslf_write_script(missing.sh missing.ply)
 cslf_run_parallel(3 ./missing.sh sample ${scene} -o x.mp4)
 cslf_expect_failure("missing.ply")
+cslf_run_parallel(3 ./missing.sh sample ${cached} -o x.mp4)
+cslf_expect_failure("missing.ply")
+cslf_write_script(outside.sh "--center 5 5 5 --edges 1")
+cslf_run_parallel(3 ./outside.sh sample ${cached} -o x.mp4)
+cslf_expect_failure("must strictly contain")
 cslf_write_script(other.sh "--seed 3")
+cslf_run_parallel(3 ./other.sh sample ${cached} -o x.mp4)
+cslf_expect_failure("different")
 cslf_run_parallel(3 ./other.sh sample ${scene} -o x.mp4)
 cslf_expect_failure("different")

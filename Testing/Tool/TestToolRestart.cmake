@@ -15,17 +15,18 @@ if (NOT result STREQUAL "0")
 endif ()
 message("${output}")
 
-# Starts a run and kills it as soon as some of its parts are whole, again where that was too late.
-function (cslf_kill file)
+# Starts a run and kills it as soon as there is a file of that name among its parts, again where that
+# was too late.
+function (cslf_kill_at name file)
   execute_process(
     COMMAND bash -c "
       for attempt in 1 2 3 4 5; do
         rm -f ${file}
         '${CSLF}' \"$@\" -o ${file} > log.txt 2>&1 &
-        while kill -0 $! && ! [ -e ${file}.partial/group-3-color.part ]; do sleep 0.01; done
+        while kill -0 $! && ! [ -e ${file}.partial/${name} ]; do sleep 0.01; done
         kill -KILL $!
         wait $!
-        if [ -e ${file}.partial/manifest.json ] && ! [ -e ${file} ]; then exit 0; fi
+        if [ -e ${file}.partial/${name} ] && ! [ -e ${file} ]; then exit 0; fi
       done
       exit 1" bash ${ARGN}
     WORKING_DIRECTORY "${DIRECTORY}"
@@ -34,6 +35,11 @@ function (cslf_kill file)
   if (NOT result STREQUAL "0")
     message(FATAL_ERROR "cslf ${ARGN} was not killed in the middle of its work.")
   endif ()
+endfunction ()
+
+# The same as soon as some of its parts are whole.
+function (cslf_kill file)
+  cslf_kill_at(group-3-color.part ${file} ${ARGN})
 endfunction ()
 
 # Runs the tool, which must succeed with one line on standard error that matches `pattern`, and give
@@ -82,3 +88,38 @@ cslf_expect_bytes("^cslf: warning: [^\n]*discarded[^\n]*\n$" other.mp4 killed.mp
   sample ${triangles})
 cslf_kill(killed.mp4 sample ${slow})
 cslf_expect_bytes("^$" seed.mp4 killed.mp4 sample ${slow} --seed 1 --no-restart)
+
+# A run that is killed while its cache is made begins that anew; one that is killed later finds the
+# cache whole, unless it is damaged or that of another scene.
+set(cached cornell-box -M 3 -N 16 --spp 4 --cache-samples 64 --cache-spacing 0.04 --preset ultrafast)
+cslf_run(sample ${cached} -o cached.mp4)
+cslf_kill_at(lock killed.mp4 sample ${cached})
+cslf_expect_bytes("^$" cached.mp4 killed.mp4 sample ${cached})
+cslf_kill_at(radiance.cache killed.mp4 sample ${cached})
+cslf_run(sample ${cached} -o killed.mp4 --json)
+expect_json(0 cost cache_rays)
+file(SHA256 "${DIRECTORY}/killed.mp4" actual)
+file(SHA256 "${DIRECTORY}/cached.mp4" wanted)
+if (NOT actual STREQUAL wanted OR EXISTS "${DIRECTORY}/killed.mp4.partial")
+  message(FATAL_ERROR "A kept cache gave other bytes, or was left.")
+endif ()
+file(REMOVE "${DIRECTORY}/killed.mp4")
+cslf_kill_at(radiance.cache killed.mp4 sample ${cached})
+file(APPEND "${DIRECTORY}/killed.mp4.partial/radiance.cache" "x")
+cslf_expect_bytes("^cslf: warning: [^\n]*cache[^\n]*damaged[^\n]*\n$" cached.mp4 killed.mp4
+  sample ${cached})
+cslf_run(sample ${cached} --max-depth 2 -o shallow.mp4)
+cslf_kill_at(radiance.cache killed.mp4 sample ${cached})
+file(REMOVE_RECURSE "${DIRECTORY}/kept")
+file(MAKE_DIRECTORY "${DIRECTORY}/kept")
+file(COPY_FILE "${DIRECTORY}/killed.mp4.partial/radiance.cache" "${DIRECTORY}/kept/radiance.cache")
+cslf_expect_bytes("" shallow.mp4 killed.mp4 sample ${cached} --max-depth 2)
+# What failed before anything was known of the field leaves what it found.
+file(MAKE_DIRECTORY "${DIRECTORY}/killed.mp4.partial")
+file(COPY_FILE "${DIRECTORY}/kept/radiance.cache" "${DIRECTORY}/killed.mp4.partial/radiance.cache")
+cslf_fail("must strictly contain" "" sample ${cached} --center 5 5 5 --edges 1 -o killed.mp4)
+if (NOT EXISTS "${DIRECTORY}/killed.mp4.partial/radiance.cache")
+  message(FATAL_ERROR "A run that failed removed the cache that another had left.")
+endif ()
+cslf_run(sample ${cached} -o killed.mp4 --json)
+expect_json(0 cost cache_rays)
