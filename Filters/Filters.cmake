@@ -3,6 +3,7 @@
 
 # Names the filters' classes and sources for Module/CMakeLists.txt.
 list(APPEND classes
+  ../Filters/vtkCSLFBakeEstimator
   ../Filters/vtkCSLFCornellBoxSource
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFEncoder
@@ -93,6 +94,7 @@ list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.cxx
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
+  ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
 list(APPEND private_headers
@@ -100,6 +102,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfCacheShare.h
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
+  ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
 
@@ -125,6 +128,7 @@ list(APPEND sources
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
+  ../Filters/Coding/cslfEncodeProbe.cxx
   ../Filters/Coding/cslfEncodeSession.cxx
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFieldWriter.cxx
@@ -142,6 +146,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
+  ../Filters/Coding/cslfEncodeProbe.h
   ../Filters/Coding/cslfEncodeSession.h
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h

@@ -93,6 +93,7 @@ struct vtkCSLFPathTracer::vtkInternals
   std::string SceneKey; // what the scene was built from; empty if there is none
   std::unique_ptr<cslf::RadianceCache> Cache;
   std::string CacheKey; // what the cache was built for; empty if there is none
+  bool IsProbe = false; // the cache is only roughly right
   cslf::CacheKeeper* Keeper = nullptr;
 
   /// On failure returns false and says why.
@@ -254,6 +255,7 @@ const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** in
     this->Internals->SceneKey.clear();
     this->Internals->CacheKey.clear();
     this->Internals->Cache.reset();
+    this->Internals->IsProbe = false;
     if (!this->BuildScene(inputs))
     {
       return nullptr;
@@ -392,6 +394,22 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   return sampling.dump();
 }
 
+double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
+{
+  return 0.3 / size;
+}
+
+void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
+{
+  seconds = std::max(seconds, 0.0);
+  if (this->CacheProbeSeconds != seconds)
+  {
+    this->CacheProbeSeconds = seconds;
+    this->Internals->IsProbe = false;
+    this->Modified();
+  }
+}
+
 void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
 {
   if (keeper && this->Internals->Keeper != keeper)
@@ -415,8 +433,48 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing)
   return key.dump();
 }
 
+void vtkCSLFPathTracer::MakeCache(double spacing, cslf::CacheShare* ranks)
+{
+  cslf::CacheSettings settings;
+  settings.Tolerance = this->CacheTolerance;
+  settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
+  settings.Samples = this->CacheSamples;
+  settings.Exposure = this->Exposure;
+  settings.Seed = static_cast<std::uint32_t>(this->Seed);
+  settings.Paths.MaximumDepth = this->MaximumDepth;
+  settings.ProbeSeconds = this->CacheProbeSeconds;
+  settings.Share = ranks;
+  this->Internals->CacheKey.clear();
+  this->Internals->Cache =
+    std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
+}
+
+bool vtkCSLFPathTracer::ProbeCache(double spacing)
+{
+  const std::string key = this->MakeCacheKey(spacing);
+  this->ExpectedCacheSeconds = 0.0;
+  if (this->Internals->CacheKey == key)
+  {
+    return true;
+  }
+  // A probe is good for any spacing: coarse as it is, it does not depend on it much.
+  if (!this->Internals->IsProbe)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->MakeCache(spacing, nullptr);
+    this->Internals->IsProbe = this->FillCache(0.5);
+    this->CacheSeconds += SecondsSince(start);
+  }
+  this->ExpectedCacheSeconds = this->Internals->Cache->GetExpectedSeconds();
+  return this->Internals->IsProbe;
+}
+
 bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
 {
+  if (this->CacheProbeSeconds > 0.0)
+  {
+    return this->ProbeCache(spacing);
+  }
   using Plan = cslf::CacheKeeper::Plan;
   const std::string key = this->MakeCacheKey(spacing);
   const bool isThere = this->Internals->CacheKey == key;
@@ -429,17 +487,8 @@ bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
   const auto start = std::chrono::steady_clock::now();
   if (!isThere || (plan == Plan::Together && !keeper->IsEverywhere()))
   {
-    cslf::CacheSettings settings;
-    settings.Tolerance = this->CacheTolerance;
-    settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
-    settings.Samples = this->CacheSamples;
-    settings.Exposure = this->Exposure;
-    settings.Seed = static_cast<std::uint32_t>(this->Seed);
-    settings.Paths.MaximumDepth = this->MaximumDepth;
-    settings.Share = plan == Plan::Together ? keeper->GetShare() : nullptr;
-    this->Internals->CacheKey.clear();
-    this->Internals->Cache =
-      std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
+    this->MakeCache(spacing, plan == Plan::Together ? keeper->GetShare() : nullptr);
+    this->Internals->IsProbe = false;
   }
   const auto fill = [this, share] { return this->FillCache(share); };
   const bool done =
@@ -482,7 +531,8 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
   cslf::RenderSettings settings = this->GetRenderSettings();
   if (this->Integrator == RadianceCaching)
   {
-    const double automatic = 0.3 / std::max(layout.TileWidth, layout.TileHeight);
+    const double automatic =
+      GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight));
     if (!this->UpdateCache(this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, share))
     {
       return false;
@@ -515,6 +565,8 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfCachePoints: " << this->NumberOfCachePoints << "\n";
   os << indent << "RenderSeconds: " << this->RenderSeconds << "\n";
   os << indent << "CacheSeconds: " << this->CacheSeconds << "\n";
+  os << indent << "CacheProbeSeconds: " << this->CacheProbeSeconds << "\n";
+  os << indent << "ExpectedCacheSeconds: " << this->ExpectedCacheSeconds << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
   os << indent << "NoiseTarget: " << this->NoiseTarget << "\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << "\n";

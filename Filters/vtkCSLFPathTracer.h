@@ -53,6 +53,7 @@ class vtkScalarsToColors;
 namespace cslf
 {
 class CacheKeeper;
+class CacheShare;
 struct BuiltScene;
 struct PictureLayout;
 struct RayGrid;
@@ -112,6 +113,11 @@ public:
   vtkSetClampMacro(CacheSpacing, double, 0.0, 1.0);
   vtkGetMacro(CacheSpacing, double);
   ///@}
+
+  /**
+   * The spacing that 0 stands for, of pictures of so many texels or pixels along the longer side.
+   */
+  static double GetAutomaticCacheSpacing(int size);
 
   ///@{
   /**
@@ -307,6 +313,19 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
+  ///@{
+  /**
+   * Where above 0, a radiance cache that is not there is not made but probed, in about so many
+   * seconds: good for a look at what an update will cost, and for pictures that are roughly right.
+   * What a probe found is used until this is set to 0 again.
+   * The expected seconds are those that making the cache would take; 0 where it is there. Used by
+   * vtkCSLFBakeEstimator. Default: 0.
+   */
+  virtual void SetCacheProbeSeconds(double seconds);
+  vtkGetMacro(CacheProbeSeconds, double);
+  vtkGetMacro(ExpectedCacheSeconds, double);
+  ///@}
+
   /**
    * Sets what shares the next cache with other ranks and keeps it for a run that is started again,
    * or null. vtkCSLFEncoder does while it writes a field.
@@ -350,6 +369,8 @@ private:
   std::string MakeCacheKey(double spacing);
   bool UpdateCache(double spacing, double share);
   bool FillCache(double share);
+  bool ProbeCache(double spacing);
+  void MakeCache(double spacing, cslf::CacheShare* ranks);
   bool MustGather();
 
   int Integrator = PathTracing;
@@ -374,6 +395,8 @@ private:
   vtkTypeUInt64 NumberOfCachePoints = 0;
   double RenderSeconds = 0.0;
   double CacheSeconds = 0.0;
+  double CacheProbeSeconds = 0.0;
+  double ExpectedCacheSeconds = 0.0;
   vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
   bool DistributedScene = false;
   vtkMultiProcessController* Controller = nullptr;

@@ -9,6 +9,8 @@
 #include "cslfParallel.h"
 #include "cslfSceneFiles.h"
 
+#include "vtkCSLFBakeEstimator.h"
+#include "vtkCSLFEncoder.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>
@@ -16,6 +18,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -42,6 +45,7 @@ struct Options
   double Offset = 0.05;
   std::vector<double> Center;
   std::vector<double> Edges;
+  bool Estimate = false;
   bool NoDepth = false;
   bool Float = false;
 };
@@ -59,24 +63,28 @@ void SetCube(const Options& options, vtkCSLFSampler* sampler)
   }
 }
 
-Result Run(const Options& options)
+void CheckCube(const Options& options)
 {
-  const auto start = std::chrono::steady_clock::now();
   if (options.Edges.size() == 2 || options.Edges.empty() != options.Center.empty())
   {
     throw Failure("A cube is given by --center and one or three --edges.");
   }
-  const FieldWriter writer(options.Output, options.Coding);
-  if (writer.GetFormat() == FieldFormat::Video && options.Resolution < SmallestVideo)
+}
+
+void CheckFormat(const Options& options, FieldFormat format)
+{
+  if (format == FieldFormat::Video && options.Resolution < SmallestVideo)
   {
     throw Failure("Video needs a resolution (-N) of at least 16 texels.");
   }
-  if (writer.GetFormat() == FieldFormat::Video && options.Float)
+  if (format == FieldFormat::Video && options.Float)
   {
     throw Failure("Video holds no float colours: write .vti or a folder.");
   }
-  const Scene scene = options.Scene.Read();
-  vtkNew<vtkCSLFSampler> sampler;
+}
+
+void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
+{
   options.Scene.Apply(scene, sampler);
   sampler->SetViewpoints(options.Viewpoints);
   sampler->SetResolution(options.Resolution);
@@ -84,6 +92,56 @@ Result Run(const Options& options)
   sampler->SetGenerateDepth(!options.NoDepth);
   sampler->SetColorType(options.Float ? VTK_FLOAT : VTK_UNSIGNED_CHAR);
   SetCube(options, sampler);
+}
+
+/// What the field would cost.
+Result Estimate(const Options& options)
+{
+  CheckCube(options);
+  const FieldFormat format =
+    options.Output.empty() ? FieldFormat::Video : GetFormat(options.Output);
+  CheckFormat(options, format);
+  const Scene scene = options.Scene.Read();
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(options, scene, sampler);
+  vtkNew<vtkCSLFEncoder> encoder;
+  options.Coding.Apply(encoder);
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetEncoder(encoder);
+  estimator->SetFormat(format == FieldFormat::Video ? vtkCSLFBakeEstimator::Video
+      : format == FieldFormat::ImageData            ? vtkCSLFBakeEstimator::ImageData
+                                                    : vtkCSLFBakeEstimator::ImageFolder);
+  if (!estimator->Estimate())
+  {
+    throw Failure("The cost cannot be estimated.");
+  }
+  ThrowOnError();
+  Result result;
+  result.JSON = { { "seconds", estimator->GetSeconds() },
+    { "cache_seconds", estimator->GetCacheSeconds() },
+    { "render_seconds", estimator->GetRenderSeconds() },
+    { "coding_seconds", estimator->GetCodingSeconds() },
+    { "bytes", std::llround(estimator->GetBytes()) },
+    { "probe_seconds", estimator->GetSecondsTaken() } };
+  std::ostringstream text;
+  text << "about " << estimator->GetSeconds() << " s (cache " << estimator->GetCacheSeconds()
+       << " s, rendering " << estimator->GetRenderSeconds() << " s, coding "
+       << estimator->GetCodingSeconds() << " s) and " << std::llround(estimator->GetBytes())
+       << " bytes\n";
+  result.Text = text.str();
+  return result;
+}
+
+Result Run(const Options& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  CheckCube(options);
+  const FieldWriter writer(options.Output, options.Coding);
+  CheckFormat(options, writer.GetFormat());
+  const Scene scene = options.Scene.Read();
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(options, scene, sampler);
   writer.Write(sampler->GetOutputPort(), "Sampling");
   ThrowOnError();
 
@@ -109,9 +167,10 @@ Result Run(const Options& options)
 
 void AddField(CLI::App& command, Options& options)
 {
-  command
-    .add_option("-o,--output", options.Output, std::string("the light field: ") + FieldFormats)
-    ->required();
+  command.add_option(
+    "-o,--output", options.Output, std::string("the light field: ") + FieldFormats);
+  command.add_flag("--estimate", options.Estimate,
+    "write nothing, but tell the seconds and bytes that it would take, after a short probe");
   const std::string field = "Light field";
   command.add_option("-M,--viewpoints", options.Viewpoints, "viewpoints along each side of a face")
     ->check(CLI::Range(2, MaximumViewpoints))
@@ -152,8 +211,12 @@ void AddSample(CLI::App& app, Command& chosen)
   command->callback(
     [options, &chosen]
     {
-      SetShared(IsVideo(options->Output));
-      chosen = [options] { return Run(*options); };
+      if (options->Output.empty() && !options->Estimate)
+      {
+        throw CLI::RequiredError("--output");
+      }
+      SetShared(!options->Estimate && IsVideo(options->Output));
+      chosen = [options] { return options->Estimate ? Estimate(*options) : Run(*options); };
     });
 }
 }

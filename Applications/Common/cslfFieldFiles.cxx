@@ -104,6 +104,16 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
 }
 }
 
+FieldFormat GetFormat(const std::string& fileName)
+{
+  const auto format = FindFormat(fileName);
+  if (!format)
+  {
+    throw Failure("Cannot write " + fileName + ": the formats are " + FieldFormats + ".");
+  }
+  return *format;
+}
+
 bool IsVideo(const std::string& fileName)
 {
   return FindFormat(fileName) == FieldFormat::Video;
@@ -211,6 +221,16 @@ void CodingOptions::AddTo(CLI::App& command)
     ->group(group);
 }
 
+void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
+{
+  encoder->SetCRF(this->CRF);
+  encoder->SetPreset(this->Preset.c_str());
+  encoder->SetPixelFormat(this->PixelFormat.c_str());
+  encoder->SetGroupLength(this->GroupLength);
+  encoder->SetLossless(this->Lossless);
+  encoder->SetRestart(this->Restart);
+}
+
 void RequireWritable(const std::string& fileName)
 {
   std::error_code failure;
@@ -233,12 +253,7 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   : FileName(fileName)
   , Coding(coding)
 {
-  const auto format = FindFormat(fileName);
-  if (!format)
-  {
-    throw Failure("Cannot write " + fileName + ": the formats are " + FieldFormats + ".");
-  }
-  this->Format = *format;
+  this->Format = tool::GetFormat(fileName);
   if (this->Format != FieldFormat::Folder && IsFirstRank())
   {
     RequireWritable(fileName);
@@ -263,12 +278,7 @@ void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& 
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(connection);
   encoder->SetFileName(this->FileName.c_str());
-  encoder->SetCRF(this->Coding.CRF);
-  encoder->SetPreset(this->Coding.Preset.c_str());
-  encoder->SetPixelFormat(this->Coding.PixelFormat.c_str());
-  encoder->SetGroupLength(this->Coding.GroupLength);
-  encoder->SetLossless(this->Coding.Lossless);
-  encoder->SetRestart(this->Coding.Restart);
+  this->Coding.Apply(encoder);
   const ProgressBar bar(encoder, label);
   bool isWritten = false;
   {

@@ -19,6 +19,7 @@
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
+class vtkCSLFEncoder;
 
 namespace CLI
 {
@@ -47,6 +48,10 @@ struct FieldFile
   Description Field;
 };
 
+/// The format that follows from a file's extension; a name without one is a folder's. Throws a
+/// Failure where there is none.
+FieldFormat GetFormat(const std::string& fileName);
+
 /// Whether a field of that file name is a video.
 bool IsVideo(const std::string& fileName);
 
@@ -73,6 +78,7 @@ struct CodingOptions
   bool Restart = true;
 
   void AddTo(CLI::App& command);
+  void Apply(vtkCSLFEncoder* encoder) const;
 };
 
 /// A place to write a field to.

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace cslf
@@ -191,14 +192,74 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
         patch.Row = (patch.Flipped ? j + 1 : j) << patch.Size;
         patch.Brick =
           this->Lattice.GetBrickIndex(index, back, CellIndex(i / 2, j, patch.Flipped, splits));
-        this->Patches.push_back(patch);
+        if (!this->IsChosen || this->IsChosen(patch.Brick))
+        {
+          this->Patches.push_back(patch);
+        }
       }
     }
   }
 }
 
+void LatticeBuilder::BuildPart(const Choice& choice,
+  const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& tell)
+{
+  this->IsChosen = choice;
+  this->Tell = tell;
+  this->Build([](double) { return true; });
+  this->IsChosen = nullptr;
+  this->Tell = nullptr;
+}
+
+void LatticeBuilder::FillPart(const Choice& choice, const Estimator& estimate)
+{
+  LatticeSettings settings = this->Settings;
+  settings.Tolerance = std::numeric_limits<float>::infinity();
+  settings.FirstLevel = 0;
+  settings.Exposure = 0.0;
+  settings.Share = nullptr;
+  Estimator filling = estimate;
+  std::swap(settings, this->Settings);
+  std::swap(filling, this->Estimate);
+  this->BuildPart(choice, nullptr);
+  std::swap(filling, this->Estimate);
+  std::swap(settings, this->Settings);
+}
+
+std::size_t LatticeBuilder::CountFirstPoints(const Choice& choice)
+{
+  std::size_t count = 0;
+  this->IsChosen = choice;
+  const std::vector<Mesh>& meshes = this->World.GetMeshes();
+  const auto countBatch = [this, &count]
+  {
+    for (Patch& patch : this->Patches)
+    {
+      this->RequestAll(patch);
+    }
+    count += this->Points.size();
+    this->ClearBatch();
+  };
+  for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
+  {
+    const std::size_t triangles = meshes[mesh].CanHoldLattice() ? meshes[mesh].Triangles.size() : 0;
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle)
+    {
+      this->AddTriangle(mesh, triangle);
+      if (this->Patches.size() >= BatchBricks)
+      {
+        countBatch();
+      }
+    }
+  }
+  countBatch();
+  this->IsChosen = nullptr;
+  return count;
+}
+
 void LatticeBuilder::BuildBatch()
 {
+  bool isFirst = true;
   while (std::any_of(
     this->Patches.begin(), this->Patches.end(), [](const Patch& patch) { return patch.IsOpen; }))
   {
@@ -209,6 +270,8 @@ void LatticeBuilder::BuildBatch()
         this->RequestAll(patch);
       }
     }
+    this->FirstEstimates += isFirst ? this->Points.size() : 0;
+    isFirst = false;
     this->EvaluateRequests();
     this->Refine();
   }
@@ -216,7 +279,19 @@ void LatticeBuilder::BuildBatch()
   {
     this->Store(patch);
   }
+  for (const Point& point : this->Points)
+  {
+    if (this->Tell)
+    {
+      this->Tell(point.Place, point.Estimate);
+    }
+  }
   this->Estimates += this->Points.size();
+  this->ClearBatch();
+}
+
+void LatticeBuilder::ClearBatch()
+{
   this->Patches.clear();
   this->Points.clear();
   this->Index.clear();

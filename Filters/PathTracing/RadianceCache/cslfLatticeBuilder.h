@@ -65,14 +65,30 @@ public:
   /// tells points apart; it depends on the scene only.
   using Estimator = std::function<SurfaceEstimate(const Hit& place, std::uint64_t key)>;
 
+  /// Whether a brick that is no part of another is built, by its index.
+  using Choice = std::function<bool(std::size_t brick)>;
+
   LatticeBuilder(const Scene& scene, LatticeSettings settings, Estimator estimate);
   ~LatticeBuilder();
 
   /// Builds the lattice. `goOn` is told the progress, in [0,1]; false where it returned false.
   bool Build(const std::function<bool(double)>& goOn);
 
+  /// Builds a part of it: may be called for several disjoint ones. `tell`, which may be empty, is
+  /// told all points.
+  void BuildPart(const Choice& choice,
+    const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& tell);
+
+  /// Gives the bricks of a part values at their corners, whose estimates nobody doubts.
+  void FillPart(const Choice& choice, const Estimator& estimate);
+
+  /// The number of points that building a part begins with.
+  std::size_t CountFirstPoints(const Choice& choice);
+
   SurfaceLattice& GetLattice() { return this->Lattice; }
   std::size_t GetNumberOfEstimates() const { return this->Estimates; }
+  /// Those of them that no other asked for.
+  std::size_t GetNumberOfFirstEstimates() const { return this->FirstEstimates; }
 
 private:
   struct Patch;
@@ -82,6 +98,7 @@ private:
   bool IsSmall(std::uint32_t mesh, std::uint32_t triangle) const;
   void AddTriangle(std::uint32_t mesh, std::uint32_t triangle);
   void BuildBatch();
+  void ClearBatch();
   void RequestAll(Patch& patch);
   std::uint32_t Request(const Patch& patch, int i, int j);
   void EvaluateRequests();
@@ -102,6 +119,9 @@ private:
   SurfaceLattice Lattice;
   std::vector<std::uint8_t> Depths; // of each triangle: the binary logarithm of its finest splits
   std::size_t Estimates = 0;
+  std::size_t FirstEstimates = 0;
+  Choice IsChosen; // empty for all bricks
+  std::function<void(const Hit&, const SurfaceEstimate&)> Tell;
 
   // The batch of triangles at work.
   std::vector<Patch> Patches;

@@ -5,6 +5,7 @@
 #include "cslfColor.h"
 #include "cslfDiffuseEstimator.h"
 #include "cslfLatticeBuilder.h"
+#include "cslfLatticeProbe.h"
 
 #include <algorithm>
 #include <utility>
@@ -189,6 +190,17 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   return lattice;
 }
 
+bool RadianceCache::BuildLattice(LatticeBuilder& builder, double part, const Progress& goOn)
+{
+  if (this->Settings.ProbeSeconds <= 0.0)
+  {
+    return builder.Build(goOn);
+  }
+  this->ExpectedSeconds +=
+    ProbeLattice(this->World, builder, part * this->Settings.ProbeSeconds);
+  return goOn(1.0);
+}
+
 bool RadianceCache::SampleLights(const Progress& goOn)
 {
   LatticeSettings lattice = this->GetLatticeSettings();
@@ -199,7 +211,7 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   LatticeBuilder builder(this->World, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && this->Paths.GetLight().CanSample();
-  const bool done = !isLit || builder.Build(goOn);
+  const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
   this->Values = std::move(builder.GetLattice());
   this->Rays += estimator.GetNumberOfRays();
   return done;
@@ -214,7 +226,8 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   LatticeBuilder builder(this->World, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
-  const bool done = !isLit || builder.Build(goOn);
+  const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;
+  const bool done = !isLit || this->BuildLattice(builder, part, goOn);
   values = std::move(builder.GetLattice());
   this->Rays += estimator.GetNumberOfRays();
   return done;

@@ -40,6 +40,10 @@ struct CacheSettings
   std::uint32_t Seed = 0;
   PathSettings Paths;
 
+  /// Where above 0, the cache is filled only roughly, in about so many seconds, to find out how long
+  /// filling it would take.
+  double ProbeSeconds = 0.0;
+
   /// The ranks that fill the cache together, with the same settings; null for this one alone.
   CacheShare* Share = nullptr;
 };
@@ -69,6 +73,9 @@ public:
 
   std::size_t GetNumberOfValues() const { return this->Values.GetNumberOfValues(); }
 
+  /// The seconds that filling it would take, after a probe.
+  double GetExpectedSeconds() const { return this->ExpectedSeconds; }
+
   /// The rays traced to fill it, by all ranks.
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
@@ -87,6 +94,9 @@ private:
 
   LatticeSettings GetLatticeSettings() const;
 
+  /// Builds one pass's lattice, or probes it in a part of the seconds for that.
+  bool BuildLattice(LatticeBuilder& builder, double part, const Progress& goOn);
+
   /// Estimates the light that is sampled at its sources.
   bool SampleLights(const Progress& goOn);
 
@@ -104,6 +114,7 @@ private:
   bool Complete = false;
   PathIntegrator Paths; // after what it asks when it is made
   std::uint64_t Rays = 0;
+  double ExpectedSeconds = 0.0;
 };
 }
 

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfLatticeProbe.h"
+
+#include "PathTracing/cslfSampleStream.h"
+
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStaticPointLocator.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <vector>
+
+namespace cslf
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Neighbours that are built together.
+constexpr std::size_t RunLength = 32;
+
+// The part of all bricks that is built first; each further step doubles what is built.
+constexpr double FirstShare = 1.0 / 256;
+
+// The fewest bricks of a step, so that all threads have work.
+constexpr std::size_t FewestBricks = 512;
+
+// What of a pass's expected time is enough, and the least time that tells anything, in seconds.
+constexpr double EnoughShare = 0.025;
+constexpr double LeastSeconds = 0.1;
+
+// Bricks whose points are counted; beyond, that of more batches is the same.
+constexpr std::size_t MostCounted = std::size_t(1) << 19;
+constexpr std::size_t CountedRun = std::size_t(1) << 14;
+
+// How many of the nearest points a value is interpolated between.
+constexpr int Neighbours = 6;
+
+constexpr std::uint32_t ChoiceSeed = 20210;
+
+/// Where bricks lie in the order in which they are built: in [0,1), alike for a run of neighbours.
+double GetTurn(std::size_t brick, std::size_t run)
+{
+  return static_cast<double>(MixBits(brick / run, ChoiceSeed) >> 11) / 9007199254740992.0;
+}
+
+/// Interpolates between points in space, of surfaces that look the same way.
+class ScatteredValues
+{
+public:
+  explicit ScatteredValues(const Scene& scene)
+    : World(scene)
+  {
+  }
+
+  void Add(const Hit& place, const SurfaceEstimate& estimate)
+  {
+    const SurfaceHit surface = this->World.GetSurface(place);
+    this->Places->InsertNextPoint(
+      surface.LeavePosition.x, surface.LeavePosition.y, surface.LeavePosition.z);
+    this->Normals.push_back(surface.GeometricNormal);
+    this->Values.push_back(estimate.Value);
+  }
+
+  void Finish()
+  {
+    this->Data->SetPoints(this->Places);
+    this->Locator->SetDataSet(this->Data);
+    this->Locator->BuildLocator();
+  }
+
+  glm::vec3 Get(const Hit& place) const
+  {
+    const SurfaceHit surface = this->World.GetSurface(place);
+    const double point[3] = { surface.LeavePosition.x, surface.LeavePosition.y,
+      surface.LeavePosition.z };
+    vtkNew<vtkIdList> nearest;
+    this->Locator->FindClosestNPoints(Neighbours, point, nearest);
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    for (const vtkIdType id : *nearest)
+    {
+      double other[3];
+      this->Places->GetPoint(id, other);
+      const glm::dvec3 way(other[0] - point[0], other[1] - point[1], other[2] - point[2]);
+      const double facing =
+        std::max(glm::dot(this->Normals[id], surface.GeometricNormal), 1e-3f);
+      const double weight = facing * facing / (glm::dot(way, way) + 1e-12);
+      sum += weight * glm::dvec3(this->Values[id]);
+      weights += weight;
+    }
+    return weights > 0.0 ? glm::vec3(sum / weights) : glm::vec3(0.0f);
+  }
+
+private:
+  const Scene& World;
+  vtkNew<vtkPoints> Places;
+  vtkNew<vtkPolyData> Data;
+  vtkNew<vtkStaticPointLocator> Locator;
+  std::vector<glm::vec3> Normals;
+  std::vector<glm::vec3> Values;
+};
+
+/// The number of points that the whole begins with.
+double CountAll(LatticeBuilder& builder, std::size_t bricks)
+{
+  const double share = std::min(1.0, static_cast<double>(MostCounted) / bricks);
+  std::size_t counted = 0;
+  const std::size_t points = builder.CountFirstPoints(
+    [&](std::size_t brick)
+    {
+      const bool isCounted = GetTurn(brick, CountedRun) < share;
+      counted += isCounted ? 1 : 0;
+      return isCounted;
+    });
+  return counted > 0 ? static_cast<double>(points) * bricks / counted : points;
+}
+}
+
+double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
+{
+  const std::size_t bricks = builder.GetLattice().GetNumberOfRoots();
+  if (bricks == 0)
+  {
+    return 0.0;
+  }
+  const double allPoints = CountAll(builder, bricks);
+  ScatteredValues values(scene);
+  double expected = 0.0;
+  double elapsed = 0.0;
+  double done = 0.0;
+  std::size_t built = 0;
+  const double least = static_cast<double>(FewestBricks) / bricks;
+  for (double share = std::max(FirstShare, least); done < 1.0; share *= 2.0)
+  {
+    const auto start = Clock::now();
+    builder.BuildPart(
+      [&](std::size_t brick)
+      {
+        const double turn = GetTurn(brick, RunLength);
+        const bool isBuilt = turn >= done && turn < share;
+        built += isBuilt ? 1 : 0;
+        return isBuilt;
+      },
+      [&values](const Hit& place, const SurfaceEstimate& estimate)
+      { values.Add(place, estimate); });
+    elapsed += SecondsSince(start);
+    done = std::min(share, 1.0);
+    // Points that several bricks share are fewer in the whole than in its parts.
+    const double parts = static_cast<double>(built) / bricks;
+    const auto first = static_cast<double>(builder.GetNumberOfFirstEstimates());
+    const double further = builder.GetNumberOfEstimates() - first;
+    const double points = builder.GetNumberOfEstimates();
+    expected =
+      points > 0.0 ? elapsed / points * (allPoints + further / std::max(parts, 1e-9)) : 0.0;
+    if (built > 0 &&
+      (elapsed > seconds || elapsed > std::max(LeastSeconds, EnoughShare * expected)))
+    {
+      break;
+    }
+  }
+  if (done < 1.0)
+  {
+    values.Finish();
+    builder.FillPart([done](std::size_t brick) { return GetTurn(brick, RunLength) >= done; },
+      [&values](const Hit& place, std::uint64_t)
+      {
+        SurfaceEstimate estimate;
+        estimate.Value = values.Get(place);
+        estimate.Reach = std::numeric_limits<float>::infinity();
+        return estimate;
+      });
+  }
+  return expected;
+}
+}

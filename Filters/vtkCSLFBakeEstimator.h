@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFBakeEstimator
+ * @brief   tells how long a light field will take, and how large its file will be
+ *
+ * The estimator takes a vtkCSLFSampler and, for video, a vtkCSLFEncoder, both set up as for the bake
+ * itself, and predicts from a short probe what writing the sampler's field would cost: on this
+ * machine, with the threads that vtkSMPTools has now, by one process.
+ *
+ * - The radiance cache is built for a part of the surfaces, spread over the scene, and roughly
+ *   interpolated elsewhere; one that the sampler has already costs nothing.
+ * - Groups of viewpoints, spread over the faces, are rendered and coded in a small size; they tell
+ *   how the cost is spread over the field.
+ * - A few of these groups are rendered and coded in full size, as the encoder would, so frames
+ *   that are predicted from others are counted for what they take. Where one such group would take
+ *   too long, the largest size that does not is extrapolated.
+ *
+ * Image data and folders of cube maps are predicted from viewpoints that are written to a temporary
+ * folder.
+ *
+ * The sampler's output is not that of its parameters afterwards, which its next update sets right.
+ * Nothing is left of the probe.
+ */
+#ifndef vtkCSLFBakeEstimator_h
+#define vtkCSLFBakeEstimator_h
+
+#include "vtkCSLFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for members
+
+class vtkCSLFEncoder;
+class vtkCSLFSampler;
+
+class VTKCSLF_EXPORT vtkCSLFBakeEstimator : public vtkObject
+{
+public:
+  static vtkCSLFBakeEstimator* New();
+  vtkTypeMacro(vtkCSLFBakeEstimator, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Formats
+  {
+    Video = 0,  ///< as the encoder writes it: .mp4, .mkv
+    ImageData,  ///< as vtkXMLImageDataWriter writes it: .vti
+    ImageFolder ///< as vtkCSLFImageWriter writes it
+  };
+
+  ///@{
+  /**
+   * What is written. Default: Video.
+   */
+  vtkSetClampMacro(Format, int, Video, ImageFolder);
+  vtkGetMacro(Format, int);
+  ///@}
+
+  ///@{
+  /**
+   * What makes the field. Its parameters may be changed meanwhile, and are set back.
+   */
+  virtual void SetSampler(vtkCSLFSampler* sampler);
+  vtkCSLFSampler* GetSampler();
+  ///@}
+
+  ///@{
+  /**
+   * Whose parameters video is coded with. Null stands for an encoder's defaults. Default: null.
+   */
+  virtual void SetEncoder(vtkCSLFEncoder* encoder);
+  vtkCSLFEncoder* GetEncoder();
+  ///@}
+
+  ///@{
+  /**
+   * About the most seconds of a probe. At least 1. Default: 10.
+   */
+  vtkSetClampMacro(ProbeSeconds, double, 1.0, 1e6);
+  vtkGetMacro(ProbeSeconds, double);
+  ///@}
+
+  /**
+   * Probes. Returns 1 on success, 0 after an error.
+   */
+  int Estimate();
+
+  ///@{
+  /**
+   * What the last probe found: the seconds of building the scene, of the radiance cache, of
+   * rendering and of coding, and their sum; and the bytes of the file, or of all files in the folder.
+   */
+  vtkGetMacro(SceneSeconds, double);
+  vtkGetMacro(CacheSeconds, double);
+  vtkGetMacro(RenderSeconds, double);
+  vtkGetMacro(CodingSeconds, double);
+  double GetSeconds() const;
+  vtkGetMacro(Bytes, double);
+  ///@}
+
+  /**
+   * The seconds that the probe itself took.
+   */
+  vtkGetMacro(SecondsTaken, double);
+
+protected:
+  vtkCSLFBakeEstimator();
+  ~vtkCSLFBakeEstimator() override;
+
+private:
+  vtkCSLFBakeEstimator(const vtkCSLFBakeEstimator&) = delete;
+  void operator=(const vtkCSLFBakeEstimator&) = delete;
+
+  struct Probe;
+
+  int Format = Video;
+  double ProbeSeconds = 10.0;
+  double SceneSeconds = 0.0;
+  double CacheSeconds = 0.0;
+  double RenderSeconds = 0.0;
+  double CodingSeconds = 0.0;
+  double Bytes = 0.0;
+  double SecondsTaken = 0.0;
+  vtkSmartPointer<vtkCSLFSampler> Sampler;
+  vtkSmartPointer<vtkCSLFEncoder> Encoder;
+};
+
+#endif
