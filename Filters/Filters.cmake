@@ -191,6 +191,12 @@ list(APPEND private_headers
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
 
+# Knowing the cost before.
+list(APPEND sources
+  ../Filters/Planning/cslfBakeProbe.cxx)
+list(APPEND private_headers
+  ../Filters/Planning/cslfBakeProbe.h)
+
 # Coarser fields.
 list(APPEND sources
   ../Filters/Resampling/cslfNesting.cxx

@@ -29,6 +29,11 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for members
 
+namespace cslf
+{
+class BakeProbe;
+}
+
 class vtkCSLFEncoder;
 class vtkCSLFSampler;
 
@@ -83,6 +88,21 @@ public:
    */
   int Estimate();
 
+  /**
+   * Probes, and sets the sampler's Samples to as many as can be taken in about so many seconds, at
+   * least 1: the best quality within the time. Numbers of samples are rounded down to three binary
+   * digits. Where NoiseTarget is above 0, all texels may not need them, so that the bake may end
+   * earlier. Returns 1 on success; 0 after an error, which it is that one sample takes longer.
+   */
+  int ChooseSamples(double seconds);
+
+  /**
+   * Sets the sampler's Samples to those of a run that was killed while it wrote the same field to
+   * that file, but for the samples with the same parameters, so that they need not be chosen anew.
+   * Returns 1 if there is such a run, else 0.
+   */
+  int RecallSamples(VTK_FILEPATH const char* fileName);
+
   ///@{
   /**
    * What the last probe found: the seconds of building the scene, of the radiance cache, of
@@ -109,7 +129,9 @@ private:
   vtkCSLFBakeEstimator(const vtkCSLFBakeEstimator&) = delete;
   void operator=(const vtkCSLFBakeEstimator&) = delete;
 
-  struct Probe;
+  void BeginProbe();
+  bool RunProbe(cslf::BakeProbe& probe);
+  cslf::BakeProbe MakeProbe();
 
   int Format = Video;
   double ProbeSeconds = 10.0;

@@ -45,6 +45,7 @@ struct Options
   double Offset = 0.05;
   std::vector<double> Center;
   std::vector<double> Edges;
+  double TimeBudget = 0.0;
   bool Estimate = false;
   bool NoDepth = false;
   bool Float = false;
@@ -94,6 +95,42 @@ void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
   SetCube(options, sampler);
 }
 
+vtkSmartPointer<vtkCSLFBakeEstimator> MakeEstimator(
+  const Options& options, FieldFormat format, vtkCSLFSampler* sampler)
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  options.Coding.Apply(encoder);
+  auto estimator = vtkSmartPointer<vtkCSLFBakeEstimator>::New();
+  estimator->SetSampler(sampler);
+  estimator->SetEncoder(encoder);
+  estimator->SetFormat(format == FieldFormat::Video ? vtkCSLFBakeEstimator::Video
+      : format == FieldFormat::ImageData            ? vtkCSLFBakeEstimator::ImageData
+                                                    : vtkCSLFBakeEstimator::ImageFolder);
+  return estimator;
+}
+
+/// Chooses the samples that the time allows, or those of a run that was killed; one process does it
+/// for all.
+void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* sampler)
+{
+  if (options.TimeBudget <= 0.0)
+  {
+    return;
+  }
+  const SharedWork shared;
+  if (IsFirstRank())
+  {
+    const auto estimator = MakeEstimator(options, format, sampler);
+    const bool isRecalled =
+      options.Coding.Restart && estimator->RecallSamples(options.Output.c_str());
+    if (!isRecalled && !estimator->ChooseSamples(options.TimeBudget * CountProcesses()))
+    {
+      throw Failure("The time budget cannot be met.");
+    }
+  }
+  sampler->SetSamples(ShareNumber(sampler->GetSamples()));
+}
+
 /// What the field would cost.
 Result Estimate(const Options& options)
 {
@@ -104,14 +141,8 @@ Result Estimate(const Options& options)
   const Scene scene = options.Scene.Read();
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
-  vtkNew<vtkCSLFEncoder> encoder;
-  options.Coding.Apply(encoder);
-  vtkNew<vtkCSLFBakeEstimator> estimator;
-  estimator->SetSampler(sampler);
-  estimator->SetEncoder(encoder);
-  estimator->SetFormat(format == FieldFormat::Video ? vtkCSLFBakeEstimator::Video
-      : format == FieldFormat::ImageData            ? vtkCSLFBakeEstimator::ImageData
-                                                    : vtkCSLFBakeEstimator::ImageFolder);
+  const auto estimator = MakeEstimator(options, format, sampler);
+  ChooseSamples(options, format, sampler);
   if (!estimator->Estimate())
   {
     throw Failure("The cost cannot be estimated.");
@@ -122,7 +153,7 @@ Result Estimate(const Options& options)
     { "cache_seconds", estimator->GetCacheSeconds() },
     { "render_seconds", estimator->GetRenderSeconds() },
     { "coding_seconds", estimator->GetCodingSeconds() },
-    { "bytes", std::llround(estimator->GetBytes()) },
+    { "bytes", std::llround(estimator->GetBytes()) }, { "samples", sampler->GetSamples() },
     { "probe_seconds", estimator->GetSecondsTaken() } };
   std::ostringstream text;
   text << "about " << estimator->GetSeconds() << " s (cache " << estimator->GetCacheSeconds()
@@ -142,6 +173,7 @@ Result Run(const Options& options)
   const Scene scene = options.Scene.Read();
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
+  ChooseSamples(options, writer.GetFormat(), sampler);
   writer.Write(sampler->GetOutputPort(), "Sampling");
   ThrowOnError();
 
@@ -171,6 +203,10 @@ void AddField(CLI::App& command, Options& options)
     "-o,--output", options.Output, std::string("the light field: ") + FieldFormats);
   command.add_flag("--estimate", options.Estimate,
     "write nothing, but tell the seconds and bytes that it would take, after a short probe");
+  command
+    .add_option("--time-budget", options.TimeBudget,
+      "take as many samples per texel as that many seconds allow, instead of --spp")
+    ->check(CLI::PositiveNumber);
   const std::string field = "Light field";
   command.add_option("-M,--viewpoints", options.Viewpoints, "viewpoints along each side of a face")
     ->check(CLI::Range(2, MaximumViewpoints))

@@ -102,6 +102,20 @@ bool IsShared()
   return GetState().IsShared;
 }
 
+int CountProcesses()
+{
+  return IsShared() ? GetController()->GetNumberOfProcesses() : 1;
+}
+
+int ShareNumber(int number)
+{
+  if (IsShared())
+  {
+    GetController()->Broadcast(&number, 1, 0);
+  }
+  return number;
+}
+
 bool TakesPart()
 {
   return IsFirstRank() || IsShared();

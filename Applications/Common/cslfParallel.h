@@ -35,6 +35,12 @@ private:
 /// Whether this is the first process: the one that reads results and prints.
 bool IsFirstRank();
 
+/// How many processes do the chosen command together.
+int CountProcesses();
+
+/// The first process's number, on all that do the chosen command together.
+int ShareNumber(int number);
+
 /// Says that the chosen command is done by all processes together, if it is.
 void SetShared(bool isShared);
 

@@ -25,6 +25,14 @@ struct GroupCosts
   double RenderThreadSeconds = 0.0; ///< of all threads together
   double CodingThreadSeconds = 0.0; ///< likewise
   std::vector<double> Bytes;        ///< of each group
+
+  void operator+=(const GroupCosts& other)
+  {
+    this->RenderSeconds += other.RenderSeconds;
+    this->RenderThreadSeconds += other.RenderThreadSeconds;
+    this->CodingThreadSeconds += other.CodingThreadSeconds;
+    this->Bytes.insert(this->Bytes.end(), other.Bytes.begin(), other.Bytes.end());
+  }
 };
 
 class EncodeProbe
@@ -36,6 +44,9 @@ public:
   /// Asks for the field's description, with its first viewpoint. On failure returns false and says
   /// why, in a sentence.
   bool Begin(std::string& error);
+
+  /// What a run's parts would depend on.
+  const std::string& GetManifest() const { return this->Writer->GetManifest(); }
 
   int GetGroupCount() const { return this->Writer->GetGroupCount(); }
 

@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/cslfBakeProbe.h"
+
+#include "CubeMaps/cslfCubeMapFiles.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+#include <vector>
+
+namespace cslf
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// The part of the probe's seconds for groups in full size.
+constexpr double GroupShare = 0.4;
+
+// What of the expected seconds is enough for groups in full size, and the least.
+constexpr double EnoughShare = 0.03;
+constexpr double LeastSeconds = 0.4;
+
+// Groups in small size, their texels along a tile's side, and their most samples.
+constexpr int SmallGroups = 24;
+constexpr int SmallResolution = 32;
+constexpr int SmallestResolution = 16;
+constexpr int SmallSamples = 16;
+
+// The fewest groups in full size.
+constexpr int FullGroups = 2;
+
+// The most viewpoints that are written as images.
+constexpr int ImageSlices = 48;
+constexpr int FirstImageSlices = 6;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// `count` of the numbers below `whole`, evenly spread.
+std::vector<int> Spread(int count, int whole)
+{
+  std::vector<int> chosen;
+  for (int i = 0; i < count; ++i)
+  {
+    chosen.push_back(static_cast<int>((i + 0.5) * whole / count));
+  }
+  return chosen;
+}
+
+double Sum(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// A folder for what the probe writes.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder()
+  {
+    std::error_code ignored;
+    std::string name = (fs::temp_directory_path(ignored) / "cslf-probe-XXXXXX").string();
+    this->Name = ::mkdtemp(name.data()) ? name : std::string();
+  }
+  ~TemporaryFolder()
+  {
+    std::error_code ignored;
+    if (!this->Name.empty())
+    {
+      fs::remove_all(this->Name, ignored);
+    }
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string Name; // empty where it could not be made
+};
+
+/// What image data takes in a .vti file.
+double CountImageData(vtkImageData* image)
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToOutputStringOn();
+  writer->EncodeAppendedDataOff();
+  return writer->Write() ? static_cast<double>(writer->GetOutputString().size()) : 0.0;
+}
+}
+
+BakeProbe::BakeProbe(vtkCSLFSampler* sampler, EncodeSettings settings, Format kind, double seconds)
+  : Sampler(sampler)
+  , Settings(std::move(settings))
+  , Kind(kind)
+  , Seconds(seconds)
+  , Resolution(sampler->GetResolution())
+  , Samples(sampler->GetSamples())
+  , Threads(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()))
+{
+}
+
+bool BakeProbe::Estimate()
+{
+  return this->Kind == Format::Video ? this->EstimateVideo() : this->EstimateImages();
+}
+
+void BakeProbe::SetSize(int resolution, int samples)
+{
+  this->Sampler->SetResolution(resolution);
+  this->Sampler->SetSamples(samples);
+}
+
+double BakeProbe::GetCodingSeconds(const GroupCosts& costs) const
+{
+  const double idle =
+    costs.RenderSeconds * this->Threads / std::max(costs.RenderThreadSeconds, 1e-9);
+  return costs.CodingThreadSeconds / this->Threads * std::clamp(idle, 1.0, 2.0 * this->Threads);
+}
+
+bool BakeProbe::Begin(EncodeProbe& probe)
+{
+  const auto start = Clock::now();
+  const double before = this->Sampler->GetCacheSeconds();
+  if (!probe.Begin(this->Error))
+  {
+    return false;
+  }
+  this->NoteScene(SecondsSince(start), before);
+  return true;
+}
+
+void BakeProbe::NoteScene(double seconds, double cacheSecondsBefore)
+{
+  const double cache = this->Sampler->GetCacheSeconds();
+  const double probed = cache - (cache >= cacheSecondsBefore ? cacheSecondsBefore : 0.0);
+  this->Costs.Scene = std::max(0.0, seconds - probed);
+  this->Costs.Cache = this->Sampler->GetExpectedCacheSeconds();
+}
+
+bool BakeProbe::TimeRendering(int samples, double& seconds)
+{
+  this->SetSize(this->Resolution, samples);
+  SlabStream stream(this->Sampler->GetOutputPort());
+  if (!stream.Open())
+  {
+    this->Error = "The sampler failed.";
+    return false;
+  }
+  const int slices = stream.GetWhole().GetCount();
+  const auto start = Clock::now();
+  double elapsed = 0.0;
+  int done = 0;
+  // One viewpoint of each face at least.
+  for (const int slice : Spread(std::min(slices, FirstImageSlices), slices))
+  {
+    if (!stream.Read({ slice, slice }))
+    {
+      this->Error = "The sampler failed.";
+      return false;
+    }
+    ++done;
+    elapsed = SecondsSince(start);
+  }
+  seconds = elapsed / done * slices;
+  return true;
+}
+
+int BakeProbe::ChooseSize(
+  double smallSeconds, int small, int groups, int& fullGroups) const
+{
+  const double work = static_cast<double>(this->Samples) / std::min(this->Samples, SmallSamples);
+  const auto expect = [&](int resolution)
+  {
+    const double ratio = static_cast<double>(resolution) / small;
+    return smallSeconds * ratio * ratio * work;
+  };
+  const double all = this->Costs.Cache + groups * expect(this->Resolution);
+  const double budget =
+    std::min(GroupShare * this->Seconds, std::max(LeastSeconds, EnoughShare * all));
+  int resolution = this->Resolution;
+  while (resolution / 2 >= std::max(small, SmallestResolution) &&
+    FullGroups * expect(resolution) > GroupShare * this->Seconds)
+  {
+    resolution /= 2;
+  }
+  resolution -= resolution < this->Resolution ? resolution % 2 : 0;
+  const double fitting = budget / std::max(expect(resolution), 1e-9);
+  fullGroups = static_cast<int>(std::clamp<double>(fitting, std::min(FullGroups, groups), groups));
+  fullGroups = 2 * fullGroups > groups ? groups : fullGroups;
+  return resolution;
+}
+
+bool BakeProbe::EstimateVideo()
+{
+  // How is the cost spread?
+  const int small = std::min(
+    this->Resolution, std::clamp(this->Resolution / 4, SmallestResolution, SmallResolution));
+  this->SetSize(small, std::min(this->Samples, SmallSamples));
+  EncodeProbe smallProbe(this->Sampler, this->Settings);
+  if (!this->Begin(smallProbe))
+  {
+    return false;
+  }
+  const int groups = smallProbe.GetGroupCount();
+  const std::vector<int> chosen = Spread(std::min(groups, SmallGroups), groups);
+  std::vector<GroupCosts> smallCosts;
+  GroupCosts smallSum;
+  for (const int group : chosen)
+  {
+    GroupCosts costs;
+    if (!smallProbe.Make({ group }, costs, this->Error))
+    {
+      return false;
+    }
+    smallCosts.push_back(costs);
+    smallSum += costs;
+  }
+  const double smallSeconds =
+    (smallSum.RenderSeconds + this->GetCodingSeconds(smallSum)) / chosen.size();
+  int count = 0;
+  const int resolution = this->ChooseSize(smallSeconds, small, groups, count);
+
+  // Take groups in full size, each as likely as it is large.
+  std::vector<int> full;
+  std::vector<std::size_t> places;
+  if (count >= static_cast<int>(chosen.size()))
+  {
+    full = Spread(count, groups);
+  }
+  else
+  {
+    const double step = Sum(smallSum.Bytes) / count;
+    double end = 0.0;
+    for (std::size_t place = 0; place < chosen.size(); ++place)
+    {
+      end += smallSum.Bytes[place];
+      while (static_cast<int>(places.size()) < count && end > (places.size() + 0.5) * step)
+      {
+        places.push_back(place);
+        if (full.empty() || full.back() != chosen[place])
+        {
+          full.push_back(chosen[place]);
+        }
+      }
+    }
+  }
+  this->SetSize(resolution, this->Samples);
+  EncodeProbe probe(this->Sampler, this->Settings);
+  GroupCosts costs;
+  if (!probe.Begin(this->Error) || !probe.Make(full, costs, this->Error))
+  {
+    return false;
+  }
+
+  // Extrapolate: the small size tells how the chosen groups differ from the others.
+  this->Costs.Rendering = costs.RenderSeconds / full.size() * groups;
+  this->Costs.Coding = this->GetCodingSeconds(costs) / full.size() * groups;
+  double bytes = Sum(costs.Bytes) / full.size() * groups;
+  if (!places.empty())
+  {
+    GroupCosts same;
+    double ratios = 0.0;
+    for (std::size_t place : places)
+    {
+      const auto at = std::find(full.begin(), full.end(), chosen[place]) - full.begin();
+      ratios += costs.Bytes[at] / smallSum.Bytes[place];
+    }
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    for (std::size_t place : places)
+    {
+      same += smallCosts[place];
+    }
+    const double share = static_cast<double>(full.size()) / chosen.size();
+    this->Costs.Rendering *= share * smallSum.RenderThreadSeconds / same.RenderThreadSeconds;
+    this->Costs.Coding *= share * smallSum.CodingThreadSeconds / same.CodingThreadSeconds;
+    bytes = ratios / count * Sum(smallSum.Bytes) / chosen.size() * groups;
+  }
+  const double scale = static_cast<double>(this->Resolution) / resolution;
+  if (scale > 1.0)
+  {
+    const double smallBytes = Sum(smallSum.Bytes) / chosen.size() * groups;
+    const double power = resolution > small
+      ? std::log(bytes / smallBytes) / std::log(static_cast<double>(resolution) / small)
+      : 1.5;
+    bytes *= std::pow(scale, std::clamp(power, 1.0, 2.0));
+    this->Costs.Rendering *= scale * scale;
+    this->Costs.Coding *= scale * scale;
+  }
+  this->Costs.Bytes = bytes + probe.GetContainerBytes();
+  return true;
+}
+
+bool BakeProbe::EstimateImages()
+{
+  const TemporaryFolder folder;
+  if (this->Kind == Format::ImageFolder && folder.Name.empty())
+  {
+    this->Error = "There is no folder for temporary files.";
+    return false;
+  }
+  SlabStream stream(this->Sampler->GetOutputPort());
+  const double before = this->Sampler->GetCacheSeconds();
+  const auto start = Clock::now();
+  if (!stream.Open() || !stream.Read({ 0, 0 }))
+  {
+    this->Error = stream.GetError().empty() ? "The sampler failed." : stream.GetError();
+    return false;
+  }
+  this->NoteScene(SecondsSince(start), before);
+  const int slices = stream.GetWhole().GetCount();
+  double render = 0.0;
+  double write = 0.0;
+  double bytes = 0.0;
+  int done = 0;
+  const std::vector<int> order = Spread(std::min(slices, ImageSlices), slices);
+  const int step = std::max(1, static_cast<int>(order.size()) / FirstImageSlices);
+  for (int offset = 0; offset < step; ++offset)
+  {
+    for (std::size_t place = offset; place < order.size(); place += step)
+    {
+      const int slice = order[place];
+      const auto begin = Clock::now();
+      if (!stream.Read({ slice, slice }))
+      {
+        this->Error = stream.GetError().empty() ? "The sampler failed." : stream.GetError();
+        return false;
+      }
+      render += SecondsSince(begin);
+      const auto middle = Clock::now();
+      if (this->Kind == Format::ImageData)
+      {
+        bytes += CountImageData(this->Sampler->GetOutput());
+      }
+      for (const Channel& channel : stream.GetDescription().Channels)
+      {
+        const Layout& grid = stream.GetDescription().Grid;
+        std::error_code failure;
+        if (this->Kind == Format::ImageFolder &&
+          WriteCubeMap(folder.Name, grid, channel, slice, stream.GetSlice(channel, slice),
+            this->Error))
+        {
+          bytes += fs::file_size(CubeMapFileName(folder.Name, channel, slice), failure);
+        }
+      }
+      write += SecondsSince(middle);
+      ++done;
+    }
+    if (render + write > GroupShare * this->Seconds ||
+      render + write > std::max(LeastSeconds, EnoughShare * (render + write) / done * slices))
+    {
+      break;
+    }
+  }
+  const double times = static_cast<double>(slices) / done;
+  this->Costs.Rendering = times * render;
+  // Image data is written by one thread, folders by all.
+  this->Costs.Coding =
+    times * write / (this->Kind == Format::ImageFolder ? this->Threads : 1.0);
+  this->Costs.Bytes = times * bytes;
+  return this->Error.empty();
+}
+}
