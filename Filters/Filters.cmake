@@ -91,12 +91,16 @@ list(APPEND private_headers
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
+  ../Filters/PathTracing/RadianceCache/cslfGatherDirections.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
+  ../Filters/PathTracing/RadianceCache/cslfOpenSides.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
 list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
+  ../Filters/PathTracing/RadianceCache/cslfGatherDirections.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
+  ../Filters/PathTracing/RadianceCache/cslfOpenSides.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
 

@@ -48,6 +48,11 @@ PathIntegrator::PathIntegrator(
   }
 }
 
+bool PathIntegrator::CanLookUp(const Hit& hit) const
+{
+  return !this->LookUps.empty() && this->LookUps[hit.Mesh] && this->Cache->Covers(hit);
+}
+
 glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
 {
   return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
@@ -74,6 +79,12 @@ glm::vec3 PathIntegrator::GetRadiance(
     if (!hit.IsValid())
     {
       return radiance + beta * this->Light.GetEnvironment(ray.Direction, pdf);
+    }
+
+    // End where the cache knows all.
+    if (depth < this->Settings.MaximumDepth && this->CanLookUp(hit))
+    {
+      return radiance + beta * this->LookUp(hit);
     }
 
     // Add what the surface emits.
@@ -123,7 +134,8 @@ glm::vec3 PathIntegrator::GetRadiance(
     pdf = sample.Pdf;
 
     // End paths that carry little.
-    if (depth >= RouletteDepth && !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
+    if ((depth >= RouletteDepth || start.IsOneOfMany) &&
+      !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
     {
       return radiance;
     }

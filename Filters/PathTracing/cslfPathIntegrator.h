@@ -44,6 +44,7 @@ public:
     Hit Seen;
     int Depth = 0; ///< reflections before
     float Pdf;     ///< of the ray's direction, per solid angle; infinite for a given ray
+    bool IsOneOfMany = false; ///< whether the path may end by chance from its first surface on
   };
 
   /// The radiance that comes along a given ray from its first hit, which must be valid. Adds the
@@ -55,7 +56,7 @@ public:
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
   /// Whether the cache alone knows what leaves a hit towards anywhere.
-  bool CanLookUp(const Hit& hit) const { return !this->LookUps.empty() && this->LookUps[hit.Mesh]; }
+  bool CanLookUp(const Hit& hit) const;
 
   /// That radiance.
   glm::vec3 LookUp(const Hit& hit) const;

@@ -10,11 +10,13 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfGatherDirections.h"
 #include "cslfLatticeBuilder.h"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace cslf
 {
@@ -48,13 +50,20 @@ public:
 
 private:
   struct Receiver;
+  struct Samples;
 
-  template <typename Sample>
-  SurfaceEstimate Average(const Hit& place, std::uint64_t key, Sample sample);
+  /// Takes samples, by `add(receiver, hash, begin, end, samples)`, until they suffice.
+  template <typename Add>
+  SurfaceEstimate Average(const Hit& place, std::uint64_t key, Add add);
+  void LookAround(
+    const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples) const;
+  void AddLight(const Receiver& receiver, const RayPacket& packet, int lane,
+    const GatherDirections::Packet& local, std::uint64_t hash, int begin, Samples& samples) const;
 
   const Scene& World;
   const PathIntegrator& Paths;
   Settings Limits;
+  GatherDirections Directions;
   std::atomic<std::uint64_t> Rays{ 0 };
 };
 }

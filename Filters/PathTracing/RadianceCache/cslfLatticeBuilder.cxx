@@ -99,8 +99,10 @@ struct LatticeBuilder::Patch
   }
 };
 
-LatticeBuilder::LatticeBuilder(const Scene& scene, LatticeSettings settings, Estimator estimate)
+LatticeBuilder::LatticeBuilder(
+  const Scene& scene, const OpenSides& sides, LatticeSettings settings, Estimator estimate)
   : World(scene)
+  , Sides(sides)
   , Settings(std::move(settings))
   , Estimate(std::move(estimate))
 {
@@ -182,7 +184,7 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
   for (const bool back : { false, true })
   {
     patch.Back = back;
-    for (int j = 0; j < splits; ++j)
+    for (int j = 0; j < splits && this->Sides.Has(index, back); ++j)
     {
       for (int i = 0; i < 2 * (splits - j) - 1; ++i)
       {

@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfScene.h"
+#include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
 
 #include <cstdint>
@@ -24,8 +25,8 @@ struct SurfaceEstimate
 {
   glm::vec3 Value{ 0.0f };
 
-  /// How far away what it sees is, in scene space: at distances larger than this, the value may
-  /// change although the estimates around do not.
+  /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
+  /// value may change although the estimates around do not.
   float Reach = 0.0f;
 
   /// The standard error, in the units of `LatticeSettings::Display`.
@@ -61,7 +62,9 @@ public:
   /// tells points apart; it depends on the scene only.
   using Estimator = std::function<SurfaceEstimate(const Hit& place, std::uint64_t key)>;
 
-  LatticeBuilder(const Scene& scene, LatticeSettings settings, Estimator estimate);
+  /// Values stay 0 on sides that are not open.
+  LatticeBuilder(
+    const Scene& scene, const OpenSides& sides, LatticeSettings settings, Estimator estimate);
   ~LatticeBuilder();
 
   /// Builds the lattice. `goOn` is told the progress, in [0,1]; false where it returned false.
@@ -92,6 +95,7 @@ private:
   void Store(const Patch& patch);
 
   const Scene& World;
+  const OpenSides& Sides;
   LatticeSettings Settings;
   Estimator Estimate;
   SurfaceLattice Lattice;

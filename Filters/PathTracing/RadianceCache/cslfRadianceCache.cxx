@@ -128,12 +128,14 @@ std::function<bool(double)> Within(
 RadianceCache::RadianceCache(const Scene& scene, const CacheSettings& settings)
   : World(scene)
   , Settings(settings)
-  , Paths(scene, settings.Paths, this)
 {
 }
 
 bool RadianceCache::Build(const Progress& goOn)
 {
+  const PathIntegrator paths(this->World, this->Settings.Paths);
+  this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
+  this->Rays += this->Sides.GetNumberOfRays();
   // Light that is sampled at its sources has sharp shadows, which need many points of few samples.
   if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
   {
@@ -180,12 +182,13 @@ bool RadianceCache::SampleLights(const Progress& goOn)
 {
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.FirstLevel = FirstLightLevel;
-  DiffuseEstimator estimator(this->World, this->Paths,
+  const PathIntegrator paths(this->World, this->Settings.Paths, this);
+  DiffuseEstimator estimator(this->World, paths,
     { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples),
       NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display });
-  LatticeBuilder builder(this->World, lattice,
+  LatticeBuilder builder(this->World, this->Sides, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
-  const bool isLit = this->Settings.Paths.MaximumDepth > 0 && this->Paths.GetLight().CanSample();
+  const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || builder.Build(goOn);
   this->Values = std::move(builder.GetLattice());
   this->Rays += estimator.GetNumberOfRays();
@@ -195,10 +198,11 @@ bool RadianceCache::SampleLights(const Progress& goOn)
 bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
   int depth, SurfaceLattice& values, const Progress& goOn)
 {
-  DiffuseEstimator estimator(this->World, this->Paths,
+  const PathIntegrator paths(this->World, this->Settings.Paths, this);
+  DiffuseEstimator estimator(this->World, paths,
     { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance, depth,
       this->Settings.Seed, lattice.Display });
-  LatticeBuilder builder(this->World, lattice,
+  LatticeBuilder builder(this->World, this->Sides, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const bool done = !isLit || builder.Build(goOn);

@@ -16,6 +16,7 @@
 
 #include "PathTracing/cslfPathIntegrator.h"
 #include "cslfLatticeBuilder.h"
+#include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
 
 #include <cstddef>
@@ -49,8 +50,13 @@ public:
   /// Fills the cache. `goOn` is told the progress, in [0,1]; false where it returned false.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// Whether the cache knows a surface: spheres, tubes and instances it does not.
-  bool Covers(const Hit& hit) const { return this->World.GetMeshes()[hit.Mesh].CanHoldLattice(); }
+  /// Whether the cache knows a surface: spheres, tubes, instances and the insides of closed bodies
+  /// it does not.
+  bool Covers(const Hit& hit) const
+  {
+    return this->World.GetMeshes()[hit.Mesh].CanHoldLattice() &&
+      this->Sides.Has(this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back);
+  }
 
   /// The diffuse radiance of a surface point that it covers, were it white.
   glm::vec3 Get(const Hit& hit) const
@@ -81,11 +87,11 @@ private:
 
   const Scene& World;
   CacheSettings Settings;
+  OpenSides Sides;
   SurfaceLattice Values;
   SurfaceLattice Second; // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
-  PathIntegrator Paths; // after what it asks when it is made
   std::uint64_t Rays = 0;
 };
 }
