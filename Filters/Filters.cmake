@@ -92,6 +92,7 @@ list(APPEND private_headers
 list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.cxx
+  ../Filters/PathTracing/RadianceCache/cslfIncidentLight.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
@@ -99,6 +100,7 @@ list(APPEND sources
 list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.h
+  ../Filters/PathTracing/RadianceCache/cslfIncidentLight.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h

@@ -101,12 +101,14 @@ glm::vec3 PathIntegrator::GetRadiance(
     const BSDF bsdf(
       *surface.Material, surface.GetMaterialPoint(), frame.ToLocal(-ray.Direction), surface.Inside);
     const float lobe = bsdf.HasSpecular() ? stream.Get1D(Dimension::Lobe) : 1.0f;
+    glm::vec3 diffuse(0.0f);
     Lobes lit = Lobes::All;
     Lobes open = Lobes::All;
     float openProbability = 1.0f;
     if (this->Cache && this->Cache->Covers(hit) && bsdf.HasDiffuse())
     {
-      radiance += beta * bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
+      diffuse = bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
+      radiance += beta * diffuse;
       lit = Lobes::Specular;
       open = Lobes::Specular;
       if (!this->Cache->IsComplete())
@@ -121,6 +123,14 @@ glm::vec3 PathIntegrator::GetRadiance(
     if (bsdf.Has(lit) && !bsdf.IsMirror(lit))
     {
       radiance += beta * this->Light.Sample({ surface, frame, bsdf, lit }, stream, rays);
+    }
+
+    // Add what the cache knows of the specular lobe.
+    glm::vec3 reflected;
+    if (lit == Lobes::Specular && this->Cache->IsComplete() &&
+      this->Cache->GetReflected(hit, surface, -ray.Direction, diffuse, reflected))
+    {
+      return radiance + beta * reflected;
     }
 
     // Choose the direction in which the path goes on.

@@ -262,11 +262,13 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
     Sums& sum = sums[lane];
     if (hit.IsValid())
     {
-      const bool isExact = this->Integrator.CanLookUp(hit);
-      block.IsExact = block.IsExact && isExact;
-      const glm::vec3 radiance = isExact ? this->Integrator.LookUp(hit)
-                                         : this->Integrator.GetRadiance(packet.GetRay(lane), hit,
-                                             SampleStream(block.Hashes[lane], index), block.Rays);
+      const std::uint64_t rays = block.Rays;
+      const glm::vec3 radiance = this->Integrator.CanLookUp(hit)
+        ? this->Integrator.LookUp(hit)
+        : this->Integrator.GetRadiance(
+            packet.GetRay(lane), hit, SampleStream(block.Hashes[lane], index), block.Rays);
+      // What takes no further ray is known without noise.
+      block.IsExact = block.IsExact && block.Rays == rays;
       sum.Radiance += radiance;
       sum.Squares += radiance * radiance;
       ++sum.Covered;

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -76,6 +77,8 @@ struct DiffuseEstimator::Receiver
 struct DiffuseEstimator::Samples
 {
   std::vector<glm::dvec3> Sums; // of BlockSize samples each
+  IncidentFit Incident;
+  bool FitsIncident = false;
   std::vector<float> Distances; // of what was seen, in any order
   std::uint64_t Rays = 0;
 };
@@ -92,6 +95,8 @@ SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, A
   }
   const std::uint64_t hash = MixBits(key, this->Limits.Seed);
   Samples samples;
+  const GlossyLobe* lobe = this->Limits.Lobes.empty() ? nullptr : &this->Limits.Lobes[place.Mesh];
+  samples.FitsIncident = lobe && lobe->IsKnown();
   int count = 0;
   for (int end = this->Limits.FirstSamples; end <= this->Limits.LastSamples; end *= 2)
   {
@@ -115,6 +120,10 @@ SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, A
     const auto reach = samples.Distances.begin() + static_cast<std::ptrdiff_t>(near);
     std::nth_element(samples.Distances.begin(), reach, samples.Distances.end());
     estimate.Reach = *reach;
+  }
+  if (samples.FitsIncident)
+  {
+    estimate.Incident = samples.Incident.Solve(receiver.Local, lobe->GetSize());
   }
   this->Rays.fetch_add(samples.Rays, std::memory_order_relaxed);
   return estimate;
@@ -186,6 +195,13 @@ void DiffuseEstimator::AddLight(const Receiver& receiver, const RayPacket& packe
   if (hit.IsValid())
   {
     samples.Distances.push_back(hit.Distance);
+  }
+  if (samples.FitsIncident &&
+    samples.Incident.GetNumberOfSamples() < std::size_t(GatherDirections::Length))
+  {
+    const glm::vec3 direction = packet.GetRay(lane).Direction;
+    samples.Incident.Add(
+      { glm::dot(direction, receiver.Local.X), glm::dot(direction, receiver.Local.Y) }, radiance);
   }
   const float weight = receiver.Reflection.DiffuseTransmission(local.Z[lane]);
   samples.Sums[index / BlockSize] += glm::dvec3(weight * radiance);

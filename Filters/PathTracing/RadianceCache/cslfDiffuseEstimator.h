@@ -11,6 +11,7 @@
 
 #include "PathTracing/cslfPathIntegrator.h"
 #include "cslfGatherDirections.h"
+#include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
 
 #include <atomic>
@@ -31,12 +32,14 @@ public:
     int Depth = 1;          ///< the reflections after which the point's light is seen, at least 1
     std::uint32_t Seed = 0;
     std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
+    std::vector<GlossyLobe> Lobes; ///< of each mesh: what incident light is looked at for
   };
 
   DiffuseEstimator(const Scene& scene, const PathIntegrator& paths, Settings settings)
     : World(scene)
     , Paths(paths)
     , Limits(std::move(settings))
+    , Directions(this->Limits.FirstSamples)
   {
   }
 

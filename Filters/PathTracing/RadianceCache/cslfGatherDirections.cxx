@@ -40,7 +40,7 @@ std::uint64_t HashSequence(std::uint64_t key, int count)
 }
 }
 
-GatherDirections::GatherDirections()
+GatherDirections::GatherDirections(int first)
 {
   for (int sequence = 0; sequence < Sequences; ++sequence)
   {
@@ -51,9 +51,9 @@ GatherDirections::GatherDirections()
       directions.push_back(
         { Lambert::Sample(stream.Get2D(Dimension::Direction)), static_cast<std::uint16_t>(i) });
     }
-    for (int end = First; end <= Length; end *= 2)
+    for (int end = std::min(first, Length); end <= Length; end *= 2)
     {
-      Sort(directions.begin() + (end > First ? end / 2 : 0), directions.begin() + end, 0);
+      Sort(directions.begin() + (end > first ? end / 2 : 0), directions.begin() + end, 0);
     }
     for (int i = 0; i < Length; i += RayPacket::Size)
     {

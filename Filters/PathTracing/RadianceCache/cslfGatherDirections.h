@@ -19,17 +19,14 @@ namespace cslf
 {
 /**
  * Owen-scrambled (0,2)-sequences of directions, spread by the cosine to z. A point of the surface
- * takes one of them and turns it about its normal. Within each doubling of a sequence, directions
- * are sorted, so that each packet's are close to each other.
+ * takes one of them and turns it about its normal. Directions are sorted, so that each packet's are
+ * close to each other.
  */
 class GatherDirections
 {
 public:
   /// The length of a sequence; longer ones go on with another, turned anew.
   static constexpr int Length = 1024;
-  /// The first packets that make up a sequence; each doubling is one, too.
-  static constexpr int First = 64;
-
   /// Sixteen directions, and where in the sequence they are.
   struct Packet
   {
@@ -39,7 +36,9 @@ public:
     std::uint16_t Index[RayPacket::Size]; ///< among the Length directions
   };
 
-  GatherDirections();
+  /// Sorts within the first directions, and within each doubling of their number: a power of two,
+  /// at least 16.
+  explicit GatherDirections(int first);
 
   /// The packet that starts with direction `count`, a multiple of 16, of the sequence of a key.
   const Packet& Get(std::uint64_t key, int count) const;

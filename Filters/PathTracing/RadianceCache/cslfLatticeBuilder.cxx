@@ -201,6 +201,7 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
 
 void LatticeBuilder::BuildBatch()
 {
+  bool isFirst = true;
   while (std::any_of(
     this->Patches.begin(), this->Patches.end(), [](const Patch& patch) { return patch.IsOpen; }))
   {
@@ -212,6 +213,11 @@ void LatticeBuilder::BuildBatch()
       }
     }
     this->EvaluateRequests();
+    for (std::size_t i = 0; isFirst && i < this->Patches.size(); ++i)
+    {
+      this->StoreIncident(this->Patches[i]);
+    }
+    isFirst = false;
     this->Refine();
   }
   for (const Patch& patch : this->Patches)
@@ -426,6 +432,27 @@ bool LatticeBuilder::IsBright(const glm::vec3& error, float distance) const
 {
   const double radiance = this->Settings.Exposure * Largest(error);
   return radiance * distance > BrightEdge * this->Settings.Spacing;
+}
+
+void LatticeBuilder::StoreIncident(const Patch& patch)
+{
+  std::vector<IncidentLight> lights;
+  for (std::uint32_t index : patch.Points)
+  {
+    const IncidentLight& light = this->Points[index].Estimate.Incident;
+    if (!light.IsKnown())
+    {
+      return;
+    }
+    lights.push_back(light);
+  }
+  Hit center = this->Points[patch.Points[0]].Place;
+  center.Mesh = patch.Mesh;
+  center.Triangle = patch.Triangle;
+  center.U = 1.0f / 3.0f;
+  center.V = 1.0f / 3.0f;
+  this->Incident.Resize(this->Lattice.GetNumberOfRoots());
+  this->Incident.Set(patch.Brick, Average(lights, this->World.GetSurface(center).ShadingNormal));
 }
 
 void LatticeBuilder::Store(const Patch& patch)

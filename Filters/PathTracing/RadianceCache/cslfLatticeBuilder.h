@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfScene.h"
+#include "cslfIncidentLight.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
 
@@ -28,6 +29,9 @@ struct SurfaceEstimate
   /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
   /// value may change although the estimates around do not.
   float Reach = 0.0f;
+
+  /// The light that arrives, if it was asked for.
+  IncidentLight Incident;
 
   /// The standard error, in the units of `LatticeSettings::Display`.
   float Noise = 0.0f;
@@ -71,6 +75,7 @@ public:
   bool Build(const std::function<bool(double)>& goOn);
 
   SurfaceLattice& GetLattice() { return this->Lattice; }
+  IncidentField& GetIncident() { return this->Incident; }
   std::size_t GetNumberOfEstimates() const { return this->Estimates; }
 
 private:
@@ -93,12 +98,14 @@ private:
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
   void Split(std::size_t index);
   void Store(const Patch& patch);
+  void StoreIncident(const Patch& patch);
 
   const Scene& World;
   const OpenSides& Sides;
   LatticeSettings Settings;
   Estimator Estimate;
   SurfaceLattice Lattice;
+  IncidentField Incident;
   std::vector<std::uint8_t> Depths; // of each triangle: the binary logarithm of its finest splits
   std::size_t Estimates = 0;
 

@@ -6,6 +6,10 @@
 #include "cslfDiffuseEstimator.h"
 #include "cslfLatticeBuilder.h"
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -117,6 +121,14 @@ private:
   std::size_t Root = 0;
 };
 
+/// Whether what a mesh reflects besides diffuse light is all blurred alike.
+bool IsRough(const Mesh& mesh)
+{
+  const SurfaceMaterial& material = mesh.Material;
+  return material.IndexOfRefraction > 1.0f && material.Alpha > 0.0f && material.Metallic == 0.0f &&
+    material.Transmission == 0.0f && !mesh.Textures.MetallicRoughness;
+}
+
 /// Tells a part of the progress.
 std::function<bool(double)> Within(
   const std::function<bool(double)>& goOn, double start, double end)
@@ -136,6 +148,7 @@ bool RadianceCache::Build(const Progress& goOn)
   const PathIntegrator paths(this->World, this->Settings.Paths);
   this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
   this->Rays += this->Sides.GetNumberOfRays();
+  this->FindLobes();
   // Light that is sampled at its sources has sharp shadows, which need many points of few samples.
   if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
   {
@@ -145,7 +158,7 @@ bool RadianceCache::Build(const Progress& goOn)
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.OnlyBright = true;
   SurfaceLattice rough;
-  if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough,
+  if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough, this->Incident,
         Within(goOn, LightShare, LightShare + RoughShare)))
   {
     return false;
@@ -155,15 +168,56 @@ bool RadianceCache::Build(const Progress& goOn)
   this->Complete = true;
   // And finely, by paths that end at what they see first.
   SurfaceLattice fine;
+  IncidentField incident;
   if (!this->Gather(this->GetLatticeSettings(), FirstGatherSamples, this->Settings.Samples, 1, fine,
-        Within(goOn, LightShare + RoughShare, 1.0)))
+        incident, Within(goOn, LightShare + RoughShare, 1.0)))
   {
     return false;
   }
   this->Values = std::move(LatticeSum(this->Values, fine).Get());
+  this->Incident = std::move(incident);
   this->Second = SurfaceLattice();
   this->HasSecond = false;
   return true;
+}
+
+void RadianceCache::FindLobes()
+{
+  // What is sampled at its source is sharper than what is kept here.
+  const bool isSampled = this->Settings.Paths.LightSampling &&
+    (!this->World.GetAreaLights().IsEmpty() || this->World.GetEnvironment().CanSample());
+  this->Lobes.clear();
+  for (const Mesh& mesh : this->World.GetMeshes())
+  {
+    const bool isKept = !isSampled && mesh.CanHoldLattice() && IsRough(mesh);
+    this->Lobes.push_back(isKept ? GlossyLobe(mesh.Material) : GlossyLobe());
+  }
+}
+
+bool RadianceCache::GetReflected(const Hit& hit, const SurfaceHit& surface,
+  const glm::vec3& outgoing, const glm::vec3& beside, glm::vec3& reflected) const
+{
+  const GlossyLobe& lobe = this->Lobes[hit.Mesh];
+  if (!lobe.IsKnown())
+  {
+    return false;
+  }
+  const std::size_t triangle = this->World.GetTriangleIndex(hit.Mesh, hit.Triangle);
+  const IncidentLight* light =
+    this->Incident.Get(this->Values.FindRoot(triangle, hit.Back, hit.U, hit.V));
+  if (!light)
+  {
+    return false;
+  }
+  const float albedo = surface.Material->DielectricSpecular.Get(
+    glm::dot(surface.ShadingNormal, outgoing), surface.Alpha);
+  const glm::vec3 radiance =
+    glm::max(light->Get(lobe.GetMoments(surface.ShadingNormal, outgoing)), glm::vec3(0.0f));
+  reflected = albedo * radiance;
+  const auto exposure = static_cast<float>(this->Settings.Exposure);
+  const glm::vec3 seen = exposure * (beside + reflected);
+  const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light->Error) - glm::sqrt(seen);
+  return std::max({ error.x, error.y, error.z }) <= this->Settings.Tolerance;
 }
 
 LatticeSettings RadianceCache::GetLatticeSettings() const
@@ -185,7 +239,7 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   DiffuseEstimator estimator(this->World, paths,
     { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples),
-      NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display });
+      NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display, {} });
   LatticeBuilder builder(this->World, this->Sides, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
@@ -196,17 +250,18 @@ bool RadianceCache::SampleLights(const Progress& goOn)
 }
 
 bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
-  int depth, SurfaceLattice& values, const Progress& goOn)
+  int depth, SurfaceLattice& values, IncidentField& incident, const Progress& goOn)
 {
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   DiffuseEstimator estimator(this->World, paths,
     { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance, depth,
-      this->Settings.Seed, lattice.Display });
+      this->Settings.Seed, lattice.Display, this->Lobes });
   LatticeBuilder builder(this->World, this->Sides, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const bool done = !isLit || builder.Build(goOn);
   values = std::move(builder.GetLattice());
+  incident = std::move(builder.GetIncident());
   this->Rays += estimator.GetNumberOfRays();
   return done;
 }

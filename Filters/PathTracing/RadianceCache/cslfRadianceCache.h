@@ -15,6 +15,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace cslf
 {
@@ -66,6 +68,11 @@ public:
     return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
   }
 
+  /// The radiance that the specular lobe of a surface that it covers reflects, times the albedo of
+  /// the lobe, beside other light. False where it is not known well enough.
+  bool GetReflected(const Hit& hit, const SurfaceHit& surface, const glm::vec3& outgoing,
+    const glm::vec3& beside, glm::vec3& reflected) const;
+
   /// Whether the values hold all light, or only what is sampled at its sources.
   bool IsComplete() const { return this->Complete; }
 
@@ -77,19 +84,22 @@ private:
   using Progress = std::function<bool(double)>;
 
   LatticeSettings GetLatticeSettings() const;
+  void FindLobes();
 
   /// Estimates the light that is sampled at its sources.
   bool SampleLights(const Progress& goOn);
 
   /// Estimates the light that is found by looking around, after `depth` reflections at least.
   bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
-    SurfaceLattice& values, const Progress& goOn);
+    SurfaceLattice& values, IncidentField& incident, const Progress& goOn);
 
   const Scene& World;
   CacheSettings Settings;
   OpenSides Sides;
   SurfaceLattice Values;
-  SurfaceLattice Second; // while the cache is built: a second summand
+  IncidentField Incident;        // by the bricks of the values
+  std::vector<GlossyLobe> Lobes; // of each mesh that reflects it
+  SurfaceLattice Second;         // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
   std::uint64_t Rays = 0;
