@@ -58,6 +58,40 @@ glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
   return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
 }
 
+bool PathIntegrator::LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+{
+  if (this->CanLookUp(hit))
+  {
+    radiance = this->LookUp(hit);
+    return true;
+  }
+  return !this->LookUps.empty() && this->Cache->Covers(hit) &&
+    this->LookUpRough(ray, hit, radiance);
+}
+
+bool PathIntegrator::LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+{
+  const IncidentLight* light = this->Cache->GetIncident(hit);
+  if (!light)
+  {
+    return false;
+  }
+  const Mesh& mesh = this->World.GetMeshes()[hit.Mesh];
+  const bool isFlat = mesh.Normals.empty() && !mesh.Textures.Normal;
+  const glm::vec3 normal = isFlat ? light->Normal : this->World.GetSurface(ray, hit).ShadingNormal;
+  const glm::vec3 outgoing = -ray.Direction;
+  const float albedo =
+    mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
+  const glm::vec3 diffuse = (1.0f - albedo) * this->LookUp(hit);
+  glm::vec3 reflected;
+  if (!this->Cache->GetReflected(hit, *light, normal, outgoing, albedo, diffuse, reflected))
+  {
+    return false;
+  }
+  radiance = diffuse + reflected;
+  return true;
+}
+
 glm::vec3 PathIntegrator::GetRadiance(
   const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const
 {
@@ -82,9 +116,10 @@ glm::vec3 PathIntegrator::GetRadiance(
     }
 
     // End where the cache knows all.
-    if (depth < this->Settings.MaximumDepth && this->CanLookUp(hit))
+    glm::vec3 known;
+    if (depth > 0 && depth < this->Settings.MaximumDepth && this->LookUp(ray, hit, known))
     {
-      return radiance + beta * this->LookUp(hit);
+      return radiance + beta * known;
     }
 
     // Add what the surface emits.
@@ -101,14 +136,12 @@ glm::vec3 PathIntegrator::GetRadiance(
     const BSDF bsdf(
       *surface.Material, surface.GetMaterialPoint(), frame.ToLocal(-ray.Direction), surface.Inside);
     const float lobe = bsdf.HasSpecular() ? stream.Get1D(Dimension::Lobe) : 1.0f;
-    glm::vec3 diffuse(0.0f);
     Lobes lit = Lobes::All;
     Lobes open = Lobes::All;
     float openProbability = 1.0f;
     if (this->Cache && this->Cache->Covers(hit) && bsdf.HasDiffuse())
     {
-      diffuse = bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
-      radiance += beta * diffuse;
+      radiance += beta * bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
       lit = Lobes::Specular;
       open = Lobes::Specular;
       if (!this->Cache->IsComplete())
@@ -123,14 +156,6 @@ glm::vec3 PathIntegrator::GetRadiance(
     if (bsdf.Has(lit) && !bsdf.IsMirror(lit))
     {
       radiance += beta * this->Light.Sample({ surface, frame, bsdf, lit }, stream, rays);
-    }
-
-    // Add what the cache knows of the specular lobe.
-    glm::vec3 reflected;
-    if (lit == Lobes::Specular && this->Cache->IsComplete() &&
-      this->Cache->GetReflected(hit, surface, -ray.Direction, diffuse, reflected))
-    {
-      return radiance + beta * reflected;
     }
 
     // Choose the direction in which the path goes on.

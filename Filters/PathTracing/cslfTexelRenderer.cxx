@@ -262,13 +262,14 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
     Sums& sum = sums[lane];
     if (hit.IsValid())
     {
-      const std::uint64_t rays = block.Rays;
-      const glm::vec3 radiance = this->Integrator.CanLookUp(hit)
-        ? this->Integrator.LookUp(hit)
-        : this->Integrator.GetRadiance(
-            packet.GetRay(lane), hit, SampleStream(block.Hashes[lane], index), block.Rays);
-      // What takes no further ray is known without noise.
-      block.IsExact = block.IsExact && block.Rays == rays;
+      const Ray ray = packet.GetRay(lane);
+      glm::vec3 radiance;
+      if (!this->Integrator.LookUp(ray, hit, radiance))
+      {
+        block.IsExact = false;
+        radiance = this->Integrator.GetRadiance(
+          ray, hit, SampleStream(block.Hashes[lane], index), block.Rays);
+      }
       sum.Radiance += radiance;
       sum.Squares += radiance * radiance;
       ++sum.Covered;

@@ -183,6 +183,7 @@ IncidentLight IncidentFit::Solve(const Frame& frame, float lobeSize) const
   light.Error = std::sqrt(Largest(error2));
 
   // Expand the polynomials.
+  light.Normal = frame.Z;
   light.Terms[0] = factors[0] - Root3 * factors[5];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -197,6 +198,7 @@ IncidentLight IncidentFit::Solve(const Frame& frame, float lobeSize) const
 IncidentLight Average(const std::vector<IncidentLight>& lights, const glm::vec3& normal)
 {
   IncidentLight mean;
+  mean.Normal = normal;
   float squares = 0.0f;
   for (const IncidentLight& light : lights)
   {

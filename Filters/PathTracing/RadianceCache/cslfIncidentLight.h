@@ -30,6 +30,7 @@ using DirectionMoments = std::array<float, 10>;
 struct IncidentLight
 {
   glm::vec3 Terms[10] = {};                             ///< the factors of DirectionMoments
+  glm::vec3 Normal{ 0.0f };                             ///< of the surface that it arrives at
   float Error = std::numeric_limits<float>::infinity(); ///< about what a lobe's mean errs by
 
   bool IsKnown() const { return this->Error < std::numeric_limits<float>::infinity(); }

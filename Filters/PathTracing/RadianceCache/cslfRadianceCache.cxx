@@ -184,8 +184,7 @@ bool RadianceCache::Build(const Progress& goOn)
 void RadianceCache::FindLobes()
 {
   // What is sampled at its source is sharper than what is kept here.
-  const bool isSampled = this->Settings.Paths.LightSampling &&
-    (!this->World.GetAreaLights().IsEmpty() || this->World.GetEnvironment().CanSample());
+  const bool isSampled = PathIntegrator(this->World, this->Settings.Paths).GetLight().CanSample();
   this->Lobes.clear();
   for (const Mesh& mesh : this->World.GetMeshes())
   {
@@ -194,29 +193,15 @@ void RadianceCache::FindLobes()
   }
 }
 
-bool RadianceCache::GetReflected(const Hit& hit, const SurfaceHit& surface,
-  const glm::vec3& outgoing, const glm::vec3& beside, glm::vec3& reflected) const
+bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
+  const glm::vec3& normal, const glm::vec3& outgoing, float albedo, const glm::vec3& beside,
+  glm::vec3& reflected) const
 {
-  const GlossyLobe& lobe = this->Lobes[hit.Mesh];
-  if (!lobe.IsKnown())
-  {
-    return false;
-  }
-  const std::size_t triangle = this->World.GetTriangleIndex(hit.Mesh, hit.Triangle);
-  const IncidentLight* light =
-    this->Incident.Get(this->Values.FindRoot(triangle, hit.Back, hit.U, hit.V));
-  if (!light)
-  {
-    return false;
-  }
-  const float albedo = surface.Material->DielectricSpecular.Get(
-    glm::dot(surface.ShadingNormal, outgoing), surface.Alpha);
-  const glm::vec3 radiance =
-    glm::max(light->Get(lobe.GetMoments(surface.ShadingNormal, outgoing)), glm::vec3(0.0f));
-  reflected = albedo * radiance;
+  const glm::vec3 radiance = light.Get(this->Lobes[hit.Mesh].GetMoments(normal, outgoing));
+  reflected = albedo * glm::max(radiance, glm::vec3(0.0f));
   const auto exposure = static_cast<float>(this->Settings.Exposure);
   const glm::vec3 seen = exposure * (beside + reflected);
-  const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light->Error) - glm::sqrt(seen);
+  const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light.Error) - glm::sqrt(seen);
   return std::max({ error.x, error.y, error.z }) <= this->Settings.Tolerance;
 }
 

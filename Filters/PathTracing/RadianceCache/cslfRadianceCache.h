@@ -68,10 +68,19 @@ public:
     return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
   }
 
-  /// The radiance that the specular lobe of a surface that it covers reflects, times the albedo of
-  /// the lobe, beside other light. False where it is not known well enough.
-  bool GetReflected(const Hit& hit, const SurfaceHit& surface, const glm::vec3& outgoing,
-    const glm::vec3& beside, glm::vec3& reflected) const;
+  /// The light that arrives at a surface that it covers; null where that is not known.
+  const IncidentLight* GetIncident(const Hit& hit) const
+  {
+    return this->Lobes[hit.Mesh].IsKnown()
+      ? this->Incident.Get(this->Values.FindRoot(
+          this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back, hit.U, hit.V))
+      : nullptr;
+  }
+
+  /// What the specular lobe of a dielectric reflects, given its albedo. False where it is not known
+  /// well enough to be seen beside other light.
+  bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
+    const glm::vec3& outgoing, float albedo, const glm::vec3& beside, glm::vec3& reflected) const;
 
   /// Whether the values hold all light, or only what is sampled at its sources.
   bool IsComplete() const { return this->Complete; }
