@@ -36,11 +36,11 @@ glm::vec3 BSDF::DiffuseAlbedo() const
   return this->Point.BaseColor * (this->DiffusePart * boundary);
 }
 
-float BSDF::DiffuseTransmission(const glm::vec3& incident) const
+float BSDF::DiffuseTransmission(float cosine) const
 {
   const SpecularAlbedo& albedo = this->Material.DielectricSpecular;
   const float alpha = this->Point.Alpha;
-  return (1.0f - albedo.Get(incident.z, alpha)) / (1.0f - albedo.GetAverage(alpha));
+  return (1.0f - albedo.Get(cosine, alpha)) / (1.0f - albedo.GetAverage(alpha));
 }
 
 glm::vec3 BSDF::EvaluateCosine(const glm::vec3& incident, Lobes lobes) const
@@ -53,7 +53,7 @@ glm::vec3 BSDF::EvaluateCosine(const glm::vec3& incident, Lobes lobes) const
   if (lobes != Lobes::Specular && this->HasDiffuse() && incident.z > 0.0f)
   {
     value = this->DiffuseAlbedo() *
-      (this->DiffuseTransmission(incident) * Lambert::EvaluateCosine(incident));
+      (this->DiffuseTransmission(incident.z) * Lambert::EvaluateCosine(incident));
   }
   if (lobes != Lobes::Diffuse && this->HasSpecular())
   {

@@ -93,8 +93,11 @@ public:
   /// Samples an incident direction. False where the path ends.
   bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes = Lobes::All) const;
 
+  /// The factor of the diffuse lobe that does: what an incident direction of this cosine lets in,
+  /// relative to the mean.
+  float DiffuseTransmission(float cosine) const;
+
 private:
-  float DiffuseTransmission(const glm::vec3& incident) const;
 
   const SurfaceMaterial& Material;
   MaterialPoint Point;

@@ -48,9 +48,48 @@ PathIntegrator::PathIntegrator(
   }
 }
 
+bool PathIntegrator::CanLookUp(const Hit& hit) const
+{
+  return !this->LookUps.empty() && this->LookUps[hit.Mesh] && this->Cache->Covers(hit);
+}
+
 glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
 {
   return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
+}
+
+bool PathIntegrator::LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+{
+  if (this->CanLookUp(hit))
+  {
+    radiance = this->LookUp(hit);
+    return true;
+  }
+  return !this->LookUps.empty() && this->Cache->Covers(hit) &&
+    this->LookUpRough(ray, hit, radiance);
+}
+
+bool PathIntegrator::LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+{
+  const IncidentLight* light = this->Cache->GetIncident(hit);
+  if (!light)
+  {
+    return false;
+  }
+  const Mesh& mesh = this->World.GetMeshes()[hit.Mesh];
+  const bool isFlat = mesh.Normals.empty() && !mesh.Textures.Normal;
+  const glm::vec3 normal = isFlat ? light->Normal : this->World.GetSurface(ray, hit).ShadingNormal;
+  const glm::vec3 outgoing = -ray.Direction;
+  const float albedo =
+    mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
+  const glm::vec3 diffuse = (1.0f - albedo) * this->LookUp(hit);
+  glm::vec3 reflected;
+  if (!this->Cache->GetReflected(hit, *light, normal, outgoing, albedo, diffuse, reflected))
+  {
+    return false;
+  }
+  radiance = diffuse + reflected;
+  return true;
 }
 
 glm::vec3 PathIntegrator::GetRadiance(
@@ -74,6 +113,13 @@ glm::vec3 PathIntegrator::GetRadiance(
     if (!hit.IsValid())
     {
       return radiance + beta * this->Light.GetEnvironment(ray.Direction, pdf);
+    }
+
+    // End where the cache knows all.
+    glm::vec3 known;
+    if (depth > 0 && depth < this->Settings.MaximumDepth && this->LookUp(ray, hit, known))
+    {
+      return radiance + beta * known;
     }
 
     // Add what the surface emits.
@@ -123,7 +169,8 @@ glm::vec3 PathIntegrator::GetRadiance(
     pdf = sample.Pdf;
 
     // End paths that carry little.
-    if (depth >= RouletteDepth && !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
+    if ((depth >= RouletteDepth || start.IsOneOfMany) &&
+      !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
     {
       return radiance;
     }

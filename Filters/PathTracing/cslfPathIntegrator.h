@@ -42,8 +42,9 @@ public:
   {
     Ray First;
     Hit Seen;
-    int Depth = 0; ///< reflections before
-    float Pdf;     ///< of the ray's direction, per solid angle; infinite for a given ray
+    int Depth = 0;            ///< reflections before
+    float Pdf;                ///< of the ray's direction, per solid angle; infinite for a given ray
+    bool IsOneOfMany = false; ///< whether the path may end by chance from its first surface on
   };
 
   /// The radiance that comes along a given ray from its first hit, which must be valid. Adds the
@@ -55,14 +56,21 @@ public:
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
   /// Whether the cache alone knows what leaves a hit towards anywhere.
-  bool CanLookUp(const Hit& hit) const { return !this->LookUps.empty() && this->LookUps[hit.Mesh]; }
+  bool CanLookUp(const Hit& hit) const;
 
   /// That radiance.
   glm::vec3 LookUp(const Hit& hit) const;
 
+  /// The radiance that comes along a given ray from its first hit, which must be valid, if the
+  /// cache alone knows it: of diffuse surfaces, and of rough ones where their lobes see nothing
+  /// sharp.
+  bool LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
+
   const DirectLight& GetLight() const { return this->Light; }
 
 private:
+  bool LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
+
   const Scene& World;
   PathSettings Settings;
   DirectLight Light;

@@ -262,11 +262,14 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
     Sums& sum = sums[lane];
     if (hit.IsValid())
     {
-      const bool isExact = this->Integrator.CanLookUp(hit);
-      block.IsExact = block.IsExact && isExact;
-      const glm::vec3 radiance = isExact ? this->Integrator.LookUp(hit)
-                                         : this->Integrator.GetRadiance(packet.GetRay(lane), hit,
-                                             SampleStream(block.Hashes[lane], index), block.Rays);
+      const Ray ray = packet.GetRay(lane);
+      glm::vec3 radiance;
+      if (!this->Integrator.LookUp(ray, hit, radiance))
+      {
+        block.IsExact = false;
+        radiance = this->Integrator.GetRadiance(
+          ray, hit, SampleStream(block.Hashes[lane], index), block.Rays);
+      }
       sum.Radiance += radiance;
       sum.Squares += radiance * radiance;
       ++sum.Covered;

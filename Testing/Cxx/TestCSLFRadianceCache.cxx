@@ -92,6 +92,7 @@ void TestRefinement()
   const cslf::Scene scene({ MakeRectangle(glm::vec3(0.0f), { 1.0f, 0.0f, 0.0f },
                             { 0.0f, 1.0f, 0.0f }, MakeDiffuse(1.0f)) },
     cslf::LightSet());
+  const cslf::OpenSides sides(scene, cslf::PathIntegrator(scene, {}), 0);
   const auto getLight = [](const glm::vec3& point, float brightness)
   {
     const bool lit = point.x + 0.3f * point.y > 0.123f;
@@ -111,7 +112,7 @@ void TestRefinement()
   for (const float brightness : { 1.0f, 20.0f })
   {
     std::atomic<int> calls{ 0 };
-    cslf::LatticeBuilder builder(scene, settings,
+    cslf::LatticeBuilder builder(scene, sides, settings,
       [&](const cslf::Hit& place, std::uint64_t)
       {
         ++calls;
@@ -150,8 +151,8 @@ void TestRefinement()
   }
 
   // Abort.
-  cslf::LatticeBuilder aborted(
-    scene, settings, [](const cslf::Hit&, std::uint64_t) { return cslf::SurfaceEstimate(); });
+  cslf::LatticeBuilder aborted(scene, sides, settings,
+    [](const cslf::Hit&, std::uint64_t) { return cslf::SurfaceEstimate(); });
   CSLF_CHECK(!aborted.Build([](double) { return false; }));
 }
 

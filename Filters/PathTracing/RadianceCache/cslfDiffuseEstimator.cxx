@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDiffuseEstimator.h"
 
+#include "PathTracing/cslfSampling.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -19,6 +22,10 @@ constexpr int BlockSize = 8;
 // The parts of a sequence whose means tell its noise. Each is a low-discrepancy sequence itself;
 // all together are better than their differences tell.
 constexpr int Parts = 8;
+
+// The part of what a point sees that may be nearer than its reach: where a flat angle is seen from
+// its edge, little of it, and of what it adds to the light.
+constexpr float NearShare = 1.0f / 32.0f;
 
 MaterialPoint MakeWhite(const SurfaceHit& surface)
 {
@@ -66,8 +73,18 @@ struct DiffuseEstimator::Receiver
   }
 };
 
-template <typename Sample>
-SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, Sample sample)
+/// What is known of a point so far.
+struct DiffuseEstimator::Samples
+{
+  std::vector<glm::dvec3> Sums; // of BlockSize samples each
+  IncidentFit Incident;
+  bool FitsIncident = false;
+  std::vector<float> Distances; // of what was seen, in any order
+  std::uint64_t Rays = 0;
+};
+
+template <typename Add>
+SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, Add add)
 {
   SurfaceEstimate estimate;
   estimate.Reach = std::numeric_limits<float>::infinity();
@@ -77,25 +94,17 @@ SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, S
     return estimate;
   }
   const std::uint64_t hash = MixBits(key, this->Limits.Seed);
-  const glm::dvec3 albedo = receiver.Reflection.DiffuseAlbedo();
-  std::vector<glm::dvec3> sums; // of BlockSize samples each
-  double nearness = 0.0;
-  std::uint64_t rays = 0;
+  Samples samples;
+  const GlossyLobe* lobe = this->Limits.Lobes.empty() ? nullptr : &this->Limits.Lobes[place.Mesh];
+  samples.FitsIncident = lobe && lobe->IsKnown();
   int count = 0;
   for (int end = this->Limits.FirstSamples; end <= this->Limits.LastSamples; end *= 2)
   {
-    while (count < end)
-    {
-      glm::dvec3 sum(0.0);
-      for (int i = 0; i < BlockSize; ++i, ++count)
-      {
-        const SampleStream stream(hash, static_cast<std::uint32_t>(count));
-        sum += glm::dvec3(sample(receiver, stream, rays, nearness));
-      }
-      sums.push_back(sum / albedo);
-    }
+    samples.Sums.resize(end / BlockSize, glm::dvec3(0.0));
+    add(receiver, hash, count, end, samples);
+    count = end;
     glm::dvec3 error;
-    estimate.Value = Mean(sums, count, error);
+    estimate.Value = Mean(samples.Sums, count, error);
     const glm::vec3 noise =
       this->Limits.Display(glm::dvec3(estimate.Value) + error, receiver.Surface.BaseColor) -
       this->Limits.Display(estimate.Value, receiver.Surface.BaseColor);
@@ -105,47 +114,96 @@ SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, S
       break;
     }
   }
-  if (nearness > 0.0)
+  const auto near = static_cast<std::size_t>(NearShare * static_cast<float>(count));
+  if (near < samples.Distances.size())
   {
-    estimate.Reach = static_cast<float>(count / nearness);
+    const auto reach = samples.Distances.begin() + static_cast<std::ptrdiff_t>(near);
+    std::nth_element(samples.Distances.begin(), reach, samples.Distances.end());
+    estimate.Reach = *reach;
   }
-  this->Rays.fetch_add(rays, std::memory_order_relaxed);
+  if (samples.FitsIncident)
+  {
+    estimate.Incident = samples.Incident.Solve(receiver.Local, lobe->GetSize());
+  }
+  this->Rays.fetch_add(samples.Rays, std::memory_order_relaxed);
   return estimate;
 }
 
 SurfaceEstimate DiffuseEstimator::SampleLights(const Hit& place, std::uint64_t key)
 {
   return this->Average(place, key,
-    [this](const Receiver& receiver, const SampleStream& stream, std::uint64_t& rays, double&)
+    [this](const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples)
     {
-      return this->Paths.GetLight().Sample(
-        { receiver.Surface, receiver.Local, receiver.Reflection, Lobes::Diffuse }, stream, rays);
+      const glm::dvec3 albedo = receiver.Reflection.DiffuseAlbedo();
+      const ScatteringPoint point{ receiver.Surface, receiver.Local, receiver.Reflection,
+        Lobes::Diffuse };
+      for (int i = begin; i < end; ++i)
+      {
+        const SampleStream stream(hash, static_cast<std::uint32_t>(i));
+        samples.Sums[i / BlockSize] +=
+          glm::dvec3(this->Paths.GetLight().Sample(point, stream, samples.Rays)) / albedo;
+      }
     });
 }
 
 SurfaceEstimate DiffuseEstimator::Gather(const Hit& place, std::uint64_t key)
 {
   return this->Average(place, key,
-    [this](const Receiver& receiver, const SampleStream& stream, std::uint64_t& rays,
-      double& nearness) -> glm::vec3
+    [this](const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples)
+    { this->LookAround(receiver, hash, begin, end, samples); });
+}
+
+void DiffuseEstimator::LookAround(
+  const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples) const
+{
+  RayPacket packet;
+  std::fill_n(packet.Active, RayPacket::Size, -1);
+  std::fill_n(packet.OriginX, RayPacket::Size, receiver.Surface.LeavePosition.x);
+  std::fill_n(packet.OriginY, RayPacket::Size, receiver.Surface.LeavePosition.y);
+  std::fill_n(packet.OriginZ, RayPacket::Size, receiver.Surface.LeavePosition.z);
+  for (int i = begin; i < end; i += RayPacket::Size)
+  {
+    const Frame frame = GatherDirections::Turn(receiver.Local, hash, i);
+    const GatherDirections::Packet& local = this->Directions.Get(hash, i);
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
-      BSDFSample sample;
-      if (!receiver.Reflection.Sample(
-            0.0f, stream.Get2D(Dimension::Direction), sample, Lobes::Diffuse))
-      {
-        return glm::vec3(0.0f);
-      }
-      PathIntegrator::Start start;
-      start.First = { receiver.Surface.LeavePosition, receiver.Local.ToWorld(sample.Direction) };
-      start.Seen = this->World.Intersect(start.First);
-      start.Depth = this->Limits.Depth;
-      start.Pdf = sample.Pdf;
-      ++rays;
-      if (start.Seen.IsValid())
-      {
-        nearness += 1.0 / std::max(start.Seen.Distance, 1e-6f);
-      }
-      return sample.Weight * this->Paths.GetRadiance(start, stream, rays);
-    });
+      const float x = local.X[lane];
+      const float y = local.Y[lane];
+      const float z = local.Z[lane];
+      packet.DirectionX[lane] = x * frame.X.x + y * frame.Y.x + z * frame.Z.x;
+      packet.DirectionY[lane] = x * frame.X.y + y * frame.Y.y + z * frame.Z.y;
+      packet.DirectionZ[lane] = x * frame.X.z + y * frame.Y.z + z * frame.Z.z;
+    }
+    this->World.Intersect(packet);
+    samples.Rays += RayPacket::Size;
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      this->AddLight(receiver, packet, lane, local, hash, i, samples);
+    }
+  }
+}
+
+void DiffuseEstimator::AddLight(const Receiver& receiver, const RayPacket& packet, int lane,
+  const GatherDirections::Packet& local, std::uint64_t hash, int begin, Samples& samples) const
+{
+  const Hit& hit = packet.Hits[lane];
+  const int index = begin / GatherDirections::Length * GatherDirections::Length + local.Index[lane];
+  const float pdf = local.Z[lane] * InversePi;
+  const glm::vec3 radiance =
+    this->Paths.GetRadiance({ packet.GetRay(lane), hit, this->Limits.Depth, pdf, true },
+      SampleStream(hash, static_cast<std::uint32_t>(index)), samples.Rays);
+  if (hit.IsValid())
+  {
+    samples.Distances.push_back(hit.Distance);
+  }
+  if (samples.FitsIncident &&
+    samples.Incident.GetNumberOfSamples() < std::size_t(GatherDirections::Length))
+  {
+    const glm::vec3 direction = packet.GetRay(lane).Direction;
+    samples.Incident.Add(
+      { glm::dot(direction, receiver.Local.X), glm::dot(direction, receiver.Local.Y) }, radiance);
+  }
+  const float weight = receiver.Reflection.DiffuseTransmission(local.Z[lane]);
+  samples.Sums[index / BlockSize] += glm::dvec3(weight * radiance);
 }
 }

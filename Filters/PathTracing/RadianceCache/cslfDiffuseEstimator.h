@@ -10,11 +10,14 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfGatherDirections.h"
+#include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace cslf
 {
@@ -29,12 +32,14 @@ public:
     int Depth = 1;          ///< the reflections after which the point's light is seen, at least 1
     std::uint32_t Seed = 0;
     std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
+    std::vector<GlossyLobe> Lobes; ///< of each mesh: what incident light is looked at for
   };
 
   DiffuseEstimator(const Scene& scene, const PathIntegrator& paths, Settings settings)
     : World(scene)
     , Paths(paths)
     , Limits(std::move(settings))
+    , Directions(this->Limits.FirstSamples)
   {
   }
 
@@ -48,13 +53,20 @@ public:
 
 private:
   struct Receiver;
+  struct Samples;
 
-  template <typename Sample>
-  SurfaceEstimate Average(const Hit& place, std::uint64_t key, Sample sample);
+  /// Takes samples, by `add(receiver, hash, begin, end, samples)`, until they suffice.
+  template <typename Add>
+  SurfaceEstimate Average(const Hit& place, std::uint64_t key, Add add);
+  void LookAround(
+    const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples) const;
+  void AddLight(const Receiver& receiver, const RayPacket& packet, int lane,
+    const GatherDirections::Packet& local, std::uint64_t hash, int begin, Samples& samples) const;
 
   const Scene& World;
   const PathIntegrator& Paths;
   Settings Limits;
+  GatherDirections Directions;
   std::atomic<std::uint64_t> Rays{ 0 };
 };
 }

@@ -100,8 +100,10 @@ struct LatticeBuilder::Patch
   }
 };
 
-LatticeBuilder::LatticeBuilder(const Scene& scene, LatticeSettings settings, Estimator estimate)
+LatticeBuilder::LatticeBuilder(
+  const Scene& scene, const OpenSides& sides, LatticeSettings settings, Estimator estimate)
   : World(scene)
+  , Sides(sides)
   , Settings(std::move(settings))
   , Estimate(std::move(estimate))
 {
@@ -183,7 +185,7 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
   for (const bool back : { false, true })
   {
     patch.Back = back;
-    for (int j = 0; j < splits; ++j)
+    for (int j = 0; j < splits && this->Sides.Has(index, back); ++j)
     {
       for (int i = 0; i < 2 * (splits - j) - 1; ++i)
       {
@@ -271,8 +273,12 @@ void LatticeBuilder::BuildBatch()
       }
     }
     this->FirstEstimates += isFirst ? this->Points.size() : 0;
-    isFirst = false;
     this->EvaluateRequests();
+    for (std::size_t i = 0; isFirst && i < this->Patches.size(); ++i)
+    {
+      this->StoreIncident(this->Patches[i]);
+    }
+    isFirst = false;
     this->Refine();
   }
   for (const Patch& patch : this->Patches)
@@ -522,6 +528,27 @@ bool LatticeBuilder::IsBright(const glm::vec3& error, float distance) const
 {
   const double radiance = this->Settings.Exposure * Largest(error);
   return radiance * distance > BrightEdge * this->Settings.Spacing;
+}
+
+void LatticeBuilder::StoreIncident(const Patch& patch)
+{
+  std::vector<IncidentLight> lights;
+  for (std::uint32_t index : patch.Points)
+  {
+    const IncidentLight& light = this->Points[index].Estimate.Incident;
+    if (!light.IsKnown())
+    {
+      return;
+    }
+    lights.push_back(light);
+  }
+  Hit center = this->Points[patch.Points[0]].Place;
+  center.Mesh = patch.Mesh;
+  center.Triangle = patch.Triangle;
+  center.U = 1.0f / 3.0f;
+  center.V = 1.0f / 3.0f;
+  this->Incident.Resize(this->Lattice.GetNumberOfRoots());
+  this->Incident.Set(patch.Brick, Average(lights, this->World.GetSurface(center).ShadingNormal));
 }
 
 void LatticeBuilder::Store(const Patch& patch)

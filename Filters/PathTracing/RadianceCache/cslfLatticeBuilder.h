@@ -11,6 +11,8 @@
 
 #include "PathTracing/cslfScene.h"
 #include "cslfCacheShare.h"
+#include "cslfIncidentLight.h"
+#include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
 
 #include <cstdint>
@@ -25,9 +27,12 @@ struct SurfaceEstimate
 {
   glm::vec3 Value{ 0.0f };
 
-  /// How far away what it sees is, in scene space: at distances larger than this, the value may
-  /// change although the estimates around do not.
+  /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
+  /// value may change although the estimates around do not.
   float Reach = 0.0f;
+
+  /// The light that arrives, if it was asked for.
+  IncidentLight Incident;
 
   /// The standard error, in the units of `LatticeSettings::Display`.
   float Noise = 0.0f;
@@ -68,7 +73,9 @@ public:
   /// Whether a brick that is no part of another is built, by its index.
   using Choice = std::function<bool(std::size_t brick)>;
 
-  LatticeBuilder(const Scene& scene, LatticeSettings settings, Estimator estimate);
+  /// Values stay 0 on sides that are not open.
+  LatticeBuilder(
+    const Scene& scene, const OpenSides& sides, LatticeSettings settings, Estimator estimate);
   ~LatticeBuilder();
 
   /// Builds the lattice. `goOn` is told the progress, in [0,1]; false where it returned false.
@@ -86,6 +93,7 @@ public:
   std::size_t CountFirstPoints(const Choice& choice);
 
   SurfaceLattice& GetLattice() { return this->Lattice; }
+  IncidentField& GetIncident() { return this->Incident; }
   std::size_t GetNumberOfEstimates() const { return this->Estimates; }
   /// Those of them that no other asked for.
   std::size_t GetNumberOfFirstEstimates() const { return this->FirstEstimates; }
@@ -112,11 +120,14 @@ private:
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
   void Split(std::size_t index);
   void Store(const Patch& patch);
+  void StoreIncident(const Patch& patch);
 
   const Scene& World;
+  const OpenSides& Sides;
   LatticeSettings Settings;
   Estimator Estimate;
   SurfaceLattice Lattice;
+  IncidentField Incident;
   std::vector<std::uint8_t> Depths; // of each triangle: the binary logarithm of its finest splits
   std::size_t Estimates = 0;
   std::size_t FirstEstimates = 0;

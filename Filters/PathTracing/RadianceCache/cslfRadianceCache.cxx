@@ -7,7 +7,12 @@
 #include "cslfLatticeBuilder.h"
 #include "cslfLatticeProbe.h"
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -118,6 +123,14 @@ private:
   std::size_t Root = 0;
 };
 
+/// Whether what a mesh reflects besides diffuse light is all blurred alike.
+bool IsRough(const Mesh& mesh)
+{
+  const SurfaceMaterial& material = mesh.Material;
+  return material.IndexOfRefraction > 1.0f && material.Alpha > 0.0f && material.Metallic == 0.0f &&
+    material.Transmission == 0.0f && !mesh.Textures.MetallicRoughness;
+}
+
 /// Tells a part of the progress.
 std::function<bool(double)> Within(
   const std::function<bool(double)>& goOn, double start, double end)
@@ -129,8 +142,8 @@ std::function<bool(double)> Within(
 RadianceCache::RadianceCache(const Scene& scene, const CacheSettings& settings)
   : World(scene)
   , Settings(settings)
-  , Paths(scene, settings.Paths, this)
 {
+  this->FindLobes();
 }
 
 bool RadianceCache::Build(const Progress& goOn)
@@ -147,6 +160,14 @@ bool RadianceCache::Build(const Progress& goOn)
 
 bool RadianceCache::Fill(const Progress& goOn)
 {
+  // Where is anything to be stored?
+  const auto start = std::chrono::steady_clock::now();
+  const PathIntegrator paths(this->World, this->Settings.Paths);
+  this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
+  this->Rays += this->Sides.GetNumberOfRays();
+  this->ExpectedSeconds +=
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
   // Light that is sampled at its sources has sharp shadows, which need many points of few samples.
   if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
   {
@@ -156,7 +177,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.OnlyBright = true;
   SurfaceLattice rough;
-  if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough,
+  if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough, this->Incident,
         Within(goOn, LightShare, LightShare + RoughShare)))
   {
     return false;
@@ -166,15 +187,40 @@ bool RadianceCache::Fill(const Progress& goOn)
   this->Complete = true;
   // And finely, by paths that end at what they see first.
   SurfaceLattice fine;
+  IncidentField incident;
   if (!this->Gather(this->GetLatticeSettings(), FirstGatherSamples, this->Settings.Samples, 1, fine,
-        Within(goOn, LightShare + RoughShare, 1.0)))
+        incident, Within(goOn, LightShare + RoughShare, 1.0)))
   {
     return false;
   }
   this->Values = std::move(LatticeSum(this->Values, fine).Get());
+  this->Incident = std::move(incident);
   this->Second = SurfaceLattice();
   this->HasSecond = false;
   return true;
+}
+
+void RadianceCache::FindLobes()
+{
+  // What is sampled at its source is sharper than what is kept here.
+  const bool isSampled = PathIntegrator(this->World, this->Settings.Paths).GetLight().CanSample();
+  for (const Mesh& mesh : this->World.GetMeshes())
+  {
+    const bool isKept = !isSampled && mesh.CanHoldLattice() && IsRough(mesh);
+    this->Lobes.push_back(isKept ? GlossyLobe(mesh.Material) : GlossyLobe());
+  }
+}
+
+bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
+  const glm::vec3& normal, const glm::vec3& outgoing, float albedo, const glm::vec3& beside,
+  glm::vec3& reflected) const
+{
+  const glm::vec3 radiance = light.Get(this->Lobes[hit.Mesh].GetMoments(normal, outgoing));
+  reflected = albedo * glm::max(radiance, glm::vec3(0.0f));
+  const auto exposure = static_cast<float>(this->Settings.Exposure);
+  const glm::vec3 seen = exposure * (beside + reflected);
+  const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light.Error) - glm::sqrt(seen);
+  return std::max({ error.x, error.y, error.z }) <= this->Settings.Tolerance;
 }
 
 LatticeSettings RadianceCache::GetLatticeSettings() const
@@ -205,12 +251,13 @@ bool RadianceCache::SampleLights(const Progress& goOn)
 {
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.FirstLevel = FirstLightLevel;
-  DiffuseEstimator estimator(this->World, this->Paths,
+  const PathIntegrator paths(this->World, this->Settings.Paths, this);
+  DiffuseEstimator estimator(this->World, paths,
     { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples),
-      NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display });
-  LatticeBuilder builder(this->World, lattice,
+      NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display, {} });
+  LatticeBuilder builder(this->World, this->Sides, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
-  const bool isLit = this->Settings.Paths.MaximumDepth > 0 && this->Paths.GetLight().CanSample();
+  const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
   this->Values = std::move(builder.GetLattice());
   this->Rays += estimator.GetNumberOfRays();
@@ -218,17 +265,19 @@ bool RadianceCache::SampleLights(const Progress& goOn)
 }
 
 bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples,
-  int depth, SurfaceLattice& values, const Progress& goOn)
+  int depth, SurfaceLattice& values, IncidentField& incident, const Progress& goOn)
 {
-  DiffuseEstimator estimator(this->World, this->Paths,
+  const PathIntegrator paths(this->World, this->Settings.Paths, this);
+  DiffuseEstimator estimator(this->World, paths,
     { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance, depth,
-      this->Settings.Seed, lattice.Display });
-  LatticeBuilder builder(this->World, lattice,
+      this->Settings.Seed, lattice.Display, this->Lobes });
+  LatticeBuilder builder(this->World, this->Sides, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;
   const bool done = !isLit || this->BuildLattice(builder, part, goOn);
   values = std::move(builder.GetLattice());
+  incident = std::move(builder.GetIncident());
   this->Rays += estimator.GetNumberOfRays();
   return done;
 }

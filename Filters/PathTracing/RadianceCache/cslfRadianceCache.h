@@ -15,12 +15,15 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
+#include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace cslf
 {
@@ -57,8 +60,13 @@ public:
   /// rank.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// Whether the cache knows a surface: spheres, tubes and instances it does not.
-  bool Covers(const Hit& hit) const { return this->World.GetMeshes()[hit.Mesh].CanHoldLattice(); }
+  /// Whether the cache knows a surface: spheres, tubes, instances and the insides of closed bodies
+  /// it does not.
+  bool Covers(const Hit& hit) const
+  {
+    return this->World.GetMeshes()[hit.Mesh].CanHoldLattice() &&
+      this->Sides.Has(this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back);
+  }
 
   /// The diffuse radiance of a surface point that it covers, were it white.
   glm::vec3 Get(const Hit& hit) const
@@ -67,6 +75,20 @@ public:
     const glm::vec3 value = this->Values.Get(triangle, hit.Back, hit.U, hit.V);
     return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
   }
+
+  /// The light that arrives at a surface that it covers; null where that is not known.
+  const IncidentLight* GetIncident(const Hit& hit) const
+  {
+    return this->Lobes[hit.Mesh].IsKnown()
+      ? this->Incident.Get(this->Values.FindRoot(
+          this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back, hit.U, hit.V))
+      : nullptr;
+  }
+
+  /// What the specular lobe of a dielectric reflects, given its albedo. False where it is not known
+  /// well enough to be seen beside other light.
+  bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
+    const glm::vec3& outgoing, float albedo, const glm::vec3& beside, glm::vec3& reflected) const;
 
   /// Whether the values hold all light, or only what is sampled at its sources.
   bool IsComplete() const { return this->Complete; }
@@ -85,7 +107,9 @@ public:
   void Exchange(Archive& archive)
   {
     archive.Value(this->Complete);
+    this->Sides.Exchange(archive);
     this->Values.Exchange(archive);
+    this->Incident.Exchange(archive);
   }
 
 private:
@@ -93,6 +117,7 @@ private:
   using Progress = std::function<bool(double)>;
 
   LatticeSettings GetLatticeSettings() const;
+  void FindLobes();
 
   /// Builds one pass's lattice, or probes it in a part of the seconds for that.
   bool BuildLattice(LatticeBuilder& builder, double part, const Progress& goOn);
@@ -102,17 +127,19 @@ private:
 
   /// Estimates the light that is found by looking around, after `depth` reflections at least.
   bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
-    SurfaceLattice& values, const Progress& goOn);
+    SurfaceLattice& values, IncidentField& incident, const Progress& goOn);
 
   bool Fill(const Progress& goOn);
 
   const Scene& World;
   CacheSettings Settings;
+  OpenSides Sides;
   SurfaceLattice Values;
-  SurfaceLattice Second; // while the cache is built: a second summand
+  IncidentField Incident;        // by the bricks of the values
+  std::vector<GlossyLobe> Lobes; // of each mesh that reflects it
+  SurfaceLattice Second;         // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
-  PathIntegrator Paths; // after what it asks when it is made
   std::uint64_t Rays = 0;
   double ExpectedSeconds = 0.0;
 };

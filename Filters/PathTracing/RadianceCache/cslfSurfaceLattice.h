@@ -104,6 +104,13 @@ public:
     const int splits = this->GetSplits(triangle);
     return this->Triangles[triangle].FirstBrick + (back ? splits * splits : 0) + cell;
   }
+  /// The brick at a point that is not part of another.
+  std::size_t FindRoot(std::size_t triangle, bool back, float u, float v) const
+  {
+    const int splits = this->GetSplits(triangle);
+    const LatticeCell cell(u, v, splits);
+    return this->GetBrickIndex(triangle, back, CellIndex(cell.I, cell.J, cell.Flipped, splits));
+  }
   const Brick& GetBrick(std::size_t index) const { return this->Bricks[index]; }
 
   /// Gives a brick its values: one, or those of a lattice's points.

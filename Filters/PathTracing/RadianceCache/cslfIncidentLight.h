@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The light that arrives at a place from all directions above it, as rough surfaces need it:
+ * blurred by their lobes. After radiance caching (Krivanek, Gautron, Pattanaik and Bouatouch, IEEE
+ * TVCG 11(5), 2005), with other basis functions.
+ */
+#ifndef cslfIncidentLight_h
+#define cslfIncidentLight_h
+
+#include "PathTracing/cslfFrame.h"
+#include "PathTracing/cslfSurfaceMaterial.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace cslf
+{
+/// The means of a direction's products over some distribution, in world coordinates: 1, x, y, z,
+/// xx, yy, zz, xy, xz, yz.
+using DirectionMoments = std::array<float, 10>;
+
+/// Radiance as a quadratic polynomial of the direction it comes from.
+struct IncidentLight
+{
+  glm::vec3 Terms[10] = {};                             ///< the factors of DirectionMoments
+  glm::vec3 Normal{ 0.0f };                             ///< of the surface that it arrives at
+  float Error = std::numeric_limits<float>::infinity(); ///< about what a lobe's mean errs by
+
+  bool IsKnown() const { return this->Error < std::numeric_limits<float>::infinity(); }
+
+  /// The mean radiance of a lobe.
+  glm::vec3 Get(const DirectionMoments& lobe) const
+  {
+    glm::vec3 sum(0.0f);
+    for (std::size_t i = 0; i < lobe.size(); ++i)
+    {
+      sum += lobe[i] * this->Terms[i];
+    }
+    return sum;
+  }
+};
+
+/**
+ * The lobe of an opaque, rough dielectric boundary: where the light comes from that it reflects, in
+ * the mean.
+ */
+class GlossyLobe
+{
+public:
+  /// A lobe that is not known: a mirror's, or of more than one roughness.
+  GlossyLobe() = default;
+  explicit GlossyLobe(const SurfaceMaterial& material);
+
+  bool IsKnown() const { return !this->Rows.empty(); }
+
+  /// The moments of the incident directions, weighted by the BSDF and the cosine. Both vectors are
+  /// of unit length.
+  DirectionMoments GetMoments(const glm::vec3& normal, const glm::vec3& outgoing) const;
+
+  /// About the part of the hemisphere that it covers, as projected to the surface.
+  float GetSize() const { return this->Size; }
+
+private:
+  static constexpr int Steps = 32; // between the cosines of 0 and 1
+
+  /// In the frame in which the outgoing direction has no y.
+  struct Row
+  {
+    float X = 0.0f;
+    float Z = 0.0f;
+    float XX = 0.0f;
+    float YY = 0.0f;
+    float XZ = 0.0f;
+  };
+
+  static Row MakeRow(const SurfaceMaterial& material, float cosine);
+
+  std::vector<Row> Rows;
+  float Size = 0.0f;
+};
+
+/// Finds the light that arrives at a point from samples of it.
+class IncidentFit
+{
+public:
+  /// Adds the radiance from a direction. Directions are spread by the cosine; each 16 in a row are
+  /// close to each other.
+  void Add(const glm::vec2& place, const glm::vec3& radiance)
+  {
+    this->Samples.push_back({ place, radiance });
+  }
+
+  std::size_t GetNumberOfSamples() const { return this->Samples.size(); }
+
+  /// The polynomial, for lobes of some size. Places are coordinates in the frame.
+  IncidentLight Solve(const Frame& frame, float lobeSize) const;
+
+private:
+  struct Sample
+  {
+    glm::vec2 Place;
+    glm::vec3 Radiance;
+  };
+
+  std::vector<Sample> Samples;
+};
+
+/// The light that arrives at a surface: the mean of some of its points, whose normals are given.
+IncidentLight Average(const std::vector<IncidentLight>& lights, const glm::vec3& normal);
+
+/// The light that arrives at each brick of a lattice that is not part of another.
+class IncidentField
+{
+public:
+  void Resize(std::size_t bricks) { this->Indices.resize(bricks, None); }
+
+  void Set(std::size_t brick, const IncidentLight& light)
+  {
+    this->Indices[brick] = static_cast<std::uint32_t>(this->Lights.size());
+    this->Lights.push_back(light);
+  }
+
+  /// Null where it is not known.
+  const IncidentLight* Get(std::size_t brick) const
+  {
+    const bool isKnown = brick < this->Indices.size() && this->Indices[brick] != None;
+    return isKnown ? &this->Lights[this->Indices[brick]] : nullptr;
+  }
+
+  /// Hands over all that is known, or takes it back.
+  template <typename Archive>
+  void Exchange(Archive& archive)
+  {
+    archive.Array(this->Indices);
+    archive.Array(this->Lights);
+  }
+
+private:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  std::vector<std::uint32_t> Indices; // of each brick; none at all if nothing is known
+  std::vector<IncidentLight> Lights;
+};
+}
+
+#endif
