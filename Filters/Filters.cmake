@@ -47,6 +47,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfSurfaceColors.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
   ../Filters/PathTracing/cslfTexelRenderer.cxx
+  ../Filters/PathTracing/cslfTexelSums.cxx
   ../Filters/PathTracing/cslfTexture.cxx
   ../Filters/PathTracing/cslfTextureReader.cxx
   ../Filters/PathTracing/cslfTriangles.cxx)
@@ -75,6 +76,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h
+  ../Filters/PathTracing/cslfRayPacket.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScene.h
@@ -83,6 +85,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
+  ../Filters/PathTracing/cslfTexelSums.h
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangles.h
@@ -91,11 +94,13 @@ list(APPEND private_headers
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
+  ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
 list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
+  ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)

@@ -39,18 +39,6 @@ PathIntegrator::PathIntegrator(
   , Light(scene, settings.LightSampling, settings.BSDFSampling)
   , Cache(cache)
 {
-  if (cache && cache->IsComplete())
-  {
-    for (const Mesh& mesh : scene.GetMeshes())
-    {
-      this->LookUps.push_back(mesh.IsDiffuse() && mesh.CanHoldLattice());
-    }
-  }
-}
-
-glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
-{
-  return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
 }
 
 glm::vec3 PathIntegrator::GetRadiance(

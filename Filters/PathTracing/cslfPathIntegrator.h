@@ -13,7 +13,6 @@
 #include "cslfDirectLight.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace cslf
 {
@@ -54,12 +53,6 @@ public:
   /// The radiance that a path goes on to find.
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
-  /// Whether the cache alone knows what leaves a hit towards anywhere.
-  bool CanLookUp(const Hit& hit) const { return !this->LookUps.empty() && this->LookUps[hit.Mesh]; }
-
-  /// That radiance.
-  glm::vec3 LookUp(const Hit& hit) const;
-
   const DirectLight& GetLight() const { return this->Light; }
 
 private:
@@ -67,7 +60,6 @@ private:
   PathSettings Settings;
   DirectLight Light;
   const RadianceCache* Cache;
-  std::vector<char> LookUps; // whether the cache knows all of a mesh; none if it is not complete
 };
 }
 

@@ -60,6 +60,9 @@ public:
     return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
   }
 
+  /// The same for a packet, once the cache is built.
+  void Get(LatticePacket& packet) const { this->Values.Get(packet); }
+
   /// Whether the values hold all light, or only what is sampled at its sources.
   bool IsComplete() const { return this->Complete; }
 
