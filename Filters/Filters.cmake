@@ -48,6 +48,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfSurfaceColors.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
   ../Filters/PathTracing/cslfTexelRenderer.cxx
+  ../Filters/PathTracing/cslfTexelSums.cxx
   ../Filters/PathTracing/cslfTexture.cxx
   ../Filters/PathTracing/cslfTextureReader.cxx
   ../Filters/PathTracing/cslfTriangles.cxx)
@@ -76,6 +77,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h
+  ../Filters/PathTracing/cslfRayPacket.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScene.h
@@ -84,6 +86,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
+  ../Filters/PathTracing/cslfTexelSums.h
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangles.h
@@ -93,6 +96,7 @@ list(APPEND private_headers
 list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.cxx
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
+  ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.cxx
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.cxx
   ../Filters/PathTracing/RadianceCache/cslfIncidentLight.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
@@ -104,6 +108,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.h
   ../Filters/PathTracing/RadianceCache/cslfCacheShare.h
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
+  ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.h
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.h
   ../Filters/PathTracing/RadianceCache/cslfIncidentLight.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h

@@ -43,6 +43,12 @@ std::uint32_t Mesh::GetNumberOfShapes() const
   }
 }
 
+bool Mesh::HasOneColor() const
+{
+  return (this->Colors.empty() || this->Coloring == ColorsOf::None) && !this->HasInstanceColors &&
+    !this->Textures.BaseColor;
+}
+
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const
 {
   const glm::vec3 color = this->HasInstanceColors

@@ -119,6 +119,9 @@ struct VTKCSLF_EXPORT Mesh
       this->Material.Transmission == 0.0f && !this->Material.IsEmissive();
   }
 
+  /// Whether its base colour is the material's everywhere.
+  bool HasOneColor() const;
+
   glm::vec3 GetBaseColor(const TrianglePoint& point) const;
   MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
 

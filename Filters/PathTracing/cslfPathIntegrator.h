@@ -13,7 +13,6 @@
 #include "cslfDirectLight.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace cslf
 {
@@ -75,7 +74,6 @@ private:
   PathSettings Settings;
   DirectLight Light;
   const RadianceCache* Cache;
-  std::vector<char> LookUps; // whether the cache knows all of a mesh; none if it is not complete
 };
 }
 

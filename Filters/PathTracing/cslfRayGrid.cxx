@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cslf
 {
@@ -20,14 +21,28 @@ constexpr double Near = 2.0;
 /// A bundle of rays from one point, in floats.
 struct Bundle
 {
+  float Origin[3];
   float Direction[3];
   float DirectionX[3];
   float DirectionY[3];
+
+  explicit Bundle(const RayGrid& grid)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Origin[axis] = static_cast<float>(grid.Origin[axis]);
+      this->Direction[axis] = static_cast<float>(grid.Direction[axis]);
+      this->DirectionX[axis] = static_cast<float>(grid.DirectionX[axis]);
+      this->DirectionY[axis] = static_cast<float>(grid.DirectionY[axis]);
+    }
+  }
 };
 
-CSLF_VECTORIZE void SetDirections(
-  const Bundle& bundle, const float* x, const float* y, RayPacket& packet, float* lengths)
+CSLF_VECTORIZE void SetBundle(
+  const Bundle& bundle, const float* x, const float* y, RayPacket& packet, PacketScale& scale)
 {
+  RTCRay16& ray = packet.Query.ray;
+  CSLF_LANES
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const float dx =
@@ -37,34 +52,17 @@ CSLF_VECTORIZE void SetDirections(
     const float dz =
       bundle.Direction[2] + x[lane] * bundle.DirectionX[2] + y[lane] * bundle.DirectionY[2];
     const float length = std::sqrt(dx * dx + dy * dy + dz * dz);
-    lengths[lane] = length;
-    packet.DirectionX[lane] = dx / length;
-    packet.DirectionY[lane] = dy / length;
-    packet.DirectionZ[lane] = dz / length;
+    const float inverse = 1.0f / length;
+    ray.org_x[lane] = bundle.Origin[0];
+    ray.org_y[lane] = bundle.Origin[1];
+    ray.org_z[lane] = bundle.Origin[2];
+    ray.dir_x[lane] = dx * inverse;
+    ray.dir_y[lane] = dy * inverse;
+    ray.dir_z[lane] = dz * inverse;
+    packet.Active[lane] = length > 0.0f && length <= std::numeric_limits<float>::max() ? -1 : 0;
+    scale.Start[lane] = 0.0f;
+    scale.Length[lane] = length;
   }
-}
-
-/// Rays from one point near the scene.
-PacketScale SetBundle(const RayGrid& grid, const float* x, const float* y, RayPacket& packet)
-{
-  Bundle bundle;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bundle.Direction[axis] = static_cast<float>(grid.Direction[axis]);
-    bundle.DirectionX[axis] = static_cast<float>(grid.DirectionX[axis]);
-    bundle.DirectionY[axis] = static_cast<float>(grid.DirectionY[axis]);
-  }
-  PacketScale scale;
-  SetDirections(bundle, x, y, packet, scale.Length);
-  std::fill_n(packet.OriginX, RayPacket::Size, static_cast<float>(grid.Origin.x));
-  std::fill_n(packet.OriginY, RayPacket::Size, static_cast<float>(grid.Origin.y));
-  std::fill_n(packet.OriginZ, RayPacket::Size, static_cast<float>(grid.Origin.z));
-  std::fill_n(scale.Start, RayPacket::Size, 0.0);
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    packet.Active[lane] = scale.Length[lane] > 0.0f && std::isfinite(scale.Length[lane]) ? -1 : 0;
-  }
-  return scale;
 }
 
 /// Any ray: where it starts far from the scene, it is moved to a sphere around it.
@@ -75,7 +73,7 @@ void SetRay(
   const glm::dvec3 path = grid.Direction + x * grid.DirectionX + y * grid.DirectionY;
   const double length = glm::length(path);
   scale.Length[lane] = static_cast<float>(length);
-  scale.Start[lane] = 0.0;
+  scale.Start[lane] = 0.0f;
   bool active = length > 0.0 && std::isfinite(length);
   if (active)
   {
@@ -89,26 +87,25 @@ void SetRay(
       active = along > 0.0 && inside2 > 0.0;
       start = along - std::sqrt(std::max(inside2, 0.0));
     }
-    scale.Start[lane] = start / length;
+    scale.Start[lane] = static_cast<float>(start / length);
     packet.SetRay(lane, { origin + start * direction, direction });
   }
   packet.Active[lane] = active ? -1 : 0;
 }
 }
 
-PacketScale SetRays(const RayGrid& grid, const float x[RayPacket::Size],
-  const float y[RayPacket::Size], RayPacket& packet)
+void SetRays(const RayGrid& grid, const float x[RayPacket::Size], const float y[RayPacket::Size],
+  RayPacket& packet, PacketScale& scale)
 {
   const glm::dvec3 none(0.0);
   if (grid.OriginX == none && grid.OriginY == none && glm::length(grid.Origin) <= FarAway)
   {
-    return SetBundle(grid, x, y, packet);
+    SetBundle(Bundle(grid), x, y, packet, scale);
+    return;
   }
-  PacketScale scale;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     SetRay(grid, x[lane], y[lane], lane, packet, scale);
   }
-  return scale;
 }
 }

@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfScene.h"
+#include "cslfRayPacket.h"
 
 #include <glm/vec3.hpp>
 
@@ -31,22 +31,18 @@ struct RayGrid
   glm::dvec3 DirectionY{ 0.0 };
 };
 
-/// How the grid's parameter of a packet's rays depends on their distance.
+/// How the grid's parameter of a packet's rays depends on their distance: it is
+/// Start + distance / Length.
 struct PacketScale
 {
-  double Start[RayPacket::Size]; ///< the parameter where the packet's ray starts
-  float Length[RayPacket::Size]; ///< of the grid's direction
-
-  double ToParameter(int lane, float distance) const
-  {
-    return this->Start[lane] + static_cast<double>(distance / this->Length[lane]);
-  }
+  alignas(64) float Start[RayPacket::Size];  ///< the parameter where the packet's ray starts
+  alignas(64) float Length[RayPacket::Size]; ///< of the grid's direction
 };
 
 /// Makes each lane of the packet the ray through a position of the grid: inactive where that cannot
 /// meet the scene.
-VTKCSLF_EXPORT PacketScale SetRays(const RayGrid& grid, const float x[RayPacket::Size],
-  const float y[RayPacket::Size], RayPacket& packet);
+VTKCSLF_EXPORT void SetRays(const RayGrid& grid, const float x[RayPacket::Size],
+  const float y[RayPacket::Size], RayPacket& packet, PacketScale& scale);
 }
 
 #endif

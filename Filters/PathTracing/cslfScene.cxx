@@ -49,21 +49,15 @@ RTCRay ToEmbree(const Ray& ray, float distance)
   return result;
 }
 
-CSLF_VECTORIZE void FillQuery(const RayPacket& packet, RTCRayHit16& query, int* valid)
+/// Makes a packet ready to be traced: `valid` gets its rays that are finite.
+CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* valid)
 {
-  static_assert(Hit::None == RTC_INVALID_GEOMETRY_ID, "hits of nothing are told alike");
   for (int i = 0; i < RayPacket::Size; ++i)
   {
-    const float sum = packet.OriginX[i] + packet.OriginY[i] + packet.OriginZ[i] +
-      packet.DirectionX[i] + packet.DirectionY[i] + packet.DirectionZ[i];
+    const float sum = query.ray.org_x[i] + query.ray.org_y[i] + query.ray.org_z[i] +
+      query.ray.dir_x[i] + query.ray.dir_y[i] + query.ray.dir_z[i];
     // Only what is finite is equal to itself less nothing.
-    valid[i] = sum - sum == 0.0f ? packet.Active[i] : 0;
-    query.ray.org_x[i] = packet.OriginX[i];
-    query.ray.org_y[i] = packet.OriginY[i];
-    query.ray.org_z[i] = packet.OriginZ[i];
-    query.ray.dir_x[i] = packet.DirectionX[i];
-    query.ray.dir_y[i] = packet.DirectionY[i];
-    query.ray.dir_z[i] = packet.DirectionZ[i];
+    valid[i] = sum - sum == 0.0f ? active[i] : 0;
     query.ray.tnear[i] = 0.0f;
     query.ray.tfar[i] = std::numeric_limits<float>::infinity();
     query.ray.time[i] = 0.0f;
@@ -314,22 +308,19 @@ Hit Scene::Intersect(const Ray& ray) const
 
 void Scene::Intersect(RayPacket& packet) const
 {
-  RTCRayHit16 query;
   alignas(64) int valid[RayPacket::Size];
-  FillQuery(packet, query, valid);
+  PrepareQuery(packet.Query, packet.Active, valid);
   const EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
-  EmbreeIntersectCoherent(this->Tree->World.get(), rule, valid, query);
-  for (int i = 0; i < RayPacket::Size; ++i)
+  EmbreeIntersectCoherent(this->Tree->World.get(), rule, valid, packet.Query);
+  if (!this->Tree->Parts.empty())
   {
-    Hit& hit = packet.Hits[i];
-    hit.Mesh = query.hit.geomID[i];
-    if (hit.IsValid())
+    RTCHit16& hit = packet.Query.hit;
+    for (int i = 0; i < RayPacket::Size; ++i)
     {
-      const float away = query.hit.Ng_x[i] * query.ray.dir_x[i] +
-        query.hit.Ng_y[i] * query.ray.dir_y[i] + query.hit.Ng_z[i] * query.ray.dir_z[i];
-      hit = { query.ray.tfar[i], query.hit.u[i], query.hit.v[i], query.hit.geomID[i],
-        query.hit.primID[i], this->GetInstance(query.hit.geomID[i], query.hit.instID[0][i]),
-        away > 0.0f };
+      if (packet.IsHit(i))
+      {
+        hit.instID[0][i] = this->GetInstance(hit.geomID[i], hit.instID[0][i]);
+      }
     }
   }
 }

@@ -15,6 +15,7 @@
 #include "cslfEnvironment.h"
 #include "cslfMesh.h"
 #include "cslfPointLight.h"
+#include "cslfRayPacket.h"
 
 #include <glm/vec3.hpp>
 
@@ -25,64 +26,6 @@
 
 namespace cslf
 {
-/// A half line in scene space.
-struct Ray
-{
-  glm::vec3 Origin{ 0.0f };
-  glm::vec3 Direction{ 0.0f, 0.0f, 1.0f }; ///< of unit length
-};
-
-/// Where a ray first meets a triangle, a sphere or a tube.
-struct Hit
-{
-  static constexpr std::uint32_t None = 0xffffffffu;
-
-  float Distance = 0.0f;
-  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex
-  float V = 0.0f; ///< and of the third
-  std::uint32_t Mesh = None;
-  std::uint32_t Triangle = None;
-  std::uint32_t Instance = None; ///< of the mesh, if it has any
-  bool Back = false;             ///< whether the ray comes from where the vertices run clockwise
-
-  bool IsValid() const { return this->Mesh != None; }
-  TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V, this->Instance }; }
-};
-
-/// Rays that run alike and are traced together.
-struct RayPacket
-{
-  static constexpr int Size = 16;
-
-  alignas(64) float OriginX[Size];
-  alignas(64) float OriginY[Size];
-  alignas(64) float OriginZ[Size];
-  alignas(64) float DirectionX[Size]; ///< of unit length
-  alignas(64) float DirectionY[Size];
-  alignas(64) float DirectionZ[Size];
-  alignas(64) int Active[Size]; ///< -1 where there is a ray, else 0
-  Hit Hits[Size];
-
-  /// Whether surfaces count where their opacity is at least one half, and else do not: what depths
-  /// are found by, so that they do not depend on chance.
-  bool PassByHalf = false;
-
-  Ray GetRay(int lane) const
-  {
-    return { { this->OriginX[lane], this->OriginY[lane], this->OriginZ[lane] },
-      { this->DirectionX[lane], this->DirectionY[lane], this->DirectionZ[lane] } };
-  }
-  void SetRay(int lane, const Ray& ray)
-  {
-    this->OriginX[lane] = ray.Origin.x;
-    this->OriginY[lane] = ray.Origin.y;
-    this->OriginZ[lane] = ray.Origin.z;
-    this->DirectionX[lane] = ray.Direction.x;
-    this->DirectionY[lane] = ray.Direction.y;
-    this->DirectionZ[lane] = ray.Direction.z;
-  }
-};
-
 /// A surface point as a ray sees it.
 struct SurfaceHit
 {

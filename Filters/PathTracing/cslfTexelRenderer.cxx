@@ -8,11 +8,9 @@
 #include <vtkSMPTools.h>
 #include <vtkType.h>
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -31,14 +29,37 @@ constexpr int FewestSamples = 4;
 // sample to do: between its texel's centre and itself there is a quarter of a texel on average.
 constexpr double RangeOfTarget = 8.0;
 
-/// The places of a sample in each of 16 texels.
-CSLF_VECTORIZE void FindPlaces(
-  std::uint32_t sample, const std::uint32_t* low, const std::uint32_t* high, float* x, float* y)
+/// Where samples lie, one in each of 16 texels.
+struct Places
 {
+  alignas(64) float X[RayPacket::Size]; // in the texel, in [0,1]
+  alignas(64) float Y[RayPacket::Size];
+  alignas(64) float TileX[RayPacket::Size]; // in the tile
+  alignas(64) float TileY[RayPacket::Size];
+};
+
+CSLF_VECTORIZE void FindPlaces(std::uint32_t sample, const std::uint32_t* low,
+  const std::uint32_t* high, const float* laneX, const float* laneY, Places& places)
+{
+  CSLF_LANES
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    SampleStream::Get2D(sample, { low[lane], high[lane] }, x[lane], y[lane]);
+    SampleStream::Get2D(sample, { low[lane], high[lane] }, places.X[lane], places.Y[lane]);
+    places.TileX[lane] = laneX[lane] + places.X[lane];
+    places.TileY[lane] = laneY[lane] + places.Y[lane];
   }
+}
+
+/// Leaves out the rays of texels that are not inside. Returns the number of those left.
+int KeepInside(const int* inside, RayPacket& packet)
+{
+  int rays = 0;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    packet.Active[lane] &= inside[lane];
+    rays -= packet.Active[lane];
+  }
+  return rays;
 }
 }
 
@@ -50,35 +71,15 @@ struct TexelRenderer::Block
   int Tile;
   int Y; // of the first texel, in the tile
   int X;
-  int Inside[RayPacket::Size];           // -1 where the tile has the lane's texel, else 0
-  std::uint64_t Hashes[RayPacket::Size]; // of the texels, for their random numbers
-  std::uint32_t Low[RayPacket::Size];    // the scramble of their samples' places
-  std::uint32_t High[RayPacket::Size];
+  alignas(64) int Inside[RayPacket::Size];  // -1 where the tile has the lane's texel, else 0
+  alignas(64) float LaneX[RayPacket::Size]; // of the texels, in the tile
+  alignas(64) float LaneY[RayPacket::Size];
+  std::uint64_t Hashes[RayPacket::Size];          // of the texels, for their random numbers
+  alignas(64) std::uint32_t Low[RayPacket::Size]; // the scramble of their samples' places
+  alignas(64) std::uint32_t High[RayPacket::Size];
+  TexelSums Sums;
   std::uint64_t Rays = 0;
-  int Samples = 0;      // taken of each texel
-  bool IsExact = false; // whether all are without noise
-
-  int LaneX(int lane) const { return this->X + lane % BlockSide; }
-  int LaneY(int lane) const { return this->Y + lane / BlockSide; }
-};
-
-/// What the samples of a texel add up to.
-struct TexelRenderer::Sums
-{
-  glm::vec3 Radiance{ 0.0f };
-  glm::vec3 Squares{ 0.0f }; // of the samples' radiance
-  int Covered = 0;           // samples that see something
-  double Depth = 1.0;
-  float DepthOffset = std::numeric_limits<float>::max(); // squared, from the centre to that sample
-
-  void AddDepth(double depth, float offset)
-  {
-    if (offset < this->DepthOffset)
-    {
-      this->Depth = depth;
-      this->DepthOffset = offset;
-    }
-  }
+  bool IsExact = false; // whether all samples are without noise
 };
 
 TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
@@ -90,6 +91,7 @@ TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
   , Grids(std::move(grids))
   , Output(output)
   , Integrator(scene, settings.Paths, settings.Cache)
+  , Known(scene, settings.Cache)
 {
 }
 
@@ -144,8 +146,10 @@ void TexelRenderer::SetTexels(Block& block, int column) const
   block.X = column;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    const int x = block.LaneX(lane);
-    const int y = block.LaneY(lane);
+    const int x = block.X + lane % BlockSide;
+    const int y = block.Y + lane / BlockSide;
+    block.LaneX[lane] = static_cast<float>(x);
+    block.LaneY[lane] = static_cast<float>(y);
     block.Inside[lane] = x < this->Layout.TileWidth && y < this->Layout.TileHeight ? -1 : 0;
     block.Hashes[lane] = SampleStream::HashTexel(
       this->Settings.Seed, block.Slice, block.Tile * this->Layout.TileWidth + x, y);
@@ -157,185 +161,157 @@ void TexelRenderer::SetTexels(Block& block, int column) const
 
 void TexelRenderer::RenderBlock(Block& block) const
 {
-  Sums sums[RayPacket::Size];
+  block.Sums = TexelSums();
   block.IsExact = true;
-  for (block.Samples = 0; block.Samples < this->Settings.Samples;)
+  while (block.Sums.Samples < this->Settings.Samples)
   {
-    this->AddSamples(block, static_cast<std::uint32_t>(block.Samples), sums);
-    ++block.Samples;
-    if (this->Settings.NoiseTarget > 0.0 && this->IsGoodEnough(block, sums))
+    this->AddSamples(block);
+    if (this->Settings.NoiseTarget > 0.0 && this->IsGoodEnough(block))
     {
       break;
     }
   }
   if (this->Output.Depth)
   {
-    this->FindDepths(block, sums);
+    this->FindDepths(block);
   }
-  this->Write(block, sums);
+  this->Write(block);
 }
 
-bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
+bool TexelRenderer::IsGoodEnough(const Block& block) const
 {
-  // Sequences are best at powers of two. A few samples tell of noise only where there is none.
-  if ((block.Samples & (block.Samples - 1)) != 0)
+  // Sequences are best at powers of two. A few samples tell of noise only where there is none:
+  // then where in its texel a sample lies matters as much as texels differ from their neighbours.
+  const int count = block.Sums.Samples;
+  if ((count & (count - 1)) != 0)
   {
     return false;
   }
-  if (block.Samples < FewestSamples)
+  const auto exposure = static_cast<float>(this->Settings.Exposure);
+  if (count < FewestSamples)
   {
-    return block.IsExact && this->IsSmooth(block, sums);
+    return block.IsExact &&
+      block.Sums.GetRange(exposure, block.Inside) < RangeOfTarget * this->Settings.NoiseTarget;
   }
-  const auto count = static_cast<float>(block.Samples);
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    const Sums& sum = sums[lane];
-    const glm::vec3 mean = sum.Radiance / count;
-    const glm::vec3 variance =
-      glm::max(sum.Squares / count - mean * mean, glm::vec3(0.0f)) / (count - 1.0f);
-    const glm::vec3 error = this->Display(mean + glm::sqrt(variance)) - this->Display(mean);
-    const float alpha = static_cast<float>(sum.Covered) / count;
-    const float errorOfAlpha = std::sqrt(alpha * (1.0f - alpha) / (count - 1.0f));
-    if (!(std::max({ error.x, error.y, error.z, errorOfAlpha }) <= this->Settings.NoiseTarget))
-    {
-      return false;
-    }
-  }
-  return true;
+  return block.Sums.GetNoise(exposure) <= this->Settings.NoiseTarget;
 }
 
-bool TexelRenderer::IsSmooth(const Block& block, const Sums sums[]) const
-{
-  // Where in its texel a sample lies matters as much as the texels differ from their neighbours.
-  const auto count = static_cast<float>(block.Samples);
-  glm::vec3 lowest(1.0f);
-  glm::vec3 highest(0.0f);
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    if (block.Inside[lane])
-    {
-      if (sums[lane].Covered != sums[0].Covered)
-      {
-        return false;
-      }
-      const glm::vec3 color = this->Display(sums[lane].Radiance / count);
-      lowest = glm::min(lowest, color);
-      highest = glm::max(highest, color);
-    }
-  }
-  const glm::vec3 range = highest - lowest;
-  return std::max({ range.x, range.y, range.z }) < RangeOfTarget * this->Settings.NoiseTarget;
-}
-
-glm::vec3 TexelRenderer::Display(const glm::vec3& radiance) const
-{
-  return glm::sqrt(
-    glm::min(radiance * static_cast<float>(this->Settings.Exposure), glm::vec3(1.0f)));
-}
-
-void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) const
+void TexelRenderer::AddSamples(Block& block) const
 {
   // Take one ray of each texel.
-  float placesX[RayPacket::Size];
-  float placesY[RayPacket::Size];
-  FindPlaces(index, block.Low, block.High, placesX, placesY);
-  float x[RayPacket::Size];
-  float y[RayPacket::Size];
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    x[lane] = static_cast<float>(block.LaneX(lane)) + placesX[lane];
-    y[lane] = static_cast<float>(block.LaneY(lane)) + placesY[lane];
-  }
+  Places places;
+  FindPlaces(static_cast<std::uint32_t>(block.Sums.Samples), block.Low, block.High, block.LaneX,
+    block.LaneY, places);
   RayPacket packet;
-  const PacketScale scale = SetRays(block.Grid, x, y, packet);
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    packet.Active[lane] &= block.Inside[lane];
-    block.Rays -= packet.Active[lane];
-  }
+  PacketScale scale;
+  SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
+  block.Rays += KeepInside(block.Inside, packet);
   this->World.Intersect(packet);
 
-  // Follow each.
+  // Find what they see.
+  PacketRadiance radiance;
+  alignas(64) int covered[RayPacket::Size];
+  if (!this->Known.Get(packet, radiance, covered))
+  {
+    this->Follow(packet, block, radiance, covered);
+  }
+  if (this->Settings.ShowEnvironment)
+  {
+    this->AddEnvironment(packet, block, radiance, covered);
+  }
+  block.Sums.Add(radiance, covered);
+  if (this->Settings.NoiseTarget > 0.0)
+  {
+    block.Sums.AddSquares(radiance);
+  }
+  if (this->Output.Depth)
+  {
+    block.Sums.AddDepths(packet, scale, places.X, places.Y);
+  }
+}
+
+void TexelRenderer::Follow(
+  const RayPacket& packet, Block& block, PacketRadiance& radiance, int covered[]) const
+{
+  const auto index = static_cast<std::uint32_t>(block.Sums.Samples);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    const Hit& hit = packet.Hits[lane];
-    Sums& sum = sums[lane];
-    if (hit.IsValid())
+    if (packet.IsHit(lane) && !covered[lane])
     {
       const Ray ray = packet.GetRay(lane);
-      glm::vec3 radiance;
-      if (!this->Integrator.LookUp(ray, hit, radiance))
+      const Hit hit = packet.GetHit(lane);
+      glm::vec3 seen;
+      if (!this->Integrator.LookUp(ray, hit, seen))
       {
         block.IsExact = false;
-        radiance = this->Integrator.GetRadiance(
+        seen = this->Integrator.GetRadiance(
           ray, hit, SampleStream(block.Hashes[lane], index), block.Rays);
       }
-      sum.Radiance += radiance;
-      sum.Squares += radiance * radiance;
-      ++sum.Covered;
-      const float offsetX = placesX[lane] - 0.5f;
-      const float offsetY = placesY[lane] - 0.5f;
-      sum.AddDepth(scale.ToParameter(lane, hit.Distance), offsetX * offsetX + offsetY * offsetY);
-    }
-    else if (this->Settings.ShowEnvironment && block.Inside[lane])
-    {
-      const glm::vec3 radiance =
-        this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction);
-      sum.Radiance += radiance;
-      sum.Squares += radiance * radiance;
-      ++sum.Covered;
+      radiance.Set(lane, seen);
+      covered[lane] = -1;
     }
   }
 }
 
-void TexelRenderer::FindDepths(const Block& block, Sums sums[]) const
+void TexelRenderer::AddEnvironment(
+  const RayPacket& packet, const Block& block, PacketRadiance& radiance, int covered[]) const
 {
-  float x[RayPacket::Size];
-  float y[RayPacket::Size];
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    x[lane] = static_cast<float>(block.LaneX(lane)) + 0.5f;
-    y[lane] = static_cast<float>(block.LaneY(lane)) + 0.5f;
+    if (block.Inside[lane] && !covered[lane])
+    {
+      radiance.Set(lane, this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
+      covered[lane] = -1;
+    }
+  }
+}
+
+void TexelRenderer::FindDepths(Block& block) const
+{
+  // A ray to the centre beats all samples.
+  Places places;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    places.X[lane] = 0.5f;
+    places.Y[lane] = 0.5f;
+    places.TileX[lane] = block.LaneX[lane] + 0.5f;
+    places.TileY[lane] = block.LaneY[lane] + 0.5f;
   }
   RayPacket packet;
   packet.PassByHalf = true;
-  const PacketScale scale = SetRays(block.Grid, x, y, packet);
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    packet.Active[lane] &= block.Inside[lane];
-  }
+  PacketScale scale;
+  SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
+  KeepInside(block.Inside, packet);
   this->World.Intersect(packet);
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  std::fill_n(block.Sums.DepthOffset, RayPacket::Size, std::numeric_limits<float>::max());
+  block.Sums.AddDepths(packet, scale, places.X, places.Y);
+  if (this->Settings.ShowEnvironment)
   {
-    const Hit& hit = packet.Hits[lane];
-    if (hit.IsValid())
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
-      sums[lane].Depth = scale.ToParameter(lane, hit.Distance);
-    }
-    else if (this->Settings.ShowEnvironment)
-    {
-      sums[lane].Depth = 1.0;
+      block.Sums.Depth[lane] = packet.IsHit(lane) ? block.Sums.Depth[lane] : 1.0f;
     }
   }
 }
 
-void TexelRenderer::Write(const Block& block, const Sums sums[]) const
+void TexelRenderer::Write(const Block& block) const
 {
+  const TexelSums& sums = block.Sums;
+  const double scale = this->Settings.Exposure / sums.Samples;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     if (!block.Inside[lane])
     {
       continue;
     }
-    const Sums& sum = sums[lane];
     const std::int64_t row =
-      std::int64_t(block.Slice - this->Layout.FirstSlice) * this->Layout.TileHeight +
-      block.LaneY(lane);
-    const std::int64_t texel =
-      row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth + block.LaneX(lane);
+      std::int64_t(block.Slice - this->Layout.FirstSlice) * this->Layout.TileHeight + block.Y +
+      lane / BlockSide;
+    const std::int64_t texel = row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth +
+      block.X + lane % BlockSide;
     const glm::dvec3 radiance =
-      glm::dvec3(sum.Radiance) * (this->Settings.Exposure / block.Samples);
-    const double alpha = static_cast<double>(sum.Covered) / block.Samples;
+      scale * glm::dvec3(sums.Red[lane], sums.Green[lane], sums.Blue[lane]);
+    const double alpha = static_cast<double>(sums.Covered[lane]) / sums.Samples;
     if (this->Output.ColorBytes)
     {
       EncodeColor(radiance, alpha, this->Output.ColorBytes + 4 * texel);
@@ -350,8 +326,8 @@ void TexelRenderer::Write(const Block& block, const Sums sums[]) const
     }
     if (this->Output.Depth)
     {
-      const double depth = sum.Covered > 0 ? std::clamp(sum.Depth, 0.0, 1.0) : 1.0;
-      this->Output.Depth[texel] = static_cast<unsigned short>(std::lround(65535.0 * depth));
+      const float depth = sums.Covered[lane] > 0 ? std::clamp(sums.Depth[lane], 0.0f, 1.0f) : 1.0f;
+      this->Output.Depth[texel] = static_cast<unsigned short>(65535.0f * depth + 0.5f);
     }
   }
 }

@@ -9,8 +9,10 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "RadianceCache/cslfDiffuseLookUp.h"
 #include "cslfPathIntegrator.h"
 #include "cslfRayGrid.h"
+#include "cslfTexelSums.h"
 
 #include <atomic>
 #include <cstdint>
@@ -69,18 +71,18 @@ private:
   static constexpr int BlockSide = 4; // a packet of rays is one of each texel of a block
 
   struct Block;
-  struct Sums;
 
   std::int64_t GetRowsOfTile() const;
   void RenderRow(std::int64_t index) const;
   void SetTexels(Block& block, int column) const;
   void RenderBlock(Block& block) const;
-  void AddSamples(Block& block, std::uint32_t index, Sums sums[]) const;
-  bool IsGoodEnough(const Block& block, const Sums sums[]) const;
-  bool IsSmooth(const Block& block, const Sums sums[]) const;
-  glm::vec3 Display(const glm::vec3& radiance) const;
-  void FindDepths(const Block& block, Sums sums[]) const;
-  void Write(const Block& block, const Sums sums[]) const;
+  void AddSamples(Block& block) const;
+  void Follow(const RayPacket& packet, Block& block, PacketRadiance& radiance, int covered[]) const;
+  void AddEnvironment(
+    const RayPacket& packet, const Block& block, PacketRadiance& radiance, int covered[]) const;
+  bool IsGoodEnough(const Block& block) const;
+  void FindDepths(Block& block) const;
+  void Write(const Block& block) const;
 
   const Scene& World;
   PictureLayout Layout;
@@ -88,6 +90,7 @@ private:
   std::function<RayGrid(int, int)> Grids;
   TexelOutput Output;
   PathIntegrator Integrator;
+  DiffuseLookUp Known;
   mutable std::atomic<std::uint64_t> Rays{ 0 };
 };
 }

@@ -16,4 +16,11 @@
 #define CSLF_VECTORIZE
 #endif
 
+// Stands before a loop over lanes that share nothing, whatever its pointers are.
+#if defined(__GNUC__) && !defined(__clang__)
+#define CSLF_LANES _Pragma("GCC ivdep")
+#else
+#define CSLF_LANES
+#endif
+
 #endif

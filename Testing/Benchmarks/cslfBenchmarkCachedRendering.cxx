@@ -53,12 +53,12 @@ struct Rays
 
   explicit Rays(const RayPacket& packet)
   {
-    std::copy_n(packet.OriginX, RayPacket::Size, this->OriginX);
-    std::copy_n(packet.OriginY, RayPacket::Size, this->OriginY);
-    std::copy_n(packet.OriginZ, RayPacket::Size, this->OriginZ);
-    std::copy_n(packet.DirectionX, RayPacket::Size, this->DirectionX);
-    std::copy_n(packet.DirectionY, RayPacket::Size, this->DirectionY);
-    std::copy_n(packet.DirectionZ, RayPacket::Size, this->DirectionZ);
+    std::copy_n(packet.Query.ray.org_x, RayPacket::Size, this->OriginX);
+    std::copy_n(packet.Query.ray.org_y, RayPacket::Size, this->OriginY);
+    std::copy_n(packet.Query.ray.org_z, RayPacket::Size, this->OriginZ);
+    std::copy_n(packet.Query.ray.dir_x, RayPacket::Size, this->DirectionX);
+    std::copy_n(packet.Query.ray.dir_y, RayPacket::Size, this->DirectionY);
+    std::copy_n(packet.Query.ray.dir_z, RayPacket::Size, this->DirectionZ);
   }
 };
 
@@ -86,7 +86,8 @@ void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& ra
           y[lane] = static_cast<float>(laneY) + place.y;
         }
         RayPacket packet;
-        SetRays(grid, x, y, packet);
+        PacketScale scale;
+        SetRays(grid, x, y, packet, scale);
         rays.emplace_back(packet);
       }
     }

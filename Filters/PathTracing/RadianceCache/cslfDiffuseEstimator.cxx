@@ -186,7 +186,7 @@ void DiffuseEstimator::LookAround(
 void DiffuseEstimator::AddLight(const Receiver& receiver, const RayPacket& packet, int lane,
   const GatherDirections::Packet& local, std::uint64_t hash, int begin, Samples& samples) const
 {
-  const Hit& hit = packet.Hits[lane];
+  const Hit hit = packet.GetHit(lane);
   const int index = begin / GatherDirections::Length * GatherDirections::Length + local.Index[lane];
   const float pdf = local.Z[lane] * InversePi;
   const glm::vec3 radiance =

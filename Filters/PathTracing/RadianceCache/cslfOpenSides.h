@@ -37,6 +37,9 @@ public:
     return (this->Sides[triangle] & (back ? Back : Front)) != 0;
   }
 
+  /// The sides of all triangles: 1 for the front and 2 for the back, added up where both are open.
+  const std::uint8_t* GetData() const { return this->Sides.data(); }
+
   /// Hands over all that is known, or takes it back.
   template <typename Archive>
   void Exchange(Archive& archive)

@@ -76,6 +76,9 @@ public:
     return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
   }
 
+  /// The same for a packet, once the cache is built.
+  void Get(LatticePacket& packet) const { this->Values.Get(packet); }
+
   /// The light that arrives at a surface that it covers; null where that is not known.
   const IncidentLight* GetIncident(const Hit& hit) const
   {
@@ -89,6 +92,8 @@ public:
   /// well enough to be seen beside other light.
   bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
     const glm::vec3& outgoing, float albedo, const glm::vec3& beside, glm::vec3& reflected) const;
+
+  const OpenSides& GetSides() const { return this->Sides; }
 
   /// Whether the values hold all light, or only what is sampled at its sources.
   bool IsComplete() const { return this->Complete; }

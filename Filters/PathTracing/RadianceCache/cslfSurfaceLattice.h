@@ -30,33 +30,35 @@ namespace cslf
 /// first.
 struct LatticeCell
 {
-  int I = 0; ///< along the triangle's second vertex
-  int J = 0; ///< and its third
-  bool Flipped = false;
-  float U = 0.0f; ///< barycentric coordinates within
+  int I = 0;       ///< along the triangle's second vertex
+  int J = 0;       ///< and its third
+  int Flipped = 0; ///< 1 if it stands on its head, else 0
+  float U = 0.0f;  ///< barycentric coordinates within
   float V = 0.0f;
 
   LatticeCell(float u, float v, int splits)
   {
+    // Without branches, so that loops over points become vector instructions.
     const float x = u * static_cast<float>(splits);
     const float y = v * static_cast<float>(splits);
-    this->I = std::clamp(static_cast<int>(x), 0, splits - 1);
-    this->J = std::clamp(static_cast<int>(y), 0, splits - 1 - this->I);
-    this->U = x - static_cast<float>(this->I);
-    this->V = y - static_cast<float>(this->J);
-    this->Flipped = this->U + this->V > 1.0f && this->I + this->J < splits - 1;
-    if (this->Flipped)
-    {
-      this->U = 1.0f - this->U;
-      this->V = 1.0f - this->V;
-    }
+    const int column = static_cast<int>(x);
+    const int lastI = splits - 1;
+    this->I = column > lastI ? lastI : column;
+    const int row = static_cast<int>(y);
+    const int lastJ = lastI - this->I;
+    this->J = row > lastJ ? lastJ : row;
+    const float restU = x - static_cast<float>(this->I);
+    const float restV = y - static_cast<float>(this->J);
+    this->Flipped = (restU + restV > 1.0f ? 1 : 0) & (this->J < lastJ ? 1 : 0);
+    this->U = this->Flipped ? 1.0f - restU : restU;
+    this->V = this->Flipped ? 1.0f - restV : restV;
   }
 };
 
 /// The number of a cell among those of its triangle.
-inline int CellIndex(int i, int j, bool flipped, int splits)
+inline int CellIndex(int i, int j, int flipped, int splits)
 {
-  return j * (2 * splits - j) + 2 * i + (flipped ? 1 : 0);
+  return j * (2 * splits - j) + 2 * i + flipped;
 }
 
 /// The number of a lattice's point among those of its brick.
@@ -69,6 +71,21 @@ inline int CountPoints(int splits)
 {
   return (splits + 1) * (splits + 2) / 2;
 }
+
+/// Points on the surface that are looked up together, and their values.
+struct LatticePacket
+{
+  static constexpr int Size = 16;
+
+  alignas(64) int Wanted[Size]; ///< -1 where there is a point, else 0; all else counts only there
+  alignas(64) std::uint32_t Triangle[Size];
+  alignas(64) int Back[Size]; ///< 1 on the back, else 0
+  alignas(64) float U[Size];  ///< barycentric coordinates
+  alignas(64) float V[Size];
+  alignas(64) float Red[Size]; ///< the values; 0 where there is no point
+  alignas(64) float Green[Size];
+  alignas(64) float Blue[Size];
+};
 
 class VTKCSLF_EXPORT SurfaceLattice
 {
@@ -134,6 +151,9 @@ public:
       this->Bricks[this->GetBrickIndex(triangle, back, index)], cell.U, cell.V);
   }
 
+  /// The values at the points of a packet.
+  void Get(LatticePacket& packet) const;
+
   /// The value at a point of a brick, given by barycentric coordinates within it.
   glm::vec3 GetInBrick(Brick brick, float u, float v) const
   {
@@ -151,7 +171,7 @@ public:
     }
     const int splits = 1 << brick.Level;
     const LatticeCell cell(u, v, splits);
-    const int flip = cell.Flipped ? 1 : 0;
+    const int flip = cell.Flipped;
     const int here = PointIndex(cell.I + flip, cell.J + flip, splits);
     const int alongU = PointIndex(cell.I + 1 - flip, cell.J + flip, splits);
     const int alongV = PointIndex(cell.I + flip, cell.J + 1 - flip, splits);
@@ -175,6 +195,14 @@ private:
     std::uint32_t FirstBrick;
     std::uint32_t Depth; // the binary logarithm of the bricks along its edges
   };
+
+  struct PacketPlaces;
+
+  static int GoToBricks(const Triangle* triangles, const Brick* bricks, const LatticePacket& packet,
+    PacketPlaces& places);
+  static int GoToParts(const Brick* bricks, PacketPlaces& places);
+  static void Interpolate(
+    const glm::vec3* values, const PacketPlaces& places, LatticePacket& packet);
 
   std::size_t NumberOfRoots = 0;
   std::vector<Triangle> Triangles;

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The radiance of what a packet of rays sees, where a cache alone knows it.
+ */
+#ifndef cslfDiffuseLookUp_h
+#define cslfDiffuseLookUp_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/cslfRayPacket.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cslf
+{
+class RadianceCache;
+class Scene;
+struct LatticePacket;
+
+/// The radiance along each ray of a packet.
+struct PacketRadiance
+{
+  alignas(64) float Red[RayPacket::Size];
+  alignas(64) float Green[RayPacket::Size];
+  alignas(64) float Blue[RayPacket::Size];
+
+  void Set(int lane, const glm::vec3& radiance)
+  {
+    this->Red[lane] = radiance.x;
+    this->Green[lane] = radiance.y;
+    this->Blue[lane] = radiance.z;
+  }
+};
+
+class VTKCSLF_EXPORT DiffuseLookUp
+{
+public:
+  /// Knows nothing where there is no cache, or one that is not complete.
+  DiffuseLookUp(const Scene& scene, const RadianceCache* cache);
+
+  /// Sets the radiance of rays whose hits look alike from everywhere, and 0 for all others. `known`
+  /// becomes -1 for those, else 0. False if it is 0 for some that hit.
+  bool Get(const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const;
+
+private:
+  /// Of a mesh.
+  struct Surface
+  {
+    int IsKnown = 0; // -1 if the cache alone knows it, else 0
+    int FirstTriangle = 0;
+    glm::vec3 Color{ 1.0f };
+    int Varies = 0; // -1 if its colour is none for all of it, else 0
+  };
+
+  static int FindPlaces(const Surface* surfaces, const std::uint8_t* sides,
+    const RayPacket& packet, int* known, LatticePacket& places);
+  static int Colorize(const Surface* surfaces, const RayPacket& packet, const int* known,
+    const LatticePacket& values, PacketRadiance& radiance);
+
+  const Scene& World;
+  const RadianceCache* Cache;
+  std::vector<Surface> Surfaces; // of the meshes; none where nothing is known
+};
+}
+
+#endif
