@@ -72,6 +72,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfMesh.h
   ../Filters/PathTracing/cslfMeshMaker.h
   ../Filters/PathTracing/cslfOpacity.h
+  ../Filters/PathTracing/cslfPathBatch.h
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h

@@ -132,4 +132,23 @@ glm::vec3 PathIntegrator::GetRadiance(
     hit = this->World.Intersect(ray);
   }
 }
+
+void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
+{
+  if (batch.Seen.empty())
+  {
+    for (const PathBatch::Start& start : batch.Starts)
+    {
+      batch.Seen.push_back(this->World.Intersect(start.First));
+      ++rays;
+    }
+  }
+  for (int path = 0; path < batch.GetSize(); ++path)
+  {
+    const PathBatch::Start& start = batch.Starts[path];
+    batch.Radiances.push_back(
+      this->GetRadiance({ start.First, batch.Seen[path], batch.Depth, start.Pdf },
+        SampleStream(start.Hash, start.Index), rays));
+  }
+}
 }

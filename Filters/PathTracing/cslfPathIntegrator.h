@@ -11,6 +11,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "cslfDirectLight.h"
+#include "cslfPathBatch.h"
 
 #include <cstdint>
 #include <vector>
@@ -53,6 +54,9 @@ public:
 
   /// The radiance that a path goes on to find.
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
+
+  /// Follows all paths of a batch to their ends. Adds the rays traced.
+  void Follow(PathBatch& batch, std::uint64_t& rays) const;
 
   /// Whether the cache alone knows what leaves a hit towards anywhere.
   bool CanLookUp(const Hit& hit) const { return !this->LookUps.empty() && this->LookUps[hit.Mesh]; }
