@@ -28,6 +28,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfAreaLights.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDirectLight.cxx
+  ../Filters/PathTracing/cslfDirectLightLanes.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
@@ -40,11 +41,14 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
+  ../Filters/PathTracing/cslfPathStep.cxx
   ../Filters/PathTracing/cslfRayGrid.cxx
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBlock.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
+  ../Filters/PathTracing/cslfStreamLanes.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
+  ../Filters/PathTracing/cslfSurfaceLanes.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
   ../Filters/PathTracing/cslfTexelRenderer.cxx
   ../Filters/PathTracing/cslfTexture.cxx
@@ -66,6 +70,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
   ../Filters/PathTracing/cslfHitGeometry.h
+  ../Filters/PathTracing/cslfLanes.h
   ../Filters/PathTracing/cslfLambert.h
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
@@ -74,20 +79,39 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathBatch.h
   ../Filters/PathTracing/cslfPathIntegrator.h
+  ../Filters/PathTracing/cslfPathPacket.h
+  ../Filters/PathTracing/cslfPathStep.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h
+  ../Filters/PathTracing/cslfRayLanes.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
+  ../Filters/PathTracing/cslfScatterLanes.h
   ../Filters/PathTracing/cslfScene.h
   ../Filters/PathTracing/cslfSceneBlock.h
   ../Filters/PathTracing/cslfSceneBuilder.h
+  ../Filters/PathTracing/cslfStreamLanes.h
   ../Filters/PathTracing/cslfSurfaceColors.h
+  ../Filters/PathTracing/cslfSurfaceLanes.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
+  ../Filters/PathTracing/cslfTriangleGeometry.h
   ../Filters/PathTracing/cslfTriangles.h
   ../Filters/PathTracing/cslfVectorize.h)
+
+# Loops over lanes become vector instructions only where neither errno nor traps of floating point
+# are of interest.
+set_source_files_properties(
+  ../Filters/PathTracing/cslfDirectLightLanes.cxx
+  ../Filters/PathTracing/cslfPathStep.cxx
+  ../Filters/PathTracing/cslfRayGrid.cxx
+  ../Filters/PathTracing/cslfScene.cxx
+  ../Filters/PathTracing/cslfStreamLanes.cxx
+  ../Filters/PathTracing/cslfSurfaceLanes.cxx
+  PROPERTIES COMPILE_OPTIONS
+    "$<$<CXX_COMPILER_ID:GNU,Clang>:-fno-math-errno;-fno-trapping-math>")
 
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources

@@ -152,8 +152,7 @@ glm::vec3 Environment::GetRadiance(const glm::vec3& direction) const
 {
   if (this->Image.Pixels.empty())
   {
-    const float height = 0.5f + 0.5f * glm::dot(direction, this->Axes.Up);
-    return this->Bottom + height * (this->Top - this->Bottom);
+    return this->GetGradient(direction);
   }
   return this->Interpolate(this->ToImage(direction));
 }

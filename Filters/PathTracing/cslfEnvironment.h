@@ -12,6 +12,7 @@
 #include "cslfDistribution.h"
 #include "cslfLightSample.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <string>
@@ -70,6 +71,13 @@ public:
   const EnvironmentImage& GetImage() const { return this->Image; }
 
   glm::vec3 GetRadiance(const glm::vec3& direction) const;
+
+  /// The same where there is no image.
+  glm::vec3 GetGradient(const glm::vec3& direction) const
+  {
+    const float height = 0.5f + 0.5f * glm::dot(direction, this->Axes.Up);
+    return this->Bottom + height * (this->Top - this->Bottom);
+  }
   LightSample Sample(const glm::vec2& u) const;
   float Pdf(const glm::vec3& direction) const;
 

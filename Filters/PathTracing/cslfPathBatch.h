@@ -9,6 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfPathPacket.h"
 #include "cslfScene.h"
 
 #include <glm/vec3.hpp>
@@ -81,6 +82,7 @@ private:
   std::vector<Start> Starts;
   std::vector<Hit> Seen;
   std::vector<glm::vec3> Radiances;
+  std::vector<PathPacket> Packets;
 };
 }
 

@@ -17,6 +17,10 @@ namespace
 constexpr double FarAway = 8.0;
 constexpr double Near = 2.0;
 
+// Rays of neighbouring texels that start closer to each other than this start from one point: over
+// a hundred thousand texels that is less than a float can tell.
+constexpr double SameOrigin = 1e-12;
+
 /// A bundle of rays from one point, in floats.
 struct Bundle
 {
@@ -99,8 +103,8 @@ void SetRay(
 PacketScale SetRays(const RayGrid& grid, const float x[RayPacket::Size],
   const float y[RayPacket::Size], RayPacket& packet)
 {
-  const glm::dvec3 none(0.0);
-  if (grid.OriginX == none && grid.OriginY == none && glm::length(grid.Origin) <= FarAway)
+  if (glm::length(grid.OriginX) < SameOrigin && glm::length(grid.OriginY) < SameOrigin &&
+    glm::length(grid.Origin) <= FarAway)
   {
     return SetBundle(grid, x, y, packet);
   }

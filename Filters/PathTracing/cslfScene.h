@@ -25,6 +25,10 @@
 
 namespace cslf
 {
+struct HitLanes;
+struct RayLanes;
+struct ShadowLanes;
+
 /// A half line in scene space.
 struct Ray
 {
@@ -150,6 +154,10 @@ public:
   /// its own surface does not count. Partly opaque surfaces attenuate, glass and all else blocks.
   float GetTransmittance(const Ray& ray, float distance) const;
 
+  /// The same for rays that need not run alike.
+  void Intersect(const RayLanes& rays, HitLanes& hits) const;
+  void FindTransmittances(ShadowLanes& shadows) const;
+
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
 
   /// The surface as seen along its normal, from the hit's side.
@@ -179,6 +187,7 @@ public:
 private:
   struct Acceleration;
 
+  void FindInstances(HitLanes& hits) const;
   std::uint32_t GetInstance(std::uint32_t mesh, std::uint32_t geometry) const;
 
   std::vector<Mesh> Meshes;
@@ -187,6 +196,7 @@ private:
   AreaLights Emitters;
   std::string Error;
   std::unique_ptr<Acceleration> Tree;
+  bool HasInstances = false;
 };
 }
 

@@ -31,6 +31,12 @@ constexpr int FewestSamples = 4;
 // sample to do: between its texel's centre and itself there is a quarter of a texel on average.
 constexpr double RangeOfTarget = 8.0;
 
+/// Sequences are best at powers of two.
+bool IsPowerOfTwo(int count)
+{
+  return (count & (count - 1)) == 0;
+}
+
 /// The places of a sample in each of 16 texels.
 CSLF_VECTORIZE void FindPlaces(
   std::uint32_t sample, const std::uint32_t* low, const std::uint32_t* high, float* x, float* y)
@@ -55,8 +61,10 @@ struct TexelRenderer::Block
   std::uint32_t Low[RayPacket::Size];    // the scramble of their samples' places
   std::uint32_t High[RayPacket::Size];
   std::uint64_t Rays = 0;
-  int Samples = 0;      // taken of each texel
-  bool IsExact = false; // whether all are without noise
+  int Samples = 0; // taken of each texel
+  PathBatch Batch;
+  std::vector<int> Followed; // the lanes of the batch's paths
+  bool IsExact = false;      // whether all are without noise
 
   int LaneX(int lane) const { return this->X + lane % BlockSide; }
   int LaneY(int lane) const { return this->Y + lane / BlockSide; }
@@ -70,6 +78,13 @@ struct TexelRenderer::Sums
   int Covered = 0;           // samples that see something
   double Depth = 1.0;
   float DepthOffset = std::numeric_limits<float>::max(); // squared, from the centre to that sample
+
+  void Add(const glm::vec3& radiance)
+  {
+    this->Radiance += radiance;
+    this->Squares += radiance * radiance;
+    ++this->Covered;
+  }
 
   void AddDepth(double depth, float offset)
   {
@@ -163,7 +178,15 @@ void TexelRenderer::RenderBlock(Block& block) const
   {
     this->AddSamples(block, static_cast<std::uint32_t>(block.Samples), sums);
     ++block.Samples;
-    if (this->Settings.NoiseTarget > 0.0 && this->IsGoodEnough(block, sums))
+
+    // Follow paths when there are many, and when their light is asked for.
+    const bool isAsked = this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(block.Samples);
+    if (isAsked || block.Samples == this->Settings.Samples ||
+      block.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
+    {
+      this->FollowPaths(block, sums);
+    }
+    if (isAsked && this->IsGoodEnough(block, sums))
     {
       break;
     }
@@ -177,11 +200,7 @@ void TexelRenderer::RenderBlock(Block& block) const
 
 bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
 {
-  // Sequences are best at powers of two. A few samples tell of noise only where there is none.
-  if ((block.Samples & (block.Samples - 1)) != 0)
-  {
-    return false;
-  }
+  // A few samples tell of noise only where there is none.
   if (block.Samples < FewestSamples)
   {
     return block.IsExact && this->IsSmooth(block, sums);
@@ -264,25 +283,35 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
     {
       const bool isExact = this->Integrator.CanLookUp(hit);
       block.IsExact = block.IsExact && isExact;
-      const glm::vec3 radiance = isExact ? this->Integrator.LookUp(hit)
-                                         : this->Integrator.GetRadiance(packet.GetRay(lane), hit,
-                                             SampleStream(block.Hashes[lane], index), block.Rays);
-      sum.Radiance += radiance;
-      sum.Squares += radiance * radiance;
-      ++sum.Covered;
+      if (isExact)
+      {
+        sum.Add(this->Integrator.LookUp(hit));
+      }
+      else
+      {
+        block.Batch.Add({ packet.GetRay(lane), block.Hashes[lane], index }, hit);
+        block.Followed.push_back(lane);
+      }
       const float offsetX = placesX[lane] - 0.5f;
       const float offsetY = placesY[lane] - 0.5f;
       sum.AddDepth(scale.ToParameter(lane, hit.Distance), offsetX * offsetX + offsetY * offsetY);
     }
     else if (this->Settings.ShowEnvironment && block.Inside[lane])
     {
-      const glm::vec3 radiance =
-        this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction);
-      sum.Radiance += radiance;
-      sum.Squares += radiance * radiance;
-      ++sum.Covered;
+      sum.Add(this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
     }
   }
+}
+
+void TexelRenderer::FollowPaths(Block& block, Sums sums[]) const
+{
+  this->Integrator.Follow(block.Batch, block.Rays);
+  for (int path = 0; path < block.Batch.GetSize(); ++path)
+  {
+    sums[block.Followed[path]].Add(block.Batch.GetRadiance(path));
+  }
+  block.Batch.Clear();
+  block.Followed.clear();
 }
 
 void TexelRenderer::FindDepths(const Block& block, Sums sums[]) const
