@@ -32,6 +32,20 @@ struct VTKCSLF_EXPORT EnvironmentAxes
   static EnvironmentAxes FromUp(const glm::dvec3& up);
 };
 
+/// Light that varies linearly with the height of the direction's end.
+struct SkyGradient
+{
+  glm::vec3 Bottom{ 0.0f };
+  glm::vec3 Top{ 0.0f };
+  glm::vec3 Up{ 0.0f, 1.0f, 0.0f };
+
+  glm::vec3 Get(const glm::vec3& direction) const
+  {
+    const float height = 0.5f + 0.5f * glm::dot(direction, this->Up);
+    return this->Bottom + height * (this->Top - this->Bottom);
+  }
+};
+
 /// A lat-long image, linear, its first row at the zenith.
 struct EnvironmentImage
 {
@@ -72,12 +86,9 @@ public:
 
   glm::vec3 GetRadiance(const glm::vec3& direction) const;
 
-  /// The same where there is no image.
-  glm::vec3 GetGradient(const glm::vec3& direction) const
-  {
-    const float height = 0.5f + 0.5f * glm::dot(direction, this->Axes.Up);
-    return this->Bottom + height * (this->Top - this->Bottom);
-  }
+  /// What GetRadiance tells where there is no image.
+  const SkyGradient& GetGradient() const { return this->Gradient; }
+
   LightSample Sample(const glm::vec2& u) const;
   float Pdf(const glm::vec3& direction) const;
 
@@ -85,8 +96,7 @@ private:
   glm::vec2 ToImage(const glm::vec3& direction) const;
   glm::vec3 Interpolate(const glm::vec2& point) const;
 
-  glm::vec3 Bottom{ 0.0f };
-  glm::vec3 Top{ 0.0f };
+  SkyGradient Gradient;
   EnvironmentAxes Axes;
   EnvironmentImage Image;
   Distribution2D Importance;

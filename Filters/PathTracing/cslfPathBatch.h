@@ -30,7 +30,7 @@ class PathBatch
 {
 public:
   /// The most paths. More would not make steps faster, but leave the nearest memory.
-  static constexpr int Capacity = 512;
+  static constexpr int Capacity = 4096;
 
   /// How a path begins.
   struct Start
@@ -83,6 +83,7 @@ private:
   std::vector<Hit> Seen;
   std::vector<glm::vec3> Radiances;
   std::vector<PathPacket> Packets;
+  std::vector<PathPacket> Next;
 };
 }
 

@@ -160,24 +160,44 @@ void Close(PathPacket& packet, int lane)
   }
 }
 
-/// Moves the paths that go on to the first packets, and returns how many there are.
-int Compact(std::vector<PathPacket>& packets, int count)
+/// Moves the paths that go on to other packets, and returns how many there are. Where it pays, rays
+/// that run to the same octant become neighbours.
+int Gather(
+  const std::vector<PathPacket>& from, int count, bool byOctant, std::vector<PathPacket>& to)
 {
-  int living = 0;
+  // Count the paths of each octant.
+  int ends[OctantCount] = {};
   for (int i = 0; i < count; ++i)
   {
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      if (packets[i].Rays.Active[lane] != 0)
+      const int octant = byOctant ? from[i].Octant[lane] : 0;
+      ends[octant] -= from[i].Rays.Active[lane];
+    }
+  }
+  int living = 0;
+  for (int& end : ends)
+  {
+    const int size = end;
+    end = living;
+    living += size;
+  }
+
+  // Put each at the end of its octant.
+  for (int i = 0; i < count; ++i)
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      if (from[i].Rays.Active[lane] != 0)
       {
-        packets[living / LaneCount].Take(living % LaneCount, packets[i], lane);
-        ++living;
+        const int place = ends[byOctant ? from[i].Octant[lane] : 0]++;
+        to[place / LaneCount].Take(place % LaneCount, from[i], lane);
       }
     }
   }
   if (living % LaneCount != 0)
   {
-    Close(packets[living / LaneCount], living % LaneCount);
+    Close(to[living / LaneCount], living % LaneCount);
   }
   return living;
 }
@@ -189,6 +209,7 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
   batch.Radiances.assign(size, glm::vec3(0.0f));
   std::vector<PathPacket>& packets = batch.Packets;
   packets.resize((size + LaneCount - 1) / LaneCount);
+  batch.Next.resize(packets.size());
   for (int path = 0; path < size; ++path)
   {
     Put(batch.Starts[path], path, path % LaneCount, packets[path / LaneCount]);
@@ -238,7 +259,8 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
       }
       rays += step.Advance(packets[i], hits, batch.Radiances.data());
     }
-    living = Compact(packets, count);
+    living = Gather(packets, count, this->World.IsSmall(), batch.Next);
+    packets.swap(batch.Next);
   }
 }
 }

@@ -12,6 +12,8 @@
 
 namespace cslf
 {
+constexpr int OctantCount = 8;
+
 struct PathPacket
 {
   RayLanes Rays;            ///< active where the path goes on
@@ -20,6 +22,7 @@ struct PathPacket
   Lanes<float> Compression; ///< the factor of the weight that leaving glass undoes
   StreamLanes Streams;
   Lanes<std::int32_t> Path; ///< its number in the batch
+  Lanes<std::int32_t> Octant; ///< to which the ray runs, in [0,8); not taken over
 
   /// Takes over one path.
   void Take(int lane, const PathPacket& from, int fromLane)

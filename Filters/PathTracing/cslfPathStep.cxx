@@ -22,16 +22,16 @@ constexpr float LargestSurvival = 0.95f;
 
 /// Adds an environment without image where rays miss, and ends these paths.
 CSLF_VECTORIZE void AddGradient(
-  const Environment& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
+  const SkyGradient& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
 {
+  const SkyGradient gradient = environment;
   CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
-    const bool missed = hits.Mesh[i] == Hit::None;
-    const glm::vec3 radiance =
-      paths.Beta.Get(i) * environment.GetGradient(paths.Rays.Direction.Get(i));
-    found.Set(i, Choose(missed && paths.Rays.Active[i] != 0, radiance, glm::vec3(0.0f)));
-    paths.Rays.Active[i] = missed ? 0 : paths.Rays.Active[i];
+    const std::int32_t missed = hits.Mesh[i] == Hit::None ? -1 : 0;
+    const glm::vec3 radiance = paths.Beta.Get(i) * gradient.Get(paths.Rays.Direction.Get(i));
+    found.Set(i, Choose((missed & paths.Rays.Active[i]) != 0, radiance, glm::vec3(0.0f)));
+    paths.Rays.Active[i] &= ~missed;
   }
 }
 
@@ -74,15 +74,18 @@ CSLF_VECTORIZE void Survive(const Lanes<float>& x, PathPacket& paths)
   }
 }
 
-CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, RayLanes& rays)
+CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, PathPacket& paths)
 {
   CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
     const glm::vec3 direction = local.Get(i);
-    rays.Origin.Set(
-      i, Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i)));
-    rays.Direction.Set(i, Frame(surfaces.ShadingNormal.Get(i)).ToWorld(direction));
+    const glm::vec3 world = Frame(surfaces.ShadingNormal.Get(i)).ToWorld(direction);
+    paths.Rays.Origin.Set(i,
+      Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i)));
+    paths.Rays.Direction.Set(i, world);
+    paths.Octant[i] =
+      (world.x < 0.0f ? 1 : 0) | (world.y < 0.0f ? 2 : 0) | (world.z < 0.0f ? 4 : 0);
   }
 }
 
@@ -130,7 +133,7 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
       {
         this->EndByChance(paths);
       }
-      Leave(this->Points.Surfaces, this->Local, paths.Rays);
+      Leave(this->Points.Surfaces, this->Local, paths);
     }
     else
     {
@@ -146,7 +149,7 @@ void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
   const Environment& environment = this->World.GetEnvironment();
   if (environment.GetImage().Pixels.empty())
   {
-    AddGradient(environment, hits, paths, this->Found);
+    AddGradient(environment.GetGradient(), hits, paths, this->Found);
     return;
   }
   for (int lane = 0; lane < LaneCount; ++lane)

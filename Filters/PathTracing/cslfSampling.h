@@ -35,17 +35,16 @@ inline void SinCosOfTurn(float turn, float& sine, float& cosine)
   const float s = angle *
     (1.0f +
       square *
-        (-1.0f / 6.0f +
-          square * (1.0f / 120.0f + square * (-1.0f / 5040.0f + square / 362880.0f))));
+        (-1.0f / 6 + square * (1.0f / 120 + square * (-1.0f / 5040 + square * (1.0f / 362880)))));
   const float c = 1.0f +
     square *
-      (-1.0f / 2.0f +
+      (-1.0f / 2 +
         square *
-          (1.0f / 24.0f +
-            square * (-1.0f / 720.0f + square * (1.0f / 40320.0f - square / 3628800.0f))));
+          (1.0f / 24 +
+            square * (-1.0f / 720 + square * (1.0f / 40320 + square * (-1.0f / 3628800)))));
   const bool odd = (quarter & 1) != 0;
-  sine = (quarter & 2) != 0 ? -(odd ? c : s) : (odd ? c : s);
-  cosine = ((quarter + 1) & 2) != 0 ? -(odd ? s : c) : (odd ? s : c);
+  sine = static_cast<float>(1 - (quarter & 2)) * (odd ? c : s);
+  cosine = static_cast<float>(1 - ((quarter + 1) & 2)) * (odd ? s : c);
 }
 
 /// A direction of the upper hemisphere with density cos(theta) / pi.
@@ -55,7 +54,7 @@ inline glm::vec3 SampleCosineHemisphere(const glm::vec2& u)
   float sine = 0.0f;
   float cosine = 0.0f;
   SinCosOfTurn(u.y, sine, cosine);
-  return { radius * cosine, radius * sine, std::sqrt(std::max(0.0f, 1.0f - u.x)) };
+  return { radius * cosine, radius * sine, std::sqrt(1.0f - u.x) };
 }
 
 inline float CosineHemispherePdf(const glm::vec3& local)

@@ -333,6 +333,8 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     }
   }
   rtcCommitScene(world);
+  static const char* env = getenv("CSLF_SMALL");
+  this->Small = env && atoi(env);
 }
 
 Scene::~Scene() = default;
@@ -419,7 +421,7 @@ void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
   FillRays(rays, query.ray, valid);
   std::fill_n(query.hit.geomID, LaneCount, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(query.hit.instID[0], LaneCount, RTC_INVALID_GEOMETRY_ID);
-  EmbreeIntersect16(this->Tree->World.get(), EmbreeQuery(Passing::ByChance), false, valid, query);
+  EmbreeIntersect16(this->Tree->World.get(), EmbreeQuery(Passing::ByChance), this->Small, valid, query);
   FillHits(query, hits);
   if (this->HasInstances)
   {

@@ -27,6 +27,9 @@ constexpr std::int64_t SmallestBatch = 16;
 // The fewest samples whose differences are taken for their noise.
 constexpr int FewestSamples = 4;
 
+// The most blocks whose paths are followed together.
+constexpr int MostBlocks = 64;
+
 // Across the 4 texels of a block's side a colour may change by this many noise targets, for one
 // sample to do: between its texel's centre and itself there is a quarter of a texel on average.
 constexpr double RangeOfTarget = 8.0;
@@ -60,11 +63,8 @@ struct TexelRenderer::Block
   std::uint64_t Hashes[RayPacket::Size]; // of the texels, for their random numbers
   std::uint32_t Low[RayPacket::Size];    // the scramble of their samples' places
   std::uint32_t High[RayPacket::Size];
-  std::uint64_t Rays = 0;
-  int Samples = 0; // taken of each texel
-  PathBatch Batch;
-  std::vector<int> Followed; // the lanes of the batch's paths
-  bool IsExact = false;      // whether all are without noise
+  int Samples = 0;     // taken of each texel
+  bool IsExact = true; // whether all are without noise
 
   int LaneX(int lane) const { return this->X + lane % BlockSide; }
   int LaneY(int lane) const { return this->Y + lane / BlockSide; }
@@ -94,6 +94,22 @@ struct TexelRenderer::Sums
       this->DepthOffset = offset;
     }
   }
+};
+
+/// A block on its way.
+struct TexelRenderer::Work
+{
+  Block Texels;
+  Sums Results[RayPacket::Size];
+};
+
+/// Paths that wait to be followed together, those of some blocks of a row: which they are depends
+/// on the row alone.
+struct TexelRenderer::PathQueue
+{
+  PathBatch Batch;
+  std::vector<Sums*> Texels; // of the batch's paths
+  std::uint64_t Rays = 0;    // of all paths so far
 };
 
 TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
@@ -146,12 +162,31 @@ void TexelRenderer::RenderRow(std::int64_t index) const
   block.Tile = static_cast<int>(index % this->Layout.Tiles);
   block.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
   block.Grid = this->Grids(block.Slice, block.Tile);
+  std::vector<Work> works(this->GetBlocksAtOnce());
+  PathQueue queue;
+  int count = 0;
   for (int column = 0; column < this->Layout.TileWidth; column += BlockSide)
   {
-    this->SetTexels(block, column);
-    this->RenderBlock(block);
+    works[count] = { block, {} };
+    this->SetTexels(works[count].Texels, column);
+    if (++count == static_cast<int>(works.size()))
+    {
+      this->RenderBlocks(works.data(), count, queue);
+      count = 0;
+    }
   }
-  this->Rays.fetch_add(block.Rays, std::memory_order_relaxed);
+  this->RenderBlocks(works.data(), count, queue);
+  this->Rays.fetch_add(queue.Rays, std::memory_order_relaxed);
+}
+
+std::size_t TexelRenderer::GetBlocksAtOnce() const
+{
+  // As many as fill a batch of paths before it must be followed.
+  const int samples =
+    this->Settings.NoiseTarget > 0.0 ? FewestSamples : std::max(this->Settings.Samples, 1);
+  const int filling = PathBatch::Capacity / (RayPacket::Size * samples);
+  const int all = (this->Layout.TileWidth + BlockSide - 1) / BlockSide;
+  return static_cast<std::size_t>(std::clamp(filling, 1, std::min(all, MostBlocks)));
 }
 
 void TexelRenderer::SetTexels(Block& block, int column) const
@@ -170,32 +205,42 @@ void TexelRenderer::SetTexels(Block& block, int column) const
   }
 }
 
-void TexelRenderer::RenderBlock(Block& block) const
+void TexelRenderer::RenderBlocks(Work* works, int count, PathQueue& queue) const
 {
-  Sums sums[RayPacket::Size];
-  block.IsExact = true;
-  for (block.Samples = 0; block.Samples < this->Settings.Samples;)
+  std::vector<Work*> unfinished;
+  for (int i = 0; i < count; ++i)
   {
-    this->AddSamples(block, static_cast<std::uint32_t>(block.Samples), sums);
-    ++block.Samples;
-
-    // Follow paths when there are many, and when their light is asked for.
-    const bool isAsked = this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(block.Samples);
-    if (isAsked || block.Samples == this->Settings.Samples ||
-      block.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
+    unfinished.push_back(works + i);
+  }
+  for (int samples = 1; samples <= this->Settings.Samples && !unfinished.empty(); ++samples)
+  {
+    for (Work* work : unfinished)
     {
-      this->FollowPaths(block, sums);
+      this->AddSamples(work->Texels, static_cast<std::uint32_t>(samples - 1), work->Results, queue);
+      work->Texels.Samples = samples;
+      if (queue.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
+      {
+        this->FollowPaths(queue);
+      }
     }
-    if (isAsked && this->IsGoodEnough(block, sums))
+    if (this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(samples))
     {
-      break;
+      this->FollowPaths(queue);
+      const auto isGood = [this](const Work* work)
+      { return this->IsGoodEnough(work->Texels, work->Results); };
+      unfinished.erase(
+        std::remove_if(unfinished.begin(), unfinished.end(), isGood), unfinished.end());
     }
   }
-  if (this->Output.Depth)
+  this->FollowPaths(queue);
+  for (int i = 0; i < count; ++i)
   {
-    this->FindDepths(block, sums);
+    if (this->Output.Depth)
+    {
+      this->FindDepths(works[i].Texels, works[i].Results);
+    }
+    this->Write(works[i].Texels, works[i].Results);
   }
-  this->Write(block, sums);
 }
 
 bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
@@ -252,7 +297,8 @@ glm::vec3 TexelRenderer::Display(const glm::vec3& radiance) const
     glm::min(radiance * static_cast<float>(this->Settings.Exposure), glm::vec3(1.0f)));
 }
 
-void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) const
+void TexelRenderer::AddSamples(
+  Block& block, std::uint32_t index, Sums sums[], PathQueue& queue) const
 {
   // Take one ray of each texel.
   float placesX[RayPacket::Size];
@@ -270,7 +316,7 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     packet.Active[lane] &= block.Inside[lane];
-    block.Rays -= packet.Active[lane];
+    queue.Rays -= packet.Active[lane];
   }
   this->World.Intersect(packet);
 
@@ -289,8 +335,8 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
       }
       else
       {
-        block.Batch.Add({ packet.GetRay(lane), block.Hashes[lane], index }, hit);
-        block.Followed.push_back(lane);
+        queue.Batch.Add({ packet.GetRay(lane), block.Hashes[lane], index }, hit);
+        queue.Texels.push_back(&sum);
       }
       const float offsetX = placesX[lane] - 0.5f;
       const float offsetY = placesY[lane] - 0.5f;
@@ -303,15 +349,15 @@ void TexelRenderer::AddSamples(Block& block, std::uint32_t index, Sums sums[]) c
   }
 }
 
-void TexelRenderer::FollowPaths(Block& block, Sums sums[]) const
+void TexelRenderer::FollowPaths(PathQueue& queue) const
 {
-  this->Integrator.Follow(block.Batch, block.Rays);
-  for (int path = 0; path < block.Batch.GetSize(); ++path)
+  this->Integrator.Follow(queue.Batch, queue.Rays);
+  for (int path = 0; path < queue.Batch.GetSize(); ++path)
   {
-    sums[block.Followed[path]].Add(block.Batch.GetRadiance(path));
+    queue.Texels[path]->Add(queue.Batch.GetRadiance(path));
   }
-  block.Batch.Clear();
-  block.Followed.clear();
+  queue.Batch.Clear();
+  queue.Texels.clear();
 }
 
 void TexelRenderer::FindDepths(const Block& block, Sums sums[]) const

@@ -13,6 +13,7 @@
 #include "cslfRayGrid.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -70,13 +71,16 @@ private:
 
   struct Block;
   struct Sums;
+  struct Work;
+  struct PathQueue;
 
   std::int64_t GetRowsOfTile() const;
   void RenderRow(std::int64_t index) const;
   void SetTexels(Block& block, int column) const;
-  void RenderBlock(Block& block) const;
-  void AddSamples(Block& block, std::uint32_t index, Sums sums[]) const;
-  void FollowPaths(Block& block, Sums sums[]) const;
+  std::size_t GetBlocksAtOnce() const;
+  void RenderBlocks(Work* works, int count, PathQueue& queue) const;
+  void AddSamples(Block& block, std::uint32_t index, Sums sums[], PathQueue& queue) const;
+  void FollowPaths(PathQueue& queue) const;
   bool IsGoodEnough(const Block& block, const Sums sums[]) const;
   bool IsSmooth(const Block& block, const Sums sums[]) const;
   glm::vec3 Display(const glm::vec3& radiance) const;
