@@ -29,6 +29,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfAreaLights.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDirectLight.cxx
+  ../Filters/PathTracing/cslfDirectLightLanes.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
@@ -41,11 +42,14 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
+  ../Filters/PathTracing/cslfPathStep.cxx
   ../Filters/PathTracing/cslfRayGrid.cxx
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBlock.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
+  ../Filters/PathTracing/cslfStreamLanes.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
+  ../Filters/PathTracing/cslfSurfaceLanes.cxx
   ../Filters/PathTracing/cslfSurfaceMaterial.cxx
   ../Filters/PathTracing/cslfTexelRenderer.cxx
   ../Filters/PathTracing/cslfTexelSums.cxx
@@ -68,27 +72,36 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
   ../Filters/PathTracing/cslfHitGeometry.h
+  ../Filters/PathTracing/cslfLanes.h
   ../Filters/PathTracing/cslfLambert.h
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
   ../Filters/PathTracing/cslfMesh.h
   ../Filters/PathTracing/cslfMeshMaker.h
   ../Filters/PathTracing/cslfOpacity.h
+  ../Filters/PathTracing/cslfPathBatch.h
   ../Filters/PathTracing/cslfPathIntegrator.h
+  ../Filters/PathTracing/cslfPathPacket.h
+  ../Filters/PathTracing/cslfPathStep.h
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h
   ../Filters/PathTracing/cslfRayPacket.h
+  ../Filters/PathTracing/cslfRayLanes.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
+  ../Filters/PathTracing/cslfScatterLanes.h
   ../Filters/PathTracing/cslfScene.h
   ../Filters/PathTracing/cslfSceneBlock.h
   ../Filters/PathTracing/cslfSceneBuilder.h
+  ../Filters/PathTracing/cslfStreamLanes.h
   ../Filters/PathTracing/cslfSurfaceColors.h
+  ../Filters/PathTracing/cslfSurfaceLanes.h
   ../Filters/PathTracing/cslfSurfaceMaterial.h
   ../Filters/PathTracing/cslfTexelRenderer.h
   ../Filters/PathTracing/cslfTexelSums.h
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
+  ../Filters/PathTracing/cslfTriangleGeometry.h
   ../Filters/PathTracing/cslfTriangles.h
   ../Filters/PathTracing/cslfVectorize.h)
 

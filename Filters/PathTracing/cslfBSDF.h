@@ -98,7 +98,6 @@ public:
   float DiffuseTransmission(float cosine) const;
 
 private:
-
   const SurfaceMaterial& Material;
   MaterialPoint Point;
   glm::vec3 Outgoing;

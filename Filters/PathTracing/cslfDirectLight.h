@@ -18,6 +18,11 @@
 
 namespace cslf
 {
+struct LightLanes;
+struct ScatterLanes;
+struct StreamLanes;
+struct Vec3Lanes;
+
 /// A surface point and how it reflects towards the one before it on the path.
 struct ScatteringPoint
 {
@@ -50,12 +55,19 @@ public:
   glm::vec3 Sample(
     const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const;
 
+  /// The same for many points, at one vertex of their paths: adds the light to the radiance, and
+  /// returns the number of rays.
+  std::uint64_t Sample(const ScatterLanes& points, const StreamLanes& streams, std::uint32_t vertex,
+    Vec3Lanes& radiance) const;
+
   /// Whether Sample can give anything but darkness.
   bool CanSample() const;
 
 private:
   glm::vec3 Arrive(
     const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const;
+  std::uint64_t Arrive(
+    const ScatterLanes& points, const LightLanes& light, Vec3Lanes& radiance) const;
 
   const Scene& World;
   bool LightSampling;

@@ -66,12 +66,22 @@ inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
   rtcOccluded1(scene, &query.Context, &ray);
 }
 
-/// The first hits of 16 rays that run alike; lanes with valid == 0 are left alone.
-inline void EmbreeIntersectCoherent(
-  RTCScene scene, EmbreeQuery query, const int valid[16], RTCRayHit16& rayHit)
+/// The first hits of 16 rays, which may run alike; lanes with valid == 0 are left alone.
+inline void EmbreeIntersect16(
+  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRayHit16& rayHit)
 {
-  query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  query.Context.flags =
+    alike ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect16(valid, scene, &query.Context, &rayHit);
+}
+
+/// Whether anything lies along each of 16 rays: sets tfar to -infinity if so.
+inline void EmbreeOccluded16(
+  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRay16& ray)
+{
+  query.Context.flags =
+    alike ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  rtcOccluded16(valid, scene, &query.Context, &ray);
 }
 
 #else
@@ -105,14 +115,24 @@ inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
   rtcOccluded1(scene, &ray, &arguments);
 }
 
-inline void EmbreeIntersectCoherent(
-  RTCScene scene, EmbreeQuery query, const int valid[16], RTCRayHit16& rayHit)
+inline void EmbreeIntersect16(
+  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRayHit16& rayHit)
 {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
-  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  arguments.flags = alike ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
   arguments.context = &query.Context;
   rtcIntersect16(valid, scene, &rayHit, &arguments);
+}
+
+inline void EmbreeOccluded16(
+  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRay16& ray)
+{
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.flags = alike ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  arguments.context = &query.Context;
+  rtcOccluded16(valid, scene, &ray, &arguments);
 }
 
 #endif

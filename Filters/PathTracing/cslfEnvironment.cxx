@@ -102,8 +102,7 @@ bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, 
 }
 
 Environment::Environment(const glm::vec3& bottom, const glm::vec3& top, const EnvironmentAxes& axes)
-  : Bottom(bottom)
-  , Top(top)
+  : Gradient{ bottom, top, axes.Up }
   , Axes(axes)
 {
 }
@@ -152,8 +151,7 @@ glm::vec3 Environment::GetRadiance(const glm::vec3& direction) const
 {
   if (this->Image.Pixels.empty())
   {
-    const float height = 0.5f + 0.5f * glm::dot(direction, this->Axes.Up);
-    return this->Bottom + height * (this->Top - this->Bottom);
+    return this->Gradient.Get(direction);
   }
   return this->Interpolate(this->ToImage(direction));
 }

@@ -12,6 +12,7 @@
 #include "cslfDistribution.h"
 #include "cslfLightSample.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <string>
@@ -29,6 +30,20 @@ struct VTKCSLF_EXPORT EnvironmentAxes
 
   /// `up` must have a length.
   static EnvironmentAxes FromUp(const glm::dvec3& up);
+};
+
+/// Light that varies linearly with the height of the direction's end.
+struct SkyGradient
+{
+  glm::vec3 Bottom{ 0.0f };
+  glm::vec3 Top{ 0.0f };
+  glm::vec3 Up{ 0.0f, 1.0f, 0.0f };
+
+  glm::vec3 Get(const glm::vec3& direction) const
+  {
+    const float height = 0.5f + 0.5f * glm::dot(direction, this->Up);
+    return this->Bottom + height * (this->Top - this->Bottom);
+  }
 };
 
 /// A lat-long image, linear, its first row at the zenith.
@@ -70,6 +85,10 @@ public:
   const EnvironmentImage& GetImage() const { return this->Image; }
 
   glm::vec3 GetRadiance(const glm::vec3& direction) const;
+
+  /// What GetRadiance tells where there is no image.
+  const SkyGradient& GetGradient() const { return this->Gradient; }
+
   LightSample Sample(const glm::vec2& u) const;
   float Pdf(const glm::vec3& direction) const;
 
@@ -77,8 +96,7 @@ private:
   glm::vec2 ToImage(const glm::vec3& direction) const;
   glm::vec3 Interpolate(const glm::vec2& point) const;
 
-  glm::vec3 Bottom{ 0.0f };
-  glm::vec3 Top{ 0.0f };
+  SkyGradient Gradient;
   EnvironmentAxes Axes;
   EnvironmentImage Image;
   Distribution2D Importance;

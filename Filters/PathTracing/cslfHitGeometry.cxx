@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHitGeometry.h"
 
+#include "cslfTriangleGeometry.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -12,13 +14,6 @@ namespace cslf
 {
 namespace
 {
-// How far rays start off a surface, in radii of the scene: a hundred times the rounding of a
-// vertex.
-constexpr float SurfaceOffset = 1e-5f;
-
-// The least cosine between a shading normal and the direction it is seen from.
-constexpr float SmallestCosine = 1e-3f;
-
 /// A triangle in the scene.
 struct HitTriangle
 {
@@ -27,12 +22,6 @@ struct HitTriangle
   glm::vec3 Front;      // the normal of the side from which the corners run counterclockwise
   bool IsSmooth;        // whether all corners have a normal
 };
-
-/// A normal, turned to the side of another.
-glm::vec3 TurnTo(const glm::vec3& normal, const glm::vec3& side)
-{
-  return glm::dot(normal, side) < 0.0f ? -normal : normal;
-}
 
 /// What takes a mesh's normals to the scene.
 glm::mat3 GetNormalMatrix(const MeshInstance& instance)
@@ -69,15 +58,8 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
     }
     side = glm::determinant(instance.Linear) < 0.0f ? -1.0f : 1.0f;
   }
-  triangle.Front = side *
-    glm::normalize(glm::cross(
-      triangle.Corners[1] - triangle.Corners[0], triangle.Corners[2] - triangle.Corners[0]));
+  triangle.Front = side * FindFront(triangle.Corners);
   return triangle;
-}
-
-glm::vec3 Interpolate(const glm::vec3 values[3], const TrianglePoint& place)
-{
-  return (1.0f - place.U - place.V) * values[0] + place.U * values[1] + place.V * values[2];
 }
 
 /// The interpolated normal, bent by the normal texture, turned to the ray's side, and so that the
@@ -88,8 +70,7 @@ glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
   glm::vec3 normal = triangle.Front;
   if (triangle.IsSmooth)
   {
-    normal = TurnTo(Interpolate(triangle.Normals, place), triangle.Front);
-    normal = glm::length(normal) > 1e-6f ? normal : triangle.Front;
+    normal = InterpolateNormals(triangle.Normals, place.U, place.V, triangle.Front);
   }
   if (mesh.Textures.Normal)
   {
@@ -97,33 +78,7 @@ glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
       triangle.Corners[2] - triangle.Corners[0] };
     normal = mesh.BendNormal(normal, edges, place);
   }
-  normal = TurnTo(normal, surface.GeometricNormal);
-  const float length = glm::length(normal);
-  if (!(length > 1e-6f))
-  {
-    return surface.GeometricNormal;
-  }
-  normal /= length;
-  const float cosine = glm::dot(normal, outgoing);
-  return cosine < SmallestCosine ? glm::normalize(normal + (SmallestCosine - cosine) * outgoing)
-                                 : normal;
-}
-
-/// A point of a triangle, raised to the smooth surface that its corners' normals suggest, so that
-/// the triangle does not shadow directions above the shading normal's horizon: Hanika, "Hacking the
-/// Shadow Terminator", Ray Tracing Gems II, 2021.
-glm::vec3 RaiseToSmoothSurface(const HitTriangle& triangle, const TrianglePoint& place,
-  const glm::vec3& geometric, const glm::vec3& position)
-{
-  const float weights[3] = { 1.0f - place.U - place.V, place.U, place.V };
-  glm::vec3 raised = position;
-  for (int i = 0; i < 3; ++i)
-  {
-    const glm::vec3 normal = TurnTo(triangle.Normals[i], geometric);
-    const float depth = glm::dot(position - triangle.Corners[i], normal);
-    raised -= weights[i] * std::min(depth, 0.0f) * normal;
-  }
-  return raised;
+  return FaceOutgoing(normal, surface.GeometricNormal, outgoing);
 }
 
 void LocateOnTriangle(
@@ -135,10 +90,11 @@ void LocateOnTriangle(
   surface.ShadingNormal = triangle.IsSmooth || mesh.Textures.Normal
     ? FindShadingNormal(mesh, triangle, place, surface, outgoing)
     : surface.GeometricNormal;
-  const glm::vec3 position = Interpolate(triangle.Corners, place);
+  const glm::vec3 position = InterpolateCorners(triangle.Corners, place.U, place.V);
   surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
   surface.LeavePosition = triangle.IsSmooth
-    ? RaiseToSmoothSurface(triangle, place, surface.GeometricNormal, position)
+    ? RaiseToSmoothSurface(
+        triangle.Corners, triangle.Normals, place.U, place.V, surface.GeometricNormal, position)
     : position;
   surface.LeavePosition += SurfaceOffset * surface.GeometricNormal;
 }

@@ -113,10 +113,13 @@ struct VTKCSLF_EXPORT Mesh
   }
 
   /// Whether it looks alike from everywhere, and does not shine by itself.
-  bool IsDiffuse() const
+  bool IsDiffuse() const { return this->Material.IsMatte() && !this->Material.IsEmissive(); }
+
+  /// Whether the material alone tells its colour and roughness everywhere.
+  bool IsUniform() const
   {
-    return this->Material.IndexOfRefraction == 1.0f && this->Material.Metallic == 0.0f &&
-      this->Material.Transmission == 0.0f && !this->Material.IsEmissive();
+    return this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
+      !this->Textures.BaseColor && !this->Textures.MetallicRoughness;
   }
 
   /// Whether its base colour is the material's everywhere.

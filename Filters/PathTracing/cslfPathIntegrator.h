@@ -11,8 +11,10 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "cslfDirectLight.h"
+#include "cslfPathBatch.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cslf
 {
@@ -54,6 +56,9 @@ public:
   /// The radiance that a path goes on to find.
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
+  /// Follows all paths of a batch to their ends. Adds the rays traced.
+  void Follow(PathBatch& batch, std::uint64_t& rays) const;
+
   /// Whether the cache alone knows what leaves a hit towards anywhere.
   bool CanLookUp(const Hit& hit) const;
 
@@ -68,12 +73,15 @@ public:
   const DirectLight& GetLight() const { return this->Light; }
 
 private:
+  friend class PathStep;
+
   bool LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
 
   const Scene& World;
   PathSettings Settings;
   DirectLight Light;
   const RadianceCache* Cache;
+  std::vector<char> LookUps; // whether the cache knows all of a mesh; none if it is not complete
 };
 }
 

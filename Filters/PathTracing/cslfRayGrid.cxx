@@ -18,6 +18,10 @@ namespace
 constexpr double FarAway = 8.0;
 constexpr double Near = 2.0;
 
+// Rays of neighbouring texels that start closer to each other than this start from one point: over
+// a hundred thousand texels that is less than a float can tell.
+constexpr double SameOrigin = 1e-12;
+
 /// A bundle of rays from one point, in floats.
 struct Bundle
 {
@@ -42,7 +46,7 @@ CSLF_VECTORIZE void SetBundle(
   const Bundle& bundle, const float* x, const float* y, RayPacket& packet, PacketScale& scale)
 {
   RTCRay16& ray = packet.Query.ray;
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const float dx =
@@ -97,8 +101,8 @@ void SetRay(
 void SetRays(const RayGrid& grid, const float x[RayPacket::Size], const float y[RayPacket::Size],
   RayPacket& packet, PacketScale& scale)
 {
-  const glm::dvec3 none(0.0);
-  if (grid.OriginX == none && grid.OriginY == none && glm::length(grid.Origin) <= FarAway)
+  if (glm::length(grid.OriginX) < SameOrigin && glm::length(grid.OriginY) < SameOrigin &&
+    glm::length(grid.Origin) <= FarAway)
   {
     SetBundle(Bundle(grid), x, y, packet, scale);
     return;

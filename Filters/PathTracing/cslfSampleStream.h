@@ -134,7 +134,7 @@ private:
 
   std::uint64_t TexelHash;
   std::uint32_t Index;
-  std::uint32_t Vertex = 0;
+  std::uint32_t Vertex = 0; // the first of its dimensions
 };
 }
 

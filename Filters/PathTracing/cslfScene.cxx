@@ -5,6 +5,7 @@
 #include "cslfEmbree.h"
 #include "cslfHitGeometry.h"
 #include "cslfOpacity.h"
+#include "cslfRayLanes.h"
 #include "cslfVectorize.h"
 
 #include <glm/geometric.hpp>
@@ -66,6 +67,57 @@ CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* val
     query.ray.flags[i] = 0;
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+}
+
+/// Makes rays 16 of a query; valid are those that are active and that Embree can trace.
+CSLF_VECTORIZE void FillRays(const RayLanes& rays, RTCRay16& query, int* valid)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const float sum = rays.Origin.X[i] + rays.Origin.Y[i] + rays.Origin.Z[i] + rays.Direction.X[i] +
+      rays.Direction.Y[i] + rays.Direction.Z[i];
+    valid[i] = sum - sum == 0.0f ? rays.Active[i] : 0;
+    query.org_x[i] = rays.Origin.X[i];
+    query.org_y[i] = rays.Origin.Y[i];
+    query.org_z[i] = rays.Origin.Z[i];
+    query.dir_x[i] = rays.Direction.X[i];
+    query.dir_y[i] = rays.Direction.Y[i];
+    query.dir_z[i] = rays.Direction.Z[i];
+    query.tnear[i] = 0.0f;
+    query.tfar[i] = std::numeric_limits<float>::infinity();
+    query.time[i] = 0.0f;
+    query.mask[i] = ~0u;
+    query.id[i] = static_cast<unsigned int>(i);
+    query.flags[i] = 0;
+  }
+}
+
+CSLF_VECTORIZE void FillShadowRays(const ShadowLanes& shadows, RTCRay16& query, int* valid)
+{
+  FillRays(shadows.Rays, query, valid);
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    query.tfar[i] = shadows.Distance[i] * ShadowLength;
+  }
+}
+
+CSLF_VECTORIZE void FillHits(const RTCRayHit16& query, HitLanes& hits)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const float away = query.hit.Ng_x[i] * query.ray.dir_x[i] +
+      query.hit.Ng_y[i] * query.ray.dir_y[i] + query.hit.Ng_z[i] * query.ray.dir_z[i];
+    hits.Distance[i] = query.ray.tfar[i];
+    hits.U[i] = query.hit.u[i];
+    hits.V[i] = query.hit.v[i];
+    hits.Mesh[i] = query.hit.geomID[i];
+    hits.Triangle[i] = query.hit.primID[i];
+    hits.Instance[i] = query.hit.instID[0][i];
+    hits.Back[i] = away > 0.0f ? -1 : 0;
   }
 }
 
@@ -268,12 +320,15 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     AddGeometry(device, part, mesh, i);
     rtcCommitScene(part);
     mesh.FirstInstance = next;
+    this->HasInstances = true;
     for (const MeshInstance& instance : mesh.Instances)
     {
       AddInstance(device, world, part, instance, next++);
     }
   }
   rtcCommitScene(world);
+  static const char* env = getenv("CSLF_SMALL");
+  this->Small = env && atoi(env);
 }
 
 Scene::~Scene() = default;
@@ -311,7 +366,7 @@ void Scene::Intersect(RayPacket& packet) const
   alignas(64) int valid[RayPacket::Size];
   PrepareQuery(packet.Query, packet.Active, valid);
   const EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
-  EmbreeIntersectCoherent(this->Tree->World.get(), rule, valid, packet.Query);
+  EmbreeIntersect16(this->Tree->World.get(), rule, true, valid, packet.Query);
   if (!this->Tree->Parts.empty())
   {
     RTCHit16& hit = packet.Query.hit;
@@ -337,6 +392,51 @@ float Scene::GetTransmittance(const Ray& ray, float distance) const
   RTCRay query = ToEmbree(ray, distance * ShadowLength);
   EmbreeOccluded(this->Tree->World.get(), rule, query);
   return query.tfar < 0.0f ? 0.0f : transmittance;
+}
+
+void Scene::FindInstances(HitLanes& hits) const
+{
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    if (hits.IsValid(i))
+    {
+      hits.Instance[i] = this->GetInstance(hits.Mesh[i], hits.Instance[i]);
+    }
+  }
+}
+
+void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
+{
+  RTCRayHit16 query;
+  alignas(64) int valid[LaneCount];
+  FillRays(rays, query.ray, valid);
+  std::fill_n(query.hit.geomID, LaneCount, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(query.hit.instID[0], LaneCount, RTC_INVALID_GEOMETRY_ID);
+  EmbreeIntersect16(
+    this->Tree->World.get(), EmbreeQuery(Passing::ByChance), this->Small, valid, query);
+  FillHits(query, hits);
+  if (this->HasInstances)
+  {
+    this->FindInstances(hits);
+  }
+}
+
+void Scene::FindTransmittances(ShadowLanes& shadows) const
+{
+  RTCRay16 query;
+  alignas(64) int valid[LaneCount];
+  FillShadowRays(shadows, query, valid);
+  std::fill_n(shadows.Transmittance.Values, LaneCount, 1.0f);
+  EmbreeQuery rule(Passing::Attenuated);
+  rule.Transmittance = shadows.Transmittance.Values;
+  EmbreeOccluded16(this->Tree->World.get(), rule, false, valid, query);
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    if (!valid[i] || query.tfar[i] < 0.0f)
+    {
+      shadows.Transmittance[i] = 0.0f;
+    }
+  }
 }
 
 SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const

@@ -26,6 +26,10 @@
 
 namespace cslf
 {
+struct HitLanes;
+struct RayLanes;
+struct ShadowLanes;
+
 /// A surface point as a ray sees it.
 struct SurfaceHit
 {
@@ -93,6 +97,10 @@ public:
   /// its own surface does not count. Partly opaque surfaces attenuate, glass and all else blocks.
   float GetTransmittance(const Ray& ray, float distance) const;
 
+  /// The same for rays that need not run alike.
+  void Intersect(const RayLanes& rays, HitLanes& hits) const;
+  void FindTransmittances(ShadowLanes& shadows) const;
+
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
 
   /// The surface as seen along its normal, from the hit's side.
@@ -102,6 +110,9 @@ public:
   {
     return this->Meshes[hit.Mesh].GetBaseColor(hit.GetPlace());
   }
+
+  /// Whether rays that start anywhere and run to the same octant are best traced together.
+  bool IsSmall() const { return this->Small; }
 
   const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
 
@@ -122,6 +133,7 @@ public:
 private:
   struct Acceleration;
 
+  void FindInstances(HitLanes& hits) const;
   std::uint32_t GetInstance(std::uint32_t mesh, std::uint32_t geometry) const;
 
   std::vector<Mesh> Meshes;
@@ -130,6 +142,8 @@ private:
   AreaLights Emitters;
   std::string Error;
   std::unique_ptr<Acceleration> Tree;
+  bool HasInstances = false;
+  bool Small = false;
 };
 }
 

@@ -125,9 +125,4 @@ SurfaceMaterial::SurfaceMaterial(const glm::vec3& baseColor, float metallic, flo
 {
   this->DielectricSpecular = SpecularAlbedo(this->IndexOfRefraction, this->Alpha);
 }
-
-bool SurfaceMaterial::IsEmissive() const
-{
-  return Luminance(this->Emission) > 0.0f;
-}
 }

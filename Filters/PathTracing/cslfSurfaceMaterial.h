@@ -89,7 +89,14 @@ public:
   SpecularAlbedo
     DielectricSpecular; ///< of the boundary; of any roughness where a texture varies it
 
-  bool IsEmissive() const;
+  /// Whether it shines. No component of an emission is negative.
+  bool IsEmissive() const { return this->Emission.x + this->Emission.y + this->Emission.z > 0.0f; }
+
+  /// Whether it has a diffuse base alone.
+  bool IsMatte() const
+  {
+    return this->IndexOfRefraction == 1.0f && this->Metallic == 0.0f && this->Transmission == 0.0f;
+  }
 };
 }
 

@@ -25,9 +25,18 @@ constexpr std::int64_t SmallestBatch = 16;
 // The fewest samples whose differences are taken for their noise.
 constexpr int FewestSamples = 4;
 
+// The most blocks whose paths are followed together.
+constexpr int MostBlocks = 64;
+
 // Across the 4 texels of a block's side a colour may change by this many noise targets, for one
 // sample to do: between its texel's centre and itself there is a quarter of a texel on average.
 constexpr double RangeOfTarget = 8.0;
+
+/// Sequences are best at powers of two.
+bool IsPowerOfTwo(int count)
+{
+  return (count & (count - 1)) == 0;
+}
 
 /// Where samples lie, one in each of 16 texels.
 struct Places
@@ -41,7 +50,7 @@ struct Places
 CSLF_VECTORIZE void FindPlaces(std::uint32_t sample, const std::uint32_t* low,
   const std::uint32_t* high, const float* laneX, const float* laneY, Places& places)
 {
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     SampleStream::Get2D(sample, { low[lane], high[lane] }, places.X[lane], places.Y[lane]);
@@ -78,8 +87,23 @@ struct TexelRenderer::Block
   alignas(64) std::uint32_t Low[RayPacket::Size]; // the scramble of their samples' places
   alignas(64) std::uint32_t High[RayPacket::Size];
   TexelSums Sums;
-  std::uint64_t Rays = 0;
-  bool IsExact = false; // whether all samples are without noise
+  bool IsExact = true; // whether all samples are without noise
+};
+
+/// Paths that wait to be followed together, those of some blocks of a row: which they are depends
+/// on the row alone.
+struct TexelRenderer::PathQueue
+{
+  /// Where a path started.
+  struct Source
+  {
+    TexelSums* Sums;
+    int Lane;
+  };
+
+  PathBatch Batch;
+  std::vector<Source> Sources; // of the batch's paths
+  std::uint64_t Rays = 0;      // of all paths so far
 };
 
 TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
@@ -127,18 +151,37 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
 void TexelRenderer::RenderRow(std::int64_t index) const
 {
   const std::int64_t rows = this->GetRowsOfTile();
-  Block block;
-  block.Y = static_cast<int>(index % rows) * BlockSide;
+  Block first;
+  first.Y = static_cast<int>(index % rows) * BlockSide;
   index /= rows;
-  block.Tile = static_cast<int>(index % this->Layout.Tiles);
-  block.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
-  block.Grid = this->Grids(block.Slice, block.Tile);
+  first.Tile = static_cast<int>(index % this->Layout.Tiles);
+  first.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
+  first.Grid = this->Grids(first.Slice, first.Tile);
+  std::vector<Block> blocks(this->GetBlocksAtOnce());
+  PathQueue queue;
+  int count = 0;
   for (int column = 0; column < this->Layout.TileWidth; column += BlockSide)
   {
-    this->SetTexels(block, column);
-    this->RenderBlock(block);
+    blocks[count] = first;
+    this->SetTexels(blocks[count], column);
+    if (++count == static_cast<int>(blocks.size()))
+    {
+      this->RenderBlocks(blocks.data(), count, queue);
+      count = 0;
+    }
   }
-  this->Rays.fetch_add(block.Rays, std::memory_order_relaxed);
+  this->RenderBlocks(blocks.data(), count, queue);
+  this->Rays.fetch_add(queue.Rays, std::memory_order_relaxed);
+}
+
+std::size_t TexelRenderer::GetBlocksAtOnce() const
+{
+  // As many as fill a batch of paths before it must be followed.
+  const int samples =
+    this->Settings.NoiseTarget > 0.0 ? FewestSamples : std::max(this->Settings.Samples, 1);
+  const int filling = PathBatch::Capacity / (RayPacket::Size * samples);
+  const int all = (this->Layout.TileWidth + BlockSide - 1) / BlockSide;
+  return static_cast<std::size_t>(std::clamp(filling, 1, std::min(all, MostBlocks)));
 }
 
 void TexelRenderer::SetTexels(Block& block, int column) const
@@ -159,36 +202,48 @@ void TexelRenderer::SetTexels(Block& block, int column) const
   }
 }
 
-void TexelRenderer::RenderBlock(Block& block) const
+void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) const
 {
-  block.Sums = TexelSums();
-  block.IsExact = true;
-  while (block.Sums.Samples < this->Settings.Samples)
+  std::vector<Block*> unfinished;
+  for (int i = 0; i < count; ++i)
   {
-    this->AddSamples(block);
-    if (this->Settings.NoiseTarget > 0.0 && this->IsGoodEnough(block))
+    unfinished.push_back(blocks + i);
+  }
+  for (int samples = 1; samples <= this->Settings.Samples && !unfinished.empty(); ++samples)
+  {
+    for (Block* block : unfinished)
     {
-      break;
+      this->AddSamples(*block, queue);
+      if (queue.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
+      {
+        this->FollowPaths(queue);
+      }
+    }
+    if (this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(samples))
+    {
+      this->FollowPaths(queue);
+      const auto isGood = [this](const Block* block) { return this->IsGoodEnough(*block); };
+      unfinished.erase(
+        std::remove_if(unfinished.begin(), unfinished.end(), isGood), unfinished.end());
     }
   }
-  if (this->Output.Depth)
+  this->FollowPaths(queue);
+  for (int i = 0; i < count; ++i)
   {
-    this->FindDepths(block);
+    if (this->Output.Depth)
+    {
+      this->FindDepths(blocks[i]);
+    }
+    this->Write(blocks[i]);
   }
-  this->Write(block);
 }
 
 bool TexelRenderer::IsGoodEnough(const Block& block) const
 {
-  // Sequences are best at powers of two. A few samples tell of noise only where there is none:
-  // then where in its texel a sample lies matters as much as texels differ from their neighbours.
-  const int count = block.Sums.Samples;
-  if ((count & (count - 1)) != 0)
-  {
-    return false;
-  }
+  // A few samples tell of noise only where there is none: then where in its texel a sample lies
+  // matters as much as texels differ from their neighbours.
   const auto exposure = static_cast<float>(this->Settings.Exposure);
-  if (count < FewestSamples)
+  if (block.Sums.Samples < FewestSamples)
   {
     return block.IsExact &&
       block.Sums.GetRange(exposure, block.Inside) < RangeOfTarget * this->Settings.NoiseTarget;
@@ -196,7 +251,7 @@ bool TexelRenderer::IsGoodEnough(const Block& block) const
   return block.Sums.GetNoise(exposure) <= this->Settings.NoiseTarget;
 }
 
-void TexelRenderer::AddSamples(Block& block) const
+void TexelRenderer::AddSamples(Block& block, PathQueue& queue) const
 {
   // Take one ray of each texel.
   Places places;
@@ -205,7 +260,7 @@ void TexelRenderer::AddSamples(Block& block) const
   RayPacket packet;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
-  block.Rays += KeepInside(block.Inside, packet);
+  queue.Rays += KeepInside(block.Inside, packet);
   this->World.Intersect(packet);
 
   // Find what they see.
@@ -213,7 +268,7 @@ void TexelRenderer::AddSamples(Block& block) const
   alignas(64) int covered[RayPacket::Size];
   if (!this->Known.Get(packet, radiance, covered))
   {
-    this->Follow(packet, block, radiance, covered);
+    this->Follow(packet, block, queue, radiance, covered);
   }
   if (this->Settings.ShowEnvironment)
   {
@@ -230,27 +285,43 @@ void TexelRenderer::AddSamples(Block& block) const
   }
 }
 
-void TexelRenderer::Follow(
-  const RayPacket& packet, Block& block, PacketRadiance& radiance, int covered[]) const
+void TexelRenderer::Follow(const RayPacket& packet, Block& block, PathQueue& queue,
+  PacketRadiance& radiance, int covered[]) const
 {
   const auto index = static_cast<std::uint32_t>(block.Sums.Samples);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    if (packet.IsHit(lane) && !covered[lane])
+    if (!packet.IsHit(lane) || covered[lane])
     {
-      const Ray ray = packet.GetRay(lane);
-      const Hit hit = packet.GetHit(lane);
-      glm::vec3 seen;
-      if (!this->Integrator.LookUp(ray, hit, seen))
-      {
-        block.IsExact = false;
-        seen = this->Integrator.GetRadiance(
-          ray, hit, SampleStream(block.Hashes[lane], index), block.Rays);
-      }
-      radiance.Set(lane, seen);
+      continue;
+    }
+    const Ray ray = packet.GetRay(lane);
+    const Hit hit = packet.GetHit(lane);
+    glm::vec3 known;
+    if (this->Integrator.LookUp(ray, hit, known))
+    {
+      radiance.Set(lane, known);
       covered[lane] = -1;
     }
+    else
+    {
+      queue.Batch.Add({ ray, block.Hashes[lane], index }, hit);
+      queue.Sources.push_back({ &block.Sums, lane });
+      block.IsExact = false;
+    }
   }
+}
+
+void TexelRenderer::FollowPaths(PathQueue& queue) const
+{
+  this->Integrator.Follow(queue.Batch, queue.Rays);
+  for (int path = 0; path < queue.Batch.GetSize(); ++path)
+  {
+    const PathQueue::Source& source = queue.Sources[path];
+    source.Sums->AddPath(source.Lane, queue.Batch.GetRadiance(path));
+  }
+  queue.Batch.Clear();
+  queue.Sources.clear();
 }
 
 void TexelRenderer::AddEnvironment(
@@ -258,7 +329,7 @@ void TexelRenderer::AddEnvironment(
 {
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    if (block.Inside[lane] && !covered[lane])
+    if (block.Inside[lane] && !packet.IsHit(lane))
     {
       radiance.Set(lane, this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
       covered[lane] = -1;

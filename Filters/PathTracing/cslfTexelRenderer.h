@@ -15,6 +15,7 @@
 #include "cslfTexelSums.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -71,15 +72,19 @@ private:
   static constexpr int BlockSide = 4; // a packet of rays is one of each texel of a block
 
   struct Block;
+  struct PathQueue;
 
   std::int64_t GetRowsOfTile() const;
   void RenderRow(std::int64_t index) const;
   void SetTexels(Block& block, int column) const;
-  void RenderBlock(Block& block) const;
-  void AddSamples(Block& block) const;
-  void Follow(const RayPacket& packet, Block& block, PacketRadiance& radiance, int covered[]) const;
+  std::size_t GetBlocksAtOnce() const;
+  void RenderBlocks(Block* blocks, int count, PathQueue& queue) const;
+  void AddSamples(Block& block, PathQueue& queue) const;
+  void Follow(const RayPacket& packet, Block& block, PathQueue& queue, PacketRadiance& radiance,
+    int covered[]) const;
   void AddEnvironment(
     const RayPacket& packet, const Block& block, PacketRadiance& radiance, int covered[]) const;
+  void FollowPaths(PathQueue& queue) const;
   bool IsGoodEnough(const Block& block) const;
   void FindDepths(Block& block) const;
   void Write(const Block& block) const;

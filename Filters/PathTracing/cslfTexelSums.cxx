@@ -84,6 +84,17 @@ void TexelSums::Add(const PacketRadiance& radiance, const int covered[Size])
   ++this->Samples;
 }
 
+void TexelSums::AddPath(int lane, const glm::vec3& radiance)
+{
+  this->Red[lane] += radiance.x;
+  this->Green[lane] += radiance.y;
+  this->Blue[lane] += radiance.z;
+  this->RedSquares[lane] += radiance.x * radiance.x;
+  this->GreenSquares[lane] += radiance.y * radiance.y;
+  this->BlueSquares[lane] += radiance.z * radiance.z;
+  ++this->Covered[lane];
+}
+
 void TexelSums::AddSquares(const PacketRadiance& radiance)
 {
   AddSquaresTo(this->RedSquares, radiance.Red);
@@ -94,7 +105,7 @@ void TexelSums::AddSquares(const PacketRadiance& radiance)
 CSLF_VECTORIZE void TexelSums::AddDepths(
   const RayPacket& packet, const PacketScale& scale, const float x[Size], const float y[Size])
 {
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < Size; ++lane)
   {
     const float offsetX = x[lane] - 0.5f;

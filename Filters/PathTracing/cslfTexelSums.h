@@ -36,6 +36,9 @@ struct VTKCSLF_EXPORT TexelSums
   /// 0.
   void Add(const PacketRadiance& radiance, const int covered[Size]);
 
+  /// Adds to a sample what was left out of it: what a path in one of the texels saw.
+  void AddPath(int lane, const glm::vec3& radiance);
+
   /// Adds the squares of the samples, which Noise needs.
   void AddSquares(const PacketRadiance& radiance);
 

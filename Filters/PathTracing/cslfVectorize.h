@@ -11,16 +11,20 @@
 // Sanitizers are not yet up when the choice is made.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if __GNUC__ >= 12
+#define CSLF_VECTORIZE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
 #define CSLF_VECTORIZE __attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
 #else
 #define CSLF_VECTORIZE
 #endif
 
-// Stands before a loop over lanes that share nothing, whatever its pointers are.
+// Stands before a loop over lanes: what it writes is nowhere what it reads of other lanes.
 #if defined(__GNUC__) && !defined(__clang__)
-#define CSLF_LANES _Pragma("GCC ivdep")
+#define CSLF_LANE_LOOP _Pragma("GCC ivdep")
 #else
-#define CSLF_LANES
+#define CSLF_LANE_LOOP
 #endif
 
 #endif

@@ -158,9 +158,9 @@ void DiffuseEstimator::LookAround(
 {
   RayPacket packet;
   std::fill_n(packet.Active, RayPacket::Size, -1);
-  std::fill_n(packet.OriginX, RayPacket::Size, receiver.Surface.LeavePosition.x);
-  std::fill_n(packet.OriginY, RayPacket::Size, receiver.Surface.LeavePosition.y);
-  std::fill_n(packet.OriginZ, RayPacket::Size, receiver.Surface.LeavePosition.z);
+  std::fill_n(packet.Query.ray.org_x, RayPacket::Size, receiver.Surface.LeavePosition.x);
+  std::fill_n(packet.Query.ray.org_y, RayPacket::Size, receiver.Surface.LeavePosition.y);
+  std::fill_n(packet.Query.ray.org_z, RayPacket::Size, receiver.Surface.LeavePosition.z);
   for (int i = begin; i < end; i += RayPacket::Size)
   {
     const Frame frame = GatherDirections::Turn(receiver.Local, hash, i);
@@ -170,9 +170,9 @@ void DiffuseEstimator::LookAround(
       const float x = local.X[lane];
       const float y = local.Y[lane];
       const float z = local.Z[lane];
-      packet.DirectionX[lane] = x * frame.X.x + y * frame.Y.x + z * frame.Z.x;
-      packet.DirectionY[lane] = x * frame.X.y + y * frame.Y.y + z * frame.Z.y;
-      packet.DirectionZ[lane] = x * frame.X.z + y * frame.Y.z + z * frame.Z.z;
+      packet.Query.ray.dir_x[lane] = x * frame.X.x + y * frame.Y.x + z * frame.Z.x;
+      packet.Query.ray.dir_y[lane] = x * frame.X.y + y * frame.Y.y + z * frame.Z.y;
+      packet.Query.ray.dir_z[lane] = x * frame.X.z + y * frame.Y.z + z * frame.Z.z;
     }
     this->World.Intersect(packet);
     samples.Rays += RayPacket::Size;

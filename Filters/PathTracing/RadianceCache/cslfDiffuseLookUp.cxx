@@ -48,8 +48,8 @@ bool DiffuseLookUp::Get(
     return false;
   }
   LatticePacket places;
-  const int missed = FindPlaces(
-    this->Surfaces.data(), this->Cache->GetSides().GetData(), packet, known, places);
+  const int missed =
+    FindPlaces(this->Surfaces.data(), this->Cache->GetSides().GetData(), packet, known, places);
   this->Cache->Get(places);
   if (Colorize(this->Surfaces.data(), packet, known, places, radiance))
   {
@@ -72,7 +72,7 @@ CSLF_VECTORIZE int DiffuseLookUp::FindPlaces(const Surface* surfaces, const std:
   const RTCRay16& ray = packet.Query.ray;
   const RTCHit16& hit = packet.Query.hit;
   int missed = 0;
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int isHit = static_cast<int>(hit.geomID[lane]) == -1 ? 0 : -1;
@@ -81,8 +81,8 @@ CSLF_VECTORIZE int DiffuseLookUp::FindPlaces(const Surface* surfaces, const std:
       hit.Ng_z[lane] * ray.dir_z[lane];
     const int back = away > 0.0f ? 1 : 0;
     const int canBeKnown = surfaces[mesh].IsKnown & isHit;
-    const int triangle = (surfaces[mesh].FirstTriangle + static_cast<int>(hit.primID[lane])) &
-      canBeKnown;
+    const int triangle =
+      (surfaces[mesh].FirstTriangle + static_cast<int>(hit.primID[lane])) & canBeKnown;
     const int isOpen = -((sides[triangle] >> back) & 1);
     const int isKnown = isOpen & canBeKnown;
     known[lane] = isKnown;
@@ -100,7 +100,7 @@ CSLF_VECTORIZE int DiffuseLookUp::Colorize(const Surface* surfaces, const RayPac
   const int* known, const LatticePacket& values, PacketRadiance& radiance)
 {
   int varies = 0;
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int mesh = static_cast<int>(packet.Query.hit.geomID[lane]) & known[lane];

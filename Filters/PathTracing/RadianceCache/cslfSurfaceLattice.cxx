@@ -69,7 +69,7 @@ CSLF_VECTORIZE int SurfaceLattice::GoToBricks(
   const Triangle* triangles, const Brick* bricks, const LatticePacket& packet, PacketPlaces& places)
 {
   int split = 0;
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
     const int wanted = packet.Wanted[lane];
@@ -92,7 +92,7 @@ CSLF_VECTORIZE int SurfaceLattice::GoToBricks(
 CSLF_VECTORIZE int SurfaceLattice::GoToParts(const Brick* bricks, PacketPlaces& places)
 {
   int split = 0;
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
     const int isSplit = places.Level[lane] == static_cast<int>(Split) ? -1 : 0;
@@ -114,7 +114,7 @@ CSLF_VECTORIZE void SurfaceLattice::Interpolate(
   const glm::vec3* values, const PacketPlaces& places, LatticePacket& packet)
 {
   const float* components = &values->x;
-  CSLF_LANES
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
     // A brick of one value is a lattice whose points are all the first.

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Paths on their way, side by side.
+ */
+#ifndef cslfPathPacket_h
+#define cslfPathPacket_h
+
+#include "cslfRayLanes.h"
+#include "cslfStreamLanes.h"
+
+namespace cslf
+{
+constexpr int OctantCount = 8;
+
+struct PathPacket
+{
+  RayLanes Rays;            ///< active where the path goes on
+  Vec3Lanes Beta;           ///< the weight of what it finds
+  Lanes<float> Pdf;         ///< of the ray's direction, per solid angle; infinite for a given ray
+  Lanes<float> Compression; ///< the factor of the weight that leaving glass undoes
+  StreamLanes Streams;
+  Lanes<std::int32_t> Path;   ///< its number in the batch
+  Lanes<std::int32_t> Octant; ///< to which the ray runs, in [0,8); not taken over
+
+  /// Takes over one path.
+  void Take(int lane, const PathPacket& from, int fromLane)
+  {
+    this->Rays.Active[lane] = -1;
+    this->Rays.Origin.Set(lane, from.Rays.Origin.Get(fromLane));
+    this->Rays.Direction.Set(lane, from.Rays.Direction.Get(fromLane));
+    this->Beta.Set(lane, from.Beta.Get(fromLane));
+    this->Pdf[lane] = from.Pdf[fromLane];
+    this->Compression[lane] = from.Compression[fromLane];
+    this->Streams.Hash[lane] = from.Streams.Hash[fromLane];
+    this->Streams.Index[lane] = from.Streams.Index[fromLane];
+    this->Path[lane] = from.Path[fromLane];
+  }
+};
+}
+
+#endif

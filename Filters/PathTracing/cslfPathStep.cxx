@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfPathStep.h"
+
+#include "RadianceCache/cslfRadianceCache.h"
+#include "cslfLambert.h"
+#include "cslfPathIntegrator.h"
+#include "cslfTriangleGeometry.h"
+#include "cslfVectorize.h"
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+// From this many reflections on, paths of little weight end early.
+constexpr int RouletteDepth = 3;
+
+// The largest chance of going on, so that paths end between white surfaces too.
+constexpr float LargestSurvival = 0.95f;
+
+/// Adds an environment without image where rays miss, and ends these paths.
+CSLF_VECTORIZE void AddGradient(
+  const SkyGradient& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
+{
+  const SkyGradient gradient = environment;
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const std::int32_t missed = hits.Mesh[i] == Hit::None ? -1 : 0;
+    const glm::vec3 radiance = paths.Beta.Get(i) * gradient.Get(paths.Rays.Direction.Get(i));
+    found.Set(i, Choose((missed & paths.Rays.Active[i]) != 0, radiance, glm::vec3(0.0f)));
+    paths.Rays.Active[i] &= ~missed;
+  }
+}
+
+CSLF_VECTORIZE void AddWeighted(const Vec3Lanes& beta, const Vec3Lanes& light, Vec3Lanes& found)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    found.Set(i, found.Get(i) + beta.Get(i) * light.Get(i));
+  }
+}
+
+/// The next directions as if all surfaces were matte: what a sample weighs is the base colour.
+CSLF_VECTORIZE void ChooseMatte(const Lanes<float>& x, const Lanes<float>& y,
+  const SurfaceLanes& surfaces, const LaneMask& open, PathPacket& paths, Vec3Lanes& local)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 direction = Lambert::Sample({ x[i], y[i] });
+    const float pdf = Lambert::Pdf(direction);
+    local.Set(i, direction);
+    paths.Pdf[i] = pdf;
+    paths.Beta.Set(i, paths.Beta.Get(i) * surfaces.BaseColor.Get(i));
+    paths.Rays.Active[i] = pdf > 0.0f ? paths.Rays.Active[i] & open[i] : 0;
+  }
+}
+
+/// Russian roulette on the paths' weight, without the compression that leaving the glass undoes.
+CSLF_VECTORIZE void Survive(const Lanes<float>& x, PathPacket& paths)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 beta = paths.Beta.Get(i);
+    const float weight = std::max(std::max(beta.x, beta.y), beta.z) / paths.Compression[i];
+    const float survival = std::min(weight, LargestSurvival);
+    paths.Rays.Active[i] = x[i] < survival ? paths.Rays.Active[i] : 0;
+    paths.Beta.Set(i, beta / survival);
+  }
+}
+
+CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, PathPacket& paths)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 direction = local.Get(i);
+    const glm::vec3 world = Frame(surfaces.ShadingNormal.Get(i)).ToWorld(direction);
+    paths.Rays.Origin.Set(
+      i, Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i)));
+    paths.Rays.Direction.Set(i, world);
+    paths.Octant[i] =
+      (world.x < 0.0f ? 1 : 0) | (world.y < 0.0f ? 2 : 0) | (world.z < 0.0f ? 4 : 0);
+  }
+}
+
+/// Adds what the paths of a packet found to the radiances of the batch.
+void Deposit(const Vec3Lanes& found, const PathPacket& paths, glm::vec3* radiances)
+{
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    const glm::vec3 radiance = found.Get(lane);
+    if (radiance.x + radiance.y + radiance.z > 0.0f)
+    {
+      radiances[paths.Path[lane]] += radiance;
+    }
+  }
+}
+}
+
+PathStep::PathStep(const PathIntegrator& paths, int depth, int vertex)
+  : Paths(paths)
+  , World(paths.World)
+  , Settings(paths.Settings)
+  , Light(paths.Light)
+  , Cache(paths.Cache)
+  , Depth(depth)
+  , Vertex(static_cast<std::uint32_t>(vertex))
+{
+}
+
+std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances)
+{
+  std::uint64_t rays = 0;
+  this->AddEnvironment(paths, hits);
+  if (this->Cache && this->Depth > 0 && this->Depth < this->Settings.MaximumDepth)
+  {
+    this->EndWhereKnown(paths, hits);
+  }
+  if (IsAny(paths.Rays.Active))
+  {
+    FindSurfaces(this->World, paths.Rays, hits, this->Points.Surfaces);
+    this->AddEmission(paths, hits);
+    if (this->Depth < this->Settings.MaximumDepth)
+    {
+      this->Points.Lit = paths.Rays.Active;
+      this->MakeScattering(paths);
+      this->AddCached(paths, hits);
+      rays = this->AddLight(paths);
+      this->ChooseDirections(paths);
+      if (this->Depth >= RouletteDepth)
+      {
+        this->EndByChance(paths);
+      }
+      Leave(this->Points.Surfaces, this->Local, paths);
+    }
+    else
+    {
+      std::fill_n(paths.Rays.Active.Values, LaneCount, 0);
+    }
+  }
+  Deposit(this->Found, paths, radiances);
+  return rays;
+}
+
+void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
+{
+  const Environment& environment = this->World.GetEnvironment();
+  if (environment.GetImage().Pixels.empty())
+  {
+    AddGradient(environment.GetGradient(), hits, paths, this->Found);
+    return;
+  }
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    glm::vec3 radiance(0.0f);
+    if (!hits.IsValid(lane) && paths.Rays.Active[lane] != 0)
+    {
+      radiance = paths.Beta.Get(lane) *
+        this->Light.GetEnvironment(paths.Rays.Direction.Get(lane), paths.Pdf[lane]);
+      paths.Rays.Active[lane] = 0;
+    }
+    this->Found.Set(lane, radiance);
+  }
+}
+
+/// Adds the light of surfaces of which the cache knows all, and ends these paths.
+void PathStep::EndWhereKnown(PathPacket& paths, const HitLanes& hits)
+{
+  for (int lane = 0; lane < LaneCount; ++lane)
+  {
+    glm::vec3 known;
+    if (paths.Rays.Active[lane] != 0 &&
+      this->Paths.LookUp(paths.Rays.Get(lane), hits.Get(lane), known))
+    {
+      this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * known);
+      paths.Rays.Active[lane] = 0;
+    }
+  }
+}
+
+void PathStep::AddEmission(const PathPacket& paths, const HitLanes& hits)
+{
+  ForEachLane(this->Points.Surfaces.Shining,
+    [&](int lane)
+    {
+      const glm::vec3 emission = this->Light.GetEmission(
+        paths.Rays.Get(lane), hits.Get(lane), this->Points.Surfaces.Get(lane), paths.Pdf[lane]);
+      this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * emission);
+    });
+}
+
+/// Makes the BSDFs of what is not matte.
+void PathStep::MakeScattering(const PathPacket& paths)
+{
+  const SurfaceLanes& surfaces = this->Points.Surfaces;
+  if (surfaces.Scattering == 0)
+  {
+    return;
+  }
+  Lanes<float> unused;
+  paths.Streams.Get2D(this->Vertex, Dimension::Lobe, this->Lobe, unused);
+  ForEachLane(surfaces.Scattering,
+    [&](int lane)
+    {
+      const Frame frame(surfaces.ShadingNormal.Get(lane));
+      const BSDF& bsdf = this->Points.Scattering[lane].emplace(*surfaces.Material[lane],
+        MaterialPoint{
+          surfaces.BaseColor.Get(lane), surfaces.Metallic[lane], surfaces.Alpha[lane] },
+        frame.ToLocal(-paths.Rays.Direction.Get(lane)), surfaces.Inside[lane] != 0);
+      this->Lobe[lane] = bsdf.HasSpecular() ? this->Lobe[lane] : 1.0f;
+      this->Points.LitLobes[lane] = Lobes::All;
+      this->Open[lane] = Lobes::All;
+      this->OpenProbability[lane] = 1.0f;
+    });
+}
+
+/// Adds the diffuse light that the cache knows, and leaves it out of what follows.
+void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
+{
+  std::fill_n(this->GoesOn.Values, LaneCount, -1);
+  for (int lane = 0; this->Cache && lane < LaneCount; ++lane)
+  {
+    if (paths.Rays.Active[lane] == 0)
+    {
+      continue;
+    }
+    const Hit hit = hits.Get(lane);
+    const bool matte = (this->Points.Surfaces.Scattering >> lane & 1u) == 0;
+    const BSDF* bsdf = matte ? nullptr : &*this->Points.Scattering[lane];
+    if (!this->Cache->Covers(hit) || !(matte || bsdf->HasDiffuse()))
+    {
+      continue;
+    }
+    const glm::vec3 albedo =
+      matte ? this->Points.Surfaces.BaseColor.Get(lane) : bsdf->DiffuseAlbedo();
+    this->Found.Set(
+      lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * this->Cache->Get(hit));
+    if (matte)
+    {
+      this->Points.Lit[lane] = 0;
+      this->GoesOn[lane] = this->Cache->IsComplete() ? 0 : -1;
+      continue;
+    }
+    this->Points.LitLobes[lane] = Lobes::Specular;
+    this->Open[lane] = Lobes::Specular;
+    if (!this->Cache->IsComplete())
+    {
+      const float specular = bsdf->GetSpecularProbability(Lobes::All);
+      const bool reflects = this->Lobe[lane] < specular;
+      this->Open[lane] = reflects ? Lobes::Specular : Lobes::Diffuse;
+      this->OpenProbability[lane] = reflects ? specular : 1.0f - specular;
+    }
+  }
+}
+
+/// Adds light that is sampled at its sources.
+std::uint64_t PathStep::AddLight(const PathPacket& paths)
+{
+  if (!this->Light.CanSample())
+  {
+    return 0;
+  }
+  ForEachLane(this->Points.Surfaces.Scattering,
+    [&](int lane)
+    {
+      const BSDF& bsdf = *this->Points.Scattering[lane];
+      const Lobes lobes = this->Points.LitLobes[lane];
+      this->Points.Lit[lane] =
+        bsdf.Has(lobes) && !bsdf.IsMirror(lobes) ? this->Points.Lit[lane] : 0;
+    });
+  if (!IsAny(this->Points.Lit))
+  {
+    return 0;
+  }
+  Vec3Lanes light;
+  Clear(light);
+  const std::uint64_t rays = this->Light.Sample(this->Points, paths.Streams, this->Vertex, light);
+  AddWeighted(paths.Beta, light, this->Found);
+  return rays;
+}
+
+/// Chooses the directions in which the paths go on.
+void PathStep::ChooseDirections(PathPacket& paths)
+{
+  Lanes<float> x;
+  Lanes<float> y;
+  paths.Streams.Get2D(this->Vertex, Dimension::Direction, x, y);
+  const std::uint32_t others = this->Points.Surfaces.Scattering;
+  Vec3Lanes betas;
+  if (others != 0)
+  {
+    betas = paths.Beta;
+  }
+  ChooseMatte(x, y, this->Points.Surfaces, this->GoesOn, paths, this->Local);
+  ForEachLane(others,
+    [&](int lane)
+    {
+      const BSDF& bsdf = *this->Points.Scattering[lane];
+      BSDFSample sample;
+      const bool goesOn = bsdf.Has(this->Open[lane]) &&
+        bsdf.Sample(this->Lobe[lane], { x[lane], y[lane] }, sample, this->Open[lane]);
+      paths.Rays.Active[lane] = goesOn ? -1 : 0;
+      paths.Beta.Set(lane, betas.Get(lane) * sample.Weight / this->OpenProbability[lane]);
+      paths.Compression[lane] *= sample.Compression;
+      paths.Pdf[lane] = sample.Pdf;
+      this->Local.Set(lane, sample.Direction);
+    });
+}
+
+/// Ends paths that carry little.
+void PathStep::EndByChance(PathPacket& paths)
+{
+  Lanes<float> x;
+  Lanes<float> unused;
+  paths.Streams.Get2D(this->Vertex, Dimension::Roulette, x, unused);
+  Survive(x, paths);
+}
+}

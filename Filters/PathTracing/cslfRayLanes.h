@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Rays that need not run alike, and what they meet, side by side.
+ */
+#ifndef cslfRayLanes_h
+#define cslfRayLanes_h
+
+#include "cslfLanes.h"
+#include "cslfScene.h"
+
+namespace cslf
+{
+struct RayLanes
+{
+  LaneMask Active; ///< where there is a ray
+  Vec3Lanes Origin;
+  Vec3Lanes Direction; ///< of unit length
+
+  Ray Get(int lane) const { return { this->Origin.Get(lane), this->Direction.Get(lane) }; }
+};
+
+/// The hits of rays; what is not active has none.
+struct HitLanes
+{
+  Lanes<float> Distance;
+  Lanes<float> U;
+  Lanes<float> V;
+  Lanes<std::uint32_t> Mesh;
+  Lanes<std::uint32_t> Triangle;
+  Lanes<std::uint32_t> Instance;
+  LaneMask Back;
+
+  bool IsValid(int lane) const { return this->Mesh[lane] != Hit::None; }
+  Hit Get(int lane) const
+  {
+    return { this->Distance[lane], this->U[lane], this->V[lane], this->Mesh[lane],
+      this->Triangle[lane], this->Instance[lane], this->Back[lane] != 0 };
+  }
+  void Set(int lane, const Hit& hit)
+  {
+    this->Distance[lane] = hit.Distance;
+    this->U[lane] = hit.U;
+    this->V[lane] = hit.V;
+    this->Mesh[lane] = hit.Mesh;
+    this->Triangle[lane] = hit.Triangle;
+    this->Instance[lane] = hit.Instance;
+    this->Back[lane] = hit.Back ? -1 : 0;
+  }
+};
+
+/// Rays to lights, and how much of the light arrives.
+struct ShadowLanes
+{
+  RayLanes Rays;
+  Lanes<float> Distance;      ///< of the light
+  Lanes<float> Transmittance; ///< the answer; 0 where no ray is active
+};
+}
+
+#endif

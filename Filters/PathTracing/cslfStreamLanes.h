@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The random numbers of 16 paths, side by side.
+ */
+#ifndef cslfStreamLanes_h
+#define cslfStreamLanes_h
+
+#include "cslfLanes.h"
+#include "cslfSampleStream.h"
+
+namespace cslf
+{
+struct StreamLanes
+{
+  Lanes<std::uint64_t> Hash;  ///< of the path's texel
+  Lanes<std::uint32_t> Index; ///< of the texel's samples
+
+  /// The numbers of each path's vertex, as SampleStream::Get2D; vertices are numbered from 0.
+  void Get2D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x, Lanes<float>& y) const;
+};
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Surface points as rays see them, side by side.
+ */
+#ifndef cslfSurfaceLanes_h
+#define cslfSurfaceLanes_h
+
+#include "cslfRayLanes.h"
+
+namespace cslf
+{
+/// As SurfaceHit. Lanes without a hit are not set.
+struct SurfaceLanes
+{
+  Vec3Lanes GeometricNormal;
+  Vec3Lanes ShadingNormal;
+  Vec3Lanes LeavePosition;
+  Vec3Lanes PassPosition;
+  LaneMask Inside;
+  Vec3Lanes BaseColor;
+  Lanes<float> Metallic;
+  Lanes<float> Alpha;
+  Vec3Lanes Emission;              ///< of the lanes that shine
+  Lanes<float> EmissionImportance; ///< of those, too
+  const SurfaceMaterial* Material[LaneCount];
+
+  std::uint32_t Shining = 0;    ///< a bit for each lane that shines
+  std::uint32_t Scattering = 0; ///< a bit for each lane that is not matte
+
+  SurfaceHit Get(int lane) const;
+  void Set(int lane, const SurfaceHit& surface);
+};
+
+/// Finds the surfaces that rays hit.
+void FindSurfaces(
+  const Scene& scene, const RayLanes& rays, const HitLanes& hits, SurfaceLanes& surfaces);
+}
+
+#endif
