@@ -240,11 +240,12 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
 
 int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
 {
-  std::ifstream file(std::string(fileName ? fileName : "") + ".partial/manifest.json");
+  const std::string name = fileName ? fileName : "";
+  std::ifstream file(name + ".partial/manifest.json");
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   nlohmann::json manifest = nlohmann::json::parse(text, nullptr, false);
   const nlohmann::json::json_pointer place("/description/sampling/samples");
-  if (!this->Sampler || this->Format != Video || !manifest.is_object() ||
+  if (!this->Sampler || this->Format != Video || name.empty() || !manifest.is_object() ||
     !manifest.contains(place) || !manifest[place].is_number_integer())
   {
     return 0;
