@@ -217,9 +217,11 @@ list(APPEND private_headers
 
 # Knowing the cost before.
 list(APPEND sources
-  ../Filters/Planning/cslfBakeProbe.cxx)
+  ../Filters/Planning/cslfBakeProbe.cxx
+  ../Filters/Planning/cslfFieldDetail.cxx)
 list(APPEND private_headers
-  ../Filters/Planning/cslfBakeProbe.h)
+  ../Filters/Planning/cslfBakeProbe.h
+  ../Filters/Planning/cslfFieldDetail.h)
 
 # Coarser fields.
 list(APPEND sources

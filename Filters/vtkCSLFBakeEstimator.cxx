@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkCSLFBakeEstimator);
@@ -88,6 +89,16 @@ private:
 };
 }
 
+/// What a probe tells of other fields.
+struct vtkCSLFBakeEstimator::Outlook
+{
+  cslf::FieldDetail Detail;
+  double Bytes;
+  double Growth;
+  int Viewpoints;
+  int Resolution;
+};
+
 vtkCSLFBakeEstimator::vtkCSLFBakeEstimator() = default;
 vtkCSLFBakeEstimator::~vtkCSLFBakeEstimator() = default;
 
@@ -148,6 +159,12 @@ bool vtkCSLFBakeEstimator::RunProbe(cslf::BakeProbe& probe)
   this->RenderSeconds = costs.Rendering;
   this->CodingSeconds = costs.Coding;
   this->Bytes = costs.Bytes;
+  this->Look.reset();
+  if (this->Format == Video)
+  {
+    this->Look = std::make_unique<Outlook>(Outlook{ probe.GetDetail(), costs.Bytes,
+      probe.GetGrowth(), this->Sampler->GetViewpoints(), probe.GetResolution() });
+  }
   return true;
 }
 
@@ -223,11 +240,12 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
 
 int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
 {
-  std::ifstream file(std::string(fileName ? fileName : "") + ".partial/manifest.json");
+  const std::string name = fileName ? fileName : "";
+  std::ifstream file(name + ".partial/manifest.json");
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   nlohmann::json manifest = nlohmann::json::parse(text, nullptr, false);
   const nlohmann::json::json_pointer place("/description/sampling/samples");
-  if (!this->Sampler || this->Format != Video || !manifest.is_object() ||
+  if (!this->Sampler || this->Format != Video || name.empty() || !manifest.is_object() ||
     !manifest.contains(place) || !manifest[place].is_number_integer())
   {
     return 0;
@@ -254,6 +272,57 @@ int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
   mine.erase("sample");
   this->Sampler->SetSamples(manifest == mine ? samples : before);
   return manifest == mine ? 1 : 0;
+}
+
+double vtkCSLFBakeEstimator::PredictPSNR(int viewpoints, int resolution) const
+{
+  return this->Look ? cslf::PredictPSNR(this->Look->Detail, viewpoints, resolution) : 0.0;
+}
+
+double vtkCSLFBakeEstimator::PredictBytes(int viewpoints, int resolution) const
+{
+  if (!this->Look)
+  {
+    return 0.0;
+  }
+  const double texels = static_cast<double>(resolution) / this->Look->Resolution;
+  const double views = static_cast<double>(viewpoints) / this->Look->Viewpoints;
+  return this->Look->Bytes * std::pow(texels, this->Look->Growth) *
+    std::pow(views, cslf::GrowthWithViewpoints);
+}
+
+int vtkCSLFBakeEstimator::Suggest(const std::function<double(double psnr, double bytes)>& getCost)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int viewpoints : { 9, 17, 33, 65 })
+  {
+    for (int resolution = 32; this->Look && resolution <= 1024; resolution *= 2)
+    {
+      const double cost = getCost(
+        this->PredictPSNR(viewpoints, resolution), this->PredictBytes(viewpoints, resolution));
+      if (cost < least)
+      {
+        least = cost;
+        this->SuggestedViewpoints = viewpoints;
+        this->SuggestedResolution = resolution;
+      }
+    }
+  }
+  return std::isfinite(least) ? 1 : 0;
+}
+
+int vtkCSLFBakeEstimator::SuggestForPSNR(double psnr)
+{
+  return this->Suggest(
+    [psnr](double found, double bytes)
+    { return found >= psnr ? bytes : std::numeric_limits<double>::infinity(); });
+}
+
+int vtkCSLFBakeEstimator::SuggestForBytes(double bytes)
+{
+  return this->Suggest(
+    [bytes](double psnr, double found)
+    { return found <= bytes ? -psnr : std::numeric_limits<double>::infinity(); });
 }
 
 void vtkCSLFBakeEstimator::PrintSelf(ostream& os, vtkIndent indent)

@@ -29,6 +29,9 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for members
 
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+
 namespace cslf
 {
 class BakeProbe;
@@ -116,6 +119,30 @@ public:
   vtkGetMacro(Bytes, double);
   ///@}
 
+  ///@{
+  /**
+   * What the last probe of a video tells of fields of other numbers of viewpoints and texels: the
+   * PSNR of novel views in dB, looked up with depth, and the bytes of the file. A model with
+   * constants that were measured on a few scenes: Documentation/Planning.md tells how far it can be
+   * trusted. 0 without a probe.
+   */
+  double PredictPSNR(int viewpoints, int resolution) const;
+  double PredictBytes(int viewpoints, int resolution) const;
+  ///@}
+
+  ///@{
+  /**
+   * Suggests the numbers of viewpoints and texels of the smallest file that reaches a PSNR, or of
+   * the best field whose file is no larger than so many bytes. Chosen among 9, 17, 33 and 65
+   * viewpoints and 32 to 1024 texels, powers of two. Returns 1 where there is one, else 0, which is
+   * no error.
+   */
+  int SuggestForPSNR(double psnr);
+  int SuggestForBytes(double bytes);
+  vtkGetMacro(SuggestedViewpoints, int);
+  vtkGetMacro(SuggestedResolution, int);
+  ///@}
+
   /**
    * The seconds that the probe itself took.
    */
@@ -132,6 +159,7 @@ private:
   void BeginProbe();
   bool RunProbe(cslf::BakeProbe& probe);
   cslf::BakeProbe MakeProbe();
+  int Suggest(const std::function<double(double psnr, double bytes)>& getCost);
 
   int Format = Video;
   double ProbeSeconds = 10.0;
@@ -141,6 +169,10 @@ private:
   double CodingSeconds = 0.0;
   double Bytes = 0.0;
   double SecondsTaken = 0.0;
+  int SuggestedViewpoints = 0;
+  int SuggestedResolution = 0;
+  struct Outlook;
+  std::unique_ptr<Outlook> Look; // null without a probe of a video
   vtkSmartPointer<vtkCSLFSampler> Sampler;
   vtkSmartPointer<vtkCSLFEncoder> Encoder;
 };

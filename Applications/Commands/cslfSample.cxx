@@ -46,6 +46,8 @@ struct Options
   std::vector<double> Center;
   std::vector<double> Edges;
   double TimeBudget = 0.0;
+  double TargetPSNR = 0.0;
+  double TargetSize = 0.0;
   bool Estimate = false;
   bool NoDepth = false;
   bool Float = false;
@@ -131,6 +133,32 @@ void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* s
   sampler->SetSamples(ShareNumber(sampler->GetSamples()));
 }
 
+/// Suggests M and N for what is wanted.
+void AddSuggestion(const Options& options, vtkCSLFBakeEstimator* estimator, nlohmann::json& json,
+  std::ostream& text)
+{
+  if (options.TargetPSNR <= 0.0 && options.TargetSize <= 0.0)
+  {
+    return;
+  }
+  const bool isFound = options.TargetPSNR > 0.0
+    ? estimator->SuggestForPSNR(options.TargetPSNR)
+    : estimator->SuggestForBytes(options.TargetSize);
+  if (!isFound)
+  {
+    throw Failure(options.TargetPSNR > 0.0 ? "No field reaches that --target-psnr."
+                                           : "No field is as small as --target-size.");
+  }
+  const int viewpoints = estimator->GetSuggestedViewpoints();
+  const int resolution = estimator->GetSuggestedResolution();
+  const double psnr = estimator->PredictPSNR(viewpoints, resolution);
+  const auto bytes = std::llround(estimator->PredictBytes(viewpoints, resolution));
+  json["suggestion"] = { { "views", viewpoints }, { "resolution", resolution }, { "psnr", psnr },
+    { "bytes", bytes } };
+  text << "suggested: -M " << viewpoints << " -N " << resolution << ", about " << psnr
+       << " dB and " << bytes << " bytes\n";
+}
+
 /// What the field would cost.
 Result Estimate(const Options& options)
 {
@@ -160,6 +188,7 @@ Result Estimate(const Options& options)
        << " s, rendering " << estimator->GetRenderSeconds() << " s, coding "
        << estimator->GetCodingSeconds() << " s) and " << std::llround(estimator->GetBytes())
        << " bytes\n";
+  AddSuggestion(options, estimator, result.JSON, text);
   result.Text = text.str();
   return result;
 }
@@ -207,6 +236,14 @@ void AddField(CLI::App& command, Options& options)
     .add_option("--time-budget", options.TimeBudget,
       "take as many samples per texel as that many seconds allow, instead of --spp")
     ->check(CLI::PositiveNumber);
+  CLI::Option* psnr = command.add_option("--target-psnr", options.TargetPSNR,
+    "with --estimate: suggest -M and -N of the smallest video whose novel views reach that many dB");
+  psnr->check(CLI::PositiveNumber);
+  command
+    .add_option("--target-size", options.TargetSize,
+      "with --estimate: suggest -M and -N of the best video of at most that many bytes")
+    ->check(CLI::PositiveNumber)
+    ->excludes(psnr);
   const std::string field = "Light field";
   command.add_option("-M,--viewpoints", options.Viewpoints, "viewpoints along each side of a face")
     ->check(CLI::Range(2, MaximumViewpoints))
@@ -247,6 +284,10 @@ void AddSample(CLI::App& app, Command& chosen)
   command->callback(
     [options, &chosen]
     {
+      if ((options->TargetPSNR > 0.0 || options->TargetSize > 0.0) && !options->Estimate)
+      {
+        throw CLI::RequiredError("--estimate");
+      }
       if (options->Output.empty() && !options->Estimate)
       {
         throw CLI::RequiredError("--output");

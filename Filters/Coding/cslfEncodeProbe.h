@@ -53,6 +53,9 @@ public:
   /// Makes and codes some groups. On failure returns false and says why.
   bool Make(const std::vector<int>& groups, GroupCosts& costs, std::string& error);
 
+  /// The viewpoints of the groups that were made last.
+  std::vector<ConstSlice> GetSlices() const { return this->Puller->GetSlices(); }
+
   /// What a file holds beside the groups' bytes, about.
   double GetContainerBytes() const;
 

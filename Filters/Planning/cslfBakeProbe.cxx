@@ -265,6 +265,8 @@ bool BakeProbe::EstimateVideo()
     return false;
   }
 
+  this->Detail = FindDetail(probe.GetSlices(), resolution);
+
   // Extrapolate: the small size tells how the chosen groups differ from the others.
   this->Costs.Rendering = costs.RenderSeconds / full.size() * groups;
   this->Costs.Coding = this->GetCodingSeconds(costs) / full.size() * groups;
@@ -288,14 +290,16 @@ bool BakeProbe::EstimateVideo()
     this->Costs.Coding *= share * smallSum.CodingThreadSeconds / same.CodingThreadSeconds;
     bytes = ratios / count * Sum(smallSum.Bytes) / chosen.size() * groups;
   }
+  if (resolution > small)
+  {
+    const double smallBytes = Sum(smallSum.Bytes) / chosen.size() * groups;
+    const double ratio = static_cast<double>(resolution) / small;
+    this->Growth = std::clamp(std::log(bytes / smallBytes) / std::log(ratio), 0.5, 2.0);
+  }
   const double scale = static_cast<double>(this->Resolution) / resolution;
   if (scale > 1.0)
   {
-    const double smallBytes = Sum(smallSum.Bytes) / chosen.size() * groups;
-    const double power = resolution > small
-      ? std::log(bytes / smallBytes) / std::log(static_cast<double>(resolution) / small)
-      : 1.5;
-    bytes *= std::pow(scale, std::clamp(power, 1.0, 2.0));
+    bytes *= std::pow(scale, this->Growth);
     this->Costs.Rendering *= scale * scale;
     this->Costs.Coding *= scale * scale;
   }

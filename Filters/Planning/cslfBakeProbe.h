@@ -8,6 +8,7 @@
 #define cslfBakeProbe_h
 
 #include "Coding/cslfEncodeProbe.h"
+#include "Planning/cslfFieldDetail.h"
 
 #include <string>
 
@@ -50,6 +51,14 @@ public:
   ///@}
 
   const BakeCosts& GetCosts() const { return this->Costs; }
+  /// Of the field that is probed.
+  int GetResolution() const { return this->Resolution; }
+
+  const FieldDetail& GetDetail() const { return this->Detail; }
+
+  /// By what power of the texels along a tile's side the bytes grow.
+  double GetGrowth() const { return this->Growth; }
+
   const std::string& GetError() const { return this->Error; }
 
 private:
@@ -73,6 +82,8 @@ private:
   int Samples;
   double Threads;
   BakeCosts Costs;
+  FieldDetail Detail;
+  double Growth = 1.5;
   std::string Error;
 };
 }

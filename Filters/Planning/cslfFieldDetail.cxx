@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/cslfFieldDetail.h"
+
+#include "cslfLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace cslf
+{
+namespace
+{
+// Both measured: see Documentation/Planning.md.
+constexpr double ViewShare = 1.0;
+constexpr double HiddenShare = 0.05;
+
+constexpr int Components = 4;
+constexpr double White = 255.0;
+
+/// The square error of 2 x 2 texels that get their mean, over red, green and blue.
+double SquareError(const unsigned char* texel, std::size_t row)
+{
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double values[4] = { double(texel[c]), double(texel[Components + c]),
+      double(texel[row + c]), double(texel[row + Components + c]) };
+    const double mean = 0.25 * (values[0] + values[1] + values[2] + values[3]);
+    for (const double value : values)
+    {
+      sum += (value - mean) * (value - mean);
+    }
+  }
+  return sum;
+}
+}
+
+FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
+{
+  FieldDetail detail;
+  detail.Resolution = resolution;
+  const std::size_t width = static_cast<std::size_t>(TileCount) * resolution;
+  double sum = 0.0;
+  std::size_t count = 0;
+  std::vector<unsigned short> depths;
+  for (const ConstSlice& slice : slices)
+  {
+    for (int y = 0; y + 1 < resolution; y += 2)
+    {
+      for (std::size_t x = 0; x + 1 < width; x += 2)
+      {
+        const std::size_t texel = y * width + x;
+        sum += SquareError(slice.Color + Components * texel, Components * width);
+        count += 12;
+        if (slice.Depth && slice.Color[Components * texel + 3] > 0)
+        {
+          depths.push_back(slice.Depth[texel]);
+        }
+      }
+    }
+  }
+  detail.Error = count > 0 ? sum / (count * White * White) : 0.0;
+  if (!depths.empty())
+  {
+    std::sort(depths.begin(), depths.end());
+    const double last = static_cast<double>(depths.size() - 1);
+    const auto at = [&](double part) { return double(depths[std::size_t(part * last)]); };
+    detail.DepthRange = (at(0.9) - at(0.1)) / std::max(at(0.9) + at(0.1), 1.0);
+  }
+  return detail;
+}
+
+double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution)
+{
+  const double texels = static_cast<double>(detail.Resolution) / resolution;
+  const double spacing = 2.0 / (viewpoints - 1);
+  const double error = detail.Error *
+    (ViewShare * texels + HiddenShare * detail.DepthRange * spacing * detail.Resolution);
+  return error > 0.0 ? std::min(60.0, -10.0 * std::log10(error)) : 60.0;
+}
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How good novel views of a field will be, and how large it gets, for other numbers of viewpoints
+ * and texels. Documentation/Planning.md derives the formulas.
+ */
+#ifndef cslfFieldDetail_h
+#define cslfFieldDetail_h
+
+#include "Coding/cslfFrameConverter.h"
+
+#include <vector>
+
+namespace cslf
+{
+/// By what power of the viewpoints along a face's side the bytes of a video grow: measured. Nearer
+/// viewpoints are predicted better from each other, so it is less than their number's.
+constexpr double GrowthWithViewpoints = 1.1;
+
+/// What viewpoints of a field show.
+struct FieldDetail
+{
+  double Error = 0.0;      ///< mean square of what half the resolution loses, in parts of 255 squared
+  double DepthRange = 0.0; ///< the 10th and the 90th percentile's difference, in parts of their sum
+  int Resolution = 0;      ///< at which this was found
+};
+
+FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution);
+
+/// The PSNR of novel views in dB, of a field of M x M viewpoints a face and N x N texels.
+double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution);
+}
+
+#endif

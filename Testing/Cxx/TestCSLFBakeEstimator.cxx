@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a bake costs is known before: the bytes of each format within a factor of 1.5, the sampler's
+// parameters as they were; and samples that fit a time, or were chosen before. Times are not
+// compared.
+#include "cslfCodecTesting.h"
+#include "cslfTesting.h"
+#include "vtkCSLFBakeEstimator.h"
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEncoder.h"
+#include "vtkCSLFImageWriter.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <system_error>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr double Factor = 1.5;
+
+void SetUp(vtkCSLFSampler* sampler)
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetEnvironmentModeToNone();
+  sampler->SetViewpoints(4);
+  sampler->SetResolution(32);
+  sampler->SetSamples(4);
+  sampler->SetMaximumDepth(3);
+  sampler->SetCacheSamples(64);
+  sampler->SetCacheTolerance(0.05);
+  sampler->SetCacheSpacing(0.02);
+}
+
+double CountBytes(const std::string& name)
+{
+  if (!fs::is_directory(name))
+  {
+    return static_cast<double>(fs::file_size(name));
+  }
+  double sum = 0.0;
+  for (const auto& entry : fs::directory_iterator(name))
+  {
+    sum += static_cast<double>(entry.file_size());
+  }
+  return sum;
+}
+
+void CheckBytes(double estimated, const std::string& name)
+{
+  const double bytes = CountBytes(name);
+  std::cout << name << ": " << bytes << " bytes, estimated " << estimated << "\n";
+  CSLF_CHECK(estimated < Factor * bytes && bytes < Factor * estimated);
+}
+
+void TestVideo(const std::string& folder, bool isLossless, bool isPath)
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler);
+  if (isPath)
+  {
+    sampler->SetIntegratorToPathTracing();
+  }
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
+  encoder->SetLossless(isLossless);
+  encoder->SetGroupLength(8);
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetEncoder(encoder);
+  estimator->SetProbeSeconds(2.0);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  CSLF_CHECK(estimator->GetSeconds() > 0.0);
+  CSLF_CHECK((estimator->GetCacheSeconds() > 0.0) == !isPath);
+  CSLF_CHECK(sampler->GetResolution() == 32 && sampler->GetSamples() == 4);
+  CSLF_CHECK(sampler->GetCacheSpacing() == 0.02 && sampler->GetCacheProbeSeconds() == 0.0);
+  encoder->SetInputConnection(sampler->GetOutputPort());
+  const std::string name = folder + "/field.mkv";
+  encoder->SetFileName(name.c_str());
+  CSLF_CHECK(encoder->Write() == 1);
+  CheckBytes(estimator->GetBytes(), name);
+
+  // The bake is that of a sampler that nobody probed.
+  vtkNew<vtkCSLFSampler> fresh;
+  SetUp(fresh);
+  fresh->SetIntegrator(sampler->GetIntegrator());
+  encoder->SetInputConnection(fresh->GetOutputPort());
+  const std::string other = folder + "/other.mkv";
+  encoder->SetFileName(other.c_str());
+  CSLF_CHECK(encoder->Write() == 1);
+  CSLF_CHECK(cslf::testing::ReadBytes(name) == cslf::testing::ReadBytes(other));
+
+  // A cache that is there is not made again.
+  estimator->SetSampler(fresh);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  CSLF_CHECK(estimator->GetCacheSeconds() == 0.0);
+  CheckBytes(estimator->GetBytes(), name);
+}
+
+void TestImages(const std::string& folder)
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler);
+  sampler->SetIntegratorToPathTracing();
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetFormat(vtkCSLFBakeEstimator::ImageData);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  const std::string file = folder + "/field.vti";
+  vtkNew<vtkXMLImageDataWriter> imageData;
+  imageData->SetInputConnection(sampler->GetOutputPort());
+  imageData->SetFileName(file.c_str());
+  imageData->EncodeAppendedDataOff();
+  CSLF_CHECK(imageData->Write() == 1);
+  CheckBytes(estimator->GetBytes(), file);
+
+  estimator->SetFormat(vtkCSLFBakeEstimator::ImageFolder);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  const std::string images = folder + "/field";
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputConnection(sampler->GetOutputPort());
+  writer->SetFileName(images.c_str());
+  CSLF_CHECK(writer->Write() == 1);
+  CheckBytes(estimator->GetBytes(), images);
+}
+
+void TestTimeBudget()
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler);
+  sampler->SetIntegratorToPathTracing();
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  CSLF_CHECK(estimator->ChooseSamples(1e4) == 1);
+  CSLF_CHECK(sampler->GetSamples() > 16);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  estimator->AddObserver(vtkCommand::ErrorEvent, observer);
+  CSLF_CHECK(estimator->ChooseSamples(1e-6) == 0);
+  CSLF_CHECK(observer->CheckErrorMessage("a single sample") == 0);
+}
+
+/// Copies a run's folder of parts, as a kill would leave it.
+struct Remains
+{
+  std::string From;
+  std::string To;
+};
+
+void Take(vtkObject*, unsigned long, void* data, void*)
+{
+  const auto* remains = static_cast<Remains*>(data);
+  std::error_code ignored;
+  fs::copy(remains->From, remains->To,
+    fs::copy_options::recursive | fs::copy_options::overwrite_existing, ignored);
+}
+
+void TestRecall(const std::string& folder)
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler);
+  sampler->SetIntegratorToPathTracing();
+  sampler->SetSamples(3);
+  const std::string name = folder + "/run.mp4";
+  const std::string killed = folder + "/killed.mp4";
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
+  encoder->SetFileName(name.c_str());
+  encoder->SetInputConnection(sampler->GetOutputPort());
+  Remains remains{ name + ".partial", killed + ".partial" };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&remains);
+  command->SetCallback(Take);
+  encoder->AddObserver(vtkCommand::ProgressEvent, command);
+  CSLF_CHECK(encoder->Write() == 1);
+
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetEncoder(encoder);
+  sampler->SetSamples(64);
+  CSLF_CHECK(estimator->RecallSamples(name.c_str()) == 0);
+  CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 1);
+  CSLF_CHECK(sampler->GetSamples() == 3);
+  // Not of another field, nor of other settings.
+  sampler->SetSamples(64);
+  sampler->SetSeed(7);
+  CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 0);
+  CSLF_CHECK(sampler->GetSamples() == 64);
+  sampler->SetSeed(0);
+  encoder->SetCRF(30.0);
+  CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 0);
+}
+}
+
+int TestCSLFBakeEstimator(int argc, char* argv[])
+{
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "BakeEstimator");
+  TestVideo(folder, false, false);
+  TestVideo(folder, true, true);
+  TestImages(folder);
+  TestTimeBudget();
+  TestRecall(folder);
+  return cslf::testing::Result();
+}
