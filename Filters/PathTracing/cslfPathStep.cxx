@@ -81,8 +81,8 @@ CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, 
   {
     const glm::vec3 direction = local.Get(i);
     const glm::vec3 world = Frame(surfaces.ShadingNormal.Get(i)).ToWorld(direction);
-    paths.Rays.Origin.Set(i,
-      Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i)));
+    paths.Rays.Origin.Set(
+      i, Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i)));
     paths.Rays.Direction.Set(i, world);
     paths.Octant[i] =
       (world.x < 0.0f ? 1 : 0) | (world.y < 0.0f ? 2 : 0) | (world.z < 0.0f ? 4 : 0);

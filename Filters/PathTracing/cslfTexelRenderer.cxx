@@ -5,6 +5,7 @@
 #include "cslfColor.h"
 #include "cslfVectorize.h"
 
+#include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 #include <vtkType.h>
 
@@ -135,6 +136,7 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
   const std::int64_t samplesOfRow =
     std::int64_t(BlockSide) * this->Layout.TileWidth * std::max(this->Settings.Samples, 1);
   const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfRow);
+  vtkSMPThreadLocal<PathQueue> queues;
   for (std::int64_t first = 0; first < rows; first += batch)
   {
     if (!goOn(static_cast<double>(first) / static_cast<double>(rows)))
@@ -142,18 +144,19 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
       return false;
     }
     vtkSMPTools::For(first, std::min(first + batch, rows),
-      [this](vtkIdType begin, vtkIdType end)
+      [this, &queues](vtkIdType begin, vtkIdType end)
       {
+        PathQueue& queue = queues.Local();
         for (vtkIdType index = begin; index < end; ++index)
         {
-          this->RenderRow(index);
+          this->RenderRow(index, queue);
         }
       });
   }
   return goOn(1.0);
 }
 
-void TexelRenderer::RenderRow(std::int64_t index) const
+void TexelRenderer::RenderRow(std::int64_t index, PathQueue& queue) const
 {
   const std::int64_t rows = this->GetRowsOfTile();
   Block block;
@@ -163,7 +166,7 @@ void TexelRenderer::RenderRow(std::int64_t index) const
   block.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
   block.Grid = this->Grids(block.Slice, block.Tile);
   std::vector<Work> works(this->GetBlocksAtOnce());
-  PathQueue queue;
+  queue.Rays = 0;
   int count = 0;
   for (int column = 0; column < this->Layout.TileWidth; column += BlockSide)
   {

@@ -75,7 +75,7 @@ private:
   struct PathQueue;
 
   std::int64_t GetRowsOfTile() const;
-  void RenderRow(std::int64_t index) const;
+  void RenderRow(std::int64_t index, PathQueue& queue) const;
   void SetTexels(Block& block, int column) const;
   std::size_t GetBlocksAtOnce() const;
   void RenderBlocks(Work* works, int count, PathQueue& queue) const;
