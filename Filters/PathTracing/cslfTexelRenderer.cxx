@@ -41,13 +41,14 @@ bool IsPowerOfTwo(int count)
   return (count & (count - 1)) == 0;
 }
 
-/// The places of a sample in each of 16 texels.
-CSLF_VECTORIZE void FindPlaces(
-  std::uint32_t sample, const std::uint32_t* low, const std::uint32_t* high, float* x, float* y)
+/// The places of samples in their texels.
+CSLF_VECTORIZE void FindPlaces(const std::uint32_t* samples, const std::uint32_t* low,
+  const std::uint32_t* high, float* x, float* y)
 {
+  CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    SampleStream::Get2D(sample, { low[lane], high[lane] }, x[lane], y[lane]);
+    SampleStream::Get2D(samples[lane], { low[lane], high[lane] }, x[lane], y[lane]);
   }
 }
 }
@@ -69,6 +70,13 @@ struct TexelRenderer::Block
 
   int LaneX(int lane) const { return this->X + lane % BlockSide; }
   int LaneY(int lane) const { return this->Y + lane / BlockSide; }
+};
+
+/// Which sample of which of a block's texels each ray of a packet is.
+struct TexelRenderer::Lineup
+{
+  int Texel[RayPacket::Size];
+  std::uint32_t Sample[RayPacket::Size];
 };
 
 /// What the samples of a texel add up to.
@@ -208,6 +216,22 @@ void TexelRenderer::SetTexels(Block& block, int column) const
   }
 }
 
+int TexelRenderer::GetSamplesAtOnce(int samples) const
+{
+  // With a target, it is asked at powers of two whether to go on.
+  int left = this->Settings.Samples - samples;
+  if (this->Settings.NoiseTarget > 0.0)
+  {
+    int next = 1;
+    while (next <= samples)
+    {
+      next *= 2;
+    }
+    left = std::min(left, next - samples);
+  }
+  return left >= 16 ? 16 : left >= 4 ? 4 : 1;
+}
+
 void TexelRenderer::RenderBlocks(Work* works, int count, PathQueue& queue) const
 {
   std::vector<Work*> unfinished;
@@ -215,16 +239,13 @@ void TexelRenderer::RenderBlocks(Work* works, int count, PathQueue& queue) const
   {
     unfinished.push_back(works + i);
   }
-  for (int samples = 1; samples <= this->Settings.Samples && !unfinished.empty(); ++samples)
+  for (int samples = 0; samples < this->Settings.Samples && !unfinished.empty();)
   {
+    const int added = this->GetSamplesAtOnce(samples);
+    samples += added;
     for (Work* work : unfinished)
     {
-      this->AddSamples(work->Texels, static_cast<std::uint32_t>(samples - 1), work->Results, queue);
-      work->Texels.Samples = samples;
-      if (queue.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
-      {
-        this->FollowPaths(queue);
-      }
+      this->AddSamples(*work, added, queue);
     }
     if (this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(samples))
     {
@@ -300,25 +321,75 @@ glm::vec3 TexelRenderer::Display(const glm::vec3& radiance) const
     glm::min(radiance * static_cast<float>(this->Settings.Exposure), glm::vec3(1.0f)));
 }
 
-void TexelRenderer::AddSamples(
-  Block& block, std::uint32_t index, Sums sums[], PathQueue& queue) const
+/// That of one of `count` packets, which together hold `count` samples of each texel: 1, 4 or 16.
+/// The more there are, the fewer texels share a packet, and the closer its rays run.
+TexelRenderer::Lineup TexelRenderer::LineUp(int packet, int count, std::uint32_t firstSample)
 {
-  // Take one ray of each texel.
-  float placesX[RayPacket::Size];
-  float placesY[RayPacket::Size];
-  FindPlaces(index, block.Low, block.High, placesX, placesY);
+  Lineup lineup;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    int texel = count == 1 ? lane : packet;
+    int sample = count == 1 ? 0 : lane;
+    if (count == 4)
+    {
+      const int x = 2 * (packet % 2) + lane % 2;
+      const int y = 2 * (packet / 2) + lane / 2 % 2;
+      texel = BlockSide * y + x;
+      sample = lane / 4;
+    }
+    lineup.Texel[lane] = texel;
+    lineup.Sample[lane] = firstSample + static_cast<std::uint32_t>(sample);
+  }
+  return lineup;
+}
+
+void TexelRenderer::AddSamples(Work& work, int count, PathQueue& queue) const
+{
+  Block& block = work.Texels;
+  for (int packet = 0; packet < count; ++packet)
+  {
+    if (count < RayPacket::Size || block.Inside[packet])
+    {
+      if (queue.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
+      {
+        this->FollowPaths(queue);
+      }
+      this->AddPacket(block, LineUp(packet, count, static_cast<std::uint32_t>(block.Samples)),
+        work.Results, queue);
+    }
+  }
+  block.Samples += count;
+}
+
+void TexelRenderer::AddPacket(
+  Block& block, const Lineup& lineup, Sums sums[], PathQueue& queue) const
+{
+  // Make the rays.
+  std::uint32_t low[RayPacket::Size];
+  std::uint32_t high[RayPacket::Size];
   float x[RayPacket::Size];
   float y[RayPacket::Size];
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    x[lane] = static_cast<float>(block.LaneX(lane)) + placesX[lane];
-    y[lane] = static_cast<float>(block.LaneY(lane)) + placesY[lane];
+    const int texel = lineup.Texel[lane];
+    low[lane] = block.Low[texel];
+    high[lane] = block.High[texel];
+    x[lane] = static_cast<float>(block.LaneX(texel));
+    y[lane] = static_cast<float>(block.LaneY(texel));
+  }
+  float placesX[RayPacket::Size];
+  float placesY[RayPacket::Size];
+  FindPlaces(lineup.Sample, low, high, placesX, placesY);
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    x[lane] += placesX[lane];
+    y[lane] += placesY[lane];
   }
   RayPacket packet;
   const PacketScale scale = SetRays(block.Grid, x, y, packet);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    packet.Active[lane] &= block.Inside[lane];
+    packet.Active[lane] &= block.Inside[lineup.Texel[lane]];
     queue.Rays -= packet.Active[lane];
   }
   this->World.Intersect(packet);
@@ -327,7 +398,8 @@ void TexelRenderer::AddSamples(
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const Hit& hit = packet.Hits[lane];
-    Sums& sum = sums[lane];
+    const int texel = lineup.Texel[lane];
+    Sums& sum = sums[texel];
     if (hit.IsValid())
     {
       const bool isExact = this->Integrator.CanLookUp(hit);
@@ -338,14 +410,14 @@ void TexelRenderer::AddSamples(
       }
       else
       {
-        queue.Batch.Add({ packet.GetRay(lane), block.Hashes[lane], index }, hit);
+        queue.Batch.Add({ packet.GetRay(lane), block.Hashes[texel], lineup.Sample[lane] }, hit);
         queue.Texels.push_back(&sum);
       }
       const float offsetX = placesX[lane] - 0.5f;
       const float offsetY = placesY[lane] - 0.5f;
       sum.AddDepth(scale.ToParameter(lane, hit.Distance), offsetX * offsetX + offsetY * offsetY);
     }
-    else if (this->Settings.ShowEnvironment && block.Inside[lane])
+    else if (this->Settings.ShowEnvironment && block.Inside[texel])
     {
       sum.Add(this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
     }

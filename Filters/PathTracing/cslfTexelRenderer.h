@@ -72,6 +72,7 @@ private:
   struct Block;
   struct Sums;
   struct Work;
+  struct Lineup;
   struct PathQueue;
 
   std::int64_t GetRowsOfTile() const;
@@ -79,7 +80,10 @@ private:
   void SetTexels(Block& block, int column) const;
   std::size_t GetBlocksAtOnce() const;
   void RenderBlocks(Work* works, int count, PathQueue& queue) const;
-  void AddSamples(Block& block, std::uint32_t index, Sums sums[], PathQueue& queue) const;
+  int GetSamplesAtOnce(int samples) const;
+  static Lineup LineUp(int packet, int count, std::uint32_t firstSample);
+  void AddSamples(Work& work, int count, PathQueue& queue) const;
+  void AddPacket(Block& block, const Lineup& lineup, Sums sums[], PathQueue& queue) const;
   void FollowPaths(PathQueue& queue) const;
   bool IsGoodEnough(const Block& block, const Sums sums[]) const;
   bool IsSmooth(const Block& block, const Sums sums[]) const;
