@@ -75,12 +75,18 @@ inline void EmbreeIntersect16(
   rtcIntersect16(valid, scene, &query.Context, &rayHit);
 }
 
-/// Whether anything lies along each of 16 rays: sets tfar to -infinity if so.
-inline void EmbreeOccluded16(
-  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRay16& ray)
+/// The first hits of 8 rays that do not run alike.
+inline void EmbreeIntersect8(
+  RTCScene scene, EmbreeQuery query, const int valid[8], RTCRayHit8& rayHit)
 {
-  query.Context.flags =
-    alike ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  rtcIntersect8(valid, scene, &query.Context, &rayHit);
+}
+
+/// Whether anything lies along each of 16 rays that do not run alike: sets tfar to -infinity if so.
+inline void EmbreeOccluded16(RTCScene scene, EmbreeQuery query, const int valid[16], RTCRay16& ray)
+{
+  query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded16(valid, scene, &query.Context, &ray);
 }
 
@@ -125,12 +131,21 @@ inline void EmbreeIntersect16(
   rtcIntersect16(valid, scene, &rayHit, &arguments);
 }
 
-inline void EmbreeOccluded16(
-  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRay16& ray)
+inline void EmbreeIntersect8(
+  RTCScene scene, EmbreeQuery query, const int valid[8], RTCRayHit8& rayHit)
+{
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
+  arguments.context = &query.Context;
+  rtcIntersect8(valid, scene, &rayHit, &arguments);
+}
+
+inline void EmbreeOccluded16(RTCScene scene, EmbreeQuery query, const int valid[16], RTCRay16& ray)
 {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
-  arguments.flags = alike ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
   arguments.context = &query.Context;
   rtcOccluded16(valid, scene, &ray, &arguments);
 }

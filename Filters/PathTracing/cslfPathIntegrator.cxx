@@ -207,10 +207,9 @@ void Close(PathPacket& packet, int lane)
   }
 }
 
-/// Moves the paths that go on to other packets, and returns how many there are. Where it pays, rays
-/// that run to the same octant become neighbours.
-int Gather(
-  const std::vector<PathPacket>& from, int count, bool byOctant, std::vector<PathPacket>& to)
+/// Moves the paths that go on to other packets, so that rays that run to the same octant are
+/// neighbours, and returns how many there are.
+int Gather(const std::vector<PathPacket>& from, int count, std::vector<PathPacket>& to)
 {
   // Count the paths of each octant.
   int ends[OctantCount] = {};
@@ -218,8 +217,7 @@ int Gather(
   {
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      const int octant = byOctant ? from[i].Octant[lane] : 0;
-      ends[octant] -= from[i].Rays.Active[lane];
+      ends[from[i].Octant[lane]] -= from[i].Rays.Active[lane];
     }
   }
   int living = 0;
@@ -237,7 +235,7 @@ int Gather(
     {
       if (from[i].Rays.Active[lane] != 0)
       {
-        const int place = ends[byOctant ? from[i].Octant[lane] : 0]++;
+        const int place = ends[from[i].Octant[lane]]++;
         to[place / LaneCount].Take(place % LaneCount, from[i], lane);
       }
     }
@@ -305,7 +303,7 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
       }
       rays += step.Advance(packets[i], hits, batch.Radiances.data());
     }
-    living = Gather(packets, count, this->World.IsSmall(), batch.Next);
+    living = Gather(packets, count, batch.Next);
     packets.swap(batch.Next);
   }
 }

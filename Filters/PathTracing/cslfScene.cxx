@@ -24,6 +24,10 @@ namespace
 // The part of the way to a light that must be free.
 constexpr float ShadowLength = 0.9999f;
 
+// Up to this many shapes, packets of rays that run to one octant are best traced as if they ran
+// alike: measured in closed boxes, where it pays half at 100 triangles and costs a bit at 600.
+constexpr std::size_t SmallCount = 400;
+
 bool IsTraceable(const Ray& ray)
 {
   // Embree stops the process at a ray that is not finite. A sum is finite only if all its terms
@@ -70,21 +74,24 @@ CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* val
   }
 }
 
-/// Makes rays 16 of a query; valid are those that are active and that Embree can trace.
-CSLF_VECTORIZE void FillRays(const RayLanes& rays, RTCRay16& query, int* valid)
+/// Makes as many lanes a query as it holds, from the first on; valid are those that are active and
+/// that Embree can trace.
+template <int Size, typename Query>
+inline void FillRays(const RayLanes& rays, int first, Query& query, int* valid)
 {
   CSLF_LANE_LOOP
-  for (int i = 0; i < LaneCount; ++i)
+  for (int i = 0; i < Size; ++i)
   {
-    const float sum = rays.Origin.X[i] + rays.Origin.Y[i] + rays.Origin.Z[i] + rays.Direction.X[i] +
-      rays.Direction.Y[i] + rays.Direction.Z[i];
-    valid[i] = sum - sum == 0.0f ? rays.Active[i] : 0;
-    query.org_x[i] = rays.Origin.X[i];
-    query.org_y[i] = rays.Origin.Y[i];
-    query.org_z[i] = rays.Origin.Z[i];
-    query.dir_x[i] = rays.Direction.X[i];
-    query.dir_y[i] = rays.Direction.Y[i];
-    query.dir_z[i] = rays.Direction.Z[i];
+    const glm::vec3 origin = rays.Origin.Get(first + i);
+    const glm::vec3 direction = rays.Direction.Get(first + i);
+    const float sum = origin.x + origin.y + origin.z + direction.x + direction.y + direction.z;
+    valid[i] = sum - sum == 0.0f ? rays.Active[first + i] : 0;
+    query.org_x[i] = origin.x;
+    query.org_y[i] = origin.y;
+    query.org_z[i] = origin.z;
+    query.dir_x[i] = direction.x;
+    query.dir_y[i] = direction.y;
+    query.dir_z[i] = direction.z;
     query.tnear[i] = 0.0f;
     query.tfar[i] = std::numeric_limits<float>::infinity();
     query.time[i] = 0.0f;
@@ -94,9 +101,49 @@ CSLF_VECTORIZE void FillRays(const RayLanes& rays, RTCRay16& query, int* valid)
   }
 }
 
-CSLF_VECTORIZE void FillShadowRays(const ShadowLanes& shadows, RTCRay16& query, int* valid)
+template <int Size, typename Query>
+inline void FillIntersection(const RayLanes& rays, int first, Query& query, int* valid)
 {
-  FillRays(shadows.Rays, query, valid);
+  FillRays<Size>(rays, first, query.ray, valid);
+  CSLF_LANE_LOOP
+  for (int i = 0; i < Size; ++i)
+  {
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+}
+
+template <int Size, typename Query>
+inline void ReadHits(const Query& query, int first, HitLanes& hits)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < Size; ++i)
+  {
+    const float away = query.hit.Ng_x[i] * query.ray.dir_x[i] +
+      query.hit.Ng_y[i] * query.ray.dir_y[i] + query.hit.Ng_z[i] * query.ray.dir_z[i];
+    hits.Distance[first + i] = query.ray.tfar[i];
+    hits.U[first + i] = query.hit.u[i];
+    hits.V[first + i] = query.hit.v[i];
+    hits.Mesh[first + i] = query.hit.geomID[i];
+    hits.Triangle[first + i] = query.hit.primID[i];
+    hits.Instance[first + i] = query.hit.instID[0][i];
+    hits.Back[first + i] = away > 0.0f ? -1 : 0;
+  }
+}
+
+CSLF_VECTORIZE void Fill(const RayLanes& rays, RTCRayHit16& query, int* valid)
+{
+  FillIntersection<LaneCount>(rays, 0, query, valid);
+}
+
+CSLF_VECTORIZE void Fill(const RayLanes& rays, int first, RTCRayHit8& query, int* valid)
+{
+  FillIntersection<LaneCount / 2>(rays, first, query, valid);
+}
+
+CSLF_VECTORIZE void Fill(const ShadowLanes& shadows, RTCRay16& query, int* valid)
+{
+  FillRays<LaneCount>(shadows.Rays, 0, query, valid);
   CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
@@ -104,21 +151,14 @@ CSLF_VECTORIZE void FillShadowRays(const ShadowLanes& shadows, RTCRay16& query, 
   }
 }
 
-CSLF_VECTORIZE void FillHits(const RTCRayHit16& query, HitLanes& hits)
+CSLF_VECTORIZE void Read(const RTCRayHit16& query, HitLanes& hits)
 {
-  CSLF_LANE_LOOP
-  for (int i = 0; i < LaneCount; ++i)
-  {
-    const float away = query.hit.Ng_x[i] * query.ray.dir_x[i] +
-      query.hit.Ng_y[i] * query.ray.dir_y[i] + query.hit.Ng_z[i] * query.ray.dir_z[i];
-    hits.Distance[i] = query.ray.tfar[i];
-    hits.U[i] = query.hit.u[i];
-    hits.V[i] = query.hit.v[i];
-    hits.Mesh[i] = query.hit.geomID[i];
-    hits.Triangle[i] = query.hit.primID[i];
-    hits.Instance[i] = query.hit.instID[0][i];
-    hits.Back[i] = away > 0.0f ? -1 : 0;
-  }
+  ReadHits<LaneCount>(query, 0, hits);
+}
+
+CSLF_VECTORIZE void Read(const RTCRayHit8& query, int first, HitLanes& hits)
+{
+  ReadHits<LaneCount / 2>(query, first, hits);
 }
 
 void ReportError(void* user, RTCError, const char* text)
@@ -277,8 +317,10 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   , Tree(std::make_unique<Acceleration>())
 {
   std::size_t triangles = 0;
+  std::size_t shapes = 0;
   for (const Mesh& mesh : this->Meshes)
   {
+    shapes += mesh.GetNumberOfShapes() * std::max<std::size_t>(mesh.Instances.size(), 1);
     this->FirstTriangles.push_back(triangles);
     triangles += mesh.CanHoldLattice() ? mesh.Triangles.size() : 0;
   }
@@ -327,8 +369,7 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     }
   }
   rtcCommitScene(world);
-  static const char* env = getenv("CSLF_SMALL");
-  this->Small = env && atoi(env);
+  this->Small = shapes <= SmallCount;
 }
 
 Scene::~Scene() = default;
@@ -407,14 +448,27 @@ void Scene::FindInstances(HitLanes& hits) const
 
 void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
 {
-  RTCRayHit16 query;
+  RTCScene world = this->Tree->World.get();
+  const EmbreeQuery rule(Passing::ByChance);
   alignas(64) int valid[LaneCount];
-  FillRays(rays, query.ray, valid);
-  std::fill_n(query.hit.geomID, LaneCount, RTC_INVALID_GEOMETRY_ID);
-  std::fill_n(query.hit.instID[0], LaneCount, RTC_INVALID_GEOMETRY_ID);
-  EmbreeIntersect16(
-    this->Tree->World.get(), EmbreeQuery(Passing::ByChance), this->Small, valid, query);
-  FillHits(query, hits);
+  if (this->Small)
+  {
+    RTCRayHit16 query;
+    Fill(rays, query, valid);
+    EmbreeIntersect16(world, rule, true, valid, query);
+    Read(query, hits);
+  }
+  else
+  {
+    // Rays that share little are traced a little faster in smaller packets.
+    for (int first = 0; first < LaneCount; first += LaneCount / 2)
+    {
+      RTCRayHit8 query;
+      Fill(rays, first, query, valid);
+      EmbreeIntersect8(world, rule, valid, query);
+      Read(query, first, hits);
+    }
+  }
   if (this->HasInstances)
   {
     this->FindInstances(hits);
@@ -425,11 +479,11 @@ void Scene::FindTransmittances(ShadowLanes& shadows) const
 {
   RTCRay16 query;
   alignas(64) int valid[LaneCount];
-  FillShadowRays(shadows, query, valid);
+  Fill(shadows, query, valid);
   std::fill_n(shadows.Transmittance.Values, LaneCount, 1.0f);
   EmbreeQuery rule(Passing::Attenuated);
   rule.Transmittance = shadows.Transmittance.Values;
-  EmbreeOccluded16(this->Tree->World.get(), rule, false, valid, query);
+  EmbreeOccluded16(this->Tree->World.get(), rule, valid, query);
   for (int i = 0; i < LaneCount; ++i)
   {
     if (!valid[i] || query.tfar[i] < 0.0f)
