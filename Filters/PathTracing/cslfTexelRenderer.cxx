@@ -175,7 +175,7 @@ void TexelRenderer::RenderBlock(Block& block) const
   this->Write(block, sums);
 }
 
-bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
+bool TexelRenderer::IsGoodEnough(Block& block, const Sums sums[]) const
 {
   // Sequences are best at powers of two. A few samples tell of noise only where there is none.
   if ((block.Samples & (block.Samples - 1)) != 0)
@@ -184,7 +184,8 @@ bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
   }
   if (block.Samples < FewestSamples)
   {
-    return block.IsExact && this->IsSmooth(block, sums);
+    return block.IsExact && this->IsSmooth(block, sums) &&
+      this->IsInOnePiece(block, sums[0].Covered > 0);
   }
   const auto count = static_cast<float>(block.Samples);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
@@ -202,6 +203,26 @@ bool TexelRenderer::IsGoodEnough(const Block& block, const Sums sums[]) const
     }
   }
   return true;
+}
+
+bool TexelRenderer::IsInOnePiece(Block& block, bool covered) const
+{
+  // An outline that runs along the block's border is missed by samples within the texels.
+  constexpr float step = static_cast<float>(BlockSide) / (BlockSide - 1);
+  float x[RayPacket::Size];
+  float y[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    x[lane] = static_cast<float>(block.X) + step * static_cast<float>(lane % BlockSide);
+    y[lane] = static_cast<float>(block.Y) + step * static_cast<float>(lane / BlockSide);
+  }
+  RayPacket packet;
+  SetRays(block.Grid, x, y, packet);
+  block.Rays += RayPacket::Size;
+  this->World.Intersect(packet);
+  const bool isCovered = this->Settings.ShowEnvironment ? packet.Hits[0].IsValid() : covered;
+  return std::all_of(packet.Hits, packet.Hits + RayPacket::Size,
+    [isCovered](const Hit& hit) { return hit.IsValid() == isCovered; });
 }
 
 bool TexelRenderer::IsSmooth(const Block& block, const Sums sums[]) const

@@ -76,7 +76,8 @@ private:
   void SetTexels(Block& block, int column) const;
   void RenderBlock(Block& block) const;
   void AddSamples(Block& block, std::uint32_t index, Sums sums[]) const;
-  bool IsGoodEnough(const Block& block, const Sums sums[]) const;
+  bool IsGoodEnough(Block& block, const Sums sums[]) const;
+  bool IsInOnePiece(Block& block, bool covered) const;
   bool IsSmooth(const Block& block, const Sums sums[]) const;
   glm::vec3 Display(const glm::vec3& radiance) const;
   void FindDepths(const Block& block, Sums sums[]) const;
