@@ -192,7 +192,10 @@ void TestHole()
   CSLF_CHECK(left->GetNumberOfCells() < sphere->GetOutput()->GetNumberOfCells());
   sphere->GetOutput()->SetPolys(left);
   IntegratorComparison comparison(sphere->GetOutput(), 0.0, 0.0, 0.7);
-  CSLF_CHECK(comparison.GetPSNR() > 36.0);
+  // Light that comes through the hole is noisy.
+  comparison.Reference->SetSamples(1024);
+  comparison.Cached->SetSamples(256);
+  CSLF_CHECK(comparison.GetPSNR() > 35.0);
 }
 }
 
