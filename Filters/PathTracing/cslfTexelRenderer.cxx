@@ -222,7 +222,8 @@ void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) con
     if (this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(samples))
     {
       this->FollowPaths(queue);
-      const auto isGood = [this](const Block* block) { return this->IsGoodEnough(*block); };
+      const auto isGood = [this, &queue](const Block* block)
+      { return this->IsGoodEnough(*block, queue.Rays); };
       unfinished.erase(
         std::remove_if(unfinished.begin(), unfinished.end(), isGood), unfinished.end());
     }
@@ -238,7 +239,7 @@ void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) con
   }
 }
 
-bool TexelRenderer::IsGoodEnough(const Block& block) const
+bool TexelRenderer::IsGoodEnough(const Block& block, std::uint64_t& rays) const
 {
   // A few samples tell of noise only where there is none: then where in its texel a sample lies
   // matters as much as texels differ from their neighbours.
@@ -246,9 +247,36 @@ bool TexelRenderer::IsGoodEnough(const Block& block) const
   if (block.Sums.Samples < FewestSamples)
   {
     return block.IsExact &&
-      block.Sums.GetRange(exposure, block.Inside) < RangeOfTarget * this->Settings.NoiseTarget;
+      block.Sums.GetRange(exposure, block.Inside) < RangeOfTarget * this->Settings.NoiseTarget &&
+      this->IsInOnePiece(block, rays);
   }
   return block.Sums.GetNoise(exposure) <= this->Settings.NoiseTarget;
+}
+
+bool TexelRenderer::IsInOnePiece(const Block& block, std::uint64_t& rays) const
+{
+  // An outline that runs along the block's border is missed by samples within the texels.
+  constexpr float step = static_cast<float>(BlockSide) / (BlockSide - 1);
+  float x[RayPacket::Size];
+  float y[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    x[lane] = static_cast<float>(block.X) + step * static_cast<float>(lane % BlockSide);
+    y[lane] = static_cast<float>(block.Y) + step * static_cast<float>(lane / BlockSide);
+  }
+  RayPacket packet;
+  PacketScale scale;
+  SetRays(block.Grid, x, y, packet, scale);
+  rays += RayPacket::Size;
+  this->World.Intersect(packet);
+  const bool covered =
+    this->Settings.ShowEnvironment ? packet.IsHit(0) : block.Sums.Covered[0] > 0;
+  int same = 0;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    same += packet.IsHit(lane) == covered ? 1 : 0;
+  }
+  return same == RayPacket::Size;
 }
 
 void TexelRenderer::AddSamples(Block& block, PathQueue& queue) const

@@ -85,7 +85,8 @@ private:
   void AddEnvironment(
     const RayPacket& packet, const Block& block, PacketRadiance& radiance, int covered[]) const;
   void FollowPaths(PathQueue& queue) const;
-  bool IsGoodEnough(const Block& block) const;
+  bool IsGoodEnough(const Block& block, std::uint64_t& rays) const;
+  bool IsInOnePiece(const Block& block, std::uint64_t& rays) const;
   void FindDepths(Block& block) const;
   void Write(const Block& block) const;
 

@@ -6,13 +6,12 @@
 #include "PathTracing/RadianceCache/cslfLatticeBuilder.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/RadianceCache/cslfSurfaceLattice.h"
+#include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
 #include "vtkCSLFCornellBoxSource.h"
-#include "vtkCSLFImageQuality.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -28,6 +27,7 @@
 
 namespace
 {
+using Comparison = cslf::testing::IntegratorComparison;
 using cslf::testing::MakeDiffuse;
 using cslf::testing::MakeRectangle;
 
@@ -155,44 +155,6 @@ void TestRefinement()
     [](const cslf::Hit&, std::uint64_t) { return cslf::SurfaceEstimate(); });
   CSLF_CHECK(!aborted.Build([](double) { return false; }));
 }
-
-/// The picture of a scene by either integrator.
-class Comparison
-{
-public:
-  Comparison(vtkDataObject* scene, double x, double y, double z)
-  {
-    vtkNew<vtkCamera> camera;
-    camera->SetPosition(x, y, z);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetViewAngle(40.0);
-    for (vtkCSLFViewTracer* tracer : { this->Reference.Get(), this->Cached.Get() })
-    {
-      tracer->AddInputDataObject(0, scene);
-      tracer->SetCamera(camera);
-      tracer->SetSize(32, 32);
-      tracer->SetSamples(256);
-    }
-    this->Cached->SetIntegratorToRadianceCaching();
-    this->Cached->SetCacheSpacing(0.02);
-    this->Cached->SetCacheTolerance(0.02);
-    this->Cached->SetSamples(64);
-  }
-
-  double GetPSNR()
-  {
-    this->Reference->Update();
-    this->Cached->Update();
-    vtkNew<vtkCSLFImageQuality> quality;
-    quality->SetInputData(0, this->Reference->GetOutput());
-    quality->SetInputData(1, this->Cached->GetOutput());
-    quality->Update();
-    return quality->GetPSNR();
-  }
-
-  vtkNew<vtkCSLFViewTracer> Reference;
-  vtkNew<vtkCSLFViewTracer> Cached;
-};
 
 void TestDepths()
 {

@@ -144,7 +144,8 @@ void LatticeBuilder::ChooseSplits()
 bool LatticeBuilder::IsSmall(std::uint32_t mesh, std::uint32_t triangle) const
 {
   const std::size_t index = this->World.GetTriangleIndex(mesh, triangle);
-  return this->Depths[index] == 0 && this->World.GetMeshes()[mesh].Normals.empty();
+  return this->Depths[index] <= this->Settings.SmallLevels &&
+    this->World.GetMeshes()[mesh].Normals.empty();
 }
 
 bool LatticeBuilder::Build(const std::function<bool(double)>& goOn)

@@ -54,6 +54,9 @@ struct LatticeSettings
   /// not missed: 0 is their corners, 16 spacings apart; each further level halves that.
   int FirstLevel = 0;
 
+  /// Flat triangles of at most this many spacings have one value, as a binary logarithm.
+  int SmallLevels = 0;
+
   double Exposure = 1.0;
 
   /// What a viewer sees of a value on a surface of the given base colour.

@@ -26,6 +26,11 @@ constexpr int FirstLightLevel = 2;
 // The paths of a point whose light is only seen by other points, hundreds of them at once.
 constexpr int RoughSamples = 64;
 
+// Triangles of up to 8 spacings, in which hardly any of the light is that of other places, need
+// only one such point; of up to 2, which is a texel, they need no more at all.
+constexpr int RoughSmallLevels = 3;
+constexpr int FineSmallLevels = 1;
+
 // The fewest paths of a point that is seen itself.
 constexpr int FirstLightSamples = 64;
 constexpr int FirstGatherSamples = 256;
@@ -176,6 +181,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   // All other light, roughly, by whole paths.
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.OnlyBright = true;
+  lattice.SmallLevels = RoughSmallLevels;
   SurfaceLattice rough;
   if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough, this->Incident,
         Within(goOn, LightShare, LightShare + RoughShare)))
@@ -188,8 +194,10 @@ bool RadianceCache::Fill(const Progress& goOn)
   // And finely, by paths that end at what they see first.
   SurfaceLattice fine;
   IncidentField incident;
-  if (!this->Gather(this->GetLatticeSettings(), FirstGatherSamples, this->Settings.Samples, 1, fine,
-        incident, Within(goOn, LightShare + RoughShare, 1.0)))
+  lattice = this->GetLatticeSettings();
+  lattice.SmallLevels = FineSmallLevels;
+  if (!this->Gather(lattice, FirstGatherSamples, this->Settings.Samples, 1, fine, incident,
+        Within(goOn, LightShare + RoughShare, 1.0)))
   {
     return false;
   }
