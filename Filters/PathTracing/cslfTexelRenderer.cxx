@@ -38,6 +38,9 @@ bool IsPowerOfTwo(int count)
   return (count & (count - 1)) == 0;
 }
 
+// The samples whose places are found at once; a power of two.
+constexpr int SamplesAhead = 4;
+
 /// Where samples lie, one in each of 16 texels.
 struct Places
 {
@@ -47,15 +50,21 @@ struct Places
   alignas(64) float TileY[RayPacket::Size];
 };
 
-CSLF_VECTORIZE void FindPlaces(std::uint32_t sample, const std::uint32_t* low,
-  const std::uint32_t* high, const float* laneX, const float* laneY, Places& places)
+/// Finds those of some samples in a row: together, as each takes long but not much.
+CSLF_VECTORIZE void FindPlaces(int first, int count, const std::uint32_t* low,
+  const std::uint32_t* high, const float* laneX, const float* laneY, Places* places)
 {
-  CSLF_LANE_LOOP
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  for (int i = 0; i < count; ++i)
   {
-    SampleStream::Get2D(sample, { low[lane], high[lane] }, places.X[lane], places.Y[lane]);
-    places.TileX[lane] = laneX[lane] + places.X[lane];
-    places.TileY[lane] = laneY[lane] + places.Y[lane];
+    Places& sample = places[i];
+    CSLF_LANE_LOOP
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      SampleStream::Get2D(static_cast<std::uint32_t>(first + i), { low[lane], high[lane] },
+        sample.X[lane], sample.Y[lane]);
+      sample.TileX[lane] = laneX[lane] + sample.X[lane];
+      sample.TileY[lane] = laneY[lane] + sample.Y[lane];
+    }
   }
 }
 
@@ -87,7 +96,8 @@ struct TexelRenderer::Block
   alignas(64) std::uint32_t Low[RayPacket::Size]; // the scramble of their samples' places
   alignas(64) std::uint32_t High[RayPacket::Size];
   TexelSums Sums;
-  bool IsExact = true; // whether all samples are without noise
+  Places Ahead[SamplesAhead]; // of samples that are next, by their number
+  bool IsExact = true;        // whether all samples are without noise
 };
 
 /// Paths that wait to be followed together, those of some blocks of a row: which they are depends
@@ -269,8 +279,7 @@ bool TexelRenderer::IsInOnePiece(const Block& block, std::uint64_t& rays) const
   SetRays(block.Grid, x, y, packet, scale);
   rays += RayPacket::Size;
   this->World.Intersect(packet);
-  const bool covered =
-    this->Settings.ShowEnvironment ? packet.IsHit(0) : block.Sums.Covered[0] > 0;
+  const bool covered = this->Settings.ShowEnvironment ? packet.IsHit(0) : block.Sums.Covered[0] > 0;
   int same = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
@@ -281,10 +290,18 @@ bool TexelRenderer::IsInOnePiece(const Block& block, std::uint64_t& rays) const
 
 void TexelRenderer::AddSamples(Block& block, PathQueue& queue) const
 {
-  // Take one ray of each texel.
-  Places places;
-  FindPlaces(static_cast<std::uint32_t>(block.Sums.Samples), block.Low, block.High, block.LaneX,
-    block.LaneY, places);
+  // Take one ray of each texel. With a noise target, the first may be the last.
+  const int sample = block.Sums.Samples;
+  const bool stopsEarly = this->Settings.NoiseTarget > 0.0;
+  if (sample % SamplesAhead == 0 || (sample == 1 && stopsEarly))
+  {
+    const bool isAlone = sample == 0 && stopsEarly;
+    const int left =
+      std::min(this->Settings.Samples - sample, SamplesAhead - sample % SamplesAhead);
+    FindPlaces(sample, isAlone ? 1 : left, block.Low, block.High, block.LaneX, block.LaneY,
+      block.Ahead + sample % SamplesAhead);
+  }
+  const Places& places = block.Ahead[sample % SamplesAhead];
   RayPacket packet;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);

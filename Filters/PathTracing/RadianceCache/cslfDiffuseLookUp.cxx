@@ -6,6 +6,7 @@
 #include "cslfRadianceCache.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cslf
 {
@@ -48,8 +49,13 @@ bool DiffuseLookUp::Get(
     return false;
   }
   LatticePacket places;
-  const int missed =
+  const Finds finds =
     FindPlaces(this->Surfaces.data(), this->Cache->GetSides().GetData(), packet, known, places);
+  if (!finds.Some)
+  {
+    radiance = {};
+    return !finds.Others;
+  }
   this->Cache->Get(places);
   if (Colorize(this->Surfaces.data(), packet, known, places, radiance))
   {
@@ -63,51 +69,84 @@ bool DiffuseLookUp::Get(
       }
     }
   }
-  return missed == 0;
+  return !finds.Others;
 }
 
-CSLF_VECTORIZE int DiffuseLookUp::FindPlaces(const Surface* surfaces, const std::uint8_t* sides,
-  const RayPacket& packet, int* known, LatticePacket& places)
+CSLF_VECTORIZE DiffuseLookUp::Finds DiffuseLookUp::FindPlaces(const Surface* surfaces,
+  const std::uint8_t* sides, const RayPacket& packet, int* known, LatticePacket& places)
 {
   const RTCRay16& ray = packet.Query.ray;
   const RTCHit16& hit = packet.Query.hit;
-  int missed = 0;
   CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int isHit = static_cast<int>(hit.geomID[lane]) == -1 ? 0 : -1;
     const int mesh = static_cast<int>(hit.geomID[lane]) & isHit;
+    const int canBeKnown = surfaces[mesh].IsKnown & isHit;
+    const int triangle = surfaces[mesh].FirstTriangle + static_cast<int>(hit.primID[lane]);
     const float away = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] +
       hit.Ng_z[lane] * ray.dir_z[lane];
-    const int back = away > 0.0f ? 1 : 0;
-    const int canBeKnown = surfaces[mesh].IsKnown & isHit;
-    const int triangle =
-      (surfaces[mesh].FirstTriangle + static_cast<int>(hit.primID[lane])) & canBeKnown;
-    const int isOpen = -((sides[triangle] >> back) & 1);
-    const int isKnown = isOpen & canBeKnown;
+    places.Wanted[lane] = canBeKnown;
+    places.Triangle[lane] = static_cast<std::uint32_t>(triangle & canBeKnown);
+    places.Back[lane] = away > 0.0f ? 1 : 0;
+  }
+  // Bytes are not gathered with the rest.
+  alignas(64) int open[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    open[lane] = sides[places.Triangle[lane]];
+  }
+  int others = 0;
+  int some = 0;
+  CSLF_LANE_LOOP
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    const int isHit = static_cast<int>(hit.geomID[lane]) == -1 ? 0 : -1;
+    const int isKnown = -((open[lane] >> places.Back[lane]) & 1) & places.Wanted[lane];
     known[lane] = isKnown;
-    missed |= isHit & ~isKnown;
+    others |= isHit & ~isKnown;
+    some |= isKnown;
     places.Wanted[lane] = isKnown;
-    places.Triangle[lane] = static_cast<std::uint32_t>(triangle);
-    places.Back[lane] = back;
     places.U[lane] = isKnown ? hit.u[lane] : 0.0f;
     places.V[lane] = isKnown ? hit.v[lane] : 0.0f;
   }
-  return missed;
+  return { some != 0, others != 0 };
 }
 
 CSLF_VECTORIZE int DiffuseLookUp::Colorize(const Surface* surfaces, const RayPacket& packet,
   const int* known, const LatticePacket& values, PacketRadiance& radiance)
 {
+  // Rays that run alike mostly see one mesh, whose record need not be gathered.
+  int lowest = std::numeric_limits<int>::max();
+  int highest = 0;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    const int mesh = static_cast<int>(packet.Query.hit.geomID[lane]) & known[lane];
+    const int high = mesh;
+    const int low = mesh | (~known[lane] & std::numeric_limits<int>::max());
+    lowest = low < lowest ? low : lowest;
+    highest = high > highest ? high : highest;
+  }
+  if (lowest == highest)
+  {
+    const glm::vec3 color = surfaces[highest].Color;
+    CSLF_LANE_LOOP
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      radiance.Red[lane] = known[lane] ? color.x * values.Red[lane] : 0.0f;
+      radiance.Green[lane] = known[lane] ? color.y * values.Green[lane] : 0.0f;
+      radiance.Blue[lane] = known[lane] ? color.z * values.Blue[lane] : 0.0f;
+    }
+    return surfaces[highest].Varies;
+  }
   int varies = 0;
   CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int mesh = static_cast<int>(packet.Query.hit.geomID[lane]) & known[lane];
-    const float keep = known[lane] ? 1.0f : 0.0f;
-    radiance.Red[lane] = keep * surfaces[mesh].Color.x * values.Red[lane];
-    radiance.Green[lane] = keep * surfaces[mesh].Color.y * values.Green[lane];
-    radiance.Blue[lane] = keep * surfaces[mesh].Color.z * values.Blue[lane];
+    radiance.Red[lane] = known[lane] ? surfaces[mesh].Color.x * values.Red[lane] : 0.0f;
+    radiance.Green[lane] = known[lane] ? surfaces[mesh].Color.y * values.Green[lane] : 0.0f;
+    radiance.Blue[lane] = known[lane] ? surfaces[mesh].Color.z * values.Blue[lane] : 0.0f;
     varies |= surfaces[mesh].Varies & known[lane];
   }
   return varies;

@@ -55,8 +55,15 @@ private:
     int Varies = 0; // -1 if its colour is none for all of it, else 0
   };
 
-  static int FindPlaces(const Surface* surfaces, const std::uint8_t* sides, const RayPacket& packet,
-    int* known, LatticePacket& places);
+  /// What a packet sees.
+  struct Finds
+  {
+    bool Some;   // whether something that is known
+    bool Others; // whether something that is not
+  };
+
+  static Finds FindPlaces(const Surface* surfaces, const std::uint8_t* sides,
+    const RayPacket& packet, int* known, LatticePacket& places);
   static int Colorize(const Surface* surfaces, const RayPacket& packet, const int* known,
     const LatticePacket& values, PacketRadiance& radiance);
 
