@@ -71,6 +71,8 @@ public:
   bool LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
 
   const DirectLight& GetLight() const { return this->Light; }
+  const RadianceCache* GetCache() const { return this->Cache; }
+  int GetMaximumDepth() const { return this->Settings.MaximumDepth; }
 
 private:
   friend class PathStep;

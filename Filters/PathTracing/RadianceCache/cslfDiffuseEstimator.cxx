@@ -176,34 +176,41 @@ void DiffuseEstimator::LookAround(
     }
     this->World.Intersect(packet);
     samples.Rays += RayPacket::Size;
+    PacketRadiance light;
+    alignas(64) int known[RayPacket::Size];
+    this->Known.Get(packet, light, known);
     for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
-      this->AddLight(receiver, packet, lane, local, hash, i, samples);
+      const int index = i / GatherDirections::Length * GatherDirections::Length + local.Index[lane];
+      if (!known[lane])
+      {
+        light.Set(lane,
+          this->Follow(packet, lane, local.Z[lane] * InversePi,
+            SampleStream(hash, static_cast<std::uint32_t>(index)), samples.Rays));
+      }
+      if (packet.IsHit(lane))
+      {
+        samples.Distances.push_back(packet.Query.ray.tfar[lane]);
+      }
+      const glm::vec3 radiance(light.Red[lane], light.Green[lane], light.Blue[lane]);
+      if (samples.FitsIncident &&
+        samples.Incident.GetNumberOfSamples() < std::size_t(GatherDirections::Length))
+      {
+        const glm::vec3 direction = packet.GetRay(lane).Direction;
+        samples.Incident.Add(
+          { glm::dot(direction, receiver.Local.X), glm::dot(direction, receiver.Local.Y) },
+          radiance);
+      }
+      const float weight = receiver.Reflection.DiffuseTransmission(local.Z[lane]);
+      samples.Sums[index / BlockSize] += glm::dvec3(weight * radiance);
     }
   }
 }
 
-void DiffuseEstimator::AddLight(const Receiver& receiver, const RayPacket& packet, int lane,
-  const GatherDirections::Packet& local, std::uint64_t hash, int begin, Samples& samples) const
+glm::vec3 DiffuseEstimator::Follow(const RayPacket& packet, int lane, float pdf,
+  const SampleStream& stream, std::uint64_t& rays) const
 {
-  const Hit hit = packet.GetHit(lane);
-  const int index = begin / GatherDirections::Length * GatherDirections::Length + local.Index[lane];
-  const float pdf = local.Z[lane] * InversePi;
-  const glm::vec3 radiance =
-    this->Paths.GetRadiance({ packet.GetRay(lane), hit, this->Limits.Depth, pdf, true },
-      SampleStream(hash, static_cast<std::uint32_t>(index)), samples.Rays);
-  if (hit.IsValid())
-  {
-    samples.Distances.push_back(hit.Distance);
-  }
-  if (samples.FitsIncident &&
-    samples.Incident.GetNumberOfSamples() < std::size_t(GatherDirections::Length))
-  {
-    const glm::vec3 direction = packet.GetRay(lane).Direction;
-    samples.Incident.Add(
-      { glm::dot(direction, receiver.Local.X), glm::dot(direction, receiver.Local.Y) }, radiance);
-  }
-  const float weight = receiver.Reflection.DiffuseTransmission(local.Z[lane]);
-  samples.Sums[index / BlockSize] += glm::dvec3(weight * radiance);
+  return this->Paths.GetRadiance(
+    { packet.GetRay(lane), packet.GetHit(lane), this->Limits.Depth, pdf, true }, stream, rays);
 }
 }

@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfDiffuseLookUp.h"
 #include "cslfGatherDirections.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
@@ -39,6 +40,7 @@ public:
     : World(scene)
     , Paths(paths)
     , Limits(std::move(settings))
+    , Known(scene, this->Limits.Depth < paths.GetMaximumDepth() ? paths.GetCache() : nullptr)
     , Directions(this->Limits.FirstSamples)
   {
   }
@@ -60,12 +62,13 @@ private:
   SurfaceEstimate Average(const Hit& place, std::uint64_t key, Add add);
   void LookAround(
     const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples) const;
-  void AddLight(const Receiver& receiver, const RayPacket& packet, int lane,
-    const GatherDirections::Packet& local, std::uint64_t hash, int begin, Samples& samples) const;
+  glm::vec3 Follow(const RayPacket& packet, int lane, float pdf, const SampleStream& stream,
+    std::uint64_t& rays) const;
 
   const Scene& World;
   const PathIntegrator& Paths;
   Settings Limits;
+  DiffuseLookUp Known; // what a ray sees after the reflections of the limits
   GatherDirections Directions;
   std::atomic<std::uint64_t> Rays{ 0 };
 };

@@ -219,6 +219,22 @@ void RadianceCache::FindLobes()
   }
 }
 
+void RadianceCache::Get(LatticePacket& packet) const
+{
+  this->Values.Get(packet);
+  if (this->HasSecond)
+  {
+    LatticePacket second = packet;
+    this->Second.Get(second);
+    for (int lane = 0; lane < LatticePacket::Size; ++lane)
+    {
+      packet.Red[lane] += second.Red[lane];
+      packet.Green[lane] += second.Green[lane];
+      packet.Blue[lane] += second.Blue[lane];
+    }
+  }
+}
+
 bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
   const glm::vec3& normal, const glm::vec3& outgoing, float albedo, const glm::vec3& beside,
   glm::vec3& reflected) const

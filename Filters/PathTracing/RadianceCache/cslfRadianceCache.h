@@ -76,8 +76,8 @@ public:
     return this->HasSecond ? value + this->Second.Get(triangle, hit.Back, hit.U, hit.V) : value;
   }
 
-  /// The same for a packet, once the cache is built.
-  void Get(LatticePacket& packet) const { this->Values.Get(packet); }
+  /// The same for a packet.
+  void Get(LatticePacket& packet) const;
 
   /// The light that arrives at a surface that it covers; null where that is not known.
   const IncidentLight* GetIncident(const Hit& hit) const
