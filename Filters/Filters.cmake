@@ -40,6 +40,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
+  ../Filters/PathTracing/cslfPathBatch.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfPathStep.cxx
   ../Filters/PathTracing/cslfRayGrid.cxx
@@ -84,6 +85,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h
   ../Filters/PathTracing/cslfRayLanes.h
+  ../Filters/PathTracing/cslfRoulette.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScatterLanes.h
