@@ -41,9 +41,11 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
+  ../Filters/PathTracing/cslfPathBatch.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfPathStep.cxx
   ../Filters/PathTracing/cslfRayGrid.cxx
+  ../Filters/PathTracing/cslfSamplePlaces.cxx
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBlock.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
@@ -87,6 +89,8 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfRayGrid.h
   ../Filters/PathTracing/cslfRayPacket.h
   ../Filters/PathTracing/cslfRayLanes.h
+  ../Filters/PathTracing/cslfRoulette.h
+  ../Filters/PathTracing/cslfSamplePlaces.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
   ../Filters/PathTracing/cslfScatterLanes.h

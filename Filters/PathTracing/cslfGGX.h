@@ -87,11 +87,12 @@ public:
   {
     const glm::vec3 stretched =
       glm::normalize(glm::vec3(this->Alpha * outgoing.x, this->Alpha * outgoing.y, outgoing.z));
-    const float angle = 2.0f * Pi * u.x;
+    float sine = 0.0f;
+    float cosine = 0.0f;
+    SinCosOfTurn(u.x, sine, cosine);
     const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
     const float radius = std::sqrt(std::clamp(1.0f - z * z, 0.0f, 1.0f));
-    const glm::vec3 cap =
-      glm::vec3(radius * std::cos(angle), radius * std::sin(angle), z) + stretched;
+    const glm::vec3 cap = glm::vec3(radius * cosine, radius * sine, z) + stretched;
     return glm::normalize(
       glm::vec3(this->Alpha * cap.x, this->Alpha * cap.y, std::max(cap.z, 1e-7f)));
   }

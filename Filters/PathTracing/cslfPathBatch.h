@@ -26,10 +26,11 @@ namespace cslf
  * be told alike again and again must put the same paths into the same batches. One thread at a
  * time.
  */
-class PathBatch
+class VTKCSLF_EXPORT PathBatch
 {
 public:
-  /// The most paths. More would not make steps faster, but leave the nearest memory.
+  /// The most paths: enough for several packets to each octant after some reflections, and few
+  /// enough to stay in a core's cache.
   static constexpr int Capacity = 4096;
 
   /// How a path begins.
@@ -75,13 +76,28 @@ public:
   /// The radiance that comes along each path's first ray, once it is followed.
   const glm::vec3& GetRadiance(int path) const { return this->Radiances[path]; }
 
-private:
-  friend class PathIntegrator;
+  ///@{
+  /// Of those who follow the paths: packets of the paths that go on, and what they find.
+  void Begin();
+  int GetNumberOfPackets() const { return (this->Living + LaneCount - 1) / LaneCount; }
+  PathPacket& GetPacket(int packet) { return this->Packets[packet]; }
+  glm::vec3* GetRadiances() { return this->Radiances.data(); }
+  ///@}
 
+  /// Gives what the first rays of a packet hit. False where that is not known.
+  bool FindSeen(int packet, HitLanes& hits) const;
+  void SetSeen(int packet, const HitLanes& hits);
+
+  /// Gathers the paths that go on anew, those whose rays run to the same octant side by side.
+  void GoOn();
+
+private:
   int Depth;
   std::vector<Start> Starts;
   std::vector<Hit> Seen;
   std::vector<glm::vec3> Radiances;
+  bool AreSeen = false; // whether first rays were traced before
+  int Living = 0;       // the paths that go on, in the first packets
   std::vector<PathPacket> Packets;
   std::vector<PathPacket> Next;
 };

@@ -5,35 +5,13 @@
 #include "RadianceCache/cslfRadianceCache.h"
 #include "cslfPathPacket.h"
 #include "cslfPathStep.h"
+#include "cslfRoulette.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace cslf
 {
-namespace
-{
-// From this many reflections on, paths of little weight end early.
-constexpr int RouletteDepth = 3;
-
-// The largest chance of going on, so that paths end between white surfaces too.
-constexpr float LargestSurvival = 0.95f;
-
-/// Russian roulette on the path's weight, without the compression that leaving the glass undoes.
-/// False where the path ends.
-bool Survive(glm::vec3& beta, float compression, float u)
-{
-  const float weight = std::max({ beta.x, beta.y, beta.z }) / compression;
-  const float survival = std::min(weight, LargestSurvival);
-  if (u >= survival)
-  {
-    return false;
-  }
-  beta /= survival;
-  return true;
-}
-}
-
 PathIntegrator::PathIntegrator(
   const Scene& scene, const PathSettings& settings, const RadianceCache* cache)
   : World(scene)
@@ -182,129 +160,28 @@ glm::vec3 PathIntegrator::GetRadiance(
   }
 }
 
-namespace
-{
-void Put(const PathBatch::Start& start, int path, int lane, PathPacket& packet)
-{
-  packet.Rays.Active[lane] = -1;
-  packet.Rays.Origin.Set(lane, start.First.Origin);
-  packet.Rays.Direction.Set(lane, start.First.Direction);
-  packet.Beta.Set(lane, glm::vec3(1.0f));
-  packet.Pdf[lane] = start.Pdf;
-  packet.Compression[lane] = 1.0f;
-  packet.Streams.Hash[lane] = start.Hash;
-  packet.Streams.Index[lane] = start.Index;
-  packet.Path[lane] = path;
-}
-
-/// Leaves the lanes empty from one on.
-void Close(PathPacket& packet, int lane)
-{
-  for (; lane < LaneCount; ++lane)
-  {
-    packet.Take(lane, packet, 0);
-    packet.Rays.Active[lane] = 0;
-  }
-}
-
-/// Moves the paths that go on to other packets, so that rays that run to the same octant are
-/// neighbours, and returns how many there are.
-int Gather(const std::vector<PathPacket>& from, int count, std::vector<PathPacket>& to)
-{
-  // Count the paths of each octant.
-  int ends[OctantCount] = {};
-  for (int i = 0; i < count; ++i)
-  {
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      ends[from[i].Octant[lane]] -= from[i].Rays.Active[lane];
-    }
-  }
-  int living = 0;
-  for (int& end : ends)
-  {
-    const int size = end;
-    end = living;
-    living += size;
-  }
-
-  // Put each at the end of its octant.
-  for (int i = 0; i < count; ++i)
-  {
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      if (from[i].Rays.Active[lane] != 0)
-      {
-        const int place = ends[from[i].Octant[lane]]++;
-        to[place / LaneCount].Take(place % LaneCount, from[i], lane);
-      }
-    }
-  }
-  if (living % LaneCount != 0)
-  {
-    Close(to[living / LaneCount], living % LaneCount);
-  }
-  return living;
-}
-}
-
 void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
 {
-  const int size = batch.GetSize();
-  batch.Radiances.assign(size, glm::vec3(0.0f));
-  std::vector<PathPacket>& packets = batch.Packets;
-  packets.resize((size + LaneCount - 1) / LaneCount);
-  batch.Next.resize(packets.size());
-  for (int path = 0; path < size; ++path)
+  batch.Begin();
+  for (int vertex = 0; batch.GetNumberOfPackets() > 0; ++vertex)
   {
-    Put(batch.Starts[path], path, path % LaneCount, packets[path / LaneCount]);
-  }
-  if (size % LaneCount != 0)
-  {
-    Close(packets.back(), size % LaneCount);
-  }
-  const bool seen = !batch.Seen.empty();
-  if (!seen)
-  {
-    batch.Seen.resize(size);
-  }
-
-  int living = size;
-  for (int vertex = 0; living > 0; ++vertex)
-  {
-    PathStep step(*this, batch.Depth + vertex, vertex + 1);
-    const int count = (living + LaneCount - 1) / LaneCount;
-    for (int i = 0; i < count; ++i)
+    PathStep step(*this, batch.GetDepth() + vertex, vertex + 1);
+    for (int i = 0; i < batch.GetNumberOfPackets(); ++i)
     {
+      PathPacket& packet = batch.GetPacket(i);
       HitLanes hits;
-      if (vertex == 0 && seen)
+      if (vertex > 0 || !batch.FindSeen(i, hits))
       {
-        for (int lane = 0; lane < LaneCount; ++lane)
+        this->World.Intersect(packet.Rays, hits);
+        rays += static_cast<std::uint64_t>(Count(packet.Rays.Active));
+        if (vertex == 0)
         {
-          const int path = i * LaneCount + lane;
-          hits.Set(lane, path < size ? batch.Seen[path] : Hit());
+          batch.SetSeen(i, hits);
         }
       }
-      else
-      {
-        this->World.Intersect(packets[i].Rays, hits);
-        rays += static_cast<std::uint64_t>(Count(packets[i].Rays.Active));
-      }
-      if (vertex == 0 && !seen)
-      {
-        for (int lane = 0; lane < LaneCount; ++lane)
-        {
-          const int path = i * LaneCount + lane;
-          if (path < size)
-          {
-            batch.Seen[path] = hits.Get(lane);
-          }
-        }
-      }
-      rays += step.Advance(packets[i], hits, batch.Radiances.data());
+      rays += step.Advance(packet, hits, batch.GetRadiances());
     }
-    living = Gather(packets, count, batch.Next);
-    packets.swap(batch.Next);
+    batch.GoOn();
   }
 }
 }

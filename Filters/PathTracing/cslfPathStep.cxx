@@ -5,6 +5,7 @@
 #include "RadianceCache/cslfRadianceCache.h"
 #include "cslfLambert.h"
 #include "cslfPathIntegrator.h"
+#include "cslfRoulette.h"
 #include "cslfTriangleGeometry.h"
 #include "cslfVectorize.h"
 
@@ -14,12 +15,6 @@ namespace cslf
 {
 namespace
 {
-// From this many reflections on, paths of little weight end early.
-constexpr int RouletteDepth = 3;
-
-// The largest chance of going on, so that paths end between white surfaces too.
-constexpr float LargestSurvival = 0.95f;
-
 /// Adds an environment without image where rays miss, and ends these paths.
 CSLF_VECTORIZE void AddGradient(
   const SkyGradient& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
@@ -60,15 +55,14 @@ CSLF_VECTORIZE void ChooseMatte(const Lanes<float>& x, const Lanes<float>& y,
   }
 }
 
-/// Russian roulette on the paths' weight, without the compression that leaving the glass undoes.
-CSLF_VECTORIZE void Survive(const Lanes<float>& x, PathPacket& paths)
+/// Russian roulette.
+CSLF_VECTORIZE void SurviveAll(const Lanes<float>& x, PathPacket& paths)
 {
   CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
     const glm::vec3 beta = paths.Beta.Get(i);
-    const float weight = std::max(std::max(beta.x, beta.y), beta.z) / paths.Compression[i];
-    const float survival = std::min(weight, LargestSurvival);
+    const float survival = GetSurvival(beta, paths.Compression[i]);
     paths.Rays.Active[i] = x[i] < survival ? paths.Rays.Active[i] : 0;
     paths.Beta.Set(i, beta / survival);
   }
@@ -319,6 +313,6 @@ void PathStep::EndByChance(PathPacket& paths)
   Lanes<float> x;
   Lanes<float> unused;
   paths.Streams.Get2D(this->Vertex, Dimension::Roulette, x, unused);
-  Survive(x, paths);
+  SurviveAll(x, paths);
 }
 }

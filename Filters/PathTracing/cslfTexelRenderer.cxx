@@ -5,6 +5,7 @@
 #include "cslfColor.h"
 #include "cslfVectorize.h"
 
+#include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 #include <vtkType.h>
 
@@ -38,50 +39,20 @@ bool IsPowerOfTwo(int count)
   return (count & (count - 1)) == 0;
 }
 
-// The samples whose places are found at once; a power of two.
-constexpr int SamplesAhead = 4;
-
-/// Where samples lie, one in each of 16 texels.
-struct Places
-{
-  alignas(64) float X[RayPacket::Size]; // in the texel, in [0,1]
-  alignas(64) float Y[RayPacket::Size];
-  alignas(64) float TileX[RayPacket::Size]; // in the tile
-  alignas(64) float TileY[RayPacket::Size];
-};
-
-/// Finds those of some samples in a row: together, as each takes long but not much.
-CSLF_VECTORIZE void FindPlaces(int first, int count, const std::uint32_t* low,
-  const std::uint32_t* high, const float* laneX, const float* laneY, Places* places)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    Places& sample = places[i];
-    CSLF_LANE_LOOP
-    for (int lane = 0; lane < RayPacket::Size; ++lane)
-    {
-      SampleStream::Get2D(static_cast<std::uint32_t>(first + i), { low[lane], high[lane] },
-        sample.X[lane], sample.Y[lane]);
-      sample.TileX[lane] = laneX[lane] + sample.X[lane];
-      sample.TileY[lane] = laneY[lane] + sample.Y[lane];
-    }
-  }
-}
-
-/// Leaves out the rays of texels that are not inside. Returns the number of those left.
-int KeepInside(const int* inside, RayPacket& packet)
+/// Leaves out the rays of a group's texels that are not inside. Returns the number of those left.
+int KeepInside(const TexelGroup& group, const int* inside, RayPacket& packet)
 {
   int rays = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    packet.Active[lane] &= inside[lane];
+    packet.Active[lane] &= inside[group.GetTexel(lane)];
     rays -= packet.Active[lane];
   }
   return rays;
 }
 }
 
-/// A square of texels in one tile; its lanes run along x first.
+/// A square of texels in one tile, a square of 2 x 2 after the other.
 struct TexelRenderer::Block
 {
   RayGrid Grid;
@@ -89,15 +60,11 @@ struct TexelRenderer::Block
   int Tile;
   int Y; // of the first texel, in the tile
   int X;
-  alignas(64) int Inside[RayPacket::Size];  // -1 where the tile has the lane's texel, else 0
-  alignas(64) float LaneX[RayPacket::Size]; // of the texels, in the tile
-  alignas(64) float LaneY[RayPacket::Size];
-  std::uint64_t Hashes[RayPacket::Size];          // of the texels, for their random numbers
-  alignas(64) std::uint32_t Low[RayPacket::Size]; // the scramble of their samples' places
-  alignas(64) std::uint32_t High[RayPacket::Size];
+  alignas(64) int Inside[RayPacket::Size]; // -1 where the tile has the texel, else 0
+  std::uint64_t Hashes[RayPacket::Size];   // of the texels, for their random numbers
+  TexelPlaces Texels;
   TexelSums Sums;
-  Places Ahead[SamplesAhead]; // of samples that are next, by their number
-  bool IsExact = true;        // whether all samples are without noise
+  bool IsExact = true; // whether all samples are without noise
 };
 
 /// Paths that wait to be followed together, those of some blocks of a row: which they are depends
@@ -108,7 +75,7 @@ struct TexelRenderer::PathQueue
   struct Source
   {
     TexelSums* Sums;
-    int Lane;
+    int Texel;
   };
 
   PathBatch Batch;
@@ -140,6 +107,7 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
   const std::int64_t samplesOfRow =
     std::int64_t(BlockSide) * this->Layout.TileWidth * std::max(this->Settings.Samples, 1);
   const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfRow);
+  vtkSMPThreadLocal<PathQueue> queues;
   for (std::int64_t first = 0; first < rows; first += batch)
   {
     if (!goOn(static_cast<double>(first) / static_cast<double>(rows)))
@@ -147,18 +115,19 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
       return false;
     }
     vtkSMPTools::For(first, std::min(first + batch, rows),
-      [this](vtkIdType begin, vtkIdType end)
+      [this, &queues](vtkIdType begin, vtkIdType end)
       {
+        PathQueue& queue = queues.Local();
         for (vtkIdType index = begin; index < end; ++index)
         {
-          this->RenderRow(index);
+          this->RenderRow(index, queue);
         }
       });
   }
   return goOn(1.0);
 }
 
-void TexelRenderer::RenderRow(std::int64_t index) const
+void TexelRenderer::RenderRow(std::int64_t index, PathQueue& queue) const
 {
   const std::int64_t rows = this->GetRowsOfTile();
   Block first;
@@ -168,7 +137,7 @@ void TexelRenderer::RenderRow(std::int64_t index) const
   first.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
   first.Grid = this->Grids(first.Slice, first.Tile);
   std::vector<Block> blocks(this->GetBlocksAtOnce());
-  PathQueue queue;
+  queue.Rays = 0;
   int count = 0;
   for (int column = 0; column < this->Layout.TileWidth; column += BlockSide)
   {
@@ -197,19 +166,35 @@ std::size_t TexelRenderer::GetBlocksAtOnce() const
 void TexelRenderer::SetTexels(Block& block, int column) const
 {
   block.X = column;
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  for (int texel = 0; texel < RayPacket::Size; ++texel)
   {
-    const int x = block.X + lane % BlockSide;
-    const int y = block.Y + lane / BlockSide;
-    block.LaneX[lane] = static_cast<float>(x);
-    block.LaneY[lane] = static_cast<float>(y);
-    block.Inside[lane] = x < this->Layout.TileWidth && y < this->Layout.TileHeight ? -1 : 0;
-    block.Hashes[lane] = SampleStream::HashTexel(
+    const int x = block.X + TexelPlaces::GetColumn(texel);
+    const int y = block.Y + TexelPlaces::GetRow(texel);
+    block.Inside[texel] = x < this->Layout.TileWidth && y < this->Layout.TileHeight ? -1 : 0;
+    block.Hashes[texel] = SampleStream::HashTexel(
       this->Settings.Seed, block.Slice, block.Tile * this->Layout.TileWidth + x, y);
-    const auto scramble = SampleStream::MakeScramble(block.Hashes[lane], Dimension::Pixel);
-    block.Low[lane] = scramble.Low;
-    block.High[lane] = scramble.High;
+    const auto scramble = SampleStream::MakeScramble(block.Hashes[texel], Dimension::Pixel);
+    block.Texels.X[texel] = static_cast<float>(x);
+    block.Texels.Y[texel] = static_cast<float>(y);
+    block.Texels.Low[texel] = scramble.Low;
+    block.Texels.High[texel] = scramble.High;
   }
+}
+
+int TexelRenderer::GetSamplesAtOnce(int samples) const
+{
+  // With a target, it is asked at powers of two whether to go on.
+  int left = this->Settings.Samples - samples;
+  if (this->Settings.NoiseTarget > 0.0)
+  {
+    int next = 1;
+    while (next <= samples)
+    {
+      next *= 2;
+    }
+    left = std::min(left, next - samples);
+  }
+  return left >= 16 ? 16 : left >= 4 ? 4 : 1;
 }
 
 void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) const
@@ -219,15 +204,13 @@ void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) con
   {
     unfinished.push_back(blocks + i);
   }
-  for (int samples = 1; samples <= this->Settings.Samples && !unfinished.empty(); ++samples)
+  for (int samples = 0; samples < this->Settings.Samples && !unfinished.empty();)
   {
+    const int added = this->GetSamplesAtOnce(samples);
+    samples += added;
     for (Block* block : unfinished)
     {
-      this->AddSamples(*block, queue);
-      if (queue.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
-      {
-        this->FollowPaths(queue);
-      }
+      this->AddSamples(*block, added, queue);
     }
     if (this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(samples))
     {
@@ -271,8 +254,8 @@ bool TexelRenderer::IsInOnePiece(const Block& block, std::uint64_t& rays) const
   float y[RayPacket::Size];
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    x[lane] = static_cast<float>(block.X) + step * static_cast<float>(lane % BlockSide);
-    y[lane] = static_cast<float>(block.Y) + step * static_cast<float>(lane / BlockSide);
+    x[lane] = static_cast<float>(block.X) + step * static_cast<float>(TexelPlaces::GetColumn(lane));
+    y[lane] = static_cast<float>(block.Y) + step * static_cast<float>(TexelPlaces::GetRow(lane));
   }
   RayPacket packet;
   PacketScale scale;
@@ -288,24 +271,29 @@ bool TexelRenderer::IsInOnePiece(const Block& block, std::uint64_t& rays) const
   return same == RayPacket::Size;
 }
 
-void TexelRenderer::AddSamples(Block& block, PathQueue& queue) const
+void TexelRenderer::AddSamples(Block& block, int count, PathQueue& queue) const
 {
-  // Take one ray of each texel. With a noise target, the first may be the last.
-  const int sample = block.Sums.Samples;
-  const bool stopsEarly = this->Settings.NoiseTarget > 0.0;
-  if (sample % SamplesAhead == 0 || (sample == 1 && stopsEarly))
+  TexelGroup group(RayPacket::Size / count);
+  SamplePlaces places[RayPacket::Size];
+  FindPlaces(group, count, block.Sums.Samples, block.Texels, places);
+  for (int packet = 0; packet < count; ++packet, group.First += group.Size)
   {
-    const bool isAlone = sample == 0 && stopsEarly;
-    const int left =
-      std::min(this->Settings.Samples - sample, SamplesAhead - sample % SamplesAhead);
-    FindPlaces(sample, isAlone ? 1 : left, block.Low, block.High, block.LaneX, block.LaneY,
-      block.Ahead + sample % SamplesAhead);
+    if (queue.Batch.GetSize() + RayPacket::Size > PathBatch::Capacity)
+    {
+      this->FollowPaths(queue);
+    }
+    this->AddPacket(block, group, places[packet], queue);
   }
-  const Places& places = block.Ahead[sample % SamplesAhead];
+  block.Sums.Samples += count;
+}
+
+void TexelRenderer::AddPacket(
+  Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const
+{
   RayPacket packet;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
-  queue.Rays += KeepInside(block.Inside, packet);
+  queue.Rays += KeepInside(group, block.Inside, packet);
   this->World.Intersect(packet);
 
   // Find what they see.
@@ -313,27 +301,26 @@ void TexelRenderer::AddSamples(Block& block, PathQueue& queue) const
   alignas(64) int covered[RayPacket::Size];
   if (!this->Known.Get(packet, radiance, covered))
   {
-    this->Follow(packet, block, queue, radiance, covered);
+    this->Follow(packet, block, group, queue, radiance, covered);
   }
   if (this->Settings.ShowEnvironment)
   {
-    this->AddEnvironment(packet, block, radiance, covered);
+    this->AddEnvironment(packet, radiance, covered);
   }
-  block.Sums.Add(radiance, covered);
+  block.Sums.Add(group, radiance, covered);
   if (this->Settings.NoiseTarget > 0.0)
   {
-    block.Sums.AddSquares(radiance);
+    block.Sums.AddSquares(group, radiance);
   }
   if (this->Output.Depth)
   {
-    block.Sums.AddDepths(packet, scale, places.X, places.Y);
+    block.Sums.AddDepths(group, packet, scale, places.X, places.Y);
   }
 }
 
-void TexelRenderer::Follow(const RayPacket& packet, Block& block, PathQueue& queue,
-  PacketRadiance& radiance, int covered[]) const
+void TexelRenderer::Follow(const RayPacket& packet, Block& block, const TexelGroup& group,
+  PathQueue& queue, PacketRadiance& radiance, int covered[]) const
 {
-  const auto index = static_cast<std::uint32_t>(block.Sums.Samples);
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     if (!packet.IsHit(lane) || covered[lane])
@@ -350,8 +337,10 @@ void TexelRenderer::Follow(const RayPacket& packet, Block& block, PathQueue& que
     }
     else
     {
-      queue.Batch.Add({ ray, block.Hashes[lane], index }, hit);
-      queue.Sources.push_back({ &block.Sums, lane });
+      const int texel = group.GetTexel(lane);
+      const auto sample = static_cast<std::uint32_t>(block.Sums.Samples + group.GetSample(lane));
+      queue.Batch.Add({ ray, block.Hashes[texel], sample }, hit);
+      queue.Sources.push_back({ &block.Sums, texel });
       block.IsExact = false;
     }
   }
@@ -363,18 +352,18 @@ void TexelRenderer::FollowPaths(PathQueue& queue) const
   for (int path = 0; path < queue.Batch.GetSize(); ++path)
   {
     const PathQueue::Source& source = queue.Sources[path];
-    source.Sums->AddPath(source.Lane, queue.Batch.GetRadiance(path));
+    source.Sums->AddPath(source.Texel, queue.Batch.GetRadiance(path));
   }
   queue.Batch.Clear();
   queue.Sources.clear();
 }
 
 void TexelRenderer::AddEnvironment(
-  const RayPacket& packet, const Block& block, PacketRadiance& radiance, int covered[]) const
+  const RayPacket& packet, PacketRadiance& radiance, int covered[]) const
 {
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    if (block.Inside[lane] && !packet.IsHit(lane))
+    if (packet.Active[lane] && !packet.IsHit(lane))
     {
       radiance.Set(lane, this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
       covered[lane] = -1;
@@ -385,22 +374,23 @@ void TexelRenderer::AddEnvironment(
 void TexelRenderer::FindDepths(Block& block) const
 {
   // A ray to the centre beats all samples.
-  Places places;
+  SamplePlaces places;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     places.X[lane] = 0.5f;
     places.Y[lane] = 0.5f;
-    places.TileX[lane] = block.LaneX[lane] + 0.5f;
-    places.TileY[lane] = block.LaneY[lane] + 0.5f;
+    places.TileX[lane] = block.Texels.X[lane] + 0.5f;
+    places.TileY[lane] = block.Texels.Y[lane] + 0.5f;
   }
   RayPacket packet;
   packet.PassByHalf = true;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
-  KeepInside(block.Inside, packet);
+  const TexelGroup all(RayPacket::Size);
+  KeepInside(all, block.Inside, packet);
   this->World.Intersect(packet);
   std::fill_n(block.Sums.DepthOffset, RayPacket::Size, std::numeric_limits<float>::max());
-  block.Sums.AddDepths(packet, scale, places.X, places.Y);
+  block.Sums.AddDepths(all, packet, scale, places.X, places.Y);
   if (this->Settings.ShowEnvironment)
   {
     for (int lane = 0; lane < RayPacket::Size; ++lane)
@@ -422,9 +412,9 @@ void TexelRenderer::Write(const Block& block) const
     }
     const std::int64_t row =
       std::int64_t(block.Slice - this->Layout.FirstSlice) * this->Layout.TileHeight + block.Y +
-      lane / BlockSide;
+      TexelPlaces::GetRow(lane);
     const std::int64_t texel = row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth +
-      block.X + lane % BlockSide;
+      block.X + TexelPlaces::GetColumn(lane);
     const glm::dvec3 radiance =
       scale * glm::dvec3(sums.Red[lane], sums.Green[lane], sums.Blue[lane]);
     const double alpha = static_cast<double>(sums.Covered[lane]) / sums.Samples;

@@ -12,6 +12,7 @@
 #include "RadianceCache/cslfDiffuseLookUp.h"
 #include "cslfPathIntegrator.h"
 #include "cslfRayGrid.h"
+#include "cslfSamplePlaces.h"
 #include "cslfTexelSums.h"
 
 #include <atomic>
@@ -75,15 +76,17 @@ private:
   struct PathQueue;
 
   std::int64_t GetRowsOfTile() const;
-  void RenderRow(std::int64_t index) const;
+  void RenderRow(std::int64_t index, PathQueue& queue) const;
   void SetTexels(Block& block, int column) const;
   std::size_t GetBlocksAtOnce() const;
   void RenderBlocks(Block* blocks, int count, PathQueue& queue) const;
-  void AddSamples(Block& block, PathQueue& queue) const;
-  void Follow(const RayPacket& packet, Block& block, PathQueue& queue, PacketRadiance& radiance,
-    int covered[]) const;
-  void AddEnvironment(
-    const RayPacket& packet, const Block& block, PacketRadiance& radiance, int covered[]) const;
+  int GetSamplesAtOnce(int samples) const;
+  void AddSamples(Block& block, int count, PathQueue& queue) const;
+  void AddPacket(
+    Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const;
+  void Follow(const RayPacket& packet, Block& block, const TexelGroup& group, PathQueue& queue,
+    PacketRadiance& radiance, int covered[]) const;
+  void AddEnvironment(const RayPacket& packet, PacketRadiance& radiance, int covered[]) const;
   void FollowPaths(PathQueue& queue) const;
   bool IsGoodEnough(const Block& block, std::uint64_t& rays) const;
   bool IsInOnePiece(const Block& block, std::uint64_t& rays) const;

@@ -21,20 +21,58 @@ inline float Display(float radiance, float exposure)
   return std::sqrt(exposed < 1.0f ? exposed : 1.0f);
 }
 
-CSLF_VECTORIZE void AddTo(float* __restrict sums, const float* __restrict values)
+template <int Texels, typename Value>
+inline void AddSamples(Value* __restrict sums, const Value* __restrict values)
 {
-  for (int lane = 0; lane < Size; ++lane)
+  for (int sample = 0; sample < Size / Texels; ++sample)
   {
-    sums[lane] += values[lane];
+    for (int texel = 0; texel < Texels; ++texel)
+    {
+      sums[texel] += values[sample * Texels + texel];
+    }
   }
 }
 
-CSLF_VECTORIZE void AddSquaresTo(float* __restrict sums, const float* __restrict values)
+/// Adds the values of a packet's samples to those of their texels.
+template <typename Value>
+inline void AddTo(Value* sums, const TexelGroup& group, const Value* values)
 {
+  switch (group.Size)
+  {
+    case Size:
+      AddSamples<Size>(sums, values);
+      break;
+    case 4:
+      AddSamples<4>(sums + group.First, values);
+      break;
+    default:
+      AddSamples<1>(sums + group.First, values);
+      break;
+  }
+}
+
+CSLF_VECTORIZE void AddColors(
+  TexelSums& sums, const TexelGroup& group, const PacketRadiance& radiance, const int* counts)
+{
+  AddTo(sums.Red, group, radiance.Red);
+  AddTo(sums.Green, group, radiance.Green);
+  AddTo(sums.Blue, group, radiance.Blue);
+  AddTo(sums.Covered, group, counts);
+}
+
+CSLF_VECTORIZE void AddSquaredColors(
+  TexelSums& sums, const TexelGroup& group, const PacketRadiance& radiance)
+{
+  PacketRadiance squares;
   for (int lane = 0; lane < Size; ++lane)
   {
-    sums[lane] += values[lane] * values[lane];
+    squares.Red[lane] = radiance.Red[lane] * radiance.Red[lane];
+    squares.Green[lane] = radiance.Green[lane] * radiance.Green[lane];
+    squares.Blue[lane] = radiance.Blue[lane] * radiance.Blue[lane];
   }
+  AddTo(sums.RedSquares, group, squares.Red);
+  AddTo(sums.GreenSquares, group, squares.Green);
+  AddTo(sums.BlueSquares, group, squares.Blue);
 }
 
 /// The largest displayed standard error of a colour's component.
@@ -72,50 +110,58 @@ TexelSums::TexelSums()
   std::fill_n(this->DepthOffset, Size, std::numeric_limits<float>::max());
 }
 
-void TexelSums::Add(const PacketRadiance& radiance, const int covered[Size])
+void TexelSums::Add(
+  const TexelGroup& group, const PacketRadiance& radiance, const int covered[Size])
 {
-  AddTo(this->Red, radiance.Red);
-  AddTo(this->Green, radiance.Green);
-  AddTo(this->Blue, radiance.Blue);
+  alignas(64) int counts[Size];
   for (int lane = 0; lane < Size; ++lane)
   {
-    this->Covered[lane] -= covered[lane];
+    counts[lane] = -covered[lane];
   }
-  ++this->Samples;
+  AddColors(*this, group, radiance, counts);
 }
 
-void TexelSums::AddPath(int lane, const glm::vec3& radiance)
+void TexelSums::AddPath(int texel, const glm::vec3& radiance)
 {
-  this->Red[lane] += radiance.x;
-  this->Green[lane] += radiance.y;
-  this->Blue[lane] += radiance.z;
-  this->RedSquares[lane] += radiance.x * radiance.x;
-  this->GreenSquares[lane] += radiance.y * radiance.y;
-  this->BlueSquares[lane] += radiance.z * radiance.z;
-  ++this->Covered[lane];
+  this->Red[texel] += radiance.x;
+  this->Green[texel] += radiance.y;
+  this->Blue[texel] += radiance.z;
+  this->RedSquares[texel] += radiance.x * radiance.x;
+  this->GreenSquares[texel] += radiance.y * radiance.y;
+  this->BlueSquares[texel] += radiance.z * radiance.z;
+  ++this->Covered[texel];
 }
 
-void TexelSums::AddSquares(const PacketRadiance& radiance)
+void TexelSums::AddSquares(const TexelGroup& group, const PacketRadiance& radiance)
 {
-  AddSquaresTo(this->RedSquares, radiance.Red);
-  AddSquaresTo(this->GreenSquares, radiance.Green);
-  AddSquaresTo(this->BlueSquares, radiance.Blue);
+  AddSquaredColors(*this, group, radiance);
 }
 
-CSLF_VECTORIZE void TexelSums::AddDepths(
-  const RayPacket& packet, const PacketScale& scale, const float x[Size], const float y[Size])
+CSLF_VECTORIZE void TexelSums::AddDepths(const TexelGroup& group, const RayPacket& packet,
+  const PacketScale& scale, const float x[Size], const float y[Size])
 {
+  alignas(64) float depths[Size];
+  alignas(64) float offsets[Size]; // the largest there are where nothing is hit
   CSLF_LANE_LOOP
   for (int lane = 0; lane < Size; ++lane)
   {
     const float offsetX = x[lane] - 0.5f;
     const float offsetY = y[lane] - 0.5f;
-    const float offset = offsetX * offsetX + offsetY * offsetY;
     const int isHit = static_cast<int>(packet.Query.hit.geomID[lane]) == -1 ? 0 : -1;
-    const int isNearer = (offset < this->DepthOffset[lane] ? -1 : 0) & isHit;
-    const float depth = scale.Start[lane] + packet.Query.ray.tfar[lane] / scale.Length[lane];
-    this->Depth[lane] = isNearer ? depth : this->Depth[lane];
-    this->DepthOffset[lane] = isNearer ? offset : this->DepthOffset[lane];
+    const float offset = offsetX * offsetX + offsetY * offsetY;
+    offsets[lane] = isHit ? offset : std::numeric_limits<float>::max();
+    depths[lane] = scale.Start[lane] + packet.Query.ray.tfar[lane] / scale.Length[lane];
+  }
+  for (int first = 0; first < Size; first += group.Size)
+  {
+    CSLF_LANE_LOOP
+    for (int i = 0; i < group.Size; ++i)
+    {
+      const int texel = group.First + i;
+      const bool isNearer = offsets[first + i] < this->DepthOffset[texel];
+      this->Depth[texel] = isNearer ? depths[first + i] : this->Depth[texel];
+      this->DepthOffset[texel] = isNearer ? offsets[first + i] : this->DepthOffset[texel];
+    }
   }
 }
 

@@ -11,10 +11,11 @@
 
 #include "RadianceCache/cslfDiffuseLookUp.h"
 #include "cslfRayGrid.h"
+#include "cslfSamplePlaces.h"
 
 namespace cslf
 {
-/// Of as many texels as a packet has rays: one sample of each at a time.
+/// Of as many texels as a packet has rays.
 struct VTKCSLF_EXPORT TexelSums
 {
   static constexpr int Size = RayPacket::Size;
@@ -32,20 +33,20 @@ struct VTKCSLF_EXPORT TexelSums
 
   TexelSums();
 
-  /// Adds a sample of each texel: `covered` is -1 where it sees something, else 0, and its radiance
-  /// 0.
-  void Add(const PacketRadiance& radiance, const int covered[Size]);
+  /// Adds samples of some texels: `covered` is -1 where one sees something, else 0, and its
+  /// radiance 0.
+  void Add(const TexelGroup& group, const PacketRadiance& radiance, const int covered[Size]);
 
   /// Adds to a sample what was left out of it: what a path in one of the texels saw.
-  void AddPath(int lane, const glm::vec3& radiance);
+  void AddPath(int texel, const glm::vec3& radiance);
 
   /// Adds the squares of the samples, which Noise needs.
-  void AddSquares(const PacketRadiance& radiance);
+  void AddSquares(const TexelGroup& group, const PacketRadiance& radiance);
 
   /// Sets the depth where a hit is the nearest to its texel's centre so far. Places are in the
   /// texel, in [0,1].
-  void AddDepths(
-    const RayPacket& packet, const PacketScale& scale, const float x[Size], const float y[Size]);
+  void AddDepths(const TexelGroup& group, const RayPacket& packet, const PacketScale& scale,
+    const float x[Size], const float y[Size]);
 
   /// The largest standard error of a texel's displayed colour or coverage, in parts of white.
   float GetNoise(float exposure) const;

@@ -4,6 +4,7 @@
 
 #include "PathTracing/cslfEmbree.h"
 #include "PathTracing/cslfFieldRays.h"
+#include "PathTracing/cslfSamplePlaces.h"
 #include "PathTracing/cslfSampleStream.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "cslfDescription.h"
@@ -62,6 +63,15 @@ struct Rays
   }
 };
 
+/// Adds a packet of rays.
+void AddPacket(const RayGrid& grid, const SamplePlaces& places, std::vector<Rays>& rays)
+{
+  RayPacket packet;
+  PacketScale scale;
+  SetRays(grid, places.TileX, places.TileY, packet, scale);
+  rays.emplace_back(packet);
+}
+
 /// The rays of a tile: `Samples` a texel, and one to its centre for its depth.
 void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& rays)
 {
@@ -69,27 +79,28 @@ void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& ra
   {
     for (int column = 0; column < Resolution; column += BlockSide)
     {
-      for (int sample = 0; sample <= Samples; ++sample)
+      TexelPlaces texels;
+      SamplePlaces centers;
+      for (int texel = 0; texel < RayPacket::Size; ++texel)
       {
-        float x[RayPacket::Size];
-        float y[RayPacket::Size];
-        for (int lane = 0; lane < RayPacket::Size; ++lane)
-        {
-          const int laneX = column + lane % BlockSide;
-          const int laneY = row + lane / BlockSide;
-          const SampleStream stream(
-            SampleStream::HashTexel(0, slice, tile * Resolution + laneX, laneY),
-            static_cast<std::uint32_t>(sample));
-          const glm::vec2 place =
-            sample < Samples ? stream.Get2D(Dimension::Pixel) : glm::vec2(0.5f);
-          x[lane] = static_cast<float>(laneX) + place.x;
-          y[lane] = static_cast<float>(laneY) + place.y;
-        }
-        RayPacket packet;
-        PacketScale scale;
-        SetRays(grid, x, y, packet, scale);
-        rays.emplace_back(packet);
+        const int x = column + TexelPlaces::GetColumn(texel);
+        const int y = row + TexelPlaces::GetRow(texel);
+        const auto scramble = SampleStream::MakeScramble(
+          SampleStream::HashTexel(0, slice, tile * Resolution + x, y), Dimension::Pixel);
+        texels.X[texel] = static_cast<float>(x);
+        texels.Y[texel] = static_cast<float>(y);
+        texels.Low[texel] = scramble.Low;
+        texels.High[texel] = scramble.High;
+        centers.TileX[texel] = texels.X[texel] + 0.5f;
+        centers.TileY[texel] = texels.Y[texel] + 0.5f;
       }
+      SamplePlaces places[Samples];
+      FindPlaces(TexelGroup(RayPacket::Size / Samples), Samples, 0, texels, places);
+      for (const SamplePlaces& packet : places)
+      {
+        AddPacket(grid, packet, rays);
+      }
+      AddPacket(grid, centers, rays);
     }
   }
 }

@@ -66,6 +66,21 @@ void TestSampleStream()
   CSLF_CHECK_NEAR(product / count, 0.0, 0.003);
 }
 
+void TestSinCos()
+{
+  constexpr int count = 10000;
+  for (int i = 0; i <= count; ++i)
+  {
+    const float turn = static_cast<float>(i) / count;
+    float sine = 0.0f;
+    float cosine = 0.0f;
+    cslf::SinCosOfTurn(turn, sine, cosine);
+    const double angle = 8.0 * std::atan(1.0) * double(turn);
+    CSLF_CHECK_NEAR(sine, std::sin(angle), 3e-7);
+    CSLF_CHECK_NEAR(cosine, std::cos(angle), 3e-7);
+  }
+}
+
 void TestDistributions()
 {
   const cslf::Distribution1D table({ 0.0, 3.0, 0.0, 1.0, 0.0 });
@@ -112,8 +127,9 @@ void TestLights()
   // An area light's samples know their density.
   cslf::Mesh source;
   source.Material.Emission = glm::vec3(1.0f);
-  const cslf::AreaLights lights({ { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1.0f, &source, 0, cslf::TrianglePoint::None },
-    { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, 4.0f, &source, 1, cslf::TrianglePoint::None } });
+  const cslf::AreaLights lights(
+    { { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1.0f, &source, 0, cslf::TrianglePoint::None },
+      { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, 4.0f, &source, 1, cslf::TrianglePoint::None } });
   double solidAngle = 0.0;
   for (std::uint32_t i = 0; i < 4096; ++i)
   {
@@ -171,6 +187,7 @@ void TestLights()
 int TestCSLFSampling(int, char*[])
 {
   TestSampleStream();
+  TestSinCos();
   TestDistributions();
   TestFrame();
   TestLights();

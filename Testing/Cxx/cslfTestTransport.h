@@ -65,9 +65,18 @@ inline Estimate Trace(const Scene& scene, const Ray& ray, const PathSettings& se
   {
     const std::uint64_t hash = SampleStream::HashTexel(1, group, 0, 0);
     double mean = 0.0;
-    for (int i = 0; i < samples / groups; ++i)
+    for (int i = 0; i < samples / groups;)
     {
-      mean += integrator.GetRadiance(ray, hit, { hash, static_cast<std::uint32_t>(i) }, rays).x;
+      PathBatch batch;
+      for (; i < samples / groups && batch.GetSize() < PathBatch::Capacity; ++i)
+      {
+        batch.Add({ ray, hash, static_cast<std::uint32_t>(i) }, hit);
+      }
+      integrator.Follow(batch, rays);
+      for (int path = 0; path < batch.GetSize(); ++path)
+      {
+        mean += batch.GetRadiance(path).x;
+      }
     }
     mean /= samples / groups;
     estimate.Mean += mean / groups;
