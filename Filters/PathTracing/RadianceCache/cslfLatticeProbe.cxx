@@ -95,8 +95,7 @@ public:
       double other[3];
       this->Places->GetPoint(id, other);
       const glm::dvec3 way(other[0] - point[0], other[1] - point[1], other[2] - point[2]);
-      const double facing =
-        std::max(glm::dot(this->Normals[id], surface.GeometricNormal), 1e-3f);
+      const double facing = std::max(glm::dot(this->Normals[id], surface.GeometricNormal), 1e-3f);
       const double weight = facing * facing / (glm::dot(way, way) + 1e-12);
       sum += weight * glm::dvec3(this->Values[id]);
       weights += weight;

@@ -196,8 +196,7 @@ bool RadianceCache::BuildLattice(LatticeBuilder& builder, double part, const Pro
   {
     return builder.Build(goOn);
   }
-  this->ExpectedSeconds +=
-    ProbeLattice(this->World, builder, part * this->Settings.ProbeSeconds);
+  this->ExpectedSeconds += ProbeLattice(this->World, builder, part * this->Settings.ProbeSeconds);
   return goOn(1.0);
 }
 

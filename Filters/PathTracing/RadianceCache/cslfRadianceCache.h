@@ -40,8 +40,8 @@ struct CacheSettings
   std::uint32_t Seed = 0;
   PathSettings Paths;
 
-  /// Where above 0, the cache is filled only roughly, in about so many seconds, to find out how long
-  /// filling it would take.
+  /// Where above 0, the cache is filled only roughly, in about so many seconds, to find out how
+  /// long filling it would take.
   double ProbeSeconds = 0.0;
 
   /// The ranks that fill the cache together, with the same settings; null for this one alone.
