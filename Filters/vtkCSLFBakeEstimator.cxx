@@ -225,9 +225,9 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
     const double fixed = this->SceneSeconds + this->CacheSeconds + this->CodingSeconds;
     if (fixed + single > seconds)
     {
-      vtkErrorMacro("The field takes about " << std::ceil(fixed + single)
-                                             << " s with a single sample a texel, more than "
-                                             << seconds << " s.");
+      vtkErrorMacro("The field takes about "
+        << std::ceil(fixed + single) << " s with a single sample a texel, more than " << seconds
+        << " s.");
       return 0;
     }
     samples = RoundDown(1.0 + (seconds - fixed - single) / slope);
@@ -313,15 +313,13 @@ int vtkCSLFBakeEstimator::Suggest(const std::function<double(double psnr, double
 
 int vtkCSLFBakeEstimator::SuggestForPSNR(double psnr)
 {
-  return this->Suggest(
-    [psnr](double found, double bytes)
+  return this->Suggest([psnr](double found, double bytes)
     { return found >= psnr ? bytes : std::numeric_limits<double>::infinity(); });
 }
 
 int vtkCSLFBakeEstimator::SuggestForBytes(double bytes)
 {
-  return this->Suggest(
-    [bytes](double psnr, double found)
+  return this->Suggest([bytes](double psnr, double found)
     { return found <= bytes ? -psnr : std::numeric_limits<double>::infinity(); });
 }
 

@@ -4,8 +4,8 @@
  * @class   vtkCSLFBakeEstimator
  * @brief   tells how long a light field will take, and how large its file will be
  *
- * The estimator takes a vtkCSLFSampler and, for video, a vtkCSLFEncoder, both set up as for the bake
- * itself, and predicts from a short probe what writing the sampler's field would cost: on this
+ * The estimator takes a vtkCSLFSampler and, for video, a vtkCSLFEncoder, both set up as for the
+ * bake itself, and predicts from a short probe what writing the sampler's field would cost: on this
  * machine, with the threads that vtkSMPTools has now, by one process.
  *
  * - The radiance cache is built for a part of the surfaces, spread over the scene, and roughly
@@ -109,7 +109,8 @@ public:
   ///@{
   /**
    * What the last probe found: the seconds of building the scene, of the radiance cache, of
-   * rendering and of coding, and their sum; and the bytes of the file, or of all files in the folder.
+   * rendering and of coding, and their sum; and the bytes of the file, or of all files in the
+   * folder.
    */
   vtkGetMacro(SceneSeconds, double);
   vtkGetMacro(CacheSeconds, double);

@@ -32,6 +32,9 @@
  * changes any viewpoint; vtkCSLFSampler does, since it describes the scene by a hash. Two processes
  * cannot write one file at once: the second one fails.
  *
+ * Where the input is fed by a path tracer that caches radiance, the finished cache lies in that
+ * folder, too, and need not be made again by the next process. Several ranks make it together.
+ *
  * With a controller of several ranks, which must be a vtkMPIController, all of them call Write
  * with the same settings and an input of their own that gives the same field. They share the work:
  * each asks for groups as it becomes free, pulls just their viewpoints from its own input, and

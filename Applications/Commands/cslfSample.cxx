@@ -134,16 +134,15 @@ void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* s
 }
 
 /// Suggests M and N for what is wanted.
-void AddSuggestion(const Options& options, vtkCSLFBakeEstimator* estimator, nlohmann::json& json,
-  std::ostream& text)
+void AddSuggestion(
+  const Options& options, vtkCSLFBakeEstimator* estimator, nlohmann::json& json, std::ostream& text)
 {
   if (options.TargetPSNR <= 0.0 && options.TargetSize <= 0.0)
   {
     return;
   }
-  const bool isFound = options.TargetPSNR > 0.0
-    ? estimator->SuggestForPSNR(options.TargetPSNR)
-    : estimator->SuggestForBytes(options.TargetSize);
+  const bool isFound = options.TargetPSNR > 0.0 ? estimator->SuggestForPSNR(options.TargetPSNR)
+                                                : estimator->SuggestForBytes(options.TargetSize);
   if (!isFound)
   {
     throw Failure(options.TargetPSNR > 0.0 ? "No field reaches that --target-psnr."
@@ -155,8 +154,8 @@ void AddSuggestion(const Options& options, vtkCSLFBakeEstimator* estimator, nloh
   const auto bytes = std::llround(estimator->PredictBytes(viewpoints, resolution));
   json["suggestion"] = { { "views", viewpoints }, { "resolution", resolution }, { "psnr", psnr },
     { "bytes", bytes } };
-  text << "suggested: -M " << viewpoints << " -N " << resolution << ", about " << psnr
-       << " dB and " << bytes << " bytes\n";
+  text << "suggested: -M " << viewpoints << " -N " << resolution << ", about " << psnr << " dB and "
+       << bytes << " bytes\n";
 }
 
 /// What the field would cost.
@@ -237,7 +236,8 @@ void AddField(CLI::App& command, Options& options)
       "take as many samples per texel as that many seconds allow, instead of --spp")
     ->check(CLI::PositiveNumber);
   CLI::Option* psnr = command.add_option("--target-psnr", options.TargetPSNR,
-    "with --estimate: suggest -M and -N of the smallest video whose novel views reach that many dB");
+    "with --estimate: suggest -M and -N of the smallest video whose novel views reach that many "
+    "dB");
   psnr->check(CLI::PositiveNumber);
   command
     .add_option("--target-size", options.TargetSize,

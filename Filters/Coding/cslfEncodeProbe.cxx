@@ -76,7 +76,8 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   const std::clock_t middle = std::clock();
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
   std::vector<GroupParts> parts;
-  if (!this->Writer->EncodeGroups(groups, this->Puller->GetSlices(), [] {}, parts, error))
+  if (!this->Writer->EncodeGroups(
+        groups, this->Puller->GetSlices(), [] {}, parts, error))
   {
     return false;
   }

@@ -21,7 +21,7 @@ namespace cslf
 /// What some groups cost.
 struct GroupCosts
 {
-  double RenderSeconds = 0.0;      ///< of the input's work
+  double RenderSeconds = 0.0;       ///< of the input's work
   double RenderThreadSeconds = 0.0; ///< of all threads together
   double CodingThreadSeconds = 0.0; ///< likewise
   std::vector<double> Bytes;        ///< of each group

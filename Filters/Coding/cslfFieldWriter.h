@@ -65,8 +65,8 @@ public:
   /// A text that tells all that the parts depend on.
   const std::string& GetManifest() const { return this->Manifest; }
 
-  /// Makes the folder of parts, or takes over what a killed run left, before anything is known of the
-  /// field. On failure returns false and says why.
+  /// Makes the folder of parts, or takes over what a killed run left, before anything is known of
+  /// the field. On failure returns false and says why.
   bool ReserveParts(bool restart, std::string& error)
   {
     return this->Parts.Reserve(restart, error);

@@ -30,8 +30,8 @@ public:
   PartStore(const PartStore&) = delete;
   PartStore& operator=(const PartStore&) = delete;
 
-  /// Makes the folder or takes over what a killed run left of it, and keeps others out. What is in it
-  /// stays if `keep` is set. On failure returns false and says why, in one line.
+  /// Makes the folder or takes over what a killed run left of it, and keeps others out. What is in
+  /// it stays if `keep` is set. On failure returns false and says why, in one line.
   bool Reserve(bool keep, std::string& error);
 
   /// Reserves the folder, unless that is done, for good. Its parts stay if `keep` is set

@@ -50,8 +50,8 @@ public:
   /// The ranks that the cache is to be filled by; null for this one alone.
   CacheShare* GetShare() { return this->GetCount() > 1 ? this : nullptr; }
 
-  /// Gets the cache from the file of rank 0, or by filling it, which `fill` does, and keeps it in the
-  /// file. A cache that is everywhere is only kept. False where `fill` has failed.
+  /// Gets the cache from the file of rank 0, or by filling it, which `fill` does, and keeps it in
+  /// the file. A cache that is everywhere is only kept. False where `fill` has failed.
   bool Make(RadianceCache& cache, const std::function<bool()>& fill);
 
 private:

@@ -5,14 +5,19 @@
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "vtkCSLFSampler.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkXMLImageDataWriter.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
@@ -90,14 +95,37 @@ public:
   std::string Name; // empty where it could not be made
 };
 
-/// What image data takes in a .vti file.
-double CountImageData(vtkImageData* image)
+/// What a file of image data holds in vtkXMLImageDataWriter's way.
+double CountFile(vtkImageData* image)
 {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->WriteToOutputStringOn();
   writer->EncodeAppendedDataOff();
   return writer->Write() ? static_cast<double>(writer->GetOutputString().size()) : 0.0;
+}
+
+/// What its arrays take of that: they are compressed in blocks.
+double CountArrays(vtkImageData* image)
+{
+  constexpr std::size_t blockSize = 32768;
+  vtkNew<vtkZLibDataCompressor> compressor;
+  std::vector<unsigned char> compressed(compressor->GetMaximumCompressionSpace(blockSize));
+  double bytes = 0.0;
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = image->GetPointData()->GetArray(i);
+    const auto* values = static_cast<const unsigned char*>(array->GetVoidPointer(0));
+    const std::size_t size =
+      static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize();
+    for (std::size_t begin = 0; begin < size; begin += blockSize)
+    {
+      const std::size_t count = std::min(blockSize, size - begin);
+      bytes += sizeof(std::uint32_t) +
+        compressor->Compress(values + begin, count, compressed.data(), compressed.size());
+    }
+  }
+  return bytes;
 }
 }
 
@@ -178,8 +206,7 @@ bool BakeProbe::TimeRendering(int samples, double& seconds)
   return true;
 }
 
-int BakeProbe::ChooseSize(
-  double smallSeconds, int small, int groups, int& fullGroups) const
+int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullGroups) const
 {
   const double work = static_cast<double>(this->Samples) / std::min(this->Samples, SmallSamples);
   const auto expect = [&](int resolution)
@@ -218,6 +245,7 @@ bool BakeProbe::EstimateVideo()
   const std::vector<int> chosen = Spread(std::min(groups, SmallGroups), groups);
   std::vector<GroupCosts> smallCosts;
   GroupCosts smallSum;
+  std::vector<FieldDetail> details;
   for (const int group : chosen)
   {
     GroupCosts costs;
@@ -227,7 +255,9 @@ bool BakeProbe::EstimateVideo()
     }
     smallCosts.push_back(costs);
     smallSum += costs;
+    details.push_back(FindDetail(smallProbe.GetSlices(), small));
   }
+  this->Detail = MergeDetails(details);
   const double smallSeconds =
     (smallSum.RenderSeconds + this->GetCodingSeconds(smallSum)) / chosen.size();
   int count = 0;
@@ -264,8 +294,6 @@ bool BakeProbe::EstimateVideo()
   {
     return false;
   }
-
-  this->Detail = FindDetail(probe.GetSlices(), resolution);
 
   // Extrapolate: the small size tells how the chosen groups differ from the others.
   this->Costs.Rendering = costs.RenderSeconds / full.size() * groups;
@@ -328,6 +356,8 @@ bool BakeProbe::EstimateImages()
   double render = 0.0;
   double write = 0.0;
   double bytes = 0.0;
+  double header = 0.0;
+  std::string error;
   int done = 0;
   const std::vector<int> order = Spread(std::min(slices, ImageSlices), slices);
   const int step = std::max(1, static_cast<int>(order.size()) / FirstImageSlices);
@@ -346,18 +376,25 @@ bool BakeProbe::EstimateImages()
       const auto middle = Clock::now();
       if (this->Kind == Format::ImageData)
       {
-        bytes += CountImageData(this->Sampler->GetOutput());
+        const double arrays = CountArrays(this->Sampler->GetOutput());
+        bytes += arrays;
+        header = done == 0 ? CountFile(this->Sampler->GetOutput()) - arrays : header;
       }
       for (const Channel& channel : stream.GetDescription().Channels)
       {
         const Layout& grid = stream.GetDescription().Grid;
-        std::error_code failure;
-        if (this->Kind == Format::ImageFolder &&
-          WriteCubeMap(folder.Name, grid, channel, slice, stream.GetSlice(channel, slice),
-            this->Error))
+        if (this->Kind != Format::ImageFolder)
         {
-          bytes += fs::file_size(CubeMapFileName(folder.Name, channel, slice), failure);
+          continue;
         }
+        if (!WriteCubeMap(
+              folder.Name, grid, channel, slice, stream.GetSlice(channel, slice), error))
+        {
+          this->Error = error;
+          return false;
+        }
+        std::error_code ignored;
+        bytes += fs::file_size(CubeMapFileName(folder.Name, channel, slice), ignored);
       }
       write += SecondsSince(middle);
       ++done;
@@ -371,9 +408,8 @@ bool BakeProbe::EstimateImages()
   const double times = static_cast<double>(slices) / done;
   this->Costs.Rendering = times * render;
   // Image data is written by one thread, folders by all.
-  this->Costs.Coding =
-    times * write / (this->Kind == Format::ImageFolder ? this->Threads : 1.0);
-  this->Costs.Bytes = times * bytes;
-  return this->Error.empty();
+  this->Costs.Coding = times * write / (this->Kind == Format::ImageFolder ? this->Threads : 1.0);
+  this->Costs.Bytes = header + times * bytes;
+  return true;
 }
 }

@@ -13,8 +13,8 @@ namespace cslf
 namespace
 {
 // Both measured: see Documentation/Planning.md.
-constexpr double ViewShare = 1.0;
-constexpr double HiddenShare = 0.05;
+constexpr double TexelShare = 2.0;
+constexpr double HiddenShare = 0.19;
 
 constexpr int Components = 4;
 constexpr double White = 255.0;
@@ -62,6 +62,7 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
     }
   }
   detail.Error = count > 0 ? sum / (count * White * White) : 0.0;
+  detail.DepthRange = depths.empty() ? 1.0 : 0.0;
   if (!depths.empty())
   {
     std::sort(depths.begin(), depths.end());
@@ -72,12 +73,27 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
   return detail;
 }
 
+FieldDetail MergeDetails(std::vector<FieldDetail> details)
+{
+  std::sort(details.begin(), details.end(),
+    [](const FieldDetail& a, const FieldDetail& b) { return a.Error > b.Error; });
+  details.resize((details.size() + 3) / 4);
+  FieldDetail merged;
+  for (const FieldDetail& detail : details)
+  {
+    merged.Error += detail.Error / details.size();
+    merged.DepthRange += detail.DepthRange / details.size();
+    merged.Resolution = detail.Resolution;
+  }
+  return merged;
+}
+
 double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution)
 {
   const double texels = static_cast<double>(detail.Resolution) / resolution;
   const double spacing = 2.0 / (viewpoints - 1);
-  const double error = detail.Error *
-    (ViewShare * texels + HiddenShare * detail.DepthRange * spacing * detail.Resolution);
+  const double error = detail.Error * detail.DepthRange * detail.DepthRange *
+    (TexelShare * texels + HiddenShare * spacing * detail.Resolution);
   return error > 0.0 ? std::min(60.0, -10.0 * std::log10(error)) : 60.0;
 }
 }

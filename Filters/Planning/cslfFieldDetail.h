@@ -16,17 +16,21 @@ namespace cslf
 {
 /// By what power of the viewpoints along a face's side the bytes of a video grow: measured. Nearer
 /// viewpoints are predicted better from each other, so it is less than their number's.
-constexpr double GrowthWithViewpoints = 1.1;
+constexpr double GrowthWithViewpoints = 1.8;
 
 /// What viewpoints of a field show.
 struct FieldDetail
 {
-  double Error = 0.0;      ///< mean square of what half the resolution loses, in parts of 255 squared
-  double DepthRange = 0.0; ///< the 10th and the 90th percentile's difference, in parts of their sum
-  int Resolution = 0;      ///< at which this was found
+  double Error = 0.0; ///< mean square of what half the resolution loses, in parts of 255 squared
+  /// The difference of the depths' 10th and 90th percentiles, in parts of their sum; 1 if unknown.
+  double DepthRange = 0.0;
+  int Resolution = 0; ///< at which this was found
 };
 
 FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution);
+
+/// That of what there is to look at: the most detailed quarter.
+FieldDetail MergeDetails(std::vector<FieldDetail> details);
 
 /// The PSNR of novel views in dB, of a field of M x M viewpoints a face and N x N texels.
 double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution);

@@ -49,7 +49,8 @@ cslf_run_parallel(2 "${CSLF}" sample ${scene} -o killed.mp4)
 cslf_expect_same(killed.mp4)
 
 # Processes make the radiance cache together, and all use what a killed one left of it.
-set(cached cornell-box -M 3 -N 16 --spp 4 --cache-samples 64 --cache-spacing 0.04 --preset ultrafast
+set(cached cornell-box -M 3 -N 16 --spp 4 --cache-samples 64 --cache-spacing 0.05
+  --cache-tolerance 0.05 --preset ultrafast
   --threads 1)
 cslf_run(sample ${cached} -o cached.mp4 --json)
 string(JSON rays GET "${output}" cost cache_rays)
