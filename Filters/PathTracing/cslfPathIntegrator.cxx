@@ -17,6 +17,9 @@ constexpr int RouletteDepth = 3;
 // The largest chance of going on, so that paths end between white surfaces too.
 constexpr float LargestSurvival = 0.95f;
 
+// What a look-up may err by, in the cache's tolerances, where hundreds of paths are averaged.
+constexpr float TolerancesOfMany = 8.0f;
+
 /// Russian roulette on the path's weight, without the compression that leaving the glass undoes.
 /// False where the path ends.
 bool Survive(glm::vec3& beta, float compression, float u)
@@ -58,7 +61,8 @@ glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
   return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
 }
 
-bool PathIntegrator::LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+bool PathIntegrator::LookUp(
+  const Ray& ray, const Hit& hit, glm::vec3& radiance, float tolerances) const
 {
   if (this->CanLookUp(hit))
   {
@@ -66,10 +70,11 @@ bool PathIntegrator::LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance)
     return true;
   }
   return !this->LookUps.empty() && this->Cache->Covers(hit) &&
-    this->LookUpRough(ray, hit, radiance);
+    this->LookUpRough(ray, hit, tolerances, radiance);
 }
 
-bool PathIntegrator::LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+bool PathIntegrator::LookUpRough(
+  const Ray& ray, const Hit& hit, float tolerances, glm::vec3& radiance) const
 {
   const IncidentLight* light = this->Cache->GetIncident(hit);
   if (!light)
@@ -84,7 +89,8 @@ bool PathIntegrator::LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radi
     mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
   const glm::vec3 diffuse = (1.0f - albedo) * this->LookUp(hit);
   glm::vec3 reflected;
-  if (!this->Cache->GetReflected(hit, *light, normal, outgoing, albedo, diffuse, reflected))
+  if (!this->Cache->GetReflected(
+        hit, *light, normal, outgoing, albedo, diffuse, tolerances, reflected))
   {
     return false;
   }
@@ -107,6 +113,7 @@ glm::vec3 PathIntegrator::GetRadiance(
   glm::vec3 radiance(0.0f);
   glm::vec3 beta(1.0f);
   float compression = 1.0f;
+  const float tolerances = start.IsOneOfMany ? TolerancesOfMany : 1.0f;
   for (int depth = start.Depth;; ++depth)
   {
     // Add the environment where the path leaves the scene.
@@ -117,7 +124,8 @@ glm::vec3 PathIntegrator::GetRadiance(
 
     // End where the cache knows all.
     glm::vec3 known;
-    if (depth > 0 && depth < this->Settings.MaximumDepth && this->LookUp(ray, hit, known))
+    if (depth > 0 && depth < this->Settings.MaximumDepth &&
+      this->LookUp(ray, hit, known, tolerances))
     {
       return radiance + beta * known;
     }

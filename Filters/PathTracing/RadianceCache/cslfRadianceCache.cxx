@@ -146,6 +146,7 @@ RadianceCache::RadianceCache(const Scene& scene, const CacheSettings& settings)
   : World(scene)
   , Settings(settings)
 {
+  this->FindLobes();
 }
 
 bool RadianceCache::Build(const Progress& goOn)
@@ -153,7 +154,6 @@ bool RadianceCache::Build(const Progress& goOn)
   const PathIntegrator paths(this->World, this->Settings.Paths);
   this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
   this->Rays += this->Sides.GetNumberOfRays();
-  this->FindLobes();
   // Light that is sampled at its sources has sharp shadows, which need many points of few samples.
   if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
   {
@@ -203,14 +203,14 @@ void RadianceCache::FindLobes()
 
 bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
   const glm::vec3& normal, const glm::vec3& outgoing, float albedo, const glm::vec3& beside,
-  glm::vec3& reflected) const
+  float tolerances, glm::vec3& reflected) const
 {
   const glm::vec3 radiance = light.Get(this->Lobes[hit.Mesh].GetMoments(normal, outgoing));
   reflected = albedo * glm::max(radiance, glm::vec3(0.0f));
   const auto exposure = static_cast<float>(this->Settings.Exposure);
   const glm::vec3 seen = exposure * (beside + reflected);
   const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light.Error) - glm::sqrt(seen);
-  return std::max({ error.x, error.y, error.z }) <= this->Settings.Tolerance;
+  return std::max({ error.x, error.y, error.z }) <= tolerances * this->Settings.Tolerance;
 }
 
 LatticeSettings RadianceCache::GetLatticeSettings() const
