@@ -31,7 +31,7 @@ constexpr int FineSmallLevels = 1;
 
 // The fewest paths of a point that is seen itself.
 constexpr int FirstLightSamples = 64;
-constexpr int FirstGatherSamples = 256;
+constexpr int FirstGatherSamples = 128;
 
 // The standard error of a point, in parts of the tolerance.
 constexpr float NoiseShare = 0.5f;
