@@ -12,6 +12,12 @@
 
 namespace cslf
 {
+namespace
+{
+// What a look-up may err by, in the cache's tolerances, where hundreds of paths are averaged.
+constexpr float TolerancesOfMany = 8.0f;
+}
+
 PathIntegrator::PathIntegrator(
   const Scene& scene, const PathSettings& settings, const RadianceCache* cache)
   : World(scene)
@@ -38,7 +44,8 @@ glm::vec3 PathIntegrator::LookUp(const Hit& hit) const
   return this->World.GetBaseColor(hit) * this->Cache->Get(hit);
 }
 
-bool PathIntegrator::LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+bool PathIntegrator::LookUp(
+  const Ray& ray, const Hit& hit, glm::vec3& radiance, float tolerances) const
 {
   if (this->CanLookUp(hit))
   {
@@ -46,10 +53,11 @@ bool PathIntegrator::LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance)
     return true;
   }
   return !this->LookUps.empty() && this->Cache->Covers(hit) &&
-    this->LookUpRough(ray, hit, radiance);
+    this->LookUpRough(ray, hit, tolerances, radiance);
 }
 
-bool PathIntegrator::LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+bool PathIntegrator::LookUpRough(
+  const Ray& ray, const Hit& hit, float tolerances, glm::vec3& radiance) const
 {
   const IncidentLight* light = this->Cache->GetIncident(hit);
   if (!light)
@@ -64,7 +72,8 @@ bool PathIntegrator::LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radi
     mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
   const glm::vec3 diffuse = (1.0f - albedo) * this->LookUp(hit);
   glm::vec3 reflected;
-  if (!this->Cache->GetReflected(hit, *light, normal, outgoing, albedo, diffuse, reflected))
+  if (!this->Cache->GetReflected(
+        hit, *light, normal, outgoing, albedo, diffuse, tolerances, reflected))
   {
     return false;
   }
@@ -87,6 +96,7 @@ glm::vec3 PathIntegrator::GetRadiance(
   glm::vec3 radiance(0.0f);
   glm::vec3 beta(1.0f);
   float compression = 1.0f;
+  const float tolerances = start.IsOneOfMany ? TolerancesOfMany : 1.0f;
   for (int depth = start.Depth;; ++depth)
   {
     // Add the environment where the path leaves the scene.
@@ -97,7 +107,8 @@ glm::vec3 PathIntegrator::GetRadiance(
 
     // End where the cache knows all.
     glm::vec3 known;
-    if (depth > 0 && depth < this->Settings.MaximumDepth && this->LookUp(ray, hit, known))
+    if (depth > 0 && depth < this->Settings.MaximumDepth &&
+      this->LookUp(ray, hit, known, tolerances))
     {
       return radiance + beta * known;
     }

@@ -45,7 +45,7 @@ public:
     Hit Seen;
     int Depth = 0;            ///< reflections before
     float Pdf;                ///< of the ray's direction, per solid angle; infinite for a given ray
-    bool IsOneOfMany = false; ///< whether the path may end by chance from its first surface on
+    bool IsOneOfMany = false; ///< whether its own error hardly counts, as it is averaged with many
   };
 
   /// The radiance that comes along a given ray from its first hit, which must be valid. Adds the
@@ -67,8 +67,8 @@ public:
 
   /// The radiance that comes along a given ray from its first hit, which must be valid, if the
   /// cache alone knows it: of diffuse surfaces, and of rough ones where their lobes see nothing
-  /// sharp.
-  bool LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
+  /// sharp, up to this many of the cache's tolerances.
+  bool LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance, float tolerances = 1.0f) const;
 
   const DirectLight& GetLight() const { return this->Light; }
   const RadianceCache* GetCache() const { return this->Cache; }
@@ -77,7 +77,7 @@ public:
 private:
   friend class PathStep;
 
-  bool LookUpRough(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
+  bool LookUpRough(const Ray& ray, const Hit& hit, float tolerances, glm::vec3& radiance) const;
 
   const Scene& World;
   PathSettings Settings;

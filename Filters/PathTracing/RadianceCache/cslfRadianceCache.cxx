@@ -33,7 +33,7 @@ constexpr int FineSmallLevels = 1;
 
 // The fewest paths of a point that is seen itself.
 constexpr int FirstLightSamples = 64;
-constexpr int FirstGatherSamples = 256;
+constexpr int FirstGatherSamples = 128;
 
 // The standard error of a point, in parts of the tolerance.
 constexpr float NoiseShare = 0.5f;
@@ -237,14 +237,14 @@ void RadianceCache::Get(LatticePacket& packet) const
 
 bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
   const glm::vec3& normal, const glm::vec3& outgoing, float albedo, const glm::vec3& beside,
-  glm::vec3& reflected) const
+  float tolerances, glm::vec3& reflected) const
 {
   const glm::vec3 radiance = light.Get(this->Lobes[hit.Mesh].GetMoments(normal, outgoing));
   reflected = albedo * glm::max(radiance, glm::vec3(0.0f));
   const auto exposure = static_cast<float>(this->Settings.Exposure);
   const glm::vec3 seen = exposure * (beside + reflected);
   const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light.Error) - glm::sqrt(seen);
-  return std::max({ error.x, error.y, error.z }) <= this->Settings.Tolerance;
+  return std::max({ error.x, error.y, error.z }) <= tolerances * this->Settings.Tolerance;
 }
 
 LatticeSettings RadianceCache::GetLatticeSettings() const
