@@ -49,8 +49,13 @@ public:
   /// What identifies a texel: the seed and its absolute position in the image data.
   static std::uint64_t HashTexel(std::uint32_t seed, int z, int x, int y)
   {
-    return MixBits(MixBits(MixBits(seed, z), x), y);
+    return HashRow(HashColumn(HashSlice(seed, z), x), y);
   }
+
+  /// The same step by step.
+  static std::uint64_t HashSlice(std::uint32_t seed, int z) { return MixBits(seed, z); }
+  static std::uint64_t HashColumn(std::uint64_t slice, int x) { return MixBits(slice, x); }
+  static std::uint64_t HashRow(std::uint64_t column, int y) { return MixBits(column, y); }
 
   SampleStream(std::uint64_t texelHash, std::uint32_t index)
     : TexelHash(texelHash)

@@ -60,11 +60,13 @@ struct TexelRenderer::Block
   int Tile;
   int Y; // of the first texel, in the tile
   int X;
+  std::uint64_t Hash;                      // of the slice
   alignas(64) int Inside[RayPacket::Size]; // -1 where the tile has the texel, else 0
   std::uint64_t Hashes[RayPacket::Size];   // of the texels, for their random numbers
   TexelPlaces Texels;
   TexelSums Sums;
-  bool IsExact = true; // whether all samples are without noise
+  bool IsExact = true;      // whether all samples are without noise
+  bool LacksDepths = false; // whether a depth is to be found by the samples
 };
 
 /// Paths that wait to be followed together, those of some blocks of a row: which they are depends
@@ -135,6 +137,7 @@ void TexelRenderer::RenderRow(std::int64_t index, PathQueue& queue) const
   index /= rows;
   first.Tile = static_cast<int>(index % this->Layout.Tiles);
   first.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
+  first.Hash = SampleStream::HashSlice(this->Settings.Seed, first.Slice);
   first.Grid = this->Grids(first.Slice, first.Tile);
   std::vector<Block> blocks(this->GetBlocksAtOnce());
   queue.Rays = 0;
@@ -166,13 +169,18 @@ std::size_t TexelRenderer::GetBlocksAtOnce() const
 void TexelRenderer::SetTexels(Block& block, int column) const
 {
   block.X = column;
+  std::uint64_t columns[BlockSide];
+  for (int i = 0; i < BlockSide; ++i)
+  {
+    columns[i] =
+      SampleStream::HashColumn(block.Hash, block.Tile * this->Layout.TileWidth + block.X + i);
+  }
   for (int texel = 0; texel < RayPacket::Size; ++texel)
   {
     const int x = block.X + TexelPlaces::GetColumn(texel);
     const int y = block.Y + TexelPlaces::GetRow(texel);
     block.Inside[texel] = x < this->Layout.TileWidth && y < this->Layout.TileHeight ? -1 : 0;
-    block.Hashes[texel] = SampleStream::HashTexel(
-      this->Settings.Seed, block.Slice, block.Tile * this->Layout.TileWidth + x, y);
+    block.Hashes[texel] = SampleStream::HashRow(columns[TexelPlaces::GetColumn(texel)], y);
     const auto scramble = SampleStream::MakeScramble(block.Hashes[texel], Dimension::Pixel);
     block.Texels.X[texel] = static_cast<float>(x);
     block.Texels.Y[texel] = static_cast<float>(y);
@@ -203,6 +211,10 @@ void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) con
   for (int i = 0; i < count; ++i)
   {
     unfinished.push_back(blocks + i);
+    if (this->Output.Depth)
+    {
+      this->FindDepths(blocks[i]);
+    }
   }
   for (int samples = 0; samples < this->Settings.Samples && !unfinished.empty();)
   {
@@ -224,10 +236,6 @@ void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) con
   this->FollowPaths(queue);
   for (int i = 0; i < count; ++i)
   {
-    if (this->Output.Depth)
-    {
-      this->FindDepths(blocks[i]);
-    }
     this->Write(blocks[i]);
   }
 }
@@ -312,7 +320,7 @@ void TexelRenderer::AddPacket(
   {
     block.Sums.AddSquares(group, radiance);
   }
-  if (this->Output.Depth)
+  if (block.LacksDepths)
   {
     block.Sums.AddDepths(group, packet, scale, places.X, places.Y);
   }
@@ -373,7 +381,7 @@ void TexelRenderer::AddEnvironment(
 
 void TexelRenderer::FindDepths(Block& block) const
 {
-  // A ray to the centre beats all samples.
+  // Where the ray to the centre sees nothing, the samples may.
   SamplePlaces places;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
@@ -389,14 +397,10 @@ void TexelRenderer::FindDepths(Block& block) const
   const TexelGroup all(RayPacket::Size);
   KeepInside(all, block.Inside, packet);
   this->World.Intersect(packet);
-  std::fill_n(block.Sums.DepthOffset, RayPacket::Size, std::numeric_limits<float>::max());
   block.Sums.AddDepths(all, packet, scale, places.X, places.Y);
-  if (this->Settings.ShowEnvironment)
+  for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
   {
-    for (int lane = 0; lane < RayPacket::Size; ++lane)
-    {
-      block.Sums.Depth[lane] = packet.IsHit(lane) ? block.Sums.Depth[lane] : 1.0f;
-    }
+    block.LacksDepths |= block.Inside[lane] && !packet.IsHit(lane);
   }
 }
 
