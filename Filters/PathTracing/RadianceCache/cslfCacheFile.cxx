@@ -29,7 +29,10 @@ constexpr std::size_t PieceSize = std::size_t(1) << 20;
 
 std::uint32_t UpdateChecksum(std::uint32_t checksum, const void* bytes, std::size_t count)
 {
-  return static_cast<std::uint32_t>(::crc32_z(checksum, static_cast<const Bytef*>(bytes), count));
+  // For zlib, no bytes at all mean to begin anew.
+  return count == 0
+    ? checksum
+    : static_cast<std::uint32_t>(::crc32_z(checksum, static_cast<const Bytef*>(bytes), count));
 }
 
 class FileWriter

@@ -169,7 +169,9 @@ bool RadianceCache::Fill(const Progress& goOn)
   const auto start = std::chrono::steady_clock::now();
   const PathIntegrator paths(this->World, this->Settings.Paths);
   this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
-  this->Rays += this->Sides.GetNumberOfRays();
+  // All ranks do that, which counts once.
+  const bool isFirst = !this->Settings.Share || this->Settings.Share->GetRank() == 0;
+  this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
