@@ -8,19 +8,6 @@ namespace cslf
 {
 namespace
 {
-void Put(const PathBatch::Start& start, int path, int lane, PathPacket& packet)
-{
-  packet.Rays.Active[lane] = -1;
-  packet.Rays.Origin.Set(lane, start.First.Origin);
-  packet.Rays.Direction.Set(lane, start.First.Direction);
-  packet.Beta.Set(lane, glm::vec3(1.0f));
-  packet.Pdf[lane] = start.Pdf;
-  packet.Compression[lane] = 1.0f;
-  packet.Streams.Hash[lane] = start.Hash;
-  packet.Streams.Index[lane] = start.Index;
-  packet.Path[lane] = path;
-}
-
 /// Leaves the last packet's lanes after the last path empty.
 void Close(std::vector<PathPacket>& packets, int paths)
 {
@@ -33,42 +20,36 @@ void Close(std::vector<PathPacket>& packets, int paths)
 }
 }
 
+void PathBatch::Add(const Start& start)
+{
+  if (this->Size == 0)
+  {
+    this->AreSeen = false;
+    this->Packets.resize(Capacity / LaneCount);
+    this->Next.resize(Capacity / LaneCount);
+    this->Seen.resize(Capacity / LaneCount);
+  }
+  PathPacket& packet = this->Packets[this->Size / LaneCount];
+  const int lane = this->Size % LaneCount;
+  packet.Rays.Active[lane] = -1;
+  packet.Rays.Origin.Set(lane, start.First.Origin);
+  packet.Rays.Direction.Set(lane, start.First.Direction);
+  packet.Beta.Set(lane, glm::vec3(1.0f));
+  packet.Pdf[lane] = start.Pdf;
+  packet.Compression[lane] = 1.0f;
+  packet.Streams.Hash[lane] = start.Hash;
+  packet.Streams.Index[lane] = start.Index;
+  packet.Path[lane] = this->Size++;
+}
+
 void PathBatch::Begin()
 {
-  const int size = this->GetSize();
-  this->Living = size;
-  this->AreSeen = !this->Seen.empty();
-  this->Seen.resize(size);
-  this->Radiances.assign(size, glm::vec3(0.0f));
-  this->Packets.resize(std::max(std::size_t(this->GetNumberOfPackets()), this->Packets.size()));
-  this->Next.resize(this->Packets.size());
-  for (int path = 0; path < size; ++path)
+  this->Living = this->Size;
+  this->Radiances.assign(this->Size, glm::vec3(0.0f));
+  Close(this->Packets, this->Size);
+  for (int path = this->Size; this->AreSeen && path % LaneCount != 0; ++path)
   {
-    Put(this->Starts[path], path, path % LaneCount, this->Packets[path / LaneCount]);
-  }
-  Close(this->Packets, size);
-}
-
-bool PathBatch::FindSeen(int packet, HitLanes& hits) const
-{
-  if (!this->AreSeen)
-  {
-    return false;
-  }
-  for (int lane = 0; lane < LaneCount; ++lane)
-  {
-    const int path = packet * LaneCount + lane;
-    hits.Set(lane, path < this->GetSize() ? this->Seen[path] : Hit());
-  }
-  return true;
-}
-
-void PathBatch::SetSeen(int packet, const HitLanes& hits)
-{
-  const int end = std::min(LaneCount, this->GetSize() - packet * LaneCount);
-  for (int lane = 0; lane < end; ++lane)
-  {
-    this->Seen[packet * LaneCount + lane] = hits.Get(lane);
+    this->Seen[path / LaneCount].Set(path % LaneCount, Hit());
   }
 }
 

@@ -47,31 +47,26 @@ public:
   explicit PathBatch(int depth = 0)
     : Depth(depth)
   {
-    this->Starts.reserve(Capacity);
-    this->Seen.reserve(Capacity);
   }
 
-  int GetSize() const { return static_cast<int>(this->Starts.size()); }
+  int GetSize() const { return this->Size; }
   int GetDepth() const { return this->Depth; }
 
-  void Clear()
-  {
-    this->Starts.clear();
-    this->Seen.clear();
-    this->Radiances.clear();
-  }
+  void Clear() { this->Size = 0; }
 
   /// Adds a path whose first ray is known to hit or miss, or one whose first ray is to be traced,
   /// and counted, too: all of a batch must be alike in that. Paths are numbered from 0.
   void Add(const Start& start, const Hit& seen)
   {
-    this->Starts.push_back(start);
-    this->Seen.push_back(seen);
+    const int path = this->Size;
+    this->Add(start);
+    this->Seen[path / LaneCount].Set(path % LaneCount, seen);
+    this->AreSeen = true;
   }
-  void Add(const Start& start) { this->Starts.push_back(start); }
+  void Add(const Start& start);
 
   /// What each path's first ray hits; once it is followed, at the latest.
-  const Hit& GetSeen(int path) const { return this->Seen[path]; }
+  Hit GetSeen(int path) const { return this->Seen[path / LaneCount].Get(path % LaneCount); }
 
   /// The radiance that comes along each path's first ray, once it is followed.
   const glm::vec3& GetRadiance(int path) const { return this->Radiances[path]; }
@@ -84,20 +79,20 @@ public:
   glm::vec3* GetRadiances() { return this->Radiances.data(); }
   ///@}
 
-  /// Gives what the first rays of a packet hit. False where that is not known.
-  bool FindSeen(int packet, HitLanes& hits) const;
-  void SetSeen(int packet, const HitLanes& hits);
+  /// What the first rays of a packet hit, to be set where it is not known.
+  HitLanes& GetFirstHits(int packet) { return this->Seen[packet]; }
+  bool AreFirstHitsKnown() const { return this->AreSeen; }
 
   /// Gathers the paths that go on anew, those whose rays run to the same octant side by side.
   void GoOn();
 
 private:
   int Depth;
-  std::vector<Start> Starts;
-  std::vector<Hit> Seen;
+  int Size = 0;
+  int Living = 0;             // the paths that go on, in the first packets
+  bool AreSeen = false;       // whether first rays were traced before
+  std::vector<HitLanes> Seen; // by packets of all paths
   std::vector<glm::vec3> Radiances;
-  bool AreSeen = false; // whether first rays were traced before
-  int Living = 0;       // the paths that go on, in the first packets
   std::vector<PathPacket> Packets;
   std::vector<PathPacket> Next;
 };

@@ -180,15 +180,12 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
     for (int i = 0; i < batch.GetNumberOfPackets(); ++i)
     {
       PathPacket& packet = batch.GetPacket(i);
-      HitLanes hits;
-      if (vertex > 0 || !batch.FindSeen(i, hits))
+      HitLanes later;
+      HitLanes& hits = vertex == 0 ? batch.GetFirstHits(i) : later;
+      if (vertex > 0 || !batch.AreFirstHitsKnown())
       {
         this->World.Intersect(packet.Rays, hits);
         rays += static_cast<std::uint64_t>(Count(packet.Rays.Active));
-        if (vertex == 0)
-        {
-          batch.SetSeen(i, hits);
-        }
       }
       rays += step.Advance(packet, hits, batch.GetRadiances());
     }

@@ -128,6 +128,9 @@ inline void ReadHits(const Query& query, int first, HitLanes& hits)
     hits.Triangle[first + i] = query.hit.primID[i];
     hits.Instance[first + i] = query.hit.instID[0][i];
     hits.Back[first + i] = away > 0.0f ? -1 : 0;
+    hits.Front.X[first + i] = query.hit.Ng_x[i];
+    hits.Front.Y[first + i] = query.hit.Ng_y[i];
+    hits.Front.Z[first + i] = query.hit.Ng_z[i];
   }
 }
 
@@ -397,7 +400,7 @@ Hit Scene::Intersect(const Ray& ray) const
     const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
     hit = { query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID,
       this->GetInstance(query.hit.geomID, query.hit.instID[0]),
-      glm::dot(normal, ray.Direction) > 0.0f };
+      glm::dot(normal, ray.Direction) > 0.0f, normal };
   }
   return hit;
 }

@@ -12,30 +12,35 @@ namespace
 /// The triangles that are hit.
 struct TriangleLanes
 {
-  Vec3Lanes Corners[3];
-  Vec3Lanes Normals[3]; // of the smooth ones
+  Vec3Lanes Front; // of any length
   LaneMask Smooth;
+  Vec3Lanes Corners[3]; // of the smooth ones
+  Vec3Lanes Normals[3];
   bool AnySmooth = false;
 };
 
-/// Whether triangles are told by their corners and the normals there.
-bool IsPlain(const Mesh& mesh)
+void FetchTriangle(const Mesh& mesh, const HitLanes& hits, int lane, TriangleLanes& triangles)
 {
-  return mesh.CanHoldLattice() && !mesh.Textures.Normal;
-}
-
-void FetchTriangle(const Mesh& mesh, std::uint32_t index, int lane, TriangleLanes& triangles)
-{
-  const glm::uvec3& corners = mesh.Triangles[index];
-  const std::uint32_t vertices[3] = { corners.x, corners.y, corners.z };
+  const bool isKnown = hits.Front.Get(lane) != glm::vec3(0.0f);
+  if (isKnown && mesh.Normals.empty())
+  {
+    return;
+  }
+  const glm::uvec3& indices = mesh.Triangles[hits.Triangle[lane]];
+  glm::vec3 corners[3];
   for (int i = 0; i < 3; ++i)
   {
-    triangles.Corners[i].Set(lane, mesh.Vertices[vertices[i]]);
+    corners[i] = mesh.Vertices[indices[i]];
+    triangles.Corners[i].Set(lane, corners[i]);
+  }
+  if (!isKnown)
+  {
+    triangles.Front.Set(lane, FindFront(corners));
   }
   bool smooth = !mesh.Normals.empty();
   for (int i = 0; smooth && i < 3; ++i)
   {
-    const glm::vec3& normal = mesh.Normals[vertices[i]];
+    const glm::vec3& normal = mesh.Normals[indices[i]];
     triangles.Normals[i].Set(lane, normal);
     smooth = normal != glm::vec3(0.0f);
   }
@@ -43,11 +48,37 @@ void FetchTriangle(const Mesh& mesh, std::uint32_t index, int lane, TriangleLane
   triangles.AnySmooth = triangles.AnySmooth || smooth;
 }
 
-void FetchMaterial(const Mesh& mesh, const Hit& hit, int lane, SurfaceLanes& surfaces)
+/// What decides how a mesh's surface is fetched; neighbours mostly hit the same mesh.
+struct MeshTraits
 {
-  const SurfaceMaterial& material = mesh.Material;
+  std::uint32_t Index = Hit::None;
+  const Mesh* Surface = nullptr;
+  bool IsPlain = false;
+  bool IsUniform = false;
+  bool IsEmissive = false;
+  bool IsMatte = false;
+
+  void Set(const Scene& scene, std::uint32_t index)
+  {
+    if (index != this->Index)
+    {
+      const Mesh& mesh = scene.GetMeshes()[index];
+      this->Index = index;
+      this->Surface = &mesh;
+      // Triangles are told by their corners and the normals there.
+      this->IsPlain = mesh.CanHoldLattice() && !mesh.Textures.Normal;
+      this->IsUniform = mesh.IsUniform();
+      this->IsEmissive = mesh.Material.IsEmissive();
+      this->IsMatte = mesh.Material.IsMatte();
+    }
+  }
+};
+
+void FetchMaterial(const MeshTraits& traits, const HitLanes& hits, int lane, SurfaceLanes& surfaces)
+{
+  const SurfaceMaterial& material = traits.Surface->Material;
   surfaces.Material[lane] = &material;
-  if (mesh.IsUniform())
+  if (traits.IsUniform)
   {
     surfaces.BaseColor.Set(lane, material.BaseColor);
     surfaces.Metallic[lane] = material.Metallic;
@@ -55,15 +86,15 @@ void FetchMaterial(const Mesh& mesh, const Hit& hit, int lane, SurfaceLanes& sur
   }
   else
   {
-    const MaterialPoint point = mesh.GetMaterialPoint(hit.GetPlace());
+    const MaterialPoint point = traits.Surface->GetMaterialPoint(hits.Get(lane).GetPlace());
     surfaces.BaseColor.Set(lane, point.BaseColor);
     surfaces.Metallic[lane] = point.Metallic;
     surfaces.Alpha[lane] = point.Alpha;
   }
-  if (material.IsEmissive())
+  if (traits.IsEmissive)
   {
-    surfaces.Emission.Set(lane, mesh.GetEmission(hit.GetPlace()));
-    surfaces.EmissionImportance[lane] = mesh.GetEmissionImportance(hit.Triangle);
+    surfaces.Emission.Set(lane, traits.Surface->GetEmission(hits.Get(lane).GetPlace()));
+    surfaces.EmissionImportance[lane] = traits.Surface->GetEmissionImportance(hits.Triangle[lane]);
   }
 }
 
@@ -74,12 +105,11 @@ CSLF_VECTORIZE void LocateFlat(const RayLanes& rays, const HitLanes& hits,
   CSLF_LANE_LOOP
   for (int i = 0; i < LaneCount; ++i)
   {
-    const glm::vec3 corners[3] = { triangles.Corners[0].Get(i), triangles.Corners[1].Get(i),
-      triangles.Corners[2].Get(i) };
-    const glm::vec3 front = FindFront(corners);
-    const float away = glm::dot(front, rays.Direction.Get(i));
+    const glm::vec3 direction = rays.Direction.Get(i);
+    const glm::vec3 front = glm::normalize(triangles.Front.Get(i));
+    const float away = glm::dot(front, direction);
     const glm::vec3 normal = (away > 0.0f ? -1.0f : 1.0f) * front;
-    const glm::vec3 position = InterpolateCorners(corners, hits.U[i], hits.V[i]);
+    const glm::vec3 position = rays.Origin.Get(i) + hits.Distance[i] * direction;
     surfaces.Inside[i] = away > 0.0f ? -1 : 0;
     surfaces.GeometricNormal.Set(i, normal);
     surfaces.ShadingNormal.Set(i, normal);
@@ -153,6 +183,8 @@ void FindSurfaces(
 {
   // Fetch what is hit.
   TriangleLanes triangles;
+  triangles.Front = hits.Front;
+  MeshTraits traits;
   std::uint32_t plain = 0;
   std::uint32_t others = 0;
   surfaces.Shining = 0;
@@ -165,14 +197,14 @@ void FindSurfaces(
       continue;
     }
     const std::uint32_t bit = 1u << lane;
-    const Mesh& mesh = scene.GetMeshes()[hits.Mesh[lane]];
-    surfaces.Shining |= mesh.Material.IsEmissive() ? bit : 0u;
-    surfaces.Scattering |= mesh.Material.IsMatte() ? 0u : bit;
-    if (IsPlain(mesh))
+    traits.Set(scene, hits.Mesh[lane]);
+    surfaces.Shining |= traits.IsEmissive ? bit : 0u;
+    surfaces.Scattering |= traits.IsMatte ? 0u : bit;
+    if (traits.IsPlain)
     {
       plain |= bit;
-      FetchTriangle(mesh, hits.Triangle[lane], lane, triangles);
-      FetchMaterial(mesh, hits.Get(lane), lane, surfaces);
+      FetchTriangle(*traits.Surface, hits, lane, triangles);
+      FetchMaterial(traits, hits, lane, surfaces);
     }
     else
     {

@@ -313,7 +313,7 @@ void TexelRenderer::AddPacket(
   }
   if (this->Settings.ShowEnvironment)
   {
-    this->AddEnvironment(packet, radiance, covered);
+    this->AddEnvironment(packet, block, group, radiance, covered);
   }
   block.Sums.Add(group, radiance, covered);
   if (this->Settings.NoiseTarget > 0.0)
@@ -338,7 +338,7 @@ void TexelRenderer::Follow(const RayPacket& packet, Block& block, const TexelGro
     const Ray ray = packet.GetRay(lane);
     const Hit hit = packet.GetHit(lane);
     glm::vec3 known;
-    if (this->Integrator.LookUp(ray, hit, known))
+    if (this->Settings.Cache && this->Integrator.LookUp(ray, hit, known))
     {
       radiance.Set(lane, known);
       covered[lane] = -1;
@@ -356,6 +356,10 @@ void TexelRenderer::Follow(const RayPacket& packet, Block& block, const TexelGro
 
 void TexelRenderer::FollowPaths(PathQueue& queue) const
 {
+  if (queue.Batch.GetSize() == 0)
+  {
+    return;
+  }
   this->Integrator.Follow(queue.Batch, queue.Rays);
   for (int path = 0; path < queue.Batch.GetSize(); ++path)
   {
@@ -366,12 +370,12 @@ void TexelRenderer::FollowPaths(PathQueue& queue) const
   queue.Sources.clear();
 }
 
-void TexelRenderer::AddEnvironment(
-  const RayPacket& packet, PacketRadiance& radiance, int covered[]) const
+void TexelRenderer::AddEnvironment(const RayPacket& packet, const Block& block,
+  const TexelGroup& group, PacketRadiance& radiance, int covered[]) const
 {
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    if (packet.Active[lane] && !packet.IsHit(lane))
+    if (block.Inside[group.GetTexel(lane)] && !packet.IsHit(lane))
     {
       radiance.Set(lane, this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
       covered[lane] = -1;

@@ -86,7 +86,8 @@ private:
     Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const;
   void Follow(const RayPacket& packet, Block& block, const TexelGroup& group, PathQueue& queue,
     PacketRadiance& radiance, int covered[]) const;
-  void AddEnvironment(const RayPacket& packet, PacketRadiance& radiance, int covered[]) const;
+  void AddEnvironment(const RayPacket& packet, const Block& block, const TexelGroup& group,
+    PacketRadiance& radiance, int covered[]) const;
   void FollowPaths(PathQueue& queue) const;
   bool IsGoodEnough(const Block& block, std::uint64_t& rays) const;
   bool IsInOnePiece(const Block& block, std::uint64_t& rays) const;
