@@ -82,19 +82,24 @@ glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
 }
 
 void LocateOnTriangle(
-  const Mesh& mesh, const glm::vec3& outgoing, const TrianglePoint& place, SurfaceHit& surface)
+  const Mesh& mesh, const Ray& ray, const Hit& hit, const TrianglePoint& place, SurfaceHit& surface)
 {
-  const HitTriangle triangle = GetTriangle(mesh, place);
+  // Where a ray query found the place, it tells the normal and the point of flat triangles.
+  const glm::vec3 outgoing = -ray.Direction;
+  const bool isFound = hit.Front != glm::vec3(0.0f) && mesh.Instances.empty();
+  HitTriangle triangle = GetTriangle(mesh, place);
+  triangle.Front = isFound ? glm::normalize(hit.Front) : triangle.Front;
   surface.GeometricNormal = TurnTo(triangle.Front, outgoing);
   surface.Inside = surface.GeometricNormal != triangle.Front;
   surface.ShadingNormal = triangle.IsSmooth || mesh.Textures.Normal
     ? FindShadingNormal(mesh, triangle, place, surface, outgoing)
     : surface.GeometricNormal;
-  const glm::vec3 position = InterpolateCorners(triangle.Corners, place.U, place.V);
+  const glm::vec3 onTriangle = InterpolateCorners(triangle.Corners, place.U, place.V);
+  const glm::vec3 position = isFound ? ray.Origin + hit.Distance * ray.Direction : onTriangle;
   surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
   surface.LeavePosition = triangle.IsSmooth
     ? RaiseToSmoothSurface(
-        triangle.Corners, triangle.Normals, place.U, place.V, surface.GeometricNormal, position)
+        triangle.Corners, triangle.Normals, place.U, place.V, surface.GeometricNormal, onTriangle)
     : position;
   surface.LeavePosition += SurfaceOffset * surface.GeometricNormal;
 }
@@ -165,7 +170,7 @@ void Locate(
 {
   if (mesh.Shape == Mesh::Shapes::Triangles)
   {
-    LocateOnTriangle(mesh, -ray.Direction, place, surface);
+    LocateOnTriangle(mesh, ray, hit, place, surface);
   }
   else
   {

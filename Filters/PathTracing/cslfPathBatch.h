@@ -55,7 +55,8 @@ public:
   void Clear() { this->Size = 0; }
 
   /// Adds a path whose first ray is known to hit or miss, or one whose first ray is to be traced,
-  /// and counted, too: all of a batch must be alike in that. Paths are numbered from 0.
+  /// and counted, too: all of a batch must be alike in that. Paths are numbered from 0; there must
+  /// be no more than Capacity.
   void Add(const Start& start, const Hit& seen)
   {
     const int path = this->Size;

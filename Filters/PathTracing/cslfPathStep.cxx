@@ -287,9 +287,11 @@ void PathStep::ChooseDirections(PathPacket& paths)
   paths.Streams.Get2D(this->Vertex, Dimension::Direction, x, y);
   const std::uint32_t others = this->Points.Surfaces.Scattering;
   Vec3Lanes betas;
+  LaneMask active;
   if (others != 0)
   {
     betas = paths.Beta;
+    active = paths.Rays.Active;
   }
   ChooseMatte(x, y, this->Points.Surfaces, this->GoesOn, paths, this->Local);
   ForEachLane(others,
@@ -299,7 +301,7 @@ void PathStep::ChooseDirections(PathPacket& paths)
       BSDFSample sample;
       const bool goesOn = bsdf.Has(this->Open[lane]) &&
         bsdf.Sample(this->Lobe[lane], { x[lane], y[lane] }, sample, this->Open[lane]);
-      paths.Rays.Active[lane] = goesOn ? -1 : 0;
+      paths.Rays.Active[lane] = goesOn ? active[lane] : 0;
       paths.Beta.Set(lane, betas.Get(lane) * sample.Weight / this->OpenProbability[lane]);
       paths.Compression[lane] *= sample.Compression;
       paths.Pdf[lane] = sample.Pdf;

@@ -78,6 +78,7 @@ void SetRay(
   const double length = glm::length(path);
   scale.Length[lane] = static_cast<float>(length);
   scale.Start[lane] = 0.0f;
+  packet.SetRay(lane, Ray());
   bool active = length > 0.0 && std::isfinite(length);
   if (active)
   {

@@ -365,7 +365,6 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     AddGeometry(device, part, mesh, i);
     rtcCommitScene(part);
     mesh.FirstInstance = next;
-    this->HasInstances = true;
     for (const MeshInstance& instance : mesh.Instances)
     {
       AddInstance(device, world, part, instance, next++);
@@ -472,7 +471,7 @@ void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
       Read(query, first, hits);
     }
   }
-  if (this->HasInstances)
+  if (!this->Tree->Parts.empty())
   {
     this->FindInstances(hits);
   }
@@ -526,6 +525,8 @@ SurfaceHit Scene::GetSurface(const Hit& hit) const
   const glm::vec3& corner = mesh.Vertices[corners.x];
   const glm::vec3 front = glm::normalize(
     glm::cross(mesh.Vertices[corners.y] - corner, mesh.Vertices[corners.z] - corner));
-  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, hit);
+  Hit place = hit;
+  place.Front = glm::vec3(0.0f); // as no ray found it
+  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, place);
 }
 }

@@ -111,9 +111,6 @@ public:
     return this->Meshes[hit.Mesh].GetBaseColor(hit.GetPlace());
   }
 
-  /// Whether rays that start anywhere and run to the same octant are best traced together.
-  bool IsSmall() const { return this->Small; }
-
   const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
 
   /// The number of a triangle among those of all meshes that can hold a lattice.
@@ -142,8 +139,7 @@ private:
   AreaLights Emitters;
   std::string Error;
   std::unique_ptr<Acceleration> Tree;
-  bool HasInstances = false;
-  bool Small = false;
+  bool Small = false; // rays to the same octant are best traced together, wherever they start
 };
 }
 

@@ -192,7 +192,7 @@ void FindSurfaces(
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     triangles.Smooth[lane] = 0;
-    if (!hits.IsValid(lane))
+    if (!hits.IsValid(lane) || rays.Active[lane] == 0)
     {
       continue;
     }

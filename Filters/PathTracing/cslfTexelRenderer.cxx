@@ -3,7 +3,6 @@
 #include "cslfTexelRenderer.h"
 
 #include "cslfColor.h"
-#include "cslfVectorize.h"
 
 #include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
@@ -12,7 +11,6 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace cslf

@@ -8,6 +8,7 @@
 #ifndef cslfCacheShare_h
 #define cslfCacheShare_h
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -35,39 +36,50 @@ public:
     return static_cast<int>(point / DealtPoints % static_cast<std::size_t>(this->GetCount()));
   }
 
-  /// Completes values of which each rank has made its own, from `first` on. All ranks call it
-  /// together.
+  /// Completes values of points from number `first` on, of which each rank has made its own. All
+  /// ranks call it together.
   template <typename Value>
   void Complete(std::vector<Value>& values, std::size_t first)
   {
     static_assert(std::is_trivially_copyable<Value>::value, "it is sent as bytes");
+    for (std::size_t begin = 0; begin < values.size(); begin += MostAtOnce)
+    {
+      this->CompletePart(values, first, begin, std::min(begin + MostAtOnce, values.size()));
+    }
+  }
+
+private:
+  static constexpr std::size_t DealtPoints = 4;
+  static constexpr std::size_t MostAtOnce = std::size_t(1) << 20; // as MPI counts bytes by int
+
+  template <typename Value>
+  void CompletePart(
+    std::vector<Value>& values, std::size_t first, std::size_t begin, std::size_t end)
+  {
     const int count = this->GetCount();
     std::vector<std::size_t> sizes(count, 0);
     std::vector<Value> mine;
-    for (std::size_t index = first; index < values.size(); ++index)
+    for (std::size_t index = begin; index < end; ++index)
     {
-      const int owner = this->GetOwner(index);
+      const int owner = this->GetOwner(first + index);
       sizes[owner] += sizeof(Value);
       if (owner == this->GetRank())
       {
         mine.push_back(values[index]);
       }
     }
-    std::vector<Value> all(values.size() - first);
+    std::vector<Value> all(end - begin);
     this->Gather(mine.data(), sizes, all.data());
     std::vector<std::size_t> places(count, 0);
     for (int rank = 1; rank < count; ++rank)
     {
       places[rank] = places[rank - 1] + sizes[rank - 1] / sizeof(Value);
     }
-    for (std::size_t index = first; index < values.size(); ++index)
+    for (std::size_t index = begin; index < end; ++index)
     {
-      values[index] = all[places[this->GetOwner(index)]++];
+      values[index] = all[places[this->GetOwner(first + index)]++];
     }
   }
-
-private:
-  static constexpr std::size_t DealtPoints = 4;
 
   /// Brings bytes together on all ranks, one rank's after the other's. `sizes` are all ranks'.
   virtual void Gather(const void* mine, const std::vector<std::size_t>& sizes, void* all) = 0;

@@ -438,14 +438,14 @@ void LatticeBuilder::ExchangeEstimates()
     return;
   }
   std::vector<SurfaceEstimate> estimates;
-  for (const Point& point : this->Points)
+  for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
   {
-    estimates.push_back(point.Estimate);
+    estimates.push_back(this->Points[index].Estimate);
   }
   this->Settings.Share->Complete(estimates, this->Evaluated);
   for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
   {
-    this->Points[index].Estimate = estimates[index];
+    this->Points[index].Estimate = estimates[index - this->Evaluated];
   }
 }
 

@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfCacheShare.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,9 @@ public:
   {
     return (this->Sides[triangle] & (back ? Back : Front)) != 0;
   }
+
+  /// Makes them the same on all ranks, whose processors may round differently.
+  void Agree(CacheShare& share) { share.Complete(this->Sides, 0); }
 
   /// The sides of all triangles: 1 for the front and 2 for the back, added up where both are open.
   const std::uint8_t* GetData() const { return this->Sides.data(); }

@@ -133,7 +133,7 @@ bool IsRough(const Mesh& mesh)
 {
   const SurfaceMaterial& material = mesh.Material;
   return material.IndexOfRefraction > 1.0f && material.Alpha > 0.0f && material.Metallic == 0.0f &&
-    material.Transmission == 0.0f && !mesh.Textures.MetallicRoughness;
+    material.Transmission == 0.0f && !mesh.Textures.MetallicRoughness && !material.IsEmissive();
 }
 
 /// Tells a part of the progress.
@@ -170,7 +170,12 @@ bool RadianceCache::Fill(const Progress& goOn)
   const PathIntegrator paths(this->World, this->Settings.Paths);
   this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
   // All ranks do that, which counts once.
-  const bool isFirst = !this->Settings.Share || this->Settings.Share->GetRank() == 0;
+  CacheShare* share = this->Settings.Share;
+  const bool isFirst = !share || share->GetRank() == 0;
+  if (share)
+  {
+    this->Sides.Agree(*share);
+  }
   this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
