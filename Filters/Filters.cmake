@@ -22,6 +22,7 @@ list(APPEND classes
   ../Filters/vtkCSLFSceneImporter
   ../Filters/vtkCSLFViewTracer)
 list(APPEND private_headers
+  ../Filters/cslfUnfinished.h
   ../Filters/cslfVTKCompatibility.h)
 
 # The path tracer behind the sampler and the view tracer.

@@ -37,10 +37,25 @@ constexpr int MostSamples = 1 << 16;
 // Numbers of samples with so many leading binary digits: sequences are better at round numbers.
 constexpr int SampleDigits = 3;
 
-double SecondsSince(Clock::time_point start)
+/// Tells the seconds of its life when it ends.
+class Stopwatch
 {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+public:
+  explicit Stopwatch(double& seconds)
+    : Seconds(seconds)
+  {
+  }
+  ~Stopwatch()
+  {
+    this->Seconds = std::chrono::duration<double>(Clock::now() - this->Start).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+  double& Seconds;
+  Clock::time_point Start = Clock::now();
+};
 
 int RoundDown(double samples)
 {
@@ -69,6 +84,7 @@ public:
     , Resolution(sampler->GetResolution())
     , Samples(sampler->GetSamples())
     , Spacing(sampler->GetCacheSpacing())
+    , CacheProbeSeconds(sampler->GetCacheProbeSeconds())
   {
   }
   ~Restorer()
@@ -76,7 +92,7 @@ public:
     this->Sampler->SetResolution(this->Resolution);
     this->Sampler->SetSamples(this->Samples);
     this->Sampler->SetCacheSpacing(this->Spacing);
-    this->Sampler->SetCacheProbeSeconds(0.0);
+    this->Sampler->SetCacheProbeSeconds(this->CacheProbeSeconds);
   }
   Restorer(const Restorer&) = delete;
   Restorer& operator=(const Restorer&) = delete;
@@ -86,6 +102,7 @@ private:
   int Resolution;
   int Samples;
   double Spacing;
+  double CacheProbeSeconds;
 };
 }
 
@@ -177,28 +194,26 @@ cslf::BakeProbe vtkCSLFBakeEstimator::MakeProbe()
 
 int vtkCSLFBakeEstimator::Estimate()
 {
+  const Stopwatch watch(this->SecondsTaken);
   if (!this->Sampler)
   {
     vtkErrorMacro("There is no sampler.");
     return 0;
   }
-  const auto start = Clock::now();
   const Restorer restorer(this->Sampler);
   this->BeginProbe();
   cslf::BakeProbe probe = this->MakeProbe();
-  const bool isDone = this->RunProbe(probe);
-  this->SecondsTaken = SecondsSince(start);
-  return isDone ? 1 : 0;
+  return this->RunProbe(probe) ? 1 : 0;
 }
 
 int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
 {
+  const Stopwatch watch(this->SecondsTaken);
   if (!this->Sampler)
   {
     vtkErrorMacro("There is no sampler.");
     return 0;
   }
-  const auto start = Clock::now();
   int samples = 1;
   {
     const Restorer restorer(this->Sampler);
@@ -234,7 +249,6 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
     this->RenderSeconds = single + slope * (samples - 1);
   }
   this->Sampler->SetSamples(samples);
-  this->SecondsTaken = SecondsSince(start);
   return 1;
 }
 
@@ -281,7 +295,7 @@ double vtkCSLFBakeEstimator::PredictPSNR(int viewpoints, int resolution) const
 
 double vtkCSLFBakeEstimator::PredictBytes(int viewpoints, int resolution) const
 {
-  if (!this->Look)
+  if (!this->Look || viewpoints < 2 || resolution < 1)
   {
     return 0.0;
   }
@@ -293,6 +307,8 @@ double vtkCSLFBakeEstimator::PredictBytes(int viewpoints, int resolution) const
 
 int vtkCSLFBakeEstimator::Suggest(const std::function<double(double psnr, double bytes)>& getCost)
 {
+  this->SuggestedViewpoints = 0;
+  this->SuggestedResolution = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int viewpoints : { 9, 17, 33, 65 })
   {
@@ -335,5 +351,7 @@ void vtkCSLFBakeEstimator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RenderSeconds: " << this->RenderSeconds << "\n";
   os << indent << "CodingSeconds: " << this->CodingSeconds << "\n";
   os << indent << "Bytes: " << this->Bytes << "\n";
+  os << indent << "SuggestedViewpoints: " << this->SuggestedViewpoints << "\n";
+  os << indent << "SuggestedResolution: " << this->SuggestedResolution << "\n";
   os << indent << "SecondsTaken: " << this->SecondsTaken << "\n";
 }

@@ -110,7 +110,9 @@ public:
   /**
    * What the last probe found: the seconds of building the scene, of the radiance cache, of
    * rendering and of coding, and their sum; and the bytes of the file, or of all files in the
-   * folder.
+   * folder. After ChooseSamples, rendering is that with the samples chosen, all else that with 4
+   * samples a texel; after its error that one sample takes too long, all is that with 4. Estimate
+   * tells all for the samples that the sampler has then.
    */
   vtkGetMacro(SceneSeconds, double);
   vtkGetMacro(CacheSeconds, double);
@@ -125,7 +127,8 @@ public:
    * What the last probe of a video tells of fields of other numbers of viewpoints and texels: the
    * PSNR of novel views in dB, looked up with depth, and the bytes of the file. A model with
    * constants that were measured on a few scenes: Documentation/Planning.md tells how far it can be
-   * trusted. 0 without a probe.
+   * trusted. Viewpoints are at least 2, the resolution is at least 1; 0 for other numbers, and
+   * without a probe.
    */
   double PredictPSNR(int viewpoints, int resolution) const;
   double PredictBytes(int viewpoints, int resolution) const;
@@ -136,7 +139,7 @@ public:
    * Suggests the numbers of viewpoints and texels of the smallest file that reaches a PSNR, or of
    * the best field whose file is no larger than so many bytes. Chosen among 9, 17, 33 and 65
    * viewpoints and 32 to 1024 texels, powers of two. Returns 1 where there is one, else 0, which is
-   * no error.
+   * no error; both numbers are then 0, as they are by default.
    */
   int SuggestForPSNR(double psnr);
   int SuggestForBytes(double bytes);
@@ -145,7 +148,7 @@ public:
   ///@}
 
   /**
-   * The seconds that the probe itself took.
+   * The seconds that the last call of Estimate or ChooseSamples took, failed or not.
    */
   vtkGetMacro(SecondsTaken, double);
 

@@ -21,10 +21,8 @@
 vtkStandardNewMacro(vtkCSLFEncoder);
 vtkCxxSetObjectMacro(vtkCSLFEncoder, Controller, vtkMultiProcessController);
 
-namespace
-{
 /// Lets the path tracers that feed a connection use a keeper, for a while.
-class CacheKeeping
+class vtkCSLFEncoder::CacheKeeping
 {
 public:
   CacheKeeping(vtkAlgorithmOutput* connection, cslf::CacheKeeper* keeper)
@@ -50,7 +48,6 @@ private:
 
   std::vector<vtkSmartPointer<vtkAlgorithm>> Producers;
 };
-}
 
 vtkCSLFEncoder::vtkCSLFEncoder()
 {

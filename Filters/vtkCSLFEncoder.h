@@ -21,8 +21,8 @@
  * grid. Groups and tracks are coded side by side with vtkSMPTools, and the file has the same bytes
  * for any number of threads. While it grows, its parts lie in a folder named like the file with
  * `.partial` appended; the file itself appears whole, by renaming, and replaces an older one only
- * then. On an error or abort nothing is left behind. Documentation/FileFormat.md specifies the
- * file.
+ * then. On an error or abort nothing is left behind; only what a killed run had left stays where
+ * that happens before the first viewpoint is made. Documentation/FileFormat.md specifies the file.
  *
  * A process that is killed leaves that folder. The next one that writes the same field with the
  * same settings to the same file goes on from there: it asks its input for none of the viewpoints
@@ -191,6 +191,7 @@ private:
   vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
   void operator=(const vtkCSLFEncoder&) = delete;
 
+  class CacheKeeping;
   cslf::EncodeJob MakeJob();
   bool Report(const cslf::EncodeFault& fault);
 

@@ -396,7 +396,7 @@ std::string vtkCSLFPathTracer::DescribeSampling()
 
 double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
 {
-  return 0.3 / size;
+  return 0.3 / std::max(size, 1);
 }
 
 void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)

@@ -45,6 +45,7 @@
 #include <string>     // for std::string
 #include <vector>     // for std::vector
 
+class vtkCSLFEncoder;
 class vtkDataObject;
 class vtkMultiProcessController;
 class vtkRenderer;
@@ -75,7 +76,7 @@ public:
   enum Integrators
   {
     PathTracing = 0, ///< every path to its end: no bias but MaximumDepth
-    RadianceCaching  ///< paths end at diffuse surfaces, whose light is worked out beforehand
+    RadianceCaching  ///< paths end where the light of surfaces is worked out beforehand
   };
 
   ///@{
@@ -83,8 +84,11 @@ public:
    * How light is followed. Path tracing is the reference. Radiance caching works out the light that
    * surfaces diffuse, which looks alike from everywhere, once, at points on them as dense as the
    * light's detail demands; paths then end at the first diffuse surface, where the light between
-   * points is interpolated. What is left of a path is what mirrors and glossy surfaces reflect.
-   * Default: radiance caching in vtkCSLFSampler, path tracing in vtkCSLFViewTracer.
+   * points is interpolated. Reflections of rough dielectrics are looked up, too, where the light
+   * that arrives there is smooth enough and none is sampled at its source. What is left of a path
+   * is what all else reflects or transmits: mirrors, metals, glass, the reflections of lamps.
+   * Documentation/LightTransport.md tells more. Default: radiance caching in vtkCSLFSampler, path
+   * tracing in vtkCSLFViewTracer.
    */
   vtkSetClampMacro(Integrator, int, PathTracing, RadianceCaching);
   vtkGetMacro(Integrator, int);
@@ -96,7 +100,8 @@ public:
   /**
    * The bias of radiance caching: points are added where interpolation would err by more than this,
    * in parts of white as it is displayed (sRGB-encoded, Exposure included), until they are as close
-   * as CacheSpacing. The noise of each point is kept below it, too, where CacheSamples allow.
+   * as CacheSpacing. Twice the standard error of each point is kept below it, too, where
+   * CacheSamples allow, and so is the root mean square error of reflections that are looked up.
    * Default: 1/128, two levels of 8 bits.
    */
   vtkSetClampMacro(CacheTolerance, double, 1e-6, 1.0);
@@ -115,7 +120,8 @@ public:
   ///@}
 
   /**
-   * The spacing that 0 stands for, of pictures of so many texels or pixels along the longer side.
+   * The spacing that 0 stands for, in parts of the diagonal of the scene's bounds, of pictures of
+   * so many texels or pixels along the longer side. Sizes below 1 count as 1.
    */
   static double GetAutomaticCacheSpacing(int size);
 
@@ -317,7 +323,8 @@ public:
   /**
    * Where above 0, a radiance cache that is not there is not made but probed, in about so many
    * seconds: good for a look at what an update will cost, and for pictures that are roughly right.
-   * What a probe found is used until this is set to 0 again.
+   * What a probe found is used for the same scene, even if other parameters change, until this is
+   * set to another number. Below 0 counts as 0.
    * The expected seconds are those that making the cache would take; 0 where it is there. Used by
    * vtkCSLFBakeEstimator. Default: 0.
    */
@@ -325,12 +332,6 @@ public:
   vtkGetMacro(CacheProbeSeconds, double);
   vtkGetMacro(ExpectedCacheSeconds, double);
   ///@}
-
-  /**
-   * Sets what shares the next cache with other ranks and keeps it for a run that is started again,
-   * or null. vtkCSLFEncoder does while it writes a field.
-   */
-  void SetCacheKeeper(cslf::CacheKeeper* keeper);
 
 protected:
   vtkCSLFPathTracer();
@@ -361,6 +362,11 @@ protected:
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
   void operator=(const vtkCSLFPathTracer&) = delete;
+
+  // vtkCSLFEncoder sets, while it writes a field, what shares the next cache with other ranks and
+  // keeps it for a run that is started again; then null. It is not owned.
+  friend class vtkCSLFEncoder;
+  void SetCacheKeeper(cslf::CacheKeeper* keeper);
 
   std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
   std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);

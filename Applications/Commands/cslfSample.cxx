@@ -84,6 +84,10 @@ void CheckFormat(const Options& options, FieldFormat format)
   {
     throw Failure("Video holds no float colours: write .vti or a folder.");
   }
+  if (format != FieldFormat::Video && (options.TargetPSNR > 0.0 || options.TargetSize > 0.0))
+  {
+    throw Failure("--target-psnr and --target-size are for video: .mp4 or .mkv.");
+  }
 }
 
 void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
@@ -177,16 +181,17 @@ Result Estimate(const Options& options)
   ThrowOnError();
   Result result;
   result.JSON = { { "seconds", estimator->GetSeconds() },
+    { "scene_seconds", estimator->GetSceneSeconds() },
     { "cache_seconds", estimator->GetCacheSeconds() },
     { "render_seconds", estimator->GetRenderSeconds() },
     { "coding_seconds", estimator->GetCodingSeconds() },
     { "bytes", std::llround(estimator->GetBytes()) }, { "samples", sampler->GetSamples() },
     { "probe_seconds", estimator->GetSecondsTaken() } };
   std::ostringstream text;
-  text << "about " << estimator->GetSeconds() << " s (cache " << estimator->GetCacheSeconds()
-       << " s, rendering " << estimator->GetRenderSeconds() << " s, coding "
-       << estimator->GetCodingSeconds() << " s) and " << std::llround(estimator->GetBytes())
-       << " bytes\n";
+  text << "about " << estimator->GetSeconds() << " s (scene " << estimator->GetSceneSeconds()
+       << " s, cache " << estimator->GetCacheSeconds() << " s, rendering "
+       << estimator->GetRenderSeconds() << " s, coding " << estimator->GetCodingSeconds()
+       << " s) and " << std::llround(estimator->GetBytes()) << " bytes\n";
   AddSuggestion(options, estimator, result.JSON, text);
   result.Text = text.str();
   return result;

@@ -3,6 +3,7 @@
 #include "Coding/cslfPartStore.h"
 
 #include "Coding/cslfPart.h"
+#include "cslfUnfinished.h"
 
 #include <filesystem>
 #include <fstream>
@@ -18,7 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* PartPrefix = "group-";
 constexpr const char* PartSuffix = ".part";
-constexpr const char* UnfinishedSuffix = ".unfinished";
 constexpr const char* WholeName = "whole";
 constexpr const char* ManifestName = "manifest.json";
 constexpr const char* CacheName = "radiance.cache";

@@ -3,7 +3,8 @@
 /**
  * @file
  * Path tracing with next-event estimation and multiple importance sampling: the estimate of the
- * radiance along a ray, unbiased unless a cache stands in for the light that surfaces diffuse.
+ * radiance along a ray, unbiased unless a cache stands in for the light that surfaces diffuse and
+ * that rough ones reflect.
  */
 #ifndef cslfPathIntegrator_h
 #define cslfPathIntegrator_h

@@ -23,13 +23,13 @@ struct VTKCSLF_EXPORT TexelSums
   alignas(64) float Red[Size] = {};
   alignas(64) float Green[Size] = {};
   alignas(64) float Blue[Size] = {};
-  alignas(64) float RedSquares[Size] = {}; // of the samples' radiance, if they are asked for
+  alignas(64) float RedSquares[Size] = {}; ///< of the samples' radiance, if they are asked for
   alignas(64) float GreenSquares[Size] = {};
   alignas(64) float BlueSquares[Size] = {};
-  alignas(64) int Covered[Size] = {};  // samples that see something
-  alignas(64) float Depth[Size];       // the grid's parameter of the sample nearest to the centre
-  alignas(64) float DepthOffset[Size]; // squared, from the centre to that sample
-  int Samples = 0;                     // of each texel
+  alignas(64) int Covered[Size] = {};  ///< samples that see something
+  alignas(64) float Depth[Size];       ///< the grid's parameter of the sample nearest to the centre
+  alignas(64) float DepthOffset[Size]; ///< squared, from the centre to that sample
+  int Samples = 0;                     ///< of each texel
 
   TexelSums();
 
@@ -40,7 +40,7 @@ struct VTKCSLF_EXPORT TexelSums
   /// Adds to a sample what was left out of it: what a path in one of the texels saw.
   void AddPath(int texel, const glm::vec3& radiance);
 
-  /// Adds the squares of the samples, which Noise needs.
+  /// Adds the squares of the samples, which GetNoise needs.
   void AddSquares(const TexelGroup& group, const PacketRadiance& radiance);
 
   /// Sets the depth where a hit is the nearest to its texel's centre so far. Places are in the

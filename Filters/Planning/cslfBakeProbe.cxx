@@ -232,9 +232,10 @@ int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullG
 
 bool BakeProbe::EstimateVideo()
 {
-  // How is the cost spread?
-  const int small = std::min(
-    this->Resolution, std::clamp(this->Resolution / 4, SmallestResolution, SmallResolution));
+  // How is the cost spread? Pixel formats may need an even size.
+  const int quarter = this->Resolution / 4 / 2 * 2;
+  const int small =
+    std::min(this->Resolution, std::clamp(quarter, SmallestResolution, SmallResolution));
   this->SetSize(small, std::min(this->Samples, SmallSamples));
   EncodeProbe smallProbe(this->Sampler, this->Settings);
   if (!this->Begin(smallProbe))

@@ -42,6 +42,7 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
   FieldDetail detail;
   detail.Resolution = resolution;
   const std::size_t width = static_cast<std::size_t>(TileCount) * resolution;
+  const std::size_t squares = resolution / 2; // beside each other in a tile
   double sum = 0.0;
   std::size_t count = 0;
   std::vector<unsigned short> depths;
@@ -49,9 +50,9 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
   {
     for (int y = 0; y + 1 < resolution; y += 2)
     {
-      for (std::size_t x = 0; x + 1 < width; x += 2)
+      for (std::size_t i = 0; i < squares * TileCount; ++i)
       {
-        const std::size_t texel = y * width + x;
+        const std::size_t texel = y * width + i / squares * resolution + 2 * (i % squares);
         sum += SquareError(slice.Color + Components * texel, Components * width);
         count += 12;
         if (slice.Depth && slice.Color[Components * texel + 3] > 0)
@@ -90,6 +91,10 @@ FieldDetail MergeDetails(std::vector<FieldDetail> details)
 
 double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution)
 {
+  if (viewpoints < 2 || resolution < 1)
+  {
+    return 0.0;
+  }
   const double texels = static_cast<double>(detail.Resolution) / resolution;
   const double spacing = 2.0 / (viewpoints - 1);
   const double error = detail.Error * detail.DepthRange * detail.DepthRange *

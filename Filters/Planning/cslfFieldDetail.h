@@ -27,12 +27,15 @@ struct FieldDetail
   int Resolution = 0; ///< at which this was found
 };
 
+/// Finds the detail of some slices of a field: of squares of 2 x 2 texels, none of which crosses
+/// tiles.
 FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution);
 
 /// That of what there is to look at: the most detailed quarter.
 FieldDetail MergeDetails(std::vector<FieldDetail> details);
 
-/// The PSNR of novel views in dB, of a field of M x M viewpoints a face and N x N texels.
+/// The PSNR of novel views in dB, of a field of M x M viewpoints a face, at least 2 x 2, and N x N
+/// texels, at least one; 0 for other numbers.
 double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution);
 }
 

@@ -39,7 +39,7 @@ constexpr int Samples = 4;
 constexpr int SlabSlices = 4;
 constexpr int FrontFace = 4;
 
-/// A packet of rays, one for each texel of a square, as the renderer traces them.
+/// The side of a square of as many texels as a packet has rays: the renderer's blocks.
 constexpr int BlockSide = 4;
 
 /// What a ray query needs to know of a packet.
@@ -72,7 +72,8 @@ void AddPacket(const RayGrid& grid, const SamplePlaces& places, std::vector<Rays
   rays.emplace_back(packet);
 }
 
-/// The rays of a tile: `Samples` a texel, and one to its centre for its depth.
+/// The rays of a tile, in the renderer's packets: `Samples` a texel, a packet for 2 x 2 texels, and
+/// one to each texel's centre for its depth.
 void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& rays)
 {
   for (int row = 0; row < Resolution; row += BlockSide)

@@ -140,10 +140,21 @@ void TestTimeBudget()
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(sampler);
   sampler->SetIntegratorToPathTracing();
+  sampler->SetCacheProbeSeconds(0.5);
   vtkNew<vtkCSLFBakeEstimator> estimator;
   estimator->SetSampler(sampler);
   CSLF_CHECK(estimator->ChooseSamples(1e4) == 1);
   CSLF_CHECK(sampler->GetSamples() > 16);
+  CSLF_CHECK(sampler->GetCacheProbeSeconds() == 0.5);
+  CSLF_CHECK(estimator->GetSecondsTaken() > 0.0);
+
+  // Where there is nothing to suggest, nothing is left of what was suggested before.
+  CSLF_CHECK(estimator->SuggestForBytes(1e12) == 1 && estimator->GetSuggestedViewpoints() > 0);
+  CSLF_CHECK(estimator->SuggestForBytes(1.0) == 0);
+  CSLF_CHECK(estimator->GetSuggestedViewpoints() == 0 && estimator->GetSuggestedResolution() == 0);
+  CSLF_CHECK(estimator->PredictPSNR(9, 32) > 0.0 && estimator->PredictBytes(9, 32) > 0.0);
+  CSLF_CHECK(estimator->PredictPSNR(1, 32) == 0.0 && estimator->PredictPSNR(9, 0) == 0.0);
+  CSLF_CHECK(estimator->PredictBytes(1, 32) == 0.0 && estimator->PredictBytes(9, 0) == 0.0);
   vtkNew<vtkTest::ErrorObserver> observer;
   estimator->AddObserver(vtkCommand::ErrorEvent, observer);
   CSLF_CHECK(estimator->ChooseSamples(1e-6) == 0);

@@ -3,6 +3,7 @@
 #include "cslfCacheFile.h"
 
 #include "cslfRadianceCache.h"
+#include "cslfUnfinished.h"
 
 #include <zlib.h>
 
@@ -140,7 +141,7 @@ bool IsWhole(const std::string& fileName)
 
 bool WriteCacheFile(const std::string& fileName, const std::string& key, RadianceCache& cache)
 {
-  const std::string unfinished = fileName + ".unfinished";
+  const std::string unfinished = fileName + UnfinishedSuffix;
   FileWriter writer(unfinished);
   writer.Value(Magic);
   writer.Array(std::vector<char>(key.begin(), key.end()));

@@ -24,7 +24,7 @@ enum class CacheFileState
   Read
 };
 
-/// Writes a cache, whole, by renaming `fileName` with `.unfinished` appended. The key tells all
+/// Writes a cache, whole, by renaming `fileName` with UnfinishedSuffix appended. The key tells all
 /// that the cache depends on. On failure returns false and leaves nothing new behind.
 VTKCSLF_EXPORT bool WriteCacheFile(
   const std::string& fileName, const std::string& key, RadianceCache& cache);

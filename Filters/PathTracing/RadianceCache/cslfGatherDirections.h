@@ -27,6 +27,7 @@ class GatherDirections
 public:
   /// The length of a sequence; longer ones go on with another, turned anew.
   static constexpr int Length = 1024;
+
   /// Sixteen directions, and where in the sequence they are.
   struct Packet
   {

@@ -3,11 +3,13 @@
 /**
  * @file
  * The light that surfaces diffuse, worked out once for all viewpoints: it looks alike from
- * everywhere, so a texel that sees a diffuse surface needs no path but a look-up.
+ * everywhere, so a texel that sees a diffuse surface needs no path but a look-up. And the light
+ * that arrives at rough dielectrics, from where: what they reflect is looked up, too, unless that
+ * may be seen.
  *
- * Stored is the diffuse radiance of a white surface: the irradiance over pi, weighted by what a
- * dielectric's boundary lets in. The surface's own colour, and what the boundary lets out, are
- * multiplied at the look-up, so textures stay as sharp as they are.
+ * Stored of diffuse light is the radiance of a white surface: the irradiance over pi, weighted by
+ * what a dielectric's boundary lets in. The surface's own colour, and what the boundary lets out,
+ * are multiplied at the look-up, so textures stay as sharp as they are.
  */
 #ifndef cslfRadianceCache_h
 #define cslfRadianceCache_h
