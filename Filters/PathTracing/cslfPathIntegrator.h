@@ -45,12 +45,12 @@ public:
     Ray First;
     Hit Seen;
     int Depth = 0;            ///< reflections before
-    float Pdf;                ///< of the ray's direction, per solid angle; infinite for a given ray
+    float Pdf;                ///< of the ray's direction, per solid angle; infinite if given
     bool IsOneOfMany = false; ///< whether its own error hardly counts, as it is averaged with many
   };
 
-  /// The radiance that comes along a given ray from its first hit, which must be valid. Adds the
-  /// rays traced.
+  /// The radiance that comes along a given ray from its first hit, which must be valid, by a single
+  /// path: what batches are compared with. Adds the rays traced.
   glm::vec3 GetRadiance(
     const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const;
 

@@ -77,8 +77,10 @@ class TemporaryFolder
 public:
   TemporaryFolder()
   {
+    // The last six letters are replaced.
     std::error_code ignored;
-    std::string name = (fs::temp_directory_path(ignored) / "cslf-probe-XXXXXX").string();
+    std::string name =
+      (fs::temp_directory_path(ignored) / ("cslf-probe-" + std::string(6, 'X'))).string();
     this->Name = ::mkdtemp(name.data()) ? name : std::string();
   }
   ~TemporaryFolder()
