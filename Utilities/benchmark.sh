@@ -22,7 +22,7 @@ if [ "${#meshes[@]}" -eq 0 ]; then
 fi
 size=512
 samples=4
-frames=8
+frames=32
 depth=8
 
 cslf_install "${cslf_packages[@]}" libbenchmark-dev
