@@ -103,8 +103,8 @@ FieldWriter::FieldWriter(
   : Parts(fileName)
   , Settings(settings)
 {
-  FrameOrder order = MakeFrameOrder(grid);
-  this->Header.Groups = MakeGroups(order, settings.GroupLength);
+  FrameOrder order = MakeFrameOrder(grid, settings.GroupLength);
+  this->Header.Groups = std::move(order.Groups);
   this->Header.Coarsest = order.Coarsest;
   this->Header.Slices = std::move(order.Slices);
 }

@@ -5,10 +5,71 @@
 #include "cslfLayout.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <set>
 
 namespace cslf
 {
+namespace
+{
+/// Indices in parts of at most `most`, as equal as may be.
+std::vector<std::vector<int>> Split(const std::vector<int>& indices, std::size_t most)
+{
+  const std::size_t count = (indices.size() + most - 1) / most;
+  std::vector<std::vector<int>> parts(count);
+  for (std::size_t k = 0; k < indices.size(); ++k)
+  {
+    parts[k * count / indices.size()].push_back(indices[k]);
+  }
+  return parts;
+}
+
+/// Adds the viewpoints of some rows and columns of a face that are not taken yet as a group.
+void AddBlock(const Layout& grid, int face, const std::vector<int>& rows,
+  const std::vector<int>& columns, std::vector<bool>& isTaken, FrameOrder& order)
+{
+  const std::size_t before = order.Slices.size();
+  std::vector<int> path = columns;
+  for (int j : rows)
+  {
+    for (int i : path)
+    {
+      const int slice = grid.SliceOf({ face, i, j });
+      if (!isTaken[slice])
+      {
+        isTaken[slice] = true;
+        order.Slices.push_back(slice);
+      }
+    }
+    std::reverse(path.begin(), path.end());
+  }
+  if (order.Slices.size() > before)
+  {
+    order.Groups.push_back(static_cast<int>(order.Slices.size() - before));
+  }
+}
+
+/// Adds the viewpoints of some rows and as many columns of all faces that are not taken yet.
+void AddBlocks(const Layout& grid, const std::vector<int>& indices, int length,
+  std::vector<bool>& isTaken, FrameOrder& order)
+{
+  const int height = static_cast<int>(std::sqrt(static_cast<double>(length)));
+  const auto bands = Split(indices, height);
+  const auto stacks = Split(indices, length / height);
+  for (int face = 0; face < FaceCount; ++face)
+  {
+    for (const std::vector<int>& rows : bands)
+    {
+      for (const std::vector<int>& columns : stacks)
+      {
+        AddBlock(grid, face, rows, columns, isTaken, order);
+      }
+    }
+  }
+}
+}
+
 std::vector<int> CoarsestNodes(int viewpoints)
 {
   const int last = viewpoints - 1;
@@ -17,41 +78,17 @@ std::vector<int> CoarsestNodes(int viewpoints)
   return { nodes.begin(), nodes.end() };
 }
 
-FrameOrder MakeFrameOrder(const Layout& grid)
+FrameOrder MakeFrameOrder(const Layout& grid, int length)
 {
-  const int side = grid.GetViewpoints();
-  const std::vector<int> nodes = CoarsestNodes(side);
-  std::vector<bool> coarse(side, false);
-  for (int node : nodes)
-  {
-    coarse[node] = true;
-  }
+  const std::vector<int> nodes = CoarsestNodes(grid.GetViewpoints());
+  std::vector<int> all(grid.GetViewpoints());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<bool> isTaken(grid.GetSlices(), false);
   FrameOrder order;
   order.Slices.reserve(grid.GetSlices());
-  for (const bool wanted : { true, false })
-  {
-    bool backwards = false;
-    for (int face = 0; face < FaceCount; ++face)
-    {
-      for (int j = 0; j < side; ++j)
-      {
-        const auto before = order.Slices.size();
-        for (int k = 0; k < side; ++k)
-        {
-          const int i = backwards ? side - 1 - k : k;
-          if ((coarse[i] && coarse[j]) == wanted)
-          {
-            order.Slices.push_back(grid.SliceOf({ face, i, j }));
-          }
-        }
-        backwards = backwards != (order.Slices.size() > before);
-      }
-    }
-    if (wanted)
-    {
-      order.Coarsest = static_cast<int>(order.Slices.size());
-    }
-  }
+  AddBlocks(grid, nodes, length, isTaken, order);
+  order.Coarsest = static_cast<int>(order.Slices.size());
+  AddBlocks(grid, all, length, isTaken, order);
   return order;
 }
 
@@ -96,17 +133,5 @@ std::vector<int> FromRuns(const std::vector<SliceRun>& runs, int count)
     }
   }
   return static_cast<int>(slices.size()) == count ? slices : std::vector<int>();
-}
-
-std::vector<int> MakeGroups(const FrameOrder& order, int length)
-{
-  std::vector<int> groups;
-  const int whole = static_cast<int>(order.Slices.size());
-  for (int frame = 0; frame < whole; frame += groups.back())
-  {
-    const int end = frame < order.Coarsest ? order.Coarsest : whole;
-    groups.push_back(std::min(length, end - frame));
-  }
-  return groups;
 }
 }

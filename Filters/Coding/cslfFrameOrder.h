@@ -28,6 +28,7 @@ struct SliceRun
 struct FrameOrder
 {
   std::vector<int> Slices;
+  std::vector<int> Groups; ///< the lengths of the groups of pictures that the order falls into
   int Coarsest = 0;
 };
 
@@ -35,17 +36,15 @@ struct FrameOrder
 /// and what divides them evenly while staying symmetric, the middle (odd) or the thirds (even).
 VTKCSLF_EXPORT std::vector<int> CoarsestNodes(int viewpoints);
 
-/// The frames of the coarsest nested grid, then the rest, each face by face along serpentine rows.
-VTKCSLF_EXPORT FrameOrder MakeFrameOrder(const Layout& grid);
+/// The frames of the coarsest nested grid, then the rest, each face by face in blocks of
+/// neighbouring viewpoints, as nearly square as may be, along serpentine rows. A block is a group,
+/// of at most `length` frames.
+VTKCSLF_EXPORT FrameOrder MakeFrameOrder(const Layout& grid, int length);
 
 /// The same slices as runs, and back. Expanding stops with an empty list when there would be other
 /// than `count` slices or the result is no permutation of 0 to count - 1.
 VTKCSLF_EXPORT std::vector<SliceRun> ToRuns(const std::vector<int>& slices);
 VTKCSLF_EXPORT std::vector<int> FromRuns(const std::vector<SliceRun>& runs, int count);
-
-/// The sizes of the groups of pictures: at most `length` frames each, none across the end of the
-/// coarsest grid.
-VTKCSLF_EXPORT std::vector<int> MakeGroups(const FrameOrder& order, int length);
 }
 
 #endif

@@ -32,7 +32,7 @@ void TestCoarsest()
 void TestOrder(int viewpoints)
 {
   const cslf::Layout grid(viewpoints, 16);
-  const cslf::FrameOrder order = cslf::MakeFrameOrder(grid);
+  const cslf::FrameOrder order = cslf::MakeFrameOrder(grid, 16);
   std::vector<int> sorted = order.Slices;
   std::sort(sorted.begin(), sorted.end());
   std::vector<int> all(grid.GetSlices());
@@ -51,27 +51,37 @@ void TestOrder(int viewpoints)
 
   const std::vector<cslf::SliceRun> runs = cslf::ToRuns(order.Slices);
   CSLF_CHECK(cslf::FromRuns(runs, grid.GetSlices()) == order.Slices);
-  for (int length : { 1, 5, 16 })
-  {
-    const std::vector<int> groups = cslf::MakeGroups(order, length);
-    int frame = 0;
-    for (int group : groups)
-    {
-      CSLF_CHECK(group >= 1 && group <= length);
-      CSLF_CHECK(frame >= order.Coarsest || frame + group <= order.Coarsest);
-      frame += group;
-    }
-    CSLF_CHECK(frame == grid.GetSlices());
-  }
 }
 
-void TestSerpentine()
+void TestGroups(int viewpoints, int length)
 {
-  // Within the rest, neighbours in a row follow each other and rows turn around.
-  const cslf::Layout grid(3, 16);
-  const std::vector<int> expected{ 0, 1, 2, 5, 4, 3, 6, 7, 8, 11, 10, 9 };
-  const std::vector<int> slices = cslf::MakeFrameOrder(grid).Slices;
-  CSLF_CHECK(std::equal(expected.begin(), expected.end(), slices.begin()));
+  const cslf::Layout grid(viewpoints, 16);
+  const cslf::FrameOrder order = cslf::MakeFrameOrder(grid, length);
+  int frame = 0;
+  for (int group : order.Groups)
+  {
+    CSLF_CHECK(group >= 1 && group <= length);
+    CSLF_CHECK(frame >= order.Coarsest || frame + group <= order.Coarsest);
+    const int face = grid.ViewpointOf(order.Slices[frame]).Face;
+    for (int end = frame + group; frame < end; ++frame)
+    {
+      CSLF_CHECK(grid.ViewpointOf(order.Slices[frame]).Face == face);
+    }
+  }
+  CSLF_CHECK(frame == grid.GetSlices());
+}
+
+void TestBlocks()
+{
+  // The coarsest grid's groups, one for each face, then squares in which rows turn around.
+  const cslf::Layout grid(8, 16);
+  const cslf::FrameOrder order = cslf::MakeFrameOrder(grid, 16);
+  const std::vector<int> coarsest{ 0, 2, 5, 7, 23, 21, 18, 16, 40, 42, 45, 47, 63, 61, 58, 56 };
+  CSLF_CHECK(order.Groups.front() == 16);
+  CSLF_CHECK(std::equal(coarsest.begin(), coarsest.end(), order.Slices.begin()));
+  const std::vector<int> block{ 1, 3, 11, 10, 9, 8, 17, 19, 27, 26, 25, 24 };
+  CSLF_CHECK(order.Groups[cslf::FaceCount] == static_cast<int>(block.size()));
+  CSLF_CHECK(std::equal(block.begin(), block.end(), order.Slices.begin() + order.Coarsest));
   CSLF_CHECK(cslf::ToRuns({ 0, 1, 2, 5, 4, 3, 9 }).size() == 3);
 }
 
@@ -95,8 +105,12 @@ int TestCSLFFrameOrder(int, char*[])
   for (int viewpoints : { 2, 3, 4, 5, 6, 9, 16, 17 })
   {
     TestOrder(viewpoints);
+    for (int length : { 1, 2, 5, 16 })
+    {
+      TestGroups(viewpoints, length);
+    }
   }
-  TestSerpentine();
+  TestBlocks();
   TestBadRuns();
   return cslf::testing::Result();
 }
