@@ -11,12 +11,16 @@ namespace cslf
 {
 namespace
 {
-/// Groups worked on between two reports of progress, for each thread: enough to keep all busy.
-constexpr int GroupsPerThread = 16;
+/// Texels that a thread decodes between two reports of progress, about a second's work.
+constexpr std::size_t TexelsAtOnce = 64 << 20;
 
-int GetGroupsAtOnce()
+/// How many groups are worked on between two reports of progress.
+std::size_t GetGroupsAtOnce(const FileHeader& header)
 {
-  return GroupsPerThread * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  const std::size_t groupTexels = static_cast<std::size_t>(header.Field.Grid.GetStripWidth()) *
+    header.Field.Grid.GetResolution() * MaximumGroupLength;
+  return std::max<std::size_t>(2, TexelsAtOnce / groupTexels) *
+    std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
 }
 }
 
@@ -179,7 +183,7 @@ std::vector<int> FieldReader::Read(
   Range range(*this, first, last, { color, depth });
   range.CopyKept();
   const std::vector<int> groups = range.FindGroups();
-  const std::size_t atOnce = GetGroupsAtOnce();
+  const std::size_t atOnce = GetGroupsAtOnce(this->GetHeader());
   for (std::size_t begin = 0; begin < groups.size() &&
        progress(static_cast<double>(begin) / static_cast<double>(groups.size()));
        begin += atOnce)

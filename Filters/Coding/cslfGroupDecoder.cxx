@@ -24,14 +24,9 @@ std::vector<int> GroupDecoder::GetSlices(int group) const
 
 std::vector<bool> GroupDecoder::Decode(const std::vector<GroupRequest>& requests)
 {
-  if (static_cast<int>(requests.size()) < vtkSMPTools::GetEstimatedNumberOfThreads())
+  if (requests.size() == 1)
   {
-    std::vector<bool> whole;
-    for (const GroupRequest& request : requests)
-    {
-      whole.push_back(this->DecodeTracks(request));
-    }
-    return whole;
+    return { this->DecodeTracks(requests.front()) };
   }
   std::vector<char> whole(requests.size(), 0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(requests.size()), 1,
