@@ -7,6 +7,8 @@
 #ifndef cslfTexelRows_h
 #define cslfTexelRows_h
 
+#include "vtkCSLFModule.h"
+
 #include <cstdint>
 
 namespace cslf
@@ -21,17 +23,20 @@ struct YCbCrRow
 
 /// Y'CbCr of ITU-R BT.709's matrix, full range, 8 to 12 bits a sample, to the nearest red, green
 /// and blue of 8 bits, 4 bytes a texel. The fourth byte stays as it is.
-void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colors);
+VTKCSLF_EXPORT void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colors);
 
 /// The nearest depth of 16 bits of each depth of 12 bits; larger samples count as 4095.
-void SamplesToDepths(const std::uint16_t* samples, int count, unsigned short* depths);
+VTKCSLF_EXPORT void SamplesToDepths(
+  const std::uint16_t* samples, int count, unsigned short* depths);
 
 /// Bytes to the fourth byte of each color.
-void SamplesToCoverage(const std::uint8_t* samples, int count, unsigned char* colors);
+VTKCSLF_EXPORT void SamplesToCoverage(
+  const std::uint8_t* samples, int count, unsigned char* colors);
 
 /// Coverage within `tolerance` of 255 or else of 0 becomes just that, colour is at most coverage,
 /// and depth, which may be null, is 65535 where nothing is covered.
-void JoinTexels(int tolerance, int count, unsigned char* colors, unsigned short* depths);
+VTKCSLF_EXPORT void JoinTexels(
+  int tolerance, int count, unsigned char* colors, unsigned short* depths);
 }
 
 #endif
