@@ -44,8 +44,8 @@ struct BackgroundSteps::Gate
     }
   }
 
-  /// The queue lives as long as the process: its destructor may miss a thread that is about to
-  /// sleep, and wait for ever.
+  /// The queue lives as long as the process: in older versions of VTK its destructor may miss a
+  /// thread that is about to sleep, and wait for ever.
   static vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>& GetQueue()
   {
     using Queue = vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>;
