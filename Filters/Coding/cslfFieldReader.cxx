@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFieldReader.h"
 
+#include "Pipeline/cslfSlabs.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -33,6 +35,7 @@ public:
     , Store(reader.Store)
     , Texels(static_cast<std::size_t>(reader.GetHeader().Field.Grid.GetStripWidth()) *
         reader.GetHeader().Field.Grid.GetResolution())
+    , ColorBytes(this->Texels * TexelBytes(*reader.GetHeader().Field.FindChannel(ColorName)))
     , First(first)
     , Begin(begin)
     , Lacks(last - first + 1, 1)
@@ -137,14 +140,16 @@ private:
 
   Slice GetTarget(int slice) const
   {
-    const std::size_t offset = this->Texels * (slice - this->First);
-    return { this->Begin.Color + 4 * offset,
-      this->Begin.Depth ? this->Begin.Depth + offset : nullptr };
+    const std::size_t place = slice - this->First;
+    Slice target = this->Begin;
+    target.Color += this->ColorBytes * place;
+    target.Depth += target.Depth ? this->Texels * place : 0;
+    return target;
   }
 
   void Copy(const Slice& from, const Slice& to) const
   {
-    std::copy_n(from.Color, 4 * this->Texels, to.Color);
+    std::copy_n(from.Color, this->ColorBytes, to.Color);
     if (to.Depth)
     {
       std::copy_n(from.Depth, this->Texels, to.Depth);
@@ -153,7 +158,8 @@ private:
 
   GroupDecoder& Decoder;
   ViewpointStore& Store;
-  std::size_t Texels; ///< of one slice
+  std::size_t Texels;     ///< of one slice
+  std::size_t ColorBytes; ///< of one slice
   int First;
   Slice Begin;
   std::vector<char> Lacks; ///< of each slice whether it is still to be decoded

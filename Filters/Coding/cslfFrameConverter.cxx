@@ -214,7 +214,8 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
     case TrackRole::Depth:
       for (int y = 0; y < frame->height; ++y)
       {
-        SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)), frame->width,
+        SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
+          BitsOfFormat(this->Kind.Format), frame->width,
           slice.Depth + static_cast<std::size_t>(y) * frame->width);
       }
       return true;

@@ -15,9 +15,6 @@ namespace
 {
 constexpr int FractionBits = 20;
 
-/// The largest number of a depth track of 12 bits.
-constexpr unsigned int MaximumCode = 4095;
-
 /// What a sample of each kind adds to each colour, in units of 2^-20 levels of 8 bits.
 struct Weights
 {
@@ -110,6 +107,28 @@ CSLF_VECTORIZE void ConvertWords(
     reinterpret_cast<const std::uint16_t*>(row.Blue),
     reinterpret_cast<const std::uint16_t*>(row.Red), weights, count, colors);
 }
+
+/// The largest number is a constant, since vectors know no division.
+template <unsigned int Largest>
+inline void Widen(const std::uint16_t* samples, int count, unsigned short* depths)
+{
+  CSLF_LANE_LOOP
+  for (int k = 0; k < count; ++k)
+  {
+    const unsigned int code = std::min<unsigned int>(samples[k], Largest);
+    depths[k] = static_cast<unsigned short>((code * 65535u + Largest / 2) / Largest);
+  }
+}
+
+CSLF_VECTORIZE void Widen10(const std::uint16_t* samples, int count, unsigned short* depths)
+{
+  Widen<1023>(samples, count, depths);
+}
+
+CSLF_VECTORIZE void Widen12(const std::uint16_t* samples, int count, unsigned short* depths)
+{
+  Widen<4095>(samples, count, depths);
+}
 }
 
 void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colors)
@@ -117,14 +136,9 @@ void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colo
   (bits > 8 ? ConvertWords : ConvertBytes)(row, MakeWeights(bits), count, colors);
 }
 
-CSLF_VECTORIZE void SamplesToDepths(const std::uint16_t* samples, int count, unsigned short* depths)
+void SamplesToDepths(const std::uint16_t* samples, int bits, int count, unsigned short* depths)
 {
-  CSLF_LANE_LOOP
-  for (int k = 0; k < count; ++k)
-  {
-    const unsigned int code = std::min<unsigned int>(samples[k], MaximumCode);
-    depths[k] = static_cast<unsigned short>((code * 65535u + MaximumCode / 2) / MaximumCode);
-  }
+  (bits > 10 ? Widen12 : Widen10)(samples, count, depths);
 }
 
 CSLF_VECTORIZE void SamplesToCoverage(const std::uint8_t* samples, int count, unsigned char* colors)

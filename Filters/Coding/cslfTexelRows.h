@@ -25,9 +25,10 @@ struct YCbCrRow
 /// and blue of 8 bits, 4 bytes a texel. The fourth byte stays as it is.
 VTKCSLF_EXPORT void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colors);
 
-/// The nearest depth of 16 bits of each depth of 12 bits; larger samples count as 4095.
+/// The nearest depth of 16 bits of each depth of 10 or 12 bits; larger samples count as the
+/// largest.
 VTKCSLF_EXPORT void SamplesToDepths(
-  const std::uint16_t* samples, int count, unsigned short* depths);
+  const std::uint16_t* samples, int bits, int count, unsigned short* depths);
 
 /// Bytes to the fourth byte of each color.
 VTKCSLF_EXPORT void SamplesToCoverage(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfViewpointStore.h"
 
+#include "Pipeline/cslfSlabs.h"
+
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -53,9 +55,8 @@ ViewpointStore::ViewpointStore(GroupDecoder& decoder)
   }
   for (const Channel& channel : field.Channels)
   {
-    this->ViewpointBytes += std::uint64_t(channel.Components) *
-      vtkDataArray::GetDataTypeSize(channel.Type) * field.Grid.GetStripWidth() *
-      field.Grid.GetResolution();
+    this->ViewpointBytes +=
+      std::uint64_t(TexelBytes(channel)) * field.Grid.GetStripWidth() * field.Grid.GetResolution();
   }
 }
 

@@ -58,18 +58,20 @@ void TestColors(int bits)
   CSLF_CHECK(worst <= Slack);
 }
 
-void TestDepths()
+void TestDepths(int bits)
 {
+  const int largest = (1 << bits) - 1;
   std::vector<std::uint16_t> samples(4200);
   for (std::size_t k = 0; k < samples.size(); ++k)
   {
     samples[k] = static_cast<std::uint16_t>(k);
   }
   std::vector<unsigned short> depths(samples.size());
-  cslf::SamplesToDepths(samples.data(), static_cast<int>(samples.size()), depths.data());
+  cslf::SamplesToDepths(samples.data(), bits, static_cast<int>(samples.size()), depths.data());
   for (std::size_t k = 0; k < samples.size(); ++k)
   {
-    CSLF_CHECK(depths[k] == std::lround(std::min(static_cast<double>(k), 4095.0) * 65535 / 4095));
+    const double code = std::min(static_cast<double>(k), static_cast<double>(largest));
+    CSLF_CHECK(depths[k] == std::lround(code * 65535 / largest));
   }
 }
 
@@ -104,7 +106,8 @@ int TestCSLFTexelRows(int, char*[])
   TestColors<std::uint8_t>(8);
   TestColors<std::uint16_t>(10);
   TestColors<std::uint16_t>(12);
-  TestDepths();
+  TestDepths(10);
+  TestDepths(12);
   for (int tolerance : { 0, 3, 255 })
   {
     TestJoined(tolerance);
