@@ -154,6 +154,7 @@ list(APPEND private_headers
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources
+  ../Filters/Coding/cslfBackgroundSteps.cxx
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
@@ -166,12 +167,18 @@ list(APPEND sources
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
+  ../Filters/Coding/cslfGroupDecoder.cxx
   ../Filters/Coding/cslfHEVC.cxx
   ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
-  ../Filters/Coding/cslfTrack.cxx)
+  ../Filters/Coding/cslfTexelRows.cxx
+  ../Filters/Coding/cslfTrack.cxx
+  ../Filters/Coding/cslfTrackDecoder.cxx
+  ../Filters/Coding/cslfViewpointCache.cxx
+  ../Filters/Coding/cslfViewpointStore.cxx)
 list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfBackgroundSteps.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
@@ -184,10 +191,15 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
+  ../Filters/Coding/cslfGroupDecoder.h
   ../Filters/Coding/cslfHEVC.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
-  ../Filters/Coding/cslfTrack.h)
+  ../Filters/Coding/cslfTexelRows.h
+  ../Filters/Coding/cslfTrack.h
+  ../Filters/Coding/cslfTrackDecoder.h
+  ../Filters/Coding/cslfViewpointCache.h
+  ../Filters/Coding/cslfViewpointStore.h)
 
 # Folders of cube maps.
 list(APPEND sources

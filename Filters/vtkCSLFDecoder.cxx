@@ -6,6 +6,7 @@
 #include "Pipeline/cslfSlabs.h"
 
 #include <vtkErrorCode.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -28,6 +29,7 @@ public:
   std::unique_ptr<cslf::FieldReader> Reader;
   std::string Description;
   std::string PixelFormat;
+  vtkNew<vtkFieldData> Field; ///< of every output
   vtkNew<vtkIdTypeArray> Missing;
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
@@ -35,12 +37,27 @@ public:
     this->Reader = std::move(reader);
     this->Description.clear();
     this->PixelFormat.clear();
+    this->Field->Initialize();
     if (this->Reader)
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
+      header.Field.WriteTo(this->Field);
       this->Description = header.Field.ToText();
       this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
     }
+  }
+
+  bool HasViewpoint(vtkIdType z) const
+  {
+    return this->Reader && z >= 0 && z < this->Reader->GetHeader().Field.Grid.GetSlices();
+  }
+
+  /// The extent of the whole field but for z.
+  void GetExtent(vtkIdType first, vtkIdType last, int extent[6]) const
+  {
+    this->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
+    extent[4] = static_cast<int>(first);
+    extent[5] = static_cast<int>(last);
   }
 
   void SetMissing(const std::vector<int>& slices)
@@ -124,6 +141,7 @@ int vtkCSLFDecoder::RequestInformation(
     vtkErrorMacro("Cannot read " << this->FileName << ": " << failure.Text << ".");
     return 0;
   }
+  this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
   int extent[6];
   this->Internal->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
@@ -151,9 +169,7 @@ int vtkCSLFDecoder::RequestData(
   int asked[6];
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), asked);
-  field.Grid.GetWholeExtent(extent);
-  extent[4] = asked[4];
-  extent[5] = asked[5];
+  this->Internal->GetExtent(asked[4], asked[5], extent);
   output->SetExtent(extent);
 
   vtkNew<vtkUnsignedCharArray> color;
@@ -169,7 +185,7 @@ int vtkCSLFDecoder::RequestData(
     depth->SetNumberOfTuples(output->GetNumberOfPoints());
     output->GetPointData()->AddArray(depth);
   }
-  field.WriteTo(output->GetFieldData());
+  output->GetFieldData()->PassData(this->Internal->Field);
 
   const cslf::AVLogSilence silence;
   this->Internal->SetMissing(this->Internal->Reader->Read(extent[4], extent[5],
@@ -212,10 +228,15 @@ void vtkCSLFDecoder::WarnOfMissing(vtkIdType asked)
                   << (count > named ? ", ..." : "") << ").");
 }
 
-vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
+bool vtkCSLFDecoder::UpdateReader()
 {
   this->UpdateInformation();
-  if (!this->Internal->Reader)
+  return this->Internal->Reader != nullptr;
+}
+
+vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
+{
+  if (!this->UpdateReader())
   {
     return -1;
   }
@@ -225,10 +246,95 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
   return this->GetNumberOfMissingViewpoints();
 }
 
+void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
+{
+  this->CacheSize = std::max<vtkTypeInt64>(bytes, 0);
+  if (this->Internal->Reader)
+  {
+    this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
+  }
+}
+
+bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
+{
+  image->Initialize();
+  if (!this->UpdateReader())
+  {
+    return false;
+  }
+  if (!this->Internal->HasViewpoint(z))
+  {
+    vtkErrorMacro("There is no viewpoint " << z << " in " << this->FileName << ".");
+    return false;
+  }
+  const auto viewpoint = this->Internal->Reader->GetViewpoints().Get(static_cast<int>(z));
+  if (viewpoint->IsMissing)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro("Viewpoint " << z << " of " << this->FileName << " is damaged.");
+    return false;
+  }
+  int extent[6];
+  this->Internal->GetExtent(z, z, extent);
+  image->SetExtent(extent);
+  image->GetPointData()->SetScalars(viewpoint->Color);
+  if (viewpoint->Depth)
+  {
+    image->GetPointData()->AddArray(viewpoint->Depth);
+  }
+  image->GetFieldData()->PassData(this->Internal->Field);
+  return true;
+}
+
+void vtkCSLFDecoder::Prefetch(vtkIdTypeArray* viewpoints)
+{
+  if (!this->UpdateReader())
+  {
+    return;
+  }
+  std::vector<int> slices;
+  for (vtkIdType k = 0; viewpoints && k < viewpoints->GetNumberOfValues(); ++k)
+  {
+    const vtkIdType z = viewpoints->GetValue(k);
+    if (this->Internal->HasViewpoint(z))
+    {
+      slices.push_back(static_cast<int>(z));
+    }
+  }
+  this->Internal->Reader->GetViewpoints().Prefetch(slices);
+}
+
+bool vtkCSLFDecoder::IsViewpointReady(vtkIdType z)
+{
+  return this->Internal->HasViewpoint(z) &&
+    this->Internal->Reader->GetViewpoints().Has(static_cast<int>(z));
+}
+
+void vtkCSLFDecoder::WaitForPrefetch()
+{
+  if (this->Internal->Reader)
+  {
+    this->Internal->Reader->GetViewpoints().Wait();
+  }
+}
+
+void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
+{
+  viewpoints->Reset();
+  if (this->UpdateReader())
+  {
+    for (int slice : this->Internal->Reader->GetHeader().Slices)
+    {
+      viewpoints->InsertNextValue(slice);
+    }
+  }
+}
+
 void vtkCSLFDecoder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "CacheSize: " << this->CacheSize << "\n";
   os << indent << "Description: " << this->GetDescription() << "\n";
   os << indent << "MissingViewpoints: " << this->GetNumberOfMissingViewpoints() << "\n";
 }

@@ -10,6 +10,20 @@
  * extent is decoded without the rest: only the closed groups of frames that it touches are read,
  * and decoded side by side with vtkSMPTools. Along x and y the output is always whole.
  *
+ * Single viewpoints, in any order, are had from GetViewpoint, which decodes no more than it takes
+ * to get at one, and Prefetch has viewpoints decoded in the background before they are needed. What
+ * was decoded is kept within a budget of memory, CacheSize, which the pipeline uses, too: if a
+ * range ends within a group, the rest of the group is kept for the range that may come next. A
+ * viewer that wants to draw at once and sharpen later goes like this:
+ *
+ * @code
+ *   decoder->Prefetch(needed);             // whenever the camera moves: the most urgent first
+ *   if (decoder->IsViewpointReady(z))      // for each frame
+ *     decoder->GetViewpoint(z, image);     // costs next to nothing
+ * @endcode
+ *
+ * One thread at a time may call these methods, as usual. No event is invoked from another thread.
+ *
  * Every group is checked against its checksums before it is decoded. Viewpoints of groups that are
  * damaged or cut off are left empty (coverage 0, depth 1) and reported in one warning; where
  * nothing asked for can be read, that is an error. The file may have been remuxed, for instance
@@ -27,6 +41,7 @@
 #include <memory> // For std::unique_ptr
 
 class vtkIdTypeArray;
+class vtkImageData;
 
 class VTKCSLF_EXPORT vtkCSLFDecoder : public vtkImageAlgorithm
 {
@@ -80,6 +95,53 @@ public:
    */
   vtkIdType FindMissingViewpoints();
 
+  ///@{
+  /**
+   * How many bytes of decoded viewpoints are kept at most for GetViewpoint, Prefetch and ranges
+   * that touch the same groups. A viewpoint takes 20 N^2 bytes, 30 N^2 with depth, at a resolution
+   * of N. Those that were used last stay. 0 keeps none, and Prefetch does nothing. What is being
+   * decoded is not counted: in the background that is up to a group of 16 for each thread. Setting
+   * this makes no output outdated. Default: 512 MiB.
+   */
+  void SetCacheSize(vtkTypeInt64 bytes);
+  vtkGetMacro(CacheSize, vtkTypeInt64);
+  ///@}
+
+  /**
+   * Makes `image` one viewpoint: the slice z of the output, with its absolute extent, arrays and
+   * description. It comes from what is kept, or else is decoded now, with its group's frames that
+   * it depends on, the tracks side by side. The arrays are shared with what is kept: copy them
+   * before changing anything. False, with an error, if the file cannot be read, has no such
+   * viewpoint, or is damaged there; then `image` is empty.
+   */
+  bool GetViewpoint(vtkIdType z, vtkImageData* image);
+
+  /**
+   * Has viewpoints decoded in the background, the first ones first as far as they lie in different
+   * groups. This replaces what an earlier call asked for and is not yet begun; null or an empty
+   * array ends prefetching. Of more viewpoints than CacheSize holds only the first ones are
+   * decoded. Numbers that are no viewpoints are ignored. Returns at once.
+   */
+  void Prefetch(vtkIdTypeArray* viewpoints);
+
+  /**
+   * Whether GetViewpoint(z) need not decode anything, since the viewpoint is kept (or known to be
+   * missing).
+   */
+  bool IsViewpointReady(vtkIdType z);
+
+  /**
+   * Waits until all that Prefetch was asked for is decoded.
+   */
+  void WaitForPrefetch();
+
+  /**
+   * All viewpoints in the order in which they lie in the file, the coarsest grid of viewpoints
+   * first. Whoever needs all of them, but not at once, has each group decoded only once by asking
+   * in this order. Empty if the file cannot be read.
+   */
+  void GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints);
+
 protected:
   vtkCSLFDecoder();
   ~vtkCSLFDecoder() override;
@@ -97,8 +159,10 @@ private:
 
   bool ReportProgress(double progress);
   void WarnOfMissing(vtkIdType asked);
+  bool UpdateReader();
 
   char* FileName = nullptr;
+  vtkTypeInt64 CacheSize = 512 << 20;
   const std::unique_ptr<Internals> Internal;
 };
 

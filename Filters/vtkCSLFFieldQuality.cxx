@@ -73,38 +73,97 @@ std::vector<Figure> MakeFigures(const cslf::Description& first, const cslf::Desc
   return figures;
 }
 
-/// Adds the errors of the viewpoints of a slab. The images may hold more than that.
+/// Where a slab begins in an array of an image that may hold more.
+template <typename T>
+const T* GetBegin(vtkImageData* image, vtkDataArray* array, const cslf::Slab& slab)
+{
+  const int* size = image->GetDimensions();
+  const vtkIdType texel =
+    (slab.First - image->GetExtent()[4]) * static_cast<vtkIdType>(size[0]) * size[1];
+  return static_cast<const T*>(array->GetVoidPointer(0)) + texel * array->GetNumberOfComponents();
+}
+
+template <typename T>
+void ClearUncovered(const T* colors, std::vector<char>& isCounted)
+{
+  for (std::size_t texel = 0; texel < isCounted.size(); ++texel)
+  {
+    isCounted[texel] &= colors[4 * texel + 3] > T(0) ? 1 : 0;
+  }
+}
+
+/// Which of a slab's texels count: all, or those that are covered in both images.
+std::vector<char> FindCounted(vtkImageData* images[2], const cslf::Slab& slab, const Figure& figure)
+{
+  const int* size = images[0]->GetDimensions();
+  std::vector<char> isCounted(
+    static_cast<std::size_t>(size[0]) * size[1] * slab.GetCount(), static_cast<char>(1));
+  vtkDataArray* colors[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    colors[k] = images[k]->GetPointData()->GetArray(cslf::ColorName);
+  }
+  if (figure.WhereCovered && colors[0] && colors[1] && colors[0]->GetNumberOfComponents() == 4 &&
+    colors[1]->GetNumberOfComponents() == 4)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      switch (colors[k]->GetDataType())
+      {
+        vtkTemplateMacro(ClearUncovered(GetBegin<VTK_TT>(images[k], colors[k], slab), isCounted));
+      }
+    }
+  }
+  return isCounted;
+}
+
+template <typename T>
+void AddErrors(
+  const T* first, const T* second, int stride, const std::vector<char>& isCounted, Figure& figure)
+{
+  first += figure.FirstComponent;
+  second += figure.FirstComponent;
+  double squares = figure.Squares;
+  const int components = figure.Components;
+  for (std::size_t texel = 0; texel < isCounted.size(); ++texel, first += stride, second += stride)
+  {
+    for (int k = 0; isCounted[texel] && k < components; ++k)
+    {
+      const double difference = static_cast<double>(first[k]) - static_cast<double>(second[k]);
+      squares += difference * difference;
+    }
+  }
+  figure.Squares = squares;
+  figure.Values +=
+    static_cast<double>(components) * std::count(isCounted.begin(), isCounted.end(), 1);
+}
+
+/// Adds the errors of the viewpoints of a slab, whose arrays are of one type.
 void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
 {
   vtkDataArray* values[2];
-  vtkDataArray* colors[2];
-  vtkIdType offsets[2];
-  const int* size = images[0]->GetDimensions();
-  const vtkIdType slice = static_cast<vtkIdType>(size[0]) * size[1];
   for (int k = 0; k < 2; ++k)
   {
     values[k] = images[k]->GetPointData()->GetArray(figure.Channel.c_str());
-    colors[k] = images[k]->GetPointData()->GetArray(cslf::ColorName);
-    offsets[k] = (slab.First - images[k]->GetExtent()[4]) * slice;
   }
-  const bool isMasked = figure.WhereCovered && colors[0] && colors[1] &&
-    colors[0]->GetNumberOfComponents() == 4 && colors[1]->GetNumberOfComponents() == 4;
-  for (vtkIdType texel = 0; texel < slice * slab.GetCount(); ++texel)
+  const std::vector<char> isCounted = FindCounted(images, slab, figure);
+  switch (values[0]->GetDataType())
   {
-    if (isMasked &&
-      (colors[0]->GetComponent(offsets[0] + texel, 3) <= 0.0 ||
-        colors[1]->GetComponent(offsets[1] + texel, 3) <= 0.0))
-    {
-      continue;
-    }
-    for (int k = figure.FirstComponent; k < figure.FirstComponent + figure.Components; ++k)
-    {
-      const double difference = values[0]->GetComponent(offsets[0] + texel, k) -
-        values[1]->GetComponent(offsets[1] + texel, k);
-      figure.Squares += difference * difference;
-    }
-    figure.Values += figure.Components;
+    vtkTemplateMacro(AddErrors(GetBegin<VTK_TT>(images[0], values[0], slab),
+      GetBegin<VTK_TT>(images[1], values[1], slab), values[0]->GetNumberOfComponents(), isCounted,
+      figure));
   }
+}
+
+/// The slices of `whole` in an order that suits a field that is a video, the first one if both are.
+std::vector<cslf::Slab> PlanSlabs(cslf::SlabStream streams[2], const cslf::Slab& whole)
+{
+  const auto isWanted = [&whole](int slice) { return slice >= whole.First && slice <= whole.Last; };
+  const int chosen = !streams[0].IsVideo() && streams[1].IsVideo() ? 1 : 0;
+  const std::vector<cslf::Slab> slabs = streams[chosen].PlanSlabs(isWanted);
+  streams[0].Announce(slabs);
+  streams[1].Announce(slabs);
+  return slabs;
 }
 
 /// Compares the fields; on failure returns why, which is empty where it was reported already.
@@ -119,17 +178,21 @@ bool Compare(cslf::SlabStream streams[2], vtkAlgorithm* progress, std::vector<Fi
     whole = { std::max(a.First, b.First), std::min(a.Last, b.Last) };
     error = whole.GetCount() < 1 ? "The fields have no viewpoint in common." : "";
   }
-  const int step = std::min(streams[0].GetSlabSize(), streams[1].GetSlabSize());
-  for (int first = whole.First; first <= whole.Last; first += step)
+  std::vector<cslf::Slab> slabs;
+  if (whole.GetCount() > 0)
   {
-    const cslf::Slab slab{ first, std::min(whole.Last, first + step - 1) };
+    slabs = PlanSlabs(streams, whole);
+  }
+  for (std::size_t k = 0; k < slabs.size(); ++k)
+  {
+    const cslf::Slab& slab = slabs[k];
     if (!streams[0].Read(slab) || !streams[1].Read(slab))
     {
       break;
     }
     const cslf::Description& a = streams[0].GetDescription();
     const cslf::Description& b = streams[1].GetDescription();
-    if (first == whole.First)
+    if (k == 0)
     {
       figures = MakeFigures(a, b);
     }
@@ -144,8 +207,8 @@ bool Compare(cslf::SlabStream streams[2], vtkAlgorithm* progress, std::vector<Fi
     {
       AddSlab(images, slab, figure);
     }
-    progress->UpdateProgress((slab.Last - whole.First + 1.0) / whole.GetCount());
-    if (slab.Last == whole.Last)
+    progress->UpdateProgress((k + 1.0) / static_cast<double>(slabs.size()));
+    if (k + 1 == slabs.size())
     {
       return true;
     }

@@ -122,15 +122,22 @@ public:
   {
     cslf::SlabStream stream(connection);
     bool isRead = stream.Open();
-    for (vtkIdType k = 0; isRead && k < this->GetCount() && !cslf::IsAborted(this->Self);)
+    std::vector<cslf::Slab> slabs;
+    if (isRead)
     {
-      const cslf::Slab slab = stream.MakeSlab(this->GetSlice(k));
-      isRead = stream.Read(slab) && this->Check(stream.GetDescription());
-      for (; isRead && k < this->GetCount() && this->GetSlice(k) <= slab.Last; ++k)
+      slabs = stream.PlanSlabs(
+        [this](int slice) { return this->FindFirst(slice) < this->FindFirst(slice + 1); });
+      stream.Announce(slabs);
+    }
+    for (std::size_t k = 0; isRead && k < slabs.size() && !cslf::IsAborted(this->Self); ++k)
+    {
+      isRead = stream.Read(slabs[k]) && this->Check(stream.GetDescription());
+      const vtkIdType end = this->FindFirst(slabs[k].Last + 1);
+      for (vtkIdType texel = this->FindFirst(slabs[k].First); isRead && texel < end; ++texel)
       {
-        this->TakeColor(stream, k);
+        this->TakeColor(stream, texel);
       }
-      this->Self->UpdateProgress(ReadingShare * k / this->GetCount());
+      this->Self->UpdateProgress(ReadingShare * static_cast<double>(k) / slabs.size());
     }
     if (!isRead && !stream.GetError().empty())
     {
@@ -176,6 +183,19 @@ private:
   int GetSlice(vtkIdType k) const
   {
     return this->First + static_cast<int>(this->Chosen[k] / this->SliceTexels);
+  }
+
+  /// The first of the chosen texels that lies in that slice or after it.
+  vtkIdType FindFirst(int slice) const
+  {
+    vtkIdType first = 0;
+    for (vtkIdType last = this->GetCount(); first < last;)
+    {
+      const vtkIdType middle = first + (last - first) / 2;
+      (this->GetSlice(middle) < slice ? first : last) =
+        this->GetSlice(middle) < slice ? middle + 1 : middle;
+    }
+    return first;
   }
 
   bool Check(const cslf::Description& description)

@@ -167,18 +167,23 @@ bool vtkCSLFImageWriter::WriteSlabs(const char* folder)
   std::string error;
   bool isGood = stream.Open();
   const cslf::Slab& whole = stream.GetWhole();
-  for (int first = whole.First; isGood && first <= whole.Last; first += stream.GetSlabSize())
+  std::vector<cslf::Slab> slabs;
+  if (isGood)
   {
-    const cslf::Slab slab = stream.MakeSlab(first);
-    isGood = stream.Read(slab);
-    if (isGood && first == whole.First)
+    slabs = stream.PlanSlabs([](int) { return true; });
+    stream.Announce(slabs);
+  }
+  for (std::size_t k = 0; isGood && k < slabs.size(); ++k)
+  {
+    isGood = stream.Read(slabs[k]);
+    if (isGood && k == 0)
     {
       const cslf::Description& description = stream.GetDescription();
       isGood = cslf::CheckCubeMapChannels(description, error) &&
         cslf::WriteCubeMapDescription(folder, { description, whole }, error);
     }
-    isGood = isGood && WriteSlab(stream, slab, folder, error);
-    this->UpdateProgress((slab.Last - whole.First + 1.0) / whole.GetCount());
+    isGood = isGood && WriteSlab(stream, slabs[k], folder, error);
+    this->UpdateProgress((k + 1.0) / static_cast<double>(slabs.size()));
     isGood = isGood && !this->AbortExecute;
   }
   if (!isGood)

@@ -30,6 +30,8 @@ struct AVDeleter
   void operator()(AVFrame* frame) const { av_frame_free(&frame); }
   void operator()(AVPacket* packet) const { av_packet_free(&packet); }
   void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+  void operator()(AVCodecParameters* parameters) const { avcodec_parameters_free(&parameters); }
+  void operator()(AVCodecParserContext* parser) const { av_parser_close(parser); }
   void operator()(AVDictionary* dictionary) const { av_dict_free(&dictionary); }
   void operator()(SwsContext* context) const { sws_freeContext(context); }
 };

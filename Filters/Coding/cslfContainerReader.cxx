@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace cslf
 {
@@ -15,6 +16,31 @@ constexpr AVRational FrameTime = { 1, FrameRate };
 
 /// Packets read in search of the first one of each track, at most this many for each.
 constexpr int FirstPacketSearch = 4 * MaximumGroupLength;
+
+/// Whether the times of a group's packets put them in the order in which their pictures say that
+/// they are shown. Times have no checksum, and a wrong one would make one viewpoint of another.
+bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<AVPacket>>& packets)
+{
+  const AVHandle<AVCodecParserContext> parser(av_parser_init(parameters->codec_id));
+  const AVHandle<AVCodecContext> context(avcodec_alloc_context3(nullptr));
+  if (!parser || !context || avcodec_parameters_to_context(context.get(), parameters) < 0)
+  {
+    return false;
+  }
+  parser->flags |= PARSER_FLAG_COMPLETE_FRAMES;
+  std::vector<std::pair<std::int64_t, int>> order;
+  for (const AVHandle<AVPacket>& packet : packets)
+  {
+    std::uint8_t* data = nullptr;
+    int size = 0;
+    av_parser_parse2(parser.get(), context.get(), &data, &size, packet->data, packet->size,
+      packet->pts, AV_NOPTS_VALUE, -1);
+    order.emplace_back(packet->pts, parser->output_picture_number);
+  }
+  std::sort(order.begin(), order.end());
+  return std::is_sorted(
+    order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+}
 
 bool Refuse(OpenFailure& failure, unsigned long code, const std::string& text)
 {
@@ -79,12 +105,6 @@ bool ContainerReader::ReadHeader(OpenFailure& failure)
   }
   this->Header = std::move(*header);
   this->GroupStarts = this->Header.GetGroupStarts();
-  this->GroupOfFrame.clear();
-  for (std::size_t group = 0; group < this->Header.Groups.size(); ++group)
-  {
-    this->GroupOfFrame.insert(
-      this->GroupOfFrame.end(), this->Header.Groups[group], static_cast<int>(group));
-  }
   return true;
 }
 
@@ -112,6 +132,13 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
         std::string("its track \"") + NameOfRole(this->Header.Tracks[track].Kind.Role) +
           "\" is damaged");
     }
+    // Copied, since the container is opened anew where seeking fails.
+    AVHandle<AVCodecParameters> copy(avcodec_parameters_alloc());
+    if (!copy || avcodec_parameters_copy(copy.get(), parameters) < 0)
+    {
+      return Refuse(failure, vtkErrorCode::UnknownError, "there is not enough memory");
+    }
+    this->Parameters.push_back(std::move(copy));
     this->Streams.push_back(static_cast<int>(stream));
     this->Framings.push_back(framing);
   }
@@ -119,11 +146,6 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
     Refuse(failure, vtkErrorCode::FileFormatError,
       "it has " + std::to_string(this->Streams.size()) + " of its " + std::to_string(tracks) +
         " tracks");
-}
-
-const AVCodecParameters* ContainerReader::GetParameters(std::size_t track) const
-{
-  return this->Input->streams[this->Streams[track]]->codecpar;
 }
 
 int ContainerReader::FindTrack(const AVPacket* packet) const
@@ -203,19 +225,16 @@ long long ContainerReader::FindFrame(std::size_t track, const AVPacket* packet) 
     this->Input->streams[packet->stream_index]->time_base, FrameTime);
 }
 
-std::vector<GroupPackets> ContainerReader::Read(int firstGroup, int count)
+GroupPackets ContainerReader::Read(int group)
 {
   const std::size_t tracks = this->Streams.size();
-  std::vector<GroupPackets> groups(count);
-  for (GroupPackets& group : groups)
-  {
-    group.Tracks.resize(tracks);
-  }
-  const int begin = this->GroupStarts[firstGroup];
-  const int end = this->GroupStarts[firstGroup + count];
+  GroupPackets packets;
+  packets.Tracks.resize(tracks);
+  const int begin = this->GroupStarts[group];
+  const int end = this->GroupStarts[group + 1];
   if (!this->SeekTo(begin))
   {
-    return groups;
+    return packets;
   }
   std::size_t wanted = static_cast<std::size_t>(end - begin) * tracks;
   std::vector<bool> passed(tracks, false);
@@ -226,10 +245,9 @@ std::vector<GroupPackets> ContainerReader::Read(int firstGroup, int count)
     const long long frame = track < 0 ? -1 : this->FindFrame(track, packet.get());
     if (frame >= begin && frame < end)
     {
-      const int group = this->GroupOfFrame[frame];
-      packet->pts = frame - this->GroupStarts[group];
+      packet->pts = frame - begin;
       packet->dts = AV_NOPTS_VALUE;
-      groups[group - firstGroup].Tracks[track].push_back(std::move(packet));
+      packets.Tracks[track].push_back(std::move(packet));
       packet.reset(av_packet_alloc());
       --wanted;
       continue;
@@ -244,7 +262,7 @@ std::vector<GroupPackets> ContainerReader::Read(int firstGroup, int count)
     }
     av_packet_unref(packet.get());
   }
-  return groups;
+  return packets;
 }
 
 bool ContainerReader::IsWhole(int group, std::size_t track, const GroupPackets& packets) const
@@ -263,7 +281,8 @@ bool ContainerReader::IsWhole(int group, std::size_t track, const GroupPackets& 
     seen[packet->pts] = true;
   }
   return static_cast<int>(packets.Tracks[track].size()) == length &&
-    crc == this->Header.Tracks[track].GroupCRCs[group];
+    crc == this->Header.Tracks[track].GroupCRCs[group] &&
+    AreInOrder(this->GetParameters(track), packets.Tracks[track]);
 }
 
 bool ContainerReader::IsWhole(int group, const GroupPackets& packets) const

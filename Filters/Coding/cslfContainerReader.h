@@ -39,13 +39,17 @@ public:
   const FileHeader& GetHeader() const { return this->Header; }
 
   /// The decoder's parameters of a track.
-  const AVCodecParameters* GetParameters(std::size_t track) const;
+  const AVCodecParameters* GetParameters(std::size_t track) const
+  {
+    return this->Parameters[track].get();
+  }
 
-  /// Reads the packets of `count` consecutive groups and no more than lies between them. What
-  /// cannot be read is left out.
-  std::vector<GroupPackets> Read(int firstGroup, int count);
+  /// Reads the packets of a group and no more than lies between them. What cannot be read is left
+  /// out.
+  GroupPackets Read(int group);
 
-  /// Whether all packets of a group are there and their checksums right, in one or in all tracks.
+  /// Whether all packets of a group are there, their checksums right and their times in order, in
+  /// one or in all tracks. Several threads may ask at once, and while packets are read.
   bool IsWhole(int group, std::size_t track, const GroupPackets& packets) const;
   bool IsWhole(int group, const GroupPackets& packets) const;
 
@@ -62,8 +66,8 @@ private:
   AVInput Input;
   FileHeader Header;
   std::vector<int> GroupStarts;
-  std::vector<int> GroupOfFrame;
   std::vector<int> Streams; ///< of each track
+  std::vector<AVHandle<AVCodecParameters>> Parameters;
   std::vector<NALFraming> Framings;
   std::vector<std::int64_t> FirstTimes; ///< of each track, empty until needed
 };

@@ -2,196 +2,217 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFieldReader.h"
 
-#include "Coding/cslfGroupCodec.h"
+#include "Pipeline/cslfSlabs.h"
 
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cslf
 {
 namespace
 {
-/// Groups read at once, for each thread: enough to keep all busy while the packets stay few.
-constexpr int GroupsPerThread = 2;
+/// Texels that a thread decodes between two reports of progress, about a second's work.
+constexpr std::size_t TexelsAtOnce = 64 << 20;
 
-int GetGroupsAtOnce()
+/// How many groups are worked on between two reports of progress.
+std::size_t GetGroupsAtOnce(const FileHeader& header)
 {
-  return GroupsPerThread * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  const std::size_t groupTexels = static_cast<std::size_t>(header.Field.Grid.GetStripWidth()) *
+    header.Field.Grid.GetResolution() * MaximumGroupLength;
+  return std::max<std::size_t>(2, TexelsAtOnce / groupTexels) *
+    std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
 }
 }
 
-/// The slices that are asked for and where they go.
-struct FieldReader::Request
+/// Slices that are asked for, and where they go.
+class FieldReader::Range
 {
-  int First = 0;
-  int Last = -1;
-  std::size_t Texels = 0; ///< of one slice
-  unsigned char* Color = nullptr;
-  unsigned short* Depth = nullptr;
-
-  bool Has(int slice) const { return slice >= this->First && slice <= this->Last; }
-  Slice Get(int slice) const
+public:
+  Range(FieldReader& reader, int first, int last, const Slice& begin)
+    : Decoder(reader.Decoder)
+    , Store(reader.Store)
+    , Texels(static_cast<std::size_t>(reader.GetHeader().Field.Grid.GetStripWidth()) *
+        reader.GetHeader().Field.Grid.GetResolution())
+    , ColorBytes(this->Texels * TexelBytes(*reader.GetHeader().Field.FindChannel(ColorName)))
+    , First(first)
+    , Begin(begin)
+    , Lacks(last - first + 1, 1)
   {
-    const std::size_t offset = this->Texels * (slice - this->First);
-    return { this->Color + 4 * offset, this->Depth ? this->Depth + offset : nullptr };
   }
+
+  /// Copies the slices that are kept.
+  void CopyKept()
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lacks.size()), 1,
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType place = begin; place < end; ++place)
+        {
+          const DecodedViewpointPointer kept =
+            this->Store.Find(this->First + static_cast<int>(place));
+          if (kept && !kept->IsMissing)
+          {
+            this->Copy(ToSlice(*kept), this->GetTarget(this->First + static_cast<int>(place)));
+            this->Lacks[place] = 0;
+          }
+        }
+      });
+  }
+
+  /// The groups that hold what is lacking.
+  std::vector<int> FindGroups()
+  {
+    std::vector<int> groups;
+    std::size_t others = 0;
+    for (int group = 0; group < this->Decoder.GetNumberOfGroups(); ++group)
+    {
+      const std::vector<int> slices = this->Decoder.GetSlices(group);
+      const auto lacking = std::count_if(
+        slices.begin(), slices.end(), [this](int slice) { return this->IsLacking(slice); });
+      if (lacking > 0)
+      {
+        groups.push_back(group);
+        others += slices.size() - lacking;
+      }
+    }
+    this->KeepsOthers = others <= this->Store.GetCapacity();
+    return groups;
+  }
+
+  /// Decodes some groups and appends the slices of those that are damaged.
+  void Decode(const std::vector<int>& groups, std::vector<int>& missing)
+  {
+    std::vector<GroupRequest> requests(groups.size());
+    std::vector<Others> others(groups.size());
+    for (std::size_t k = 0; k < groups.size(); ++k)
+    {
+      requests[k] = this->MakeRequest(groups[k], others[k]);
+    }
+    const std::vector<bool> whole = this->Decoder.Decode(requests);
+    for (std::size_t k = 0; k < groups.size(); ++k)
+    {
+      for (int slice : this->Decoder.GetSlices(groups[k]))
+      {
+        if (!whole[k] && this->IsLacking(slice))
+        {
+          missing.push_back(slice);
+        }
+      }
+      for (std::size_t i = 0; whole[k] && i < others[k].size(); ++i)
+      {
+        this->Store.Insert(others[k][i].first, std::move(others[k][i].second));
+      }
+    }
+  }
+
+private:
+  /// Slices of a group that were not asked for.
+  using Others = std::vector<std::pair<int, DecodedViewpoint>>;
+
+  GroupRequest MakeRequest(int group, Others& others)
+  {
+    GroupRequest request;
+    request.Group = group;
+    for (int slice : this->Decoder.GetSlices(group))
+    {
+      Slice target;
+      if (this->IsLacking(slice))
+      {
+        target = this->GetTarget(slice);
+      }
+      else if (this->KeepsOthers && !this->Store.Find(slice))
+      {
+        others.emplace_back(slice, this->Store.Make());
+        target = ToSlice(others.back().second);
+      }
+      request.Slices.push_back(target);
+    }
+    return request;
+  }
+
+  bool IsLacking(int slice) const
+  {
+    const int place = slice - this->First;
+    return place >= 0 && place < static_cast<int>(this->Lacks.size()) && this->Lacks[place] != 0;
+  }
+
+  Slice GetTarget(int slice) const
+  {
+    const std::size_t place = slice - this->First;
+    Slice target = this->Begin;
+    target.Color += this->ColorBytes * place;
+    target.Depth += target.Depth ? this->Texels * place : 0;
+    return target;
+  }
+
+  void Copy(const Slice& from, const Slice& to) const
+  {
+    std::copy_n(from.Color, this->ColorBytes, to.Color);
+    if (to.Depth)
+    {
+      std::copy_n(from.Depth, this->Texels, to.Depth);
+    }
+  }
+
+  GroupDecoder& Decoder;
+  ViewpointStore& Store;
+  std::size_t Texels;     ///< of one slice
+  std::size_t ColorBytes; ///< of one slice
+  int First;
+  Slice Begin;
+  std::vector<char> Lacks; ///< of each slice whether it is still to be decoded
+  bool KeepsOthers = false;
 };
 
 std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, OpenFailure& failure)
 {
   auto container = ContainerReader::Open(fileName, failure);
-  if (!container)
-  {
-    return nullptr;
-  }
-  auto reader = std::make_unique<FieldReader>();
-  reader->Container = std::move(container);
-  reader->GroupStarts = reader->GetHeader().GetGroupStarts();
-  return reader;
+  return container ? std::make_unique<FieldReader>(std::move(container)) : nullptr;
 }
 
-std::vector<int> FieldReader::GetSlices(int group) const
+FieldReader::FieldReader(std::unique_ptr<ContainerReader> container)
+  : Decoder(std::move(container))
+  , Store(this->Decoder)
 {
-  const auto begin = this->GetHeader().Slices.begin();
-  return { begin + this->GroupStarts[group], begin + this->GroupStarts[group + 1] };
 }
 
 std::vector<int> FieldReader::Read(
   int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress)
 {
-  const int resolution = this->GetHeader().Field.Grid.GetResolution();
-  const Request request{ first, last, static_cast<std::size_t>(TileCount) * resolution * resolution,
-    color, depth };
-  const int groups = static_cast<int>(this->GetHeader().Groups.size());
-  std::vector<bool> wanted(groups, false);
-  for (int group = 0; group < groups; ++group)
-  {
-    const std::vector<int> slices = this->GetSlices(group);
-    wanted[group] =
-      std::any_of(slices.begin(), slices.end(), [&](int slice) { return request.Has(slice); });
-  }
   std::vector<int> missing;
-  const int atOnce = GetGroupsAtOnce();
-  for (int group = 0; group < groups && progress(static_cast<double>(group) / groups);)
+  if (!this->Store.WaitFor(first, last, [&progress] { return progress(0.0); }))
   {
-    int count = 0;
-    while (count < atOnce && group + count < groups && wanted[group + count])
-    {
-      ++count;
-    }
-    if (count > 0)
-    {
-      const std::vector<bool> good =
-        this->DecodeGroups(group, this->Container->Read(group, count), request);
-      for (int k = 0; k < count; ++k)
-      {
-        for (int slice : this->GetSlices(group + k))
-        {
-          if (!good[k] && request.Has(slice))
-          {
-            ClearSlice(resolution, request.Get(slice));
-            missing.push_back(slice);
-          }
-        }
-      }
-    }
-    group += std::max(count, 1);
+    return missing;
+  }
+  Range range(*this, first, last, { color, depth });
+  range.CopyKept();
+  const std::vector<int> groups = range.FindGroups();
+  const std::size_t atOnce = GetGroupsAtOnce(this->GetHeader());
+  for (std::size_t begin = 0; begin < groups.size() &&
+       progress(static_cast<double>(begin) / static_cast<double>(groups.size()));
+       begin += atOnce)
+  {
+    const std::size_t end = std::min(begin + atOnce, groups.size());
+    range.Decode({ groups.begin() + static_cast<std::ptrdiff_t>(begin),
+                   groups.begin() + static_cast<std::ptrdiff_t>(end) },
+      missing);
   }
   std::sort(missing.begin(), missing.end());
   return missing;
 }
 
-std::vector<bool> FieldReader::DecodeGroups(
-  int firstGroup, const std::vector<GroupPackets>& groups, const Request& request) const
-{
-  const FileHeader& header = this->GetHeader();
-  const std::size_t tracks = header.Tracks.size();
-  const auto jobs = static_cast<vtkIdType>(groups.size() * tracks);
-  std::vector<char> decoded(jobs, 0);
-  vtkSMPTools::For(0, jobs, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType job = begin; job < end; ++job)
-      {
-        const auto k = static_cast<std::size_t>(job) / tracks;
-        const int group = firstGroup + static_cast<int>(k);
-        const std::size_t track = job % tracks;
-        decoded[job] = this->Container->IsWhole(group, track, groups[k]) &&
-            this->DecodeTrack(track, group, groups[k], request)
-          ? 1
-          : 0;
-      }
-    });
-  const Track* coverage = header.FindTrack(TrackRole::Coverage);
-  std::vector<bool> good(groups.size(), false);
-  for (std::size_t k = 0; k < groups.size(); ++k)
-  {
-    const auto from = decoded.begin() + static_cast<std::ptrdiff_t>(k * tracks);
-    good[k] = std::all_of(from, from + static_cast<std::ptrdiff_t>(tracks),
-      [](char isDecoded) { return isDecoded != 0; });
-  }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(groups.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        for (int slice : this->GetSlices(firstGroup + static_cast<int>(k)))
-        {
-          if (good[k] && request.Has(slice))
-          {
-            JoinChannels(header.Field.Grid.GetResolution(), coverage, request.Get(slice));
-          }
-        }
-      }
-    });
-  return good;
-}
-
-bool FieldReader::DecodeTrack(
-  std::size_t track, int group, const GroupPackets& packets, const Request& request) const
-{
-  const FileHeader& header = this->GetHeader();
-  const Track& kind = header.Tracks[track].Kind;
-  const std::vector<int> slices = this->GetSlices(group);
-  std::size_t left =
-    std::count_if(slices.begin(), slices.end(), [&](int slice) { return request.Has(slice); });
-  FrameToSlice converter(kind, header.Field.Grid.GetResolution());
-  bool good = true;
-  const bool decoded = DecodeGroup(this->Container->GetParameters(track), packets.Tracks[track],
-    [&](int index, const AVFrame* frame)
-    {
-      if (index < 0 || static_cast<std::size_t>(index) >= slices.size())
-      {
-        good = false;
-      }
-      else if (request.Has(slices[index]))
-      {
-        good = converter.Convert(frame, request.Get(slices[index]));
-        --left;
-      }
-      return good && left > 0;
-    });
-  return decoded && good && left == 0;
-}
-
 std::vector<int> FieldReader::FindMissing(const Progress& progress)
 {
-  const int groups = static_cast<int>(this->GetHeader().Groups.size());
-  const int atOnce = GetGroupsAtOnce();
+  const int groups = this->Decoder.GetNumberOfGroups();
   std::vector<int> missing;
-  for (int group = 0; group < groups && progress(static_cast<double>(group) / groups);
-       group += atOnce)
+  for (int group = 0; group < groups && progress(static_cast<double>(group) / groups); ++group)
   {
-    const int count = std::min(atOnce, groups - group);
-    const std::vector<GroupPackets> packets = this->Container->Read(group, count);
-    for (int k = 0; k < count; ++k)
+    if (!this->Decoder.Check(group))
     {
-      if (!this->Container->IsWhole(group + k, packets[k]))
-      {
-        const std::vector<int> slices = this->GetSlices(group + k);
-        missing.insert(missing.end(), slices.begin(), slices.end());
-      }
+      const std::vector<int> slices = this->Decoder.GetSlices(group);
+      missing.insert(missing.end(), slices.begin(), slices.end());
     }
   }
   std::sort(missing.begin(), missing.end());

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Decodes any range of slices of a coded light field.
+ * Decodes any range of slices of a coded light field, or single ones.
  */
 #ifndef cslfFieldReader_h
 #define cslfFieldReader_h
 
-#include "Coding/cslfContainerReader.h"
-#include "Coding/cslfFrameConverter.h"
+#include "Coding/cslfViewpointStore.h"
 
 #include <functional>
 #include <memory>
@@ -26,28 +25,28 @@ public:
   /// Reads the header only. Returns null on failure.
   static std::unique_ptr<FieldReader> Open(const std::string& fileName, OpenFailure& failure);
 
-  const FileHeader& GetHeader() const { return this->Container->GetHeader(); }
+  explicit FieldReader(std::unique_ptr<ContainerReader> container);
+
+  const FileHeader& GetHeader() const { return this->Decoder.GetHeader(); }
 
   /// Decodes the slices `first` to `last` into arrays of just these; `depth` may be null. Groups
-  /// that hold none of them are not read. Slices of damaged groups are cleared and their numbers
-  /// returned in ascending order.
+  /// that hold none of them are not read, and slices that are kept are not decoded. Of groups that
+  /// hold others, too, these are kept if they fit. Slices of damaged groups are cleared and their
+  /// numbers returned in ascending order.
   std::vector<int> Read(
     int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress);
 
   /// The slices of damaged groups, in ascending order, by their checksums: nothing is decoded.
   std::vector<int> FindMissing(const Progress& progress);
 
+  /// Single viewpoints, which are kept for later.
+  ViewpointStore& GetViewpoints() { return this->Store; }
+
 private:
-  struct Request;
+  class Range;
 
-  std::vector<bool> DecodeGroups(
-    int firstGroup, const std::vector<GroupPackets>& groups, const Request& request) const;
-  bool DecodeTrack(
-    std::size_t track, int group, const GroupPackets& packets, const Request& request) const;
-  std::vector<int> GetSlices(int group) const;
-
-  std::unique_ptr<ContainerReader> Container;
-  std::vector<int> GroupStarts;
+  GroupDecoder Decoder;
+  ViewpointStore Store; ///< stops the decoder before that goes
 };
 }
 

@@ -3,6 +3,7 @@
 #include "Coding/cslfFrameConverter.h"
 
 #include "Coding/cslfDepthFill.h"
+#include "Coding/cslfTexelRows.h"
 #include "cslfLayout.h"
 
 #include <algorithm>
@@ -28,12 +29,6 @@ constexpr unsigned int MaximumCode = 4095;
 std::uint16_t EncodeDepth(unsigned short depth)
 {
   return static_cast<std::uint16_t>((depth * MaximumCode + FarDepth / 2) / FarDepth);
-}
-
-unsigned short DecodeDepth(std::uint16_t code)
-{
-  const unsigned int bounded = std::min<unsigned int>(code, MaximumCode);
-  return static_cast<unsigned short>((bounded * FarDepth + MaximumCode / 2) / MaximumCode);
 }
 
 /// A scaler that only changes the format: accurate, chroma at full resolution, full range.
@@ -75,6 +70,18 @@ std::size_t ByteOffset(bool high)
   const std::uint16_t one = 1;
   const bool lowFirst = *reinterpret_cast<const std::uint8_t*>(&one) == 1;
   return high == lowFirst ? 1 : 0;
+}
+
+/// Whether colour is Y'CbCr with as many samples of chroma as of luma, in native byte order.
+bool IsFullChroma(AVPixelFormat format)
+{
+  return format == AV_PIX_FMT_YUV444P || format == AV_PIX_FMT_YUV444P10;
+}
+
+/// The first sample of a row.
+const std::uint8_t* GetRow(const AVFrame* frame, int plane, int y)
+{
+  return frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane];
 }
 
 /// Visits every texel with its index in the strip and its sample in a plane of a frame.
@@ -177,7 +184,8 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP)
+  const bool isPlain = track.Format == AV_PIX_FMT_GBRP || IsFullChroma(track.Format);
+  if (track.Role == TrackRole::Color && !isPlain)
   {
     const int width = TileCount * resolution;
     this->Scaler = MakeScaler(width, resolution, track.Format, AV_PIX_FMT_RGB24);
@@ -197,13 +205,19 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
     case TrackRole::Color:
       return this->TakeColor(frame, slice);
     case TrackRole::Coverage:
-      VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint8_t sample)
-        { slice.Color[ColorBytes * texel + 3] = sample; });
+      for (int y = 0; y < frame->height; ++y)
+      {
+        const std::size_t texel = static_cast<std::size_t>(y) * frame->width;
+        SamplesToCoverage(GetRow(frame, 0, y), frame->width, slice.Color + ColorBytes * texel);
+      }
       return true;
     case TrackRole::Depth:
-      VisitPlane<const std::uint16_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint16_t sample) { slice.Depth[texel] = DecodeDepth(sample); });
+      for (int y = 0; y < frame->height; ++y)
+      {
+        SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
+          BitsOfFormat(this->Kind.Format), frame->width,
+          slice.Depth + static_cast<std::size_t>(y) * frame->width);
+      }
       return true;
     case TrackRole::DepthHigh:
     case TrackRole::DepthLow:
@@ -221,6 +235,16 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
 
 bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
 {
+  if (IsFullChroma(this->Kind.Format))
+  {
+    for (int y = 0; y < frame->height; ++y)
+    {
+      const YCbCrRow row{ GetRow(frame, 0, y), GetRow(frame, 1, y), GetRow(frame, 2, y) };
+      YCbCrToColors(row, BitsOfFormat(this->Kind.Format), frame->width,
+        slice.Color + ColorBytes * static_cast<std::size_t>(y) * frame->width);
+    }
+    return true;
+  }
   if (!this->Scaler)
   {
     for (int component = 0; component < 3; ++component)
@@ -248,27 +272,14 @@ bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
 
 void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 {
-  const int tolerance = coverage && !coverage->Lossless ? CoverageTolerance : 0;
-  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
-  for (std::size_t texel = 0; texel < texels; ++texel)
+  // Without coverage anything counts as full.
+  const int tolerance = !coverage ? 255 : coverage->Lossless ? 0 : CoverageTolerance;
+  const int width = TileCount * resolution;
+  for (int y = 0; y < resolution; ++y)
   {
-    unsigned char* color = slice.Color + ColorBytes * texel;
-    if (!coverage || color[3] >= 255 - tolerance)
-    {
-      color[3] = 255;
-    }
-    else if (color[3] <= tolerance)
-    {
-      color[3] = 0;
-    }
-    for (int component = 0; component < 3; ++component)
-    {
-      color[component] = std::min(color[component], color[3]);
-    }
-    if (slice.Depth && color[3] == 0)
-    {
-      slice.Depth[texel] = FarDepth;
-    }
+    const std::size_t texel = static_cast<std::size_t>(y) * width;
+    JoinTexels(tolerance, width, slice.Color + ColorBytes * texel,
+      slice.Depth ? slice.Depth + texel : nullptr);
   }
 }
 

@@ -52,7 +52,7 @@ private:
   std::vector<unsigned short> Filled;
 };
 
-/// Turns frames of one track into its part of slices. Tracks of one slice may be converted at once.
+/// Turns frames of one track into its part of slices, those of colour before those of coverage.
 class FrameToSlice
 {
 public:

@@ -190,44 +190,4 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
   group.CoveredFully = track.Role == TrackRole::Coverage && IsCoveredFully(resolution, slices);
   return true;
 }
-
-bool DecodeGroup(const AVCodecParameters* parameters,
-  const std::vector<AVHandle<AVPacket>>& packets,
-  const std::function<bool(int index, const AVFrame* frame)>& sink)
-{
-  const AVCodec* codec = avcodec_find_decoder(parameters->codec_id);
-  const AVHandle<AVCodecContext> context(codec ? avcodec_alloc_context3(codec) : nullptr);
-  const AVHandle<AVFrame> frame(av_frame_alloc());
-  if (!context || !frame || avcodec_parameters_to_context(context.get(), parameters) < 0)
-  {
-    return false;
-  }
-  context->thread_count = 1;
-  context->err_recognition = AV_EF_EXPLODE;
-  if (avcodec_open2(context.get(), codec, nullptr) < 0)
-  {
-    return false;
-  }
-  for (std::size_t k = 0; k <= packets.size(); ++k)
-  {
-    const AVPacket* packet = k < packets.size() ? packets[k].get() : nullptr;
-    if (avcodec_send_packet(context.get(), packet) < 0)
-    {
-      return false;
-    }
-    int code = 0;
-    while ((code = avcodec_receive_frame(context.get(), frame.get())) >= 0)
-    {
-      if (!sink(static_cast<int>(frame->pts), frame.get()))
-      {
-        return true;
-      }
-    }
-    if (code != AVERROR(EAGAIN) && code != AVERROR_EOF)
-    {
-      return false;
-    }
-  }
-  return true;
-}
 }

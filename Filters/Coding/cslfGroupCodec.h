@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One closed group of pictures of one track, encoded and decoded on its own. Groups share nothing,
- * so they may be coded side by side, and the bytes do not depend on how many are.
+ * One closed group of pictures of one track, encoded on its own. Groups share nothing, so they may
+ * be coded side by side, and the bytes do not depend on how many are.
  */
 #ifndef cslfGroupCodec_h
 #define cslfGroupCodec_h
@@ -11,7 +11,6 @@
 #include "Coding/cslfFrameConverter.h"
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,12 +49,6 @@ bool HasEncoder();
 /// Encodes the slices of a group. On failure returns false and says why, in one line.
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
   const std::vector<ConstSlice>& slices, CodedGroup& group, std::string& error);
-
-/// Decodes the packets of a group and hands each frame, with its place in the group, to `sink`,
-/// which returns false when it has seen enough. The packets' times are the frames' places.
-bool DecodeGroup(const AVCodecParameters* parameters,
-  const std::vector<AVHandle<AVPacket>>& packets,
-  const std::function<bool(int index, const AVFrame* frame)>& sink);
 }
 
 #endif

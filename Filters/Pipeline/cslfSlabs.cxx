@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSlabs.h"
 
+#include "vtkCSLFDecoder.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
 #include <vtkExtentTranslator.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerRequestKey.h>
@@ -16,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 namespace cslf
 {
@@ -26,6 +30,8 @@ constexpr double SlabBytes = 64.0 * 1024 * 1024;
 constexpr double TexelBytesEstimate = 20.0;
 // At least this many slabs, where there are as many slices.
 constexpr int SlabCount = 64;
+// How far a video is decoded ahead, if the decoder keeps that much.
+constexpr vtkIdType SlicesAhead = 512;
 }
 
 int TexelBytes(const Channel& channel)
@@ -40,6 +46,7 @@ void SplitAlongZ(vtkInformation* information)
 
 SlabStream::SlabStream(vtkAlgorithmOutput* connection)
   : Producer(connection->GetProducer())
+  , Decoder(vtkCSLFDecoder::SafeDownCast(this->Producer))
   , Port(connection->GetIndex())
 {
 }
@@ -76,8 +83,72 @@ Slab SlabStream::MakeSlab(int first) const
   return { first, std::min(this->Whole.Last, first + this->SlabSize - 1) };
 }
 
+std::vector<Slab> SlabStream::PlanSlabs(const std::function<bool(int)>& isWanted) const
+{
+  vtkNew<vtkIdTypeArray> order;
+  if (this->Decoder)
+  {
+    this->Decoder->GetViewpointsInFileOrder(order);
+  }
+  for (int slice = this->Whole.First; !this->Decoder && slice <= this->Whole.Last; ++slice)
+  {
+    order->InsertNextValue(slice);
+  }
+  std::vector<Slab> slabs;
+  int previous = this->Whole.First;
+  for (vtkIdType k = 0; k < order->GetNumberOfValues(); ++k)
+  {
+    const int slice = static_cast<int>(order->GetValue(k));
+    if (!isWanted(slice))
+    {
+      continue;
+    }
+    Slab* slab = slabs.empty() ? nullptr : &slabs.back();
+    if (slab && slab->GetCount() < this->SlabSize && std::abs(slice - previous) == 1 &&
+      (slice == slab->First - 1 || slice == slab->Last + 1))
+    {
+      slab->First = std::min(slab->First, slice);
+      slab->Last = std::max(slab->Last, slice);
+    }
+    else
+    {
+      slabs.push_back({ slice, slice });
+    }
+    previous = slice;
+  }
+  return slabs;
+}
+
+void SlabStream::Announce(const std::vector<Slab>& slabs)
+{
+  this->Announced = slabs;
+  this->Next = 0;
+}
+
+void SlabStream::ReadAhead(const Slab& slab)
+{
+  while (this->Next < this->Announced.size() && this->Announced[this->Next].First != slab.First)
+  {
+    ++this->Next;
+  }
+  vtkNew<vtkIdTypeArray> soon;
+  for (std::size_t k = this->Next;
+       k < this->Announced.size() && soon->GetNumberOfValues() < SlicesAhead; ++k)
+  {
+    for (int slice = this->Announced[k].First; slice <= this->Announced[k].Last; ++slice)
+    {
+      soon->InsertNextValue(slice);
+    }
+  }
+  this->Decoder->Prefetch(soon);
+}
+
 bool SlabStream::Read(const Slab& slab)
 {
+  if (this->Decoder && !this->Announced.empty())
+  {
+    this->ReadAhead(slab);
+  }
   int extent[6];
   vtkInformation* information = this->Producer->GetOutputInformation(this->Port);
   vtkStreamingDemandDrivenPipeline::GetWholeExtent(information, extent);

@@ -10,10 +10,14 @@
 
 #include "cslfDescription.h"
 
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
+class vtkCSLFDecoder;
 class vtkImageData;
 class vtkInformation;
 
@@ -48,6 +52,16 @@ public:
   /// The slab that begins at `first`, which must be one of the whole's slices.
   Slab MakeSlab(int first) const;
 
+  /// Whether upstream decodes a video.
+  bool IsVideo() const { return this->Decoder != nullptr; }
+
+  /// The wanted slices as slabs, in an order in which upstream has the least to do: that of the
+  /// file if it is a video, else ascending.
+  std::vector<Slab> PlanSlabs(const std::function<bool(int)>& isWanted) const;
+
+  /// Tells which slabs will be read, in this order, so that a video is decoded ahead.
+  void Announce(const std::vector<Slab>& slabs);
+
   /// Updates upstream to the slab and checks what it delivers. The first read fixes the
   /// description; a later one that differs from it is an error.
   bool Read(const Slab& slab);
@@ -61,11 +75,15 @@ public:
 
 private:
   bool Fail(const std::string& error);
+  void ReadAhead(const Slab& slab);
 
   vtkAlgorithm* Producer;
+  vtkCSLFDecoder* Decoder; ///< the producer if it is one, else null
   int Port;
   Slab Whole;
   int SlabSize = 1;
+  std::vector<Slab> Announced;
+  std::size_t Next = 0; ///< of the slabs announced
   bool HasDescription = false;
   Description FieldDescription;
   vtkImageData* Image = nullptr; // owned by the producer

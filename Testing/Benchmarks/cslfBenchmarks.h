@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The benchmarks of the sampler, one file each.
+ * The benchmarks, one file each.
  */
 #ifndef cslfBenchmarks_h
 #define cslfBenchmarks_h
@@ -17,6 +17,10 @@ namespace benchmarks
 /// nothing but the ray queries of the same rays. Counters: rays/s of both, and the second divided
 /// by the first.
 void AddCachedRendering();
+
+/// Decoding of a coded light field (.mp4 or .mkv): the whole of it, with texels/s, all channels
+/// counted as one; opening and one viewpoint; opening alone.
+void AddDecoding(const std::string& fileName);
 
 /// Path tracing of the Cornell box, lit by its lamp. Counter: rays/s.
 void AddPathTracing();

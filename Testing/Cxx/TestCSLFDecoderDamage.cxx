@@ -100,40 +100,76 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
   return missing > 0 ? Outcome::Partial : Outcome::Whole;
 }
 
-void TestTruncated(const std::string& fileName, vtkImageData* whole)
+/// One viewpoint by itself: right, or an error.
+void ReadOne(const std::string& fileName, vtkIdType z, vtkImageData* whole)
 {
-  const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
-  int counts[3] = { 0, 0, 0 };
-  constexpr int places = 8;
-  for (int place = 0; place < places; ++place)
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(fileName.c_str());
+  const cslf::testing::Observed observed(decoder);
+  vtkNew<vtkImageData> image;
+  if (decoder->GetViewpoint(z, image))
   {
-    const std::size_t size = bytes.size() * place / places;
-    const std::string cut = fileName + ".cut.mp4";
-    cslf::testing::WriteBytes(cut, { bytes.begin(), bytes.begin() + size });
-    ++counts[static_cast<int>(Read(cut, whole))];
+    CSLF_CHECK(observed.GetErrors() == 0);
+    CSLF_CHECK(cslf::testing::HasEqualSlices(image, whole));
   }
-  std::cout << fileName << " cut: " << counts[0] << " refused, " << counts[1] << " partial, "
-            << counts[2] << " whole\n";
-  CSLF_CHECK(counts[0] > 0 && counts[1] > 0 && counts[2] == 0);
+  else
+  {
+    CSLF_CHECK(observed.GetErrors() == 1);
+    CSLF_CHECK(image->GetNumberOfPoints() == 0);
+  }
 }
 
-void TestFlipped(const std::string& fileName, vtkImageData* whole)
+/// How often each outcome came about.
+struct Counts
+{
+  int Of[3] = { 0, 0, 0 };
+
+  void Add(Outcome outcome) { ++this->Of[static_cast<int>(outcome)]; }
+  void Print(const std::string& fileName, const char* damage) const
+  {
+    std::cout << fileName << " " << damage << ": " << this->Of[0] << " refused, " << this->Of[1]
+              << " partial, " << this->Of[2] << " whole\n";
+  }
+};
+
+/// Cut off after `count` different lengths, spread evenly.
+void TestTruncated(const std::string& fileName, vtkImageData* whole, int count)
 {
   const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  const std::string cut = fileName + ".cut.mp4";
+  std::mt19937 random(11);
+  Counts counts;
+  for (int place = 0; place < count; ++place)
+  {
+    const std::size_t begin = bytes.size() * place / count;
+    const std::size_t end = bytes.size() * (place + 1) / count;
+    const auto size = static_cast<std::ptrdiff_t>(begin + random() % (end - begin));
+    cslf::testing::WriteBytes(cut, { bytes.begin(), bytes.begin() + size });
+    counts.Add(Read(cut, whole));
+    ReadOne(cut, random() % (whole->GetExtent()[5] + 1), whole);
+  }
+  counts.Print(fileName, "cut");
+  CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0 && counts.Of[2] == 0);
+}
+
+/// Any byte replaced by any other one.
+void TestFlipped(const std::string& fileName, vtkImageData* whole, int count)
+{
+  const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  const std::string damaged = fileName + ".damaged.mp4";
   std::mt19937 random(7);
-  int counts[3] = { 0, 0, 0 };
-  for (int flip = 0; flip < 20; ++flip)
+  Counts counts;
+  for (int flip = 0; flip < count; ++flip)
   {
     std::vector<char> flipped = bytes;
     const std::size_t place = random() % flipped.size();
-    flipped[place] = static_cast<char>(flipped[place] ^ (1 << random() % 8));
-    const std::string damaged = fileName + ".damaged.mp4";
+    flipped[place] = static_cast<char>(flipped[place] ^ (1 + random() % 255));
     cslf::testing::WriteBytes(damaged, flipped);
-    ++counts[static_cast<int>(Read(damaged, whole))];
+    counts.Add(Read(damaged, whole));
+    ReadOne(damaged, random() % (whole->GetExtent()[5] + 1), whole);
   }
-  std::cout << fileName << " flipped: " << counts[0] << " refused, " << counts[1] << " partial, "
-            << counts[2] << " whole\n";
-  CSLF_CHECK(counts[1] > 0);
+  counts.Print(fileName, "flipped");
+  CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0);
 }
 
 /// A digit of the description, changed: the checksum tells.
@@ -156,20 +192,27 @@ int TestCSLFDecoderDamage(int argc, char* argv[])
 {
   const std::string folder = cslf::testing::MakeFolder(argc, argv, "DecoderDamage");
   TestNotOurs(folder);
-  const auto field = cslf::testing::MakeByteField(4, 32);
-  for (const char* name : { "/field.mp4", "/field.mkv" })
+  const auto field = cslf::testing::MakeByteField(2, 16);
+  struct Case
+  {
+    const char* Name;
+    int Cuts;
+    int Flips;
+  };
+  for (const Case& files : { Case{ "/field.mp4", 150, 1500 }, Case{ "/field.mkv", 50, 500 } })
   {
     vtkNew<vtkCSLFEncoder> encoder;
     encoder->SetPreset("ultrafast");
-    const std::string fileName = folder + name;
+    encoder->SetGroupLength(7);
+    const std::string fileName = folder + files.Name;
     CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
     const auto whole = cslf::testing::Decode(fileName);
     CSLF_CHECK(whole != nullptr);
     if (whole)
     {
       CSLF_CHECK(Read(fileName, whole) == Outcome::Whole);
-      TestTruncated(fileName, whole);
-      TestFlipped(fileName, whole);
+      TestTruncated(fileName, whole, files.Cuts);
+      TestFlipped(fileName, whole, files.Flips);
       TestDescription(fileName);
     }
   }

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfBackgroundSteps.h"
+
+#include <vtkSMPTools.h>
+#include <vtkThreadedTaskQueue.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+namespace cslf
+{
+/// What threads pass on their way to the owner's work. It may outlive the owner.
+struct BackgroundSteps::Gate
+{
+  std::mutex Mutex;
+  std::condition_variable Left; ///< someone has gone out
+  std::function<void()> Step;
+  bool IsOpen = true; ///< while the owner lives
+  int Inside = 0;
+
+  bool Enter()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Inside += this->IsOpen ? 1 : 0;
+    return this->IsOpen;
+  }
+
+  void Leave()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    --this->Inside;
+    this->Left.notify_all();
+  }
+
+  static void Pass(const std::shared_ptr<Gate>& gate)
+  {
+    if (gate->Enter())
+    {
+      gate->Step();
+      gate->Leave();
+    }
+  }
+
+  /// The queue lives as long as the process: in older versions of VTK its destructor may miss a
+  /// thread that is about to sleep, and wait for ever.
+  static vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>& GetQueue()
+  {
+    using Queue = vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>;
+    constexpr bool ordered = true;
+    constexpr int unlimited = -1;
+    static auto* queue = new Queue(
+      &Gate::Pass, ordered, unlimited, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+    return *queue;
+  }
+};
+
+BackgroundSteps::BackgroundSteps(std::function<void()> step)
+  : Entrance(std::make_shared<Gate>())
+{
+  this->Entrance->Step = std::move(step);
+}
+
+BackgroundSteps::~BackgroundSteps()
+{
+  std::unique_lock<std::mutex> lock(this->Entrance->Mutex);
+  this->Entrance->IsOpen = false;
+  this->Entrance->Left.wait(lock, [this] { return this->Entrance->Inside == 0; });
+}
+
+void BackgroundSteps::Post()
+{
+  Gate::GetQueue().Push(std::shared_ptr<Gate>(this->Entrance));
+}
+}

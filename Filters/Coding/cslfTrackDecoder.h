@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Closed groups of pictures of one track, decoded one after the other by the same decoder, which
+ * costs much less than a decoder for each.
+ */
+#ifndef cslfTrackDecoder_h
+#define cslfTrackDecoder_h
+
+#include "Coding/cslfFrameConverter.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace cslf
+{
+class TrackDecoder
+{
+public:
+  /// Null if FFmpeg cannot decode a track of these parameters.
+  static std::unique_ptr<TrackDecoder> Open(const AVCodecParameters* parameters);
+
+  /// Begins a group. The packets, whose times are the frames' places in the group, must stay until
+  /// the last wanted frame is taken. What comes after that in decoding order, and unwanted frames
+  /// that no other refers to, are not decoded.
+  void Begin(const std::vector<AVHandle<AVPacket>>& packets, const std::vector<bool>& wanted);
+
+  /// The next wanted frame in order of presentation, until the next call, or null: there is none,
+  /// or it cannot be decoded. Its time is its place in the group. Frames do not depend on which
+  /// others are wanted.
+  const AVFrame* Next();
+
+private:
+  bool Send();
+
+  AVHandle<AVCodecContext> Context;
+  AVHandle<AVFrame> Frame;
+  const std::vector<AVHandle<AVPacket>>* Packets = nullptr;
+  std::vector<bool> IsWanted;
+  std::size_t NextPacket = 0;
+  std::ptrdiff_t ToSend = 0; ///< wanted frames not sent yet
+  bool IsDrained = false;
+};
+}
+
+#endif
