@@ -148,8 +148,10 @@ double RateModel::Sum(const std::vector<double>& weights, const std::map<double,
   for (std::size_t group = 0; group < this->Frames.size(); ++group)
   {
     const double factor = RateModel::GetFactor(static_cast<int>(group), level);
-    sum += this->Done[group] ? this->Measure(this->Done[group]->Cost)
-                             : weights[group] * this->Frames[group] * curve[factor > floor ? 1 : 0];
+    const auto trial = this->Trials[group].find(factor);
+    sum += this->Done[group]               ? this->Measure(this->Done[group]->Cost)
+      : trial != this->Trials[group].end() ? this->Measure(trial->second)
+      : weights[group] * this->Frames[group] * curve[factor > floor ? 1 : 0];
   }
   return sum;
 }
