@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace cslf
@@ -26,47 +27,86 @@ namespace
 {
 constexpr std::uint32_t Seed = 20210831;
 
-/// Each face is divided into so many squares along a side; of each, one viewpoint is looked at.
-constexpr int Squares = 3;
-constexpr int Attempts = 16;
+/// The viewpoints looked at of each face.
+constexpr int ViewsPerFace = 4;
+
+/// Those looked at of all faces together in addition, where they differ most, as of many scenes one
+/// side shows nearly all: at least so many, and one of so many of the field's.
+constexpr int FurtherViews = 40;
+constexpr int FurtherShare = 80;
 
 /// The texels compared of each viewpoint.
-constexpr int TexelsPerView = 512;
+constexpr int TexelsPerView = 1024;
 
 constexpr double Peak = 255.0;
 constexpr double MostPSNR = 100.0;
 
-/// One viewpoint of each square of each face, where one can be found that is no key view.
-std::vector<int> ChooseViews(const Layout& grid, const KeyViews& keys)
+/// The viewpoints of a face that are no key views, each once, such that the first ones of them are
+/// evenly spread however many they are: the sequence of Roberts, by the plastic number.
+class ViewSequence
 {
-  const int side = grid.GetViewpoints();
-  const int squares = std::min(Squares, side);
-  std::vector<int> chosen;
-  for (int square = 0; square < FaceCount * squares * squares; ++square)
+public:
+  ViewSequence(const Layout& grid, const KeyViews& keys, int face)
+    : Grid(grid)
+    , Keys(keys)
+    , Face(face)
   {
-    const int column = square % squares;
-    const int row = square / squares % squares;
-    const auto pick = [&](int part, std::uint64_t random)
+  }
+
+  /// The slice of the next one, or -1 at the end.
+  int Next()
+  {
+    constexpr double steps[2] = { 0.7548776662466927, 0.5698402909980532 };
+    const int side = this->Grid.GetViewpoints();
+    // After as many tries as that all viewpoints have come.
+    for (const int end = this->Try + 16 * side * side; this->Try < end;)
     {
-      const int begin = part * side / squares;
-      const int end = (part + 1) * side / squares;
-      return begin + static_cast<int>(random % static_cast<std::uint64_t>(end - begin));
-    };
-    for (int attempt = 0; attempt < Attempts; ++attempt)
-    {
-      const std::uint64_t random = MixBits(MixBits(Seed, square), 2 * attempt);
-      const std::uint64_t other = MixBits(MixBits(Seed, square), 2 * attempt + 1);
-      const int slice =
-        grid.SliceOf({ square / (squares * squares), pick(column, random), pick(row, other) });
-      if (!keys.IsKey(slice))
+      ++this->Try;
+      int place[2];
+      for (int axis = 0; axis < 2; ++axis)
       {
-        chosen.push_back(slice);
-        break;
+        const double position = (this->Try + this->Face * side) * steps[axis];
+        place[axis] = std::min(side - 1, static_cast<int>(side * (position - std::floor(position))));
+      }
+      const int slice = this->Grid.SliceOf({ this->Face, place[0], place[1] });
+      if (!this->Keys.IsKey(slice) && this->Seen.insert(slice).second)
+      {
+        return slice;
       }
     }
+    return -1;
   }
-  return chosen;
-}
+
+private:
+  const Layout& Grid;
+  const KeyViews& Keys;
+  int Face;
+  int Try = 0;
+  std::set<int> Seen;
+};
+
+/// The mean square errors of some viewpoints of a face.
+struct FaceErrors
+{
+  std::vector<double> Errors;
+
+  double GetMean() const
+  {
+    return std::accumulate(this->Errors.begin(), this->Errors.end(), 0.0) /
+      static_cast<double>(std::max<std::size_t>(1, this->Errors.size()));
+  }
+
+  double GetDeviation() const
+  {
+    const double mean = this->GetMean();
+    double sum = 0.0;
+    for (double error : this->Errors)
+    {
+      sum += (error - mean) * (error - mean);
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, this->Errors.size())));
+  }
+};
 
 /// The slices, of the key views, that surround a viewpoint.
 std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, double v)
@@ -94,7 +134,7 @@ void AddArray(vtkImageData* image, const char* name, int components, const Value
   image->GetPointData()->AddArray(array);
 }
 
-/// The sum of squared errors of some texels of a viewpoint, looked up from key views.
+/// The mean square error of some texels of a viewpoint, looked up from key views.
 double Compare(const Lookup& lookup, const Layout& grid, int slice, const unsigned char* truth)
 {
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
@@ -123,7 +163,40 @@ double Compare(const Lookup& lookup, const Layout& grid, int slice, const unsign
         }
       }
     });
-  return std::accumulate(squares.begin(), squares.end(), 0.0) / squares.size();
+  constexpr double components = 3.0;
+  return std::accumulate(squares.begin(), squares.end(), 0.0) / (components * squares.size());
+}
+
+/// The mean square error of a viewpoint of the whole field, looked up from key views. On failure
+/// returns false and says why.
+bool MeasureView(
+  SlicePuller& puller, const KeyViews& keys, int view, double& mean, std::string& error)
+{
+  const Description whole = puller.GetField();
+  const Description field = keys.Apply(whole);
+  const Viewpoint viewpoint = whole.Grid.ViewpointOf(view);
+  const std::vector<int> around = FindSurroundings(field.Grid, viewpoint.Face,
+    whole.Grid.NodeCoordinate(viewpoint.I), whole.Grid.NodeCoordinate(viewpoint.J));
+  std::vector<int> slices;
+  std::transform(around.begin(), around.end(), std::back_inserter(slices),
+    [&keys](int slice) { return keys.ToWhole(slice); });
+  slices.push_back(view);
+  if (!puller.Pull(slices, error))
+  {
+    return false;
+  }
+  // What was pulled lies in one piece.
+  const std::vector<ConstSlice> pulled = puller.GetSlices();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(
+    whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
+  AddArray<vtkUnsignedCharArray>(image, ColorName, 4, pulled.front().Color);
+  if (pulled.front().Depth)
+  {
+    AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
+  }
+  mean = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back().Color);
+  return true;
 }
 
 /// The steps that keep different key views, ascending, the smallest of each.
@@ -146,37 +219,50 @@ std::vector<int> ListSteps(int viewpoints)
 
 bool MeasureHeldOutViews(SlicePuller& puller, int step, double& psnr, std::string& error)
 {
-  const Description whole = puller.GetField();
-  const KeyViews keys(whole.Grid.GetViewpoints(), step);
-  const Description field = keys.Apply(whole);
-  double sum = 0.0;
-  const std::vector<int> views = ChooseViews(whole.Grid, keys);
-  for (int view : views)
+  const Layout grid = puller.GetField().Grid;
+  const KeyViews keys(grid.GetViewpoints(), step);
+  std::vector<ViewSequence> sequences;
+  std::vector<FaceErrors> faces(FaceCount);
+  std::vector<double> deviations;
+  const auto look = [&](int face, int count)
   {
-    const Viewpoint viewpoint = whole.Grid.ViewpointOf(view);
-    const std::vector<int> around = FindSurroundings(field.Grid, viewpoint.Face,
-      whole.Grid.NodeCoordinate(viewpoint.I), whole.Grid.NodeCoordinate(viewpoint.J));
-    std::vector<int> slices;
-    std::transform(around.begin(), around.end(), std::back_inserter(slices),
-      [&keys](int slice) { return keys.ToWhole(slice); });
-    slices.push_back(view);
-    if (!puller.Pull(slices, error))
+    for (int view = 0; view < count; ++view)
+    {
+      const int slice = sequences[face].Next();
+      double mean = 0.0;
+      if (slice >= 0 && !MeasureView(puller, keys, slice, mean, error))
+      {
+        return false;
+      }
+      if (slice >= 0)
+      {
+        faces[face].Errors.push_back(mean);
+      }
+    }
+    return true;
+  };
+  for (int face = 0; face < FaceCount; ++face)
+  {
+    sequences.emplace_back(grid, keys, face);
+    if (!look(face, ViewsPerFace))
     {
       return false;
     }
-    // What was pulled lies in one piece.
-    const std::vector<ConstSlice> pulled = puller.GetSlices();
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(whole.Grid.GetStripWidth(), whole.Grid.GetResolution(),
-      static_cast<int>(around.size()));
-    AddArray<vtkUnsignedCharArray>(image, ColorName, 4, pulled.front().Color);
-    if (pulled.front().Depth)
-    {
-      AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
-    }
-    sum += Compare(Lookup(field, image, around), whole.Grid, view, pulled.back().Color);
+    deviations.push_back(faces[face].GetDeviation());
   }
-  psnr = PSNR(sum / (3.0 * std::max<std::size_t>(views.size(), 1)), Peak, MostPSNR);
+  const int further = std::max(FurtherViews, grid.GetSlices() / FurtherShare);
+  const double all = std::accumulate(deviations.begin(), deviations.end(), 0.0);
+  double sum = 0.0;
+  for (int face = 0; face < FaceCount; ++face)
+  {
+    const double share = all > 0.0 ? deviations[face] / all : 0.0;
+    if (!look(face, static_cast<int>(std::lround(further * share))))
+    {
+      return false;
+    }
+    sum += faces[face].GetMean();
+  }
+  psnr = PSNR(sum / FaceCount, Peak, MostPSNR);
   return true;
 }
 

@@ -5,9 +5,9 @@
  * How well viewpoints that are left out of a field are looked up from its key views, and how few
  * key views do (paper, section 3.3).
  *
- * A seeded sample of the viewpoints that are left out is compared, at some texels each, with what
- * the lookup corrected by depth finds there; without depth, the focal one about the cube's centre.
- * Only those viewpoints and the four key views around each are pulled.
+ * A sample of the viewpoints that are left out, always the same, is compared at some texels each
+ * with what the lookup corrected by depth finds there; without depth, the focal one about the cube's
+ * centre. Only those viewpoints and the four key views around each are pulled.
  */
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
