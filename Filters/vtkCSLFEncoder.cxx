@@ -102,8 +102,8 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   job.FileName = this->FileName ? this->FileName : "";
   job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
     this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless,
-    cslf::MakeRateTarget(this->TargetRatio, this->TargetSize, this->TargetPSNR),
-    this->KeyViewStep, this->TargetNovelViewPSNR };
+    cslf::MakeRateTarget(this->TargetRatio, this->TargetSize, this->TargetPSNR), this->KeyViewStep,
+    this->TargetNovelViewPSNR };
   job.Restart = this->Restart;
   job.Controller = this->Controller;
   if (this->GetNumberOfInputConnections(0) > 0)

@@ -19,8 +19,8 @@
  *
  * Instead of a rate factor, the file's size, its ratio to the raw colours, or the quality of its
  * colours may be asked for: TargetSize, TargetRatio, TargetPSNR. A sample of the viewpoints is then
- * coded on trial first, which may ask the input for them twice. With KeyViewStep, only a part of the
- * viewpoints, evenly spread, is asked for and coded: the file is a field of fewer viewpoints
+ * coded on trial first, which may ask the input for them twice. With KeyViewStep, only a part of
+ * the viewpoints, evenly spread, is asked for and coded: the file is a field of fewer viewpoints
  * (paper, section 3.3). Documentation/Compression.md tells how all this works.
  *
  * Viewpoints are coded in closed groups of at most GroupLength, first those of the coarsest nested
@@ -122,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of coverage, from 0 to 51. Where a target chooses colour's, and
-   * that is above 22, coverage's rises by as much as colour's is above 22. Default 16.
+   * Set/get the constant rate factor of coverage, from 0 to 51. Where a target chooses colour's,
+   * and that is above 22, coverage's rises by as much as colour's is above 22. Default 16.
    */
   vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
   vtkGetMacro(CoverageCRF, double);
@@ -188,7 +188,10 @@ public:
    * at most the number of viewpoints less 1. AutomaticKeyViews stands for the largest step that
    * reaches TargetNovelViewPSNR. Default 1: all are kept.
    */
-  static constexpr int AutomaticKeyViews = 0;
+  enum
+  {
+    AutomaticKeyViews = 0
+  };
   vtkSetClampMacro(KeyViewStep, int, AutomaticKeyViews, VTK_INT_MAX);
   vtkGetMacro(KeyViewStep, int);
   void SetKeyViewStepToAutomatic() { this->SetKeyViewStep(AutomaticKeyViews); }
@@ -243,8 +246,8 @@ public:
   /**
    * What the last Write that succeeded made, on rank 0: the mean rate factor of colour over all
    * viewpoints, the bytes of the file, its ratio in the sense of TargetRatio, and its PSNR in the
-   * sense of TargetPSNR, estimated from a sample of the viewpoints, but from all where TargetPSNR is
-   * set. The PSNR is 0 where it is not known, as of lossless files, and at most 100.
+   * sense of TargetPSNR, estimated from a sample of the viewpoints, but from all where TargetPSNR
+   * is set. The PSNR is 0 where it is not known, as of lossless files, and at most 100.
    */
   vtkGetMacro(ActualCRF, double);
   vtkGetMacro(ActualSize, double);

@@ -59,8 +59,7 @@ Lookup::Lookup(const Description& description, vtkImageData* image)
 {
 }
 
-Lookup::Lookup(
-  const Description& description, vtkImageData* image, const std::vector<int>& slices)
+Lookup::Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices)
   : Field(description)
   , SceneMinimum(description.GetSceneMinimumCC() - LookupSceneMargin)
   , SceneMaximum(description.GetSceneMaximumCC() + LookupSceneMargin)

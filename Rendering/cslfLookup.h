@@ -39,8 +39,8 @@ struct LookupResult
   double Fraction = 1.0;
 };
 
-/// Looks rays up in a field, or in some viewpoints of it, held in memory. Not owning: the image must
-/// outlive it.
+/// Looks rays up in a field, or in some viewpoints of it, held in memory. Not owning: the image
+/// must outlive it.
 class VTKCSLF_EXPORT Lookup
 {
 public:

@@ -71,8 +71,8 @@ Result Run(const Options& options, bool toVideo)
   result.JSON["raw_bytes"] = CountRawBytes(written.Field);
   result.JSON.update(coding);
   std::ostringstream text;
-  text << options.Output << ": " << CountBytes(options.Output) << " bytes"
-       << DescribeCoding(coding) << "\n";
+  text << options.Output << ": " << CountBytes(options.Output) << " bytes" << DescribeCoding(coding)
+       << "\n";
   result.Text = text.str();
   return result;
 }

@@ -84,7 +84,8 @@ void CheckFormat(const Options& options, FieldFormat format)
   {
     throw Failure("Video holds no float colours: write .vti or a folder.");
   }
-  if (format != FieldFormat::Video && (options.SuggestForPSNR > 0.0 || options.SuggestForSize > 0.0))
+  if (format != FieldFormat::Video &&
+    (options.SuggestForPSNR > 0.0 || options.SuggestForSize > 0.0))
   {
     throw Failure("--suggest-for-novel-psnr and --suggest-for-size are for video: .mp4 or .mkv.");
   }
@@ -145,8 +146,9 @@ void AddSuggestion(
   {
     return;
   }
-  const bool isFound = options.SuggestForPSNR > 0.0 ? estimator->SuggestForPSNR(options.SuggestForPSNR)
-                                                    : estimator->SuggestForBytes(options.SuggestForSize);
+  const bool isFound = options.SuggestForPSNR > 0.0
+    ? estimator->SuggestForPSNR(options.SuggestForPSNR)
+    : estimator->SuggestForBytes(options.SuggestForSize);
   if (!isFound)
   {
     throw Failure(options.SuggestForPSNR > 0.0 ? "No field reaches that --suggest-for-novel-psnr."

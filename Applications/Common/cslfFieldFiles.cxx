@@ -222,14 +222,15 @@ void CodingOptions::AddTargetsTo(CLI::App& command)
       ->check(CLI::Range(1e-3, 1e9))
       ->excludes(factor)
       ->group(VideoGroup);
-  CLI::Option* size = command
-                        .add_option("--target-size", this->TargetSize,
-                          "bytes that the file shall have, such as 20M or 1.5G, instead of --crf")
-                        ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
-                        ->check(CLI::Range(1.0, 1e18))
-                        ->excludes(factor)
-                        ->excludes(ratio)
-                        ->group(VideoGroup);
+  CLI::Option* size =
+    command
+      .add_option("--target-size", this->TargetSize,
+        "bytes that the file shall have, such as 20M or 1.5G, instead of --crf")
+      ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
+      ->check(CLI::Range(1.0, 1e18))
+      ->excludes(factor)
+      ->excludes(ratio)
+      ->group(VideoGroup);
   command
     .add_option("--target-psnr", this->TargetPSNR,
       "dB that the coded colours shall have against the uncoded ones, instead of --crf")

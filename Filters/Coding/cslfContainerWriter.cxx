@@ -210,8 +210,8 @@ double MeasureContainer(const std::string& fileName, const std::vector<Track>& t
       for (std::size_t track = 0; good && track < tracks.size(); ++track)
       {
         const CodedGroup& part = parts[track];
-        good = container.Write(track, copy * static_cast<int>(part.Frames.size()),
-          MaximumGroupLength, part, ignored);
+        good = container.Write(
+          track, copy * static_cast<int>(part.Frames.size()), MaximumGroupLength, part, ignored);
       }
     }
     if (!good || !container.End(ignored))

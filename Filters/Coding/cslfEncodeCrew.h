@@ -51,8 +51,7 @@ public:
   Verdict Agree(bool isWell, const std::string& shared, int told);
 
   /// Rank 0: has the tasks done by all ranks, at most `atOnce` at a time. True when all are.
-  bool Lead(
-    std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take);
+  bool Lead(std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take);
 
   /// Rank 0: lets the others go. Called once after the last Lead, however that ended.
   void Dismiss();

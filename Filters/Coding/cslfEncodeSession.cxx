@@ -204,8 +204,7 @@ bool EncodeSession::OpenParts()
     this->Job.Warn(this->Job.FileName + ": " + warning);
   }
   RateTarget target = this->Job.Settings.Target;
-  target.Value =
-    target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
+  target.Value = target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
   this->Control.emplace(target, this->Writer->GetRateField());
   this->Control->SetTrials(this->Writer->ReadTrials());
   return this->ReportProgress();
@@ -313,8 +312,7 @@ void EncodeSession::Conclude()
     return;
   }
   std::error_code ignored;
-  const double bytes =
-    static_cast<double>(std::filesystem::file_size(this->Job.FileName, ignored));
+  const double bytes = static_cast<double>(std::filesystem::file_size(this->Job.FileName, ignored));
   this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
     this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR };
 }
@@ -406,8 +404,7 @@ bool EncodeSession::Gather(const std::vector<CodingTask>& tasks, std::vector<Con
   return true;
 }
 
-void EncodeSession::Pack(
-  const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const
+void EncodeSession::Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const
 {
   results.Put(static_cast<std::uint32_t>(task.Group));
   results.Put(task.IsTrial ? static_cast<std::uint32_t>(task.Factors.size()) : 0u);
@@ -442,8 +439,7 @@ bool EncodeSession::Take(ByteBuffer& results)
     }
     if (!good || (trials == 0 && !this->TakeGroup(static_cast<int>(group), results)))
     {
-      return this->FailWriting(
-        vtkErrorCode::UnknownError, "a coded group was damaged on its way");
+      return this->FailWriting(vtkErrorCode::UnknownError, "a coded group was damaged on its way");
     }
   }
   return this->ReportProgress();

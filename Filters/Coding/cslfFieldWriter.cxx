@@ -407,8 +407,8 @@ GroupCost FieldWriter::GetCost(const GroupParts& parts) const
   {
     tracks.push_back(encoding.Kind);
   }
-  const double container = MeasureContainer(
-    this->FileName, tracks, this->Header.Field.Grid.GetResolution(), parts);
+  const double container =
+    MeasureContainer(this->FileName, tracks, this->Header.Field.Grid.GetResolution(), parts);
   const double share = 1.0 / static_cast<double>(tracks.size());
   cost.CoverageBytes += share * container;
   cost.Bytes += (1.0 - share) * container;

@@ -19,7 +19,8 @@ bool Unpack(ByteBuffer& buffer, CodedGroup& part)
   std::uint32_t covered = 0;
   std::uint32_t frames = 0;
   if (!buffer.Take(magic) || magic != Magic || !buffer.Take(part.CRC) || !buffer.Take(covered) ||
-    !buffer.Take(part.SquaredError) || !buffer.Take(part.ParameterSets) || !buffer.Take(frames) || frames > MaximumGroupLength)
+    !buffer.Take(part.SquaredError) || !buffer.Take(part.ParameterSets) || !buffer.Take(frames) ||
+    frames > MaximumGroupLength)
   {
     return false;
   }

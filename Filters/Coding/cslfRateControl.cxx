@@ -159,8 +159,7 @@ std::string RateControl::DescribeReach(double level) const
   {
     case RateTarget::Kinds::PSNR:
       text << "a PSNR of " << this->Target.Value << " dB cannot be met: at a rate factor of "
-           << level << " it is about " << PSNR(found / raw, Peak, MostPSNR)
-           << " dB";
+           << level << " it is about " << PSNR(found / raw, Peak, MostPSNR) << " dB";
       break;
     case RateTarget::Kinds::Ratio:
       text << "a ratio of " << this->Target.Value << ":1 cannot be met: at a rate factor of "
@@ -190,9 +189,8 @@ std::vector<CodingTask> RateControl::MakeStage(double level)
   std::vector<CodingTask> tasks;
   for (int group : this->Stages.GetGroups(this->Stage))
   {
-    this->Factors[group] = this->Target.Kind == RateTarget::Kinds::Factor
-      ? level
-      : RateModel::GetFactor(group, level);
+    this->Factors[group] =
+      this->Target.Kind == RateTarget::Kinds::Factor ? level : RateModel::GetFactor(group, level);
     tasks.push_back({ group, false, { this->Factors[group] } });
   }
   return tasks;
@@ -244,7 +242,8 @@ void RateControl::SetTrials(const std::string& text)
   const std::vector<int> sample = this->Stages.GetGroups(0);
   const bool isWhole = trials.size() >= FirstFactors.size() * sample.size() &&
     trials.size() % sample.size() == 0 &&
-    std::all_of(trials.begin(), trials.end(), [&sample](const Trial& trial)
+    std::all_of(trials.begin(), trials.end(),
+      [&sample](const Trial& trial)
       { return std::binary_search(sample.begin(), sample.end(), trial.Group); });
   for (const Trial& trial : isWhole ? trials : std::vector<Trial>())
   {
@@ -266,8 +265,8 @@ double RateControl::GetRawBytes() const
 
 double RateControl::GetMeanFactor() const
 {
-  const double sum = std::inner_product(
-    this->Factors.begin(), this->Factors.end(), this->Field.Frames.begin(), 0.0);
+  const double sum =
+    std::inner_product(this->Factors.begin(), this->Factors.end(), this->Field.Frames.begin(), 0.0);
   return sum / Sum(this->Field.Frames);
 }
 

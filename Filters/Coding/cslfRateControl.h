@@ -44,8 +44,8 @@ std::string FindFault(const RateTarget& target, bool isLossless);
 /// What is to be coded.
 struct RateField
 {
-  std::vector<int> Frames;   ///< of each group
-  double FrameTexels = 0.0;  ///< of one frame
+  std::vector<int> Frames;  ///< of each group
+  double FrameTexels = 0.0; ///< of one frame
   /// What the container holds beside the groups, without or with a coverage track.
   std::function<double(bool hasCoverage)> GetContainerBytes;
 };

@@ -103,8 +103,7 @@ std::map<double, double> RateModel::SumTrials() const
 
 // What each group's frame costs in parts of the curve: known of those that were coded or tried,
 // interpolated between them along the coding order, where neighbours are alike.
-std::vector<double> RateModel::FindWeights(
-  const std::map<double, double>& sums, double near) const
+std::vector<double> RateModel::FindWeights(const std::map<double, double>& sums, double near) const
 {
   const int count = static_cast<int>(this->Frames.size());
   std::vector<double> weights(count, 0.0);
@@ -139,8 +138,8 @@ std::vector<double> RateModel::FindWeights(
   return weights;
 }
 
-double RateModel::Sum(const std::vector<double>& weights, const std::map<double, double>& sums,
-  double level) const
+double RateModel::Sum(
+  const std::vector<double>& weights, const std::map<double, double>& sums, double level) const
 {
   const double floor = std::floor(level);
   const double curve[2] = { ReadCurve(sums, floor), ReadCurve(sums, floor + 1.0) };
@@ -149,8 +148,9 @@ double RateModel::Sum(const std::vector<double>& weights, const std::map<double,
   {
     const double factor = RateModel::GetFactor(static_cast<int>(group), level);
     const auto trial = this->Trials[group].find(factor);
-    sum += this->Done[group]               ? this->Measure(this->Done[group]->Cost)
-      : trial != this->Trials[group].end() ? this->Measure(trial->second)
+    sum += this->Done[group] ? this->Measure(this->Done[group]->Cost)
+      : trial != this->Trials[group].end()
+      ? this->Measure(trial->second)
       : weights[group] * this->Frames[group] * curve[factor > floor ? 1 : 0];
   }
   return sum;

@@ -70,8 +70,8 @@ private:
   double Measure(const GroupCost& cost) const;
   std::map<double, double> SumTrials() const;
   std::vector<double> FindWeights(const std::map<double, double>& sums, double near) const;
-  double Sum(const std::vector<double>& weights, const std::map<double, double>& sums,
-    double level) const;
+  double Sum(
+    const std::vector<double>& weights, const std::map<double, double>& sums, double level) const;
 
   Measures Kind;
   bool CoveredFully = true;

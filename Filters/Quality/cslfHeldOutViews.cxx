@@ -66,7 +66,8 @@ public:
       for (int axis = 0; axis < 2; ++axis)
       {
         const double position = (this->Try + this->Face * side) * steps[axis];
-        place[axis] = std::min(side - 1, static_cast<int>(side * (position - std::floor(position))));
+        place[axis] =
+          std::min(side - 1, static_cast<int>(side * (position - std::floor(position))));
       }
       const int slice = this->Grid.SliceOf({ this->Face, place[0], place[1] });
       if (!this->Keys.IsKey(slice) && this->Seen.insert(slice).second)
@@ -114,9 +115,9 @@ std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, dou
   const NodeBracket i = keyGrid.FindNodes(u);
   const NodeBracket j = keyGrid.FindNodes(v);
   std::vector<int> slices;
-  for (const Viewpoint& viewpoint : { Viewpoint{ face, i.Lower, j.Lower },
-         Viewpoint{ face, i.Upper, j.Lower }, Viewpoint{ face, i.Lower, j.Upper },
-         Viewpoint{ face, i.Upper, j.Upper } })
+  for (const Viewpoint& viewpoint :
+    { Viewpoint{ face, i.Lower, j.Lower }, Viewpoint{ face, i.Upper, j.Lower },
+      Viewpoint{ face, i.Lower, j.Upper }, Viewpoint{ face, i.Upper, j.Upper } })
   {
     slices.push_back(keyGrid.SliceOf(viewpoint));
   }
@@ -140,8 +141,8 @@ double Compare(const Lookup& lookup, const Layout& grid, int slice, const unsign
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
   const int width = grid.GetStripWidth();
-  const TexelChoice texels(
-    static_cast<std::uint64_t>(width) * resolution, TexelsPerView, static_cast<std::uint32_t>(slice));
+  const TexelChoice texels(static_cast<std::uint64_t>(width) * resolution, TexelsPerView,
+    static_cast<std::uint32_t>(slice));
   std::vector<double> squares(texels.GetCount());
   vtkSMPTools::For(0, static_cast<vtkIdType>(squares.size()),
     [&](vtkIdType begin, vtkIdType end)

@@ -6,8 +6,8 @@
  * key views do (paper, section 3.3).
  *
  * A sample of the viewpoints that are left out, always the same, is compared at some texels each
- * with what the lookup corrected by depth finds there; without depth, the focal one about the cube's
- * centre. Only those viewpoints and the four key views around each are pulled.
+ * with what the lookup corrected by depth finds there; without depth, the focal one about the
+ * cube's centre. Only those viewpoints and the four key views around each are pulled.
  */
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
@@ -20,8 +20,9 @@
 namespace cslf
 {
 /// The PSNR, in dB and at most 100, of the viewpoints that a step of key views leaves out, before
-/// coding: red, green and blue of 8 bits over black, one mean square error over all texels compared.
-/// `puller` has begun and pulls all viewpoints. On failure returns false and says why, in one line.
+/// coding: red, green and blue of 8 bits over black, one mean square error over all texels
+/// compared. `puller` has begun and pulls all viewpoints. On failure returns false and says why, in
+/// one line.
 bool MeasureHeldOutViews(SlicePuller& puller, int step, double& psnr, std::string& error);
 
 /// A choice of key views.

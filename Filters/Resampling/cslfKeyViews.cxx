@@ -27,10 +27,10 @@ KeyViews::KeyViews(int viewpoints, int step)
 
 std::string KeyViews::FindFault(int viewpoints, int step)
 {
-  return step >= 1 && step < viewpoints
-    ? std::string()
-    : "Of " + std::to_string(viewpoints) + " viewpoints a side, the step of key views must be 1 to " +
-      std::to_string(viewpoints - 1) + ".";
+  return step >= 1 && step < viewpoints ? std::string()
+                                        : "Of " + std::to_string(viewpoints) +
+      " viewpoints a side, the step of key views must be 1 to " + std::to_string(viewpoints - 1) +
+      ".";
 }
 
 int KeyViews::ToWhole(int slice) const

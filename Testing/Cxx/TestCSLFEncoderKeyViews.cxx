@@ -3,9 +3,9 @@
 
 // Files of key views only: their node lists, their samples, what is pulled for them, and their
 // choice by quality.
+#include "Resampling/cslfKeyViews.h"
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
-#include "Resampling/cslfKeyViews.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
 
@@ -32,8 +32,7 @@ void TestNodes()
       for (std::size_t k = 1; k < indices.size(); ++k)
       {
         const int gap = indices[k] - indices[k - 1];
-        good = good && gap > 0 && gap <= step &&
-          ((viewpoints - 1) % step != 0 || gap == step) &&
+        good = good && gap > 0 && gap <= step && ((viewpoints - 1) % step != 0 || gap == step) &&
           indices[k] + indices[indices.size() - 1 - k] == viewpoints - 1;
       }
       CSLF_CHECK(good);
@@ -51,7 +50,8 @@ void SetUp(vtkCSLFEncoder* encoder, const std::string& fileName)
 }
 
 /// A lossless file of key views holds just their slices, and only those are pulled.
-void TestSlices(const std::string& fileName, int viewpoints, int step, const std::vector<int>& nodes)
+void TestSlices(
+  const std::string& fileName, int viewpoints, int step, const std::vector<int>& nodes)
 {
   const auto field = cslf::testing::MakeByteField(viewpoints, 16);
   const auto source = cslf::testing::MakeSource(field);
@@ -79,9 +79,8 @@ void TestSlices(const std::string& fileName, int viewpoints, int step, const std
   {
     vtkDataArray* actual = decoded->GetPointData()->GetArray(name);
     vtkDataArray* whole = field->GetPointData()->GetArray(name);
-    const auto bytes = static_cast<std::size_t>(
-      actual->GetNumberOfTuples() / slices * actual->GetNumberOfComponents() *
-      actual->GetDataTypeSize());
+    const auto bytes = static_cast<std::size_t>(actual->GetNumberOfTuples() / slices *
+      actual->GetNumberOfComponents() * actual->GetDataTypeSize());
     const auto* a = static_cast<const char*>(actual->GetVoidPointer(0));
     const auto* b = static_cast<const char*>(whole->GetVoidPointer(0));
     for (int slice = 0; slice < slices; ++slice)

@@ -4,7 +4,7 @@
 # Videos of a wanted size, ratio or quality, and of key views.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --integrator path)
+set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 2 --integrator path)
 cslf_run(sample ${scene} -o box.vti)
 
 # Checks that a number in the last JSON lies in a range.
@@ -37,7 +37,8 @@ expect_json(54 slices)
 cslf_run(sample ${scene} -o sampled.mp4 ${coding} --key-views auto --target-novel-psnr 10)
 expect_json_at_least(10 novel_psnr)
 expect_json_at_least(2 key_view_step)
-cslf_run(evaluate keys.mp4 cornell-box --views 1 --size 32 --spp 1 --json)
+cslf_run(evaluate keys.mp4 cornell-box --views 1 --size 32 --spp 256 --max-depth 2 --json)
+expect_json_at_least(10 lookups depth psnr)
 
 cslf_fail("cannot be met" x encode box.vti -o x.mp4 --target-size 1)
 cslf_fail("cannot be met" x encode box.vti -o x.mp4 --target-psnr 99)
