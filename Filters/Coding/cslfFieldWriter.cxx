@@ -24,9 +24,14 @@ namespace fs = std::filesystem;
 /// The smallest picture that HEVC can code.
 constexpr int MinimumResolution = 16;
 
-/// What a container holds once for each track, and for the file beside the header: measured.
-constexpr double TrackBytes = 700.0;
-constexpr double FixedBytes = 400.0;
+/// What a container holds once for the file, beside the header, and for each track: measured.
+struct ContainerBytes
+{
+  double File;
+  double Track;
+};
+constexpr ContainerBytes BytesOfMP4 = { 270.0, 690.0 };
+constexpr ContainerBytes BytesOfMatroska = { 325.0, 275.0 };
 
 std::string Join(const std::vector<std::string>& names)
 {
@@ -209,8 +214,10 @@ double FieldWriter::GetContainerBytes(bool hasCoverage) const
   {
     header.Tracks.erase(header.Tracks.begin() + 1);
   }
-  return FixedBytes + static_cast<double>(header.ToText().size()) +
-    TrackBytes * static_cast<double>(header.Tracks.size());
+  const bool isMP4 = std::string(FindContainer(this->FileName)) == "mp4";
+  const ContainerBytes& bytes = isMP4 ? BytesOfMP4 : BytesOfMatroska;
+  return bytes.File + static_cast<double>(header.ToText().size()) +
+    bytes.Track * static_cast<double>(header.Tracks.size());
 }
 
 bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
@@ -338,13 +345,10 @@ bool FieldWriter::EncodeGroups(const std::vector<CodingTask>& tasks,
   return error.empty() && this->MeasureErrors(tasks, slices, parts, error);
 }
 
-// Where quality is the target, all errors count; otherwise those of a sample tell the quality.
 bool FieldWriter::IsMeasured(const CodingTask& task) const
 {
-  const GroupStages stages(this->GetGroupCount());
   return !this->Settings.Lossless &&
-    (this->Settings.Target.Kind == RateTarget::Kinds::PSNR ||
-      (!task.IsTrial && stages.GetStage(task.Group) == 0));
+    (!task.IsTrial || this->Settings.Target.Kind == RateTarget::Kinds::PSNR);
 }
 
 bool FieldWriter::MeasureErrors(const std::vector<CodingTask>& tasks,

@@ -3,6 +3,8 @@
 #include "Coding/cslfGroupStages.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace cslf
 {
@@ -12,51 +14,53 @@ constexpr int LeastSample = 24;
 constexpr int LargestStride = 16;
 }
 
-GroupStages::GroupStages(int count)
-  : Count(count)
+double SpreadGroup(int group, int axis)
 {
-  while (2 * this->Stride <= LargestStride && 2 * this->Stride * LeastSample <= count)
-  {
-    this->Stride *= 2;
-    ++this->Levels;
-  }
-  int last = 0;
-  for (int group = 0; group < std::min(count, this->Stride); ++group)
-  {
-    last = std::max(last, this->GetStage(group));
-  }
-  this->StageCount = last + 1;
+  constexpr double steps[2] = { 0.7548776662466927, 0.5698402909980532 };
+  const double product = (group + 1) * steps[axis];
+  return product - std::floor(product);
 }
 
-int GroupStages::GetStage(int group) const
+GroupStages::GroupStages(int count)
+  : Stages(count, 0)
 {
-  int rest = group % this->Stride;
-  if (this->Stride == 1 || rest == this->Stride / 2)
+  int stride = 1;
+  while (2 * stride <= LargestStride && 2 * stride * LeastSample <= count)
   {
-    return 0;
+    stride *= 2;
   }
-  if (rest == 0)
+  // Where each stage ends, in parts of all groups. Last come few, so that little is coded on what
+  // is known of others only.
+  std::vector<double> ends;
+  for (int part = stride; part > 1; part /= 2)
   {
-    return 1;
+    ends.push_back(1.0 / part);
   }
-  int twos = 0;
-  while (rest % 2 == 0)
+  if (stride > 1)
   {
-    rest /= 2;
-    ++twos;
+    ends.insert(ends.end(), { 0.75, 0.875, 0.9375 });
   }
-  // The last half of all groups in two stages, so that little is coded on what is known of others.
-  return this->Levels - twos + (twos == 0 && group % 4 == 3 ? 1 : 0);
+  this->StageCount = static_cast<int>(ends.size()) + 1;
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(
+    order.begin(), order.end(), [](int a, int b) { return SpreadGroup(a, 0) < SpreadGroup(b, 0); });
+  for (int place = 0; place < count; ++place)
+  {
+    this->Stages[order[place]] = static_cast<int>(
+      std::upper_bound(ends.begin(), ends.end(), place / static_cast<double>(count)) -
+      ends.begin());
+  }
 }
 
 std::vector<int> GroupStages::GetGroups(int stage) const
 {
   std::vector<int> groups;
-  for (int group = 0; group < this->Count; ++group)
+  for (std::size_t group = 0; group < this->Stages.size(); ++group)
   {
-    if (this->GetStage(group) == stage)
+    if (this->Stages[group] == stage)
     {
-      groups.push_back(group);
+      groups.push_back(static_cast<int>(group));
     }
   }
   return groups;

@@ -27,6 +27,10 @@ constexpr double NearEnough = 1.0;
 constexpr double BytesTolerance = 0.03;
 constexpr double ErrorTolerance = 0.07;
 
+/// How far a stage's level may be from that of the stage before: small stages at the end shall not
+/// make good by odd quality what others missed.
+constexpr double MostChange = 3.0;
+
 constexpr double MostPSNR = 100.0;
 constexpr double Peak = 255.0;
 constexpr double RawTexelBytes = 3.0;
@@ -100,7 +104,7 @@ bool RateControl::Next(std::vector<CodingTask>& tasks, std::string& error)
     tasks = this->MakeTrials(FirstFactors);
     return true;
   }
-  const double level = this->Model.Solve(this->GetGoal());
+  double level = this->Model.Solve(this->GetGoal());
   if (this->Stage == 0 && this->NeedsTrial(level))
   {
     tasks = this->MakeTrials({ std::round(level) });
@@ -111,6 +115,11 @@ bool RateControl::Next(std::vector<CodingTask>& tasks, std::string& error)
     error = this->DescribeReach(level);
     return false;
   }
+  if (this->Stage > 0)
+  {
+    level = std::clamp(level, this->Level - MostChange, this->Level + MostChange);
+  }
+  this->Level = level;
   tasks = this->MakeStage(level);
   ++this->Stage;
   return true;

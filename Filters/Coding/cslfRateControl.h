@@ -109,6 +109,7 @@ private:
   RateModel Model;
   std::vector<Trial> Trials;
   int Stage = 0;               ///< the next one
+  double Level = 0.0;          ///< of the last one
   std::vector<double> Factors; ///< of each group, as far as it was dealt
   double SquaredError = 0.0;
   double MeasuredFrames = 0.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfRateModel.h"
 
+#include "Coding/cslfGroupStages.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,15 +15,6 @@ namespace
 {
 /// Halvings of the range of levels: far below what one group makes.
 constexpr int Halvings = 30;
-
-/// A number in [0,1) for each group, such that the numbers of any run of groups, and of every n-th,
-/// are evenly spread: multiples of the golden section.
-double Spread(int group)
-{
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  const double product = golden * (group + 1);
-  return product - std::floor(product);
-}
 
 /// The sum of the trials at any factor: its logarithm is linear between those tried, and beyond.
 double ReadCurve(const std::map<double, double>& sums, double factor)
@@ -51,7 +44,7 @@ RateModel::RateModel(Measures measure, std::vector<int> frames)
 double RateModel::GetFactor(int group, double level)
 {
   const double floor = std::floor(level);
-  return std::min(MostFactor, floor + (Spread(group) < level - floor ? 1.0 : 0.0));
+  return std::min(MostFactor, floor + (SpreadGroup(group, 1) < level - floor ? 1.0 : 0.0));
 }
 
 void RateModel::AddTrial(int group, double factor, const GroupCost& cost)

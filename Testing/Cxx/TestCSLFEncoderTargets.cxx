@@ -59,7 +59,7 @@ Outcome Write(vtkImageData* field, const std::string& fileName, const Change& ch
   const double psnr = cslf::testing::Compare(decoded, field).Color;
   CSLF_CHECK(encoder->GetActualSize() == bytes);
   CSLF_CHECK_NEAR(encoder->GetActualRatio(), CountRawBytes(field) / bytes, 1e-6);
-  CSLF_CHECK_NEAR(encoder->GetActualPSNR(), psnr, encoder->GetTargetPSNR() > 0.0 ? 1e-6 : 1.0);
+  CSLF_CHECK_NEAR(encoder->GetActualPSNR(), psnr, 1e-6);
   CSLF_CHECK(encoder->GetActualCRF() > 0.0 && encoder->GetActualCRF() < 51.0);
   std::cout << fileName << ": " << bytes << " bytes, " << psnr << " dB, factor "
             << encoder->GetActualCRF() << ", " << source->Slices << " slices\n";
@@ -186,7 +186,7 @@ void TestStages()
     }
     CSLF_CHECK(static_cast<int>(seen.size()) == count);
     const int sample = static_cast<int>(stages.GetGroups(0).size());
-    CSLF_CHECK(sample >= std::min(count, 24) && (sample < 48 || stages.GetStride() == 16));
+    CSLF_CHECK(sample >= std::min(count, 24) && (sample < 48 || sample <= count / 16 + 1));
   }
 }
 }
