@@ -158,6 +158,7 @@ list(APPEND sources
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
+  ../Filters/Coding/cslfEncodeCrew.cxx
   ../Filters/Coding/cslfEncodeProbe.cxx
   ../Filters/Coding/cslfEncodeSession.cxx
   ../Filters/Coding/cslfFieldReader.cxx
@@ -168,9 +169,13 @@ list(APPEND sources
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
   ../Filters/Coding/cslfGroupDecoder.cxx
+  ../Filters/Coding/cslfGroupError.cxx
+  ../Filters/Coding/cslfGroupStages.cxx
   ../Filters/Coding/cslfHEVC.cxx
   ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
+  ../Filters/Coding/cslfRateControl.cxx
+  ../Filters/Coding/cslfRateModel.cxx
   ../Filters/Coding/cslfTexelRows.cxx
   ../Filters/Coding/cslfTrack.cxx
   ../Filters/Coding/cslfTrackDecoder.cxx
@@ -182,6 +187,8 @@ list(APPEND private_headers
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
+  ../Filters/Coding/cslfCodingTask.h
+  ../Filters/Coding/cslfEncodeCrew.h
   ../Filters/Coding/cslfEncodeProbe.h
   ../Filters/Coding/cslfEncodeSession.h
   ../Filters/Coding/cslfFieldReader.h
@@ -192,12 +199,17 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
   ../Filters/Coding/cslfGroupDecoder.h
+  ../Filters/Coding/cslfGroupError.h
+  ../Filters/Coding/cslfGroupStages.h
   ../Filters/Coding/cslfHEVC.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfRateControl.h
+  ../Filters/Coding/cslfRateModel.h
   ../Filters/Coding/cslfTexelRows.h
   ../Filters/Coding/cslfTrack.h
   ../Filters/Coding/cslfTrackDecoder.h
+  ../Filters/Coding/cslfTrackFactors.h
   ../Filters/Coding/cslfViewpointCache.h
   ../Filters/Coding/cslfViewpointStore.h)
 
@@ -208,7 +220,10 @@ list(APPEND private_headers
   ../Filters/CubeMaps/cslfCubeMapFiles.h)
 
 # Measures of quality.
+list(APPEND sources
+  ../Filters/Quality/cslfHeldOutViews.cxx)
 list(APPEND private_headers
+  ../Filters/Quality/cslfHeldOutViews.h
   ../Filters/Quality/cslfPSNR.h
   ../Filters/Quality/cslfTexelChoice.h)
 
@@ -228,6 +243,7 @@ list(APPEND sources
   ../Filters/Pipeline/cslfSlabs.cxx
   ../Filters/Pipeline/cslfSlicePuller.cxx)
 list(APPEND private_headers
+  ../Filters/Pipeline/cslfKeptGroups.h
   ../Filters/Pipeline/cslfPipelineWatch.h
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
@@ -242,8 +258,10 @@ list(APPEND private_headers
 
 # Coarser fields.
 list(APPEND sources
+  ../Filters/Resampling/cslfKeyViews.cxx
   ../Filters/Resampling/cslfNesting.cxx
   ../Filters/Resampling/cslfTexelReducer.cxx)
 list(APPEND private_headers
+  ../Filters/Resampling/cslfKeyViews.h
   ../Filters/Resampling/cslfNesting.h
   ../Filters/Resampling/cslfTexelReducer.h)

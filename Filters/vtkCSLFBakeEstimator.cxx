@@ -72,7 +72,10 @@ cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
 {
   return { encoder->GetPreset(), encoder->GetPixelFormat(), encoder->GetCRF(),
     encoder->GetCoverageCRF(), encoder->GetDepthCRF(), encoder->GetGroupLength(),
-    encoder->GetLossless() };
+    encoder->GetLossless(),
+    cslf::MakeRateTarget(
+      encoder->GetTargetRatio(), encoder->GetTargetSize(), encoder->GetTargetPSNR()),
+    std::max(1, encoder->GetKeyViewStep()), 0.0 };
 }
 
 /// Sets a sampler's parameters back.

@@ -72,7 +72,8 @@ public:
 
   ///@{
   /**
-   * Whose parameters video is coded with. Null stands for an encoder's defaults. Default: null.
+   * Whose parameters video is coded with: its CRF, not its targets of size or quality. Null stands
+   * for an encoder's defaults. Default: null.
    */
   virtual void SetEncoder(vtkCSLFEncoder* encoder);
   vtkCSLFEncoder* GetEncoder();

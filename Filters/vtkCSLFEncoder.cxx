@@ -15,6 +15,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -84,12 +86,24 @@ vtkImageData* vtkCSLFEncoder::GetInput()
     : nullptr;
 }
 
+cslf::EncodeFault vtkCSLFEncoder::FindFault()
+{
+  const double targets[] = { this->TargetRatio, this->TargetSize, this->TargetPSNR };
+  if (std::count(std::begin(targets), std::end(targets), 0.0) < 2)
+  {
+    return { vtkErrorCode::UserError, "Only one target of ratio, size and PSNR can be met." };
+  }
+  return {};
+}
+
 cslf::EncodeJob vtkCSLFEncoder::MakeJob()
 {
   cslf::EncodeJob job;
   job.FileName = this->FileName ? this->FileName : "";
   job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
-    this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless };
+    this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless,
+    cslf::MakeRateTarget(this->TargetRatio, this->TargetSize, this->TargetPSNR), this->KeyViewStep,
+    this->TargetNovelViewPSNR };
   job.Restart = this->Restart;
   job.Controller = this->Controller;
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -106,8 +120,16 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   return job;
 }
 
-bool vtkCSLFEncoder::Report(const cslf::EncodeFault& fault)
+bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
 {
+  const cslf::EncodeFault& fault = session.GetFault();
+  const cslf::EncodeOutcome& outcome = session.GetOutcome();
+  this->ActualCRF = outcome.CRF;
+  this->ActualSize = outcome.Bytes;
+  this->ActualRatio = outcome.Ratio;
+  this->ActualPSNR = outcome.PSNR;
+  this->ActualKeyViewStep = outcome.KeyViewStep;
+  this->ActualNovelViewPSNR = outcome.NovelViewPSNR;
   this->SetErrorCode(fault.Code);
   if (!fault.Text.empty())
   {
@@ -118,7 +140,7 @@ bool vtkCSLFEncoder::Report(const cslf::EncodeFault& fault)
 
 int vtkCSLFEncoder::Write()
 {
-  cslf::EncodeFault fault;
+  cslf::EncodeFault fault = this->FindFault();
   if (this->GetNumberOfInputConnections(0) < 1)
   {
     fault = { vtkErrorCode::UnknownError, "There is no input to write." };
@@ -145,7 +167,7 @@ int vtkCSLFEncoder::Write()
       session.Write(false);
     }
   }
-  return this->Report(session.GetFault()) ? 1 : 0;
+  return this->Report(session) ? 1 : 0;
 }
 
 vtkTypeBool vtkCSLFEncoder::ProcessRequest(
@@ -171,11 +193,11 @@ vtkTypeBool vtkCSLFEncoder::ProcessRequest(
     else
     {
       cslf::EncodeSession session(this->MakeJob());
-      if (session.Check({}))
+      if (session.Check(this->FindFault()))
       {
         session.Write(true);
       }
-      this->Report(session.GetFault());
+      this->Report(session);
     }
     return 1;
   }
@@ -187,12 +209,23 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "CRF: " << this->CRF << "\n";
+  os << indent << "TargetRatio: " << this->TargetRatio << "\n";
+  os << indent << "TargetSize: " << this->TargetSize << "\n";
+  os << indent << "TargetPSNR: " << this->TargetPSNR << "\n";
   os << indent << "CoverageCRF: " << this->CoverageCRF << "\n";
   os << indent << "DepthCRF: " << this->DepthCRF << "\n";
   os << indent << "Preset: " << (this->Preset ? this->Preset : "(none)") << "\n";
   os << indent << "PixelFormat: " << (this->PixelFormat ? this->PixelFormat : "(none)") << "\n";
   os << indent << "GroupLength: " << this->GroupLength << "\n";
   os << indent << "Lossless: " << (this->Lossless ? "On" : "Off") << "\n";
+  os << indent << "KeyViewStep: " << this->KeyViewStep << "\n";
+  os << indent << "TargetNovelViewPSNR: " << this->TargetNovelViewPSNR << "\n";
   os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "ActualCRF: " << this->ActualCRF << "\n";
+  os << indent << "ActualSize: " << this->ActualSize << "\n";
+  os << indent << "ActualRatio: " << this->ActualRatio << "\n";
+  os << indent << "ActualPSNR: " << this->ActualPSNR << "\n";
+  os << indent << "ActualKeyViewStep: " << this->ActualKeyViewStep << "\n";
+  os << indent << "ActualNovelViewPSNR: " << this->ActualNovelViewPSNR << "\n";
 }

@@ -17,6 +17,12 @@
  * as unsigned short; further channels of the field are left out with a warning. HEVC needs a
  * resolution of at least 16 texels.
  *
+ * Instead of a rate factor, the file's size, its ratio to the raw colours, or the quality of its
+ * colours may be asked for: TargetSize, TargetRatio, TargetPSNR. A sample of the viewpoints is then
+ * coded on trial first, which may ask the input for them twice. With KeyViewStep, only a part of
+ * the viewpoints, evenly spread, is asked for and coded: the file is a field of fewer viewpoints
+ * (paper, section 3.3). Documentation/Compression.md tells how all this works.
+ *
  * Viewpoints are coded in closed groups of at most GroupLength, first those of the coarsest nested
  * grid. Groups and tracks are coded side by side with vtkSMPTools, and the file has the same bytes
  * for any number of threads. While it grows, its parts lie in a folder named like the file with
@@ -87,7 +93,37 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of coverage, from 0 to 51. Default 16.
+   * Set/get how many times smaller than the raw colours, 3 bytes a texel, the file shall be: all
+   * tracks and the container count. The rate factors follow; it is met within 3 %. 0 for no such
+   * target. Only one of the three targets may be set, and none together with Lossless; where one is
+   * out of reach, an error tells what is within. Default 0.
+   */
+  vtkSetClampMacro(TargetRatio, double, 0.0, 1e9);
+  vtkGetMacro(TargetRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get how many bytes the file shall have, likewise. Default 0: no such target.
+   */
+  vtkSetClampMacro(TargetSize, double, 0.0, 1e18);
+  vtkGetMacro(TargetSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the PSNR, in dB, that decoded colours shall have against those of the input: red, green
+   * and blue of 8 bits over black, one mean square error over all texels. It is met within 0.3 dB,
+   * otherwise like TargetRatio. Default 0: no such target.
+   */
+  vtkSetClampMacro(TargetPSNR, double, 0.0, 100.0);
+  vtkGetMacro(TargetPSNR, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the constant rate factor of coverage, from 0 to 51. Where a target chooses colour's,
+   * and that is above 22, coverage's rises by as much as colour's is above 22. Default 16.
    */
   vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
   vtkGetMacro(CoverageCRF, double);
@@ -95,8 +131,8 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of depth, from 0 to 51. Default 12: lookups that correct by
-   * depth need it exact.
+   * Set/get the constant rate factor of depth, from 0 to 51. Where a target chooses colour's, it
+   * rises like coverage's. Default 12: lookups that correct by depth need it exact.
    *
    * With the default factors the closed-form field of the tests (M = 9, N = 96, mostly silhouettes)
    * takes 1077 kB of colour at 40.3 dB, 363 kB of coverage at 55.2 dB and 221 kB of depth at
@@ -147,6 +183,34 @@ public:
 
   ///@{
   /**
+   * Set/get of how many viewpoints along each side of a face one is kept as a key view: those on
+   * the edges, and between them as few as leave no gap of more than that many, evenly spread. It is
+   * at most the number of viewpoints less 1. AutomaticKeyViews stands for the largest step that
+   * reaches TargetNovelViewPSNR. Default 1: all are kept.
+   */
+  enum
+  {
+    AutomaticKeyViews = 0
+  };
+  vtkSetClampMacro(KeyViewStep, int, AutomaticKeyViews, VTK_INT_MAX);
+  vtkGetMacro(KeyViewStep, int);
+  void SetKeyViewStepToAutomatic() { this->SetKeyViewStep(AutomaticKeyViews); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/get the PSNR, in dB, that viewpoints which are left out shall have when they are looked up
+   * from the key views with depth (without depth, with the focus at the cube's centre), before
+   * coding; red, green and blue of 8 bits over black. It is measured on a seeded sample of
+   * viewpoints and texels. Where no key views reach it, an error tells what the best have. Only
+   * for AutomaticKeyViews. Default 35.
+   */
+  vtkSetClampMacro(TargetNovelViewPSNR, double, 0.0, 100.0);
+  vtkGetMacro(TargetNovelViewPSNR, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/get whether to go on from what a run that was killed left of the same file. If off, all
    * begins anew. Default on.
    */
@@ -178,6 +242,28 @@ public:
    */
   int Write();
 
+  ///@{
+  /**
+   * What the last Write made, on rank 0, all 0 if it failed: the mean rate factor of colour over
+   * all viewpoints, the bytes of the file, its ratio in the sense of TargetRatio, and its PSNR in
+   * the sense of TargetPSNR, for which each group is decoded again. The PSNR is at most 100, and 0
+   * for lossless files, of which it is not measured.
+   */
+  vtkGetMacro(ActualCRF, double);
+  vtkGetMacro(ActualSize, double);
+  vtkGetMacro(ActualRatio, double);
+  vtkGetMacro(ActualPSNR, double);
+  ///@}
+
+  ///@{
+  /**
+   * The step of key views of that file, and, where it was chosen, their PSNR in the sense of
+   * TargetNovelViewPSNR, otherwise 0.
+   */
+  vtkGetMacro(ActualKeyViewStep, int);
+  vtkGetMacro(ActualNovelViewPSNR, double);
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -192,20 +278,32 @@ private:
   void operator=(const vtkCSLFEncoder&) = delete;
 
   class CacheKeeping;
+  cslf::EncodeFault FindFault();
   cslf::EncodeJob MakeJob();
-  bool Report(const cslf::EncodeFault& fault);
+  bool Report(const cslf::EncodeSession& session);
 
   cslf::EncodeSession* Session = nullptr; // while Write is at work
   vtkMultiProcessController* Controller = nullptr;
   char* FileName = nullptr;
   double CRF = 22.0;
+  double TargetRatio = 0.0;
+  double TargetSize = 0.0;
+  double TargetPSNR = 0.0;
   double CoverageCRF = 16.0;
   double DepthCRF = 12.0;
   char* Preset = nullptr;
   char* PixelFormat = nullptr;
   int GroupLength = 16;
   bool Lossless = false;
+  int KeyViewStep = 1;
+  double TargetNovelViewPSNR = 35.0;
   bool Restart = true;
+  double ActualCRF = 0.0;
+  double ActualSize = 0.0;
+  double ActualRatio = 0.0;
+  double ActualPSNR = 0.0;
+  int ActualKeyViewStep = 1;
+  double ActualNovelViewPSNR = 0.0;
 };
 
 #endif

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cslf
 {
@@ -44,18 +45,35 @@ constexpr double SightTolerance = 0.1;
 constexpr double ClearanceTolerance = 0.1;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
+
+std::vector<int> ListSlices(const Layout& grid)
+{
+  std::vector<int> slices(grid.GetSlices());
+  std::iota(slices.begin(), slices.end(), 0);
+  return slices;
+}
 }
 
 Lookup::Lookup(const Description& description, vtkImageData* image)
+  : Lookup(description, image, ListSlices(description.Grid))
+{
+}
+
+Lookup::Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices)
   : Field(description)
   , SceneMinimum(description.GetSceneMinimumCC() - LookupSceneMargin)
   , SceneMaximum(description.GetSceneMaximumCC() + LookupSceneMargin)
+  , Places(description.Grid.GetSlices(), -1)
   , Colors(image->GetPointData()->GetArray(ColorName))
   , Depths(image->GetPointData()->GetArray(DepthName))
   , ColorScale(this->Colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0)
   , DepthScale(
       this->Depths && this->Depths->GetDataType() == VTK_UNSIGNED_SHORT ? 1.0 / 65535.0 : 1.0)
 {
+  for (std::size_t place = 0; place < slices.size(); ++place)
+  {
+    this->Places[slices[place]] = static_cast<int>(place);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -70,7 +88,7 @@ vtkIdType Lookup::TexelIndex(int slice, int tile, int p, int q) const
 {
   const int resolution = this->Field.Grid.GetResolution();
   const vtkIdType row =
-    static_cast<vtkIdType>(slice) * resolution + std::clamp(q, 0, resolution - 1);
+    static_cast<vtkIdType>(this->Places[slice]) * resolution + std::clamp(q, 0, resolution - 1);
   return row * this->Field.Grid.GetStripWidth() + tile * resolution +
     std::clamp(p, 0, resolution - 1);
 }

@@ -19,6 +19,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <vector>
+
 class vtkDataArray;
 class vtkImageData;
 
@@ -37,12 +39,17 @@ struct LookupResult
   double Fraction = 1.0;
 };
 
-/// Looks rays up in a whole field held in memory. Not owning: the image must outlive it.
+/// Looks rays up in a field, or in some viewpoints of it, held in memory. Not owning: the image
+/// must outlive it.
 class VTKCSLF_EXPORT Lookup
 {
 public:
   /// `image` must hold the whole field that `description` describes.
   Lookup(const Description& description, vtkImageData* image);
+
+  /// `image` holds only the slices listed, in that order. All rays looked up must enter between
+  /// those viewpoints.
+  Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices);
 
   /// Nearest viewpoint, nearest texel.
   LookupResult Nearest(const RayCoordinates& ray) const;
@@ -128,6 +135,7 @@ private:
   Description Field;
   glm::dvec3 SceneMinimum; ///< CC
   glm::dvec3 SceneMaximum; ///< CC
+  std::vector<int> Places; ///< where each slice lies in the arrays
   vtkDataArray* Colors;
   vtkDataArray* Depths;
   double ColorScale;

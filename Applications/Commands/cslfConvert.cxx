@@ -55,24 +55,24 @@ Result Run(const Options& options, bool toVideo)
     throw Failure("The input and the output are the same.");
   }
   const FieldFile file = OpenField(options.Input);
-  writer.Write(file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding");
+  const nlohmann::json coding =
+    writer.Write(file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding");
   ThrowOnError();
 
   if (!IsFirstRank())
   {
     return {};
   }
-  const double bytes = static_cast<double>(CountBytes(options.Output));
-  const double rawBytes = CountRawBytes(file.Field);
+  const FieldFile written = OpenField(options.Output);
   Result result;
-  result.JSON = Summarize(file.Field);
+  result.JSON = Summarize(written.Field);
   result.JSON["output"] = options.Output;
   result.JSON["bytes"] = CountBytes(options.Output);
-  result.JSON["raw_bytes"] = rawBytes;
-  result.JSON["ratio"] = rawBytes / bytes;
+  result.JSON["raw_bytes"] = CountRawBytes(written.Field);
+  result.JSON.update(coding);
   std::ostringstream text;
-  text << options.Output << ": " << CountBytes(options.Output) << " bytes, 1/" << rawBytes / bytes
-       << " of all channels uncoded\n";
+  text << options.Output << ": " << CountBytes(options.Output) << " bytes" << DescribeCoding(coding)
+       << "\n";
   result.Text = text.str();
   return result;
 }

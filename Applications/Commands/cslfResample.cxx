@@ -46,7 +46,7 @@ Result Run(const Options& options)
   resample->SetInputConnection(input.Reader->GetOutputPort());
   resample->SetResolutionDivisor(options.ResolutionDivisor);
   resample->SetViewpointStride(options.ViewpointStride);
-  writer.Write(resample->GetOutputPort(), "Resampling");
+  const nlohmann::json coding = writer.Write(resample->GetOutputPort(), "Resampling");
   ThrowOnError();
 
   if (!IsFirstRank())
@@ -58,10 +58,11 @@ Result Run(const Options& options)
   result.JSON = Summarize(output.Field);
   result.JSON["output"] = options.Output;
   result.JSON["bytes"] = CountBytes(options.Output);
+  result.JSON.update(coding);
   std::ostringstream text;
   text << options.Output << ": " << output.Field.Grid.GetSlices() << " viewpoints of "
        << output.Field.Grid.GetResolution() << " x " << output.Field.Grid.GetResolution()
-       << " texels, " << CountBytes(options.Output) << " bytes\n";
+       << " texels, " << CountBytes(options.Output) << " bytes" << DescribeCoding(coding) << "\n";
   result.Text = text.str();
   return result;
 }

@@ -46,8 +46,8 @@ struct Options
   std::vector<double> Center;
   std::vector<double> Edges;
   double TimeBudget = 0.0;
-  double TargetPSNR = 0.0;
-  double TargetSize = 0.0;
+  double SuggestForPSNR = 0.0;
+  double SuggestForSize = 0.0;
   bool Estimate = false;
   bool NoDepth = false;
   bool Float = false;
@@ -84,9 +84,10 @@ void CheckFormat(const Options& options, FieldFormat format)
   {
     throw Failure("Video holds no float colours: write .vti or a folder.");
   }
-  if (format != FieldFormat::Video && (options.TargetPSNR > 0.0 || options.TargetSize > 0.0))
+  if (format != FieldFormat::Video &&
+    (options.SuggestForPSNR > 0.0 || options.SuggestForSize > 0.0))
   {
-    throw Failure("--target-psnr and --target-size are for video: .mp4 or .mkv.");
+    throw Failure("--suggest-for-novel-psnr and --suggest-for-size are for video: .mp4 or .mkv.");
   }
 }
 
@@ -141,16 +142,17 @@ void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* s
 void AddSuggestion(
   const Options& options, vtkCSLFBakeEstimator* estimator, nlohmann::json& json, std::ostream& text)
 {
-  if (options.TargetPSNR <= 0.0 && options.TargetSize <= 0.0)
+  if (options.SuggestForPSNR <= 0.0 && options.SuggestForSize <= 0.0)
   {
     return;
   }
-  const bool isFound = options.TargetPSNR > 0.0 ? estimator->SuggestForPSNR(options.TargetPSNR)
-                                                : estimator->SuggestForBytes(options.TargetSize);
+  const bool isFound = options.SuggestForPSNR > 0.0
+    ? estimator->SuggestForPSNR(options.SuggestForPSNR)
+    : estimator->SuggestForBytes(options.SuggestForSize);
   if (!isFound)
   {
-    throw Failure(options.TargetPSNR > 0.0 ? "No field reaches that --target-psnr."
-                                           : "No field is as small as --target-size.");
+    throw Failure(options.SuggestForPSNR > 0.0 ? "No field reaches that --suggest-for-novel-psnr."
+                                               : "No field is as small as --suggest-for-size.");
   }
   const int viewpoints = estimator->GetSuggestedViewpoints();
   const int resolution = estimator->GetSuggestedResolution();
@@ -207,7 +209,7 @@ Result Run(const Options& options)
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
   ChooseSamples(options, writer.GetFormat(), sampler);
-  writer.Write(sampler->GetOutputPort(), "Sampling");
+  const nlohmann::json coding = writer.Write(sampler->GetOutputPort(), "Sampling");
   ThrowOnError();
 
   if (!IsFirstRank())
@@ -223,9 +225,11 @@ Result Run(const Options& options)
   result.JSON["output"] = options.Output;
   result.JSON["bytes"] = CountBytes(options.Output);
   result.JSON["seconds"] = seconds;
+  result.JSON.update(coding);
   std::ostringstream text;
   text << options.Output << ": " << file.Field.Grid.GetSlices() << " viewpoints, "
-       << CountBytes(options.Output) << " bytes, " << seconds << " s\n";
+       << CountBytes(options.Output) << " bytes" << DescribeCoding(coding) << ", " << seconds
+       << " s\n";
   result.Text = text.str();
   return result;
 }
@@ -240,12 +244,12 @@ void AddField(CLI::App& command, Options& options)
     .add_option("--time-budget", options.TimeBudget,
       "take as many samples per texel as that many seconds allow, instead of --spp")
     ->check(CLI::PositiveNumber);
-  CLI::Option* psnr = command.add_option("--target-psnr", options.TargetPSNR,
+  CLI::Option* psnr = command.add_option("--suggest-for-novel-psnr", options.SuggestForPSNR,
     "with --estimate: suggest -M and -N of the smallest video whose novel views reach that many "
     "dB");
   psnr->check(CLI::PositiveNumber);
   command
-    .add_option("--target-size", options.TargetSize,
+    .add_option("--suggest-for-size", options.SuggestForSize,
       "with --estimate: suggest -M and -N of the best video of at most that many bytes")
     ->check(CLI::PositiveNumber)
     ->excludes(psnr);
@@ -289,9 +293,15 @@ void AddSample(CLI::App& app, Command& chosen)
   command->callback(
     [options, &chosen]
     {
-      if ((options->TargetPSNR > 0.0 || options->TargetSize > 0.0) && !options->Estimate)
+      const bool suggests = options->SuggestForPSNR > 0.0 || options->SuggestForSize > 0.0;
+      if (suggests && !options->Estimate)
       {
         throw CLI::RequiredError("--estimate");
+      }
+      if (options->Estimate && (options->Coding.HasTarget() || options->Coding.HasKeyViews()))
+      {
+        throw CLI::ValidationError(
+          "--estimate", "is for a given --crf and all viewpoints, not for targets or key views");
       }
       if (options->Output.empty() && !options->Estimate)
       {

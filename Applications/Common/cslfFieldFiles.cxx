@@ -24,7 +24,10 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <map>
 #include <optional>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -34,6 +37,15 @@ namespace tool
 {
 namespace
 {
+/// How the help lists the options of video.
+constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
+
+/// What stands for a choice of key views by quality.
+constexpr const char* AutomaticKeyViews = "auto";
+
+/// What numbers of bytes may end with.
+const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { "G", 1e9 } };
+
 std::string LowerExtension(const std::string& fileName)
 {
   std::string extension = fs::path(fileName).extension().string();
@@ -195,13 +207,63 @@ std::uintmax_t CountBytes(const std::string& fileName)
   return sum;
 }
 
+void CodingOptions::AddTargetsTo(CLI::App& command)
+{
+  CLI::Option* factor =
+    command
+      .add_option("--crf", this->CRF, "constant rate factor of x265: less is better and larger")
+      ->check(CLI::Range(0.0, 51.0))
+      ->capture_default_str()
+      ->group(VideoGroup);
+  CLI::Option* ratio =
+    command
+      .add_option("--target-ratio", this->TargetRatio,
+        "how many times smaller than the raw 24-bit colours the file shall be, instead of --crf")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->excludes(factor)
+      ->group(VideoGroup);
+  CLI::Option* size =
+    command
+      .add_option("--target-size", this->TargetSize,
+        "bytes that the file shall have, such as 20M or 1.5G, instead of --crf")
+      ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
+      ->check(CLI::Range(1.0, 1e18))
+      ->excludes(factor)
+      ->excludes(ratio)
+      ->group(VideoGroup);
+  command
+    .add_option("--target-psnr", this->TargetPSNR,
+      "dB that the coded colours shall have against the uncoded ones, instead of --crf")
+    ->check(CLI::Range(1.0, 100.0))
+    ->excludes(factor)
+    ->excludes(ratio)
+    ->excludes(size)
+    ->group(VideoGroup);
+}
+
+void CodingOptions::AddKeyViewsTo(CLI::App& command)
+{
+  CLI::Option* keys =
+    command
+      .add_option("--key-views", this->KeyViews,
+        "keep one of so many viewpoints along each side of a face, those on the edges always; or "
+        "\"auto\": as few as reach --target-novel-psnr")
+      ->check(CLI::Range(1, 4096) | CLI::IsMember({ AutomaticKeyViews }))
+      ->capture_default_str()
+      ->group(VideoGroup);
+  command
+    .add_option("--target-novel-psnr", this->TargetNovelPSNR,
+      "dB that viewpoints left out shall have when they are looked up, for --key-views auto (35)")
+    ->check(CLI::Range(1.0, 100.0))
+    ->needs(keys)
+    ->group(VideoGroup);
+}
+
 void CodingOptions::AddTo(CLI::App& command)
 {
-  const std::string group = "Video (.mp4, .mkv)";
-  command.add_option("--crf", this->CRF, "constant rate factor of x265: less is better and larger")
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str()
-    ->group(group);
+  const std::string group = VideoGroup;
+  this->AddTargetsTo(command);
+  this->AddKeyViewsTo(command);
   command.add_option("--preset", this->Preset, "x265's preset: ultrafast ... medium ... placebo")
     ->capture_default_str()
     ->group(group);
@@ -221,9 +283,26 @@ void CodingOptions::AddTo(CLI::App& command)
     ->group(group);
 }
 
+bool CodingOptions::HasTarget() const
+{
+  return this->TargetRatio > 0.0 || this->TargetSize > 0.0 || this->TargetPSNR > 0.0;
+}
+
 void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 {
   encoder->SetCRF(this->CRF);
+  encoder->SetTargetRatio(this->TargetRatio);
+  encoder->SetTargetSize(this->TargetSize);
+  encoder->SetTargetPSNR(this->TargetPSNR);
+  const bool isAutomatic = this->KeyViews == AutomaticKeyViews;
+  if (this->TargetNovelPSNR > 0.0 && !isAutomatic)
+  {
+    throw Failure("--target-novel-psnr is for --key-views auto.");
+  }
+  encoder->SetKeyViewStep(
+    isAutomatic ? vtkCSLFEncoder::AutomaticKeyViews : std::stoi(this->KeyViews));
+  encoder->SetTargetNovelViewPSNR(
+    this->TargetNovelPSNR > 0.0 ? this->TargetNovelPSNR : encoder->GetTargetNovelViewPSNR());
   encoder->SetPreset(this->Preset.c_str());
   encoder->SetPixelFormat(this->PixelFormat.c_str());
   encoder->SetGroupLength(this->GroupLength);
@@ -254,26 +333,35 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   , Coding(coding)
 {
   this->Format = tool::GetFormat(fileName);
+  if (this->Format != FieldFormat::Video && (coding.HasTarget() || coding.HasKeyViews()))
+  {
+    throw Failure("--target-ratio, --target-size, --target-psnr and --key-views are for video: "
+                  ".mp4 or .mkv.");
+  }
   if (this->Format != FieldFormat::Folder && IsFirstRank())
   {
     RequireWritable(fileName);
   }
 }
 
-void FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label) const
+nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label) const
 {
   switch (this->Format)
   {
     case FieldFormat::Video:
       return this->WriteVideo(connection, label);
     case FieldFormat::ImageData:
-      return this->WriteImageData(connection, label);
+      this->WriteImageData(connection, label);
+      break;
     default:
-      return this->WriteFolder(connection, label);
+      this->WriteFolder(connection, label);
+      break;
   }
+  return nlohmann::json::object();
 }
 
-void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const
+nlohmann::json FieldWriter::WriteVideo(
+  vtkAlgorithmOutput* connection, const std::string& label) const
 {
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(connection);
@@ -290,6 +378,21 @@ void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& 
     // Where processes share the work, those that failed have said why.
     throw Failure(IsShared() ? GetFirstError() : "Cannot write " + this->FileName + ".");
   }
+  nlohmann::json json = { { "ratio", encoder->GetActualRatio() } };
+  if (!this->Coding.Lossless)
+  {
+    json["crf"] = encoder->GetActualCRF();
+    json["psnr"] = encoder->GetActualPSNR();
+  }
+  if (this->Coding.HasKeyViews())
+  {
+    json["key_view_step"] = encoder->GetActualKeyViewStep();
+  }
+  if (encoder->GetActualNovelViewPSNR() > 0.0)
+  {
+    json["novel_psnr"] = encoder->GetActualNovelViewPSNR();
+  }
+  return json;
 }
 
 void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
@@ -328,6 +431,30 @@ void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string&
   {
     throw Failure("Cannot write " + this->FileName + ".");
   }
+}
+
+std::string DescribeCoding(const nlohmann::json& coding)
+{
+  std::ostringstream text;
+  text << std::setprecision(4);
+  if (coding.contains("ratio"))
+  {
+    text << ", 1/" << coding["ratio"].get<double>() << " of the raw colours";
+  }
+  if (coding.contains("psnr"))
+  {
+    text << ", " << coding["psnr"].get<double>() << " dB at a rate factor of "
+         << coding["crf"].get<double>();
+  }
+  if (coding.contains("key_view_step"))
+  {
+    text << ", key views of step " << coding["key_view_step"].get<int>();
+  }
+  if (coding.contains("novel_psnr"))
+  {
+    text << " with " << coding["novel_psnr"].get<double>() << " dB between them";
+  }
+  return text.str();
 }
 
 nlohmann::json Summarize(const Description& description)

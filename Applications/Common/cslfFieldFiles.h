@@ -71,6 +71,11 @@ std::uintmax_t CountBytes(const std::string& fileName);
 struct CodingOptions
 {
   double CRF = 22.0;
+  double TargetRatio = 0.0;
+  double TargetSize = 0.0;
+  double TargetPSNR = 0.0;
+  std::string KeyViews = "1"; ///< a number, or "auto"
+  double TargetNovelPSNR = 0.0;
   std::string Preset = "medium";
   std::string PixelFormat = "yuv444p";
   int GroupLength = 16;
@@ -79,6 +84,16 @@ struct CodingOptions
 
   void AddTo(CLI::App& command);
   void Apply(vtkCSLFEncoder* encoder) const;
+
+  /// Whether more than a rate factor is asked for.
+  bool HasTarget() const;
+
+  /// Whether not all viewpoints are coded.
+  bool HasKeyViews() const { return this->KeyViews != "1"; }
+
+private:
+  void AddTargetsTo(CLI::App& command);
+  void AddKeyViewsTo(CLI::App& command);
 };
 
 /// A place to write a field to.
@@ -90,13 +105,14 @@ public:
   FieldWriter(const std::string& fileName, const CodingOptions& coding);
 
   /// Pulls the field from the connection and writes it. Throws a Failure. Under mpirun, all
-  /// processes write a video together.
-  void Write(vtkAlgorithmOutput* connection, const std::string& label) const;
+  /// processes write a video together. Returns what came out of coding a video, on the first
+  /// process: "crf", "ratio", "psnr".
+  nlohmann::json Write(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   FieldFormat GetFormat() const { return this->Format; }
 
 private:
-  void WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const;
+  nlohmann::json WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const;
   void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
@@ -107,6 +123,9 @@ private:
 
 /// Throws a Failure unless a file of that name can be made.
 void RequireWritable(const std::string& fileName);
+
+/// What FieldWriter::Write returned, in words: ", ...", or nothing.
+std::string DescribeCoding(const nlohmann::json& coding);
 
 /// What a field is, as `info` and its kin report it.
 nlohmann::json Summarize(const Description& description);

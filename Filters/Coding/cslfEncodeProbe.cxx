@@ -13,15 +13,6 @@
 
 namespace cslf
 {
-namespace
-{
-// What a container adds for each frame of a track, and at its beginning: measured.
-constexpr double FrameBytes = 12.0;
-constexpr double GroupBytes = 28.0;
-constexpr double TrackBytes = 700.0;
-constexpr double FixedBytes = 1400.0;
-}
-
 EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings)
   : Producer(producer)
   , Settings(std::move(settings))
@@ -39,10 +30,11 @@ bool EncodeProbe::Begin(std::string& error)
     error = "The sampler does not say what it makes.";
     return false;
   }
-  this->Slices = extent[5] + 1;
-  const int viewpoints = static_cast<int>(std::lround(std::sqrt(this->Slices / double(FaceCount))));
+  const double slices = extent[5] + 1.0;
+  const int viewpoints = static_cast<int>(std::lround(std::sqrt(slices / FaceCount)));
   const Layout grid(viewpoints, extent[3] + 1);
   error = FindFault(this->Settings, grid.GetResolution());
+  error = error.empty() ? KeyViews::FindFault(viewpoints, this->Settings.KeyViewStep) : error;
   if (!error.empty())
   {
     return false;
@@ -54,7 +46,8 @@ bool EncodeProbe::Begin(std::string& error)
     return false;
   }
   this->Puller.emplace(information, grid);
-  this->Writer.emplace("probe.mp4", this->Settings, grid);
+  this->Puller->SetKeyViewStep(this->Settings.KeyViewStep);
+  this->Writer.emplace("probe.mp4", this->Settings);
   if (!this->Puller->Begin(error))
   {
     return false;
@@ -75,35 +68,29 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   costs.RenderSeconds += std::chrono::duration<double>(Clock::now() - start).count();
   const std::clock_t middle = std::clock();
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
+  std::vector<CodingTask> tasks;
+  for (int group : groups)
+  {
+    tasks.push_back({ group, true, { this->Settings.CRF } });
+  }
   std::vector<GroupParts> parts;
   if (!this->Writer->EncodeGroups(
-        groups, this->Puller->GetSlices(), [] {}, parts, error))
+        tasks, this->Puller->GetSlices(), [] {}, parts, error))
   {
     return false;
   }
   costs.CodingThreadSeconds += static_cast<double>(std::clock() - middle) / CLOCKS_PER_SEC;
   for (const GroupParts& group : parts)
   {
-    double bytes = 0.0;
-    for (const CodedGroup& part : group)
-    {
-      const bool isCoverage = &part == &group[1];
-      this->IsCoveredFully = this->IsCoveredFully && (!isCoverage || part.CoveredFully);
-      for (const CodedFrame& frame : part.Frames)
-      {
-        bytes += static_cast<double>(frame.Data.size());
-      }
-    }
-    costs.Bytes.push_back(bytes);
+    const GroupCost cost = this->Writer->GetCost(group);
+    this->IsCoveredFully = this->IsCoveredFully && cost.CoveredFully;
+    costs.Bytes.push_back(cost.Bytes + cost.CoverageBytes);
   }
   return true;
 }
 
 double EncodeProbe::GetContainerBytes() const
 {
-  const double tracks =
-    static_cast<double>(this->Writer->GetTrackCount()) - (this->IsCoveredFully ? 1.0 : 0.0);
-  return FixedBytes +
-    tracks * (TrackBytes + GroupBytes * this->GetGroupCount() + FrameBytes * this->Slices);
+  return this->Writer->GetContainerBytes(!this->IsCoveredFully);
 }
 }

@@ -24,7 +24,7 @@ struct GroupCosts
   double RenderSeconds = 0.0;       ///< of the input's work
   double RenderThreadSeconds = 0.0; ///< of all threads together
   double CodingThreadSeconds = 0.0; ///< likewise
-  std::vector<double> Bytes;        ///< of each group
+  std::vector<double> Bytes;        ///< of each group, with what it takes of the container
 
   void operator+=(const GroupCosts& other)
   {
@@ -56,7 +56,7 @@ public:
   /// The viewpoints of the groups that were made last.
   std::vector<ConstSlice> GetSlices() const { return this->Puller->GetSlices(); }
 
-  /// What a file holds beside the groups' bytes, about.
+  /// What a file holds beside the groups, about.
   double GetContainerBytes() const;
 
 private:
@@ -64,7 +64,6 @@ private:
   EncodeSettings Settings;
   std::optional<SlicePuller> Puller;
   std::optional<FieldWriter> Writer;
-  int Slices = 0;
   bool IsCoveredFully = true; // by all groups made so far
 };
 }

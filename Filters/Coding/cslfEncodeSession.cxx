@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace cslf
@@ -26,27 +28,8 @@ constexpr int GroupsPerThread = 2;
 /// How much of the progress is left for joining the parts.
 constexpr double JoinShare = 0.05;
 
-constexpr std::uint32_t NoRank = 0xffffffffu;
-
-/// What a message is about: its first number.
-enum Topic : std::uint32_t
-{
-  State,   ///< to rank 0: whether all is well, and what all ranks must have in common
-  Verdict, ///< from rank 0: the rank that failed, or NoRank
-  Ask,     ///< to rank 0: for groups to work on
-  Share,   ///< from rank 0: groups to work on, or none: there is nothing left to do
-  Groups,  ///< to rank 0: coded groups
-  Done,    ///< to rank 0: no more will come
-  Failed,  ///< to rank 0: no more will come, for something went wrong
-  Stop     ///< from rank 0: what is at work need not go on
-};
-
-ByteBuffer MakeMessage(Topic topic)
-{
-  ByteBuffer buffer;
-  buffer.Put(topic);
-  return buffer;
-}
+/// The bytes of a texel's colour and depth.
+constexpr int TexelBytes = 6;
 
 /// The grid of viewpoints and texels that a whole extent stands for.
 std::optional<Layout> FindGrid(const int extent[6])
@@ -65,7 +48,7 @@ std::optional<Layout> FindGrid(const int extent[6])
 
 EncodeSession::EncodeSession(EncodeJob job)
   : Job(std::move(job))
-  , Team(this->Job.Controller)
+  , Crew(this->Job.Controller)
 {
 }
 
@@ -86,13 +69,18 @@ bool EncodeSession::FailWriting(unsigned long code, const std::string& error)
   return this->Fail(code, this->Job.FileName + " was not written: " + error + ".");
 }
 
+bool EncodeSession::IsWell() const
+{
+  return this->Fault.Code == vtkErrorCode::NoError;
+}
+
 bool EncodeSession::Check(const EncodeFault& before)
 {
-  if (!this->Team.CanTalk())
+  if (!this->Crew.CanTalk())
   {
     // Every rank knows, so the first one tells.
     this->Fault = { vtkErrorCode::UserError,
-      this->Team.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
+      this->Crew.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
                                 : "" };
     return false;
   }
@@ -104,12 +92,8 @@ bool EncodeSession::Check(const EncodeFault& before)
   return this->Agree({});
 }
 
-bool EncodeSession::CheckHere()
+bool EncodeSession::CheckGrid()
 {
-  if (this->Job.FileName.empty())
-  {
-    return this->Fail(vtkErrorCode::NoFileNameError, "There is no file name.");
-  }
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   this->Job.Input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   this->Grid = FindGrid(extent);
@@ -118,110 +102,90 @@ bool EncodeSession::CheckHere()
     return this->Fail(vtkErrorCode::UserError,
       "The input is not a whole light field: its extent must be 5 N x N x 6 M^2.");
   }
+  const int step = std::max(1, this->Job.Settings.KeyViewStep);
+  const std::string fault = KeyViews::FindFault(this->Grid->GetViewpoints(), step);
+  return fault.empty() || this->Fail(vtkErrorCode::UserError, fault);
+}
+
+bool EncodeSession::CheckHere()
+{
+  if (this->Job.FileName.empty())
+  {
+    return this->Fail(vtkErrorCode::NoFileNameError, "There is no file name.");
+  }
+  if (!this->CheckGrid())
+  {
+    return false;
+  }
   // Only rank 0 touches files.
-  std::string fault = this->Team.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
+  std::string fault = this->Crew.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
   fault = fault.empty() ? FindFault(this->Job.Settings, this->Grid->GetResolution()) : fault;
   if (!fault.empty())
   {
     return this->Fail(vtkErrorCode::CannotOpenFileError, fault);
   }
   this->Puller.emplace(this->Job.Input, *this->Grid);
-  this->Writer.emplace(this->Job.FileName, this->Job.Settings, *this->Grid);
+  this->Kept.emplace(this->CountSlicesThatFit());
+  this->Writer.emplace(this->Job.FileName, this->Job.Settings);
   std::string error;
-  return this->Team.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
+  return this->Crew.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
 }
 
 std::string EncodeSession::GetCacheName() const
 {
-  return this->Team.GetRank() == 0 ? this->Writer->GetCacheName() : std::string();
+  return this->Crew.GetRank() == 0 ? this->Writer->GetCacheName() : std::string();
 }
 
-bool EncodeSession::Agree(const std::string& shared)
+bool EncodeSession::Agree(const std::string& shared, int* told)
 {
-  if (this->Team.GetCount() == 1)
+  const EncodeCrew::Verdict verdict = this->Crew.Agree(this->IsWell(), shared, told ? *told : 0);
+  if (told)
   {
-    return this->Fault.Code == vtkErrorCode::NoError;
+    *told = verdict.Told;
   }
-  std::uint32_t failed = NoRank;
-  if (this->Team.GetRank() == 0)
-  {
-    failed = static_cast<std::uint32_t>(this->FindFailed(shared));
-    for (int rank = 1; rank < this->Team.GetCount(); ++rank)
-    {
-      ByteBuffer verdict = MakeMessage(Verdict);
-      verdict.Put(failed);
-      this->Team.Post(rank, verdict.GetBytes());
-    }
-  }
-  else
-  {
-    ByteBuffer state = MakeMessage(State);
-    state.Put(this->Fault.Code == vtkErrorCode::NoError ? 0 : 1);
-    state.Put(std::vector<std::uint8_t>(shared.begin(), shared.end()));
-    this->Team.Post(0, state.GetBytes());
-    // Work that was dealt out before another rank failed may still be on its way.
-    for (std::uint32_t topic = State; topic != Verdict;)
-    {
-      ByteBuffer content(this->Team.Wait().Bytes);
-      content.Take(topic);
-      content.Take(failed);
-    }
-  }
-  this->Team.Flush();
-  if (failed != NoRank && failed != static_cast<std::uint32_t>(this->Team.GetRank()))
-  {
-    this->Fault = { vtkErrorCode::UnknownError, "" };
-  }
-  return failed == NoRank;
-}
-
-int EncodeSession::FindFailed(const std::string& shared)
-{
-  const std::vector<std::uint8_t> expected(shared.begin(), shared.end());
-  int failed = this->Fault.Code == vtkErrorCode::NoError ? this->FailedRank : 0;
-  bool equal = true;
-  for (int others = this->Team.GetCount() - 1; others > 0;)
-  {
-    if (this->States.empty())
-    {
-      this->Handle(this->Team.Wait());
-      continue;
-    }
-    const Ranks::Message message = std::move(this->States.back());
-    this->States.pop_back();
-    ByteBuffer content(message.Bytes);
-    std::uint32_t topic = State;
-    std::uint32_t isBad = 0;
-    std::vector<std::uint8_t> theirs;
-    if (content.Take(topic) && content.Take(isBad) && content.Take(theirs))
-    {
-      failed = isBad && (failed < 0 || message.From < failed) ? message.From : failed;
-      equal = equal && (isBad || theirs == expected);
-      --others;
-    }
-  }
-  if (failed < 0 && !equal)
+  if (verdict.Differs)
   {
     this->FailWriting(
       vtkErrorCode::UserError, "the ranks have different fields, settings or versions");
-    failed = 0;
   }
-  return failed;
+  if (verdict.Failed >= 0 && verdict.Failed != this->Crew.GetRank())
+  {
+    this->Fault = { vtkErrorCode::UnknownError, "" };
+  }
+  return verdict.Failed < 0;
 }
 
-bool EncodeSession::Begin()
+bool EncodeSession::BeginPulling(bool hasInput)
 {
   std::string error;
-  if (!this->Puller->Begin(error))
+  return hasInput ? this->Puller->Begin(error) || this->Fail(vtkErrorCode::FileFormatError, error)
+                  : this->Fail(vtkErrorCode::UnknownError, "The input failed.");
+}
+
+// Rank 0 chooses for all, which is what the ranks agree on here.
+bool EncodeSession::ChooseKeyViews(bool isReady)
+{
+  std::string error;
+  if (isReady && this->Crew.GetRank() == 0 &&
+    !cslf::ChooseKeyViews(
+      *this->Puller, this->Job.Settings.NovelViewPSNR, [this] { return this->Job.Progress(0.0); },
+      this->Choice, error))
   {
-    return this->Fail(vtkErrorCode::FileFormatError, error);
+    this->FailWriting(vtkErrorCode::UserError, error);
   }
+  return this->Agree({}, &this->Choice.Step);
+}
+
+bool EncodeSession::BeginWriting()
+{
+  this->Puller->SetKeyViewStep(this->Choice.Step);
   this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
-  if (this->Team.GetRank() != 0)
-  {
-    return true;
-  }
+  return this->Crew.GetRank() != 0 || this->OpenParts();
+}
+
+bool EncodeSession::OpenParts()
+{
   for (const Channel& channel : this->Puller->GetField().Channels)
   {
     if (channel.Name != ColorName && channel.Name != DepthName)
@@ -230,6 +194,7 @@ bool EncodeSession::Begin()
     }
   }
   std::string warning;
+  std::string error;
   if (!this->Writer->OpenParts(this->Job.Restart, warning, error))
   {
     return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
@@ -238,7 +203,11 @@ bool EncodeSession::Begin()
   {
     this->Job.Warn(this->Job.FileName + ": " + warning);
   }
-  return this->ReportGroups();
+  RateTarget target = this->Job.Settings.Target;
+  target.Value = target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
+  this->Control.emplace(target, this->Writer->GetRateField());
+  this->Control->SetTrials(this->Writer->ReadTrials());
+  return this->ReportProgress();
 }
 
 bool EncodeSession::Write(bool hasInput)
@@ -246,66 +215,91 @@ bool EncodeSession::Write(bool hasInput)
   this->Written = true;
   const AVLogSilence silence;
   const bool isSettled = !this->Job.Settle || this->Job.Settle(hasInput);
-  bool ready = false;
-  if (!hasInput)
-  {
-    this->Fail(vtkErrorCode::UnknownError, "The input failed.");
-  }
-  else if (isSettled)
-  {
-    ready = this->Begin();
-  }
   // Where the input was broken off because another rank failed, that one tells.
-  if (this->Agree(ready ? this->Writer->GetManifest() : std::string()) && isSettled)
+  const bool isReady = (isSettled || !hasInput) && this->BeginPulling(hasInput);
+  this->Choice.Step = this->Job.Settings.KeyViewStep;
+  if (this->Choice.Step > 0 || this->ChooseKeyViews(isReady))
   {
-    if (this->Team.GetRank() == 0)
+    const bool hasBegun = isReady && this->BeginWriting();
+    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string()) && isSettled)
     {
-      this->Lead();
-      this->Conclude();
+      this->Work();
     }
-    else
-    {
-      this->Follow();
-    }
-    this->Agree({});
   }
-  if (this->Fault.Code != vtkErrorCode::NoError)
+  if (!this->IsWell())
   {
     this->Writer.reset();
   }
-  return this->Fault.Code == vtkErrorCode::NoError;
+  return this->IsWell();
+}
+
+void EncodeSession::Work()
+{
+  if (this->Crew.GetRank() == 0)
+  {
+    this->Lead();
+    this->Conclude();
+  }
+  else
+  {
+    this->Follow();
+  }
+  this->Agree({});
 }
 
 void EncodeSession::Lead()
 {
-  this->Undealt = this->Writer->GetMissingGroups();
-  this->Working = this->Team.GetCount() - 1;
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Serve(); });
-  while (!this->Stopped && !this->Undealt.empty())
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Crew.Serve(); });
+  bool isDone = false;
+  while (!isDone && this->DoNext(isDone))
   {
-    const std::vector<int> groups = this->Choose();
-    this->Undealt.erase(this->Undealt.begin(), this->Undealt.begin() + groups.size());
-    std::vector<GroupParts> parts;
-    if (!this->MakeGroups(groups, parts) || !this->StoreGroups(groups, parts))
-    {
-      this->StopOthers();
-    }
-    this->Serve();
   }
-  while (this->Working > 0)
-  {
-    this->Handle(this->Team.Wait());
-  }
+  this->Crew.Dismiss();
   // What was broken off because another rank failed is no fault of this one's.
-  if (this->FailedRank >= 0)
+  if (this->Crew.GetFailedRank() >= 0)
   {
     this->Fault = {};
   }
 }
 
+bool EncodeSession::DoNext(bool& isDone)
+{
+  std::vector<CodingTask> tasks;
+  std::string error;
+  if (!this->Control->Next(tasks, error))
+  {
+    return this->FailWriting(vtkErrorCode::UserError, error);
+  }
+  isDone = tasks.empty();
+  std::vector<CodingTask> undone;
+  std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(undone),
+    [this](const CodingTask& task) { return task.IsTrial || this->Writer->IsMissing(task.Group); });
+  return this->Crew.Lead(
+           std::move(undone), this->GetGroupsAtOnce(),
+           [this](const std::vector<CodingTask>& mine, ByteBuffer& results)
+           { return this->Make(mine, results); },
+           [this](ByteBuffer& results) { return this->Take(results); }) &&
+    this->NoteTasks(tasks);
+}
+
+bool EncodeSession::NoteTasks(const std::vector<CodingTask>& tasks)
+{
+  for (const CodingTask& task : tasks)
+  {
+    if (task.IsTrial)
+    {
+      std::string error;
+      return this->Writer->WriteTrials(this->Control->GetTrials(), error) ||
+        this->FailWriting(vtkErrorCode::UnknownError, error);
+    }
+    this->Control->AddCoded(task.Group, this->Writer->GetStoredCost(task.Group));
+  }
+  return true;
+}
+
 void EncodeSession::Conclude()
 {
-  if (this->Fault.Code != vtkErrorCode::NoError || this->FailedRank >= 0)
+  if (!this->IsWell() || this->Crew.GetFailedRank() >= 0)
   {
     return;
   }
@@ -315,206 +309,181 @@ void EncodeSession::Conclude()
   if (!this->Writer->Finish(report, error))
   {
     this->FailWriting(vtkErrorCode::UnknownError, error);
+    return;
   }
+  std::error_code ignored;
+  const double bytes = static_cast<double>(std::filesystem::file_size(this->Job.FileName, ignored));
+  this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
+    this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR };
 }
 
 void EncodeSession::Follow()
 {
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Serve(); });
-  const ByteBuffer ask = MakeMessage(Ask);
-  this->Team.Post(0, ask.GetBytes());
-  while (!this->Stopped)
-  {
-    while (!this->Dealt && !this->Stopped)
-    {
-      this->Handle(this->Team.Wait());
-    }
-    const std::vector<int> groups = this->Dealt.value_or(std::vector<int>());
-    this->Dealt.reset();
-    if (this->Stopped || groups.empty())
-    {
-      break;
-    }
-    this->Team.Post(0, ask.GetBytes());
-    std::vector<GroupParts> parts;
-    if (!this->MakeGroups(groups, parts))
-    {
-      break;
-    }
-    ByteBuffer message = MakeMessage(Groups);
-    message.Put(static_cast<std::uint32_t>(groups.size()));
-    for (std::size_t place = 0; place < groups.size(); ++place)
-    {
-      message.Put(static_cast<std::uint32_t>(groups[place]));
-      for (const CodedGroup& part : parts[place])
-      {
-        message.Put(PackPart(part));
-      }
-    }
-    this->Team.Post(0, message.GetBytes());
-  }
-  if (this->Stopped)
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Crew.Serve(); });
+  this->Crew.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
+    { return this->Make(tasks, results); });
+  if (this->Crew.IsStopped())
   {
     this->Fault = {};
   }
-  const bool good = this->Fault.Code == vtkErrorCode::NoError;
-  this->Team.Post(0, MakeMessage(good ? Done : Failed).GetBytes());
 }
 
-std::vector<int> EncodeSession::Choose() const
+int EncodeSession::CountSlicesThatFit() const
 {
-  // Less towards the end, so that all ranks end together.
-  const int undealt = static_cast<int>(this->Undealt.size());
-  const int fair = this->Team.GetCount() > 1 ? undealt / (2 * this->Team.GetCount()) : undealt;
-  const int count = std::min(undealt, std::clamp(fair, 1, this->GetGroupsAtOnce()));
-  return { this->Undealt.begin(), this->Undealt.begin() + count };
+  const double sliceBytes =
+    1.0 * TexelBytes * this->Grid->GetStripWidth() * this->Grid->GetResolution();
+  return static_cast<int>(std::min<double>(SlabBytes / sliceBytes, this->Grid->GetSlices()));
 }
 
 int EncodeSession::GetGroupsAtOnce() const
 {
-  constexpr int texelBytes = 6;
-  const double groupBytes = 1.0 * texelBytes * this->Grid->GetStripWidth() *
-    this->Grid->GetResolution() * this->Job.Settings.GroupLength;
   const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  return std::max(
-    1, static_cast<int>(std::min<double>(GroupsPerThread * threads, SlabBytes / groupBytes)));
+  const int fitting = this->CountSlicesThatFit() / this->Job.Settings.GroupLength;
+  return std::max(1, std::min(GroupsPerThread * threads, fitting));
 }
 
-bool EncodeSession::MakeGroups(const std::vector<int>& groups, std::vector<GroupParts>& parts)
+bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& results)
 {
-  const auto idle = [this] { this->Serve(); };
+  std::vector<ConstSlice> slices;
+  std::vector<GroupParts> parts;
   std::string error;
-  return (this->Puller->Pull(this->Writer->GetSlices(groups), error) &&
-           this->Writer->EncodeGroups(groups, this->Puller->GetSlices(), idle, parts, error)) ||
+  if (!this->Gather(tasks, slices))
+  {
+    return false;
+  }
+  if (!this->Writer->EncodeGroups(
+        tasks, slices, [this] { this->Crew.Serve(); }, parts, error))
+  {
+    return this->FailWriting(vtkErrorCode::UnknownError, error);
+  }
+  const GroupParts* next = parts.data();
+  for (const CodingTask& task : tasks)
+  {
+    this->Pack(task, next, results);
+    next += task.Factors.size();
+    if (!task.IsTrial)
+    {
+      this->Kept->Drop(task.Group);
+    }
+  }
+  return true;
+}
+
+bool EncodeSession::Gather(const std::vector<CodingTask>& tasks, std::vector<ConstSlice>& slices)
+{
+  std::vector<int> pulled;
+  for (const CodingTask& task : tasks)
+  {
+    if (!this->Kept->Find(task.Group))
+    {
+      pulled.push_back(task.Group);
+    }
+  }
+  std::string error;
+  if (!this->Puller->Pull(this->Writer->GetSlices(pulled), error))
+  {
+    return this->FailWriting(vtkErrorCode::UnknownError, error);
+  }
+  const std::vector<ConstSlice> fresh = this->Puller->GetSlices();
+  auto from = fresh.begin();
+  for (const CodingTask& task : tasks)
+  {
+    if (const auto* kept = this->Kept->Find(task.Group))
+    {
+      slices.insert(slices.end(), kept->begin(), kept->end());
+      continue;
+    }
+    const auto to = from + this->Writer->GetFrames(task.Group);
+    slices.insert(slices.end(), from, to);
+    if (task.IsTrial)
+    {
+      this->Kept->Keep(task.Group, { from, to }, this->Puller->GetHold());
+    }
+    from = to;
+  }
+  return true;
+}
+
+void EncodeSession::Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const
+{
+  results.Put(static_cast<std::uint32_t>(task.Group));
+  results.Put(task.IsTrial ? static_cast<std::uint32_t>(task.Factors.size()) : 0u);
+  if (!task.IsTrial)
+  {
+    for (const CodedGroup& part : *parts)
+    {
+      results.Put(PackPart(part));
+    }
+    return;
+  }
+  for (double factor : task.Factors)
+  {
+    const GroupCost cost = this->Writer->GetCost(*parts++);
+    for (double number : { factor, cost.Bytes, cost.CoverageBytes, cost.SquaredError })
+    {
+      results.Put(number);
+    }
+    results.Put(cost.CoveredFully ? 1u : 0u);
+  }
+}
+
+bool EncodeSession::Take(ByteBuffer& results)
+{
+  for (std::uint32_t group = 0; results.Take(group);)
+  {
+    std::uint32_t trials = 0;
+    bool good = results.Take(trials);
+    for (std::uint32_t trial = 0; good && trial < trials; ++trial)
+    {
+      good = this->TakeTrial(static_cast<int>(group), results);
+    }
+    if (!good || (trials == 0 && !this->TakeGroup(static_cast<int>(group), results)))
+    {
+      return this->FailWriting(vtkErrorCode::UnknownError, "a coded group was damaged on its way");
+    }
+  }
+  return this->ReportProgress();
+}
+
+bool EncodeSession::TakeTrial(int group, ByteBuffer& results)
+{
+  double factor = 0.0;
+  GroupCost cost;
+  std::uint32_t covered = 0;
+  const bool good = results.Take(factor) && results.Take(cost.Bytes) &&
+    results.Take(cost.CoverageBytes) && results.Take(cost.SquaredError) && results.Take(covered);
+  if (good)
+  {
+    cost.CoveredFully = covered != 0;
+    this->Control->AddTrial(group, factor, cost);
+  }
+  return good;
+}
+
+bool EncodeSession::TakeGroup(int group, ByteBuffer& results)
+{
+  GroupParts parts(this->Writer->GetTrackCount());
+  for (CodedGroup& part : parts)
+  {
+    std::vector<std::uint8_t> bytes;
+    if (!results.Take(bytes) || !UnpackPart(std::move(bytes), part))
+    {
+      return false;
+    }
+  }
+  std::string error;
+  return this->Writer->StoreGroup(group, parts, error) ||
     this->FailWriting(vtkErrorCode::UnknownError, error);
 }
 
-bool EncodeSession::StoreGroups(
-  const std::vector<int>& groups, const std::vector<GroupParts>& parts)
+bool EncodeSession::ReportProgress()
 {
-  std::string error;
-  for (std::size_t place = 0; place < groups.size(); ++place)
-  {
-    if (!this->Writer->StoreGroup(groups[place], parts[place], error))
-    {
-      return this->FailWriting(vtkErrorCode::UnknownError, error);
-    }
-  }
-  return this->ReportGroups();
-}
-
-bool EncodeSession::ReportGroups()
-{
+  const double groups = this->Writer->GetGroupCount();
   const double missing = static_cast<double>(this->Writer->GetMissingGroups().size());
-  const double share = (1.0 - JoinShare) * (1.0 - missing / this->Writer->GetGroupCount());
-  return this->Job.Progress(share) || this->FailWriting(vtkErrorCode::UserError, "it was stopped");
-}
-
-bool EncodeSession::Serve()
-{
-  while (auto message = this->Team.Poll())
-  {
-    this->Handle(*std::move(message));
-  }
-  return !this->Stopped;
-}
-
-void EncodeSession::Handle(Ranks::Message message)
-{
-  ByteBuffer content(message.Bytes);
-  std::uint32_t topic = Stop;
-  content.Take(topic);
-  switch (topic)
-  {
-    case Ask:
-      this->Deal(message.From);
-      break;
-    case Groups:
-      this->HandleGroups(content);
-      break;
-    case Done:
-      --this->Working;
-      break;
-    case Failed:
-      --this->Working;
-      this->FailedRank = this->FailedRank < 0 ? message.From : this->FailedRank;
-      this->StopOthers();
-      break;
-    case Share:
-    {
-      this->Dealt.emplace();
-      for (std::uint32_t group = 0; content.Take(group);)
-      {
-        this->Dealt->push_back(static_cast<int>(group));
-      }
-      break;
-    }
-    case State:
-      // From a rank that is done already.
-      this->States.push_back(std::move(message));
-      break;
-    default:
-      this->Stopped = true;
-      break;
-  }
-}
-
-void EncodeSession::HandleGroups(ByteBuffer& content)
-{
-  if (this->Stopped)
-  {
-    return;
-  }
-  std::uint32_t count = 0;
-  bool good = content.Take(count);
-  std::vector<int> groups;
-  std::vector<GroupParts> parts;
-  for (std::uint32_t place = 0; good && place < count; ++place)
-  {
-    std::uint32_t group = 0;
-    good = content.Take(group);
-    groups.push_back(static_cast<int>(group));
-    parts.emplace_back(this->Writer->GetTrackCount());
-    for (CodedGroup& part : parts.back())
-    {
-      std::vector<std::uint8_t> bytes;
-      good = good && content.Take(bytes) && UnpackPart(std::move(bytes), part);
-    }
-  }
-  if (!good)
-  {
-    this->FailWriting(vtkErrorCode::UnknownError, "a coded group was damaged on its way");
-  }
-  if (!good || !this->StoreGroups(groups, parts))
-  {
-    this->StopOthers();
-  }
-}
-
-void EncodeSession::Deal(int rank)
-{
-  ByteBuffer share = MakeMessage(Share);
-  if (!this->Stopped && !this->Undealt.empty())
-  {
-    const std::vector<int> groups = this->Choose();
-    this->Undealt.erase(this->Undealt.begin(), this->Undealt.begin() + groups.size());
-    for (int group : groups)
-    {
-      share.Put(static_cast<std::uint32_t>(group));
-    }
-  }
-  this->Team.Post(rank, share.GetBytes());
-}
-
-void EncodeSession::StopOthers()
-{
-  if (!this->Stopped)
-  {
-    this->Stopped = true;
-    for (int rank = 1; rank < this->Team.GetCount(); ++rank)
-    {
-      this->Team.Post(rank, MakeMessage(Stop).GetBytes());
-    }
-  }
+  const double trials = this->Control->GetExpectedTrials();
+  const double tried = std::min<double>(trials, this->Control->GetTrialCount());
+  const double share = (tried + groups - missing) / (trials + groups);
+  return this->Job.Progress((1.0 - JoinShare) * share) ||
+    this->FailWriting(vtkErrorCode::UserError, "it was stopped");
 }
 }

@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes one coded file, alone or together with the other ranks of a controller.
- *
- * Rank 0 deals the groups: each rank asks for some, pulls their viewpoints through its own
- * pipeline, codes them, sends them to rank 0, and asks again, always one ahead so that it need not
- * wait. Rank 0 works too, and serves the others whenever its pipeline or its coder reports
- * progress. Only rank 0 touches files.
+ * Writes one coded file, alone or together with the other ranks of a controller. Each rank pulls
+ * viewpoints through its own pipeline; only rank 0 touches files.
  */
 #ifndef cslfEncodeSession_h
 #define cslfEncodeSession_h
 
+#include "Coding/cslfEncodeCrew.h"
 #include "Coding/cslfFieldWriter.h"
-#include "Coding/cslfPart.h"
-#include "Parallel/cslfRanks.h"
+#include "Pipeline/cslfKeptGroups.h"
 #include "Pipeline/cslfSlicePuller.h"
+#include "Quality/cslfHeldOutViews.h"
 
 #include <functional>
 #include <optional>
@@ -52,6 +49,17 @@ struct EncodeFault
   std::string Text;
 };
 
+/// What came out.
+struct EncodeOutcome
+{
+  double CRF = 0.0; ///< the mean of all frames
+  double Bytes = 0.0;
+  double Ratio = 0.0; ///< raw 24-bit colour to the file
+  double PSNR = 0.0;  ///< of colour, as RateControl finds it
+  int KeyViewStep = 1;
+  double NovelViewPSNR = 0.0; ///< where it chose the step
+};
+
 class EncodeSession
 {
 public:
@@ -75,44 +83,49 @@ public:
   /// to tell.
   const EncodeFault& GetFault() const { return this->Fault; }
 
+  /// What came out, on rank 0 after success.
+  const EncodeOutcome& GetOutcome() const { return this->Outcome; }
+
 private:
   bool Fail(unsigned long code, const std::string& text);
   bool FailWriting(unsigned long code, const std::string& error);
-  bool Agree(const std::string& shared);
-  int FindFailed(const std::string& shared);
+  bool IsWell() const;
+  bool Agree(const std::string& shared, int* told = nullptr);
   bool CheckHere();
-  bool Begin();
+  bool CheckGrid();
+  bool BeginPulling(bool hasInput);
+  bool ChooseKeyViews(bool isReady);
+  bool BeginWriting();
+  bool OpenParts();
 
+  void Work();
   void Lead();
   void Follow();
   void Conclude();
+  bool DoNext(bool& isDone);
+  bool NoteTasks(const std::vector<CodingTask>& tasks);
 
-  std::vector<int> Choose() const;
+  int CountSlicesThatFit() const;
   int GetGroupsAtOnce() const;
-  bool MakeGroups(const std::vector<int>& groups, std::vector<GroupParts>& parts);
-  bool StoreGroups(const std::vector<int>& groups, const std::vector<GroupParts>& parts);
-  bool ReportGroups();
-
-  bool Serve();
-  void Handle(Ranks::Message message);
-  void HandleGroups(ByteBuffer& content);
-  void Deal(int rank);
-  void StopOthers();
+  bool Make(const std::vector<CodingTask>& tasks, ByteBuffer& results);
+  bool Gather(const std::vector<CodingTask>& tasks, std::vector<ConstSlice>& slices);
+  void Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const;
+  bool Take(ByteBuffer& results);
+  bool TakeTrial(int group, ByteBuffer& results);
+  bool TakeGroup(int group, ByteBuffer& results);
+  bool ReportProgress();
 
   EncodeJob Job;
-  Ranks Team;
+  EncodeCrew Crew;
   EncodeFault Fault;
-  std::optional<Layout> Grid;
+  EncodeOutcome Outcome;
+  std::optional<Layout> Grid; ///< of the input
   std::optional<SlicePuller> Puller;
+  std::optional<KeptGroups> Kept;
   std::optional<FieldWriter> Writer;
+  std::optional<RateControl> Control; ///< rank 0
+  KeyViewChoice Choice;
   bool Written = false;
-
-  std::vector<int> Undealt;              ///< rank 0: the groups that nobody works on
-  std::vector<Ranks::Message> States;    ///< rank 0: what the others have said in the end
-  int Working = 0;                       ///< rank 0: how many other ranks are not done
-  int FailedRank = -1;                   ///< rank 0: the first that failed
-  bool Stopped = false;                  ///< what is still to be done need not be
-  std::optional<std::vector<int>> Dealt; ///< other ranks: what to do next
 };
 }
 

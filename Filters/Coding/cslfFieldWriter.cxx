@@ -3,7 +3,9 @@
 #include "Coding/cslfFieldWriter.h"
 
 #include "Coding/cslfContainerWriter.h"
+#include "Coding/cslfGroupError.h"
 #include "Coding/cslfHEVC.h"
+#include "Coding/cslfTrackFactors.h"
 
 #include <vtkSMPTools.h>
 
@@ -21,6 +23,15 @@ namespace fs = std::filesystem;
 
 /// The smallest picture that HEVC can code.
 constexpr int MinimumResolution = 16;
+
+/// What a container holds once for the file, beside the header, and for each track: measured.
+struct ContainerBytes
+{
+  double File;
+  double Track;
+};
+constexpr ContainerBytes BytesOfMP4 = { 270.0, 690.0 };
+constexpr ContainerBytes BytesOfMatroska = { 325.0, 275.0 };
 
 std::string Join(const std::vector<std::string>& names)
 {
@@ -66,6 +77,11 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
     return "The pixel format \"" + settings.PixelFormat + "\" is none of " + ListColorFormats() +
       ".";
   }
+  const std::string fault = FindFault(settings.Target, settings.Lossless);
+  if (!fault.empty())
+  {
+    return fault;
+  }
   if (resolution < MinimumResolution)
   {
     return "HEVC needs a resolution of at least " + std::to_string(MinimumResolution) +
@@ -98,15 +114,11 @@ std::string FindFault(const Description& field)
   return {};
 }
 
-FieldWriter::FieldWriter(
-  const std::string& fileName, const EncodeSettings& settings, const Layout& grid)
-  : Parts(fileName)
+FieldWriter::FieldWriter(const std::string& fileName, const EncodeSettings& settings)
+  : FileName(fileName)
+  , Parts(fileName)
   , Settings(settings)
 {
-  FrameOrder order = MakeFrameOrder(grid, settings.GroupLength);
-  this->Header.Groups = std::move(order.Groups);
-  this->Header.Coarsest = order.Coarsest;
-  this->Header.Slices = std::move(order.Slices);
 }
 
 std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
@@ -152,6 +164,11 @@ void FieldWriter::MakeEncodings(bool hasDepth)
 
 void FieldWriter::Begin(const Description& field, std::uint32_t sample)
 {
+  FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
+  this->Header.Groups = std::move(order.Groups);
+  this->Header.Coarsest = order.Coarsest;
+  this->Header.Slices = std::move(order.Slices);
+  this->Costs.assign(this->Header.Groups.size(), GroupCost());
   this->Header.Field = field;
   this->Header.Field.Channels.clear();
   for (const char* name : { ColorName, DepthName })
@@ -173,8 +190,34 @@ std::string FieldWriter::MakeManifest(std::uint32_t sample) const
     { "sample", sample }, { "preset", settings.Preset }, { "pixel_format", settings.PixelFormat },
     { "crf", settings.CRF }, { "coverage_crf", settings.CoverageCRF },
     { "depth_crf", settings.DepthCRF }, { "group_length", settings.GroupLength },
-    { "lossless", settings.Lossless } };
+    { "lossless", settings.Lossless }, { "target", static_cast<int>(settings.Target.Kind) },
+    { "target_value", settings.Target.Value } };
   return manifest.dump();
+}
+
+RateField FieldWriter::GetRateField() const
+{
+  const Layout& grid = this->Header.Field.Grid;
+  return { this->Header.Groups, 1.0 * grid.GetStripWidth() * grid.GetResolution(),
+    [this](bool hasCoverage) { return this->GetContainerBytes(hasCoverage); } };
+}
+
+double FieldWriter::GetContainerBytes(bool hasCoverage) const
+{
+  // Checksums are as long as they get, but for a few.
+  FileHeader header = this->Header;
+  for (CodedTrack& track : header.Tracks)
+  {
+    std::fill(track.GroupCRCs.begin(), track.GroupCRCs.end(), ~std::uint32_t(0));
+  }
+  if (!hasCoverage)
+  {
+    header.Tracks.erase(header.Tracks.begin() + 1);
+  }
+  const bool isMP4 = std::string(FindContainer(this->FileName)) == "mp4";
+  const ContainerBytes& bytes = isMP4 ? BytesOfMP4 : BytesOfMatroska;
+  return bytes.File + static_cast<double>(header.ToText().size()) +
+    bytes.Track * static_cast<double>(header.Tracks.size());
 }
 
 bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
@@ -208,6 +251,11 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   return true;
 }
 
+bool FieldWriter::IsMissing(int group) const
+{
+  return std::binary_search(this->Missing.begin(), this->Missing.end(), group);
+}
+
 bool FieldWriter::FindGroup(int group)
 {
   GroupParts parts(this->Encodings.size());
@@ -228,46 +276,148 @@ bool FieldWriter::FindGroup(int group)
       return false;
     }
   }
+  this->Costs[group] = this->GetCost(parts);
   return true;
 }
 
-bool FieldWriter::EncodeGroups(const std::vector<int>& groups,
+EncodeOptions FieldWriter::GetOptions(const Encoding& encoding, double factor) const
+{
+  EncodeOptions options = encoding.Options;
+  const bool isFixed = this->Settings.Target.Kind == RateTarget::Kinds::Factor;
+  options.CRF = encoding.Kind.Role == TrackRole::Color ? factor
+    : isFixed                                          ? options.CRF
+                                                       : FindTrackFactor(options.CRF, factor);
+  return options;
+}
+
+bool FieldWriter::EncodeGroups(const std::vector<CodingTask>& tasks,
   const std::vector<ConstSlice>& slices, const std::function<void()>& idle,
   std::vector<GroupParts>& parts, std::string& error) const
 {
-  const std::size_t tracks = this->Encodings.size();
-  const std::size_t jobs = groups.size() * tracks;
-  std::vector<std::size_t> starts;
-  std::size_t start = 0;
-  for (int group : groups)
+  struct Job
   {
-    starts.push_back(start);
-    start += this->Header.Groups[group];
+    std::vector<ConstSlice> Frames;
+    const Encoding* Kind;
+    double Factor;
+    CodedGroup* Part;
+    std::string Error;
+  };
+  std::size_t count = 0;
+  for (const CodingTask& task : tasks)
+  {
+    count += task.Factors.size();
   }
-  parts.assign(groups.size(), GroupParts(tracks));
-  std::vector<std::string> errors(jobs);
+  parts.assign(count, GroupParts(this->Encodings.size()));
+  std::vector<Job> jobs;
+  std::size_t place = 0;
+  auto from = slices.begin();
+  for (const CodingTask& task : tasks)
+  {
+    const std::vector<ConstSlice> frames(from, from + this->Header.Groups[task.Group]);
+    from += this->Header.Groups[task.Group];
+    for (double factor : task.Factors)
+    {
+      for (std::size_t track = 0; track < this->Encodings.size(); ++track)
+      {
+        jobs.push_back({ frames, &this->Encodings[track], factor, &parts[place][track], {} });
+      }
+      ++place;
+    }
+  }
   const std::thread::id caller = std::this_thread::get_id();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(jobs), 1,
+  vtkSMPTools::For(0, static_cast<vtkIdType>(jobs.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType job = begin; job < end; ++job)
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        const std::size_t place = job / tracks;
-        const Encoding& encoding = this->Encodings[job % tracks];
-        const auto from = slices.begin() + static_cast<std::ptrdiff_t>(starts[place]);
-        const std::vector<ConstSlice> frames(from, from + this->Header.Groups[groups[place]]);
-        EncodeGroup(encoding.Kind, this->Header.Field.Grid.GetResolution(), encoding.Options,
-          frames, parts[place][job % tracks], errors[job]);
+        Job& job = jobs[k];
+        EncodeGroup(job.Kind->Kind, this->Header.Field.Grid.GetResolution(),
+          this->GetOptions(*job.Kind, job.Factor), job.Frames, *job.Part, job.Error);
         if (std::this_thread::get_id() == caller)
         {
           idle();
         }
       }
     });
-  const auto failed = std::find_if(
-    errors.begin(), errors.end(), [](const std::string& text) { return !text.empty(); });
-  error = failed == errors.end() ? std::string() : *failed;
+  const auto failed =
+    std::find_if(jobs.begin(), jobs.end(), [](const Job& job) { return !job.Error.empty(); });
+  error = failed == jobs.end() ? std::string() : failed->Error;
+  return error.empty() && this->MeasureErrors(tasks, slices, parts, error);
+}
+
+bool FieldWriter::IsMeasured(const CodingTask& task) const
+{
+  return !this->Settings.Lossless &&
+    (!task.IsTrial || this->Settings.Target.Kind == RateTarget::Kinds::PSNR);
+}
+
+bool FieldWriter::MeasureErrors(const std::vector<CodingTask>& tasks,
+  const std::vector<ConstSlice>& slices, std::vector<GroupParts>& parts, std::string& error) const
+{
+  struct Job
+  {
+    std::vector<ConstSlice> Frames;
+    GroupParts* Parts;
+    std::string Error;
+  };
+  std::vector<Job> jobs;
+  std::size_t place = 0;
+  auto from = slices.begin();
+  for (const CodingTask& task : tasks)
+  {
+    const std::vector<ConstSlice> frames(from, from + this->Header.Groups[task.Group]);
+    from += this->Header.Groups[task.Group];
+    for (std::size_t k = 0; k < task.Factors.size(); ++k, ++place)
+    {
+      if (this->IsMeasured(task))
+      {
+        jobs.push_back({ frames, &parts[place], {} });
+      }
+    }
+  }
+  const Track& color = this->Encodings[0].Kind;
+  const Track& coverage = this->Encodings[1].Kind;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(jobs.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        GroupParts& group = *jobs[k].Parts;
+        MeasureSquaredError({ color, &group[0] }, { coverage, &group[1] },
+          this->Header.Field.Grid.GetResolution(), jobs[k].Frames, group[0].SquaredError,
+          jobs[k].Error);
+      }
+    });
+  const auto failed =
+    std::find_if(jobs.begin(), jobs.end(), [](const Job& job) { return !job.Error.empty(); });
+  error = failed == jobs.end() ? std::string() : failed->Error;
   return error.empty();
+}
+
+GroupCost FieldWriter::GetCost(const GroupParts& parts) const
+{
+  GroupCost cost;
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    const bool isCoverage = this->Encodings[track].Kind.Role == TrackRole::Coverage;
+    for (const CodedFrame& frame : parts[track].Frames)
+    {
+      (isCoverage ? cost.CoverageBytes : cost.Bytes) += static_cast<double>(frame.Data.size());
+    }
+    cost.CoveredFully = isCoverage ? parts[track].CoveredFully : cost.CoveredFully;
+  }
+  std::vector<Track> tracks;
+  for (const Encoding& encoding : this->Encodings)
+  {
+    tracks.push_back(encoding.Kind);
+  }
+  const double container =
+    MeasureContainer(this->FileName, tracks, this->Header.Field.Grid.GetResolution(), parts);
+  const double share = 1.0 / static_cast<double>(tracks.size());
+  cost.CoverageBytes += share * container;
+  cost.Bytes += (1.0 - share) * container;
+  cost.SquaredError = parts.front().SquaredError;
+  return cost;
 }
 
 bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& error)
@@ -280,6 +430,7 @@ bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& er
       return false;
     }
   }
+  this->Costs[group] = this->GetCost(parts);
   this->Missing.erase(std::find(this->Missing.begin(), this->Missing.end(), group));
   return true;
 }

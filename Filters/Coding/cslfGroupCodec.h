@@ -38,6 +38,8 @@ struct CodedGroup
   std::vector<CodedFrame> Frames;
   std::uint32_t CRC = 0;     ///< over all coded slices
   bool CoveredFully = false; ///< a coverage track's: every sample is 255
+  /// A colour track's, once decoded, as in GroupCost; negative if not known.
+  double SquaredError = -1.0;
 };
 
 /// The presets that x265 knows.

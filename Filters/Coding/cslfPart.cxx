@@ -11,7 +11,7 @@ namespace cslf
 namespace
 {
 /// The first bytes of a part, with the version of its layout.
-constexpr std::uint32_t Magic = 0x31504643;
+constexpr std::uint32_t Magic = 0x32504643;
 
 bool Unpack(ByteBuffer& buffer, CodedGroup& part)
 {
@@ -19,7 +19,8 @@ bool Unpack(ByteBuffer& buffer, CodedGroup& part)
   std::uint32_t covered = 0;
   std::uint32_t frames = 0;
   if (!buffer.Take(magic) || magic != Magic || !buffer.Take(part.CRC) || !buffer.Take(covered) ||
-    !buffer.Take(part.ParameterSets) || !buffer.Take(frames) || frames > MaximumGroupLength)
+    !buffer.Take(part.SquaredError) || !buffer.Take(part.ParameterSets) || !buffer.Take(frames) ||
+    frames > MaximumGroupLength)
   {
     return false;
   }
@@ -40,10 +41,33 @@ bool Unpack(ByteBuffer& buffer, CodedGroup& part)
 }
 }
 
-void ByteBuffer::Put(std::uint32_t number)
+template <typename Number>
+void ByteBuffer::PutNumber(Number number)
 {
   const auto* data = reinterpret_cast<const std::uint8_t*>(&number);
   this->Bytes.insert(this->Bytes.end(), data, data + sizeof(number));
+}
+
+template <typename Number>
+bool ByteBuffer::TakeNumber(Number& number)
+{
+  if (this->Bytes.size() - this->Position < sizeof(number))
+  {
+    return false;
+  }
+  std::memcpy(&number, this->Bytes.data() + this->Position, sizeof(number));
+  this->Position += sizeof(number);
+  return true;
+}
+
+void ByteBuffer::Put(std::uint32_t number)
+{
+  this->PutNumber(number);
+}
+
+void ByteBuffer::Put(double number)
+{
+  this->PutNumber(number);
 }
 
 void ByteBuffer::Put(const std::vector<std::uint8_t>& data)
@@ -54,13 +78,12 @@ void ByteBuffer::Put(const std::vector<std::uint8_t>& data)
 
 bool ByteBuffer::Take(std::uint32_t& number)
 {
-  if (this->Bytes.size() - this->Position < sizeof(number))
-  {
-    return false;
-  }
-  std::memcpy(&number, this->Bytes.data() + this->Position, sizeof(number));
-  this->Position += sizeof(number);
-  return true;
+  return this->TakeNumber(number);
+}
+
+bool ByteBuffer::Take(double& number)
+{
+  return this->TakeNumber(number);
 }
 
 bool ByteBuffer::Take(std::vector<std::uint8_t>& data)
@@ -87,6 +110,7 @@ std::vector<std::uint8_t> PackPart(const CodedGroup& part)
   buffer.Put(Magic);
   buffer.Put(part.CRC);
   buffer.Put(part.CoveredFully ? 1u : 0u);
+  buffer.Put(part.SquaredError);
   buffer.Put(part.ParameterSets);
   buffer.Put(static_cast<std::uint32_t>(part.Frames.size()));
   for (const CodedFrame& frame : part.Frames)

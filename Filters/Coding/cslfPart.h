@@ -26,11 +26,13 @@ public:
   }
 
   void Put(std::uint32_t number);
+  void Put(double number);
   void Put(const std::vector<std::uint8_t>& data);
 
   ///@{
   /// Reads what was put next. False where the bytes end before.
   bool Take(std::uint32_t& number);
+  bool Take(double& number);
   bool Take(std::vector<std::uint8_t>& data);
   ///@}
 
@@ -40,6 +42,11 @@ public:
   std::uint32_t GetChecksum(std::size_t size) const;
 
 private:
+  template <typename Number>
+  void PutNumber(Number number);
+  template <typename Number>
+  bool TakeNumber(Number& number);
+
   std::vector<std::uint8_t> Bytes;
   std::size_t Position = 0;
 };

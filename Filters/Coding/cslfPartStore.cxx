@@ -22,6 +22,7 @@ constexpr const char* PartSuffix = ".part";
 constexpr const char* WholeName = "whole";
 constexpr const char* ManifestName = "manifest.json";
 constexpr const char* CacheName = "radiance.cache";
+constexpr const char* TrialsName = "trials.json";
 constexpr const char* LockName = "lock";
 
 /// How often the folder may vanish under a new run, each time removed by one that ends.
@@ -80,6 +81,7 @@ bool IsUnfinished(const std::string& name)
   return (BeginsWith(name, PartPrefix) && EndsWith(name, UnfinishedSuffix)) ||
     name == std::string(ManifestName) + UnfinishedSuffix ||
     name == std::string(CacheName) + UnfinishedSuffix ||
+    name == std::string(TrialsName) + UnfinishedSuffix ||
     BeginsWith(name, std::string(WholeName) + ".");
 }
 }
@@ -222,6 +224,16 @@ bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& e
   return true;
 }
 
+bool PartStore::WriteTrials(const std::string& text, std::string& error) const
+{
+  return this->WriteWhole(this->GetName(TrialsName), text.data(), text.size(), error);
+}
+
+std::string PartStore::ReadTrials() const
+{
+  return ReadBytes<std::string>(this->GetName(TrialsName));
+}
+
 std::string PartStore::GetCacheName() const
 {
   return this->GetName(CacheName);
@@ -273,6 +285,7 @@ void PartStore::RemoveParts() const
 {
   // The manifest goes last: it is what the parts that are left are trusted by.
   Remove(FindFiles(this->Folder, IsPart));
+  Remove({ this->GetName(TrialsName) });
   Remove({ this->GetName(ManifestName) });
 }
 }

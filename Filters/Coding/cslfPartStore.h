@@ -46,6 +46,13 @@ public:
   bool Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const;
   bool Read(TrackRole role, int group, CodedGroup& part, std::string& error) const;
 
+  ///@{
+  /// What was found out about the field before its parts were made, kept under the same manifest;
+  /// empty if there is nothing.
+  bool WriteTrials(const std::string& text, std::string& error) const;
+  std::string ReadTrials() const;
+  ///@}
+
   /// Where something that helps to go on may be kept, to be removed with the folder.
   std::string GetCacheName() const;
 

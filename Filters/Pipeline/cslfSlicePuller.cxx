@@ -35,6 +35,7 @@ const unsigned short* GetDepth(vtkImageData* image)
 SlicePuller::SlicePuller(vtkInformation* information, const Layout& grid)
   : Information(information)
   , Grid(grid)
+  , Keys(grid.GetViewpoints(), 1)
   , Texels(static_cast<std::size_t>(grid.GetStripWidth()) * grid.GetResolution())
 {
 }
@@ -72,12 +73,17 @@ std::uint32_t SlicePuller::GetFirstChecksum() const
 
 bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
 {
-  this->Color.resize(4 * this->Texels * slices.size());
-  this->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
+  if (this->Pulled.use_count() != 1)
+  {
+    // Nobody else holds the new ones.
+    this->Pulled = std::make_shared<Samples>();
+  }
+  this->Pulled->Color.resize(4 * this->Texels * slices.size());
+  this->Pulled->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
   std::vector<std::pair<int, std::size_t>> sorted; // slice, place
   for (std::size_t place = 0; place < slices.size(); ++place)
   {
-    sorted.emplace_back(slices[place], place);
+    sorted.emplace_back(this->Keys.ToWhole(slices[place]), place);
   }
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t begin = 0; begin < sorted.size();)
@@ -132,21 +138,22 @@ void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
 {
   const std::size_t offset = this->Texels * (slice - image->GetExtent()[4]);
   std::copy_n(GetColor(image) + 4 * offset, 4 * this->Texels,
-    this->Color.begin() + static_cast<std::ptrdiff_t>(4 * this->Texels * place));
+    this->Pulled->Color.begin() + static_cast<std::ptrdiff_t>(4 * this->Texels * place));
   if (this->HasDepth)
   {
     std::copy_n(GetDepth(image) + offset, this->Texels,
-      this->Depth.begin() + static_cast<std::ptrdiff_t>(this->Texels * place));
+      this->Pulled->Depth.begin() + static_cast<std::ptrdiff_t>(this->Texels * place));
   }
 }
 
 std::vector<ConstSlice> SlicePuller::GetSlices() const
 {
-  std::vector<ConstSlice> slices(this->Color.size() / (4 * this->Texels));
+  const Samples& pulled = *this->Pulled;
+  std::vector<ConstSlice> slices(pulled.Color.size() / (4 * this->Texels));
   for (std::size_t place = 0; place < slices.size(); ++place)
   {
-    slices[place].Color = this->Color.data() + 4 * this->Texels * place;
-    slices[place].Depth = this->HasDepth ? this->Depth.data() + this->Texels * place : nullptr;
+    slices[place].Color = pulled.Color.data() + 4 * this->Texels * place;
+    slices[place].Depth = this->HasDepth ? pulled.Depth.data() + this->Texels * place : nullptr;
   }
   return slices;
 }

@@ -9,9 +9,11 @@
 #define cslfSlicePuller_h
 
 #include "Coding/cslfFrameConverter.h"
+#include "Resampling/cslfKeyViews.h"
 #include "cslfDescription.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,11 +28,14 @@ public:
   /// Pulls from the connection of that pipeline information, whose whole extent is `grid`'s.
   SlicePuller(vtkInformation* information, const Layout& grid);
 
+  /// From now on, fields and slices are those of the key views only. All are key views at first.
+  void SetKeyViewStep(int step) { this->Keys = KeyViews(this->Grid.GetViewpoints(), step); }
+
   /// Reads the description of what the input holds already. On failure returns false and says why,
   /// in a sentence.
   bool Begin(std::string& error);
 
-  const Description& GetField() const { return this->Field; }
+  Description GetField() const { return this->Keys.Apply(this->Field); }
 
   /// The CRC-32 of the first viewpoint that the input holds already.
   std::uint32_t GetFirstChecksum() const;
@@ -39,21 +44,29 @@ public:
   /// why, in one line.
   bool Pull(const std::vector<int>& slices, std::string& error);
 
-  /// What was pulled last, in the order asked for.
+  /// What was pulled last, in the order asked for: valid until the next pull, or as long as what
+  /// GetHold returns is kept.
   std::vector<ConstSlice> GetSlices() const;
+  std::shared_ptr<const void> GetHold() const { return this->Pulled; }
 
 private:
+  struct Samples
+  {
+    std::vector<unsigned char> Color;
+    std::vector<unsigned short> Depth;
+  };
+
   vtkImageData* Update(int first, int last, std::string& error);
   void Copy(vtkImageData* image, int slice, std::size_t place);
 
   vtkInformation* Information;
   Layout Grid;
+  KeyViews Keys;
   std::size_t Texels; ///< of one slice
   Description Field;
   std::string Text; ///< the description
   bool HasDepth = false;
-  std::vector<unsigned char> Color; ///< of the slices pulled last
-  std::vector<unsigned short> Depth;
+  std::shared_ptr<Samples> Pulled; ///< of the slices pulled last
 };
 }
 

@@ -54,6 +54,32 @@ void Set(const Setting& setting, vtkCSLFEncoder* encoder)
   encoder->SetFileName(setting.GetFileName().c_str());
 }
 
+/// The same where a sample is tried first, and where key views are chosen.
+void TestTarget(const Setting& setting)
+{
+  const auto change = [](vtkCSLFEncoder* encoder)
+  {
+    encoder->SetGroupLength(1);
+    encoder->SetTargetPSNR(30.0);
+    encoder->SetKeyViewStepToAutomatic();
+    encoder->SetTargetNovelViewPSNR(12.0);
+  };
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(setting.Field);
+  Set(setting, encoder);
+  change(encoder);
+  CSLF_CHECK(encoder->Write() == 1);
+  if (setting.GetRank() == 0)
+  {
+    CSLF_CHECK(encoder->GetActualKeyViewStep() > 1);
+    const std::vector<char> bytes = ReadBytes(setting.GetFileName());
+    encoder->SetController(nullptr);
+    CSLF_CHECK(encoder->Write() == 1);
+    CSLF_CHECK(!bytes.empty() && ReadBytes(setting.GetFileName()) == bytes);
+    std::filesystem::remove(setting.GetFileName());
+  }
+}
+
 void TestBytes(const Setting& setting)
 {
   const auto source = cslf::testing::MakeSource(setting.Field);
@@ -101,6 +127,25 @@ void TestFailure(const Setting& setting, int disturbed, int telling, const std::
   }
   CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName()));
   CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+}
+
+/// Rank 0 finds out for all that a target cannot be met.
+void TestOutOfReach(const Setting& setting)
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(setting.Field);
+  Set(setting, encoder);
+  encoder->SetTargetPSNR(99.0);
+  for (const char* message : { "a PSNR of 99 dB cannot be met", "no key views reach" })
+  {
+    const cslf::testing::Observed observed(encoder);
+    CSLF_CHECK(encoder->Write() == 0);
+    CSLF_CHECK(setting.Sum(observed.GetErrors()) == 1);
+    CSLF_CHECK(setting.GetRank() != 0 || observed.HasError(message));
+    CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+    encoder->SetKeyViewStepToAutomatic();
+    encoder->SetTargetNovelViewPSNR(99.0);
+  }
 }
 
 void TestFailures(const Setting& setting)
@@ -160,6 +205,8 @@ int TestCSLFEncoderParallel(int argc, char* argv[])
   }
   CSLF_CHECK(controller->GetNumberOfProcesses() > 1);
   TestBytes(setting);
+  TestTarget(setting);
+  TestOutOfReach(setting);
   TestFailures(setting);
   TestAbort(setting);
   TestBytes(setting);

@@ -80,12 +80,13 @@ struct Remains
   bool Taken = false;
 };
 
-Remains Interrupt(vtkImageData* field, const std::string& fileName)
+Remains Interrupt(
+  vtkImageData* field, const std::string& fileName, const Change& change = [](vtkCSLFEncoder*) {})
 {
   Remains remains{ fileName + ".partial", fileName + ".kept" };
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputData(field);
-  Set(encoder, fileName, [](vtkCSLFEncoder*) {});
+  Set(encoder, fileName, change);
   vtkNew<vtkCallbackCommand> copy;
   copy->SetClientData(&remains);
   copy->SetCallback(
@@ -178,6 +179,35 @@ void TestChange(vtkImageData* field, const Remains& remains, const std::string& 
   CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices >= slices);
 }
 
+/// Neither trials nor parts are repeated, and damaged trials are made again.
+void TestTarget(vtkImageData* field, const std::string& fileName)
+{
+  const Change change = [](vtkCSLFEncoder* encoder)
+  {
+    encoder->SetGroupLength(1);
+    encoder->SetTargetPSNR(30.0);
+    encoder->SetKeyViewStep(2);
+  };
+  const Remains remains = Interrupt(field, fileName, change);
+  const std::vector<char> expected = ReadBytes(fileName);
+  const int slices = cslf::testing::Decode(fileName)->GetExtent()[5] + 1;
+  PutBack(remains);
+  const Outcome outcome = Write(field, fileName, change);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 0);
+  CSLF_CHECK(outcome.Slices > 1 && outcome.Slices < slices);
+  CSLF_CHECK(outcome.FirstProgress > 0.9 * Killed);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+
+  for (const std::string& text : { std::string(), std::string("[[0,20.0]]"), std::string("[1,{}") })
+  {
+    PutBack(remains);
+    cslf::testing::WriteBytes(remains.Folder + "/trials.json", { text.begin(), text.end() });
+    const Outcome again = Write(field, fileName, change);
+    CSLF_CHECK(again.Written && again.Warnings == 0 && again.Slices > outcome.Slices);
+    CSLF_CHECK(ReadBytes(fileName) == expected);
+  }
+}
+
 /// A second writer of the same file fails, and does not disturb the first.
 void TestLock(vtkImageData* field, const std::string& fileName, const std::vector<char>& expected)
 {
@@ -230,5 +260,6 @@ int TestCSLFEncoderRestart(int argc, char* argv[])
   TestDamage(field, remains, fileName, expected);
   TestChange(field, remains, fileName);
   TestLock(field, fileName, expected);
+  TestTarget(cslf::testing::MakeByteField(9, 16), folder + "/target.mp4");
   return cslf::testing::Result();
 }

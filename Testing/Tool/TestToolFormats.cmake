@@ -28,6 +28,8 @@ cslf_run(compare decoded.vti box --json)
 expect_json(ON channels Color equal)
 expect_json(ON channels Depth equal)
 cslf_run(encode box -o box.mp4 --crf 30 --preset fast --json)
+expect_json(30.0 crf)
+expect_json_at_least(20 psnr)
 cslf_run(decode box.mp4 -o decoded)
 
 cslf_run(info box.mp4 --json)

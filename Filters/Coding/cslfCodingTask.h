@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A piece of the work of coding a field, and what it costs.
+ */
+#ifndef cslfCodingTask_h
+#define cslfCodingTask_h
+
+#include <vector>
+
+namespace cslf
+{
+/// A group to be coded, once for each rate factor of colour.
+struct CodingTask
+{
+  int Group = 0;
+  bool IsTrial = false; ///< only what it costs is wanted
+  std::vector<double> Factors;
+};
+
+/// What a coded group costs, with what it takes of the container.
+struct GroupCost
+{
+  double Bytes = 0.0; ///< of all tracks but coverage
+  double CoverageBytes = 0.0;
+  /// Of colour, summed over texels, red, green and blue, in units of 1/255; negative if not known.
+  double SquaredError = -1.0;
+  bool CoveredFully = true;
+};
+}
+
+#endif

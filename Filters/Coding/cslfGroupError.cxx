@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfGroupError.h"
+
+#include "cslfLayout.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
+namespace cslf
+{
+namespace
+{
+constexpr int ColorBytes = 4;
+
+struct ParametersDeleter
+{
+  void operator()(AVCodecParameters* parameters) const { avcodec_parameters_free(&parameters); }
+};
+using Parameters = std::unique_ptr<AVCodecParameters, ParametersDeleter>;
+
+Parameters MakeParameters(const CodedGroup& part)
+{
+  Parameters parameters(avcodec_parameters_alloc());
+  const std::size_t size = part.ParameterSets.size();
+  if (parameters)
+  {
+    parameters->codec_type = AVMEDIA_TYPE_VIDEO;
+    parameters->codec_id = avcodec_descriptor_get_by_name(CodecName)->id;
+    parameters->extradata =
+      static_cast<std::uint8_t*>(av_mallocz(size + AV_INPUT_BUFFER_PADDING_SIZE));
+    parameters->extradata_size = parameters->extradata ? static_cast<int>(size) : 0;
+    std::copy_n(part.ParameterSets.begin(), parameters->extradata_size, parameters->extradata);
+  }
+  return parameters;
+}
+
+bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packets)
+{
+  for (const CodedFrame& frame : part.Frames)
+  {
+    AVHandle<AVPacket> packet(av_packet_alloc());
+    if (!packet || av_new_packet(packet.get(), static_cast<int>(frame.Data.size())) < 0)
+    {
+      return false;
+    }
+    std::copy(frame.Data.begin(), frame.Data.end(), packet->data);
+    packet->pts = frame.Index;
+    packets.push_back(std::move(packet));
+  }
+  return true;
+}
+
+/// Decodes a track into its part of slices.
+bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& slices)
+{
+  const Parameters parameters = MakeParameters(*track.Part);
+  std::vector<AVHandle<AVPacket>> packets;
+  if (!parameters || !MakePackets(*track.Part, packets))
+  {
+    return false;
+  }
+  FrameToSlice converter(track.Kind, resolution);
+  std::size_t good = 0;
+  return DecodeGroup(parameters.get(), packets,
+           [&](int index, const AVFrame* frame)
+           {
+             const bool isKnown = index >= 0 && static_cast<std::size_t>(index) < slices.size();
+             good += isKnown && converter.Convert(frame, slices[index]) ? 1 : 0;
+             return true;
+           }) &&
+    good == slices.size();
+}
+
+double SumSquares(const unsigned char* a, const unsigned char* b, std::size_t texels)
+{
+  double sum = 0.0;
+  for (std::size_t texel = 0; texel < texels; ++texel)
+  {
+    int squares = 0;
+    for (int component = 0; component < 3; ++component)
+    {
+      const std::size_t place = ColorBytes * texel + component;
+      const int difference = a[place] - b[place];
+      squares += difference * difference;
+    }
+    sum += squares;
+  }
+  return sum;
+}
+}
+
+bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
+  const std::vector<ConstSlice>& slices, double& sum, std::string& error)
+{
+  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  std::vector<unsigned char> samples(ColorBytes * texels * slices.size());
+  std::vector<Slice> decoded(slices.size());
+  for (std::size_t k = 0; k < slices.size(); ++k)
+  {
+    decoded[k].Color = samples.data() + ColorBytes * texels * k;
+  }
+  if (!Decode(color, resolution, decoded) || !Decode(coverage, resolution, decoded))
+  {
+    error = "what was coded cannot be decoded";
+    return false;
+  }
+  sum = 0.0;
+  for (std::size_t k = 0; k < slices.size(); ++k)
+  {
+    JoinChannels(resolution, &coverage.Kind, decoded[k]);
+    sum += SumSquares(decoded[k].Color, slices[k].Color, texels);
+  }
+  return true;
+}
+}

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Quality/cslfHeldOutViews.h"
+
+#include "Quality/cslfPSNR.h"
+#include "Quality/cslfTexelChoice.h"
+#include "cslfLookup.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+namespace cslf
+{
+namespace
+{
+constexpr std::uint32_t Seed = 20210831;
+
+/// The viewpoints looked at of each face.
+constexpr int ViewsPerFace = 4;
+
+/// Those looked at of all faces together in addition, where they differ most, as of many scenes one
+/// side shows nearly all: at least so many, and one of so many of the field's.
+constexpr int FurtherViews = 40;
+constexpr int FurtherShare = 80;
+
+/// The texels compared of each viewpoint.
+constexpr int TexelsPerView = 1024;
+
+constexpr double Peak = 255.0;
+constexpr double MostPSNR = 100.0;
+
+/// The viewpoints of a face that are no key views, each once, such that the first ones of them are
+/// evenly spread however many they are: the sequence of Roberts, by the plastic number.
+class ViewSequence
+{
+public:
+  ViewSequence(const Layout& grid, const KeyViews& keys, int face)
+    : Grid(grid)
+    , Keys(keys)
+    , Face(face)
+  {
+  }
+
+  /// The slice of the next one, or -1 at the end.
+  int Next()
+  {
+    constexpr double steps[2] = { 0.7548776662466927, 0.5698402909980532 };
+    const int side = this->Grid.GetViewpoints();
+    // After as many tries as that all viewpoints have come.
+    for (const int end = this->Try + 16 * side * side; this->Try < end;)
+    {
+      ++this->Try;
+      int place[2];
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const double position = (this->Try + this->Face * side) * steps[axis];
+        place[axis] =
+          std::min(side - 1, static_cast<int>(side * (position - std::floor(position))));
+      }
+      const int slice = this->Grid.SliceOf({ this->Face, place[0], place[1] });
+      if (!this->Keys.IsKey(slice) && this->Seen.insert(slice).second)
+      {
+        return slice;
+      }
+    }
+    return -1;
+  }
+
+private:
+  const Layout& Grid;
+  const KeyViews& Keys;
+  int Face;
+  int Try = 0;
+  std::set<int> Seen;
+};
+
+/// The mean square errors of some viewpoints of a face.
+struct FaceErrors
+{
+  std::vector<double> Errors;
+
+  double GetMean() const
+  {
+    return std::accumulate(this->Errors.begin(), this->Errors.end(), 0.0) /
+      static_cast<double>(std::max<std::size_t>(1, this->Errors.size()));
+  }
+
+  double GetDeviation() const
+  {
+    const double mean = this->GetMean();
+    double sum = 0.0;
+    for (double error : this->Errors)
+    {
+      sum += (error - mean) * (error - mean);
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, this->Errors.size())));
+  }
+};
+
+/// The slices, of the key views, that surround a viewpoint.
+std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, double v)
+{
+  const NodeBracket i = keyGrid.FindNodes(u);
+  const NodeBracket j = keyGrid.FindNodes(v);
+  std::vector<int> slices;
+  for (const Viewpoint& viewpoint :
+    { Viewpoint{ face, i.Lower, j.Lower }, Viewpoint{ face, i.Upper, j.Lower },
+      Viewpoint{ face, i.Lower, j.Upper }, Viewpoint{ face, i.Upper, j.Upper } })
+  {
+    slices.push_back(keyGrid.SliceOf(viewpoint));
+  }
+  return slices;
+}
+
+/// Image data of some slices, which the arrays do not own.
+template <typename Array, typename Value>
+void AddArray(vtkImageData* image, const char* name, int components, const Value* values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetArray(const_cast<Value*>(values), components * image->GetNumberOfPoints(), 1);
+  image->GetPointData()->AddArray(array);
+}
+
+/// The mean square error of some texels of a viewpoint, looked up from key views.
+double Compare(const Lookup& lookup, const Layout& grid, int slice, const unsigned char* truth)
+{
+  const Viewpoint viewpoint = grid.ViewpointOf(slice);
+  const int resolution = grid.GetResolution();
+  const int width = grid.GetStripWidth();
+  const TexelChoice texels(static_cast<std::uint64_t>(width) * resolution, TexelsPerView,
+    static_cast<std::uint32_t>(slice));
+  std::vector<double> squares(texels.GetCount());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(squares.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const int texel = static_cast<int>(texels[k]);
+        const int x = texel % width;
+        RayCoordinates ray;
+        ray.Entry = { viewpoint.Face,
+          { grid.NodeCoordinate(viewpoint.I), grid.NodeCoordinate(viewpoint.J) } };
+        ray.Exit = { ExitFaceOf(viewpoint.Face, x / resolution),
+          { grid.TexelCoordinate(x % resolution), grid.TexelCoordinate(texel / width) } };
+        const glm::dvec4 color = lookup.DepthCorrected(ray).Color;
+        for (int component = 0; component < 3; ++component)
+        {
+          const double found = std::round(Peak * std::clamp(color[component], 0.0, 1.0));
+          squares[k] += std::pow(found - truth[4 * texel + component], 2);
+        }
+      }
+    });
+  constexpr double components = 3.0;
+  return std::accumulate(squares.begin(), squares.end(), 0.0) / (components * squares.size());
+}
+
+/// The mean square error of a viewpoint of the whole field, looked up from key views. On failure
+/// returns false and says why.
+bool MeasureView(
+  SlicePuller& puller, const KeyViews& keys, int view, double& mean, std::string& error)
+{
+  const Description whole = puller.GetField();
+  const Description field = keys.Apply(whole);
+  const Viewpoint viewpoint = whole.Grid.ViewpointOf(view);
+  const std::vector<int> around = FindSurroundings(field.Grid, viewpoint.Face,
+    whole.Grid.NodeCoordinate(viewpoint.I), whole.Grid.NodeCoordinate(viewpoint.J));
+  std::vector<int> slices;
+  std::transform(around.begin(), around.end(), std::back_inserter(slices),
+    [&keys](int slice) { return keys.ToWhole(slice); });
+  slices.push_back(view);
+  if (!puller.Pull(slices, error))
+  {
+    return false;
+  }
+  // What was pulled lies in one piece.
+  const std::vector<ConstSlice> pulled = puller.GetSlices();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(
+    whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
+  AddArray<vtkUnsignedCharArray>(image, ColorName, 4, pulled.front().Color);
+  if (pulled.front().Depth)
+  {
+    AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
+  }
+  mean = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back().Color);
+  return true;
+}
+
+/// The steps that keep different key views, ascending, the smallest of each.
+std::vector<int> ListSteps(int viewpoints)
+{
+  std::vector<int> steps;
+  std::size_t kept = viewpoints;
+  for (int step = 2; step < viewpoints; ++step)
+  {
+    const std::size_t count = KeyViews(viewpoints, step).GetIndices().size();
+    if (count < kept)
+    {
+      steps.push_back(step);
+      kept = count;
+    }
+  }
+  return steps;
+}
+}
+
+bool MeasureHeldOutViews(SlicePuller& puller, int step, double& psnr, std::string& error)
+{
+  const Layout grid = puller.GetField().Grid;
+  const KeyViews keys(grid.GetViewpoints(), step);
+  std::vector<ViewSequence> sequences;
+  std::vector<FaceErrors> faces(FaceCount);
+  std::vector<double> deviations;
+  const auto look = [&](int face, int count)
+  {
+    for (int view = 0; view < count; ++view)
+    {
+      const int slice = sequences[face].Next();
+      double mean = 0.0;
+      if (slice >= 0 && !MeasureView(puller, keys, slice, mean, error))
+      {
+        return false;
+      }
+      if (slice >= 0)
+      {
+        faces[face].Errors.push_back(mean);
+      }
+    }
+    return true;
+  };
+  for (int face = 0; face < FaceCount; ++face)
+  {
+    sequences.emplace_back(grid, keys, face);
+    if (!look(face, ViewsPerFace))
+    {
+      return false;
+    }
+    deviations.push_back(faces[face].GetDeviation());
+  }
+  const int further = std::max(FurtherViews, grid.GetSlices() / FurtherShare);
+  const double all = std::accumulate(deviations.begin(), deviations.end(), 0.0);
+  double sum = 0.0;
+  for (int face = 0; face < FaceCount; ++face)
+  {
+    const double share = all > 0.0 ? deviations[face] / all : 0.0;
+    if (!look(face, static_cast<int>(std::lround(further * share))))
+    {
+      return false;
+    }
+    sum += faces[face].GetMean();
+  }
+  psnr = PSNR(sum / FaceCount, Peak, MostPSNR);
+  return true;
+}
+
+bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()>& proceed,
+  KeyViewChoice& choice, std::string& error)
+{
+  const std::vector<int> steps = ListSteps(puller.GetField().Grid.GetViewpoints());
+  KeyViewChoice best; // of those that are not good enough
+  choice = {};
+  std::size_t good = 0; // so many steps are good enough
+  for (std::size_t bad = steps.size(); good < bad;)
+  {
+    const std::size_t middle = (good + bad) / 2;
+    KeyViewChoice candidate{ steps[middle], 0.0 };
+    if (!proceed())
+    {
+      error = "it was stopped";
+      return false;
+    }
+    if (!MeasureHeldOutViews(puller, candidate.Step, candidate.PSNR, error))
+    {
+      return false;
+    }
+    const bool isGood = candidate.PSNR >= goal;
+    (isGood ? choice : best) = candidate;
+    (isGood ? good : bad) = isGood ? middle + 1 : middle;
+  }
+  if (choice.Step == 1)
+  {
+    std::ostringstream text;
+    text << "no key views reach a PSNR of " << goal << " dB";
+    if (best.Step > 1)
+    {
+      text << ": the best, with a step of " << best.Step << ", have " << best.PSNR << " dB";
+    }
+    error = text.str();
+  }
+  return choice.Step > 1;
+}
+}
