@@ -171,6 +171,10 @@ double RateModel::Solve(double goal) const
       level = 0.5 * (low + high);
       ((this->Sum(weights, sums, level) > goal) == falls ? low : high) = level;
     }
+    // Between them one group changes its factor: take the nearer side.
+    const double missLow = std::abs(this->Sum(weights, sums, low) - goal);
+    const double missHigh = std::abs(this->Sum(weights, sums, high) - goal);
+    level = missLow < missHigh ? low : high;
     if (MostFactor - level < 1e-3 || level - LeastFactor < 1e-3)
     {
       level = std::round(level);
