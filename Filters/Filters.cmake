@@ -154,6 +154,8 @@ list(APPEND private_headers
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources
+  ../Filters/Coding/cslfAV1.cxx
+  ../Filters/Coding/cslfCodec.cxx
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
@@ -166,12 +168,17 @@ list(APPEND sources
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
+  ../Filters/Coding/cslfH264.cxx
   ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfNALUnits.cxx
   ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
-  ../Filters/Coding/cslfTrack.cxx)
+  ../Filters/Coding/cslfTrack.cxx
+  ../Filters/Coding/cslfVideoEncoders.cxx)
 list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfAV1.h
+  ../Filters/Coding/cslfCodec.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
@@ -184,10 +191,13 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
+  ../Filters/Coding/cslfH264.h
   ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
-  ../Filters/Coding/cslfTrack.h)
+  ../Filters/Coding/cslfTrack.h
+  ../Filters/Coding/cslfVideoEncoders.h)
 
 # Folders of cube maps.
 list(APPEND sources

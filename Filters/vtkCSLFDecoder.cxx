@@ -28,6 +28,7 @@ public:
   std::unique_ptr<cslf::FieldReader> Reader;
   std::string Description;
   std::string PixelFormat;
+  std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
@@ -35,6 +36,7 @@ public:
     this->Reader = std::move(reader);
     this->Description.clear();
     this->PixelFormat.clear();
+    this->TrackBytes.clear();
     if (this->Reader)
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
@@ -79,12 +81,40 @@ const char* vtkCSLFDecoder::GetDescription() const
 
 const char* vtkCSLFDecoder::GetCodecName() const
 {
-  return this->Internal->Reader ? cslf::CodecName : "";
+  const auto& reader = this->Internal->Reader;
+  return reader ? cslf::NameOfCodec(reader->GetHeader().Tracks.front().Kind.Coding) : "";
 }
 
 const char* vtkCSLFDecoder::GetPixelFormat() const
 {
   return this->Internal->PixelFormat.c_str();
+}
+
+int vtkCSLFDecoder::GetNumberOfTracks() const
+{
+  const auto& reader = this->Internal->Reader;
+  return reader ? static_cast<int>(reader->GetHeader().Tracks.size()) : 0;
+}
+
+const char* vtkCSLFDecoder::GetTrackName(int track) const
+{
+  return track >= 0 && track < this->GetNumberOfTracks()
+    ? cslf::NameOfRole(this->Internal->Reader->GetHeader().Tracks[track].Kind.Role)
+    : nullptr;
+}
+
+vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)
+{
+  if (track < 0 || track >= this->GetNumberOfTracks())
+  {
+    return 0;
+  }
+  if (this->Internal->TrackBytes.empty())
+  {
+    const cslf::AVLogSilence silence;
+    this->Internal->TrackBytes = this->Internal->Reader->CountBytes();
+  }
+  return this->Internal->TrackBytes[track];
 }
 
 vtkIdType vtkCSLFDecoder::GetNumberOfMissingViewpoints() const

@@ -8,7 +8,6 @@
 #define cslfContainerReader_h
 
 #include "Coding/cslfFileHeader.h"
-#include "Coding/cslfHEVC.h"
 
 #include <memory>
 #include <string>
@@ -45,6 +44,9 @@ public:
   /// cannot be read is left out.
   std::vector<GroupPackets> Read(int firstGroup, int count);
 
+  /// The bytes of all packets of each track. Reads the whole file.
+  std::vector<std::int64_t> CountBytes();
+
   /// Whether all packets of a group are there and their checksums right, in one or in all tracks.
   bool IsWhole(int group, std::size_t track, const GroupPackets& packets) const;
   bool IsWhole(int group, const GroupPackets& packets) const;
@@ -64,7 +66,7 @@ private:
   std::vector<int> GroupStarts;
   std::vector<int> GroupOfFrame;
   std::vector<int> Streams; ///< of each track
-  std::vector<NALFraming> Framings;
+  std::vector<Framing> Framings;
   std::vector<std::int64_t> FirstTimes; ///< of each track, empty until needed
 };
 }

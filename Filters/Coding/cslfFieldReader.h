@@ -28,6 +28,9 @@ public:
 
   const FileHeader& GetHeader() const { return this->Container->GetHeader(); }
 
+  /// The bytes of all packets of each track. Reads the whole file.
+  std::vector<std::int64_t> CountBytes() { return this->Container->CountBytes(); }
+
   /// Decodes the slices `first` to `last` into arrays of just these; `depth` may be null. Groups
   /// that hold none of them are not read. Slices of damaged groups are cleared and their numbers
   /// returned in ascending order.

@@ -3,7 +3,6 @@
 #include "Coding/cslfFieldWriter.h"
 
 #include "Coding/cslfContainerWriter.h"
-#include "Coding/cslfHEVC.h"
 
 #include <vtkSMPTools.h>
 
@@ -19,8 +18,46 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// The smallest picture that HEVC can code.
+/// The smallest pictures that are coded.
 constexpr int MinimumResolution = 16;
+
+/// The pixel format that stands for the codec's default.
+constexpr const char* AutomaticFormat = "auto";
+
+/// The encoder and the format of colour that settings ask for. The encoder is null where this
+/// FFmpeg has none.
+struct EncoderChoice
+{
+  const VideoEncoder* Encoder = nullptr;
+  AVPixelFormat Color = AV_PIX_FMT_NONE;
+};
+
+EncoderChoice ChooseEncoder(const EncodeSettings& settings, int resolution)
+{
+  EncoderChoice choice;
+  const Codec codec = *CodecOfName(settings.Codec);
+  if (settings.Lossless || settings.PixelFormat != AutomaticFormat)
+  {
+    choice.Color = settings.Lossless ? AV_PIX_FMT_GBRP
+                                     : *FindPixelFormat(TrackRole::Color, settings.PixelFormat);
+    choice.Encoder = FindEncoder(codec, choice.Color, resolution);
+  }
+  else if ((choice.Encoder = FindEncoder(codec, resolution)))
+  {
+    choice.Color = choice.Encoder->Colors.front();
+  }
+  return choice;
+}
+
+std::string ListCodecs()
+{
+  std::string list;
+  for (const Codec codec : GetCodecs())
+  {
+    list += (list.empty() ? "" : ", ") + std::string(NameOfCodec(codec));
+  }
+  return list;
+}
 
 std::string Join(const std::vector<std::string>& names)
 {
@@ -60,25 +97,38 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
   {
     return "The preset \"" + settings.Preset + "\" is none of " + Join(presets) + ".";
   }
-  const auto format = FindPixelFormat(TrackRole::Color, settings.PixelFormat);
-  if (!format)
+  const auto codec = CodecOfName(settings.Codec);
+  if (!codec)
   {
-    return "The pixel format \"" + settings.PixelFormat + "\" is none of " + ListColorFormats() +
-      ".";
+    return "The codec \"" + settings.Codec + "\" is none of " + ListCodecs() + ".";
+  }
+  if (settings.PixelFormat != AutomaticFormat &&
+    !FindPixelFormat(TrackRole::Color, settings.PixelFormat))
+  {
+    return "The pixel format \"" + settings.PixelFormat + "\" is none of auto, " +
+      ListColorFormats() + ".";
   }
   if (resolution < MinimumResolution)
   {
-    return "HEVC needs a resolution of at least " + std::to_string(MinimumResolution) +
+    return "Video needs a resolution of at least " + std::to_string(MinimumResolution) +
       " texels, the field has " + std::to_string(resolution) + ".";
   }
-  if (!settings.Lossless && NeedsEvenSize(*format) && resolution % 2 != 0)
+  if (!HasEncoder(*codec))
   {
-    return "The pixel format " + settings.PixelFormat +
-      " needs an even resolution, the field has " + std::to_string(resolution) + ".";
+    return "This FFmpeg cannot encode " + settings.Codec +
+      ". It has encoders for: " + ListCodecsToEncode() + ".";
   }
-  if (!HasEncoder())
+  const EncoderChoice choice = ChooseEncoder(settings, resolution);
+  if (!choice.Encoder || (settings.Lossless && !choice.Encoder->CanBeLossless))
   {
-    return "This FFmpeg cannot encode HEVC: it was built without libx265.";
+    return "No encoder that this FFmpeg has for " + settings.Codec + " can code " +
+      (settings.Lossless ? "without loss" : settings.PixelFormat) + " at a resolution of " +
+      std::to_string(resolution) + ".";
+  }
+  if (NeedsEvenSize(choice.Color) && resolution % 2 != 0)
+  {
+    return "The pixel format " + NameOfFormat(choice.Color) +
+      " needs an even resolution, the field has " + std::to_string(resolution) + ".";
   }
   return {};
 }
@@ -121,13 +171,15 @@ std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
   return slices;
 }
 
-void FieldWriter::MakeEncodings(bool hasDepth)
+void FieldWriter::MakeEncodings(const Description& field)
 {
   const EncodeSettings& settings = this->Settings;
+  const EncoderChoice choice = ChooseEncoder(settings, field.Grid.GetResolution());
+  const bool hasDepth = field.FindChannel(DepthName) != nullptr;
   const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
   {
     Encoding encoding;
-    encoding.Kind = { role, format, settings.Lossless };
+    encoding.Kind = { role, format, settings.Lossless, choice.Encoder->Coding };
     encoding.Options = { settings.Preset, crf, settings.GroupLength };
     this->Encodings.push_back(encoding);
     this->Header.Tracks.push_back(
@@ -135,10 +187,8 @@ void FieldWriter::MakeEncodings(bool hasDepth)
   };
   this->Encodings.clear();
   this->Header.Tracks.clear();
-  add(TrackRole::Color,
-    settings.Lossless ? AV_PIX_FMT_GBRP : *FindPixelFormat(TrackRole::Color, settings.PixelFormat),
-    settings.CRF);
-  add(TrackRole::Coverage, AV_PIX_FMT_GRAY8, settings.CoverageCRF);
+  add(TrackRole::Color, choice.Color, settings.CRF);
+  add(TrackRole::Coverage, choice.Encoder->Coverage, settings.CoverageCRF);
   if (hasDepth && settings.Lossless)
   {
     add(TrackRole::DepthHigh, AV_PIX_FMT_GRAY8, 0.0);
@@ -146,7 +196,7 @@ void FieldWriter::MakeEncodings(bool hasDepth)
   }
   else if (hasDepth)
   {
-    add(TrackRole::Depth, AV_PIX_FMT_GRAY12LE, settings.DepthCRF);
+    add(TrackRole::Depth, choice.Encoder->Depth, settings.DepthCRF);
   }
 }
 
@@ -161,7 +211,7 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
       this->Header.Field.Channels.push_back(*channel);
     }
   }
-  this->MakeEncodings(field.FindChannel(DepthName) != nullptr);
+  this->MakeEncodings(field);
   this->Manifest = this->MakeManifest(sample);
 }
 
@@ -170,10 +220,10 @@ std::string FieldWriter::MakeManifest(std::uint32_t sample) const
   const EncodeSettings& settings = this->Settings;
   const nlohmann::json manifest = { { "version", 1 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "description", this->Header.Field.ToJSON() },
-    { "sample", sample }, { "preset", settings.Preset }, { "pixel_format", settings.PixelFormat },
-    { "crf", settings.CRF }, { "coverage_crf", settings.CoverageCRF },
-    { "depth_crf", settings.DepthCRF }, { "group_length", settings.GroupLength },
-    { "lossless", settings.Lossless } };
+    { "sample", sample }, { "coding", settings.Codec }, { "preset", settings.Preset },
+    { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
+    { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
+    { "group_length", settings.GroupLength }, { "lossless", settings.Lossless } };
   return manifest.dump();
 }
 
@@ -291,8 +341,10 @@ bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std
   if (encoding.ParameterSets.empty())
   {
     encoding.ParameterSets = part.ParameterSets;
-    ComputeParameterSetsCRC(
-      part.ParameterSets.data(), part.ParameterSets.size(), coded.ParameterSetsCRC);
+    Framing framing;
+    GetBitstream(encoding.Kind.Coding)
+      .ReadConfiguration(part.ParameterSets.data(), part.ParameterSets.size(), framing);
+    coded.ParameterSetsCRC = framing.ParameterSetsCRC;
   }
   if (part.ParameterSets != encoding.ParameterSets)
   {

@@ -22,12 +22,13 @@ namespace cslf
 struct EncodeSettings
 {
   std::string Preset;
-  std::string PixelFormat;
+  std::string PixelFormat; ///< FFmpeg's name, or "auto"
   double CRF = 0.0;
   double CoverageCRF = 0.0;
   double DepthCRF = 0.0;
   int GroupLength = MaximumGroupLength;
   bool Lossless = false;
+  std::string Codec = "hevc";
 };
 
 /// What keeps a file of that name from being written, in one line; empty where nothing does.
@@ -102,7 +103,7 @@ private:
     bool CoveredFully = true;
   };
 
-  void MakeEncodings(bool hasDepth);
+  void MakeEncodings(const Description& field);
   std::string MakeManifest(std::uint32_t sample) const;
   bool FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);

@@ -32,7 +32,7 @@ std::uint32_t ComputeChecksum(const JSON& json)
 
 JSON ToJSON(const CodedTrack& track)
 {
-  return { { "role", NameOfRole(track.Kind.Role) }, { "codec", CodecName },
+  return { { "role", NameOfRole(track.Kind.Role) }, { "codec", NameOfCodec(track.Kind.Coding) },
     { "pixel_format", NameOfFormat(track.Kind.Format) },
     { "bits", BitsOfFormat(track.Kind.Format) }, { "lossless", track.Kind.Lossless },
     { "parameter_sets_crc", track.ParameterSetsCRC }, { "crc", track.GroupCRCs } };
@@ -42,7 +42,8 @@ CodedTrack ToTrack(const JSON& json)
 {
   CodedTrack track;
   const auto role = RoleOfName(json.at("role").get<std::string>());
-  if (!role || json.at("codec") != CodecName)
+  const auto codec = CodecOfName(json.at("codec").get<std::string>());
+  if (!role || !codec)
   {
     throw std::invalid_argument("it has a track of an unknown role or codec");
   }
@@ -52,7 +53,7 @@ CodedTrack ToTrack(const JSON& json)
     throw std::invalid_argument(
       std::string("its track \"") + NameOfRole(*role) + "\" has an unknown pixel format");
   }
-  track.Kind = { *role, *format, json.at("lossless").get<bool>() };
+  track.Kind = { *role, *format, json.at("lossless").get<bool>(), *codec };
   track.ParameterSetsCRC = json.at("parameter_sets_crc").get<std::uint32_t>();
   track.GroupCRCs = json.at("crc").get<std::vector<std::uint32_t>>();
   return track;

@@ -22,18 +22,21 @@ constexpr int CoverageTolerance = 3;
 /// The planes of a planar RGB frame hold green, blue, red.
 constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
 
-/// The largest number of a depth track of 12 bits.
-constexpr unsigned int MaximumCode = 4095;
-
-std::uint16_t EncodeDepth(unsigned short depth)
+/// The largest number that a format's samples can have.
+unsigned int GetMaximumCode(AVPixelFormat format)
 {
-  return static_cast<std::uint16_t>((depth * MaximumCode + FarDepth / 2) / FarDepth);
+  return (1U << BitsOfFormat(format)) - 1U;
 }
 
-unsigned short DecodeDepth(std::uint16_t code)
+std::uint16_t EncodeDepth(unsigned short depth, unsigned int maximum)
 {
-  const unsigned int bounded = std::min<unsigned int>(code, MaximumCode);
-  return static_cast<unsigned short>((bounded * FarDepth + MaximumCode / 2) / MaximumCode);
+  return static_cast<std::uint16_t>((depth * maximum + FarDepth / 2) / FarDepth);
+}
+
+unsigned short DecodeDepth(std::uint16_t code, unsigned int maximum)
+{
+  const unsigned int bounded = std::min<unsigned int>(code, maximum);
+  return static_cast<unsigned short>((bounded * FarDepth + maximum / 2) / maximum);
 }
 
 /// A scaler that only changes the format: accurate, chroma at full resolution, full range.
@@ -66,6 +69,40 @@ AVPixelFormat WithoutRange(int format)
       return AV_PIX_FMT_YUV444P;
     default:
       return static_cast<AVPixelFormat>(format);
+  }
+}
+
+/// Whether a decoder's frame holds the samples of a track. Gray ones may come with chroma, which
+/// then says nothing.
+bool HoldsSamples(const Track& track, int format)
+{
+  const AVPixelFormat plain = WithoutRange(format);
+  if (track.Role == TrackRole::Color)
+  {
+    return plain == track.Format;
+  }
+  const AVPixFmtDescriptor* samples = av_pix_fmt_desc_get(plain);
+  const AVComponentDescriptor* expected = av_pix_fmt_desc_get(track.Format)->comp;
+  return samples && (samples->flags & AV_PIX_FMT_FLAG_RGB) == 0 && samples->comp[0].plane == 0 &&
+    samples->comp[0].step == expected[0].step && samples->comp[0].depth == expected[0].depth;
+}
+
+/// Fills the chroma of a frame that is to be gray.
+template <typename Sample>
+void PutNeutralChroma(AVFrame* frame, AVPixelFormat format)
+{
+  const auto neutral = static_cast<Sample>(1U << (BitsOfFormat(format) - 1));
+  const AVPixFmtDescriptor* descriptor = av_pix_fmt_desc_get(format);
+  const int width = AV_CEIL_RSHIFT(frame->width, descriptor->log2_chroma_w);
+  const int height = AV_CEIL_RSHIFT(frame->height, descriptor->log2_chroma_h);
+  for (int plane = 1; plane <= 2; ++plane)
+  {
+    for (int y = 0; y < height; ++y)
+    {
+      std::fill_n(reinterpret_cast<Sample*>(
+                    frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane]),
+        width, neutral);
+    }
   }
 }
 
@@ -137,6 +174,10 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t& sample)
         { sample = slice.Color[ColorBytes * texel + 3]; });
+      if (HasChroma(this->Kind.Format))
+      {
+        PutNeutralChroma<std::uint8_t>(frame, this->Kind.Format);
+      }
       return true;
     case TrackRole::Depth:
     case TrackRole::DepthHigh:
@@ -163,8 +204,14 @@ void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
   {
     this->Filled.resize(static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution);
     FillDepth(this->Resolution, slice.Color, slice.Depth, this->Filled.data());
+    const unsigned int maximum = GetMaximumCode(this->Kind.Format);
     VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
-      [&](std::size_t texel, std::uint16_t& sample) { sample = EncodeDepth(this->Filled[texel]); });
+      [&](std::size_t texel, std::uint16_t& sample)
+      { sample = EncodeDepth(this->Filled[texel], maximum); });
+    if (HasChroma(this->Kind.Format))
+    {
+      PutNeutralChroma<std::uint16_t>(frame, this->Kind.Format);
+    }
     return;
   }
   const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
@@ -187,7 +234,7 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
 
 bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
 {
-  if (WithoutRange(frame->format) != this->Kind.Format || frame->height != this->Resolution ||
+  if (!HoldsSamples(this->Kind, frame->format) || frame->height != this->Resolution ||
     frame->width != TileCount * this->Resolution)
   {
     return false;
@@ -202,9 +249,13 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
         { slice.Color[ColorBytes * texel + 3] = sample; });
       return true;
     case TrackRole::Depth:
+    {
+      const unsigned int maximum = GetMaximumCode(this->Kind.Format);
       VisitPlane<const std::uint16_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint16_t sample) { slice.Depth[texel] = DecodeDepth(sample); });
+        [&](std::size_t texel, std::uint16_t sample)
+        { slice.Depth[texel] = DecodeDepth(sample, maximum); });
       return true;
+    }
     case TrackRole::DepthHigh:
     case TrackRole::DepthLow:
     {

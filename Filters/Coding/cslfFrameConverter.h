@@ -5,7 +5,8 @@
  * Slices of the light field to video frames and back.
  *
  * Colour is stored as Y'CbCr of ITU-R BT.709's matrix and full range, or as planar RGB. Coverage is
- * stored as it is, depth rounded to 12 bits or as two bytes.
+ * stored as it is, depth rounded to 10 or 12 bits or as two bytes; where a codec has no gray, both
+ * are luma beside chroma that says nothing.
  */
 #ifndef cslfFrameConverter_h
 #define cslfFrameConverter_h

@@ -7,7 +7,7 @@
 #ifndef cslfTrack_h
 #define cslfTrack_h
 
-#include "Coding/cslfAV.h"
+#include "Coding/cslfCodec.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +31,7 @@ struct Track
   TrackRole Role = TrackRole::Color;
   AVPixelFormat Format = AV_PIX_FMT_YUV444P;
   bool Lossless = false;
+  Codec Coding = Codec::HEVC;
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.
@@ -38,9 +39,6 @@ constexpr int FrameRate = 25;
 
 /// Closed groups of pictures have at most this many frames.
 constexpr int MaximumGroupLength = 16;
-
-/// The codec of all tracks, by FFmpeg's name.
-constexpr const char* CodecName = "hevc";
 
 /// The names that files use.
 const char* NameOfRole(TrackRole role);
@@ -57,6 +55,9 @@ std::string NameOfFormat(AVPixelFormat format);
 
 /// The bits of a sample.
 int BitsOfFormat(AVPixelFormat format);
+
+/// Whether there is chroma beside the first plane.
+bool HasChroma(AVPixelFormat format);
 
 /// Whether frames of an odd width or height cannot have this format.
 bool NeedsEvenSize(AVPixelFormat format);

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Plots of measured curves.
+ */
+#ifndef cslfChart_h
+#define cslfChart_h
+
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+namespace tool
+{
+/// Points joined by lines, in the order in which they are given.
+struct ChartCurve
+{
+  std::string Name;
+  std::vector<double> X;
+  std::vector<double> Y;
+};
+
+struct Chart
+{
+  std::string Title;
+  std::string XTitle;
+  std::string YTitle;
+  std::vector<ChartCurve> Curves;
+};
+
+/// Draws a chart, its x axis logarithmic, into a PNG. Throws a Failure.
+void WriteChart(const std::string& fileName, const Chart& chart);
+}
+}
+
+#endif
