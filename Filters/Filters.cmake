@@ -173,6 +173,8 @@ list(APPEND sources
   ../Filters/Coding/cslfNALUnits.cxx
   ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
+  ../Filters/Coding/cslfPerceptualQuantizer.cxx
+  ../Filters/Coding/cslfRadianceFrames.cxx
   ../Filters/Coding/cslfTrack.cxx
   ../Filters/Coding/cslfVideoEncoders.cxx)
 list(APPEND private_headers
@@ -196,6 +198,8 @@ list(APPEND private_headers
   ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfPerceptualQuantizer.h
+  ../Filters/Coding/cslfRadianceFrames.h
   ../Filters/Coding/cslfTrack.h
   ../Filters/Coding/cslfVideoEncoders.h)
 

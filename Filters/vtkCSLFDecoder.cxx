@@ -5,6 +5,7 @@
 #include "Coding/cslfFieldReader.h"
 #include "Pipeline/cslfSlabs.h"
 
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
@@ -13,8 +14,8 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
@@ -162,7 +163,8 @@ int vtkCSLFDecoder::RequestInformation(
   outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   cslf::SplitAlongZ(outInfo);
-  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_UNSIGNED_CHAR, 4);
+  const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, field.FindChannel(cslf::ColorName)->Type, 4);
   return 1;
 }
 
@@ -186,7 +188,8 @@ int vtkCSLFDecoder::RequestData(
   extent[5] = asked[5];
   output->SetExtent(extent);
 
-  vtkNew<vtkUnsignedCharArray> color;
+  const auto color =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(field.FindChannel(cslf::ColorName)->Type));
   color->SetName(cslf::ColorName);
   color->SetNumberOfComponents(4);
   color->SetNumberOfTuples(output->GetNumberOfPoints());
@@ -203,7 +206,8 @@ int vtkCSLFDecoder::RequestData(
 
   const cslf::AVLogSilence silence;
   this->Internal->SetMissing(this->Internal->Reader->Read(extent[4], extent[5],
-    color->GetPointer(0), hasDepth ? depth->GetPointer(0) : nullptr,
+    static_cast<unsigned char*>(color->GetVoidPointer(0)),
+    hasDepth ? depth->GetPointer(0) : nullptr,
     [this](double progress) { return this->ReportProgress(progress); }));
   if (this->GetAbortExecute())
   {

@@ -13,9 +13,15 @@
  * The input is pulled in z slabs through the pipeline's update extents, so the whole field never
  * has to fit in memory: a slab has at most 32 viewpoints for each thread of vtkSMPTools, fewer
  * where they would exceed 512 MiB. The input's whole extent must be the whole field; a part that
- * was extracted along z is refused. Needed are `Color` as 4 unsigned chars and, if present, `Depth`
- * as unsigned short; further channels of the field are left out with a warning. Video needs a
- * resolution of at least 16 texels.
+ * was extracted along z is refused. Needed are `Color` as 4 unsigned chars or 4 floats and, if
+ * present, `Depth` as unsigned short; further channels of the field are left out with a warning.
+ * Video needs a resolution of at least 16 texels.
+ *
+ * Float colour, linear radiance times exposure, is coded with 12 bits (H.264: 10) through the
+ * perceptual quantiser of SMPTE ST 2084, and comes back as floats, so exposure can still be changed
+ * when it is looked at. Radiance 1 stands for 203 cd/m^2 (ITU-R BT.2408); what is negative or above
+ * 49.26, the curve's end at 10000 cd/m^2, is clipped, with a warning. Alpha keeps 8 bits. Float
+ * colour cannot be lossless.
  *
  * Viewpoints are coded in closed groups of at most GroupLength, first those of the coarsest nested
  * grid. Groups and tracks are coded side by side with vtkSMPTools, and the file has the same bytes
@@ -135,10 +141,10 @@ public:
   ///@{
   /**
    * Set/get the pixel format of colour: auto, yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le
-   * or gbrp (HEVC only). Formats other than 4:4:4 lose much of saturated colours; yuv420p is what
-   * every player and hardware decoder knows. 4:2:0 and 4:2:2 need an even resolution. Default auto:
-   * yuv444p, but for AV1 yuv420p10le, which is all that SVT-AV1 has; for others it takes libaom,
-   * which is slow.
+   * or gbrp (HEVC only); for float colour auto, yuv444p10le or yuv444p12le. Formats other than
+   * 4:4:4 lose much of saturated colours; yuv420p is what every player and hardware decoder knows.
+   * 4:2:0 and 4:2:2 need an even resolution. Default auto: yuv444p, but for AV1 yuv420p10le, which
+   * is all that SVT-AV1 has; for others it takes libaom, which is slow.
    */
   vtkSetStringMacro(PixelFormat);
   vtkGetStringMacro(PixelFormat);

@@ -129,7 +129,7 @@ void WriteCharts(
 {
   for (const Measure& measure : measures)
   {
-    Chart chart{ measure.Title, "bytes", "PSNR (dB)", {} };
+    Chart chart{ measure.Title, "PSNR (dB)", {} };
     for (const Series& series : all)
     {
       ChartCurve curve;

@@ -16,9 +16,15 @@
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace cslf
 {
@@ -43,7 +49,12 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<double>& val
 void AddCurve(vtkChartXY* plots, const ChartCurve& curve, const vtkColor3ub& color)
 {
   vtkNew<vtkTable> table;
-  AddColumn(table, "x", curve.X);
+  std::vector<double> logarithms;
+  for (const double x : curve.X)
+  {
+    logarithms.push_back(std::log10(x));
+  }
+  AddColumn(table, "x", logarithms);
   AddColumn(table, "y", curve.Y);
   vtkPlot* plot = plots->AddPlot(vtkChart::LINE);
   plot->SetInputData(table, 0, 1);
@@ -55,6 +66,66 @@ void AddCurve(vtkChartXY* plots, const ChartCurve& curve, const vtkColor3ub& col
     points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     points->SetMarkerSize(8.0F);
   }
+}
+
+/// A number of bytes in at most two digits and a unit.
+std::string ToText(double bytes)
+{
+  const char* const units[] = { "", " kB", " MB", " GB", " TB" };
+  int unit = 0;
+  for (; bytes >= 999.5 && unit < 4; ++unit)
+  {
+    bytes /= 1000.0;
+  }
+  std::ostringstream text;
+  text << std::lround(bytes) << units[unit];
+  return text.str();
+}
+
+/// Marks an axis of decimal logarithms with round numbers: the fewest of a decade's 1 to 9 that
+/// give several marks. VTK's own logarithmic axis marks powers of ten only.
+void MarkLogarithms(vtkAxis* axis, const std::vector<ChartCurve>& curves)
+{
+  double least = std::numeric_limits<double>::max();
+  double most = 0.0;
+  for (const ChartCurve& curve : curves)
+  {
+    for (const double x : curve.X)
+    {
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+  }
+  constexpr double margin = 1.05;
+  constexpr int enough = 4;
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(std::log10(least / margin), std::log10(most * margin));
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> labels;
+  const std::vector<std::vector<int>> choices = { { 1 }, { 1, 3 }, { 1, 2, 5 },
+    { 1, 2, 3, 4, 5, 6, 7, 8, 9 } };
+  for (const std::vector<int>& digits : choices)
+  {
+    places->Reset();
+    labels->Reset();
+    for (int power = 0; power < 16; ++power)
+    {
+      for (const int digit : digits)
+      {
+        const double bytes = digit * std::pow(10.0, power);
+        if (bytes >= least / margin && bytes <= most * margin)
+        {
+          places->InsertNextValue(std::log10(bytes));
+          labels->InsertNextValue(ToText(bytes));
+        }
+      }
+    }
+    if (places->GetNumberOfValues() >= enough)
+    {
+      break;
+    }
+  }
+  axis->SetCustomTickPositions(places, labels);
 }
 
 void SetAxis(vtkAxis* axis, const std::string& title)
@@ -80,9 +151,9 @@ void WriteChart(const std::string& fileName, const Chart& chart)
   view->GetScene()->AddItem(plots);
   plots->SetTitle(chart.Title);
   plots->GetTitleProperties()->SetFontSize(titleSize);
-  SetAxis(plots->GetAxis(vtkAxis::BOTTOM), chart.XTitle);
+  SetAxis(plots->GetAxis(vtkAxis::BOTTOM), "bytes");
   SetAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle);
-  plots->GetAxis(vtkAxis::BOTTOM)->SetLogScale(true);
+  MarkLogarithms(plots->GetAxis(vtkAxis::BOTTOM), chart.Curves);
   vtkNew<vtkColorSeries> colors;
   colors->SetColorScheme(vtkColorSeries::BREWER_QUALITATIVE_DARK2);
   int index = 0;

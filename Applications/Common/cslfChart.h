@@ -14,7 +14,7 @@ namespace cslf
 {
 namespace tool
 {
-/// Points joined by lines, in the order in which they are given.
+/// Points joined by lines, in the order in which they are given. X is in bytes.
 struct ChartCurve
 {
   std::string Name;
@@ -25,12 +25,11 @@ struct ChartCurve
 struct Chart
 {
   std::string Title;
-  std::string XTitle;
   std::string YTitle;
   std::vector<ChartCurve> Curves;
 };
 
-/// Draws a chart, its x axis logarithmic, into a PNG. Throws a Failure.
+/// Draws a chart, its axis of bytes logarithmic, into a PNG. Throws a Failure.
 void WriteChart(const std::string& fileName, const Chart& chart);
 }
 }

@@ -29,12 +29,15 @@ struct FieldReader::Request
   std::size_t Texels = 0; ///< of one slice
   unsigned char* Color = nullptr;
   unsigned short* Depth = nullptr;
+  bool IsFloat = false;
 
   bool Has(int slice) const { return slice >= this->First && slice <= this->Last; }
   Slice Get(int slice) const
   {
     const std::size_t offset = this->Texels * (slice - this->First);
-    return { this->Color + 4 * offset, this->Depth ? this->Depth + offset : nullptr };
+    const std::size_t bytes = this->IsFloat ? 4 * sizeof(float) : 4;
+    return { this->Color + bytes * offset, this->Depth ? this->Depth + offset : nullptr,
+      this->IsFloat };
   }
 };
 
@@ -62,7 +65,7 @@ std::vector<int> FieldReader::Read(
 {
   const int resolution = this->GetHeader().Field.Grid.GetResolution();
   const Request request{ first, last, static_cast<std::size_t>(TileCount) * resolution * resolution,
-    color, depth };
+    color, depth, this->GetHeader().Tracks.front().Kind.IsRadiance };
   const int groups = static_cast<int>(this->GetHeader().Groups.size());
   std::vector<bool> wanted(groups, false);
   for (int group = 0; group < groups; ++group)

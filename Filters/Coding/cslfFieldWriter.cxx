@@ -32,7 +32,7 @@ struct EncoderChoice
   AVPixelFormat Color = AV_PIX_FMT_NONE;
 };
 
-EncoderChoice ChooseEncoder(const EncodeSettings& settings, int resolution)
+EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int resolution)
 {
   EncoderChoice choice;
   const Codec codec = *CodecOfName(settings.Codec);
@@ -42,11 +42,16 @@ EncoderChoice ChooseEncoder(const EncodeSettings& settings, int resolution)
                                      : *FindPixelFormat(TrackRole::Color, settings.PixelFormat);
     choice.Encoder = FindEncoder(codec, choice.Color, resolution);
   }
-  else if ((choice.Encoder = FindEncoder(codec, resolution)))
+  else if ((choice.Encoder = FindEncoder(codec, isRadiance, resolution)))
   {
-    choice.Color = choice.Encoder->Colors.front();
+    choice.Color = isRadiance ? choice.Encoder->Radiance : choice.Encoder->Colors.front();
   }
   return choice;
+}
+
+bool HasRadiance(const Description& field)
+{
+  return field.FindChannel(ColorName)->Type == VTK_FLOAT;
 }
 
 std::string ListCodecs()
@@ -118,7 +123,7 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
     return "This FFmpeg cannot encode " + settings.Codec +
       ". It has encoders for: " + ListCodecsToEncode() + ".";
   }
-  const EncoderChoice choice = ChooseEncoder(settings, resolution);
+  const EncoderChoice choice = ChooseEncoder(settings, false, resolution);
   if (!choice.Encoder || (settings.Lossless && !choice.Encoder->CanBeLossless))
   {
     return "No encoder that this FFmpeg has for " + settings.Codec + " can code " +
@@ -136,14 +141,38 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
 std::string FindFault(const Description& field)
 {
   const Channel* color = field.FindChannel(ColorName);
-  if (!color || color->Type != VTK_UNSIGNED_CHAR || color->Components != 4)
+  if (!color || (color->Type != VTK_UNSIGNED_CHAR && color->Type != VTK_FLOAT) ||
+    color->Components != 4)
   {
-    return "The coded file needs \"Color\" as 4 unsigned chars.";
+    return "The coded file needs \"Color\" as 4 unsigned chars or 4 floats.";
   }
   const Channel* depth = field.FindChannel(DepthName);
   if (depth && (depth->Type != VTK_UNSIGNED_SHORT || depth->Components != 1))
   {
     return "The coded file needs \"Depth\" as unsigned short.";
+  }
+  return {};
+}
+
+std::string FindFault(const EncodeSettings& settings, const Description& field)
+{
+  if (!HasRadiance(field))
+  {
+    return {};
+  }
+  if (settings.Lossless)
+  {
+    return "Float colour cannot be coded without loss: keep it as .vti or a folder.";
+  }
+  const EncoderChoice choice = ChooseEncoder(settings, true, field.Grid.GetResolution());
+  if (!choice.Encoder)
+  {
+    return "This FFmpeg has no encoder that codes float colour as " + settings.Codec + ".";
+  }
+  if (!CanHoldRadiance(choice.Color))
+  {
+    return "Float colour needs a 4:4:4 pixel format of 10 or 12 bits, such as auto, not " +
+      settings.PixelFormat + ".";
   }
   return {};
 }
@@ -174,12 +203,14 @@ std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
 void FieldWriter::MakeEncodings(const Description& field)
 {
   const EncodeSettings& settings = this->Settings;
-  const EncoderChoice choice = ChooseEncoder(settings, field.Grid.GetResolution());
+  const bool isRadiance = HasRadiance(field);
+  const EncoderChoice choice = ChooseEncoder(settings, isRadiance, field.Grid.GetResolution());
   const bool hasDepth = field.FindChannel(DepthName) != nullptr;
   const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
   {
     Encoding encoding;
-    encoding.Kind = { role, format, settings.Lossless, choice.Encoder->Coding };
+    encoding.Kind = { role, format, settings.Lossless, choice.Encoder->Coding,
+      isRadiance && role == TrackRole::Color };
     encoding.Options = { settings.Preset, crf, settings.GroupLength };
     this->Encodings.push_back(encoding);
     this->Header.Tracks.push_back(

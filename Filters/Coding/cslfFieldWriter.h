@@ -41,6 +41,10 @@ std::string FindFault(const EncodeSettings& settings, int resolution);
 /// What keeps a field from being coded, in one line; empty where nothing does.
 std::string FindFault(const Description& field);
 
+/// What keeps it from being coded with these settings, which have passed the checks above,
+/// likewise.
+std::string FindFault(const EncodeSettings& settings, const Description& field);
+
 /// A group's part of each track.
 using GroupParts = std::vector<CodedGroup>;
 

@@ -3,6 +3,8 @@
 #include "Coding/cslfFrameConverter.h"
 
 #include "Coding/cslfDepthFill.h"
+#include "Coding/cslfRadianceFrames.h"
+#include "cslfColor.h"
 #include "cslfLayout.h"
 
 #include <algorithm>
@@ -140,17 +142,25 @@ void TagFrame(const Track& track, int resolution, AVFrame* frame)
   frame->format = track.Format;
   frame->color_range = AVCOL_RANGE_JPEG;
   frame->color_primaries = color ? AVCOL_PRI_BT709 : AVCOL_PRI_UNSPECIFIED;
-  frame->color_trc = color ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_UNSPECIFIED;
+  frame->color_trc = !color ? AVCOL_TRC_UNSPECIFIED
+    : track.IsRadiance      ? AVCOL_TRC_SMPTE2084
+                            : AVCOL_TRC_IEC61966_2_1;
   frame->colorspace = !color          ? AVCOL_SPC_UNSPECIFIED
     : track.Format == AV_PIX_FMT_GBRP ? AVCOL_SPC_RGB
                                       : AVCOL_SPC_BT709;
+}
+
+unsigned char ConstSlice::GetCoverage(std::size_t texel) const
+{
+  return this->IsFloat ? ToByte(this->GetRadiance()[4 * texel + 3])
+                       : this->Color[ColorBytes * texel + 3];
 }
 
 SliceToFrame::SliceToFrame(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP)
+  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP && !track.IsRadiance)
   {
     this->Scaler = MakeScaler(TileCount * resolution, resolution, AV_PIX_FMT_RGB0, track.Format);
   }
@@ -161,6 +171,11 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
   switch (this->Kind.Role)
   {
     case TrackRole::Color:
+      if (this->Kind.IsRadiance)
+      {
+        PutRadiance(slice.GetRadiance(), this->Kind.Format, frame);
+        return true;
+      }
       if (this->Scaler)
       {
         const std::uint8_t* const data[4] = { slice.Color, nullptr, nullptr, nullptr };
@@ -172,8 +187,7 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
       return this->Kind.Format == AV_PIX_FMT_GBRP;
     case TrackRole::Coverage:
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint8_t& sample)
-        { sample = slice.Color[ColorBytes * texel + 3]; });
+        [&](std::size_t texel, std::uint8_t& sample) { sample = slice.GetCoverage(texel); });
       if (HasChroma(this->Kind.Format))
       {
         PutNeutralChroma<std::uint8_t>(frame, this->Kind.Format);
@@ -202,8 +216,15 @@ void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
 {
   if (this->Kind.Role == TrackRole::Depth)
   {
-    this->Filled.resize(static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution);
-    FillDepth(this->Resolution, slice.Color, slice.Depth, this->Filled.data());
+    const std::size_t texels =
+      static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
+    this->Coverage.resize(texels);
+    for (std::size_t texel = 0; texel < texels; ++texel)
+    {
+      this->Coverage[texel] = slice.GetCoverage(texel);
+    }
+    this->Filled.resize(texels);
+    FillDepth(this->Resolution, this->Coverage.data(), slice.Depth, this->Filled.data());
     const unsigned int maximum = GetMaximumCode(this->Kind.Format);
     VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
       [&](std::size_t texel, std::uint16_t& sample)
@@ -224,7 +245,7 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP)
+  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP && !track.IsRadiance)
   {
     const int width = TileCount * resolution;
     this->Scaler = MakeScaler(width, resolution, track.Format, AV_PIX_FMT_RGB24);
@@ -242,8 +263,18 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
   switch (this->Kind.Role)
   {
     case TrackRole::Color:
+      if (this->Kind.IsRadiance)
+      {
+        TakeRadiance(frame, this->Kind.Format, slice.GetRadiance());
+        return true;
+      }
       return this->TakeColor(frame, slice);
     case TrackRole::Coverage:
+      if (slice.IsFloat)
+      {
+        TakeCoverage(frame, slice.GetRadiance());
+        return true;
+      }
       VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t sample)
         { slice.Color[ColorBytes * texel + 3] = sample; });
@@ -301,6 +332,11 @@ void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 {
   const int tolerance = coverage && !coverage->Lossless ? CoverageTolerance : 0;
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  if (slice.IsFloat)
+  {
+    JoinRadiance(texels, coverage != nullptr, tolerance, slice.GetRadiance(), slice.Depth);
+    return;
+  }
   for (std::size_t texel = 0; texel < texels; ++texel)
   {
     unsigned char* color = slice.Color + ColorBytes * texel;
@@ -326,7 +362,8 @@ void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 void ClearSlice(int resolution, const Slice& slice)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
-  std::fill_n(slice.Color, ColorBytes * texels, static_cast<unsigned char>(0));
+  const std::size_t bytes = slice.IsFloat ? ColorBytes * sizeof(float) : ColorBytes;
+  std::fill_n(slice.Color, bytes * texels, static_cast<unsigned char>(0));
   if (slice.Depth)
   {
     std::fill_n(slice.Depth, texels, FarDepth);

@@ -125,7 +125,7 @@ bool IsCoveredFully(int resolution, const std::vector<ConstSlice>& slices)
   {
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
-      if (slice.Color[4 * texel + 3] != 255)
+      if (slice.GetCoverage(texel) != 255)
       {
         return false;
       }

@@ -20,7 +20,7 @@ const std::vector<RoleRow>& GetRoles()
   static const std::vector<RoleRow> roles = {
     { TrackRole::Color, "color",
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
-        AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP } },
+        AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP, AV_PIX_FMT_YUV444P12LE } },
     { TrackRole::Coverage, "coverage", { AV_PIX_FMT_GRAY8, AV_PIX_FMT_YUV420P } },
     { TrackRole::Depth, "depth",
       { AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_GRAY10LE, AV_PIX_FMT_YUV420P10LE } },
@@ -80,6 +80,11 @@ std::string NameOfFormat(AVPixelFormat format)
 {
   const char* name = av_get_pix_fmt_name(format);
   return name ? name : "unknown";
+}
+
+bool CanHoldRadiance(AVPixelFormat format)
+{
+  return format == AV_PIX_FMT_YUV444P10LE || format == AV_PIX_FMT_YUV444P12LE;
 }
 
 int BitsOfFormat(AVPixelFormat format)

@@ -32,6 +32,7 @@ struct Track
   AVPixelFormat Format = AV_PIX_FMT_YUV444P;
   bool Lossless = false;
   Codec Coding = Codec::HEVC;
+  bool IsRadiance = false; ///< colour: linear radiance through the perceptual quantiser
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.
@@ -52,6 +53,9 @@ std::string ListColorFormats();
 
 /// FFmpeg's name of a pixel format.
 std::string NameOfFormat(AVPixelFormat format);
+
+/// Whether float colour can have that format: full resolution and more than 8 bits.
+bool CanHoldRadiance(AVPixelFormat format);
 
 /// The bits of a sample.
 int BitsOfFormat(AVPixelFormat format);

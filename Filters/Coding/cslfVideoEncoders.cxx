@@ -76,11 +76,12 @@ void SetX264(const Track&, const EncodeOptions& options, AVCodecContext* context
   SetText(context, "x264-params", text.str());
 }
 
-/// AV1's rate factor, from 0 to 63, of about the same quality as x265's.
+/// AV1's rate factor, from 0 to 63, of about the same quality as x265's: between those that a
+/// diffuse and a glossy scene call for, which are 5 apart.
 double ToAV1Factor(double crf)
 {
-  constexpr std::array<std::array<double, 2>, 9> factors = { { { 0, 0 }, { 10, 3 }, { 16, 7 },
-    { 22, 17 }, { 28, 30 }, { 34, 43 }, { 40, 53 }, { 46, 61 }, { 51, 63 } } };
+  constexpr std::array<std::array<double, 2>, 9> factors = { { { 0, 1 }, { 10, 11 }, { 16, 22 },
+    { 22, 34 }, { 28, 45 }, { 34, 55 }, { 40, 60 }, { 46, 62 }, { 51, 63 } } };
   std::size_t k = 1;
   while (k + 1 < factors.size() && crf > factors[k][0])
   {
@@ -131,19 +132,19 @@ const std::vector<VideoEncoder>& GetEncoders()
     { Codec::HEVC, "libx265", MinimumResolution, true, true,
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP },
-      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12LE, SetX265 },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_YUV444P12LE, SetX265 },
     // It has no gray: the chroma that is added says nothing and costs next to nothing.
     { Codec::AV1, "libsvtav1", MinimumResolutionOfSVT, false, false,
       { AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_YUV420P }, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV420P10LE,
-      SetSVT },
+      AV_PIX_FMT_NONE, SetSVT },
     { Codec::AV1, "libaom-av1", MinimumResolution, false, true,
       { AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE,
         AV_PIX_FMT_YUV422P },
-      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12LE, SetAOM },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_YUV444P12LE, SetAOM },
     { Codec::H264, "libx264", MinimumResolution, false, true,
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10LE },
-      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY10LE, SetX264 },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY10LE, AV_PIX_FMT_YUV444P10LE, SetX264 },
   };
   return encoders;
 }
@@ -164,7 +165,7 @@ const VideoEncoder* FindFirst(Condition condition)
 
 bool VideoEncoder::CanCode(AVPixelFormat format) const
 {
-  return format == this->Coverage || format == this->Depth ||
+  return format == this->Coverage || format == this->Depth || format == this->Radiance ||
     std::find(this->Colors.begin(), this->Colors.end(), format) != this->Colors.end();
 }
 
@@ -178,10 +179,14 @@ const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolutio
     });
 }
 
-const VideoEncoder* FindEncoder(Codec codec, int resolution)
+const VideoEncoder* FindEncoder(Codec codec, bool isRadiance, int resolution)
 {
-  return FindFirst([=](const VideoEncoder& encoder)
-    { return encoder.Coding == codec && resolution >= encoder.MinimumResolution; });
+  return FindFirst(
+    [=](const VideoEncoder& encoder)
+    {
+      return encoder.Coding == codec && resolution >= encoder.MinimumResolution &&
+        (!isRadiance || encoder.Radiance != AV_PIX_FMT_NONE);
+    });
 }
 
 bool HasEncoder(Codec codec)

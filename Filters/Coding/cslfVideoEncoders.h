@@ -35,6 +35,7 @@ struct VideoEncoder
   std::vector<AVPixelFormat> Colors; ///< of bytes of colour; the first is the default
   AVPixelFormat Coverage;
   AVPixelFormat Depth;
+  AVPixelFormat Radiance; ///< of float colour; AV_PIX_FMT_NONE if there is none
   void (*SetOptions)(const Track& track, const EncodeOptions& options, AVCodecContext* context);
 
   bool CanCode(AVPixelFormat format) const;
@@ -43,8 +44,9 @@ struct VideoEncoder
 /// The first encoder of this FFmpeg that codes frames of that format and resolution so, or null.
 const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);
 
-/// The first one for that codec, with whatever format it has by default, or null.
-const VideoEncoder* FindEncoder(Codec codec, int resolution);
+/// The first one for that codec, with whatever format it has by default for bytes of colour or for
+/// float colour, or null.
+const VideoEncoder* FindEncoder(Codec codec, bool isRadiance, int resolution);
 
 /// Whether this FFmpeg has any encoder for a codec.
 bool HasEncoder(Codec codec);
