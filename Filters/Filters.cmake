@@ -154,7 +154,9 @@ list(APPEND private_headers
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources
+  ../Filters/Coding/cslfAV1.cxx
   ../Filters/Coding/cslfBackgroundSteps.cxx
+  ../Filters/Coding/cslfCodec.cxx
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
@@ -168,17 +170,24 @@ list(APPEND sources
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
   ../Filters/Coding/cslfGroupDecoder.cxx
+  ../Filters/Coding/cslfH264.cxx
   ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfNALUnits.cxx
   ../Filters/Coding/cslfPart.cxx
   ../Filters/Coding/cslfPartStore.cxx
+  ../Filters/Coding/cslfPerceptualQuantizer.cxx
+  ../Filters/Coding/cslfRadianceFrames.cxx
   ../Filters/Coding/cslfTexelRows.cxx
   ../Filters/Coding/cslfTrack.cxx
   ../Filters/Coding/cslfTrackDecoder.cxx
+  ../Filters/Coding/cslfVideoEncoders.cxx
   ../Filters/Coding/cslfViewpointCache.cxx
   ../Filters/Coding/cslfViewpointStore.cxx)
 list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfAV1.h
   ../Filters/Coding/cslfBackgroundSteps.h
+  ../Filters/Coding/cslfCodec.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
@@ -192,12 +201,17 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
   ../Filters/Coding/cslfGroupDecoder.h
+  ../Filters/Coding/cslfH264.h
   ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfPerceptualQuantizer.h
+  ../Filters/Coding/cslfRadianceFrames.h
   ../Filters/Coding/cslfTexelRows.h
   ../Filters/Coding/cslfTrack.h
   ../Filters/Coding/cslfTrackDecoder.h
+  ../Filters/Coding/cslfVideoEncoders.h
   ../Filters/Coding/cslfViewpointCache.h
   ../Filters/Coding/cslfViewpointStore.h)
 

@@ -72,12 +72,23 @@ public:
   ///@{
   /**
    * What the file says of itself, once UpdateInformation has run: the field's description (JSON
-   * text), the codec ("hevc") and the pixel format of colour ("yuv444p"). Empty before, or where
-   * the file could not be read.
+   * text), the codec ("hevc", "av1" or "h264") and the pixel format of colour ("yuv444p"). Empty
+   * before, or where the file could not be read.
    */
   const char* GetDescription() const;
   const char* GetCodecName() const;
   const char* GetPixelFormat() const;
+  ///@}
+
+  ///@{
+  /**
+   * The tracks of the file, once UpdateInformation has run: how many there are, colour first, what
+   * each holds ("color", "coverage", "depth", "depth-high" or "depth-low"), and the bytes of its
+   * coded frames, which is found by reading the whole file. Null and 0 outside the range.
+   */
+  int GetNumberOfTracks() const;
+  const char* GetTrackName(int track) const;
+  vtkTypeInt64 GetTrackBytes(int track);
   ///@}
 
   ///@{

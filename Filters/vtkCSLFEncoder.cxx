@@ -54,13 +54,15 @@ vtkCSLFEncoder::vtkCSLFEncoder()
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
   this->SetPreset("medium");
-  this->SetPixelFormat("yuv444p");
+  this->SetCodec("hevc");
+  this->SetPixelFormat("auto");
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkCSLFEncoder::~vtkCSLFEncoder()
 {
   this->SetFileName(nullptr);
+  this->SetCodec(nullptr);
   this->SetPreset(nullptr);
   this->SetPixelFormat(nullptr);
   this->SetController(nullptr);
@@ -89,7 +91,8 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   cslf::EncodeJob job;
   job.FileName = this->FileName ? this->FileName : "";
   job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
-    this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless };
+    this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless,
+    this->Codec ? this->Codec : "" };
   job.Restart = this->Restart;
   job.Controller = this->Controller;
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -104,6 +107,12 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   };
   job.Warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
   return job;
+}
+
+bool vtkCSLFEncoder::CanEncode(const char* codec)
+{
+  const auto found = cslf::CodecOfName(codec ? codec : "");
+  return found && cslf::HasEncoder(*found);
 }
 
 bool vtkCSLFEncoder::Report(const cslf::EncodeFault& fault)
@@ -186,6 +195,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Codec: " << (this->Codec ? this->Codec : "(none)") << "\n";
   os << indent << "CRF: " << this->CRF << "\n";
   os << indent << "CoverageCRF: " << this->CoverageCRF << "\n";
   os << indent << "DepthCRF: " << this->DepthCRF << "\n";

@@ -80,10 +80,6 @@ void CheckFormat(const Options& options, FieldFormat format)
   {
     throw Failure("Video needs a resolution (-N) of at least 16 texels.");
   }
-  if (format == FieldFormat::Video && options.Float)
-  {
-    throw Failure("Video holds no float colours: write .vti or a folder.");
-  }
   if (format != FieldFormat::Video && (options.TargetPSNR > 0.0 || options.TargetSize > 0.0))
   {
     throw Failure("--target-psnr and --target-size are for video: .mp4 or .mkv.");

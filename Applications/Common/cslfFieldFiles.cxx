@@ -198,14 +198,23 @@ std::uintmax_t CountBytes(const std::string& fileName)
 void CodingOptions::AddTo(CLI::App& command)
 {
   const std::string group = "Video (.mp4, .mkv)";
-  command.add_option("--crf", this->CRF, "constant rate factor of x265: less is better and larger")
+  command.add_option("--codec", this->Codec, "hevc, av1 or h264")
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--crf", this->CRF,
+      "constant rate factor on x265's scale, with every codec: less is better and larger")
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--preset", this->Preset, "x265's preset: ultrafast ... medium ... placebo")
+  command
+    .add_option("--preset", this->Preset,
+      "x265's preset, or what is like it: ultrafast ... medium ... placebo")
     ->capture_default_str()
     ->group(group);
-  command.add_option("--pixel-format", this->PixelFormat, "yuv444p, yuv420p and their 10 bit kin")
+  command
+    .add_option("--pixel-format", this->PixelFormat,
+      "auto, which is the codec's best, yuv444p, yuv420p and their 10 bit kin")
     ->capture_default_str()
     ->group(group);
   command
@@ -223,6 +232,7 @@ void CodingOptions::AddTo(CLI::App& command)
 
 void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 {
+  encoder->SetCodec(this->Codec.c_str());
   encoder->SetCRF(this->CRF);
   encoder->SetPreset(this->Preset.c_str());
   encoder->SetPixelFormat(this->PixelFormat.c_str());

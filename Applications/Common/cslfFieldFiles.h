@@ -61,7 +61,7 @@ FieldFile OpenField(const std::string& fileName);
 /// Checks the whole file, without decoding it, for viewpoints that are not there.
 int CountMissing(const FieldFile& file);
 
-/// How colour is coded: "hevc", "png", "exr" or "none".
+/// How colour is coded: "hevc", "av1", "h264", "png", "exr" or "none".
 std::string GetCodecName(const FieldFile& file);
 
 /// The size of a file, or of all files in a folder.
@@ -70,9 +70,10 @@ std::uintmax_t CountBytes(const std::string& fileName);
 /// How video is coded. The defaults are the encoder's.
 struct CodingOptions
 {
+  std::string Codec = "hevc";
   double CRF = 22.0;
   std::string Preset = "medium";
-  std::string PixelFormat = "yuv444p";
+  std::string PixelFormat = "auto";
   int GroupLength = 16;
   bool Lossless = false;
   bool Restart = true;

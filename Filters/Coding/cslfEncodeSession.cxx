@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfEncodeSession.h"
 
+#include "Coding/cslfPerceptualQuantizer.h"
 #include "Pipeline/cslfPipelineWatch.h"
 
 #include <vtkErrorCode.h>
@@ -217,6 +218,11 @@ bool EncodeSession::Begin()
   {
     return this->Fail(vtkErrorCode::FileFormatError, error);
   }
+  error = FindFault(this->Job.Settings, this->Puller->GetField());
+  if (!error.empty())
+  {
+    return this->Fail(vtkErrorCode::UserError, error);
+  }
   this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
   if (this->Team.GetRank() != 0)
   {
@@ -272,6 +278,11 @@ bool EncodeSession::Write(bool hasInput)
   if (this->Fault.Code != vtkErrorCode::NoError)
   {
     this->Writer.reset();
+  }
+  else if (this->Puller->GetClipped() > 0)
+  {
+    this->Job.Warn("The colour of " + std::to_string(this->Puller->GetClipped()) +
+      " texels is negative or above " + std::to_string(MaximumRadiance) + ": it is clipped.");
   }
   return this->Fault.Code == vtkErrorCode::NoError;
 }

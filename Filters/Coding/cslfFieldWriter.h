@@ -22,12 +22,13 @@ namespace cslf
 struct EncodeSettings
 {
   std::string Preset;
-  std::string PixelFormat;
+  std::string PixelFormat; ///< FFmpeg's name, or "auto"
   double CRF = 0.0;
   double CoverageCRF = 0.0;
   double DepthCRF = 0.0;
   int GroupLength = MaximumGroupLength;
   bool Lossless = false;
+  std::string Codec = "hevc";
 };
 
 /// What keeps a file of that name from being written, in one line; empty where nothing does.
@@ -39,6 +40,10 @@ std::string FindFault(const EncodeSettings& settings, int resolution);
 
 /// What keeps a field from being coded, in one line; empty where nothing does.
 std::string FindFault(const Description& field);
+
+/// What keeps it from being coded with these settings, which have passed the checks above,
+/// likewise.
+std::string FindFault(const EncodeSettings& settings, const Description& field);
 
 /// A group's part of each track.
 using GroupParts = std::vector<CodedGroup>;
@@ -102,7 +107,7 @@ private:
     bool CoveredFully = true;
   };
 
-  void MakeEncodings(bool hasDepth);
+  void MakeEncodings(const Description& field);
   std::string MakeManifest(std::uint32_t sample) const;
   bool FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);

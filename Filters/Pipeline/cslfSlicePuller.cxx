@@ -3,6 +3,7 @@
 #include "Pipeline/cslfSlicePuller.h"
 
 #include "Coding/cslfFieldWriter.h"
+#include "Coding/cslfRadianceFrames.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -54,14 +55,15 @@ bool SlicePuller::Begin(std::string& error)
   this->Field = *field;
   this->Text = field->ToText();
   this->HasDepth = field->FindChannel(DepthName) != nullptr;
+  this->IsFloat = field->FindChannel(ColorName)->Type == VTK_FLOAT;
+  this->ColorBytes = this->IsFloat ? 4 * sizeof(float) : 4;
   return true;
 }
 
 std::uint32_t SlicePuller::GetFirstChecksum() const
 {
   vtkImageData* image = vtkImageData::GetData(this->Information);
-  uLong checksum =
-    ::crc32(0, GetColor(image), static_cast<uInt>(4 * this->Texels * sizeof(unsigned char)));
+  uLong checksum = ::crc32(0, GetColor(image), static_cast<uInt>(this->ColorBytes * this->Texels));
   if (this->HasDepth)
   {
     checksum = ::crc32(checksum, reinterpret_cast<const Bytef*>(GetDepth(image)),
@@ -72,7 +74,7 @@ std::uint32_t SlicePuller::GetFirstChecksum() const
 
 bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
 {
-  this->Color.resize(4 * this->Texels * slices.size());
+  this->Color.resize(this->ColorBytes * this->Texels * slices.size());
   this->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
   std::vector<std::pair<int, std::size_t>> sorted; // slice, place
   for (std::size_t place = 0; place < slices.size(); ++place)
@@ -131,8 +133,17 @@ vtkImageData* SlicePuller::Update(int first, int last, std::string& error)
 void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
 {
   const std::size_t offset = this->Texels * (slice - image->GetExtent()[4]);
-  std::copy_n(GetColor(image) + 4 * offset, 4 * this->Texels,
-    this->Color.begin() + static_cast<std::ptrdiff_t>(4 * this->Texels * place));
+  const std::size_t bytes = this->ColorBytes * this->Texels;
+  std::copy_n(GetColor(image) + this->ColorBytes * offset, bytes,
+    this->Color.begin() + static_cast<std::ptrdiff_t>(bytes * place));
+  if (this->IsFloat)
+  {
+    const auto* color = reinterpret_cast<const float*>(this->Color.data() + bytes * place);
+    for (std::size_t texel = 0; texel < this->Texels; ++texel)
+    {
+      this->Clipped += IsCodable(color + 4 * texel) ? 0 : 1;
+    }
+  }
   if (this->HasDepth)
   {
     std::copy_n(GetDepth(image) + offset, this->Texels,
@@ -142,10 +153,11 @@ void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
 
 std::vector<ConstSlice> SlicePuller::GetSlices() const
 {
-  std::vector<ConstSlice> slices(this->Color.size() / (4 * this->Texels));
+  std::vector<ConstSlice> slices(this->Color.size() / (this->ColorBytes * this->Texels));
   for (std::size_t place = 0; place < slices.size(); ++place)
   {
-    slices[place].Color = this->Color.data() + 4 * this->Texels * place;
+    slices[place].Color = this->Color.data() + this->ColorBytes * this->Texels * place;
+    slices[place].IsFloat = this->IsFloat;
     slices[place].Depth = this->HasDepth ? this->Depth.data() + this->Texels * place : nullptr;
   }
   return slices;

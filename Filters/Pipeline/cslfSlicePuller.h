@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pulling a light field of byte colours and 16-bit depth through the pipeline in an order of one's
- * own.
+ * Pulling a light field of byte or float colours and 16-bit depth through the pipeline in an order
+ * of one's own.
  */
 #ifndef cslfSlicePuller_h
 #define cslfSlicePuller_h
@@ -42,6 +42,9 @@ public:
   /// What was pulled last, in the order asked for.
   std::vector<ConstSlice> GetSlices() const;
 
+  /// How many of all texels pulled so far have float colours that a video cannot hold.
+  long long GetClipped() const { return this->Clipped; }
+
 private:
   vtkImageData* Update(int first, int last, std::string& error);
   void Copy(vtkImageData* image, int slice, std::size_t place);
@@ -52,6 +55,9 @@ private:
   Description Field;
   std::string Text; ///< the description
   bool HasDepth = false;
+  bool IsFloat = false;
+  std::size_t ColorBytes = 4; ///< of one texel
+  long long Clipped = 0;
   std::vector<unsigned char> Color; ///< of the slices pulled last
   std::vector<unsigned short> Depth;
 };
