@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFDecoder
- * @brief   reads a cube surface light field from the HEVC video that vtkCSLFEncoder wrote
+ * @brief   reads a cube surface light field from the video that vtkCSLFEncoder wrote
  *
  * The output is the field's image data, with `Color` as 4 unsigned chars, `Depth` as unsigned short
  * if the file has it, and the field's description in field data. The pipeline's information pass
