@@ -3,10 +3,8 @@
 
 # Names the filters' classes and sources for Module/CMakeLists.txt.
 list(APPEND classes
-  ../Filters/vtkCSLFBakeEstimator
   ../Filters/vtkCSLFCornellBoxSource
   ../Filters/vtkCSLFDecoder
-  ../Filters/vtkCSLFEncoder
   ../Filters/vtkCSLFFieldQuality
   ../Filters/vtkCSLFFieldReference
   ../Filters/vtkCSLFGLTFReader
@@ -158,14 +156,9 @@ list(APPEND sources
   ../Filters/Coding/cslfBackgroundSteps.cxx
   ../Filters/Coding/cslfCodec.cxx
   ../Filters/Coding/cslfContainerReader.cxx
-  ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
-  ../Filters/Coding/cslfEncodeProbe.cxx
-  ../Filters/Coding/cslfEncodeSession.cxx
   ../Filters/Coding/cslfFieldReader.cxx
-  ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
-  ../Filters/Coding/cslfFileLock.cxx
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
@@ -173,8 +166,6 @@ list(APPEND sources
   ../Filters/Coding/cslfH264.cxx
   ../Filters/Coding/cslfHEVC.cxx
   ../Filters/Coding/cslfNALUnits.cxx
-  ../Filters/Coding/cslfPart.cxx
-  ../Filters/Coding/cslfPartStore.cxx
   ../Filters/Coding/cslfPerceptualQuantizer.cxx
   ../Filters/Coding/cslfRadianceFrames.cxx
   ../Filters/Coding/cslfTexelRows.cxx
@@ -239,17 +230,13 @@ list(APPEND private_headers
 # Pulling fields slab by slab.
 list(APPEND sources
   ../Filters/Pipeline/cslfPipelineWatch.cxx
-  ../Filters/Pipeline/cslfSlabs.cxx
-  ../Filters/Pipeline/cslfSlicePuller.cxx)
+  ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
   ../Filters/Pipeline/cslfPipelineWatch.h
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
 
 # Knowing the cost before.
-list(APPEND sources
-  ../Filters/Planning/cslfBakeProbe.cxx
-  ../Filters/Planning/cslfFieldDetail.cxx)
 list(APPEND private_headers
   ../Filters/Planning/cslfBakeProbe.h
   ../Filters/Planning/cslfFieldDetail.h)
@@ -261,3 +248,21 @@ list(APPEND sources
 list(APPEND private_headers
   ../Filters/Resampling/cslfNesting.h
   ../Filters/Resampling/cslfTexelReducer.h)
+
+# What encodes videos, and what needs that.
+if (CSLF_ENABLE_ENCODER)
+  list(APPEND classes
+    ../Filters/vtkCSLFBakeEstimator
+    ../Filters/vtkCSLFEncoder)
+  list(APPEND sources
+    ../Filters/Coding/cslfContainerWriter.cxx
+    ../Filters/Coding/cslfEncodeProbe.cxx
+    ../Filters/Coding/cslfEncodeSession.cxx
+    ../Filters/Coding/cslfFieldWriter.cxx
+    ../Filters/Coding/cslfFileLock.cxx
+    ../Filters/Coding/cslfPart.cxx
+    ../Filters/Coding/cslfPartStore.cxx
+    ../Filters/Pipeline/cslfSlicePuller.cxx
+    ../Filters/Planning/cslfBakeProbe.cxx
+    ../Filters/Planning/cslfFieldDetail.cxx)
+endif ()

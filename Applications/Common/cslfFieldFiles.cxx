@@ -6,9 +6,11 @@
 #include "cslfParallel.h"
 
 #include "vtkCSLFDecoder.h"
-#include "vtkCSLFEncoder.h"
 #include "vtkCSLFImageReader.h"
 #include "vtkCSLFImageWriter.h"
+#ifdef CSLF_HAS_ENCODER
+#include "vtkCSLFEncoder.h"
+#endif
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkImageData.h>
@@ -230,6 +232,7 @@ void CodingOptions::AddTo(CLI::App& command)
     ->group(group);
 }
 
+#ifdef CSLF_HAS_ENCODER
 void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 {
   encoder->SetCodec(this->Codec.c_str());
@@ -240,6 +243,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
   encoder->SetLossless(this->Lossless);
   encoder->SetRestart(this->Restart);
 }
+#endif
 
 void RequireWritable(const std::string& fileName)
 {
@@ -264,6 +268,12 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   , Coding(coding)
 {
   this->Format = tool::GetFormat(fileName);
+#ifndef CSLF_HAS_ENCODER
+  if (this->Format == FieldFormat::Video)
+  {
+    throw Failure(NoEncoder);
+  }
+#endif
   if (this->Format != FieldFormat::Folder && IsFirstRank())
   {
     RequireWritable(fileName);
@@ -274,8 +284,10 @@ void FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label
 {
   switch (this->Format)
   {
+#ifdef CSLF_HAS_ENCODER
     case FieldFormat::Video:
       return this->WriteVideo(connection, label);
+#endif
     case FieldFormat::ImageData:
       return this->WriteImageData(connection, label);
     default:
@@ -283,6 +295,7 @@ void FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label
   }
 }
 
+#ifdef CSLF_HAS_ENCODER
 void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const
 {
   vtkNew<vtkCSLFEncoder> encoder;
@@ -301,6 +314,7 @@ void FieldWriter::WriteVideo(vtkAlgorithmOutput* connection, const std::string& 
     throw Failure(IsShared() ? GetFirstError() : "Cannot write " + this->FileName + ".");
   }
 }
+#endif
 
 void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
 {

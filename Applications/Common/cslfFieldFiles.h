@@ -40,6 +40,10 @@ enum class FieldFormat
 /// The names of all formats, for help and errors.
 constexpr const char* FieldFormats = ".mp4, .mkv, .vti or a folder of cube maps";
 
+/// What a tool without the video encoder says where it would need it.
+constexpr const char* NoEncoder =
+  "This cslf was built without the video encoder: write .vti or a folder.";
+
 /// A field's file, open for reading. Port 0 of the reader delivers the field.
 struct FieldFile
 {
@@ -79,7 +83,7 @@ struct CodingOptions
   bool Restart = true;
 
   void AddTo(CLI::App& command);
-  void Apply(vtkCSLFEncoder* encoder) const;
+  void Apply(vtkCSLFEncoder* encoder) const; ///< only with the video encoder
 };
 
 /// A place to write a field to.
@@ -97,7 +101,7 @@ public:
   FieldFormat GetFormat() const { return this->Format; }
 
 private:
-  void WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const;
+  void WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const; ///< likewise
   void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
