@@ -56,6 +56,22 @@ int Run(const Command& command, bool isJSON)
   }
   return EXIT_SUCCESS;
 }
+
+/// Gives the options that all have to the commands, and to their own ones where they have any.
+void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
+{
+  const std::vector<CLI::App*> commands = app->get_subcommands({});
+  for (CLI::App* command : commands)
+  {
+    AddCommonOptions(command, isJSON, threads);
+  }
+  if (commands.empty())
+  {
+    app->add_flag("--json", isJSON, "print one JSON object instead of text");
+    app->add_option("--threads", threads, "threads to work with (default: as many as cores)")
+      ->check(CLI::PositiveNumber);
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -72,14 +88,12 @@ int main(int argc, char* argv[])
   {
     add(app, chosen);
   }
+#ifdef CSLF_HAS_ENCODER
+  AddBenchmark(app, chosen);
+#endif
   bool isJSON = false;
   int threads = 0;
-  for (CLI::App* command : app.get_subcommands({}))
-  {
-    command->add_flag("--json", isJSON, "print one JSON object instead of text");
-    command->add_option("--threads", threads, "threads to work with (default: as many as cores)")
-      ->check(CLI::PositiveNumber);
-  }
+  AddCommonOptions(&app, isJSON, threads);
   try
   {
     app.parse(argc, argv);

@@ -46,6 +46,8 @@ void AddEvaluate(CLI::App& app, Command& chosen);
 void AddEvaluateTexels(CLI::App& app, Command& chosen);
 void AddSheet(CLI::App& app, Command& chosen);
 void AddExport(CLI::App& app, Command& chosen);
+void AddBenchmark(CLI::App& app, Command& chosen);
+void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen);
 ///@}
 }
 }

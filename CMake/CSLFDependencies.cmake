@@ -3,13 +3,15 @@
 
 # Everything CSLF is built from, found in one place.
 set(cslf_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonTransforms
+  ChartsCore
+  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   ImagingColor ImagingCore ImagingGeneral ImagingStatistics ImagingStencil
   InteractionStyle InteractionWidgets
   IOGeometry IOImage IOPLY IOXML
   ParallelCore
-  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI opengl vtksys)
+  RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+  ViewsContext2D opengl vtksys)
 if (CSLF_BUILD_TESTING)
   list(APPEND cslf_vtk_components TestingCore TestingRendering)
 endif ()

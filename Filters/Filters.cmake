@@ -3,10 +3,8 @@
 
 # Names the filters' classes and sources for Module/CMakeLists.txt.
 list(APPEND classes
-  ../Filters/vtkCSLFBakeEstimator
   ../Filters/vtkCSLFCornellBoxSource
   ../Filters/vtkCSLFDecoder
-  ../Filters/vtkCSLFEncoder
   ../Filters/vtkCSLFFieldQuality
   ../Filters/vtkCSLFFieldReference
   ../Filters/vtkCSLFGLTFReader
@@ -154,40 +152,37 @@ list(APPEND private_headers
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources
+  ../Filters/Coding/cslfAV1.cxx
   ../Filters/Coding/cslfBackgroundSteps.cxx
+  ../Filters/Coding/cslfCodec.cxx
   ../Filters/Coding/cslfContainerReader.cxx
-  ../Filters/Coding/cslfContainerWriter.cxx
   ../Filters/Coding/cslfDepthFill.cxx
-  ../Filters/Coding/cslfEncodeCrew.cxx
-  ../Filters/Coding/cslfEncodeProbe.cxx
-  ../Filters/Coding/cslfEncodeSession.cxx
   ../Filters/Coding/cslfFieldReader.cxx
-  ../Filters/Coding/cslfFieldWriter.cxx
   ../Filters/Coding/cslfFileHeader.cxx
-  ../Filters/Coding/cslfFileLock.cxx
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupCodec.cxx
   ../Filters/Coding/cslfGroupDecoder.cxx
-  ../Filters/Coding/cslfGroupError.cxx
-  ../Filters/Coding/cslfGroupStages.cxx
+  ../Filters/Coding/cslfH264.cxx
   ../Filters/Coding/cslfHEVC.cxx
-  ../Filters/Coding/cslfPart.cxx
-  ../Filters/Coding/cslfPartStore.cxx
-  ../Filters/Coding/cslfRateControl.cxx
-  ../Filters/Coding/cslfRateModel.cxx
+  ../Filters/Coding/cslfNALUnits.cxx
+  ../Filters/Coding/cslfPerceptualQuantizer.cxx
+  ../Filters/Coding/cslfRadianceFrames.cxx
   ../Filters/Coding/cslfTexelRows.cxx
   ../Filters/Coding/cslfTrack.cxx
   ../Filters/Coding/cslfTrackDecoder.cxx
+  ../Filters/Coding/cslfVideoEncoders.cxx
   ../Filters/Coding/cslfViewpointCache.cxx
   ../Filters/Coding/cslfViewpointStore.cxx)
 list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
+  ../Filters/Coding/cslfAV1.h
   ../Filters/Coding/cslfBackgroundSteps.h
+  ../Filters/Coding/cslfCodec.h
+  ../Filters/Coding/cslfCodingTask.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthFill.h
-  ../Filters/Coding/cslfCodingTask.h
   ../Filters/Coding/cslfEncodeCrew.h
   ../Filters/Coding/cslfEncodeProbe.h
   ../Filters/Coding/cslfEncodeSession.h
@@ -201,15 +196,20 @@ list(APPEND private_headers
   ../Filters/Coding/cslfGroupDecoder.h
   ../Filters/Coding/cslfGroupError.h
   ../Filters/Coding/cslfGroupStages.h
+  ../Filters/Coding/cslfH264.h
   ../Filters/Coding/cslfHEVC.h
+  ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfPerceptualQuantizer.h
+  ../Filters/Coding/cslfRadianceFrames.h
   ../Filters/Coding/cslfRateControl.h
   ../Filters/Coding/cslfRateModel.h
   ../Filters/Coding/cslfTexelRows.h
   ../Filters/Coding/cslfTrack.h
   ../Filters/Coding/cslfTrackDecoder.h
   ../Filters/Coding/cslfTrackFactors.h
+  ../Filters/Coding/cslfVideoEncoders.h
   ../Filters/Coding/cslfViewpointCache.h
   ../Filters/Coding/cslfViewpointStore.h)
 
@@ -240,8 +240,7 @@ list(APPEND private_headers
 # Pulling fields slab by slab.
 list(APPEND sources
   ../Filters/Pipeline/cslfPipelineWatch.cxx
-  ../Filters/Pipeline/cslfSlabs.cxx
-  ../Filters/Pipeline/cslfSlicePuller.cxx)
+  ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
   ../Filters/Pipeline/cslfKeptGroups.h
   ../Filters/Pipeline/cslfPipelineWatch.h
@@ -249,9 +248,6 @@ list(APPEND private_headers
   ../Filters/Pipeline/cslfSlicePuller.h)
 
 # Knowing the cost before.
-list(APPEND sources
-  ../Filters/Planning/cslfBakeProbe.cxx
-  ../Filters/Planning/cslfFieldDetail.cxx)
 list(APPEND private_headers
   ../Filters/Planning/cslfBakeProbe.h
   ../Filters/Planning/cslfFieldDetail.h)
@@ -265,3 +261,28 @@ list(APPEND private_headers
   ../Filters/Resampling/cslfKeyViews.h
   ../Filters/Resampling/cslfNesting.h
   ../Filters/Resampling/cslfTexelReducer.h)
+
+# What encodes videos, and what needs that.
+if (CSLF_ENABLE_ENCODER)
+  list(APPEND classes
+    ../Filters/vtkCSLFBakeEstimator
+    ../Filters/vtkCSLFEncoder)
+  list(APPEND sources
+    ../Filters/Coding/cslfContainerWriter.cxx
+    ../Filters/Coding/cslfEncodeCrew.cxx
+    ../Filters/Coding/cslfEncodeProbe.cxx
+    ../Filters/Coding/cslfEncodeSession.cxx
+    ../Filters/Coding/cslfFieldWriter.cxx
+    ../Filters/Coding/cslfFileLock.cxx
+    ../Filters/Coding/cslfGroupError.cxx
+    ../Filters/Coding/cslfGroupStages.cxx
+    ../Filters/Coding/cslfPart.cxx
+    ../Filters/Coding/cslfPartStore.cxx
+    ../Filters/Coding/cslfRateControl.cxx
+    ../Filters/Coding/cslfRateModel.cxx
+    ../Filters/Pipeline/cslfSlicePuller.cxx
+    ../Filters/Planning/cslfBakeProbe.cxx
+    ../Filters/Planning/cslfFieldDetail.cxx
+    ../Filters/Quality/cslfHeldOutViews.cxx
+    ../Filters/Resampling/cslfKeyViews.cxx)
+endif ()

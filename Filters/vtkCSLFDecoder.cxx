@@ -5,6 +5,7 @@
 #include "Coding/cslfFieldReader.h"
 #include "Pipeline/cslfSlabs.h"
 
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -14,8 +15,8 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ public:
   std::string Description;
   std::string PixelFormat;
   vtkNew<vtkFieldData> Field; ///< of every output
+  std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
@@ -38,6 +40,7 @@ public:
     this->Description.clear();
     this->PixelFormat.clear();
     this->Field->Initialize();
+    this->TrackBytes.clear();
     if (this->Reader)
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
@@ -96,12 +99,40 @@ const char* vtkCSLFDecoder::GetDescription() const
 
 const char* vtkCSLFDecoder::GetCodecName() const
 {
-  return this->Internal->Reader ? cslf::CodecName : "";
+  const auto& reader = this->Internal->Reader;
+  return reader ? cslf::NameOfCodec(reader->GetHeader().Tracks.front().Kind.Coding) : "";
 }
 
 const char* vtkCSLFDecoder::GetPixelFormat() const
 {
   return this->Internal->PixelFormat.c_str();
+}
+
+int vtkCSLFDecoder::GetNumberOfTracks() const
+{
+  const auto& reader = this->Internal->Reader;
+  return reader ? static_cast<int>(reader->GetHeader().Tracks.size()) : 0;
+}
+
+const char* vtkCSLFDecoder::GetTrackName(int track) const
+{
+  return track >= 0 && track < this->GetNumberOfTracks()
+    ? cslf::NameOfRole(this->Internal->Reader->GetHeader().Tracks[track].Kind.Role)
+    : nullptr;
+}
+
+vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)
+{
+  if (track < 0 || track >= this->GetNumberOfTracks())
+  {
+    return 0;
+  }
+  if (this->Internal->TrackBytes.empty())
+  {
+    const cslf::AVLogSilence silence;
+    this->Internal->TrackBytes = this->Internal->Reader->CountBytes();
+  }
+  return this->Internal->TrackBytes[track];
 }
 
 vtkIdType vtkCSLFDecoder::GetNumberOfMissingViewpoints() const
@@ -150,7 +181,8 @@ int vtkCSLFDecoder::RequestInformation(
   outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   cslf::SplitAlongZ(outInfo);
-  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_UNSIGNED_CHAR, 4);
+  const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, field.FindChannel(cslf::ColorName)->Type, 4);
   return 1;
 }
 
@@ -172,7 +204,8 @@ int vtkCSLFDecoder::RequestData(
   this->Internal->GetExtent(asked[4], asked[5], extent);
   output->SetExtent(extent);
 
-  vtkNew<vtkUnsignedCharArray> color;
+  const auto color =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(field.FindChannel(cslf::ColorName)->Type));
   color->SetName(cslf::ColorName);
   color->SetNumberOfComponents(4);
   color->SetNumberOfTuples(output->GetNumberOfPoints());
@@ -189,7 +222,8 @@ int vtkCSLFDecoder::RequestData(
 
   const cslf::AVLogSilence silence;
   this->Internal->SetMissing(this->Internal->Reader->Read(extent[4], extent[5],
-    color->GetPointer(0), hasDepth ? depth->GetPointer(0) : nullptr,
+    static_cast<unsigned char*>(color->GetVoidPointer(0)),
+    hasDepth ? depth->GetPointer(0) : nullptr,
     [this](double progress) { return this->ReportProgress(progress); }));
   if (this->GetAbortExecute())
   {

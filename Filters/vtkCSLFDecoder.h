@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFDecoder
- * @brief   reads a cube surface light field from the HEVC video that vtkCSLFEncoder wrote
+ * @brief   reads a cube surface light field from the video that vtkCSLFEncoder wrote
  *
- * The output is the field's image data, with `Color` as 4 unsigned chars, `Depth` as unsigned short
- * if the file has it, and the field's description in field data. The pipeline's information pass
+ * The output is the field's image data, with `Color` as 4 unsigned chars, or 4 floats where the field
+ * that was coded had these, `Depth` as unsigned short if the file has it, and the field's description
+ * in field data. The pipeline's information pass
  * reads the container's header only. A range of viewpoints (z slices) asked for through the update
  * extent is decoded without the rest: only the closed groups of frames that it touches are read,
  * and decoded side by side with vtkSMPTools. Along x and y the output is always whole.
@@ -72,12 +73,23 @@ public:
   ///@{
   /**
    * What the file says of itself, once UpdateInformation has run: the field's description (JSON
-   * text), the codec ("hevc") and the pixel format of colour ("yuv444p"). Empty before, or where
-   * the file could not be read.
+   * text), the codec ("hevc", "av1" or "h264") and the pixel format of colour ("yuv444p"). Empty
+   * before, or where the file could not be read.
    */
   const char* GetDescription() const;
   const char* GetCodecName() const;
   const char* GetPixelFormat() const;
+  ///@}
+
+  ///@{
+  /**
+   * The tracks of the file, once UpdateInformation has run: how many there are, colour first, what
+   * each holds ("color", "coverage", "depth", "depth-high" or "depth-low"), and the bytes of its
+   * coded frames, which is found by reading the whole file. Null and 0 outside the range.
+   */
+  int GetNumberOfTracks() const;
+  const char* GetTrackName(int track) const;
+  vtkTypeInt64 GetTrackBytes(int track);
   ///@}
 
   ///@{

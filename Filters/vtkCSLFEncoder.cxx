@@ -56,13 +56,15 @@ vtkCSLFEncoder::vtkCSLFEncoder()
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
   this->SetPreset("medium");
-  this->SetPixelFormat("yuv444p");
+  this->SetCodec("hevc");
+  this->SetPixelFormat("auto");
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkCSLFEncoder::~vtkCSLFEncoder()
 {
   this->SetFileName(nullptr);
+  this->SetCodec(nullptr);
   this->SetPreset(nullptr);
   this->SetPixelFormat(nullptr);
   this->SetController(nullptr);
@@ -103,7 +105,7 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
     this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless,
     cslf::MakeRateTarget(this->TargetRatio, this->TargetSize, this->TargetPSNR), this->KeyViewStep,
-    this->TargetNovelViewPSNR };
+    this->TargetNovelViewPSNR, this->Codec ? this->Codec : "" };
   job.Restart = this->Restart;
   job.Controller = this->Controller;
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -118,6 +120,12 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   };
   job.Warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
   return job;
+}
+
+bool vtkCSLFEncoder::CanEncode(const char* codec)
+{
+  const auto found = cslf::CodecOfName(codec ? codec : "");
+  return found && cslf::HasEncoder(*found);
 }
 
 bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
@@ -208,6 +216,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Codec: " << (this->Codec ? this->Codec : "(none)") << "\n";
   os << indent << "CRF: " << this->CRF << "\n";
   os << indent << "TargetRatio: " << this->TargetRatio << "\n";
   os << indent << "TargetSize: " << this->TargetSize << "\n";

@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFEncoder
- * @brief   writes a cube surface light field as an HEVC video, MP4 or Matroska
+ * @brief   writes a cube surface light field as a video, MP4 or Matroska
  *
  * vtkCSLFEncoder codes the image data of a light field: each viewpoint (z slice) becomes one frame
- * of three tracks, colour, coverage and depth, coded by x265 through FFmpeg's libavcodec (paper,
- * section 3.4). The coverage track is left out where coverage is full everywhere, the depth track
- * where the field has none. Any player built on FFmpeg shows the file; vtkCSLFDecoder reads it
- * back.
+ * of three tracks, colour, coverage and depth, coded through FFmpeg's libavcodec as HEVC (paper,
+ * section 3.4), AV1 or H.264. The coverage track is left out where coverage is full everywhere, the
+ * depth track where the field has none. Any player built on FFmpeg shows the file; vtkCSLFDecoder
+ * reads it back.
  *
  * The input is pulled in z slabs through the pipeline's update extents, so the whole field never
  * has to fit in memory: a slab has at most 32 viewpoints for each thread of vtkSMPTools, fewer
  * where they would exceed 512 MiB. The input's whole extent must be the whole field; a part that
- * was extracted along z is refused. Needed are `Color` as 4 unsigned chars and, if present, `Depth`
- * as unsigned short; further channels of the field are left out with a warning. HEVC needs a
- * resolution of at least 16 texels.
+ * was extracted along z is refused. Needed are `Color` as 4 unsigned chars or 4 floats and, if
+ * present, `Depth` as unsigned short; further channels of the field are left out with a warning.
+ * Video needs a resolution of at least 16 texels.
+ *
+ * Float colour, linear radiance times exposure, is coded with 12 bits (H.264: 10) through the
+ * perceptual quantiser of SMPTE ST 2084, and comes back as floats, so exposure can still be changed
+ * when it is looked at. Radiance 1 stands for 203 cd/m^2 (ITU-R BT.2408); what is negative or above
+ * 49.26, the curve's end at 10000 cd/m^2, is clipped, with a warning. Alpha keeps 8 bits. Float
+ * colour cannot be lossless.
  *
  * Instead of a rate factor, the file's size, its ratio to the raw colours, or the quality of its
  * colours may be asked for: TargetSize, TargetRatio, TargetPSNR. A sample of the viewpoints is then
@@ -84,8 +90,24 @@ public:
 
   ///@{
   /**
+   * Set/get the codec: "hevc", coded by x265; "av1", by SVT-AV1, or by libaom where that cannot
+   * (4:4:4, a resolution below 64); or "h264", by x264. An FFmpeg that lacks them is an error that
+   * lists what it has. Default hevc, the only one that can be lossless.
+   */
+  vtkSetStringMacro(Codec);
+  vtkGetStringMacro(Codec);
+  ///@}
+
+  /**
+   * Whether this FFmpeg can encode with a codec of that name.
+   */
+  static bool CanEncode(const char* codec);
+
+  ///@{
+  /**
    * Set/get the constant rate factor of colour, from 0 (best) to 51 (smallest). About 6 more halve
-   * the size. Default 22.
+   * the size. The scale is x265's; x264 has the same, and for AV1 the whole number on its own scale
+   * is taken that gives about the same quality. Default 22.
    */
   vtkSetClampMacro(CRF, double, 0.0, 51.0);
   vtkGetMacro(CRF, double);
@@ -145,7 +167,8 @@ public:
   ///@{
   /**
    * Set/get x265's preset, which trades time for size: ultrafast, superfast, veryfast, faster,
-   * fast, medium, slow, slower, veryslow or placebo. Default medium.
+   * fast, medium, slow, slower, veryslow or placebo. x264 has the same, and those of AV1's encoders
+   * are taken that are alike. Default medium.
    */
   vtkSetStringMacro(Preset);
   vtkGetStringMacro(Preset);
@@ -153,9 +176,11 @@ public:
 
   ///@{
   /**
-   * Set/get the pixel format of colour: yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le or
-   * gbrp. Formats other than 4:4:4 lose much of saturated colours; yuv420p is what every player and
-   * hardware decoder knows. 4:2:0 and 4:2:2 need an even resolution. Default yuv444p.
+   * Set/get the pixel format of colour: auto, yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le
+   * or gbrp (HEVC only); for float colour auto, yuv444p10le or yuv444p12le. Formats other than
+   * 4:4:4 lose much of saturated colours; yuv420p is what every player and hardware decoder knows.
+   * 4:2:0 and 4:2:2 need an even resolution. Default auto: yuv444p, but for AV1 yuv420p10le, which
+   * is all that SVT-AV1 has; for others it takes libaom, which is slow.
    */
   vtkSetStringMacro(PixelFormat);
   vtkGetStringMacro(PixelFormat);
@@ -285,6 +310,7 @@ private:
   cslf::EncodeSession* Session = nullptr; // while Write is at work
   vtkMultiProcessController* Controller = nullptr;
   char* FileName = nullptr;
+  char* Codec = nullptr;
   double CRF = 22.0;
   double TargetRatio = 0.0;
   double TargetSize = 0.0;

@@ -13,7 +13,6 @@
 #include "cslfTable.h"
 
 #include "vtkCSLFImageQuality.h"
-#include "vtkCSLFMapper.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -92,12 +91,9 @@ void SaveView(const Options& options, int view, const std::string& name, vtkImag
 std::vector<Score> MakeScores(const Description& description)
 {
   std::vector<Score> scores;
-  for (const LookupName& lookup : GetLookups())
+  for (const LookupName& lookup : GetLookups(description))
   {
-    if (lookup.Lookup != vtkCSLFMapper::DEPTH || description.FindChannel(DepthName))
-    {
-      scores.push_back({ lookup, {}, {}, 0.0 });
-    }
+    scores.push_back({ lookup, {}, {}, 0.0 });
   }
   return scores;
 }

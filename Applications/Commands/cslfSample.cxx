@@ -9,8 +9,10 @@
 #include "cslfParallel.h"
 #include "cslfSceneFiles.h"
 
+#ifdef CSLF_HAS_ENCODER
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
+#endif
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>
@@ -80,10 +82,6 @@ void CheckFormat(const Options& options, FieldFormat format)
   {
     throw Failure("Video needs a resolution (-N) of at least 16 texels.");
   }
-  if (format == FieldFormat::Video && options.Float)
-  {
-    throw Failure("Video holds no float colours: write .vti or a folder.");
-  }
   if (format != FieldFormat::Video &&
     (options.SuggestForPSNR > 0.0 || options.SuggestForSize > 0.0))
   {
@@ -102,6 +100,7 @@ void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
   SetCube(options, sampler);
 }
 
+#ifdef CSLF_HAS_ENCODER
 vtkSmartPointer<vtkCSLFBakeEstimator> MakeEstimator(
   const Options& options, FieldFormat format, vtkCSLFSampler* sampler)
 {
@@ -198,6 +197,24 @@ Result Estimate(const Options& options)
   result.Text = text.str();
   return result;
 }
+
+#else
+constexpr const char* NoEstimate =
+  "This cslf was built without the video encoder, which --estimate and --time-budget need.";
+
+void ChooseSamples(const Options& options, FieldFormat, vtkCSLFSampler*)
+{
+  if (options.TimeBudget > 0.0)
+  {
+    throw Failure(NoEstimate);
+  }
+}
+
+Result Estimate(const Options&)
+{
+  throw Failure(NoEstimate);
+}
+#endif
 
 Result Run(const Options& options)
 {

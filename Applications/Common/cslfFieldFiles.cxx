@@ -6,9 +6,11 @@
 #include "cslfParallel.h"
 
 #include "vtkCSLFDecoder.h"
-#include "vtkCSLFEncoder.h"
 #include "vtkCSLFImageReader.h"
 #include "vtkCSLFImageWriter.h"
+#ifdef CSLF_HAS_ENCODER
+#include "vtkCSLFEncoder.h"
+#endif
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkImageData.h>
@@ -211,7 +213,7 @@ void CodingOptions::AddTargetsTo(CLI::App& command)
 {
   CLI::Option* factor =
     command
-      .add_option("--crf", this->CRF, "constant rate factor of x265: less is better and larger")
+      .add_option("--crf", this->CRF, "constant rate factor on x265's scale, with every codec: less is better and larger")
       ->check(CLI::Range(0.0, 51.0))
       ->capture_default_str()
       ->group(VideoGroup);
@@ -262,12 +264,19 @@ void CodingOptions::AddKeyViewsTo(CLI::App& command)
 void CodingOptions::AddTo(CLI::App& command)
 {
   const std::string group = VideoGroup;
-  this->AddTargetsTo(command);
-  this->AddKeyViewsTo(command);
-  command.add_option("--preset", this->Preset, "x265's preset: ultrafast ... medium ... placebo")
+  command.add_option("--codec", this->Codec, "hevc, av1 or h264")
     ->capture_default_str()
     ->group(group);
-  command.add_option("--pixel-format", this->PixelFormat, "yuv444p, yuv420p and their 10 bit kin")
+  this->AddTargetsTo(command);
+  this->AddKeyViewsTo(command);
+  command
+    .add_option("--preset", this->Preset,
+      "x265's preset, or what is like it: ultrafast ... medium ... placebo")
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--pixel-format", this->PixelFormat,
+      "auto, which is the codec's best, yuv444p, yuv420p and their 10 bit kin")
     ->capture_default_str()
     ->group(group);
   command
@@ -288,8 +297,10 @@ bool CodingOptions::HasTarget() const
   return this->TargetRatio > 0.0 || this->TargetSize > 0.0 || this->TargetPSNR > 0.0;
 }
 
+#ifdef CSLF_HAS_ENCODER
 void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 {
+  encoder->SetCodec(this->Codec.c_str());
   encoder->SetCRF(this->CRF);
   encoder->SetTargetRatio(this->TargetRatio);
   encoder->SetTargetSize(this->TargetSize);
@@ -309,6 +320,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
   encoder->SetLossless(this->Lossless);
   encoder->SetRestart(this->Restart);
 }
+#endif
 
 void RequireWritable(const std::string& fileName)
 {
@@ -338,6 +350,12 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
     throw Failure("--target-ratio, --target-size, --target-psnr and --key-views are for video: "
                   ".mp4 or .mkv.");
   }
+#ifndef CSLF_HAS_ENCODER
+  if (this->Format == FieldFormat::Video)
+  {
+    throw Failure(NoEncoder);
+  }
+#endif
   if (this->Format != FieldFormat::Folder && IsFirstRank())
   {
     RequireWritable(fileName);
@@ -348,8 +366,10 @@ nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::str
 {
   switch (this->Format)
   {
+#ifdef CSLF_HAS_ENCODER
     case FieldFormat::Video:
       return this->WriteVideo(connection, label);
+#endif
     case FieldFormat::ImageData:
       this->WriteImageData(connection, label);
       break;
@@ -360,6 +380,7 @@ nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::str
   return nlohmann::json::object();
 }
 
+#ifdef CSLF_HAS_ENCODER
 nlohmann::json FieldWriter::WriteVideo(
   vtkAlgorithmOutput* connection, const std::string& label) const
 {
@@ -394,6 +415,7 @@ nlohmann::json FieldWriter::WriteVideo(
   }
   return json;
 }
+#endif
 
 void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
 {

@@ -40,6 +40,10 @@ enum class FieldFormat
 /// The names of all formats, for help and errors.
 constexpr const char* FieldFormats = ".mp4, .mkv, .vti or a folder of cube maps";
 
+/// What a tool without the video encoder says where it would need it.
+constexpr const char* NoEncoder =
+  "This cslf was built without the video encoder: write .vti or a folder.";
+
 /// A field's file, open for reading. Port 0 of the reader delivers the field.
 struct FieldFile
 {
@@ -61,7 +65,7 @@ FieldFile OpenField(const std::string& fileName);
 /// Checks the whole file, without decoding it, for viewpoints that are not there.
 int CountMissing(const FieldFile& file);
 
-/// How colour is coded: "hevc", "png", "exr" or "none".
+/// How colour is coded: "hevc", "av1", "h264", "png", "exr" or "none".
 std::string GetCodecName(const FieldFile& file);
 
 /// The size of a file, or of all files in a folder.
@@ -70,6 +74,7 @@ std::uintmax_t CountBytes(const std::string& fileName);
 /// How video is coded. The defaults are the encoder's.
 struct CodingOptions
 {
+  std::string Codec = "hevc";
   double CRF = 22.0;
   double TargetRatio = 0.0;
   double TargetSize = 0.0;
@@ -77,13 +82,13 @@ struct CodingOptions
   std::string KeyViews = "1"; ///< a number, or "auto"
   double TargetNovelPSNR = 0.0;
   std::string Preset = "medium";
-  std::string PixelFormat = "yuv444p";
+  std::string PixelFormat = "auto";
   int GroupLength = 16;
   bool Lossless = false;
   bool Restart = true;
 
   void AddTo(CLI::App& command);
-  void Apply(vtkCSLFEncoder* encoder) const;
+  void Apply(vtkCSLFEncoder* encoder) const; ///< only with the video encoder
 
   /// Whether more than a rate factor is asked for.
   bool HasTarget() const;
@@ -112,6 +117,7 @@ public:
   FieldFormat GetFormat() const { return this->Format; }
 
 private:
+  /// Only with the video encoder.
   nlohmann::json WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const;
   void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;

@@ -171,5 +171,19 @@ vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   }
   return stencil;
 }
+
+std::vector<NovelView> TraceNovelViews(const SceneOptions& options, const Scene& scene,
+  const Cube& cube, int count, int size, int samples, int seed)
+{
+  std::vector<NovelView> views;
+  for (const auto& camera : MakeNovelViews(cube, count, seed, options.HasCornellBox()))
+  {
+    const int number = static_cast<int>(views.size());
+    const Truth truth = TraceTruth(options, scene, camera, size, samples, seed + number);
+    const auto stencil = MakeCubeStencil(cube, camera, size, size);
+    views.push_back({ camera, truth.Picture, stencil, ComputeNoiseFloor(truth, stencil) });
+  }
+  return views;
+}
 }
 }

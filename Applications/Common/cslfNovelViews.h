@@ -46,6 +46,19 @@ Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* cam
 /// of their mean's error, so it is their PSNR plus 10 log10(4) dB.
 double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil);
 
+/// A view that lookups are measured by.
+struct NovelView
+{
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkImageData> Picture; ///< what it truly shows, over black
+  vtkSmartPointer<vtkImageStencilData> Stencil;
+  double NoiseFloor = 0.0; ///< of the picture, in dB
+};
+
+/// Makes and traces square views of a field's cube. Throws a Failure.
+std::vector<NovelView> TraceNovelViews(const SceneOptions& options, const Scene& scene,
+  const Cube& cube, int count, int size, int samples, int seed);
+
 /// The pixels whose ray meets the cube. Row 0 is at the bottom, as VTK's images have it.
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   const Cube& cube, vtkCamera* camera, int width, int height);

@@ -87,6 +87,18 @@ const std::vector<LookupName>& GetLookups()
   return lookups;
 }
 
+std::vector<LookupName> GetLookups(const Description& description)
+{
+  std::vector<LookupName> lookups = GetLookups();
+  if (!description.FindChannel(DepthName))
+  {
+    lookups.erase(std::remove_if(lookups.begin(), lookups.end(),
+                    [](const LookupName& lookup) { return lookup.Lookup == vtkCSLFMapper::DEPTH; }),
+      lookups.end());
+  }
+  return lookups;
+}
+
 std::vector<std::string> GetLookupNames()
 {
   std::vector<std::string> names;

@@ -49,7 +49,10 @@ struct LookupName
 /// All lookups, in the order of the keys 1 to 5.
 const std::vector<LookupName>& GetLookups();
 
-/// Their names.
+/// Those that a field has the channels for.
+std::vector<LookupName> GetLookups(const Description& description);
+
+/// The names of all.
 std::vector<std::string> GetLookupNames();
 
 /// The lookup of that name, which must be one of theirs.

@@ -129,6 +129,9 @@ Part ReadPart(const std::string& input)
   return part;
 }
 
+constexpr const char* InputHelp =
+  "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box";
+
 constexpr const char* EnvironmentHelp =
   "the light from around: white, gradient (white above, dark below), none, or a lat-long image "
   "(default: none with cornell-box, else white)";
@@ -187,15 +190,23 @@ void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) cons
 
 void SceneOptions::AddInputsTo(CLI::App& command)
 {
-  command
-    .add_option(
-      "input", this->Inputs, "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box")
-    ->required();
+  command.add_option("input", this->Inputs, InputHelp)->required();
 }
 
 void SceneOptions::AddTo(CLI::App& command)
 {
   this->AddInputsTo(command);
+  this->AddLightAndMaterialTo(command);
+}
+
+void SceneOptions::AddOptionalTo(CLI::App& command)
+{
+  command.add_option("--scene", this->Inputs, InputHelp);
+  this->AddLightAndMaterialTo(command);
+}
+
+void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
+{
   const std::string light = "Light";
   command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
   command

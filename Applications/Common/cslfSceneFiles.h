@@ -46,7 +46,11 @@ public:
 class SceneOptions
 {
 public:
+  /// The files as positional arguments, material and light.
   void AddTo(CLI::App& command);
+
+  /// The same, but the files by --scene, which may be left out.
+  void AddOptionalTo(CLI::App& command);
 
   /// The files only.
   void AddInputsTo(CLI::App& command);
@@ -60,10 +64,13 @@ public:
   /// Gives a path tracer the scene and its light.
   void Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const;
 
+  bool IsEmpty() const { return this->Inputs.empty(); }
+
   /// Whether the Cornell box is among the inputs.
   bool HasCornellBox() const;
 
 private:
+  void AddLightAndMaterialTo(CLI::App& command);
   void SetMaterial(vtkDataObject* part) const;
 
   std::vector<std::string> Inputs;

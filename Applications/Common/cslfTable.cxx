@@ -37,6 +37,27 @@ std::string Table::ToText() const
   return text;
 }
 
+std::string Table::ToMarkdown() const
+{
+  std::string text;
+  for (const auto& row : this->Rows)
+  {
+    const bool isHead = text.empty();
+    text += "|";
+    for (const std::string& cell : row)
+    {
+      text += " " + cell + " |";
+    }
+    text += "\n";
+    for (std::size_t column = 0; isHead && column < row.size(); ++column)
+    {
+      text += std::string(column == 0 ? "|" : "") + (column == 0 ? "---|" : "---:|") +
+        (column + 1 == row.size() ? "\n" : "");
+    }
+  }
+  return text;
+}
+
 std::string Format(double value, int digits)
 {
   char buffer[64];

@@ -22,6 +22,9 @@ public:
   /// The rows as lines. The first column is aligned to the left and so is a last one of two.
   std::string ToText() const;
 
+  /// The rows as a table of Markdown, the first one its head.
+  std::string ToMarkdown() const;
+
 private:
   std::vector<std::vector<std::string>> Rows;
 };

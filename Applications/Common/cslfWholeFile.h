@@ -10,6 +10,7 @@
 #include "cslfMessages.h"
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <system_error>
 
@@ -35,6 +36,25 @@ void WriteWhole(Writer* writer, const std::string& fileName)
   }
   std::filesystem::remove(temporary, failure);
   throw Failure("Cannot write " + fileName + ".");
+}
+
+/// Writes text likewise.
+inline void WriteWholeText(const std::string& text, const std::string& fileName)
+{
+  const std::string temporary = fileName + ".partial";
+  std::ofstream stream(temporary, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code failure;
+  if (stream)
+  {
+    std::filesystem::rename(temporary, fileName, failure);
+  }
+  if (!stream || failure)
+  {
+    std::filesystem::remove(temporary, failure);
+    throw Failure("Cannot write " + fileName + ".");
+  }
 }
 }
 }

@@ -28,6 +28,9 @@ bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<
     return false;
   }
   parser->flags |= PARSER_FLAG_COMPLETE_FRAMES;
+  // Where pictures come as they are shown, they have no numbers.
+  const AVCodecDescriptor* codec = avcodec_descriptor_get(parameters->codec_id);
+  const bool isReordered = codec && (codec->props & AV_CODEC_PROP_REORDER) != 0;
   std::vector<std::pair<std::int64_t, int>> order;
   for (const AVHandle<AVPacket>& packet : packets)
   {
@@ -35,7 +38,8 @@ bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<
     int size = 0;
     av_parser_parse2(parser.get(), context.get(), &data, &size, packet->data, packet->size,
       packet->pts, AV_NOPTS_VALUE, -1);
-    order.emplace_back(packet->pts, parser->output_picture_number);
+    order.emplace_back(
+      packet->pts, isReordered ? parser->output_picture_number : static_cast<int>(order.size()));
   }
   std::sort(order.begin(), order.end());
   return std::is_sorted(
@@ -115,18 +119,18 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
   for (unsigned int stream = 0; stream < this->Input->nb_streams; ++stream)
   {
     const AVCodecParameters* parameters = this->Input->streams[stream]->codecpar;
-    if (parameters->codec_id != AV_CODEC_ID_HEVC || this->Streams.size() == tracks)
+    const std::size_t track = this->Streams.size();
+    if (track == tracks ||
+      parameters->codec_id != IDOfCodec(this->Header.Tracks[track].Kind.Coding))
     {
       continue;
     }
-    const std::size_t track = this->Streams.size();
     const auto size = static_cast<std::size_t>(std::max(parameters->extradata_size, 0));
-    NALFraming framing;
-    std::uint32_t crc = 0;
-    if (!FindFraming(parameters->extradata, size, framing) ||
-      !ComputeParameterSetsCRC(parameters->extradata, size, crc) ||
-      crc != this->Header.Tracks[track].ParameterSetsCRC || parameters->height != resolution ||
-      parameters->width != TileCount * resolution)
+    Framing framing;
+    if (!GetBitstream(this->Header.Tracks[track].Kind.Coding)
+           .ReadConfiguration(parameters->extradata, size, framing) ||
+      framing.ParameterSetsCRC != this->Header.Tracks[track].ParameterSetsCRC ||
+      parameters->height != resolution || parameters->width != TileCount * resolution)
     {
       return Refuse(failure, vtkErrorCode::FileFormatError,
         std::string("its track \"") + NameOfRole(this->Header.Tracks[track].Kind.Role) +
@@ -265,15 +269,33 @@ GroupPackets ContainerReader::Read(int group)
   return packets;
 }
 
+std::vector<std::int64_t> ContainerReader::CountBytes()
+{
+  std::vector<std::int64_t> bytes(this->Streams.size(), 0);
+  const AVHandle<AVPacket> packet(av_packet_alloc());
+  for (bool isThere = packet && this->SeekTo(0);
+       isThere && av_read_frame(this->Input.get(), packet.get()) >= 0;)
+  {
+    const int track = this->FindTrack(packet.get());
+    if (track >= 0)
+    {
+      bytes[track] += packet->size;
+    }
+    av_packet_unref(packet.get());
+  }
+  return bytes;
+}
+
 bool ContainerReader::IsWhole(int group, std::size_t track, const GroupPackets& packets) const
 {
   const int length = this->Header.Groups[group];
+  const Bitstream& bitstream = GetBitstream(this->Header.Tracks[track].Kind.Coding);
   std::vector<bool> seen(length, false);
   std::uint32_t crc = 0;
   for (const AVHandle<AVPacket>& packet : packets.Tracks[track])
   {
     if (seen[packet->pts] ||
-      !AddSlicesToCRC(packet->data, static_cast<std::size_t>(std::max(packet->size, 0)),
+      !bitstream.AddToCRC(packet->data, static_cast<std::size_t>(std::max(packet->size, 0)),
         this->Framings[track], crc))
     {
       return false;

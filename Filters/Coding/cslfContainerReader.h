@@ -8,7 +8,6 @@
 #define cslfContainerReader_h
 
 #include "Coding/cslfFileHeader.h"
-#include "Coding/cslfHEVC.h"
 
 #include <memory>
 #include <string>
@@ -48,6 +47,9 @@ public:
   /// out.
   GroupPackets Read(int group);
 
+  /// The bytes of all packets of each track. Reads the whole file.
+  std::vector<std::int64_t> CountBytes();
+
   /// Whether all packets of a group are there, their checksums right and their times in order, in
   /// one or in all tracks. Several threads may ask at once, and while packets are read.
   bool IsWhole(int group, std::size_t track, const GroupPackets& packets) const;
@@ -68,7 +70,7 @@ private:
   std::vector<int> GroupStarts;
   std::vector<int> Streams; ///< of each track
   std::vector<AVHandle<AVCodecParameters>> Parameters;
-  std::vector<NALFraming> Framings;
+  std::vector<Framing> Framings;
   std::vector<std::int64_t> FirstTimes; ///< of each track, empty until needed
 };
 }

@@ -97,7 +97,7 @@ bool ContainerWriter::AddTrack(const Track& track, int resolution,
   TagFrame(track, resolution, tags.get());
   AVCodecParameters* parameters = stream->codecpar;
   parameters->codec_type = AVMEDIA_TYPE_VIDEO;
-  parameters->codec_id = AV_CODEC_ID_HEVC;
+  parameters->codec_id = IDOfCodec(track.Coding);
   parameters->format = tags->format;
   parameters->width = tags->width;
   parameters->height = tags->height;
@@ -106,7 +106,7 @@ bool ContainerWriter::AddTrack(const Track& track, int resolution,
   parameters->color_trc = tags->color_trc;
   parameters->color_space = tags->colorspace;
   parameters->sample_aspect_ratio = { 1, 1 };
-  if (std::strcmp(this->Output->oformat->name, "mp4") == 0)
+  if (track.Coding == Codec::HEVC && std::strcmp(this->Output->oformat->name, "mp4") == 0)
   {
     parameters->codec_tag = MKTAG('h', 'v', 'c', '1');
   }

@@ -77,8 +77,8 @@ void Fill(Patch& patch)
 }
 }
 
-void FillDepth(
-  int resolution, const unsigned char* color, const unsigned short* depth, unsigned short* filled)
+void FillDepth(int resolution, const unsigned char* coverage, const unsigned short* depth,
+  unsigned short* filled)
 {
   for (int tile = 0; tile < TileCount; ++tile)
   {
@@ -90,7 +90,7 @@ void FillDepth(
     {
       for (int x = 0; x < resolution; ++x)
       {
-        const bool known = color[4 * texelOf(x, y) + 3] > 0;
+        const bool known = coverage[texelOf(x, y)] > 0;
         patch.Values[patch.IndexOf(x, y)] = depth[texelOf(x, y)];
         patch.Weights[patch.IndexOf(x, y)] = known ? 1.0F : 0.0F;
         isCovered = isCovered || known;

@@ -12,10 +12,10 @@
 
 namespace cslf
 {
-/// Copies a slice's depth tile by tile, filling what its `color` (4 bytes a texel) does not cover.
-/// Tiles with nothing covered are kept as they are.
-void FillDepth(
-  int resolution, const unsigned char* color, const unsigned short* depth, unsigned short* filled);
+/// Copies a slice's depth tile by tile, filling it where `coverage` is 0. Tiles with nothing
+/// covered are kept as they are.
+void FillDepth(int resolution, const unsigned char* coverage, const unsigned short* depth,
+  unsigned short* filled);
 }
 
 #endif

@@ -52,6 +52,11 @@ bool EncodeProbe::Begin(std::string& error)
   {
     return false;
   }
+  error = FindFault(this->Settings, this->Puller->GetField());
+  if (!error.empty())
+  {
+    return false;
+  }
   this->Writer->Begin(this->Puller->GetField(), 0);
   return true;
 }

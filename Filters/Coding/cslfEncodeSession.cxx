@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfEncodeSession.h"
 
+#include "Coding/cslfPerceptualQuantizer.h"
 #include "Pipeline/cslfPipelineWatch.h"
 
 #include <vtkErrorCode.h>
@@ -179,6 +180,11 @@ bool EncodeSession::ChooseKeyViews(bool isReady)
 
 bool EncodeSession::BeginWriting()
 {
+  const std::string error = FindFault(this->Job.Settings, this->Puller->GetField());
+  if (!error.empty())
+  {
+    return this->Fail(vtkErrorCode::UserError, error);
+  }
   this->Puller->SetKeyViewStep(this->Choice.Step);
   this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
   return this->Crew.GetRank() != 0 || this->OpenParts();
@@ -229,6 +235,11 @@ bool EncodeSession::Write(bool hasInput)
   if (!this->IsWell())
   {
     this->Writer.reset();
+  }
+  else if (this->Puller->GetClipped() > 0)
+  {
+    this->Job.Warn("The colour of " + std::to_string(this->Puller->GetClipped()) +
+      " texels is negative or above " + std::to_string(MaximumRadiance) + ": it is clipped.");
   }
   return this->IsWell();
 }

@@ -186,7 +186,8 @@ std::vector<int> FieldReader::Read(
   {
     return missing;
   }
-  Range range(*this, first, last, { color, depth });
+  Range range(
+    *this, first, last, { color, depth, this->GetHeader().Tracks.front().Kind.IsRadiance });
   range.CopyKept();
   const std::vector<int> groups = range.FindGroups();
   const std::size_t atOnce = GetGroupsAtOnce(this->GetHeader());

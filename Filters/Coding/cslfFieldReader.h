@@ -29,10 +29,14 @@ public:
 
   const FileHeader& GetHeader() const { return this->Decoder.GetHeader(); }
 
-  /// Decodes the slices `first` to `last` into arrays of just these; `depth` may be null. Groups
-  /// that hold none of them are not read, and slices that are kept are not decoded. Of groups that
-  /// hold others, too, these are kept if they fit. Slices of damaged groups are cleared and their
-  /// numbers returned in ascending order.
+  /// The bytes of all packets of each track. Reads the whole file.
+  std::vector<std::int64_t> CountBytes() { return this->Decoder.CountBytes(); }
+
+  /// Decodes the slices `first` to `last` into arrays of just these; `color` is the memory of
+  /// floats where the field's colour is float, and `depth` may be null. Groups that hold none of
+  /// them are not read, and slices that are kept are not decoded. Of groups that hold others, too,
+  /// these are kept if they fit. Slices of damaged groups are cleared and their numbers returned in
+  /// ascending order.
   std::vector<int> Read(
     int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress);
 

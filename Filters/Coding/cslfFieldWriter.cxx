@@ -4,7 +4,6 @@
 
 #include "Coding/cslfContainerWriter.h"
 #include "Coding/cslfGroupError.h"
-#include "Coding/cslfHEVC.h"
 #include "Coding/cslfTrackFactors.h"
 
 #include <vtkSMPTools.h>
@@ -21,7 +20,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// The smallest picture that HEVC can code.
+/// The smallest pictures that are coded.
 constexpr int MinimumResolution = 16;
 
 /// What a container holds once for the file, beside the header, and for each track: measured.
@@ -32,6 +31,48 @@ struct ContainerBytes
 };
 constexpr ContainerBytes BytesOfMP4 = { 270.0, 690.0 };
 constexpr ContainerBytes BytesOfMatroska = { 325.0, 275.0 };
+/// The pixel format that stands for the codec's default.
+constexpr const char* AutomaticFormat = "auto";
+
+/// The encoder and the format of colour that settings ask for. The encoder is null where this
+/// FFmpeg has none.
+struct EncoderChoice
+{
+  const VideoEncoder* Encoder = nullptr;
+  AVPixelFormat Color = AV_PIX_FMT_NONE;
+};
+
+EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int resolution)
+{
+  EncoderChoice choice;
+  const Codec codec = *CodecOfName(settings.Codec);
+  if (settings.Lossless || settings.PixelFormat != AutomaticFormat)
+  {
+    choice.Color = settings.Lossless ? AV_PIX_FMT_GBRP
+                                     : *FindPixelFormat(TrackRole::Color, settings.PixelFormat);
+    choice.Encoder = FindEncoder(codec, choice.Color, resolution);
+  }
+  else if ((choice.Encoder = FindEncoder(codec, isRadiance, resolution)))
+  {
+    choice.Color = isRadiance ? choice.Encoder->Radiance : choice.Encoder->Colors.front();
+  }
+  return choice;
+}
+
+bool HasRadiance(const Description& field)
+{
+  return field.FindChannel(ColorName)->Type == VTK_FLOAT;
+}
+
+std::string ListCodecs()
+{
+  std::string list;
+  for (const Codec codec : GetCodecs())
+  {
+    list += (list.empty() ? "" : ", ") + std::string(NameOfCodec(codec));
+  }
+  return list;
+}
 
 std::string Join(const std::vector<std::string>& names)
 {
@@ -71,11 +112,16 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
   {
     return "The preset \"" + settings.Preset + "\" is none of " + Join(presets) + ".";
   }
-  const auto format = FindPixelFormat(TrackRole::Color, settings.PixelFormat);
-  if (!format)
+  const auto codec = CodecOfName(settings.Codec);
+  if (!codec)
   {
-    return "The pixel format \"" + settings.PixelFormat + "\" is none of " + ListColorFormats() +
-      ".";
+    return "The codec \"" + settings.Codec + "\" is none of " + ListCodecs() + ".";
+  }
+  if (settings.PixelFormat != AutomaticFormat &&
+    !FindPixelFormat(TrackRole::Color, settings.PixelFormat))
+  {
+    return "The pixel format \"" + settings.PixelFormat + "\" is none of auto, " +
+      ListColorFormats() + ".";
   }
   const std::string fault = FindFault(settings.Target, settings.Lossless);
   if (!fault.empty())
@@ -84,17 +130,25 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
   }
   if (resolution < MinimumResolution)
   {
-    return "HEVC needs a resolution of at least " + std::to_string(MinimumResolution) +
+    return "Video needs a resolution of at least " + std::to_string(MinimumResolution) +
       " texels, the field has " + std::to_string(resolution) + ".";
   }
-  if (!settings.Lossless && NeedsEvenSize(*format) && resolution % 2 != 0)
+  if (!HasEncoder(*codec))
   {
-    return "The pixel format " + settings.PixelFormat +
-      " needs an even resolution, the field has " + std::to_string(resolution) + ".";
+    return "This FFmpeg cannot encode " + settings.Codec +
+      ". It has encoders for: " + ListCodecsToEncode() + ".";
   }
-  if (!HasEncoder())
+  const EncoderChoice choice = ChooseEncoder(settings, false, resolution);
+  if (!choice.Encoder || (settings.Lossless && !choice.Encoder->CanBeLossless))
   {
-    return "This FFmpeg cannot encode HEVC: it was built without libx265.";
+    return "No encoder that this FFmpeg has for " + settings.Codec + " can code " +
+      (settings.Lossless ? "without loss" : settings.PixelFormat) + " at a resolution of " +
+      std::to_string(resolution) + ".";
+  }
+  if (NeedsEvenSize(choice.Color) && resolution % 2 != 0)
+  {
+    return "The pixel format " + NameOfFormat(choice.Color) +
+      " needs an even resolution, the field has " + std::to_string(resolution) + ".";
   }
   return {};
 }
@@ -102,14 +156,42 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
 std::string FindFault(const Description& field)
 {
   const Channel* color = field.FindChannel(ColorName);
-  if (!color || color->Type != VTK_UNSIGNED_CHAR || color->Components != 4)
+  if (!color || (color->Type != VTK_UNSIGNED_CHAR && color->Type != VTK_FLOAT) ||
+    color->Components != 4)
   {
-    return "The coded file needs \"Color\" as 4 unsigned chars.";
+    return "The coded file needs \"Color\" as 4 unsigned chars or 4 floats.";
   }
   const Channel* depth = field.FindChannel(DepthName);
   if (depth && (depth->Type != VTK_UNSIGNED_SHORT || depth->Components != 1))
   {
     return "The coded file needs \"Depth\" as unsigned short.";
+  }
+  return {};
+}
+
+std::string FindFault(const EncodeSettings& settings, const Description& field)
+{
+  if (!HasRadiance(field))
+  {
+    return {};
+  }
+  if (settings.Target.Kind == RateTarget::Kinds::PSNR)
+  {
+    return "A target of PSNR is for colour of bytes, the field's is float.";
+  }
+  if (settings.Lossless)
+  {
+    return "Float colour cannot be coded without loss: keep it as .vti or a folder.";
+  }
+  const EncoderChoice choice = ChooseEncoder(settings, true, field.Grid.GetResolution());
+  if (!choice.Encoder)
+  {
+    return "This FFmpeg has no encoder that codes float colour as " + settings.Codec + ".";
+  }
+  if (!CanHoldRadiance(choice.Color))
+  {
+    return "Float colour needs a 4:4:4 pixel format of 10 or 12 bits, such as auto, not " +
+      settings.PixelFormat + ".";
   }
   return {};
 }
@@ -133,13 +215,17 @@ std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
   return slices;
 }
 
-void FieldWriter::MakeEncodings(bool hasDepth)
+void FieldWriter::MakeEncodings(const Description& field)
 {
   const EncodeSettings& settings = this->Settings;
+  const bool isRadiance = HasRadiance(field);
+  const EncoderChoice choice = ChooseEncoder(settings, isRadiance, field.Grid.GetResolution());
+  const bool hasDepth = field.FindChannel(DepthName) != nullptr;
   const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
   {
     Encoding encoding;
-    encoding.Kind = { role, format, settings.Lossless };
+    encoding.Kind = { role, format, settings.Lossless, choice.Encoder->Coding,
+      isRadiance && role == TrackRole::Color };
     encoding.Options = { settings.Preset, crf, settings.GroupLength };
     this->Encodings.push_back(encoding);
     this->Header.Tracks.push_back(
@@ -147,10 +233,8 @@ void FieldWriter::MakeEncodings(bool hasDepth)
   };
   this->Encodings.clear();
   this->Header.Tracks.clear();
-  add(TrackRole::Color,
-    settings.Lossless ? AV_PIX_FMT_GBRP : *FindPixelFormat(TrackRole::Color, settings.PixelFormat),
-    settings.CRF);
-  add(TrackRole::Coverage, AV_PIX_FMT_GRAY8, settings.CoverageCRF);
+  add(TrackRole::Color, choice.Color, settings.CRF);
+  add(TrackRole::Coverage, choice.Encoder->Coverage, settings.CoverageCRF);
   if (hasDepth && settings.Lossless)
   {
     add(TrackRole::DepthHigh, AV_PIX_FMT_GRAY8, 0.0);
@@ -158,7 +242,7 @@ void FieldWriter::MakeEncodings(bool hasDepth)
   }
   else if (hasDepth)
   {
-    add(TrackRole::Depth, AV_PIX_FMT_GRAY12LE, settings.DepthCRF);
+    add(TrackRole::Depth, choice.Encoder->Depth, settings.DepthCRF);
   }
 }
 
@@ -178,7 +262,7 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
       this->Header.Field.Channels.push_back(*channel);
     }
   }
-  this->MakeEncodings(field.FindChannel(DepthName) != nullptr);
+  this->MakeEncodings(field);
   this->Manifest = this->MakeManifest(sample);
 }
 
@@ -187,10 +271,11 @@ std::string FieldWriter::MakeManifest(std::uint32_t sample) const
   const EncodeSettings& settings = this->Settings;
   const nlohmann::json manifest = { { "version", 1 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "description", this->Header.Field.ToJSON() },
-    { "sample", sample }, { "preset", settings.Preset }, { "pixel_format", settings.PixelFormat },
-    { "crf", settings.CRF }, { "coverage_crf", settings.CoverageCRF },
-    { "depth_crf", settings.DepthCRF }, { "group_length", settings.GroupLength },
-    { "lossless", settings.Lossless }, { "target", static_cast<int>(settings.Target.Kind) },
+    { "sample", sample }, { "coding", settings.Codec }, { "preset", settings.Preset },
+    { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
+    { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
+    { "group_length", settings.GroupLength }, { "lossless", settings.Lossless },
+    { "target", static_cast<int>(settings.Target.Kind) },
     { "target_value", settings.Target.Value } };
   return manifest.dump();
 }
@@ -347,7 +432,7 @@ bool FieldWriter::EncodeGroups(const std::vector<CodingTask>& tasks,
 
 bool FieldWriter::IsMeasured(const CodingTask& task) const
 {
-  return !this->Settings.Lossless &&
+  return !this->Settings.Lossless && !HasRadiance(this->Header.Field) &&
     (!task.IsTrial || this->Settings.Target.Kind == RateTarget::Kinds::PSNR);
 }
 
@@ -442,8 +527,10 @@ bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std
   if (encoding.ParameterSets.empty())
   {
     encoding.ParameterSets = part.ParameterSets;
-    ComputeParameterSetsCRC(
-      part.ParameterSets.data(), part.ParameterSets.size(), coded.ParameterSetsCRC);
+    Framing framing;
+    GetBitstream(encoding.Kind.Coding)
+      .ReadConfiguration(part.ParameterSets.data(), part.ParameterSets.size(), framing);
+    coded.ParameterSetsCRC = framing.ParameterSetsCRC;
   }
   if (part.ParameterSets != encoding.ParameterSets)
   {

@@ -24,7 +24,7 @@ namespace cslf
 struct EncodeSettings
 {
   std::string Preset;
-  std::string PixelFormat;
+  std::string PixelFormat; ///< FFmpeg's name, or "auto"
   double CRF = 0.0;
   double CoverageCRF = 0.0;
   double DepthCRF = 0.0;
@@ -33,6 +33,7 @@ struct EncodeSettings
   RateTarget Target{}; ///< in place of CRF, unless its kind is Factor
   int KeyViewStep = 1; ///< see KeyViews; 0 for what reaches NovelViewPSNR, see ChooseKeyViews
   double NovelViewPSNR = 0.0;
+  std::string Codec = "hevc";
 };
 
 /// What keeps a file of that name from being written, in one line; empty where nothing does.
@@ -44,6 +45,10 @@ std::string FindFault(const EncodeSettings& settings, int resolution);
 
 /// What keeps a field from being coded, in one line; empty where nothing does.
 std::string FindFault(const Description& field);
+
+/// What keeps it from being coded with these settings, which have passed the checks above,
+/// likewise.
+std::string FindFault(const EncodeSettings& settings, const Description& field);
 
 /// A group's part of each track.
 using GroupParts = std::vector<CodedGroup>;
@@ -133,7 +138,7 @@ private:
     bool CoveredFully = true;
   };
 
-  void MakeEncodings(bool hasDepth);
+  void MakeEncodings(const Description& field);
   std::string MakeManifest(std::uint32_t sample) const;
   EncodeOptions GetOptions(const Encoding& encoding, double factor) const;
   bool IsMeasured(const CodingTask& task) const;

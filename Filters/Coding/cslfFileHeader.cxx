@@ -30,19 +30,30 @@ std::uint32_t ComputeChecksum(const JSON& json)
     ::crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
 }
 
+/// What a track of float colour says of its samples.
+constexpr const char* TransferKey = "transfer";
+constexpr const char* PQName = "smpte2084";
+
 JSON ToJSON(const CodedTrack& track)
 {
-  return { { "role", NameOfRole(track.Kind.Role) }, { "codec", CodecName },
+  JSON json = { { "role", NameOfRole(track.Kind.Role) },
+    { "codec", NameOfCodec(track.Kind.Coding) },
     { "pixel_format", NameOfFormat(track.Kind.Format) },
     { "bits", BitsOfFormat(track.Kind.Format) }, { "lossless", track.Kind.Lossless },
     { "parameter_sets_crc", track.ParameterSetsCRC }, { "crc", track.GroupCRCs } };
+  if (track.Kind.IsRadiance)
+  {
+    json[TransferKey] = PQName;
+  }
+  return json;
 }
 
 CodedTrack ToTrack(const JSON& json)
 {
   CodedTrack track;
   const auto role = RoleOfName(json.at("role").get<std::string>());
-  if (!role || json.at("codec") != CodecName)
+  const auto codec = CodecOfName(json.at("codec").get<std::string>());
+  if (!role || !codec)
   {
     throw std::invalid_argument("it has a track of an unknown role or codec");
   }
@@ -52,7 +63,14 @@ CodedTrack ToTrack(const JSON& json)
     throw std::invalid_argument(
       std::string("its track \"") + NameOfRole(*role) + "\" has an unknown pixel format");
   }
-  track.Kind = { *role, *format, json.at("lossless").get<bool>() };
+  track.Kind = { *role, *format, json.at("lossless").get<bool>(), *codec,
+    json.contains(TransferKey) };
+  if (track.Kind.IsRadiance &&
+    (*role != TrackRole::Color || !CanHoldRadiance(*format) || json.at(TransferKey) != PQName))
+  {
+    throw std::invalid_argument(
+      std::string("its track \"") + NameOfRole(*role) + "\" has an unknown transfer curve");
+  }
   track.ParameterSetsCRC = json.at("parameter_sets_crc").get<std::uint32_t>();
   track.GroupCRCs = json.at("crc").get<std::vector<std::uint32_t>>();
   return track;
@@ -77,7 +95,9 @@ std::vector<CodedTrack> ToTracks(const JSON& json, const Description& field)
   const bool depthFits = field.FindChannel(DepthName) ? depth == bit(TrackRole::Depth) ||
       depth == (bit(TrackRole::DepthHigh) | bit(TrackRole::DepthLow))
                                                       : depth == 0;
-  if (tracks.empty() || tracks.front().Kind.Role != TrackRole::Color || !depthFits)
+  const bool isFloat = field.FindChannel(ColorName)->Type == VTK_FLOAT;
+  if (tracks.empty() || tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
+    tracks.front().Kind.IsRadiance != isFloat)
   {
     throw std::invalid_argument("its tracks are not those of its channels");
   }
@@ -135,7 +155,8 @@ void CheckChannels(const Description& field)
   for (const Channel& channel : field.Channels)
   {
     const bool known = channel.Components == (channel.Name == ColorName ? 4 : 1) &&
-      ((channel.Name == ColorName && channel.Type == VTK_UNSIGNED_CHAR) ||
+      ((channel.Name == ColorName &&
+         (channel.Type == VTK_UNSIGNED_CHAR || channel.Type == VTK_FLOAT)) ||
         (channel.Name == DepthName && channel.Type == VTK_UNSIGNED_SHORT));
     if (!known)
     {

@@ -3,7 +3,9 @@
 #include "Coding/cslfFrameConverter.h"
 
 #include "Coding/cslfDepthFill.h"
+#include "Coding/cslfRadianceFrames.h"
 #include "Coding/cslfTexelRows.h"
+#include "cslfColor.h"
 #include "cslfLayout.h"
 
 #include <algorithm>
@@ -23,12 +25,15 @@ constexpr int CoverageTolerance = 3;
 /// The planes of a planar RGB frame hold green, blue, red.
 constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
 
-/// The largest number of a depth track of 12 bits.
-constexpr unsigned int MaximumCode = 4095;
-
-std::uint16_t EncodeDepth(unsigned short depth)
+/// The largest number that a format's samples can have.
+unsigned int GetMaximumCode(AVPixelFormat format)
 {
-  return static_cast<std::uint16_t>((depth * MaximumCode + FarDepth / 2) / FarDepth);
+  return (1U << BitsOfFormat(format)) - 1U;
+}
+
+std::uint16_t EncodeDepth(unsigned short depth, unsigned int maximum)
+{
+  return static_cast<std::uint16_t>((depth * maximum + FarDepth / 2) / FarDepth);
 }
 
 /// A scaler that only changes the format: accurate, chroma at full resolution, full range.
@@ -61,6 +66,40 @@ AVPixelFormat WithoutRange(int format)
       return AV_PIX_FMT_YUV444P;
     default:
       return static_cast<AVPixelFormat>(format);
+  }
+}
+
+/// Whether a decoder's frame holds the samples of a track. Gray ones may come with chroma, which
+/// then says nothing.
+bool HoldsSamples(const Track& track, int format)
+{
+  const AVPixelFormat plain = WithoutRange(format);
+  if (track.Role == TrackRole::Color)
+  {
+    return plain == track.Format;
+  }
+  const AVPixFmtDescriptor* samples = av_pix_fmt_desc_get(plain);
+  const AVComponentDescriptor* expected = av_pix_fmt_desc_get(track.Format)->comp;
+  return samples && (samples->flags & AV_PIX_FMT_FLAG_RGB) == 0 && samples->comp[0].plane == 0 &&
+    samples->comp[0].step == expected[0].step && samples->comp[0].depth == expected[0].depth;
+}
+
+/// Fills the chroma of a frame that is to be gray.
+template <typename Sample>
+void PutNeutralChroma(AVFrame* frame, AVPixelFormat format)
+{
+  const auto neutral = static_cast<Sample>(1U << (BitsOfFormat(format) - 1));
+  const AVPixFmtDescriptor* descriptor = av_pix_fmt_desc_get(format);
+  const int width = AV_CEIL_RSHIFT(frame->width, descriptor->log2_chroma_w);
+  const int height = AV_CEIL_RSHIFT(frame->height, descriptor->log2_chroma_h);
+  for (int plane = 1; plane <= 2; ++plane)
+  {
+    for (int y = 0; y < height; ++y)
+    {
+      std::fill_n(reinterpret_cast<Sample*>(
+                    frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane]),
+        width, neutral);
+    }
   }
 }
 
@@ -110,17 +149,25 @@ void TagFrame(const Track& track, int resolution, AVFrame* frame)
   frame->format = track.Format;
   frame->color_range = AVCOL_RANGE_JPEG;
   frame->color_primaries = color ? AVCOL_PRI_BT709 : AVCOL_PRI_UNSPECIFIED;
-  frame->color_trc = color ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_UNSPECIFIED;
+  frame->color_trc = !color ? AVCOL_TRC_UNSPECIFIED
+    : track.IsRadiance      ? AVCOL_TRC_SMPTE2084
+                            : AVCOL_TRC_IEC61966_2_1;
   frame->colorspace = !color          ? AVCOL_SPC_UNSPECIFIED
     : track.Format == AV_PIX_FMT_GBRP ? AVCOL_SPC_RGB
                                       : AVCOL_SPC_BT709;
+}
+
+unsigned char ConstSlice::GetCoverage(std::size_t texel) const
+{
+  return this->IsFloat ? ToByte(this->GetRadiance()[4 * texel + 3])
+                       : this->Color[ColorBytes * texel + 3];
 }
 
 SliceToFrame::SliceToFrame(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP)
+  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP && !track.IsRadiance)
   {
     this->Scaler = MakeScaler(TileCount * resolution, resolution, AV_PIX_FMT_RGB0, track.Format);
   }
@@ -131,6 +178,11 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
   switch (this->Kind.Role)
   {
     case TrackRole::Color:
+      if (this->Kind.IsRadiance)
+      {
+        PutRadiance(slice.GetRadiance(), this->Kind.Format, frame);
+        return true;
+      }
       if (this->Scaler)
       {
         const std::uint8_t* const data[4] = { slice.Color, nullptr, nullptr, nullptr };
@@ -142,8 +194,11 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
       return this->Kind.Format == AV_PIX_FMT_GBRP;
     case TrackRole::Coverage:
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint8_t& sample)
-        { sample = slice.Color[ColorBytes * texel + 3]; });
+        [&](std::size_t texel, std::uint8_t& sample) { sample = slice.GetCoverage(texel); });
+      if (HasChroma(this->Kind.Format))
+      {
+        PutNeutralChroma<std::uint8_t>(frame, this->Kind.Format);
+      }
       return true;
     case TrackRole::Depth:
     case TrackRole::DepthHigh:
@@ -168,10 +223,23 @@ void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
 {
   if (this->Kind.Role == TrackRole::Depth)
   {
-    this->Filled.resize(static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution);
-    FillDepth(this->Resolution, slice.Color, slice.Depth, this->Filled.data());
+    const std::size_t texels =
+      static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
+    this->Coverage.resize(texels);
+    for (std::size_t texel = 0; texel < texels; ++texel)
+    {
+      this->Coverage[texel] = slice.GetCoverage(texel);
+    }
+    this->Filled.resize(texels);
+    FillDepth(this->Resolution, this->Coverage.data(), slice.Depth, this->Filled.data());
+    const unsigned int maximum = GetMaximumCode(this->Kind.Format);
     VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
-      [&](std::size_t texel, std::uint16_t& sample) { sample = EncodeDepth(this->Filled[texel]); });
+      [&](std::size_t texel, std::uint16_t& sample)
+      { sample = EncodeDepth(this->Filled[texel], maximum); });
+    if (HasChroma(this->Kind.Format))
+    {
+      PutNeutralChroma<std::uint16_t>(frame, this->Kind.Format);
+    }
     return;
   }
   const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
@@ -184,7 +252,8 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  const bool isPlain = track.Format == AV_PIX_FMT_GBRP || IsFullChroma(track.Format);
+  const bool isPlain =
+    track.Format == AV_PIX_FMT_GBRP || IsFullChroma(track.Format) || track.IsRadiance;
   if (track.Role == TrackRole::Color && !isPlain)
   {
     const int width = TileCount * resolution;
@@ -195,7 +264,7 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
 
 bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
 {
-  if (WithoutRange(frame->format) != this->Kind.Format || frame->height != this->Resolution ||
+  if (!HoldsSamples(this->Kind, frame->format) || frame->height != this->Resolution ||
     frame->width != TileCount * this->Resolution)
   {
     return false;
@@ -203,8 +272,18 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
   switch (this->Kind.Role)
   {
     case TrackRole::Color:
+      if (this->Kind.IsRadiance)
+      {
+        TakeRadiance(frame, this->Kind.Format, slice.GetRadiance());
+        return true;
+      }
       return this->TakeColor(frame, slice);
     case TrackRole::Coverage:
+      if (slice.IsFloat)
+      {
+        TakeCoverage(frame, slice.GetRadiance());
+        return true;
+      }
       for (int y = 0; y < frame->height; ++y)
       {
         const std::size_t texel = static_cast<std::size_t>(y) * frame->width;
@@ -272,6 +351,13 @@ bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
 
 void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 {
+  if (slice.IsFloat)
+  {
+    const int tolerance = coverage && !coverage->Lossless ? CoverageTolerance : 0;
+    JoinRadiance(static_cast<std::size_t>(TileCount) * resolution * resolution, coverage != nullptr,
+      tolerance, slice.GetRadiance(), slice.Depth);
+    return;
+  }
   // Without coverage anything counts as full.
   const int tolerance = !coverage ? 255 : coverage->Lossless ? 0 : CoverageTolerance;
   const int width = TileCount * resolution;
@@ -286,7 +372,8 @@ void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 void ClearSlice(int resolution, const Slice& slice)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
-  std::fill_n(slice.Color, ColorBytes * texels, static_cast<unsigned char>(0));
+  const std::size_t bytes = slice.IsFloat ? ColorBytes * sizeof(float) : ColorBytes;
+  std::fill_n(slice.Color, bytes * texels, static_cast<unsigned char>(0));
   if (slice.Depth)
   {
     std::fill_n(slice.Depth, texels, FarDepth);

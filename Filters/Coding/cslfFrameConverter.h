@@ -4,14 +4,17 @@
  * @file
  * Slices of the light field to video frames and back.
  *
- * Colour is stored as Y'CbCr of ITU-R BT.709's matrix and full range, or as planar RGB. Coverage is
- * stored as it is, depth rounded to 12 bits or as two bytes.
+ * Colour is stored as Y'CbCr of ITU-R BT.709's matrix and full range, or as planar RGB; float
+ * colour as Y'CbCr, through the perceptual quantiser. Coverage is
+ * stored as it is, depth rounded to 10 or 12 bits or as two bytes; where a codec has no gray, both
+ * are luma beside chroma that says nothing.
  */
 #ifndef cslfFrameConverter_h
 #define cslfFrameConverter_h
 
 #include "Coding/cslfTrack.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,14 +23,22 @@ namespace cslf
 /// One viewpoint's samples: strips of 5 N x N texels.
 struct ConstSlice
 {
-  const unsigned char* Color = nullptr;  ///< 4 a texel
+  const unsigned char* Color = nullptr;  ///< 4 a texel; if IsFloat, the memory of 4 floats
   const unsigned short* Depth = nullptr; ///< 1 a texel, or null
+  bool IsFloat = false;
+
+  const float* GetRadiance() const { return reinterpret_cast<const float*>(this->Color); }
+  /// Alpha as a byte.
+  unsigned char GetCoverage(std::size_t texel) const;
 };
 
 struct Slice
 {
   unsigned char* Color = nullptr;
   unsigned short* Depth = nullptr;
+  bool IsFloat = false;
+
+  float* GetRadiance() const { return reinterpret_cast<float*>(this->Color); }
 };
 
 /// Sets the size, format and colour tags of what a track's encoder or frame holds.
@@ -49,6 +60,7 @@ private:
   Track Kind;
   int Resolution;
   AVHandle<SwsContext> Scaler;
+  std::vector<unsigned char> Coverage;
   std::vector<unsigned short> Filled;
 };
 
@@ -71,8 +83,9 @@ private:
 };
 
 /// Joins the channels of a decoded slice: coverage within 3/255 of none or full becomes just that
-/// unless its track is lossless, colour is at most coverage, and depth is 1 where nothing is
-/// covered. Without a coverage track the slice is covered everywhere.
+/// unless its track is lossless, colour is at most coverage (of floats: 0 where nothing is
+/// covered), and depth is 1 where nothing is covered. Without a coverage track the slice is covered
+/// everywhere.
 void JoinChannels(int resolution, const Track* coverage, const Slice& slice);
 
 /// What is put in place of a viewpoint that is missing: nothing covered, depth 1.

@@ -9,6 +9,7 @@
 #define cslfGroupCodec_h
 
 #include "Coding/cslfFrameConverter.h"
+#include "Coding/cslfVideoEncoders.h"
 
 #include <cstdint>
 #include <string>
@@ -16,14 +17,6 @@
 
 namespace cslf
 {
-/// How a track is encoded; equal for all its groups.
-struct EncodeOptions
-{
-  std::string Preset = "medium";
-  double CRF = 22.0;
-  int GroupLength = MaximumGroupLength;
-};
-
 /// One coded frame.
 struct CodedFrame
 {
@@ -31,22 +24,17 @@ struct CodedFrame
   std::vector<std::uint8_t> Data;
 };
 
-/// A coded group: frames in decoding order, the first one an IDR picture.
+/// A coded group: frames in decoding order, the first one a key frame that nothing after it refers
+/// past.
 struct CodedGroup
 {
-  std::vector<std::uint8_t> ParameterSets; ///< annex B
+  std::vector<std::uint8_t> ParameterSets; ///< annex B, or AV1's sequence header
   std::vector<CodedFrame> Frames;
-  std::uint32_t CRC = 0;     ///< over all coded slices
+  std::uint32_t CRC = 0;     ///< over all coded picture data
   bool CoveredFully = false; ///< a coverage track's: every sample is 255
   /// A colour track's, once decoded, as in GroupCost; negative if not known.
   double SquaredError = -1.0;
 };
-
-/// The presets that x265 knows.
-const std::vector<std::string>& GetPresets();
-
-/// Whether this FFmpeg can encode at all.
-bool HasEncoder();
 
 /// Encodes the slices of a group. On failure returns false and says why, in one line.
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,

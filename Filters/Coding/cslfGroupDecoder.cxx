@@ -120,6 +120,12 @@ bool GroupDecoder::Check(int group)
   return this->Container->IsWhole(group, this->ReadPackets(group));
 }
 
+std::vector<std::int64_t> GroupDecoder::CountBytes()
+{
+  const std::lock_guard<std::mutex> lock(this->ContainerMutex);
+  return this->Container->CountBytes();
+}
+
 GroupPackets GroupDecoder::ReadPackets(int group)
 {
   const std::lock_guard<std::mutex> lock(this->ContainerMutex);

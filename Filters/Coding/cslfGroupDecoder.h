@@ -48,6 +48,9 @@ public:
   /// Whether a group is whole, by its checksums.
   bool Check(int group);
 
+  /// The bytes of all packets of each track. Reads the whole file.
+  std::vector<std::int64_t> CountBytes();
+
   /// From now on nothing more is decoded: what is at work ends soon, as if damaged.
   void Stop() { this->IsStopped = true; }
 

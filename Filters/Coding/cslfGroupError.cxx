@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfGroupError.h"
 
+#include "Coding/cslfTrackDecoder.h"
 #include "cslfLayout.h"
 
 #include <algorithm>
@@ -20,14 +21,14 @@ struct ParametersDeleter
 };
 using Parameters = std::unique_ptr<AVCodecParameters, ParametersDeleter>;
 
-Parameters MakeParameters(const CodedGroup& part)
+Parameters MakeParameters(const CodedGroup& part, Codec codec)
 {
   Parameters parameters(avcodec_parameters_alloc());
   const std::size_t size = part.ParameterSets.size();
   if (parameters)
   {
     parameters->codec_type = AVMEDIA_TYPE_VIDEO;
-    parameters->codec_id = avcodec_descriptor_get_by_name(CodecName)->id;
+    parameters->codec_id = IDOfCodec(codec);
     parameters->extradata =
       static_cast<std::uint8_t*>(av_mallocz(size + AV_INPUT_BUFFER_PADDING_SIZE));
     parameters->extradata_size = parameters->extradata ? static_cast<int>(size) : 0;
@@ -55,22 +56,28 @@ bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packet
 /// Decodes a track into its part of slices.
 bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& slices)
 {
-  const Parameters parameters = MakeParameters(*track.Part);
+  const Parameters parameters = MakeParameters(*track.Part, track.Kind.Coding);
   std::vector<AVHandle<AVPacket>> packets;
   if (!parameters || !MakePackets(*track.Part, packets))
   {
     return false;
   }
+  const auto decoder = TrackDecoder::Open(parameters.get());
+  if (!decoder)
+  {
+    return false;
+  }
+  decoder->Begin(packets, std::vector<bool>(slices.size(), true));
   FrameToSlice converter(track.Kind, resolution);
-  std::size_t good = 0;
-  return DecodeGroup(parameters.get(), packets,
-           [&](int index, const AVFrame* frame)
-           {
-             const bool isKnown = index >= 0 && static_cast<std::size_t>(index) < slices.size();
-             good += isKnown && converter.Convert(frame, slices[index]) ? 1 : 0;
-             return true;
-           }) &&
-    good == slices.size();
+  for (const Slice& slice : slices)
+  {
+    const AVFrame* frame = decoder->Next();
+    if (!frame || !converter.Convert(frame, slice))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 double SumSquares(const unsigned char* a, const unsigned char* b, std::size_t texels)

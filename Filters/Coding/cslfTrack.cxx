@@ -20,9 +20,10 @@ const std::vector<RoleRow>& GetRoles()
   static const std::vector<RoleRow> roles = {
     { TrackRole::Color, "color",
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
-        AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP } },
-    { TrackRole::Coverage, "coverage", { AV_PIX_FMT_GRAY8 } },
-    { TrackRole::Depth, "depth", { AV_PIX_FMT_GRAY12LE } },
+        AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP, AV_PIX_FMT_YUV444P12LE } },
+    { TrackRole::Coverage, "coverage", { AV_PIX_FMT_GRAY8, AV_PIX_FMT_YUV420P } },
+    { TrackRole::Depth, "depth",
+      { AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_GRAY10LE, AV_PIX_FMT_YUV420P10LE } },
     { TrackRole::DepthHigh, "depth-high", { AV_PIX_FMT_GRAY8 } },
     { TrackRole::DepthLow, "depth-low", { AV_PIX_FMT_GRAY8 } },
   };
@@ -81,9 +82,19 @@ std::string NameOfFormat(AVPixelFormat format)
   return name ? name : "unknown";
 }
 
+bool CanHoldRadiance(AVPixelFormat format)
+{
+  return format == AV_PIX_FMT_YUV444P10LE || format == AV_PIX_FMT_YUV444P12LE;
+}
+
 int BitsOfFormat(AVPixelFormat format)
 {
   return av_pix_fmt_desc_get(format)->comp[0].depth;
+}
+
+bool HasChroma(AVPixelFormat format)
+{
+  return av_pix_fmt_desc_get(format)->nb_components >= 3;
 }
 
 bool NeedsEvenSize(AVPixelFormat format)

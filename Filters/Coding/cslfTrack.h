@@ -7,7 +7,7 @@
 #ifndef cslfTrack_h
 #define cslfTrack_h
 
-#include "Coding/cslfAV.h"
+#include "Coding/cslfCodec.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +31,8 @@ struct Track
   TrackRole Role = TrackRole::Color;
   AVPixelFormat Format = AV_PIX_FMT_YUV444P;
   bool Lossless = false;
+  Codec Coding = Codec::HEVC;
+  bool IsRadiance = false; ///< colour: linear radiance through the perceptual quantiser
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.
@@ -38,9 +40,6 @@ constexpr int FrameRate = 25;
 
 /// Closed groups of pictures have at most this many frames.
 constexpr int MaximumGroupLength = 16;
-
-/// The codec of all tracks, by FFmpeg's name.
-constexpr const char* CodecName = "hevc";
 
 /// The names that files use.
 const char* NameOfRole(TrackRole role);
@@ -55,8 +54,14 @@ std::string ListColorFormats();
 /// FFmpeg's name of a pixel format.
 std::string NameOfFormat(AVPixelFormat format);
 
+/// Whether float colour can have that format: full resolution and more than 8 bits.
+bool CanHoldRadiance(AVPixelFormat format);
+
 /// The bits of a sample.
 int BitsOfFormat(AVPixelFormat format);
+
+/// Whether there is chroma beside the first plane.
+bool HasChroma(AVPixelFormat format);
 
 /// Whether frames of an odd width or height cannot have this format.
 bool NeedsEvenSize(AVPixelFormat format);

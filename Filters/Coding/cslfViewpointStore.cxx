@@ -37,6 +37,7 @@ Slice ToSlice(const DecodedViewpoint& viewpoint)
   slice.Color = static_cast<unsigned char*>(viewpoint.Color->GetVoidPointer(0));
   slice.Depth =
     viewpoint.Depth ? static_cast<unsigned short*>(viewpoint.Depth->GetVoidPointer(0)) : nullptr;
+  slice.IsFloat = viewpoint.Color->GetDataType() == VTK_FLOAT;
   return slice;
 }
 

@@ -3,6 +3,7 @@
 #include "Pipeline/cslfSlicePuller.h"
 
 #include "Coding/cslfFieldWriter.h"
+#include "Coding/cslfRadianceFrames.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -55,14 +56,15 @@ bool SlicePuller::Begin(std::string& error)
   this->Field = *field;
   this->Text = field->ToText();
   this->HasDepth = field->FindChannel(DepthName) != nullptr;
+  this->IsFloat = field->FindChannel(ColorName)->Type == VTK_FLOAT;
+  this->ColorBytes = this->IsFloat ? 4 * sizeof(float) : 4;
   return true;
 }
 
 std::uint32_t SlicePuller::GetFirstChecksum() const
 {
   vtkImageData* image = vtkImageData::GetData(this->Information);
-  uLong checksum =
-    ::crc32(0, GetColor(image), static_cast<uInt>(4 * this->Texels * sizeof(unsigned char)));
+  uLong checksum = ::crc32(0, GetColor(image), static_cast<uInt>(this->ColorBytes * this->Texels));
   if (this->HasDepth)
   {
     checksum = ::crc32(checksum, reinterpret_cast<const Bytef*>(GetDepth(image)),
@@ -78,7 +80,7 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     // Nobody else holds the new ones.
     this->Pulled = std::make_shared<Samples>();
   }
-  this->Pulled->Color.resize(4 * this->Texels * slices.size());
+  this->Pulled->Color.resize(this->ColorBytes * this->Texels * slices.size());
   this->Pulled->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
   std::vector<std::pair<int, std::size_t>> sorted; // slice, place
   for (std::size_t place = 0; place < slices.size(); ++place)
@@ -137,8 +139,17 @@ vtkImageData* SlicePuller::Update(int first, int last, std::string& error)
 void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
 {
   const std::size_t offset = this->Texels * (slice - image->GetExtent()[4]);
-  std::copy_n(GetColor(image) + 4 * offset, 4 * this->Texels,
-    this->Pulled->Color.begin() + static_cast<std::ptrdiff_t>(4 * this->Texels * place));
+  const std::size_t bytes = this->ColorBytes * this->Texels;
+  unsigned char* to = this->Pulled->Color.data() + bytes * place;
+  std::copy_n(GetColor(image) + this->ColorBytes * offset, bytes, to);
+  if (this->IsFloat)
+  {
+    const auto* color = reinterpret_cast<const float*>(to);
+    for (std::size_t texel = 0; texel < this->Texels; ++texel)
+    {
+      this->Clipped += IsCodable(color + 4 * texel) ? 0 : 1;
+    }
+  }
   if (this->HasDepth)
   {
     std::copy_n(GetDepth(image) + offset, this->Texels,
@@ -149,10 +160,11 @@ void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
 std::vector<ConstSlice> SlicePuller::GetSlices() const
 {
   const Samples& pulled = *this->Pulled;
-  std::vector<ConstSlice> slices(pulled.Color.size() / (4 * this->Texels));
+  std::vector<ConstSlice> slices(pulled.Color.size() / (this->ColorBytes * this->Texels));
   for (std::size_t place = 0; place < slices.size(); ++place)
   {
-    slices[place].Color = pulled.Color.data() + 4 * this->Texels * place;
+    slices[place].Color = pulled.Color.data() + this->ColorBytes * this->Texels * place;
+    slices[place].IsFloat = this->IsFloat;
     slices[place].Depth = this->HasDepth ? pulled.Depth.data() + this->Texels * place : nullptr;
   }
   return slices;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pulling a light field of byte colours and 16-bit depth through the pipeline in an order of one's
- * own.
+ * Pulling a light field of byte or float colours and 16-bit depth through the pipeline in an order
+ * of one's own.
  */
 #ifndef cslfSlicePuller_h
 #define cslfSlicePuller_h
@@ -49,6 +49,9 @@ public:
   std::vector<ConstSlice> GetSlices() const;
   std::shared_ptr<const void> GetHold() const { return this->Pulled; }
 
+  /// How many of all texels pulled so far have float colours that a video cannot hold.
+  long long GetClipped() const { return this->Clipped; }
+
 private:
   struct Samples
   {
@@ -66,6 +69,9 @@ private:
   Description Field;
   std::string Text; ///< the description
   bool HasDepth = false;
+  bool IsFloat = false;
+  std::size_t ColorBytes = 4; ///< of one texel
+  long long Clipped = 0;
   std::shared_ptr<Samples> Pulled; ///< of the slices pulled last
 };
 }

@@ -270,6 +270,18 @@ int TestCSLFDecoderAccess(int argc, char* argv[])
     TestFileOrder(name);
     TestErrors(name);
   }
+  for (const char* codec : { "av1", "h264" })
+  {
+    if (vtkCSLFEncoder::CanEncode(codec))
+    {
+      vtkNew<vtkCSLFEncoder> encoder;
+      encoder->SetCodec(codec);
+      encoder->SetPreset("fast");
+      const std::string name = folder + "/" + codec + ".mp4";
+      CSLF_CHECK(cslf::testing::Encode(encoder, field, name));
+      TestSingle(name, cslf::testing::Decode(name));
+    }
+  }
   const auto whole = cslf::testing::Decode(names[0]);
   TestPipeline(names[0], whole);
   TestInterrupted(names[0], names[1], whole);

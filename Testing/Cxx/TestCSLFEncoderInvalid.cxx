@@ -50,7 +50,7 @@ void TestFiles(const std::string& folder, vtkImageData* field)
     [](vtkCSLFEncoder* encoder) { encoder->SetFileName(nullptr); });
   TestRefused(folder, "a.mp4", field, "is none of ultrafast",
     [](vtkCSLFEncoder* encoder) { encoder->SetPreset("quick"); });
-  TestRefused(folder, "a.mp4", field, "is none of yuv444p",
+  TestRefused(folder, "a.mp4", field, "is none of auto, yuv444p",
     [](vtkCSLFEncoder* encoder) { encoder->SetPixelFormat("rgb24"); });
   TestRefused(folder, "a.mp4", field, "no input",
     [](vtkCSLFEncoder* encoder) { encoder->RemoveAllInputs(); });
@@ -92,7 +92,7 @@ void TestFields(const std::string& folder)
   };
   TestRefused(
     folder, "a.mp4", make(8, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT), "at least 16 texels");
-  TestRefused(folder, "a.mp4", make(16, VTK_FLOAT, VTK_UNSIGNED_SHORT), "4 unsigned chars");
+  TestRefused(folder, "a.mp4", make(16, VTK_DOUBLE, VTK_UNSIGNED_SHORT), "4 unsigned chars");
   TestRefused(folder, "a.mp4", make(16, VTK_UNSIGNED_CHAR, VTK_FLOAT), "unsigned short");
   TestRefused(folder, "a.mp4", make(16, VTK_UNSIGNED_CHAR, 0, 3), "not a whole light field");
   TestRefused(folder, "a.mp4", make(17, VTK_UNSIGNED_CHAR, 0), "even resolution",

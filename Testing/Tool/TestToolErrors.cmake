@@ -49,7 +49,7 @@ cslf_fail("as .obj" "x" export cornell-box -o x.ply)
 cslf_fail("formats" "x" sample cornell-box -o x.avi ${tiny})
 cslf_fail("other things" "" sample cornell-box -o other ${tiny})
 cslf_fail("at least 16" "x" sample cornell-box -o x.mp4 -M 2 -N 15 --spp 1)
-cslf_fail("float" "x" sample cornell-box -o x.mp4 ${tiny} --float)
+cslf_fail("without loss" "x" sample cornell-box -o x.mp4 ${tiny} --float --lossless)
 
 # Meshes with nothing to show.
 file(WRITE "${DIRECTORY}/empty.obj" "v 0 0 0\nv 1 0 0\n")

@@ -56,6 +56,28 @@ cslf_run(info linear --json)
 expect_json(exr codec)
 expect_json(float32 channels 0 type)
 
+# Float colours, all the way.
+cslf_run(sample ${scene} -o linear.vti --float --no-depth)
+cslf_run(sample ${scene} -o linear.mp4 --float --no-depth --crf 4)
+cslf_run(decode linear.mp4 -o back.vti)
+cslf_run(info back.vti --json)
+expect_json(float32 channels 0 type)
+expect_json(linear-associated-alpha channels 0 encoding)
+cslf_run(compare back.vti linear.vti --json)
+expect_json_at_least(22 channels Color psnr)
+cslf_fail("without loss" "no" encode linear.vti -o no.mp4 --lossless)
+
+# Other codecs, where they are.
+execute_process(COMMAND "${CSLF}" encode box.vti -o h264.mp4 --codec h264
+  WORKING_DIRECTORY "${DIRECTORY}" RESULT_VARIABLE result ERROR_VARIABLE error OUTPUT_QUIET)
+if (result STREQUAL "0")
+  cslf_run(info h264.mp4 --json)
+  expect_json(h264 codec)
+elseif (NOT error MATCHES "has encoders for")
+  message(FATAL_ERROR "encode --codec h264 said: ${error}")
+endif ()
+cslf_fail("none of hevc, av1, h264" "no" encode box.vti -o no.mp4 --codec vp9)
+
 # A folder of cube maps with one picture gone is still a light field.
 file(REMOVE "${DIRECTORY}/decoded/000003.Color.png")
 cslf_run(info decoded --json)

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf benchmark: what parts of CSLF do at which cost, one command a part.
+#include "cslfCommands.h"
+
+#include <CLI/CLI.hpp>
+
+namespace cslf
+{
+namespace tool
+{
+void AddBenchmark(CLI::App& app, Command& chosen)
+{
+  CLI::App* command = app.add_subcommand("benchmark", "Measure qualities and rates");
+  command->require_subcommand(1);
+  AddBenchmarkCodec(*command, chosen);
+}
+}
+}

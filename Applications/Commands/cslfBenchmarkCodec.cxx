@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf benchmark codec: quality against size, and rates, of a field coded in many ways.
+#include "cslfChart.h"
+#include "cslfCodecSweep.h"
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfPictures.h"
+#include "cslfRateCurves.h"
+#include "cslfTable.h"
+#include "cslfWholeFile.h"
+
+#include <vtkAlgorithm.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::string Field;
+  std::string Folder;
+  SceneOptions Scene;
+  std::vector<double> CRFs{ 16, 20, 24, 28, 32, 36 };
+  std::vector<std::string> Codecs{ "hevc" };
+  std::vector<std::string> Presets{ "medium" };
+  std::vector<std::string> PixelFormats{ "auto" };
+  int GroupLength = 16;
+  int Repeats = 1;
+  int Views = 6;
+  int Size = 512;
+  int Samples = 256;
+  int Seed = 1;
+};
+
+/// The same coder at several rate factors.
+struct Series
+{
+  std::string Name;
+  std::vector<CodecPoint> Points;
+};
+
+/// A quality and a size that are plotted against each other.
+struct Measure
+{
+  std::string Key;   ///< of files and JSON
+  std::string Title; ///< of plots and tables
+  std::function<double(const CodecPoint&)> PSNR;
+  std::function<double(const CodecPoint&)> Bytes;
+};
+
+double CountFileBytes(const CodecPoint& point)
+{
+  return point.Bytes;
+}
+
+double CountColorBytes(const CodecPoint& point)
+{
+  return point.Tracks.front().second;
+}
+
+std::vector<Measure> MakeMeasures(const std::vector<LookupName>& lookups)
+{
+  const auto field = [](const CodecPoint& point) { return point.FieldPSNR; };
+  std::vector<Measure> measures = { { "field", "Colour of the field, bytes of all tracks", field,
+                                      CountFileBytes },
+    { "field-color", "Colour of the field, bytes of the colour track", field, CountColorBytes } };
+  for (std::size_t k = 0; k < lookups.size(); ++k)
+  {
+    measures.push_back({ std::string("views-") + lookups[k].Name,
+      std::string("Novel views, ") + lookups[k].Name + " lookup, bytes of all tracks",
+      [k](const CodecPoint& point) { return point.ViewPSNR[k]; }, CountFileBytes });
+  }
+  return measures;
+}
+
+/// Every coder that the options ask for, named by what not all have in common.
+std::vector<std::pair<std::string, CodingOptions>> ListCoders(const Options& options)
+{
+  std::vector<std::pair<std::string, CodingOptions>> coders;
+  for (const std::string& codec : options.Codecs)
+  {
+    for (const std::string& preset : options.Presets)
+    {
+      for (const std::string& format : options.PixelFormats)
+      {
+        CodingOptions coding;
+        coding.Codec = codec;
+        coding.Preset = preset;
+        coding.PixelFormat = format;
+        coding.GroupLength = options.GroupLength;
+        std::string name = options.Codecs.size() > 1 ? codec : "";
+        const auto add = [&name](bool varies, const std::string& part)
+        { name += varies ? (name.empty() ? "" : " ") + part : ""; };
+        add(options.Presets.size() > 1, preset);
+        add(options.PixelFormats.size() > 1, format);
+        add(name.empty(), codec);
+        coders.emplace_back(name, coding);
+      }
+    }
+  }
+  return coders;
+}
+
+std::vector<RatePoint> ToCurve(const Series& series, const Measure& measure)
+{
+  std::vector<RatePoint> curve;
+  for (const CodecPoint& point : series.Points)
+  {
+    curve.push_back({ measure.Bytes(point), measure.PSNR(point) });
+  }
+  return curve;
+}
+
+void WriteCharts(
+  const Options& options, const std::vector<Series>& all, const std::vector<Measure>& measures)
+{
+  for (const Measure& measure : measures)
+  {
+    Chart chart{ measure.Title, "PSNR (dB)", {} };
+    for (const Series& series : all)
+    {
+      ChartCurve curve;
+      curve.Name = series.Name;
+      for (const RatePoint& point : ToCurve(series, measure))
+      {
+        curve.X.push_back(point.Bytes);
+        curve.Y.push_back(point.PSNR);
+      }
+      chart.Curves.push_back(curve);
+    }
+    WriteChart(options.Folder + "/" + measure.Key + ".png", chart);
+  }
+}
+
+nlohmann::json ToJSON(const CodecPoint& point, const std::vector<LookupName>& lookups)
+{
+  nlohmann::json json = { { "crf", point.CRF }, { "bytes", point.Bytes }, { "ratio", point.Ratio },
+    { "psnr", point.FieldPSNR }, { "channels", point.Channels },
+    { "encode_megapixels_per_second", point.EncodeRate },
+    { "decode_megapixels_per_second", point.DecodeRate } };
+  for (const auto& [name, bytes] : point.Tracks)
+  {
+    json["tracks"][name] = bytes;
+  }
+  for (std::size_t k = 0; k < point.ViewPSNR.size(); ++k)
+  {
+    json["views"][lookups[k].Name] = point.ViewPSNR[k];
+  }
+  return json;
+}
+
+std::string MakeTable(const std::vector<Series>& all, const std::vector<LookupName>& lookups)
+{
+  std::vector<std::string> head = { "coder", "CRF", "bytes", "ratio" };
+  for (const auto& track : all.front().Points.front().Tracks)
+  {
+    head.push_back(track.first);
+  }
+  head.insert(head.end(), { "PSNR (dB)", "encode (Mpixel/s)", "decode (Mpixel/s)" });
+  for (const LookupName& lookup : lookups)
+  {
+    head.push_back(std::string(lookup.Name) + " (dB)");
+  }
+  Table table;
+  table.AddRow(head);
+  for (const Series& series : all)
+  {
+    for (const CodecPoint& point : series.Points)
+    {
+      std::vector<std::string> row = { series.Name, Format(point.CRF, 1), Format(point.Bytes, 0),
+        Format(point.Ratio, 1) };
+      for (const auto& track : point.Tracks)
+      {
+        row.push_back(Format(track.second, 0));
+      }
+      row.insert(row.end(),
+        { Format(point.FieldPSNR, 2), Format(point.EncodeRate, 2), Format(point.DecodeRate, 1) });
+      for (const double psnr : point.ViewPSNR)
+      {
+        row.push_back(Format(psnr, 2));
+      }
+      table.AddRow(row);
+    }
+  }
+  return table.ToMarkdown();
+}
+
+/// How the other coders differ from the first in bytes at equal quality.
+std::string MakeDeltas(
+  const std::vector<Series>& all, const std::vector<Measure>& measures, nlohmann::json& json)
+{
+  Table table;
+  std::vector<std::string> head = { "bytes against " + all.front().Name };
+  for (const Measure& measure : measures)
+  {
+    head.push_back(measure.Key);
+  }
+  table.AddRow(head);
+  for (std::size_t k = 1; k < all.size(); ++k)
+  {
+    std::vector<std::string> row = { all[k].Name };
+    for (const Measure& measure : measures)
+    {
+      const auto delta = ComputeDeltaRate(ToCurve(all.front(), measure), ToCurve(all[k], measure));
+      json["delta_rates"][all[k].Name][measure.Key] =
+        delta ? nlohmann::json(*delta) : nlohmann::json();
+      row.push_back(delta ? Format(100.0 * *delta, 1) + " %" : "no common PSNR");
+    }
+    table.AddRow(row);
+  }
+  return all.size() > 1 ? "\n" + table.ToMarkdown() : "";
+}
+
+Result Report(const Options& options, const std::vector<Series>& all,
+  const std::vector<LookupName>& lookups, double noiseFloor)
+{
+  const std::vector<Measure> measures = MakeMeasures(lookups);
+  WriteCharts(options, all, measures);
+  Result result;
+  result.JSON = { { "field", options.Field }, { "repeats", options.Repeats },
+    { "series", nlohmann::json::array() } };
+  for (const Series& series : all)
+  {
+    nlohmann::json points = nlohmann::json::array();
+    for (const CodecPoint& point : series.Points)
+    {
+      points.push_back(ToJSON(point, lookups));
+    }
+    result.JSON["series"].push_back({ { "name", series.Name }, { "points", points } });
+  }
+  result.Text = MakeTable(all, lookups) + MakeDeltas(all, measures, result.JSON);
+  if (!lookups.empty())
+  {
+    result.JSON["views"] = { { "count", options.Views }, { "size", options.Size },
+      { "spp", options.Samples }, { "seed", options.Seed }, { "noise_floor", noiseFloor } };
+    result.Text += "\nNoise floor of the novel views' truth: " + Format(noiseFloor, 2) + " dB.\n";
+  }
+  WriteWholeText(result.Text, options.Folder + "/codec.md");
+  WriteWholeText(result.JSON.dump(2) + "\n", options.Folder + "/codec.json");
+  return result;
+}
+
+Result Run(Options options)
+{
+  RequireDisplay();
+  std::error_code failure;
+  std::filesystem::create_directories(options.Folder, failure);
+  RequireWritable(options.Folder + "/codec.md");
+  const FieldFile file = OpenField(options.Field);
+  {
+    const ProgressBar bar(file.Reader, "Reading");
+    file.Reader->UpdateWholeExtent();
+  }
+  ThrowOnError();
+
+  CodecSweep sweep(file, options.Folder, options.Repeats);
+  double noiseFloor = 0.0;
+  if (!options.Scene.IsEmpty())
+  {
+    options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
+    const Scene scene = options.Scene.Read();
+    const auto views = TraceNovelViews(options.Scene, scene, file.Field.Box, options.Views,
+      options.Size, options.Samples, options.Seed);
+    for (const NovelView& view : views)
+    {
+      noiseFloor += view.NoiseFloor / options.Views;
+    }
+    sweep.SetViews(views, GetLookups(file.Field));
+  }
+  std::vector<Series> all;
+  std::sort(options.CRFs.begin(), options.CRFs.end());
+  for (const auto& [name, coder] : ListCoders(options))
+  {
+    all.push_back({ name, {} });
+    for (const double crf : options.CRFs)
+    {
+      CodingOptions coding = coder;
+      coding.CRF = crf;
+      all.back().Points.push_back(sweep.Measure(coding, name));
+    }
+  }
+  return Report(options, all, sweep.GetLookups(), noiseFloor);
+}
+
+void AddViews(CLI::App& command, Options& options)
+{
+  const std::string group = "Novel views (with --scene)";
+  command.add_option("--views", options.Views, "novel views")
+    ->check(CLI::Range(1, 1000))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--size", options.Size, "of a view, in pixels")
+    ->check(CLI::Range(1, 8192))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--spp", options.Samples, "samples per pixel of the truth, both halves")
+    ->check(CLI::Range(2, 1 << 20))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--seed", options.Seed, "of the views and of the truth")
+    ->check(CLI::Range(0, 1 << 29))
+    ->capture_default_str()
+    ->group(group);
+}
+}
+
+void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
+{
+  CLI::App* command = benchmark.add_subcommand(
+    "codec", "Code a light field in many ways: quality against size, and rates");
+  command->footer(
+    "Writes codec.md, codec.json and plots into FOLDER. PSNR is that of red, green and blue over "
+    "all texels, against FIELD; with --scene also that of novel views in every lookup, as in "
+    "cslf evaluate. The ratio is that to 24 bits a texel, all tracks counted. Rates are the "
+    "medians of --repeats, in millions of texels a second, all tracks together, files included. "
+    "Of several coders, all combinations of the lists, the bytes at equal PSNR are compared with "
+    "those of the first (Bjontegaard's delta rate). Depth and coverage keep the encoder's own rate "
+    "factors.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+    ->required();
+  command->add_option("-o,--output", options->Folder, "the folder for what is found out")
+    ->required();
+  command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,24,28")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str();
+  command->add_option("--codecs", options->Codecs, "codecs, as in hevc,av1")
+    ->delimiter(',')
+    ->capture_default_str();
+  command->add_option("--presets", options->Presets, "presets, as in fast,medium")
+    ->delimiter(',')
+    ->capture_default_str();
+  command
+    ->add_option(
+      "--pixel-formats", options->PixelFormats, "formats of colour, as in yuv444p,yuv420p")
+    ->delimiter(',')
+    ->capture_default_str();
+  command->add_option("--group-length", options->GroupLength, "viewpoints per group of pictures")
+    ->check(CLI::Range(1, 16))
+    ->capture_default_str();
+  command->add_option("--repeats", options->Repeats, "how often each is coded, for the rates")
+    ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
+  AddViews(*command, *options);
+  options->Scene.AddOptionalTo(*command);
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A light field coded and decoded in many ways, each measured.
+ */
+#ifndef cslfCodecSweep_h
+#define cslfCodecSweep_h
+
+#include "cslfFieldFiles.h"
+#include "cslfNovelViews.h"
+#include "cslfPictures.h"
+#include "cslfSceneFiles.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cslf
+{
+namespace tool
+{
+/// What one way of coding does.
+struct CodecPoint
+{
+  double CRF = 0.0;
+  double Bytes = 0.0;                                 ///< of the file
+  double Ratio = 0.0;                                 ///< of 24 bits a texel to these
+  std::vector<std::pair<std::string, double>> Tracks; ///< the bytes of each, colour first
+  double FieldPSNR = 0.0;                             ///< of red, green and blue, in dB
+  std::map<std::string, double> Channels;             ///< PSNR of every channel
+  double EncodeRate = 0.0;                            ///< in millions of texels a second
+  double DecodeRate = 0.0;                            ///< likewise
+  std::vector<double> ViewPSNR;                       ///< for each lookup, the mean of the views
+};
+
+class CodecSweep
+{
+public:
+  /// The file's reader holds the whole field. One video after the other is made in the folder, each
+  /// as often as `repeats` says; the last goes with the sweep.
+  CodecSweep(const FieldFile& file, const std::string& folder, int repeats);
+  ~CodecSweep();
+  CodecSweep(const CodecSweep&) = delete;
+  CodecSweep& operator=(const CodecSweep&) = delete;
+
+  /// Has novel views measured, too, in these lookups.
+  void SetViews(std::vector<NovelView> views, std::vector<LookupName> lookups);
+  const std::vector<LookupName>& GetLookups() const { return this->Lookups; }
+
+  /// Codes, decodes and compares. Throws a Failure. The label is for progress bars.
+  CodecPoint Measure(const CodingOptions& coding, const std::string& label);
+
+private:
+  double Encode(const CodingOptions& coding, const std::string& label);
+  vtkSmartPointer<vtkImageData> Decode(CodecPoint& point, double& seconds);
+  void CompareField(vtkImageData* decoded, CodecPoint& point);
+  void CompareViews(vtkImageData* decoded, CodecPoint& point);
+
+  vtkSmartPointer<vtkImageData> Field;
+  Layout Grid;
+  std::string FileName;
+  int Repeats;
+  std::vector<NovelView> Views;
+  std::vector<LookupName> Lookups;
+};
+}
+}
+
+#endif

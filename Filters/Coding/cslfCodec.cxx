@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfCodec.h"
+
+#include "Coding/cslfAV1.h"
+#include "Coding/cslfH264.h"
+#include "Coding/cslfHEVC.h"
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+struct CodecRow
+{
+  Codec Kind;
+  const char* Name;
+  AVCodecID ID;
+};
+
+constexpr CodecRow Codecs[] = {
+  { Codec::HEVC, "hevc", AV_CODEC_ID_HEVC },
+  { Codec::AV1, "av1", AV_CODEC_ID_AV1 },
+  { Codec::H264, "h264", AV_CODEC_ID_H264 },
+};
+
+const CodecRow& GetRow(Codec codec)
+{
+  return *std::find_if(std::begin(Codecs), std::end(Codecs),
+    [codec](const CodecRow& row) { return row.Kind == codec; });
+}
+}
+
+const std::vector<Codec>& GetCodecs()
+{
+  static const std::vector<Codec> codecs = []
+  {
+    std::vector<Codec> all;
+    for (const CodecRow& row : Codecs)
+    {
+      all.push_back(row.Kind);
+    }
+    return all;
+  }();
+  return codecs;
+}
+
+const char* NameOfCodec(Codec codec)
+{
+  return GetRow(codec).Name;
+}
+
+std::optional<Codec> CodecOfName(const std::string& name)
+{
+  for (const CodecRow& row : Codecs)
+  {
+    if (name == row.Name)
+    {
+      return row.Kind;
+    }
+  }
+  return std::nullopt;
+}
+
+AVCodecID IDOfCodec(Codec codec)
+{
+  return GetRow(codec).ID;
+}
+
+const Bitstream& GetBitstream(Codec codec)
+{
+  static const HEVCBitstream hevc;
+  static const AV1Bitstream av1;
+  static const H264Bitstream h264;
+  switch (codec)
+  {
+    case Codec::AV1:
+      return av1;
+    case Codec::H264:
+      return h264;
+    default:
+      return hevc;
+  }
+}
+}

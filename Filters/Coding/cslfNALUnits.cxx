@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfNALUnits.h"
+
+#include <zlib.h>
+
+namespace cslf
+{
+namespace
+{
+/// A big-endian number.
+std::size_t ReadNumber(const std::uint8_t* data, int bytes)
+{
+  std::size_t number = 0;
+  for (int k = 0; k < bytes; ++k)
+  {
+    number = number << 8 | data[k];
+  }
+  return number;
+}
+
+/// The offset of the next start code, 00 00 01, or `size`.
+std::size_t FindStartCode(const std::uint8_t* data, std::size_t size, std::size_t from)
+{
+  for (std::size_t k = from; k + 3 <= size; ++k)
+  {
+    if (data[k] == 0 && data[k + 1] == 0 && data[k + 2] == 1)
+    {
+      return k;
+    }
+  }
+  return size;
+}
+
+void AddTo(std::uint32_t& crc, const NALUnit& unit)
+{
+  crc = static_cast<std::uint32_t>(::crc32(crc, unit.Data, static_cast<uInt>(unit.Size)));
+}
+}
+
+bool NALBitstream::VisitPrefixed(
+  const std::uint8_t* data, std::size_t size, int lengthSize, const Visitor& visit) const
+{
+  std::size_t position = 0;
+  while (position < size)
+  {
+    if (size - position < static_cast<std::size_t>(lengthSize))
+    {
+      return false;
+    }
+    const std::size_t length = ReadNumber(data + position, lengthSize);
+    position += lengthSize;
+    if (length < this->HeaderSize || length > size - position)
+    {
+      return false;
+    }
+    visit({ data + position, length });
+    position += length;
+  }
+  return true;
+}
+
+bool NALBitstream::VisitStartCoded(
+  const std::uint8_t* data, std::size_t size, const Visitor& visit) const
+{
+  std::size_t start = FindStartCode(data, size, 0);
+  while (start < size)
+  {
+    start += 3;
+    const std::size_t next = FindStartCode(data, size, start);
+    // Zeros before a start code belong to the code: no NAL unit ends with one.
+    std::size_t end = next;
+    while (end > start && data[end - 1] == 0)
+    {
+      --end;
+    }
+    if (end - start < this->HeaderSize)
+    {
+      return false;
+    }
+    visit({ data + start, end - start });
+    start = next;
+  }
+  return true;
+}
+
+bool NALBitstream::VisitArray(const std::uint8_t* data, std::size_t size, std::size_t count,
+  std::size_t& position, const Visitor& visit) const
+{
+  constexpr std::size_t lengthSize = 2;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    if (size - position < lengthSize)
+    {
+      return false;
+    }
+    const std::size_t length = ReadNumber(data + position, lengthSize);
+    position += lengthSize;
+    if (length < this->HeaderSize || length > size - position)
+    {
+      return false;
+    }
+    visit({ data + position, length });
+    position += length;
+  }
+  return true;
+}
+
+bool NALBitstream::ReadConfiguration(
+  const std::uint8_t* data, std::size_t size, Framing& framing) const
+{
+  framing = {};
+  int found = 0;
+  const auto add = [&](const NALUnit& unit)
+  {
+    const int type = this->GetType(unit);
+    if (type >= this->FirstParameterSet && type <= this->LastParameterSet)
+    {
+      found |= 1 << (type - this->FirstParameterSet);
+      AddTo(framing.ParameterSetsCRC, unit);
+    }
+  };
+  const bool isRecord = this->IsRecord(data, size);
+  if (!isRecord && !(size > 3 && data[0] == 0 && data[1] == 0))
+  {
+    return false;
+  }
+  const bool isWhole = isRecord ? this->VisitRecord(data, size, framing.LengthSize, add)
+                                : this->VisitStartCoded(data, size, add);
+  const int all = (1 << (this->LastParameterSet - this->FirstParameterSet + 1)) - 1;
+  return isWhole && found == all;
+}
+
+bool NALBitstream::AddToCRC(
+  const std::uint8_t* data, std::size_t size, const Framing& framing, std::uint32_t& crc) const
+{
+  const auto add = [&](const NALUnit& unit)
+  {
+    if (this->IsSlice(this->GetType(unit)))
+    {
+      AddTo(crc, unit);
+    }
+  };
+  return framing.LengthSize == 0 ? this->VisitStartCoded(data, size, add)
+                                 : this->VisitPrefixed(data, size, framing.LengthSize, add);
+}
+
+std::vector<std::uint8_t> NALBitstream::Trim(const std::uint8_t* data, std::size_t size) const
+{
+  std::vector<std::uint8_t> slices;
+  slices.reserve(size);
+  const auto add = [&](const NALUnit& unit)
+  {
+    if (this->IsSlice(this->GetType(unit)))
+    {
+      slices.insert(slices.end(), { 0, 0, 0, 1 });
+      slices.insert(slices.end(), unit.Data, unit.Data + unit.Size);
+    }
+  };
+  return this->VisitStartCoded(data, size, add) ? slices : std::vector<std::uint8_t>();
+}
+}

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coding/cslfVideoEncoders.h"
+
+#include <vtkSMPTools.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace cslf
+{
+namespace
+{
+/// The smallest picture that HEVC can code; it does for the other codecs, too.
+constexpr int MinimumResolution = 16;
+
+/// What SVT-AV1 up to version 1 takes at least.
+constexpr int MinimumResolutionOfSVT = 64;
+
+/// Frames to look ahead: all of any group.
+constexpr int Lookahead = 2 * MaximumGroupLength;
+
+int IndexOfPreset(const std::string& preset)
+{
+  const auto& presets = GetPresets();
+  return static_cast<int>(std::find(presets.begin(), presets.end(), preset) - presets.begin());
+}
+
+void SetNumber(AVCodecContext* context, const char* name, double value)
+{
+  av_opt_set_double(context->priv_data, name, value, 0);
+}
+
+void SetText(AVCodecContext* context, const char* name, const std::string& value)
+{
+  av_opt_set(context->priv_data, name, value.c_str(), 0);
+}
+
+/// x265: one thread, so that bytes do not depend on the machine's load; no weighted
+/// prediction, on which libx265 3.5 decides by memory that it has not set, so that bytes would
+/// depend on what the process did before; a closed group without scene cuts; no psycho-visual
+/// options, which add detail that is not there.
+void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* context)
+{
+  std::ostringstream text;
+  text << "log-level=none:info=0:repeat-headers=0:pools=none:frame-threads=1:wpp=0:pmode=0:pme=0"
+       << ":scenecut=0:open-gop=0:keyint=" << options.GroupLength
+       << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << Lookahead
+       << ":bframes=8:ref=5:weightp=0:weightb=0:psy-rd=0:psy-rdoq=0:aq-mode=0";
+  if (track.Lossless)
+  {
+    text << ":lossless=1";
+  }
+  else
+  {
+    SetNumber(context, "crf", options.CRF);
+  }
+  SetText(context, "preset", options.Preset);
+  SetText(context, "x265-params", text.str());
+}
+
+/// x264, likewise, and without macroblock trees, which without adaptive quantisation read memory
+/// that was never set. Its quantisers are those of x265. Stitchable: parameter sets do not depend
+/// on the rate factor.
+void SetX264(const Track&, const EncodeOptions& options, AVCodecContext* context)
+{
+  std::ostringstream text;
+  text << "stitchable=1:scenecut=0:open-gop=0:keyint=" << options.GroupLength
+       << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << Lookahead
+       << ":bframes=8:ref=5:weightp=0:weightb=0:psy=0:aq-mode=0:mbtree=0";
+  SetNumber(context, "crf", options.CRF);
+  SetText(context, "preset", options.Preset);
+  SetText(context, "x264-params", text.str());
+}
+
+/// AV1's rate factor, from 0 to 63, of about the same quality as x265's: between those that a
+/// diffuse and a glossy scene call for, which are 5 apart.
+double ToAV1Factor(double crf)
+{
+  constexpr std::array<std::array<double, 2>, 9> factors = { { { 0, 1 }, { 10, 11 }, { 16, 22 },
+    { 22, 34 }, { 28, 45 }, { 34, 55 }, { 40, 60 }, { 46, 62 }, { 51, 63 } } };
+  std::size_t k = 1;
+  while (k + 1 < factors.size() && crf > factors[k][0])
+  {
+    ++k;
+  }
+  const auto& low = factors[k - 1];
+  const auto& high = factors[k];
+  return std::round(low[1] + (crf - low[0]) / (high[0] - low[0]) * (high[1] - low[1]));
+}
+
+/// It prints what it does unless the environment forbids it.
+void SilenceSVT()
+{
+  static const bool isSilent =
+    vtksys::SystemTools::HasEnv("SVT_LOG") || vtksys::SystemTools::PutEnv("SVT_LOG=0");
+  (void)isSilent;
+}
+
+/// SVT-AV1: as many threads as there are, on which its bytes do not depend; the quality measured as
+/// PSNR; no filtering of the frames that others refer to, which are looked at like all others.
+void SetSVT(const Track&, const EncodeOptions& options, AVCodecContext* context)
+{
+  SilenceSVT();
+  constexpr std::array<int, 10> presets = { 12, 11, 10, 9, 8, 6, 5, 4, 3, 2 };
+  SetNumber(context, "preset", presets[IndexOfPreset(options.Preset)]);
+  SetNumber(context, "crf", ToAV1Factor(options.CRF));
+  const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  SetText(context, "svtav1-params", "lp=" + std::to_string(threads) + ":tune=1:enable-tf=0:scd=0");
+  context->gop_size = 2 * MaximumGroupLength;
+}
+
+/// libaom: the quality measured as PSNR.
+void SetAOM(const Track&, const EncodeOptions& options, AVCodecContext* context)
+{
+  constexpr std::array<int, 10> speeds = { 8, 7, 6, 6, 5, 4, 3, 2, 1, 0 };
+  SetNumber(context, "cpu-used", speeds[IndexOfPreset(options.Preset)]);
+  SetNumber(context, "crf", ToAV1Factor(options.CRF));
+  SetNumber(context, "row-mt", 0);
+  SetNumber(context, "lag-in-frames", Lookahead);
+  SetNumber(context, "arnr-max-frames", 0);
+  SetText(context, "tune", "psnr");
+  context->gop_size = 2 * MaximumGroupLength;
+}
+
+const std::vector<VideoEncoder>& GetEncoders()
+{
+  static const std::vector<VideoEncoder> encoders = {
+    { Codec::HEVC, "libx265", MinimumResolution, true, true,
+      { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
+        AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_YUV444P12LE, SetX265 },
+    // It has no gray: the chroma that is added says nothing and costs next to nothing.
+    { Codec::AV1, "libsvtav1", MinimumResolutionOfSVT, false, false,
+      { AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_YUV420P }, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV420P10LE,
+      AV_PIX_FMT_NONE, SetSVT },
+    { Codec::AV1, "libaom-av1", MinimumResolution, false, true,
+      { AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE,
+        AV_PIX_FMT_YUV422P },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_YUV444P12LE, SetAOM },
+    { Codec::H264, "libx264", MinimumResolution, false, true,
+      { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
+        AV_PIX_FMT_YUV420P10LE },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY10LE, AV_PIX_FMT_YUV444P10LE, SetX264 },
+  };
+  return encoders;
+}
+
+template <typename Condition>
+const VideoEncoder* FindFirst(Condition condition)
+{
+  for (const VideoEncoder& encoder : GetEncoders())
+  {
+    if (condition(encoder) && avcodec_find_encoder_by_name(encoder.Name))
+    {
+      return &encoder;
+    }
+  }
+  return nullptr;
+}
+}
+
+bool VideoEncoder::CanCode(AVPixelFormat format) const
+{
+  return format == this->Coverage || format == this->Depth || format == this->Radiance ||
+    std::find(this->Colors.begin(), this->Colors.end(), format) != this->Colors.end();
+}
+
+const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution)
+{
+  return FindFirst(
+    [=](const VideoEncoder& encoder)
+    {
+      return encoder.Coding == codec && resolution >= encoder.MinimumResolution &&
+        encoder.CanCode(format);
+    });
+}
+
+const VideoEncoder* FindEncoder(Codec codec, bool isRadiance, int resolution)
+{
+  return FindFirst(
+    [=](const VideoEncoder& encoder)
+    {
+      return encoder.Coding == codec && resolution >= encoder.MinimumResolution &&
+        (!isRadiance || encoder.Radiance != AV_PIX_FMT_NONE);
+    });
+}
+
+bool HasEncoder(Codec codec)
+{
+  return FindFirst([=](const VideoEncoder& encoder) { return encoder.Coding == codec; }) != nullptr;
+}
+
+std::string ListCodecsToEncode()
+{
+  std::string list;
+  for (const Codec codec : GetCodecs())
+  {
+    if (HasEncoder(codec))
+    {
+      list += (list.empty() ? "" : ", ") + std::string(NameOfCodec(codec));
+    }
+  }
+  return list.empty() ? "none" : list;
+}
+
+const std::vector<std::string>& GetPresets()
+{
+  static const std::vector<std::string> presets = { "ultrafast", "superfast", "veryfast", "faster",
+    "fast", "medium", "slow", "slower", "veryslow", "placebo" };
+  return presets;
+}
+}

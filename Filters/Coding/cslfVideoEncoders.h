@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * FFmpeg's encoders that light fields are coded with, what each can do, and how it is set up:
+ * closed groups, one thread, and bytes that depend on nothing but the frames and the settings.
+ */
+#ifndef cslfVideoEncoders_h
+#define cslfVideoEncoders_h
+
+#include "Coding/cslfTrack.h"
+
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// How a track is encoded; equal for all its groups.
+struct EncodeOptions
+{
+  /// One of x265's presets; other encoders take what is like it.
+  std::string Preset = "medium";
+  /// On x265's scale, from 0 to 51; other encoders take what gives about the same quality.
+  double CRF = 22.0;
+  int GroupLength = MaximumGroupLength;
+};
+
+struct VideoEncoder
+{
+  Codec Coding;
+  const char* Name;      ///< FFmpeg's
+  int MinimumResolution; ///< in texels along each side of a tile
+  bool CanBeLossless;
+  bool CanShareProcess;              ///< whether several may be at work at once
+  std::vector<AVPixelFormat> Colors; ///< of bytes of colour; the first is the default
+  AVPixelFormat Coverage;
+  AVPixelFormat Depth;
+  AVPixelFormat Radiance; ///< of float colour; AV_PIX_FMT_NONE if there is none
+  void (*SetOptions)(const Track& track, const EncodeOptions& options, AVCodecContext* context);
+
+  bool CanCode(AVPixelFormat format) const;
+};
+
+/// The first encoder of this FFmpeg that codes frames of that format and resolution so, or null.
+const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);
+
+/// The first one for that codec, with whatever format it has by default for bytes of colour or for
+/// float colour, or null.
+const VideoEncoder* FindEncoder(Codec codec, bool isRadiance, int resolution);
+
+/// Whether this FFmpeg has any encoder for a codec.
+bool HasEncoder(Codec codec);
+
+/// The codecs that it has encoders for, for messages: "hevc, h264".
+std::string ListCodecsToEncode();
+
+/// The presets that x265 knows, fastest first.
+const std::vector<std::string>& GetPresets();
+}
+
+#endif
