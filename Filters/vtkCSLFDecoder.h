@@ -4,12 +4,12 @@
  * @class   vtkCSLFDecoder
  * @brief   reads a cube surface light field from the video that vtkCSLFEncoder wrote
  *
- * The output is the field's image data, with `Color` as 4 unsigned chars, or 4 floats where the field
- * that was coded had these, `Depth` as unsigned short if the file has it, and the field's description
- * in field data. The pipeline's information pass
- * reads the container's header only. A range of viewpoints (z slices) asked for through the update
- * extent is decoded without the rest: only the closed groups of frames that it touches are read,
- * and decoded side by side with vtkSMPTools. Along x and y the output is always whole.
+ * The output is the field's image data, with `Color` as 4 unsigned chars, or 4 floats where the
+ * field that was coded had these, `Depth` as unsigned short if the file has it, and the field's
+ * description in field data. The pipeline's information pass reads the container's header only. A
+ * range of viewpoints (z slices) asked for through the update extent is decoded without the rest:
+ * only the closed groups of frames that it touches are read, and decoded side by side with
+ * vtkSMPTools. Along x and y the output is always whole.
  *
  * Single viewpoints, in any order, are had from GetViewpoint, which decodes no more than it takes
  * to get at one, and Prefetch has viewpoints decoded in the background before they are needed. What

@@ -77,7 +77,7 @@ void SetX264(const Track&, const EncodeOptions& options, AVCodecContext* context
 }
 
 /// AV1's rate factor, from 0 to 63, of about the same quality as x265's: between those that a
-/// diffuse and a glossy scene call for, which are 5 apart.
+/// diffuse and a glossy scene call for, up to 7 apart.
 double ToAV1Factor(double crf)
 {
   constexpr std::array<std::array<double, 2>, 9> factors = { { { 0, 1 }, { 10, 11 }, { 16, 22 },
