@@ -55,7 +55,7 @@ vtkCSLFEncoder::vtkCSLFEncoder()
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
-  this->SetPreset("medium");
+  this->SetPreset("slow");
   this->SetCodec("hevc");
   this->SetPixelFormat("auto");
   this->SetController(vtkMultiProcessController::GetGlobalController());

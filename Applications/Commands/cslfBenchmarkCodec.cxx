@@ -35,7 +35,7 @@ struct Options
   SceneOptions Scene;
   std::vector<double> CRFs{ 16, 20, 24, 28, 32, 36 };
   std::vector<std::string> Codecs{ "hevc" };
-  std::vector<std::string> Presets{ "medium" };
+  std::vector<std::string> Presets{ "slow" };
   std::vector<std::string> PixelFormats{ "auto" };
   int GroupLength = 16;
   int Repeats = 1;

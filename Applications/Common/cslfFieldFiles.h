@@ -81,7 +81,7 @@ struct CodingOptions
   double TargetPSNR = 0.0;
   std::string KeyViews = "1"; ///< a number, or "auto"
   double TargetNovelPSNR = 0.0;
-  std::string Preset = "medium";
+  std::string Preset = "slow";
   std::string PixelFormat = "auto";
   int GroupLength = 16;
   bool Lossless = false;

@@ -19,7 +19,7 @@ namespace cslf
 struct EncodeOptions
 {
   /// One of x265's presets; other encoders take what is like it.
-  std::string Preset = "medium";
+  std::string Preset = "slow";
   /// On x265's scale, from 0 to 51; other encoders take what gives about the same quality.
   double CRF = 22.0;
   int GroupLength = MaximumGroupLength;
