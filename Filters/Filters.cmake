@@ -161,7 +161,6 @@ list(APPEND sources
   ../Filters/Coding/cslfFileHeader.cxx
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
-  ../Filters/Coding/cslfGroupCodec.cxx
   ../Filters/Coding/cslfGroupDecoder.cxx
   ../Filters/Coding/cslfH264.cxx
   ../Filters/Coding/cslfHEVC.cxx
@@ -171,7 +170,6 @@ list(APPEND sources
   ../Filters/Coding/cslfTexelRows.cxx
   ../Filters/Coding/cslfTrack.cxx
   ../Filters/Coding/cslfTrackDecoder.cxx
-  ../Filters/Coding/cslfVideoEncoders.cxx
   ../Filters/Coding/cslfViewpointCache.cxx
   ../Filters/Coding/cslfViewpointStore.cxx)
 list(APPEND private_headers
@@ -220,8 +218,6 @@ list(APPEND private_headers
   ../Filters/CubeMaps/cslfCubeMapFiles.h)
 
 # Measures of quality.
-list(APPEND sources
-  ../Filters/Quality/cslfHeldOutViews.cxx)
 list(APPEND private_headers
   ../Filters/Quality/cslfHeldOutViews.h
   ../Filters/Quality/cslfPSNR.h
@@ -254,7 +250,6 @@ list(APPEND private_headers
 
 # Coarser fields.
 list(APPEND sources
-  ../Filters/Resampling/cslfKeyViews.cxx
   ../Filters/Resampling/cslfNesting.cxx
   ../Filters/Resampling/cslfTexelReducer.cxx)
 list(APPEND private_headers
@@ -274,12 +269,14 @@ if (CSLF_ENABLE_ENCODER)
     ../Filters/Coding/cslfEncodeSession.cxx
     ../Filters/Coding/cslfFieldWriter.cxx
     ../Filters/Coding/cslfFileLock.cxx
+    ../Filters/Coding/cslfGroupCodec.cxx
     ../Filters/Coding/cslfGroupError.cxx
     ../Filters/Coding/cslfGroupStages.cxx
     ../Filters/Coding/cslfPart.cxx
     ../Filters/Coding/cslfPartStore.cxx
     ../Filters/Coding/cslfRateControl.cxx
     ../Filters/Coding/cslfRateModel.cxx
+    ../Filters/Coding/cslfVideoEncoders.cxx
     ../Filters/Pipeline/cslfSlicePuller.cxx
     ../Filters/Planning/cslfBakeProbe.cxx
     ../Filters/Planning/cslfFieldDetail.cxx

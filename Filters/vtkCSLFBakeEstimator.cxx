@@ -75,7 +75,7 @@ cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
     encoder->GetLossless(),
     cslf::MakeRateTarget(
       encoder->GetTargetRatio(), encoder->GetTargetSize(), encoder->GetTargetPSNR()),
-    std::max(1, encoder->GetKeyViewStep()), 0.0 };
+    std::max(1, encoder->GetKeyViewStep()), 0.0, encoder->GetCodec() };
 }
 
 /// Sets a sampler's parameters back.
@@ -276,8 +276,14 @@ int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
     this->Sampler->SetCacheProbeSeconds(CacheShare);
     this->Sampler->SetSamples(samples);
     vtkNew<vtkCSLFEncoder> standard;
-    cslf::EncodeProbe probe(
-      this->Sampler, GetSettings(this->Encoder ? this->Encoder.Get() : standard.Get()));
+    cslf::EncodeSettings settings =
+      GetSettings(this->Encoder ? this->Encoder.Get() : standard.Get());
+    if (this->Encoder && this->Encoder->GetKeyViewStep() == vtkCSLFEncoder::AutomaticKeyViews)
+    {
+      const nlohmann::json::json_pointer step("/description/sampling/key_view_step");
+      settings.KeyViewStep = manifest.value(step, 1);
+    }
+    cslf::EncodeProbe probe(this->Sampler, settings);
     std::string error;
     if (!probe.Begin(error))
     {

@@ -30,7 +30,7 @@ public:
   std::unique_ptr<cslf::FieldReader> Reader;
   std::string Description;
   std::string PixelFormat;
-  vtkNew<vtkFieldData> Field; ///< of every output
+  vtkNew<vtkFieldData> Field;           ///< of every output
   std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
 
@@ -237,7 +237,7 @@ int vtkCSLFDecoder::RequestData(
     output->Initialize();
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     vtkErrorMacro("Cannot read " << this->FileName
-                                 << ": its video is damaged or cut short, none of " << slices
+                                 << ": its video is damaged or cut short, none of the " << slices
                                  << " viewpoints can be read.");
     return 0;
   }
@@ -274,10 +274,11 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
   {
     return -1;
   }
+  this->SetAbortExecute(0);
   const cslf::AVLogSilence silence;
   this->Internal->SetMissing(this->Internal->Reader->FindMissing(
     [this](double progress) { return this->ReportProgress(progress); }));
-  return this->GetNumberOfMissingViewpoints();
+  return this->GetAbortExecute() ? -1 : this->GetNumberOfMissingViewpoints();
 }
 
 void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
@@ -296,8 +297,10 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   {
     return false;
   }
+  this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->Internal->HasViewpoint(z))
   {
+    this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("There is no viewpoint " << z << " in " << this->FileName << ".");
     return false;
   }

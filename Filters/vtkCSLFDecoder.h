@@ -103,7 +103,8 @@ public:
 
   /**
    * Checks the whole file by its checksums without decoding it. Returns the number of missing
-   * viewpoints, or -1 with an error if the file is none that can be read.
+   * viewpoints, or -1 with an error if the file is none that can be read, or
+   * without one if it was aborted.
    */
   vtkIdType FindMissingViewpoints();
 

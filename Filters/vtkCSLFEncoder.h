@@ -271,7 +271,7 @@ public:
    * What the last Write made, on rank 0, all 0 if it failed: the mean rate factor of colour over
    * all viewpoints, the bytes of the file, its ratio in the sense of TargetRatio, and its PSNR in
    * the sense of TargetPSNR, for which each group is decoded again. The PSNR is at most 100, and 0
-   * for lossless files, of which it is not measured.
+   * for lossless files and float colour, of which it is not measured.
    */
   vtkGetMacro(ActualCRF, double);
   vtkGetMacro(ActualSize, double);

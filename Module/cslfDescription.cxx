@@ -125,7 +125,12 @@ Description Parse(const JSON& json)
     }
     description.Channels.push_back(channel);
   }
-  description.Sampling = json.value("sampling", JSON::object()).dump();
+  const JSON sampling = json.value("sampling", JSON::object());
+  if (!sampling.is_object())
+  {
+    throw std::invalid_argument("its \"sampling\" is no object");
+  }
+  description.Sampling = sampling.dump();
   return description;
 }
 

@@ -56,6 +56,10 @@ CodecSweep::CodecSweep(const FieldFile& file, const std::string& folder, int rep
   , FileName(folder + "/coded.mp4")
   , Repeats(repeats)
 {
+  if (std::filesystem::exists(this->FileName))
+  {
+    throw Failure(this->FileName + " exists already.");
+  }
 }
 
 CodecSweep::~CodecSweep()

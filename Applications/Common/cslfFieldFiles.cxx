@@ -213,7 +213,8 @@ void CodingOptions::AddTargetsTo(CLI::App& command)
 {
   CLI::Option* factor =
     command
-      .add_option("--crf", this->CRF, "constant rate factor on x265's scale, with every codec: less is better and larger")
+      .add_option("--crf", this->CRF,
+        "constant rate factor on x265's scale, with every codec: less is better and larger")
       ->check(CLI::Range(0.0, 51.0))
       ->capture_default_str()
       ->group(VideoGroup);
@@ -311,7 +312,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
     throw Failure("--target-novel-psnr is for --key-views auto.");
   }
   encoder->SetKeyViewStep(
-    isAutomatic ? vtkCSLFEncoder::AutomaticKeyViews : std::stoi(this->KeyViews));
+    isAutomatic ? vtkCSLFEncoder::AutomaticKeyViews : std::stoi(this->KeyViews, nullptr, 0));
   encoder->SetTargetNovelViewPSNR(
     this->TargetNovelPSNR > 0.0 ? this->TargetNovelPSNR : encoder->GetTargetNovelViewPSNR());
   encoder->SetPreset(this->Preset.c_str());
@@ -403,6 +404,9 @@ nlohmann::json FieldWriter::WriteVideo(
   if (!this->Coding.Lossless)
   {
     json["crf"] = encoder->GetActualCRF();
+  }
+  if (encoder->GetActualPSNR() > 0.0)
+  {
     json["psnr"] = encoder->GetActualPSNR();
   }
   if (this->Coding.HasKeyViews())
@@ -465,8 +469,11 @@ std::string DescribeCoding(const nlohmann::json& coding)
   }
   if (coding.contains("psnr"))
   {
-    text << ", " << coding["psnr"].get<double>() << " dB at a rate factor of "
-         << coding["crf"].get<double>();
+    text << ", " << coding["psnr"].get<double>() << " dB";
+  }
+  if (coding.contains("crf"))
+  {
+    text << " at a rate factor of " << coding["crf"].get<double>();
   }
   if (coding.contains("key_view_step"))
   {

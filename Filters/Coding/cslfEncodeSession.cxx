@@ -4,6 +4,7 @@
 
 #include "Coding/cslfPerceptualQuantizer.h"
 #include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfSlabs.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -28,9 +29,6 @@ constexpr int GroupsPerThread = 2;
 
 /// How much of the progress is left for joining the parts.
 constexpr double JoinShare = 0.05;
-
-/// The bytes of a texel's colour and depth.
-constexpr int TexelBytes = 6;
 
 /// The grid of viewpoints and texels that a whole extent stands for.
 std::optional<Layout> FindGrid(const int extent[6])
@@ -126,7 +124,6 @@ bool EncodeSession::CheckHere()
     return this->Fail(vtkErrorCode::CannotOpenFileError, fault);
   }
   this->Puller.emplace(this->Job.Input, *this->Grid);
-  this->Kept.emplace(this->CountSlicesThatFit());
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
   std::string error;
   return this->Crew.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
@@ -159,9 +156,17 @@ bool EncodeSession::Agree(const std::string& shared, int* told)
 
 bool EncodeSession::BeginPulling(bool hasInput)
 {
+  if (!hasInput)
+  {
+    return this->Fail(vtkErrorCode::UnknownError, "The input failed.");
+  }
   std::string error;
-  return hasInput ? this->Puller->Begin(error) || this->Fail(vtkErrorCode::FileFormatError, error)
-                  : this->Fail(vtkErrorCode::UnknownError, "The input failed.");
+  if (!this->Puller->Begin(error))
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, error);
+  }
+  error = FindFault(this->Job.Settings, this->Puller->GetField());
+  return error.empty() || this->Fail(vtkErrorCode::UserError, error);
 }
 
 // Rank 0 chooses for all, which is what the ranks agree on here.
@@ -180,12 +185,8 @@ bool EncodeSession::ChooseKeyViews(bool isReady)
 
 bool EncodeSession::BeginWriting()
 {
-  const std::string error = FindFault(this->Job.Settings, this->Puller->GetField());
-  if (!error.empty())
-  {
-    return this->Fail(vtkErrorCode::UserError, error);
-  }
   this->Puller->SetKeyViewStep(this->Choice.Step);
+  this->Kept.emplace(this->CountSlicesThatFit());
   this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
   return this->Crew.GetRank() != 0 || this->OpenParts();
 }
@@ -236,10 +237,10 @@ bool EncodeSession::Write(bool hasInput)
   {
     this->Writer.reset();
   }
-  else if (this->Puller->GetClipped() > 0)
+  else if (this->Puller->HasClipped())
   {
-    this->Job.Warn("The colour of " + std::to_string(this->Puller->GetClipped()) +
-      " texels is negative or above " + std::to_string(MaximumRadiance) + ": it is clipped.");
+    this->Job.Warn("Colour that is negative, above " + std::to_string(MaximumRadiance) +
+      " or no number is clipped.");
   }
   return this->IsWell();
 }
@@ -341,8 +342,13 @@ void EncodeSession::Follow()
 
 int EncodeSession::CountSlicesThatFit() const
 {
-  const double sliceBytes =
-    1.0 * TexelBytes * this->Grid->GetStripWidth() * this->Grid->GetResolution();
+  double texelBytes = 0.0;
+  for (const Channel& channel : this->Puller->GetField().Channels)
+  {
+    const bool isCoded = channel.Name == ColorName || channel.Name == DepthName;
+    texelBytes += isCoded ? TexelBytes(channel) : 0;
+  }
+  const double sliceBytes = texelBytes * this->Grid->GetStripWidth() * this->Grid->GetResolution();
   return static_cast<int>(std::min<double>(SlabBytes / sliceBytes, this->Grid->GetSlices()));
 }
 

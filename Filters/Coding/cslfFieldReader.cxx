@@ -7,6 +7,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace cslf
@@ -64,21 +65,23 @@ public:
   /// The groups that hold what is lacking.
   std::vector<int> FindGroups()
   {
-    std::vector<int> groups;
-    std::size_t others = 0;
-    for (int group = 0; group < this->Decoder.GetNumberOfGroups(); ++group)
+    std::set<int> groups;
+    std::size_t lacking = 0;
+    for (std::size_t place = 0; place < this->Lacks.size(); ++place)
     {
-      const std::vector<int> slices = this->Decoder.GetSlices(group);
-      const auto lacking = std::count_if(
-        slices.begin(), slices.end(), [this](int slice) { return this->IsLacking(slice); });
-      if (lacking > 0)
+      if (this->Lacks[place])
       {
-        groups.push_back(group);
-        others += slices.size() - lacking;
+        groups.insert(this->Store.GetGroup(this->First + static_cast<int>(place)));
+        ++lacking;
       }
     }
-    this->KeepsOthers = others <= this->Store.GetCapacity();
-    return groups;
+    std::size_t all = 0;
+    for (int group : groups)
+    {
+      all += this->Decoder.GetSlices(group).size();
+    }
+    this->KeepsOthers = all - lacking <= this->Store.GetCapacity();
+    return { groups.begin(), groups.end() };
   }
 
   /// Decodes some groups and appends the slices of those that are damaged.

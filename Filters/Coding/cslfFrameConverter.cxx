@@ -157,6 +157,12 @@ void TagFrame(const Track& track, int resolution, AVFrame* frame)
                                       : AVCOL_SPC_BT709;
 }
 
+double ConstSlice::GetShown(std::size_t texel, int component) const
+{
+  const std::size_t place = ColorBytes * texel + component;
+  return this->IsFloat ? ToByte(LinearToSRGB(this->GetRadiance()[place])) : this->Color[place];
+}
+
 unsigned char ConstSlice::GetCoverage(std::size_t texel) const
 {
   return this->IsFloat ? ToByte(this->GetRadiance()[4 * texel + 3])
@@ -190,8 +196,12 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
         return sws_scale(this->Scaler.get(), data, lines, 0, this->Resolution, frame->data,
                  frame->linesize) == this->Resolution;
       }
+      if (this->Kind.Format != AV_PIX_FMT_GBRP)
+      {
+        return false;
+      }
       this->PutColor(slice, frame);
-      return this->Kind.Format == AV_PIX_FMT_GBRP;
+      return true;
     case TrackRole::Coverage:
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t& sample) { sample = slice.GetCoverage(texel); });
@@ -324,6 +334,10 @@ bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
     }
     return true;
   }
+  if (!this->Scaler && this->Kind.Format != AV_PIX_FMT_GBRP)
+  {
+    return false;
+  }
   if (!this->Scaler)
   {
     for (int component = 0; component < 3; ++component)
@@ -332,7 +346,7 @@ bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
         [&](std::size_t texel, std::uint8_t sample)
         { slice.Color[ColorBytes * texel + component] = sample; });
     }
-    return this->Kind.Format == AV_PIX_FMT_GBRP;
+    return true;
   }
   std::uint8_t* const data[4] = { this->Strip.data(), nullptr, nullptr, nullptr };
   const int lines[4] = { 3 * frame->width, 0, 0, 0 };

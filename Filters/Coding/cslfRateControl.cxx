@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -249,8 +250,15 @@ void RateControl::SetTrials(const std::string& text)
     return;
   }
   const std::vector<int> sample = this->Stages.GetGroups(0);
-  const bool isWhole = trials.size() >= FirstFactors.size() * sample.size() &&
-    trials.size() % sample.size() == 0 &&
+  std::set<double> factors;
+  std::set<std::pair<int, double>> places;
+  for (const Trial& trial : trials)
+  {
+    factors.insert(trial.Factor);
+    places.insert({ trial.Group, trial.Factor });
+  }
+  const bool isWhole = factors.size() >= FirstFactors.size() && places.size() == trials.size() &&
+    trials.size() == factors.size() * sample.size() &&
     std::all_of(trials.begin(), trials.end(),
       [&sample](const Trial& trial)
       { return std::binary_search(sample.begin(), sample.end(), trial.Group); });

@@ -36,6 +36,9 @@ public:
   /// How many viewpoints that is.
   std::size_t GetCapacity();
 
+  /// The group that holds a slice.
+  int GetGroup(int slice) const { return this->GroupOfSlice[slice]; }
+
   /// A viewpoint to be filled.
   DecodedViewpoint Make() const;
 

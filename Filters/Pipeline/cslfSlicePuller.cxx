@@ -147,7 +147,7 @@ void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
     const auto* color = reinterpret_cast<const float*>(to);
     for (std::size_t texel = 0; texel < this->Texels; ++texel)
     {
-      this->Clipped += IsCodable(color + 4 * texel) ? 0 : 1;
+      this->Clipped = this->Clipped || !IsCodable(color + 4 * texel);
     }
   }
   if (this->HasDepth)

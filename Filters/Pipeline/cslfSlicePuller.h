@@ -49,8 +49,8 @@ public:
   std::vector<ConstSlice> GetSlices() const;
   std::shared_ptr<const void> GetHold() const { return this->Pulled; }
 
-  /// How many of all texels pulled so far have float colours that a video cannot hold.
-  long long GetClipped() const { return this->Clipped; }
+  /// Whether a texel pulled so far has a float colour that a video cannot hold.
+  bool HasClipped() const { return this->Clipped; }
 
 private:
   struct Samples
@@ -71,7 +71,7 @@ private:
   bool HasDepth = false;
   bool IsFloat = false;
   std::size_t ColorBytes = 4; ///< of one texel
-  long long Clipped = 0;
+  bool Clipped = false;
   std::shared_ptr<Samples> Pulled; ///< of the slices pulled last
 };
 }

@@ -16,17 +16,16 @@ namespace
 constexpr double TexelShare = 2.0;
 constexpr double HiddenShare = 0.19;
 
-constexpr int Components = 4;
 constexpr double White = 255.0;
 
 /// The square error of 2 x 2 texels that get their mean, over red, green and blue.
-double SquareError(const unsigned char* texel, std::size_t row)
+double SquareError(const ConstSlice& slice, std::size_t texel, std::size_t width)
 {
   double sum = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    const double values[4] = { double(texel[c]), double(texel[Components + c]),
-      double(texel[row + c]), double(texel[row + Components + c]) };
+    const double values[4] = { slice.GetShown(texel, c), slice.GetShown(texel + 1, c),
+      slice.GetShown(texel + width, c), slice.GetShown(texel + width + 1, c) };
     const double mean = 0.25 * (values[0] + values[1] + values[2] + values[3]);
     for (const double value : values)
     {
@@ -53,9 +52,9 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
       for (std::size_t i = 0; i < squares * TileCount; ++i)
       {
         const std::size_t texel = y * width + i / squares * resolution + 2 * (i % squares);
-        sum += SquareError(slice.Color + Components * texel, Components * width);
+        sum += SquareError(slice, texel, width);
         count += 12;
-        if (slice.Depth && slice.Color[Components * texel + 3] > 0)
+        if (slice.Depth && slice.GetCoverage(texel) > 0)
         {
           depths.push_back(slice.Depth[texel]);
         }

@@ -4,8 +4,10 @@
 
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
+#include "cslfColor.h"
 #include "cslfLookup.h"
 
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -136,7 +138,7 @@ void AddArray(vtkImageData* image, const char* name, int components, const Value
 }
 
 /// The mean square error of some texels of a viewpoint, looked up from key views.
-double Compare(const Lookup& lookup, const Layout& grid, int slice, const unsigned char* truth)
+double Compare(const Lookup& lookup, const Layout& grid, int slice, const ConstSlice& truth)
 {
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
@@ -159,8 +161,9 @@ double Compare(const Lookup& lookup, const Layout& grid, int slice, const unsign
         const glm::dvec4 color = lookup.DepthCorrected(ray).Color;
         for (int component = 0; component < 3; ++component)
         {
-          const double found = std::round(Peak * std::clamp(color[component], 0.0, 1.0));
-          squares[k] += std::pow(found - truth[4 * texel + component], 2);
+          const double shown =
+            truth.IsFloat ? LinearToSRGB(color[component]) : std::clamp(color[component], 0.0, 1.0);
+          squares[k] += std::pow(std::round(Peak * shown) - truth.GetShown(texel, component), 2);
         }
       }
     });
@@ -191,12 +194,19 @@ bool MeasureView(
   vtkNew<vtkImageData> image;
   image->SetDimensions(
     whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
-  AddArray<vtkUnsignedCharArray>(image, ColorName, 4, pulled.front().Color);
+  if (pulled.front().IsFloat)
+  {
+    AddArray<vtkFloatArray>(image, ColorName, 4, pulled.front().GetRadiance());
+  }
+  else
+  {
+    AddArray<vtkUnsignedCharArray>(image, ColorName, 4, pulled.front().Color);
+  }
   if (pulled.front().Depth)
   {
     AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
   }
-  mean = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back().Color);
+  mean = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back());
   return true;
 }
 
@@ -218,7 +228,8 @@ std::vector<int> ListSteps(int viewpoints)
 }
 }
 
-bool MeasureHeldOutViews(SlicePuller& puller, int step, double& psnr, std::string& error)
+bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool()>& proceed,
+  double& psnr, std::string& error)
 {
   const Layout grid = puller.GetField().Grid;
   const KeyViews keys(grid.GetViewpoints(), step);
@@ -229,6 +240,11 @@ bool MeasureHeldOutViews(SlicePuller& puller, int step, double& psnr, std::strin
   {
     for (int view = 0; view < count; ++view)
     {
+      if (!proceed())
+      {
+        error = "it was stopped";
+        return false;
+      }
       const int slice = sequences[face].Next();
       double mean = 0.0;
       if (slice >= 0 && !MeasureView(puller, keys, slice, mean, error))
@@ -278,12 +294,7 @@ bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()
   {
     const std::size_t middle = (good + bad) / 2;
     KeyViewChoice candidate{ steps[middle], 0.0 };
-    if (!proceed())
-    {
-      error = "it was stopped";
-      return false;
-    }
-    if (!MeasureHeldOutViews(puller, candidate.Step, candidate.PSNR, error))
+    if (!MeasureHeldOutViews(puller, candidate.Step, proceed, candidate.PSNR, error))
     {
       return false;
     }

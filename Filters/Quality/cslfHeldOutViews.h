@@ -23,7 +23,8 @@ namespace cslf
 /// coding: red, green and blue of 8 bits over black, one mean square error over all texels
 /// compared. `puller` has begun and pulls all viewpoints. On failure returns false and says why, in
 /// one line.
-bool MeasureHeldOutViews(SlicePuller& puller, int step, double& psnr, std::string& error);
+bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool()>& proceed,
+  double& psnr, std::string& error);
 
 /// A choice of key views.
 struct KeyViewChoice
