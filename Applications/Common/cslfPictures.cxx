@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 
 namespace fs = std::filesystem;
 
@@ -70,12 +71,14 @@ vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)
 void RequireDisplay()
 {
 #ifdef CSLF_NEEDS_X_SERVER
-  Display* display = XOpenDisplay(nullptr);
+  // Kept until the end: a server that loses its last client starts anew, and breaks the connection
+  // of one that comes at that moment.
+  static const std::unique_ptr<Display, int (*)(Display*)> display(
+    XOpenDisplay(nullptr), XCloseDisplay);
   if (!display)
   {
     throw Failure("There is no X server to draw with: set DISPLAY, or use xvfb-run -a cslf ...");
   }
-  XCloseDisplay(display);
 #endif
 }
 
