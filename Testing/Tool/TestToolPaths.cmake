@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Camera paths, as folders and videos.
+# Camera paths, as folders and videos, and the measurements along them.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 # Runs the tool to draw a path, and checks how many pictures are in its folder.
@@ -103,3 +103,39 @@ file(GLOB partial "${DIRECTORY}/*.partial")
 if (partial)
   message(FATAL_ERROR "${partial} is left.")
 endif ()
+
+# Measured along the path, beside a mesh.
+cslf_run(benchmark render box.vti cornell-box -o bench --frames 3 --size 24 --views 1 --spp 64
+  ${light} --mesh "${DATA}/dragon.ply" --json)
+expect_json("swing" path)
+expect_json(2 viewpoints)
+expect_json(16 resolution)
+expect_json_at_least(1000 mesh triangles)
+expect_json_at_least(10 views noise_floor)
+foreach (lookup IN ITEMS nearest linear bilinear focal depth)
+  expect_json_at_least(0.01 lookups ${lookup} frames_per_second)
+  expect_json_at_least(0.0001 lookups ${lookup} mesh_ratio)
+  expect_json_at_least(0.0001 lookups ${lookup} load_seconds)
+  expect_json_at_least(5 lookups ${lookup} psnr)
+  # All of the 24 viewpoints, five images of 16 x 16 texels each, with colour and depth.
+  expect_json(184320 lookups ${lookup} texture_bytes)
+endforeach ()
+string(JSON device GET "${output}" device)
+file(READ "${DIRECTORY}/bench/render.md" table)
+string(FIND "${table}" "${device}" place)
+if (NOT table MATCHES "\\| lookup \\| frames/s \\|" OR place LESS 0 OR device STREQUAL "unknown")
+  message(FATAL_ERROR "The device is ${device}, the table:\n${table}")
+endif ()
+foreach (file IN ITEMS render.json frames.png views.png)
+  if (NOT EXISTS "${DIRECTORY}/bench/${file}")
+    message(FATAL_ERROR "${file} is missing.")
+  endif ()
+endforeach ()
+cslf_run(benchmark render box.vti -o alone --frames 1 --size 16 --json)
+expect_json("orbit" path)
+if (EXISTS "${DIRECTORY}/alone/views.png")
+  message(FATAL_ERROR "There is a plot of views that were not drawn.")
+endif ()
+cslf_fail("no file" "x" benchmark render nowhere.vti -o x)
+cslf_fail("no file" "x" benchmark render box.vti -o x --mesh nowhere.ply)
+cslf_fail("no file" "x" benchmark render box.vti nowhere.ply -o x)
