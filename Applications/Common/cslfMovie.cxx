@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMovie.h"
 
-#include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 
 #ifdef CSLF_HAS_ENCODER
@@ -14,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#else
+#include "cslfFieldFiles.h"
 #endif
 
 namespace cslf
