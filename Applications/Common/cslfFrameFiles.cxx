@@ -28,10 +28,11 @@ std::string NameFrame(int frame)
   return name;
 }
 
-/// Whether a folder may be replaced: it is not there, or holds nothing but frames.
+/// Whether a folder may be replaced: it is not there, or holds nothing but frames, the last of
+/// which a run that was killed may not have finished.
 bool IsReplaceable(const fs::path& folder)
 {
-  static const std::regex frame("frame-[0-9]{4,}\\.png");
+  static const std::regex frame("frame-[0-9]{4,}\\.png(\\.partial)?");
   std::error_code failure;
   if (!fs::exists(folder, failure))
   {

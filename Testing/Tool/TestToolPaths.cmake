@@ -38,7 +38,9 @@ expect_equal(FALSE start.png swing/frame-0002.png)
 draw_path(orbit 4 --path orbit --frames 4)
 expect_equal(TRUE start.png orbit/frame-0000.png)
 expect_equal(FALSE start.png orbit/frame-0002.png)
-# What is there is replaced as a whole.
+# What is there is replaced as a whole, and what a killed run has left is cleared away.
+file(MAKE_DIRECTORY "${DIRECTORY}/orbit.partial")
+file(WRITE "${DIRECTORY}/orbit.partial/frame-0000.png.partial" "half a picture\n")
 draw_path(orbit/ 3 --path orbit --frames 3)
 
 # A spline through key cameras, from the first to the last.
