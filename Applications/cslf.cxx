@@ -83,14 +83,12 @@ int main(int argc, char* argv[])
   app.set_version_flag("--version", CSLF_VERSION);
   app.require_subcommand(1);
   Command chosen;
-  for (const auto add : { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace,
-         AddCompare, AddInfo, AddView, AddEvaluate, AddEvaluateTexels, AddSheet, AddExport })
+  for (const auto add :
+    { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace, AddCompare, AddInfo,
+      AddView, AddEvaluate, AddEvaluateTexels, AddBenchmark, AddSheet, AddExport })
   {
     add(app, chosen);
   }
-#ifdef CSLF_HAS_ENCODER
-  AddBenchmark(app, chosen);
-#endif
   bool isJSON = false;
   int threads = 0;
   AddCommonOptions(&app, isJSON, threads);

@@ -27,18 +27,19 @@ struct Format
   GLint Internal;
   GLenum Components;
   GLenum Type;
+  int Bytes; ///< of a texel in graphics memory
 };
 
 Format ColorFormat(const Channel& channel)
 {
-  return channel.Type == VTK_UNSIGNED_CHAR ? Format{ GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE }
-                                           : Format{ GL_RGBA16F, GL_RGBA, GL_FLOAT };
+  return channel.Type == VTK_UNSIGNED_CHAR ? Format{ GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 }
+                                           : Format{ GL_RGBA16F, GL_RGBA, GL_FLOAT, 8 };
 }
 
 Format DepthFormat(const Channel& channel)
 {
-  return channel.Type == VTK_UNSIGNED_SHORT ? Format{ GL_R16, GL_RED, GL_UNSIGNED_SHORT }
-                                            : Format{ GL_R32F, GL_RED, GL_FLOAT };
+  return channel.Type == VTK_UNSIGNED_SHORT ? Format{ GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2 }
+                                            : Format{ GL_R32F, GL_RED, GL_FLOAT, 4 };
 }
 
 GLuint CreateTexture(GLenum target, GLenum filter)
@@ -90,6 +91,8 @@ void FieldTexture::UploadFace(int face, vtkImageData* image)
     const Handle handle = CreateTexture(GL_TEXTURE_2D_ARRAY, filter);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.Internal, width, height * this->SlicesPerLayer,
       this->Layers, 0, format.Components, format.Type, nullptr);
+    this->Bytes +=
+      std::int64_t{ width } * height * this->SlicesPerLayer * this->Layers * format.Bytes;
     vtkDataArray* array = image->GetPointData()->GetArray(channel->Name.c_str());
     for (int i = 0; i < slices; ++i)
     {
@@ -227,6 +230,7 @@ void FieldTexture::Free()
   this->Colors.fill(0);
   this->Depths.fill(0);
   this->Nodes = 0;
+  this->Bytes = 0;
   this->Window = nullptr;
   this->Valid = false;
 }

@@ -10,6 +10,7 @@
 #include "cslfDescription.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 class vtkImageData;
@@ -45,6 +46,9 @@ public:
   /// Says that the samples in graphics memory are outdated.
   void Invalidate() { this->Valid = false; }
 
+  /// The graphics memory that the samples take, in bytes.
+  std::int64_t GetBytes() const { return this->Bytes; }
+
   /// Binds the textures of an entry face to texture units, until Deactivate.
   void Activate(int entryFace);
   void Deactivate();
@@ -68,6 +72,7 @@ private:
   Description Field;
   int SlicesPerLayer = 1;
   int Layers = 0;
+  std::int64_t Bytes = 0;
   std::array<Handle, FaceCount> Colors{};
   std::array<Handle, FaceCount> Depths{};
   Handle Nodes = 0;

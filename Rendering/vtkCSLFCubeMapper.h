@@ -22,6 +22,7 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cstdint>
 
 class vtkImageData;
 class vtkMatrix4x4;
@@ -44,6 +45,9 @@ public:
   {
     this->FocalPointsCC = pointsCC;
   }
+
+  /// The graphics memory that the samples take, in bytes; 0 before the first Render.
+  std::int64_t GetTextureBytes() const { return this->Texture.GetBytes(); }
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -61,6 +61,12 @@ const char* vtkCSLFMapper::GetLookupAsString()
 }
 
 //------------------------------------------------------------------------------
+vtkTypeInt64 vtkCSLFMapper::GetTextureBytes()
+{
+  return this->Internals->CubeMapper->GetTextureBytes();
+}
+
+//------------------------------------------------------------------------------
 // Brings the input up to date and reads its description, once per change of the input.
 bool vtkCSLFMapper::UpdateField()
 {

@@ -94,6 +94,12 @@ public:
   vtkImageData* GetInput();
   ///@}
 
+  /**
+   * The graphics memory that the field's samples take, in bytes: 0 before the first Render and
+   * after ReleaseGraphicsResources.
+   */
+  vtkTypeInt64 GetTextureBytes();
+
   ///@{
   /**
    * The bounds of the field's cube; uninitialised where there is no valid field.

@@ -14,7 +14,10 @@ void AddBenchmark(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("benchmark", "Measure qualities and rates");
   command->require_subcommand(1);
+  AddBenchmarkRender(*command, chosen);
+#ifdef CSLF_HAS_ENCODER
   AddBenchmarkCodec(*command, chosen);
+#endif
 }
 }
 }

@@ -7,6 +7,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfNovelViewOptions.h"
 #include "cslfPictures.h"
 #include "cslfRateCurves.h"
 #include "cslfTable.h"
@@ -39,10 +40,7 @@ struct Options
   std::vector<std::string> PixelFormats{ "auto" };
   int GroupLength = 16;
   int Repeats = 1;
-  int Views = 6;
-  int Size = 512;
-  int Samples = 256;
-  int Seed = 1;
+  NovelViewOptions Novel;
 };
 
 /// The same coder at several rate factors.
@@ -129,7 +127,7 @@ void WriteCharts(
 {
   for (const Measure& measure : measures)
   {
-    Chart chart{ measure.Title, "PSNR (dB)", {} };
+    Chart chart{ measure.Title, "bytes", "PSNR (dB)", ChartScale::Bytes, {} };
     for (const Series& series : all)
     {
       ChartCurve curve;
@@ -244,8 +242,9 @@ Result Report(const Options& options, const std::vector<Series>& all,
   result.Text = MakeTable(all, lookups) + MakeDeltas(all, measures, result.JSON);
   if (!lookups.empty())
   {
-    result.JSON["views"] = { { "count", options.Views }, { "size", options.Size },
-      { "spp", options.Samples }, { "seed", options.Seed }, { "noise_floor", noiseFloor } };
+    result.JSON["views"] = { { "count", options.Novel.Views }, { "size", options.Novel.Size },
+      { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed },
+      { "noise_floor", noiseFloor } };
     result.Text += "\nNoise floor of the novel views' truth: " + Format(noiseFloor, 2) + " dB.\n";
   }
   WriteWholeText(result.Text, options.Folder + "/codec.md");
@@ -272,11 +271,10 @@ Result Run(Options options)
   {
     options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
     const Scene scene = options.Scene.Read();
-    const auto views = TraceNovelViews(options.Scene, scene, file.Field.Box, options.Views,
-      options.Size, options.Samples, options.Seed);
+    const auto views = TraceNovelViews(options.Scene, scene, file.Field.Box, options.Novel);
     for (const NovelView& view : views)
     {
-      noiseFloor += view.NoiseFloor / options.Views;
+      noiseFloor += view.NoiseFloor / options.Novel.Views;
     }
     sweep.SetViews(views, GetLookups(file.Field));
   }
@@ -293,27 +291,6 @@ Result Run(Options options)
     }
   }
   return Report(options, all, sweep.GetLookups(), noiseFloor);
-}
-
-void AddViews(CLI::App& command, Options& options)
-{
-  const std::string group = "Novel views (with --scene)";
-  command.add_option("--views", options.Views, "novel views")
-    ->check(CLI::Range(1, 1000))
-    ->capture_default_str()
-    ->group(group);
-  command.add_option("--size", options.Size, "of a view, in pixels")
-    ->check(CLI::Range(1, 8192))
-    ->capture_default_str()
-    ->group(group);
-  command.add_option("--spp", options.Samples, "samples per pixel of the truth, both halves")
-    ->check(CLI::Range(2, 1 << 20))
-    ->capture_default_str()
-    ->group(group);
-  command.add_option("--seed", options.Seed, "of the views and of the truth")
-    ->check(CLI::Range(0, 1 << 29))
-    ->capture_default_str()
-    ->group(group);
 }
 }
 
@@ -355,7 +332,7 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
   command->add_option("--repeats", options->Repeats, "how often each is coded, for the rates")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  AddViews(*command, *options);
+  options->Novel.AddTo(*command, "Novel views (with --scene)");
   options->Scene.AddOptionalTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

@@ -7,9 +7,11 @@
 #include "cslfContactSheet.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfNovelViewOptions.h"
 #include "cslfNovelViews.h"
 #include "cslfPictures.h"
 #include "cslfSceneFiles.h"
+#include "cslfStatistics.h"
 #include "cslfTable.h"
 
 #include "vtkCSLFImageQuality.h"
@@ -25,7 +27,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numeric>
 
 namespace cslf
 {
@@ -40,10 +41,7 @@ struct Options
   std::string OutputFolder;
   std::string ContactSheet;
   std::string Title;
-  int Views = 6;
-  int Size = 512;
-  int Samples = 256;
-  int Seed = 1;
+  NovelViewOptions Novel;
 };
 
 /// A lookup's figures, one for each view.
@@ -54,16 +52,6 @@ struct Score
   std::vector<double> SSIM;
   double FrameRate = 0.0;
 };
-
-double Mean(const std::vector<double>& values)
-{
-  return std::accumulate(values.begin(), values.end(), 0.0) / values.size();
-}
-
-double Minimum(const std::vector<double>& values)
-{
-  return *std::min_element(values.begin(), values.end());
-}
 
 void CheckOutputs(const Options& options)
 {
@@ -104,8 +92,9 @@ Result Report(
   const double noiseFloor = Mean(noiseFloors);
   Result result;
   result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
-    { "views", options.Views }, { "size", options.Size }, { "spp", options.Samples },
-    { "seed", options.Seed }, { "noise_floor", noiseFloor } };
+    { "views", options.Novel.Views }, { "size", options.Novel.Size },
+    { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed },
+    { "noise_floor", noiseFloor } };
   Table table;
   table.AddRow({ "lookup", "PSNR (dB)", "lowest", "SSIM", "frames/s" });
   double best = 0.0;
@@ -119,10 +108,10 @@ Result Report(
     best = std::max(best, Mean(score.PSNR));
   }
   result.Text = options.Field + ": " + std::to_string(CountBytes(options.Field)) + " bytes, " +
-    std::to_string(options.Views) + " views of " + std::to_string(options.Size) + " x " +
-    std::to_string(options.Size) + "\n" + table.ToText() +
+    std::to_string(options.Novel.Views) + " views of " + std::to_string(options.Novel.Size) +
+    " x " + std::to_string(options.Novel.Size) + "\n" + table.ToText() +
     "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
-    std::to_string(options.Samples) + " samples per pixel)\n";
+    std::to_string(options.Novel.Samples) + " samples per pixel)\n";
   WarnOfNoise(noiseFloor, best, "the best lookup", "--spp");
   return result;
 }
@@ -140,17 +129,18 @@ Result Run(Options options)
   }
   ThrowOnError();
 
-  FieldRenderer renderer(file.Reader->GetOutputPort(), options.Size, options.Size);
-  const auto cameras =
-    MakeNovelViews(file.Field.Box, options.Views, options.Seed, options.Scene.HasCornellBox());
+  FieldRenderer renderer(file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
+  const auto cameras = MakeNovelViews(
+    file.Field.Box, options.Novel.Views, options.Novel.Seed, options.Scene.HasCornellBox());
   std::vector<Score> scores = MakeScores(file.Field);
   std::vector<double> noiseFloors;
   std::vector<LabelledPicture> sheet;
-  for (int view = 0; view < options.Views; ++view)
+  for (int view = 0; view < options.Novel.Views; ++view)
   {
-    const Truth truth = TraceTruth(
-      options.Scene, scene, cameras[view], options.Size, options.Samples, options.Seed + view);
-    const auto stencil = MakeCubeStencil(file.Field.Box, cameras[view], options.Size, options.Size);
+    const Truth truth = TraceTruth(options.Scene, scene, cameras[view], options.Novel.Size,
+      options.Novel.Samples, options.Novel.Seed + view);
+    const auto stencil =
+      MakeCubeStencil(file.Field.Box, cameras[view], options.Novel.Size, options.Novel.Size);
     noiseFloors.push_back(ComputeNoiseFloor(truth, stencil));
     SaveView(options, view, "truth", truth.Picture);
     sheet.push_back({ truth.Picture,
@@ -200,18 +190,7 @@ void AddEvaluate(CLI::App& app, Command& chosen)
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
   options->Scene.AddTo(*command);
-  command->add_option("--views", options->Views, "novel views")
-    ->check(CLI::Range(1, 1000))
-    ->capture_default_str();
-  command->add_option("--size", options->Size, "of a view, in pixels")
-    ->check(CLI::Range(1, 8192))
-    ->capture_default_str();
-  command->add_option("--spp", options->Samples, "samples per pixel of the truth, both halves")
-    ->check(CLI::Range(2, 1 << 20))
-    ->capture_default_str();
-  command->add_option("--seed", options->Seed, "of the views and of the truth")
-    ->check(CLI::Range(0, 1 << 29))
-    ->capture_default_str();
+  options->Novel.AddTo(*command);
   command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
   command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
   command->add_option("--title", options->Title, "the scene's name on the contact sheet");

@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf render: a novel view looked up in a light field.
+// cslf render: a novel view looked up in a light field, or those along a camera path.
 #include "cslfCameraOptions.h"
+#include "cslfCameraPath.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
+#include "cslfFrameFiles.h"
 #include "cslfMessages.h"
 #include "cslfPictures.h"
+#include "cslfStatistics.h"
+#include "cslfTable.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -14,6 +18,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace cslf
@@ -28,19 +33,24 @@ struct Options
   std::string Output;
   std::string Lookup = "depth";
   CameraOptions Camera;
+  CameraPathOptions Path;
+  double FrameRate = 25.0;
 };
 
-Result Run(const Options& options)
+void Read(const FieldFile& file)
+{
+  const ProgressBar bar(file.Reader, "Reading");
+  file.Reader->UpdateWholeExtent();
+  ThrowOnError();
+}
+
+Result RunView(const Options& options)
 {
   RequireWritable(options.Output);
   const FieldFile file = OpenField(options.Field);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   RequireDisplay();
-  {
-    const ProgressBar bar(file.Reader, "Reading");
-    file.Reader->UpdateWholeExtent();
-  }
-  ThrowOnError();
+  Read(file);
   FieldRenderer renderer(
     file.Reader->GetOutputPort(), options.Camera.GetWidth(), options.Camera.GetHeight());
   const std::string lookup = ChooseLookup(options.Lookup, file.Field);
@@ -50,22 +60,70 @@ Result Run(const Options& options)
   result.JSON = { { "output", options.Output }, { "lookup", lookup } };
   return result;
 }
+
+Result RunPath(const Options& options)
+{
+  const FieldFile file = OpenField(options.Field);
+  const auto cameras = options.Path.MakeCameras(options.Camera.MakeCamera(file.Field.Box));
+  RequireDisplay();
+  const int width = options.Camera.GetWidth();
+  const int height = options.Camera.GetHeight();
+  const auto writer = MakeFrameWriter(options.Output, width, height, options.FrameRate);
+  Read(file);
+  FieldRenderer renderer(file.Reader->GetOutputPort(), width, height);
+  const std::string name = ChooseLookup(options.Lookup, file.Field);
+  const int lookup = FindLookup(name);
+  // The first picture takes the field to graphics memory, so its time is not a frame's.
+  renderer.Draw(cameras.front(), lookup);
+  std::vector<double> seconds;
+  for (const auto& camera : cameras)
+  {
+    seconds.push_back(renderer.Draw(camera, lookup));
+    writer->Add(renderer.Grab());
+  }
+  writer->Finish();
+  Result result;
+  result.Text = options.Output + ": " + std::to_string(cameras.size()) + " frames, " +
+    Format(1000.0 * Median(seconds), 2) + " ms to draw one, in the median\n";
+  result.JSON = { { "output", options.Output }, { "lookup", name }, { "frames", cameras.size() },
+    { "path", options.Path.GetPath() }, { "device", renderer.GetDeviceName() },
+    { "median_frame_seconds", Median(seconds) }, { "frame_seconds", seconds } };
+  return result;
+}
+
+Result Run(const Options& options)
+{
+  std::error_code failure;
+  if (std::filesystem::equivalent(options.Field, options.Output, failure))
+  {
+    throw Failure("The input and the output are the same.");
+  }
+  return options.Path.IsEmpty() ? RunView(options) : RunPath(options);
+}
 }
 
 void AddRender(CLI::App& app, Command& chosen)
 {
-  CLI::App* command =
-    app.add_subcommand("render", "Look a novel view up in a light field, over black");
+  CLI::App* command = app.add_subcommand(
+    "render", "Look a novel view up in a light field, or those along a camera path, over black");
   const auto options = std::make_shared<Options>();
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
-  command->add_option("-o,--output", options->Output, "the picture, .png")->required();
+  command
+    ->add_option(
+      "-o,--output", options->Output, std::string("the picture, .png; with --path ") + FrameFormats)
+    ->required();
   command
     ->add_option("--lookup", options->Lookup,
       "nearest, linear, bilinear, focal or depth; without depth in the field, depth is focal")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
   options->Camera.AddTo(*command);
+  options->Path.AddTo(*command);
+  command->add_option("--frame-rate", options->FrameRate, "pictures of a video in a second")
+    ->check(CLI::Range(1.0, 1000.0))
+    ->capture_default_str()
+    ->group("Camera path");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

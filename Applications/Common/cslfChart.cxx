@@ -46,17 +46,20 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<double>& val
   table->AddColumn(column);
 }
 
-void AddCurve(vtkChartXY* plots, const ChartCurve& curve, const vtkColor3ub& color)
+void AddCurve(
+  vtkChartXY* plots, const ChartCurve& curve, ChartScale scale, const vtkColor3ub& color)
 {
   vtkNew<vtkTable> table;
-  std::vector<double> logarithms;
-  for (const double x : curve.X)
+  std::vector<double> places = curve.X;
+  if (scale == ChartScale::Bytes)
   {
-    logarithms.push_back(std::log10(x));
+    std::transform(
+      places.begin(), places.end(), places.begin(), [](double x) { return std::log10(x); });
   }
-  AddColumn(table, "x", logarithms);
+  AddColumn(table, "x", places);
   AddColumn(table, "y", curve.Y);
-  vtkPlot* plot = plots->AddPlot(vtkChart::LINE);
+  // VTK cannot draw a line through one point.
+  vtkPlot* plot = plots->AddPlot(curve.X.size() > 1 ? vtkChart::LINE : vtkChart::POINTS);
   plot->SetInputData(table, 0, 1);
   plot->SetLabel(curve.Name);
   plot->SetColor(color[0], color[1], color[2], 255);
@@ -82,18 +85,38 @@ std::string ToText(double bytes)
   return text.str();
 }
 
-/// Marks an axis of decimal logarithms with round numbers: the fewest of a decade's 1 to 9 that
-/// give several marks. VTK's own logarithmic axis marks powers of ten only.
-void MarkLogarithms(vtkAxis* axis, const std::vector<ChartCurve>& curves)
+double FindMaximum(const std::vector<ChartCurve>& curves)
 {
-  double least = std::numeric_limits<double>::max();
   double most = 0.0;
   for (const ChartCurve& curve : curves)
   {
     for (const double x : curve.X)
     {
-      least = std::min(least, x);
       most = std::max(most, x);
+    }
+  }
+  return most;
+}
+
+/// Begins an axis at 0, and ends it where the curves leave room for the legend.
+void FitLinear(vtkAxis* axis, const std::vector<ChartCurve>& curves)
+{
+  constexpr double room = 1.25;
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(0.0, room * std::max(FindMaximum(curves), 1.0));
+}
+
+/// Marks an axis of decimal logarithms with round numbers: the fewest of a decade's 1 to 9 that
+/// give several marks. VTK's own logarithmic axis marks powers of ten only.
+void MarkLogarithms(vtkAxis* axis, const std::vector<ChartCurve>& curves)
+{
+  double least = std::numeric_limits<double>::max();
+  const double most = FindMaximum(curves);
+  for (const ChartCurve& curve : curves)
+  {
+    for (const double x : curve.X)
+    {
+      least = std::min(least, x);
     }
   }
   constexpr double margin = 1.05;
@@ -151,15 +174,22 @@ void WriteChart(const std::string& fileName, const Chart& chart)
   view->GetScene()->AddItem(plots);
   plots->SetTitle(chart.Title);
   plots->GetTitleProperties()->SetFontSize(titleSize);
-  SetAxis(plots->GetAxis(vtkAxis::BOTTOM), "bytes");
+  SetAxis(plots->GetAxis(vtkAxis::BOTTOM), chart.XTitle);
   SetAxis(plots->GetAxis(vtkAxis::LEFT), chart.YTitle);
-  MarkLogarithms(plots->GetAxis(vtkAxis::BOTTOM), chart.Curves);
+  if (chart.Scale == ChartScale::Bytes)
+  {
+    MarkLogarithms(plots->GetAxis(vtkAxis::BOTTOM), chart.Curves);
+  }
+  else
+  {
+    FitLinear(plots->GetAxis(vtkAxis::BOTTOM), chart.Curves);
+  }
   vtkNew<vtkColorSeries> colors;
   colors->SetColorScheme(vtkColorSeries::BREWER_QUALITATIVE_DARK2);
   int index = 0;
   for (const ChartCurve& curve : chart.Curves)
   {
-    AddCurve(plots, curve, colors->GetColorRepeating(index));
+    AddCurve(plots, curve, chart.Scale, colors->GetColorRepeating(index));
     ++index;
   }
   plots->SetShowLegend(true);

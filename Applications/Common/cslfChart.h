@@ -14,7 +14,7 @@ namespace cslf
 {
 namespace tool
 {
-/// Points joined by lines, in the order in which they are given. X is in bytes.
+/// Points joined by lines, in the order in which they are given.
 struct ChartCurve
 {
   std::string Name;
@@ -22,14 +22,23 @@ struct ChartCurve
   std::vector<double> Y;
 };
 
+/// What the horizontal axis is.
+enum class ChartScale
+{
+  Bytes, ///< logarithmic
+  Linear ///< from 0
+};
+
 struct Chart
 {
   std::string Title;
+  std::string XTitle;
   std::string YTitle;
+  ChartScale Scale = ChartScale::Bytes;
   std::vector<ChartCurve> Curves;
 };
 
-/// Draws a chart, its axis of bytes logarithmic, into a PNG. Throws a Failure.
+/// Draws a chart into a PNG. Throws a Failure.
 void WriteChart(const std::string& fileName, const Chart& chart);
 }
 }

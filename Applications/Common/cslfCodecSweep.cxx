@@ -3,11 +3,11 @@
 #include "cslfCodecSweep.h"
 
 #include "cslfMessages.h"
+#include "cslfStatistics.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"
 #include "vtkCSLFFieldQuality.h"
-#include "vtkCSLFImageQuality.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -16,7 +16,6 @@
 #include <vtkNew.h>
 #include <vtkTrivialProducer.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -32,13 +31,6 @@ using Clock = std::chrono::steady_clock;
 double SecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 != 0 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 /// Image data as the end of a pipeline.
@@ -159,18 +151,7 @@ void CodecSweep::CompareViews(vtkImageData* decoded, CodecPoint& point)
   FieldRenderer renderer(producer->GetOutputPort(), size[0], size[1]);
   for (const LookupName& lookup : this->Lookups)
   {
-    double sum = 0.0;
-    for (const NovelView& view : this->Views)
-    {
-      vtkNew<vtkCSLFImageQuality> quality;
-      quality->SetInputData(0, view.Picture);
-      quality->SetInputData(1, renderer.Render(view.Camera, lookup.Lookup));
-      quality->SetStencilData(view.Stencil);
-      quality->Update();
-      ThrowOnError();
-      sum += quality->GetPSNR();
-    }
-    point.ViewPSNR.push_back(sum / static_cast<double>(this->Views.size()));
+    point.ViewPSNR.push_back(Mean(MeasureViews(renderer, lookup.Lookup, this->Views).PSNR));
   }
 }
 }

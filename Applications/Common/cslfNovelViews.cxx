@@ -3,8 +3,11 @@
 #include "cslfNovelViews.h"
 
 #include "cslfCameraOptions.h"
+#include "cslfCameraPath.h"
 #include "cslfColor.h"
 #include "cslfMessages.h"
+#include "cslfNovelViewOptions.h"
+#include "cslfPictures.h"
 #include "cslfSceneFiles.h"
 
 #include "vtkCSLFImageQuality.h"
@@ -29,9 +32,6 @@ namespace tool
 {
 namespace
 {
-/// Views of the Cornell box stay this near its opening; elsewhere its outside is black.
-constexpr double CornellBoxAngle = 35.0;
-
 /// Turns a spiral's next point by the golden angle, which spreads the points evenly.
 const double GoldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
 
@@ -84,7 +84,7 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
 {
   std::mt19937 generator(static_cast<unsigned int>(seed));
   const auto random = [&] { return generator() / 4294967296.0; };
-  const double lowest = isCornellBox ? std::cos(glm::radians(CornellBoxAngle)) : -1.0;
+  const double lowest = isCornellBox ? std::cos(glm::radians(SwingAngle)) : -1.0;
   const double edge = std::max({ cube.Edges.x, cube.Edges.y, cube.Edges.z });
   const double firstAngle = 2.0 * vtkMath::Pi() * random();
   std::vector<vtkSmartPointer<vtkCamera>> cameras;
@@ -172,18 +172,36 @@ vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   return stencil;
 }
 
-std::vector<NovelView> TraceNovelViews(const SceneOptions& options, const Scene& scene,
-  const Cube& cube, int count, int size, int samples, int seed)
+std::vector<NovelView> TraceNovelViews(
+  const SceneOptions& options, const Scene& scene, const Cube& cube, const NovelViewOptions& novel)
 {
   std::vector<NovelView> views;
-  for (const auto& camera : MakeNovelViews(cube, count, seed, options.HasCornellBox()))
+  for (const auto& camera : MakeNovelViews(cube, novel.Views, novel.Seed, options.HasCornellBox()))
   {
     const int number = static_cast<int>(views.size());
-    const Truth truth = TraceTruth(options, scene, camera, size, samples, seed + number);
-    const auto stencil = MakeCubeStencil(cube, camera, size, size);
+    const Truth truth =
+      TraceTruth(options, scene, camera, novel.Size, novel.Samples, novel.Seed + number);
+    const auto stencil = MakeCubeStencil(cube, camera, novel.Size, novel.Size);
     views.push_back({ camera, truth.Picture, stencil, ComputeNoiseFloor(truth, stencil) });
   }
   return views;
+}
+
+ViewQuality MeasureViews(FieldRenderer& renderer, int lookup, const std::vector<NovelView>& views)
+{
+  ViewQuality result;
+  for (const NovelView& view : views)
+  {
+    vtkNew<vtkCSLFImageQuality> quality;
+    quality->SetInputData(0, view.Picture);
+    quality->SetInputData(1, renderer.Render(view.Camera, lookup));
+    quality->SetStencilData(view.Stencil);
+    quality->Update();
+    ThrowOnError();
+    result.PSNR.push_back(quality->GetPSNR());
+    result.SSIM.push_back(quality->GetSSIM());
+  }
+  return result;
 }
 }
 }

@@ -22,8 +22,10 @@ namespace cslf
 {
 namespace tool
 {
+class FieldRenderer;
 class Scene;
 class SceneOptions;
+struct NovelViewOptions;
 
 /// Cameras around the cube, spread evenly over the sphere, or over the cap of 35 degrees around +Z
 /// where the Cornell box opens.
@@ -56,8 +58,18 @@ struct NovelView
 };
 
 /// Makes and traces square views of a field's cube. Throws a Failure.
-std::vector<NovelView> TraceNovelViews(const SceneOptions& options, const Scene& scene,
-  const Cube& cube, int count, int size, int samples, int seed);
+std::vector<NovelView> TraceNovelViews(
+  const SceneOptions& options, const Scene& scene, const Cube& cube, const NovelViewOptions& novel);
+
+/// How near a lookup comes to the views, one figure for each.
+struct ViewQuality
+{
+  std::vector<double> PSNR; ///< in dB
+  std::vector<double> SSIM;
+};
+
+/// Draws the views in a lookup, in the size of their pictures, and compares. Throws a Failure.
+ViewQuality MeasureViews(FieldRenderer& renderer, int lookup, const std::vector<NovelView>& views);
 
 /// The pixels whose ray meets the cube. Row 0 is at the bottom, as VTK's images have it.
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(

@@ -8,24 +8,20 @@
 #include "vtkCSLFMapper.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkImageExtractComponents.h>
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
-#include <vtkWindowToImageFilter.h>
 
 #ifdef CSLF_NEEDS_X_SERVER
 #include <X11/Xlib.h>
 #endif
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
+#include <memory>
 
 namespace fs = std::filesystem;
 
@@ -70,12 +66,14 @@ vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)
 void RequireDisplay()
 {
 #ifdef CSLF_NEEDS_X_SERVER
-  Display* display = XOpenDisplay(nullptr);
+  // Kept until the end: a server that loses its last client starts anew, and breaks the connection
+  // of one that comes at that moment.
+  static const std::unique_ptr<Display, int (*)(Display*)> display(
+    XOpenDisplay(nullptr), XCloseDisplay);
   if (!display)
   {
     throw Failure("There is no X server to draw with: set DISPLAY, or use xvfb-run -a cslf ...");
   }
-  XCloseDisplay(display);
 #endif
 }
 
@@ -128,53 +126,45 @@ std::string ChooseLookup(const std::string& name, const Description& description
 }
 
 FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
+  : Window(width, height)
 {
   this->Mapper->SetInputConnection(field);
   this->Actor->SetMapper(this->Mapper);
-  this->Renderer->AddActor(this->Actor);
-  this->Renderer->SetBackground(0.0, 0.0, 0.0);
-  this->Window->SetOffScreenRendering(1);
-  this->Window->SetMultiSamples(0);
-  this->Window->SetSize(width, height);
-  this->Window->AddRenderer(this->Renderer);
+  this->Window.AddActor(this->Actor);
 }
 
 FieldRenderer::~FieldRenderer() = default;
 
-vtkSmartPointer<vtkImageData> FieldRenderer::Render(vtkCamera* camera, int lookup)
+double FieldRenderer::Draw(vtkCamera* camera, int lookup)
 {
   this->Mapper->SetLookup(lookup);
-  this->Renderer->SetActiveCamera(camera);
-  this->Renderer->ResetCameraClippingRange();
-  this->Window->Render();
-  ThrowOnError();
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(this->Window);
-  grabber->SetInputBufferTypeToRGB();
-  grabber->ReadFrontBufferOff();
-  grabber->ShouldRerenderOff();
-  grabber->Update();
-  ThrowOnError();
-  return grabber->GetOutput();
+  return this->Window.Draw(camera);
+}
+
+vtkSmartPointer<vtkImageData> FieldRenderer::Render(vtkCamera* camera, int lookup)
+{
+  this->Draw(camera, lookup);
+  return this->Window.Grab();
 }
 
 double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
 {
-  using Clock = std::chrono::steady_clock;
   constexpr double measuredSeconds = 0.5;
   constexpr int mostFrames = 100;
-  this->Render(camera, lookup);
-  const auto start = Clock::now();
+  this->Draw(camera, lookup);
   double seconds = 0.0;
   int frames = 0;
   while (frames == 0 || (seconds < measuredSeconds && frames < mostFrames))
   {
-    this->Window->Render();
-    this->Window->WaitForCompletion();
+    seconds += this->Draw(camera, lookup);
     ++frames;
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
   return frames / seconds;
+}
+
+std::int64_t FieldRenderer::GetTextureBytes()
+{
+  return this->Mapper->GetTextureBytes();
 }
 }
 }

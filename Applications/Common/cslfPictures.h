@@ -8,10 +8,12 @@
 #define cslfPictures_h
 
 #include "cslfDescription.h"
+#include "cslfOffscreenWindow.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,6 @@ class vtkAlgorithmOutput;
 class vtkCSLFMapper;
 class vtkCamera;
 class vtkImageData;
-class vtkRenderWindow;
-class vtkRenderer;
 
 namespace cslf
 {
@@ -68,17 +68,28 @@ public:
   FieldRenderer(vtkAlgorithmOutput* field, int width, int height);
   ~FieldRenderer();
 
+  /// Draws the view and returns the seconds that it took. Throws a Failure.
+  double Draw(vtkCamera* camera, int lookup);
+
+  /// The red, green and blue of what was drawn last. Throws a Failure.
+  vtkSmartPointer<vtkImageData> Grab() { return this->Window.Grab(); }
+
   /// The red, green and blue of the view. Throws a Failure.
   vtkSmartPointer<vtkImageData> Render(vtkCamera* camera, int lookup);
 
   /// How many times a second the view can be drawn, the first drawing left out.
   double MeasureFrameRate(vtkCamera* camera, int lookup);
 
+  /// The graphics memory that the field's samples take, once something was drawn.
+  std::int64_t GetTextureBytes();
+
+  /// What draws, as in OffscreenWindow.
+  std::string GetDeviceName() { return this->Window.GetDeviceName(); }
+
 private:
   vtkNew<vtkCSLFMapper> Mapper;
   vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
+  OffscreenWindow Window;
 };
 }
 }

@@ -92,43 +92,6 @@ void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)
   }
 }
 
-Part ReadPart(const std::string& input)
-{
-  if (input == CornellBoxName)
-  {
-    vtkNew<vtkCSLFCornellBoxSource> box;
-    box->Update();
-    return box->GetOutputDataObject(0);
-  }
-  const std::filesystem::path path = input;
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto reader = GetReaders().find(extension);
-  std::error_code failure;
-  if (!std::filesystem::is_regular_file(path, failure))
-  {
-    throw Failure("There is no file " + input + ".");
-  }
-  if (reader == GetReaders().end())
-  {
-    throw Failure(
-      input + " is no scene: known are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
-  }
-  Part part = reader->second(input);
-  const std::string error = GetFirstError();
-  vtkIdType cells = 0;
-  ForEachPolyData(part, [&](vtkPolyData* polyData) { cells += polyData->GetNumberOfCells(); });
-  if (cells == 0 || !error.empty())
-  {
-    // Some readers only warn of files that they cannot read.
-    const std::vector<std::string> warnings = GetWarnings();
-    const std::string cause = warnings.empty() ? "it has no cells." : warnings.back();
-    throw Failure("Cannot read " + input + ": " + (error.empty() ? cause : error));
-  }
-  return part;
-}
-
 constexpr const char* InputHelp =
   "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box";
 
@@ -158,6 +121,44 @@ void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<
     }
   }
 }
+}
+
+Part ReadScenePart(const std::string& input)
+{
+  if (input == CornellBoxName)
+  {
+    vtkNew<vtkCSLFCornellBoxSource> box;
+    box->Update();
+    return box->GetOutputDataObject(0);
+  }
+  const std::filesystem::path path = input;
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto reader = GetReaders().find(extension);
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure))
+  {
+    throw Failure("There is no file " + input + ".");
+  }
+  if (reader == GetReaders().end())
+  {
+    throw Failure(
+      input + " is no scene: known are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
+  }
+  Part part = reader->second(input);
+  const std::string error = GetFirstError();
+  vtkIdType cells = 0;
+  tool::ForEachPolyData(
+    part, [&](vtkPolyData* polyData) { cells += polyData->GetNumberOfCells(); });
+  if (cells == 0 || !error.empty())
+  {
+    // Some readers only warn of files that they cannot read.
+    const std::vector<std::string> warnings = GetWarnings();
+    const std::string cause = warnings.empty() ? "it has no cells." : warnings.back();
+    throw Failure("Cannot read " + input + ": " + (error.empty() ? cause : error));
+  }
+  return part;
 }
 
 void Scene::GetBounds(double bounds[6]) const
@@ -201,7 +202,7 @@ void SceneOptions::AddTo(CLI::App& command)
 
 void SceneOptions::AddOptionalTo(CLI::App& command)
 {
-  command.add_option("--scene", this->Inputs, InputHelp);
+  command.add_option("input,--scene", this->Inputs, InputHelp);
   this->AddLightAndMaterialTo(command);
 }
 
@@ -274,7 +275,7 @@ Scene SceneOptions::Read() const
   Scene scene;
   for (const std::string& input : this->Inputs)
   {
-    scene.Parts.push_back(ReadPart(input));
+    scene.Parts.push_back(ReadScenePart(input));
     if (input != CornellBoxName)
     {
       this->SetMaterial(scene.Parts.back());

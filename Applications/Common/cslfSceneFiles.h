@@ -42,6 +42,9 @@ public:
   void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
 
+/// Reads one file of a scene, or the Cornell box. Throws a Failure where there is nothing to see.
+vtkSmartPointer<vtkDataObject> ReadScenePart(const std::string& input);
+
 /// A scene's files and the material and light options of the command line.
 class SceneOptions
 {
@@ -49,7 +52,7 @@ public:
   /// The files as positional arguments, material and light.
   void AddTo(CLI::App& command);
 
-  /// The same, but the files by --scene, which may be left out.
+  /// The same, but the files, by place or by --scene, may be left out.
   void AddOptionalTo(CLI::App& command);
 
   /// The files only.

@@ -107,11 +107,15 @@ void TestChanges()
   vtkNew<vtkCSLFMapper> mapper;
   mapper->SetInputData(bytes);
   View view(mapper);
+  CSLF_CHECK(mapper->GetTextureBytes() == 0);
   const double brightness = view.Render();
   CSLF_CHECK(brightness > 5.0);
+  const vtkTypeInt64 texels = bytes->GetNumberOfPoints();
+  CSLF_CHECK(mapper->GetTextureBytes() == 6 * texels);
 
   // Released graphics resources come back.
   mapper->ReleaseGraphicsResources(view.Window);
+  CSLF_CHECK(mapper->GetTextureBytes() == 0);
   CSLF_CHECK(view.Render() == brightness);
 
   // A second window shows the same.
@@ -122,6 +126,7 @@ void TestChanges()
   // Float colour is interpolated before it is encoded: nearly the same picture.
   mapper->SetInputData(floats);
   CSLF_CHECK_NEAR(view.Render(), brightness, 2.0);
+  CSLF_CHECK(mapper->GetTextureBytes() == 12 * texels);
 
   // Another field takes the place of the first, also where it changed in place.
   const auto black = vtkSmartPointer<vtkImageData>::New();

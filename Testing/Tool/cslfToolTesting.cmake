@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # What the tests of the cslf tool share. They are run with -DCSLF=<tool> -DDATA=<folder of test
-# data> -DUTILITIES=<folder of scripts> -DMPIEXEC=<mpiexec, if there is one> -DDIRECTORY=<folder to
-# work in>, which is emptied first.
+# data> -DUTILITIES=<folder of scripts> -DMPIEXEC=<mpiexec, if there is one> -DHAS_ENCODER=<whether
+# the tool has the video encoder> -DDIRECTORY=<folder to work in>, which is emptied first.
 cmake_policy(VERSION 3.22)
 file(REMOVE_RECURSE "${DIRECTORY}")
 file(MAKE_DIRECTORY "${DIRECTORY}")

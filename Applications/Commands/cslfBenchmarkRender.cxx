@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf benchmark render: how fast each lookup draws, what it takes, and how near it comes.
+#include "cslfCameraOptions.h"
+#include "cslfCameraPath.h"
+#include "cslfChart.h"
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfMeshRenderer.h"
+#include "cslfMessages.h"
+#include "cslfNovelViewOptions.h"
+#include "cslfNovelViews.h"
+#include "cslfPictures.h"
+#include "cslfSceneFiles.h"
+#include "cslfStatistics.h"
+#include "cslfTable.h"
+#include "cslfWholeFile.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageStencilData.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::string Field;
+  std::string Folder;
+  std::string Mesh;
+  SceneOptions Scene;
+  NovelViewOptions Novel;
+  int Frames = 72;
+};
+
+/// What one lookup does.
+struct Score
+{
+  LookupName Lookup;
+  double LoadSeconds = 0.0; ///< from opening the file until the first picture is there
+  std::int64_t TextureBytes = 0;
+  std::vector<double> Seconds;     ///< of each frame
+  std::vector<double> MeshSeconds; ///< of the mesh's frames, drawn in turn with these
+  ViewQuality Quality;
+};
+
+/// All that was measured.
+struct Findings
+{
+  std::string Device;
+  std::string Path;
+  vtkIdType Triangles = 0; ///< of the mesh; 0 without one
+  double NoiseFloor = 0.0;
+  std::vector<Score> Scores;
+};
+
+double FrameRate(const std::vector<double>& seconds)
+{
+  return 1.0 / Median(seconds);
+}
+
+std::vector<vtkSmartPointer<vtkCamera>> MakePath(const Options& options, const Cube& cube)
+{
+  const vtkSmartPointer<vtkCamera> start = CameraOptions().MakeCamera(cube);
+  return options.Scene.HasCornellBox() ? MakeSwing(start, options.Frames)
+                                       : MakeOrbit(start, options.Frames);
+}
+
+/// Draws the field along the path. The mesh, if there is one, is drawn after each frame, so that
+/// whatever else the machine does slows both.
+void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& renderer,
+  MeshRenderer* mesh, Score& score)
+{
+  const auto cameras = MakePath(options, cube);
+  const auto meshCameras = mesh ? MakePath(options, mesh->GetCube()) : cameras;
+  const int lookup = score.Lookup.Lookup;
+  // What is made when something is drawn first is not a frame's work.
+  renderer.Draw(cameras.front(), lookup);
+  if (mesh)
+  {
+    mesh->Draw(meshCameras.front());
+  }
+  for (std::size_t frame = 0; frame < cameras.size(); ++frame)
+  {
+    score.Seconds.push_back(renderer.Draw(cameras[frame], lookup));
+    if (mesh)
+    {
+      score.MeshSeconds.push_back(mesh->Draw(meshCameras[frame]));
+    }
+  }
+}
+
+Findings Measure(const Options& options, const FieldFile& file, double readSeconds,
+  MeshRenderer* mesh, const std::vector<NovelView>& views)
+{
+  Findings findings;
+  findings.Path = options.Scene.HasCornellBox() ? SwingName : OrbitName;
+  findings.Triangles = mesh ? mesh->GetNumberOfTriangles() : 0;
+  for (const NovelView& view : views)
+  {
+    findings.NoiseFloor += view.NoiseFloor / static_cast<double>(views.size());
+  }
+  const vtkSmartPointer<vtkCamera> camera = CameraOptions().MakeCamera(file.Field.Box);
+  for (const LookupName& lookup : GetLookups(file.Field))
+  {
+    // A renderer of its own, which has loaded no more than this lookup needs.
+    FieldRenderer renderer(file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
+    Score score;
+    score.Lookup = lookup;
+    score.LoadSeconds = readSeconds + renderer.Draw(camera, lookup.Lookup);
+    MeasureFrames(options, file.Field.Box, renderer, mesh, score);
+    score.Quality = MeasureViews(renderer, lookup.Lookup, views);
+    score.TextureBytes = renderer.GetTextureBytes();
+    findings.Device = renderer.GetDeviceName();
+    findings.Scores.push_back(score);
+  }
+  return findings;
+}
+
+nlohmann::json ToJSON(const Options& options, const FieldFile& file, const Findings& findings)
+{
+  nlohmann::json json = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
+    { "viewpoints", file.Field.Grid.GetViewpoints() },
+    { "resolution", file.Field.Grid.GetResolution() }, { "size", options.Novel.Size },
+    { "path", findings.Path }, { "frames", options.Frames }, { "device", findings.Device } };
+  if (findings.Triangles > 0)
+  {
+    json["mesh"] = { { "file", options.Mesh }, { "triangles", findings.Triangles } };
+  }
+  for (const Score& score : findings.Scores)
+  {
+    nlohmann::json& lookup = json["lookups"][score.Lookup.Name];
+    lookup = { { "frames_per_second", FrameRate(score.Seconds) },
+      { "frame_seconds", score.Seconds }, { "load_seconds", score.LoadSeconds },
+      { "texture_bytes", score.TextureBytes } };
+    if (findings.Triangles > 0)
+    {
+      lookup["mesh_frames_per_second"] = FrameRate(score.MeshSeconds);
+      lookup["mesh_ratio"] = FrameRate(score.Seconds) / FrameRate(score.MeshSeconds);
+    }
+    if (!options.Scene.IsEmpty())
+    {
+      lookup["psnr"] = Mean(score.Quality.PSNR);
+      lookup["lowest_psnr"] = Minimum(score.Quality.PSNR);
+      lookup["ssim"] = Mean(score.Quality.SSIM);
+    }
+  }
+  if (!options.Scene.IsEmpty())
+  {
+    json["views"] = { { "count", options.Novel.Views }, { "spp", options.Novel.Samples },
+      { "seed", options.Novel.Seed }, { "noise_floor", findings.NoiseFloor } };
+  }
+  return json;
+}
+
+std::string MakeTable(const Options& options, const Findings& findings)
+{
+  Table table;
+  std::vector<std::string> head = { "lookup", "frames/s", "load (s)", "textures (bytes)" };
+  if (findings.Triangles > 0)
+  {
+    head.insert(head.end(), { "mesh, frames/s", "ratio" });
+  }
+  if (!options.Scene.IsEmpty())
+  {
+    head.insert(head.end(), { "PSNR (dB)", "lowest", "SSIM" });
+  }
+  table.AddRow(head);
+  for (const Score& score : findings.Scores)
+  {
+    const double rate = FrameRate(score.Seconds);
+    std::vector<std::string> row = { score.Lookup.Name, Format(rate, 1),
+      Format(score.LoadSeconds, 2), std::to_string(score.TextureBytes) };
+    if (findings.Triangles > 0)
+    {
+      const double meshRate = FrameRate(score.MeshSeconds);
+      row.insert(row.end(), { Format(meshRate, 1), Format(rate / meshRate, 2) });
+    }
+    if (!options.Scene.IsEmpty())
+    {
+      row.insert(row.end(),
+        { Format(Mean(score.Quality.PSNR), 2), Format(Minimum(score.Quality.PSNR), 2),
+          Format(Mean(score.Quality.SSIM), 4) });
+    }
+    table.AddRow(row);
+  }
+  return table.ToMarkdown();
+}
+
+/// The table and, below it, what its figures depend on.
+std::string MakeText(const Options& options, const FieldFile& file, const Findings& findings)
+{
+  const std::string size = std::to_string(options.Novel.Size);
+  std::string text = MakeTable(options, findings) + "\n" + options.Field +
+    ", M = " + std::to_string(file.Field.Grid.GetViewpoints()) +
+    ", N = " + std::to_string(file.Field.Grid.GetResolution()) + ": medians of " +
+    std::to_string(options.Frames) + " frames of " + size + " x " + size + " along the " +
+    findings.Path + ", drawn by " + findings.Device + ".\n";
+  if (findings.Triangles > 0)
+  {
+    text += "\nThe mesh has " + std::to_string(findings.Triangles) + " triangles.\n";
+  }
+  if (!options.Scene.IsEmpty())
+  {
+    text += "\nNoise floor of the novel views' truth: " + Format(findings.NoiseFloor, 2) + " dB.\n";
+  }
+  return text;
+}
+
+/// The milliseconds of all frames, one curve.
+ChartCurve MakeCurve(const std::string& name, const std::vector<double>& seconds)
+{
+  ChartCurve curve;
+  curve.Name = name;
+  for (std::size_t frame = 0; frame < seconds.size(); ++frame)
+  {
+    curve.X.push_back(static_cast<double>(frame));
+    curve.Y.push_back(1000.0 * seconds[frame]);
+  }
+  return curve;
+}
+
+void WriteCharts(const Options& options, const Findings& findings)
+{
+  Chart times{ "Along the " + findings.Path, "frame", "time to draw (ms)", ChartScale::Linear, {} };
+  Chart qualities{ "Novel views", "frames a second", "PSNR (dB)", ChartScale::Linear, {} };
+  for (const Score& score : findings.Scores)
+  {
+    times.Curves.push_back(MakeCurve(score.Lookup.Name, score.Seconds));
+    if (!options.Scene.IsEmpty())
+    {
+      qualities.Curves.push_back(
+        { score.Lookup.Name, { FrameRate(score.Seconds) }, { Mean(score.Quality.PSNR) } });
+    }
+  }
+  if (findings.Triangles > 0)
+  {
+    const Score& last = findings.Scores.back();
+    times.Curves.push_back(
+      MakeCurve(std::string("mesh, beside ") + last.Lookup.Name, last.MeshSeconds));
+  }
+  WriteChart(options.Folder + "/frames.png", times);
+  if (!options.Scene.IsEmpty())
+  {
+    WriteChart(options.Folder + "/views.png", qualities);
+  }
+}
+
+Result Run(Options options)
+{
+  using Clock = std::chrono::steady_clock;
+  RequireDisplay();
+  const auto start = Clock::now();
+  const FieldFile file = OpenField(options.Field);
+  {
+    const ProgressBar bar(file.Reader, "Reading");
+    file.Reader->UpdateWholeExtent();
+  }
+  const double readSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+  ThrowOnError();
+  std::unique_ptr<MeshRenderer> mesh;
+  if (!options.Mesh.empty())
+  {
+    mesh = std::make_unique<MeshRenderer>(options.Mesh, options.Novel.Size, options.Novel.Size);
+  }
+  Scene scene;
+  if (!options.Scene.IsEmpty())
+  {
+    options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
+    scene = options.Scene.Read();
+  }
+  std::error_code failure;
+  std::filesystem::create_directories(options.Folder, failure);
+  RequireWritable(options.Folder + "/render.md");
+
+  std::vector<NovelView> views;
+  if (!options.Scene.IsEmpty())
+  {
+    views = TraceNovelViews(options.Scene, scene, file.Field.Box, options.Novel);
+  }
+  const Findings findings = Measure(options, file, readSeconds, mesh.get(), views);
+  WriteCharts(options, findings);
+  Result result;
+  result.JSON = ToJSON(options, file, findings);
+  result.Text = MakeText(options, file, findings);
+  if (!views.empty())
+  {
+    double best = 0.0;
+    for (const Score& score : findings.Scores)
+    {
+      best = std::max(best, Mean(score.Quality.PSNR));
+    }
+    WarnOfNoise(findings.NoiseFloor, best, "the best lookup", "--spp");
+  }
+  WriteWholeText(result.Text, options.Folder + "/render.md");
+  WriteWholeText(result.JSON.dump(2) + "\n", options.Folder + "/render.json");
+  return result;
+}
+}
+
+void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
+{
+  CLI::App* command = benchmark.add_subcommand(
+    "render", "Draw a light field along an orbit in every lookup: frame rates, memory, quality");
+  command->footer(
+    "Writes render.md, render.json and plots into FOLDER. The camera goes once around the cube, "
+    "two of its edges from the centre; with the Cornell box as the scene to and fro within 35 "
+    "degrees of its opening. Frame rates are those of the median frame: drawn, and waited for; the "
+    "first ones do not count. Loading is all from opening the file to the first picture. With the "
+    "scene, PSNR and SSIM of novel views, as in cslf evaluate. With --mesh, VTK draws that mesh in "
+    "turn with each frame, on the same path around its own cube; the ratio is that of the field's "
+    "frame rate to the mesh's.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+    ->required();
+  options->Scene.AddOptionalTo(*command);
+  command->add_option("-o,--output", options->Folder, "the folder for what is found out")
+    ->required();
+  command->add_option("--frames", options->Frames, "pictures along the orbit")
+    ->check(CLI::Range(1, 1000000))
+    ->capture_default_str();
+  command->add_option("--mesh", options->Mesh, "a mesh to compare with, as files of scenes");
+  options->Novel.AddTo(*command);
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

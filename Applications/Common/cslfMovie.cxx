@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMovie.h"
+
+#include "cslfMessages.h"
+
+#ifdef CSLF_HAS_ENCODER
+#include "Coding/cslfAV.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#else
+#include "cslfFieldFiles.h"
+#endif
+
+namespace cslf
+{
+namespace tool
+{
+#ifdef CSLF_HAS_ENCODER
+namespace
+{
+constexpr const char* EncoderName = "libx264";
+constexpr AVPixelFormat Format = AV_PIX_FMT_YUV420P;
+
+/// x264's rate factor for what can hardly be told from the pictures themselves.
+constexpr const char* RateFactor = "18";
+
+class MovieWriter : public FrameWriter
+{
+public:
+  explicit MovieWriter(const std::string& fileName)
+    : FileName(fileName)
+    , Temporary(fileName + ".partial")
+  {
+  }
+
+  ~MovieWriter() override
+  {
+    this->Output.reset();
+    std::error_code ignored;
+    std::filesystem::remove(this->Temporary, ignored);
+  }
+
+  void Open(int width, int height, double frameRate)
+  {
+    this->OpenEncoder(width, height, frameRate);
+    this->Packet.reset(av_packet_alloc());
+    this->Check(this->Packet ? 0 : AVERROR(ENOMEM));
+    this->Picture = this->MakeFrame(width, height, AV_PIX_FMT_RGB24);
+    this->Frame = this->MakeFrame(width, height, Format);
+    this->Scaler.reset(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, Format,
+      SWS_BICUBIC | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
+    this->Check(this->Scaler ? 0 : AVERROR(ENOMEM));
+    const int* matrix = sws_getCoefficients(SWS_CS_ITU709);
+    constexpr int one = 1 << 16;
+    sws_setColorspaceDetails(this->Scaler.get(), matrix, 1, matrix, 0, 0, one, one);
+    this->OpenContainer();
+  }
+
+  void Add(vtkImageData* picture) override
+  {
+    // VTK's pictures begin at the bottom, those of videos at the top.
+    const int height = this->Picture->height;
+    const int bytes = 3 * this->Picture->width;
+    const auto* pixels = static_cast<const std::uint8_t*>(picture->GetScalarPointer());
+    for (int y = 0; y < height; ++y)
+    {
+      std::copy_n(pixels + static_cast<std::ptrdiff_t>(bytes) * (height - 1 - y), bytes,
+        this->Picture->data[0] + static_cast<std::ptrdiff_t>(this->Picture->linesize[0]) * y);
+    }
+    this->Check(av_frame_make_writable(this->Frame.get()));
+    this->Check(sws_scale(this->Scaler.get(), this->Picture->data, this->Picture->linesize, 0,
+      height, this->Frame->data, this->Frame->linesize));
+    this->Frame->pts = this->Frames;
+    ++this->Frames;
+    this->Check(avcodec_send_frame(this->Encoder.get(), this->Frame.get()));
+    this->WritePackets();
+  }
+
+  void Finish() override
+  {
+    this->Check(avcodec_send_frame(this->Encoder.get(), nullptr));
+    this->WritePackets();
+    this->Check(av_write_trailer(this->Output.get()));
+    this->Check(avio_closep(&this->Output->pb));
+    std::error_code failure;
+    std::filesystem::rename(this->Temporary, this->FileName, failure);
+    this->Check(failure ? AVERROR(EIO) : 0);
+  }
+
+private:
+  void Check(int code) const
+  {
+    if (code < 0)
+    {
+      throw Failure("Cannot write " + this->FileName + ": " + AVErrorText(code) + ".");
+    }
+  }
+
+  AVHandle<AVFrame> MakeFrame(int width, int height, AVPixelFormat format) const
+  {
+    AVHandle<AVFrame> frame(av_frame_alloc());
+    this->Check(frame ? 0 : AVERROR(ENOMEM));
+    frame->width = width;
+    frame->height = height;
+    frame->format = format;
+    this->Check(av_frame_get_buffer(frame.get(), 0));
+    return frame;
+  }
+
+  void OpenEncoder(int width, int height, double frameRate)
+  {
+    const AVCodec* codec = avcodec_find_encoder_by_name(EncoderName);
+    this->Encoder.reset(codec ? avcodec_alloc_context3(codec) : nullptr);
+    if (!this->Encoder)
+    {
+      throw Failure(std::string("This FFmpeg has no ") + EncoderName +
+        ", which videos of pictures are coded with: write a folder.");
+    }
+    constexpr int most = 1001000;
+    const AVRational rate = av_d2q(frameRate, most);
+    AVCodecContext* context = this->Encoder.get();
+    context->width = width;
+    context->height = height;
+    context->pix_fmt = Format;
+    context->color_range = AVCOL_RANGE_MPEG;
+    context->color_primaries = AVCOL_PRI_BT709;
+    context->color_trc = AVCOL_TRC_IEC61966_2_1;
+    context->colorspace = AVCOL_SPC_BT709;
+    context->framerate = rate;
+    context->time_base = av_inv_q(rate);
+    context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    av_opt_set(context->priv_data, "crf", RateFactor, 0);
+    this->Check(avcodec_open2(context, codec, nullptr));
+  }
+
+  void OpenContainer()
+  {
+    AVFormatContext* output = nullptr;
+    const AVOutputFormat* format = av_guess_format(nullptr, this->FileName.c_str(), nullptr);
+    this->Check(avformat_alloc_output_context2(&output, format, nullptr, this->Temporary.c_str()));
+    this->Output.reset(output);
+    this->Stream = avformat_new_stream(output, nullptr);
+    this->Check(this->Stream ? 0 : AVERROR(ENOMEM));
+    this->Check(avcodec_parameters_from_context(this->Stream->codecpar, this->Encoder.get()));
+    this->Stream->time_base = this->Encoder->time_base;
+    this->Stream->avg_frame_rate = this->Encoder->framerate;
+    this->Check(avio_open(&output->pb, this->Temporary.c_str(), AVIO_FLAG_WRITE));
+    this->Check(avformat_write_header(output, nullptr));
+  }
+
+  /// Passes on all packets that the encoder has ready.
+  void WritePackets()
+  {
+    int code = 0;
+    while ((code = avcodec_receive_packet(this->Encoder.get(), this->Packet.get())) >= 0)
+    {
+      this->Packet->duration = 1;
+      this->Packet->stream_index = this->Stream->index;
+      av_packet_rescale_ts(this->Packet.get(), this->Encoder->time_base, this->Stream->time_base);
+      this->Check(av_interleaved_write_frame(this->Output.get(), this->Packet.get()));
+    }
+    this->Check(code == AVERROR(EAGAIN) || code == AVERROR_EOF ? 0 : code);
+  }
+
+  AVLogSilence Silence;
+  std::string FileName;
+  std::string Temporary;
+  AVHandle<AVCodecContext> Encoder;
+  AVHandle<SwsContext> Scaler;
+  AVHandle<AVFrame> Picture; ///< as drawn, the top row first
+  AVHandle<AVFrame> Frame;   ///< as encoded
+  AVHandle<AVPacket> Packet;
+  AVOutput Output;
+  AVStream* Stream = nullptr;
+  int Frames = 0;
+};
+}
+
+std::unique_ptr<FrameWriter> MakeMovieWriter(
+  const std::string& fileName, int width, int height, double frameRate)
+{
+  if (width % 2 != 0 || height % 2 != 0)
+  {
+    throw Failure("A video wants pictures of even width and height: choose another --size.");
+  }
+  auto writer = std::make_unique<MovieWriter>(fileName);
+  writer->Open(width, height, frameRate);
+  return writer;
+}
+#else
+std::unique_ptr<FrameWriter> MakeMovieWriter(const std::string&, int, int, double)
+{
+  throw Failure(NoEncoder);
+}
+#endif
+}
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which novel views a light field is measured by, on the command line.
+ */
+#ifndef cslfNovelViewOptions_h
+#define cslfNovelViewOptions_h
+
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+namespace cslf
+{
+namespace tool
+{
+struct NovelViewOptions
+{
+  int Views = 6;
+  int Size = 512;    ///< along each side, in pixels
+  int Samples = 256; ///< per pixel of the truth
+  int Seed = 1;
+
+  /// Adds --views, --size, --spp and --seed, under a heading of the help if there is one.
+  void AddTo(CLI::App& command, const std::string& group = "Options");
+};
+}
+}
+
+#endif
