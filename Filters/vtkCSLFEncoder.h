@@ -145,7 +145,7 @@ public:
   ///@{
   /**
    * Set/get the constant rate factor of coverage, from 0 to 51. Where a target chooses colour's,
-   * and that is above 22, coverage's rises by as much as colour's is above 22. Default 28: novel
+   * and that is above 22, coverage's rises by as much as colour's is above 22. Default 24: novel
    * views lose less than 0.3 dB by it, see Documentation/Compression.md.
    */
   vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
@@ -314,7 +314,7 @@ private:
   double TargetRatio = 0.0;
   double TargetSize = 0.0;
   double TargetPSNR = 0.0;
-  double CoverageCRF = 28.0;
+  double CoverageCRF = 24.0;
   double DepthCRF = 12.0;
   char* Preset = nullptr;
   char* PixelFormat = nullptr;

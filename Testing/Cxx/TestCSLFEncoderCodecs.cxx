@@ -36,6 +36,7 @@ std::string Encode(
     std::to_string(item.Resolution) + suffix + item.Extension;
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetCodec(item.Codec);
+  encoder->SetCoverageCRF(16);
   encoder->SetPixelFormat(item.PixelFormat);
   encoder->SetPreset("fast");
   CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
