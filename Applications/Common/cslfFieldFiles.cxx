@@ -269,10 +269,18 @@ void CodingOptions::AddTo(CLI::App& command)
     ->capture_default_str()
     ->group(group);
   this->AddTargetsTo(command);
+  command.add_option("--coverage-crf", this->CoverageCRF, "likewise, of coverage")
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--depth-crf", this->DepthCRF, "likewise, of depth")
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str()
+    ->group(group);
   this->AddKeyViewsTo(command);
   command
-    .add_option("--preset", this->Preset,
-      "x265's preset, or what is like it: ultrafast ... medium ... placebo")
+    .add_option(
+      "--preset", this->Preset, "x265's preset, or what is like it: ultrafast ... slow ... placebo")
     ->capture_default_str()
     ->group(group);
   command
@@ -303,6 +311,8 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 {
   encoder->SetCodec(this->Codec.c_str());
   encoder->SetCRF(this->CRF);
+  encoder->SetCoverageCRF(this->CoverageCRF);
+  encoder->SetDepthCRF(this->DepthCRF);
   encoder->SetTargetRatio(this->TargetRatio);
   encoder->SetTargetSize(this->TargetSize);
   encoder->SetTargetPSNR(this->TargetPSNR);
