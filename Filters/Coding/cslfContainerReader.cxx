@@ -198,12 +198,14 @@ bool ContainerReader::SeekTo(int frame)
   {
     this->FindFirstTimes();
   }
-  // MP4 is sought by decoding times, Matroska by presentation times: the earlier one serves both.
+  // MP4 is sought by decoding times, Matroska by presentation times. How far they are apart changes
+  // where a file is remuxed, but within a group.
   const int stream = this->Streams.front();
   const std::int64_t time = this->FirstTimes.front() +
-    av_rescale_q(
-      std::max(frame - this->Header.Delay, 0), FrameTime, this->Input->streams[stream]->time_base);
-  if (av_seek_frame(this->Input.get(), stream, time, AVSEEK_FLAG_BACKWARD) >= 0)
+    av_rescale_q(frame - MaximumGroupLength, FrameTime, this->Input->streams[stream]->time_base);
+  // To any frame: a track whose marks of key frames are damaged would stay where it is.
+  const int flags = AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY;
+  if (av_seek_frame(this->Input.get(), stream, time, flags) >= 0)
   {
     return true;
   }

@@ -96,9 +96,7 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
     std::fill_n(depth->GetPointer(first), texels, static_cast<unsigned short>(65535));
   }
   CSLF_CHECK(cslf::testing::HasEqualSlices(output, expected));
-  // Where the container's index is damaged, it depends on the order of reading which groups are
-  // found.
-  CSLF_CHECK((decoder->FindMissingViewpoints() > 0) == (missing > 0));
+  CSLF_CHECK(decoder->FindMissingViewpoints() == missing);
   return missing > 0 ? Outcome::Partial : Outcome::Whole;
 }
 
@@ -151,8 +149,9 @@ void TestTruncated(const std::string& fileName, vtkImageData* whole, int count)
     ReadOne(cut, random() % (whole->GetExtent()[5] + 1), whole);
   }
   counts.Print(fileName, "cut");
-  // Matroska's index comes last, and nothing is lost with it.
-  CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0 && counts.Of[2] <= 1);
+  // Matroska's index comes last, and nothing is lost where only that is cut.
+  const int most = fileName.find(".mkv") != std::string::npos ? 1 : 0;
+  CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0 && counts.Of[2] <= most);
 }
 
 /// Any byte replaced by any other one.

@@ -25,6 +25,17 @@ void Report(const std::string& what, const std::string& fileName, vtkImageData* 
             << " dB, depth " << psnr.Depth << " dB\n";
 }
 
+/// A finer coverage than the default's.
+void TestCoverage(vtkImageData* field, const std::string& fileName)
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetCoverageCRF(16.0);
+  const std::string fine = fileName + ".fine" + fileName.substr(fileName.size() - 4);
+  CSLF_CHECK(cslf::testing::Encode(encoder, field, fine));
+  const auto whole = cslf::testing::Decode(fine);
+  CSLF_CHECK(whole && cslf::testing::Compare(whole, field).Coverage > 45.0);
+}
+
 void TestDefaults(vtkImageData* field, const std::string& fileName)
 {
   vtkNew<vtkCSLFEncoder> encoder;
@@ -40,6 +51,7 @@ void TestDefaults(vtkImageData* field, const std::string& fileName)
   CSLF_CHECK(psnr.Color > 35.0);
   CSLF_CHECK(psnr.Coverage > 41.0);
   CSLF_CHECK(psnr.Depth > 45.0);
+  TestCoverage(field, fileName);
 
   // Any part equals the same part of the whole.
   const int last = field->GetExtent()[5];
