@@ -55,3 +55,18 @@ endif ()
 cslf_fail("vp9" "bench/coded" benchmark codec box.vti -o bench --codecs vp9 --crfs 20)
 cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
 cslf_fail("subcommand" "x" benchmark)
+
+# What the cache gains: the same texels by path tracing and by the integrator told.
+cslf_run(benchmark sampler cornell-box -M 5 -N 32 --spp 4 --views 2 --texels 600
+  --reference-spp 128 --path-spp 1,4 ${light} --json)
+expect_json_at_least(10 outcomes 0 psnr)
+expect_json("as told" outcomes 2 name)
+expect_json_at_least(0.0001 outcomes 2 cache_seconds)
+expect_json_at_least(0.0001 ratio)
+string(JSON few GET "${output}" outcomes 0 psnr)
+string(JSON more GET "${output}" outcomes 1 psnr)
+if (NOT more GREATER few)
+  message(FATAL_ERROR "Four samples have ${more} dB, one ${few} dB.")
+endif ()
+cslf_fail("path-spp" "x" benchmark sampler cornell-box --path-spp 4)
+cslf_fail("no file" "x" benchmark sampler nowhere.ply)
