@@ -227,7 +227,7 @@ bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std
   state.CoveredFully = state.CoveredFully && part.CoveredFully;
   for (std::size_t k = 0; k < part.Frames.size(); ++k)
   {
-    this->Header.Delay = std::max(this->Header.Delay, static_cast<int>(k) - part.Frames[k].Index);
+    this->Delay = std::max(this->Delay, static_cast<int>(k) - part.Frames[k].Index);
   }
   return true;
 }
@@ -267,7 +267,7 @@ bool FieldWriter::Finish(const std::function<bool(double)>& progress, std::strin
       CodedGroup part;
       const int number = static_cast<int>(group);
       good = this->Parts.Read(this->Header.Tracks[track].Kind.Role, number, part, error) &&
-        container.Write(track, starts[group], this->Header.Delay, part, error);
+        container.Write(track, starts[group], this->Delay, part, error);
     }
     if (good && !progress(static_cast<double>(group + 1) / this->Header.Groups.size()))
     {

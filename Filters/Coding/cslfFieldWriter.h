@@ -112,6 +112,7 @@ private:
   FileHeader Header;
   std::optional<GroupCoder> Coder;
   std::vector<TrackState> States; ///< one for each of the header's tracks
+  int Delay = 0; ///< by how many frames decoding runs ahead of presentation, at most
   std::string Manifest;
   std::vector<int> Missing;
   std::vector<GroupCost> Costs; ///< of each group that is stored
