@@ -174,8 +174,8 @@ list(APPEND sources
   ../Filters/Coding/cslfViewpointStore.cxx)
 list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
-  ../Filters/Coding/cslfAV1.h
   ../Filters/Coding/cslfBackgroundSteps.h
+  ../Filters/Coding/cslfBitstreams.h
   ../Filters/Coding/cslfCodec.h
   ../Filters/Coding/cslfCodingTask.h
   ../Filters/Coding/cslfContainerReader.h
@@ -184,6 +184,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfEncodeCrew.h
   ../Filters/Coding/cslfEncodeProbe.h
   ../Filters/Coding/cslfEncodeSession.h
+  ../Filters/Coding/cslfEncodeSettings.h
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
@@ -191,11 +192,10 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
+  ../Filters/Coding/cslfGroupCoder.h
   ../Filters/Coding/cslfGroupDecoder.h
   ../Filters/Coding/cslfGroupError.h
   ../Filters/Coding/cslfGroupStages.h
-  ../Filters/Coding/cslfH264.h
-  ../Filters/Coding/cslfHEVC.h
   ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
@@ -221,6 +221,7 @@ list(APPEND private_headers
 list(APPEND private_headers
   ../Filters/Quality/cslfHeldOutViews.h
   ../Filters/Quality/cslfPSNR.h
+  ../Filters/Quality/cslfRobertsSequence.h
   ../Filters/Quality/cslfTexelChoice.h)
 
 # Several processes at work together.
@@ -267,9 +268,11 @@ if (CSLF_ENABLE_ENCODER)
     ../Filters/Coding/cslfEncodeCrew.cxx
     ../Filters/Coding/cslfEncodeProbe.cxx
     ../Filters/Coding/cslfEncodeSession.cxx
+    ../Filters/Coding/cslfEncodeSettings.cxx
     ../Filters/Coding/cslfFieldWriter.cxx
     ../Filters/Coding/cslfFileLock.cxx
     ../Filters/Coding/cslfGroupCodec.cxx
+    ../Filters/Coding/cslfGroupCoder.cxx
     ../Filters/Coding/cslfGroupError.cxx
     ../Filters/Coding/cslfGroupStages.cxx
     ../Filters/Coding/cslfPart.cxx

@@ -20,7 +20,10 @@
 #include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkCSLFDecoder);
 
@@ -33,6 +36,7 @@ public:
   vtkNew<vtkFieldData> Field;           ///< of every output
   std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
+  std::optional<std::vector<int>> Damage; ///< the file's missing viewpoints, once any is met
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
@@ -41,6 +45,7 @@ public:
     this->PixelFormat.clear();
     this->Field->Initialize();
     this->TrackBytes.clear();
+    this->Damage.reset();
     if (this->Reader)
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
@@ -230,36 +235,58 @@ int vtkCSLFDecoder::RequestData(
     output->Initialize();
     return 1;
   }
-  const vtkIdType slices = extent[5] - extent[4] + 1;
-  const vtkIdType missing = this->GetNumberOfMissingViewpoints();
-  if (slices > 0 && missing == slices)
+  if (this->GetNumberOfMissingViewpoints() > 0 && !this->ReportDamage())
   {
     output->Initialize();
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("Cannot read " << this->FileName
-                                 << ": its video is damaged or cut short, none of the " << slices
-                                 << " viewpoints can be read.");
     return 0;
-  }
-  if (missing > 0)
-  {
-    this->WarnOfMissing(slices);
   }
   return 1;
 }
 
-void vtkCSLFDecoder::WarnOfMissing(vtkIdType asked)
+bool vtkCSLFDecoder::ReportDamage()
 {
-  constexpr vtkIdType named = 5;
-  const vtkIdType count = this->GetNumberOfMissingViewpoints();
-  std::ostringstream list;
-  for (vtkIdType k = 0; k < std::min(count, named); ++k)
+  const int slices = this->Internal->Reader->GetHeader().Field.Grid.GetSlices();
+  const bool isKnown = this->Internal->Damage.has_value();
+  if (!isKnown)
   {
-    list << (k > 0 ? ", " : "") << this->Internal->Missing->GetValue(k);
+    this->Internal->Damage =
+      this->Internal->Reader->FindMissing([this](double) { return !this->GetAbortExecute(); });
   }
-  vtkWarningMacro(<< this->FileName << " is damaged: " << count << " of " << asked
+  // What the checksums let pass may still be found when it is decoded.
+  const vtkIdType* missing = this->Internal->Missing->GetPointer(0);
+  std::vector<int> all;
+  std::set_union(this->Internal->Damage->begin(), this->Internal->Damage->end(), missing,
+    missing + this->GetNumberOfMissingViewpoints(), std::back_inserter(all));
+  const bool isNew = !isKnown || all.size() > this->Internal->Damage->size();
+  this->Internal->Damage = all;
+  if (static_cast<int>(all.size()) == slices)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro("Cannot read " << this->FileName
+                                 << ": its video is damaged or cut short, none of the " << slices
+                                 << " viewpoints can be read.");
+    return false;
+  }
+  if (isNew)
+  {
+    this->WarnOfDamage();
+  }
+  return true;
+}
+
+void vtkCSLFDecoder::WarnOfDamage()
+{
+  constexpr std::size_t named = 5;
+  const std::vector<int>& missing = *this->Internal->Damage;
+  std::ostringstream list;
+  for (std::size_t k = 0; k < std::min(missing.size(), named); ++k)
+  {
+    list << (k > 0 ? ", " : "") << missing[k];
+  }
+  vtkWarningMacro(<< this->FileName << " is damaged: " << missing.size() << " of "
+                  << this->Internal->Reader->GetHeader().Field.Grid.GetSlices()
                   << " viewpoints are missing and left empty (z = " << list.str()
-                  << (count > named ? ", ..." : "") << ").");
+                  << (missing.size() > named ? ", ..." : "") << ").");
 }
 
 bool vtkCSLFDecoder::UpdateReader()

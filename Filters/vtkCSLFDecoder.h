@@ -26,8 +26,10 @@
  * One thread at a time may call these methods, as usual. No event is invoked from another thread.
  *
  * Every group is checked against its checksums before it is decoded. Viewpoints of groups that are
- * damaged or cut off are left empty (coverage 0, depth 1) and reported in one warning; where
- * nothing asked for can be read, that is an error. The file may have been remuxed, for instance
+ * damaged or cut off are left empty (coverage 0, depth 1). The first time that any of them is asked
+ * for, one warning tells which of the whole file are missing, so that a field that is pulled in
+ * parts is as well reported as one that is pulled at once; where nothing of the file can be read,
+ * that is an error. The file may have been remuxed, for instance
  * with `ffmpeg -map 0 -c copy`. Documentation/FileFormat.md specifies it.
  *
  * @sa
@@ -171,7 +173,8 @@ private:
   class Internals;
 
   bool ReportProgress(double progress);
-  void WarnOfMissing(vtkIdType asked);
+  bool ReportDamage();
+  void WarnOfDamage();
   bool UpdateReader();
 
   char* FileName = nullptr;

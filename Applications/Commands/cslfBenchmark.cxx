@@ -3,6 +3,7 @@
 
 // cslf benchmark: what parts of CSLF do at which cost, one command a part.
 #include "cslfCommands.h"
+#include "cslfMessages.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +19,13 @@ void AddBenchmark(CLI::App& app, Command& chosen)
   AddBenchmarkSampler(*command, chosen);
 #ifdef CSLF_HAS_ENCODER
   AddBenchmarkCodec(*command, chosen);
+#else
+  CLI::App* codec = command->add_subcommand("codec", "Needs the video encoder, left out here");
+  codec->allow_extras();
+  codec->callback(
+    [&chosen] {
+      chosen = []() -> Result { throw Failure("This cslf was built without the video encoder."); };
+    });
 #endif
 }
 }

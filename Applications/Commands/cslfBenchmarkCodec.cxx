@@ -2,23 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark codec: quality against size, and rates, of a field coded in many ways.
+#include "cslfBenchmarkOptions.h"
 #include "cslfChart.h"
 #include "cslfCodecSweep.h"
-#include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfNovelViewOptions.h"
 #include "cslfPictures.h"
 #include "cslfRateCurves.h"
 #include "cslfTable.h"
-#include "cslfWholeFile.h"
-
-#include <vtkAlgorithm.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,18 +22,14 @@ namespace tool
 {
 namespace
 {
-struct Options
+struct Options : BenchmarkOptions
 {
-  std::string Field;
-  std::string Folder;
-  SceneOptions Scene;
   std::vector<double> CRFs{ 16, 20, 24, 28, 32, 36 };
   std::vector<std::string> Codecs{ "hevc" };
   std::vector<std::string> Presets{ "slow" };
   std::vector<std::string> PixelFormats{ "auto" };
   int GroupLength = 16;
   int Repeats = 1;
-  NovelViewOptions Novel;
 };
 
 /// The same coder at several rate factors.
@@ -242,41 +231,23 @@ Result Report(const Options& options, const std::vector<Series>& all,
   result.Text = MakeTable(all, lookups) + MakeDeltas(all, measures, result.JSON);
   if (!lookups.empty())
   {
-    result.JSON["views"] = { { "count", options.Novel.Views }, { "size", options.Novel.Size },
-      { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed },
-      { "noise_floor", noiseFloor } };
-    result.Text += "\nNoise floor of the novel views' truth: " + Format(noiseFloor, 2) + " dB.\n";
+    result.JSON["views"] = options.DescribeViews(noiseFloor);
+    result.Text += BenchmarkOptions::DescribeNoise(noiseFloor);
   }
-  WriteWholeText(result.Text, options.Folder + "/codec.md");
-  WriteWholeText(result.JSON.dump(2) + "\n", options.Folder + "/codec.json");
+  options.Write(result, "codec");
   return result;
 }
 
 Result Run(Options options)
 {
   RequireDisplay();
-  std::error_code failure;
-  std::filesystem::create_directories(options.Folder, failure);
-  RequireWritable(options.Folder + "/codec.md");
-  const FieldFile file = OpenField(options.Field);
-  {
-    const ProgressBar bar(file.Reader, "Reading");
-    file.Reader->UpdateWholeExtent();
-  }
-  ThrowOnError();
-
+  options.MakeFolder();
+  const FieldFile file = options.ReadField();
   CodecSweep sweep(file, options.Folder, options.Repeats);
-  double noiseFloor = 0.0;
-  if (!options.Scene.IsEmpty())
+  const BenchmarkViews views = options.TraceViews(file.Field);
+  if (!views.Views.empty())
   {
-    options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
-    const Scene scene = options.Scene.Read();
-    const auto views = TraceNovelViews(options.Scene, scene, file.Field.Box, options.Novel);
-    for (const NovelView& view : views)
-    {
-      noiseFloor += view.NoiseFloor / options.Novel.Views;
-    }
-    sweep.SetViews(views, GetLookups(file.Field));
+    sweep.SetViews(views.Views, GetLookups(file.Field));
   }
   std::vector<Series> all;
   std::sort(options.CRFs.begin(), options.CRFs.end());
@@ -290,7 +261,7 @@ Result Run(Options options)
       all.back().Points.push_back(sweep.Measure(coding, name));
     }
   }
-  return Report(options, all, sweep.GetLookups(), noiseFloor);
+  return Report(options, all, sweep.GetLookups(), views.NoiseFloor);
 }
 }
 
@@ -307,10 +278,7 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
     "those of the first (Bjontegaard's delta rate). Depth and coverage keep the encoder's own rate "
     "factors.");
   const auto options = std::make_shared<Options>();
-  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
-    ->required();
-  command->add_option("-o,--output", options->Folder, "the folder for what is found out")
-    ->required();
+  options->AddTo(*command);
   command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,24,28")
     ->delimiter(',')
     ->check(CLI::Range(0.0, 51.0))
@@ -332,8 +300,6 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
   command->add_option("--repeats", options->Repeats, "how often each is coded, for the rates")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  options->Novel.AddTo(*command, "Novel views (with --scene)");
-  options->Scene.AddOptionalTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

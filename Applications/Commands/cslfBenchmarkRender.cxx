@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark render: how fast each lookup draws, what it takes, and how near it comes.
+#include "cslfBenchmarkOptions.h"
 #include "cslfCameraOptions.h"
 #include "cslfCameraPath.h"
 #include "cslfChart.h"
-#include "cslfCommands.h"
-#include "cslfFieldFiles.h"
 #include "cslfMeshRenderer.h"
 #include "cslfMessages.h"
-#include "cslfNovelViewOptions.h"
-#include "cslfNovelViews.h"
 #include "cslfPictures.h"
-#include "cslfSceneFiles.h"
 #include "cslfStatistics.h"
 #include "cslfTable.h"
-#include "cslfWholeFile.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -27,7 +22,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 
 namespace cslf
@@ -36,13 +30,9 @@ namespace tool
 {
 namespace
 {
-struct Options
+struct Options : BenchmarkOptions
 {
-  std::string Field;
-  std::string Folder;
   std::string Mesh;
-  SceneOptions Scene;
-  NovelViewOptions Novel;
   int Frames = 72;
 };
 
@@ -104,15 +94,12 @@ void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& rend
 }
 
 Findings Measure(const Options& options, const FieldFile& file, double readSeconds,
-  MeshRenderer* mesh, const std::vector<NovelView>& views)
+  MeshRenderer* mesh, const BenchmarkViews& views)
 {
   Findings findings;
   findings.Path = options.Scene.HasCornellBox() ? SwingName : OrbitName;
   findings.Triangles = mesh ? mesh->GetNumberOfTriangles() : 0;
-  for (const NovelView& view : views)
-  {
-    findings.NoiseFloor += view.NoiseFloor / static_cast<double>(views.size());
-  }
+  findings.NoiseFloor = views.NoiseFloor;
   const vtkSmartPointer<vtkCamera> camera = CameraOptions().MakeCamera(file.Field.Box);
   for (const LookupName& lookup : GetLookups(file.Field))
   {
@@ -122,7 +109,7 @@ Findings Measure(const Options& options, const FieldFile& file, double readSecon
     score.Lookup = lookup;
     score.LoadSeconds = readSeconds + renderer.Draw(camera, lookup.Lookup);
     MeasureFrames(options, file.Field.Box, renderer, mesh, score);
-    score.Quality = MeasureViews(renderer, lookup.Lookup, views);
+    score.Quality = MeasureViews(renderer, lookup.Lookup, views.Views);
     score.TextureBytes = renderer.GetTextureBytes();
     findings.Device = renderer.GetDeviceName();
     findings.Scores.push_back(score);
@@ -160,8 +147,7 @@ nlohmann::json ToJSON(const Options& options, const FieldFile& file, const Findi
   }
   if (!options.Scene.IsEmpty())
   {
-    json["views"] = { { "count", options.Novel.Views }, { "spp", options.Novel.Samples },
-      { "seed", options.Novel.Seed }, { "noise_floor", findings.NoiseFloor } };
+    json["views"] = options.DescribeViews(findings.NoiseFloor);
   }
   return json;
 }
@@ -215,7 +201,7 @@ std::string MakeText(const Options& options, const FieldFile& file, const Findin
   }
   if (!options.Scene.IsEmpty())
   {
-    text += "\nNoise floor of the novel views' truth: " + Format(findings.NoiseFloor, 2) + " dB.\n";
+    text += BenchmarkOptions::DescribeNoise(findings.NoiseFloor);
   }
   return text;
 }
@@ -264,39 +250,21 @@ Result Run(Options options)
   using Clock = std::chrono::steady_clock;
   RequireDisplay();
   const auto start = Clock::now();
-  const FieldFile file = OpenField(options.Field);
-  {
-    const ProgressBar bar(file.Reader, "Reading");
-    file.Reader->UpdateWholeExtent();
-  }
+  const FieldFile file = options.ReadField();
   const double readSeconds = std::chrono::duration<double>(Clock::now() - start).count();
-  ThrowOnError();
   std::unique_ptr<MeshRenderer> mesh;
   if (!options.Mesh.empty())
   {
     mesh = std::make_unique<MeshRenderer>(options.Mesh, options.Novel.Size, options.Novel.Size);
   }
-  Scene scene;
-  if (!options.Scene.IsEmpty())
-  {
-    options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
-    scene = options.Scene.Read();
-  }
-  std::error_code failure;
-  std::filesystem::create_directories(options.Folder, failure);
-  RequireWritable(options.Folder + "/render.md");
-
-  std::vector<NovelView> views;
-  if (!options.Scene.IsEmpty())
-  {
-    views = TraceNovelViews(options.Scene, scene, file.Field.Box, options.Novel);
-  }
+  options.MakeFolder();
+  const BenchmarkViews views = options.TraceViews(file.Field);
   const Findings findings = Measure(options, file, readSeconds, mesh.get(), views);
   WriteCharts(options, findings);
   Result result;
   result.JSON = ToJSON(options, file, findings);
   result.Text = MakeText(options, file, findings);
-  if (!views.empty())
+  if (!views.Views.empty())
   {
     double best = 0.0;
     for (const Score& score : findings.Scores)
@@ -305,8 +273,7 @@ Result Run(Options options)
     }
     WarnOfNoise(findings.NoiseFloor, best, "the best lookup", "--spp");
   }
-  WriteWholeText(result.Text, options.Folder + "/render.md");
-  WriteWholeText(result.JSON.dump(2) + "\n", options.Folder + "/render.json");
+  options.Write(result, "render");
   return result;
 }
 }
@@ -324,16 +291,11 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
     "turn with each frame, on the same path around its own cube; the ratio is that of the field's "
     "frame rate to the mesh's.");
   const auto options = std::make_shared<Options>();
-  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
-    ->required();
-  options->Scene.AddOptionalTo(*command);
-  command->add_option("-o,--output", options->Folder, "the folder for what is found out")
-    ->required();
+  options->AddTo(*command);
   command->add_option("--frames", options->Frames, "pictures along the orbit")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
   command->add_option("--mesh", options->Mesh, "a mesh to compare with, as files of scenes");
-  options->Novel.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -19,9 +19,12 @@ extern "C"
 #include <libswscale/swscale.h>
 }
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace cslf
 {
@@ -59,6 +62,24 @@ struct AVOutputDeleter
 
 /// A container open for writing.
 using AVOutput = std::unique_ptr<AVFormatContext, AVOutputDeleter>;
+
+/// Makes a video codec's parameters, which know nothing else, know its parameter sets. False if
+/// there is no memory for them.
+inline bool SetParameterSets(
+  AVCodecID codec, const std::vector<std::uint8_t>& sets, AVCodecParameters* parameters)
+{
+  parameters->codec_type = AVMEDIA_TYPE_VIDEO;
+  parameters->codec_id = codec;
+  parameters->extradata =
+    static_cast<std::uint8_t*>(av_mallocz(sets.size() + AV_INPUT_BUFFER_PADDING_SIZE));
+  if (!parameters->extradata)
+  {
+    return false;
+  }
+  std::copy(sets.begin(), sets.end(), parameters->extradata);
+  parameters->extradata_size = static_cast<int>(sets.size());
+  return true;
+}
 
 /// What an error code of FFmpeg means.
 inline std::string AVErrorText(int code)

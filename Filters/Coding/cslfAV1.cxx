@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coding/cslfAV1.h"
+#include "Coding/cslfBitstreams.h"
 
 #include <zlib.h>
 
@@ -85,7 +85,20 @@ bool VisitUnits(const std::uint8_t* data, std::size_t size, Visit visit)
   }
   return true;
 }
-}
+
+class AV1Bitstream : public Bitstream
+{
+public:
+  bool ReadConfiguration(
+    const std::uint8_t* data, std::size_t size, Framing& framing) const override;
+  bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
+    std::uint32_t& crc) const override;
+  std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const override;
+
+  /// The sequence header, which every group's first packet holds.
+  std::vector<std::uint8_t> FindParameterSets(const std::vector<std::uint8_t>& configuration,
+    const std::vector<std::uint8_t>& packet) const override;
+};
 
 bool AV1Bitstream::ReadConfiguration(
   const std::uint8_t* data, std::size_t size, Framing& framing) const
@@ -156,5 +169,12 @@ std::vector<std::uint8_t> AV1Bitstream::FindParameterSets(
   };
   VisitUnits(packet.data(), packet.size(), take);
   return header;
+}
+}
+
+const Bitstream& GetAV1Bitstream()
+{
+  static const AV1Bitstream bitstream;
+  return bitstream;
 }
 }

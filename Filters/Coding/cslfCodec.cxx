@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfCodec.h"
 
-#include "Coding/cslfAV1.h"
-#include "Coding/cslfH264.h"
-#include "Coding/cslfHEVC.h"
+#include "Coding/cslfBitstreams.h"
 
 #include <algorithm>
 
@@ -17,12 +15,13 @@ struct CodecRow
   Codec Kind;
   const char* Name;
   AVCodecID ID;
+  const Bitstream& (*GetBitstream)();
 };
 
 constexpr CodecRow Codecs[] = {
-  { Codec::HEVC, "hevc", AV_CODEC_ID_HEVC },
-  { Codec::AV1, "av1", AV_CODEC_ID_AV1 },
-  { Codec::H264, "h264", AV_CODEC_ID_H264 },
+  { Codec::HEVC, "hevc", AV_CODEC_ID_HEVC, GetHEVCBitstream },
+  { Codec::AV1, "av1", AV_CODEC_ID_AV1, GetAV1Bitstream },
+  { Codec::H264, "h264", AV_CODEC_ID_H264, GetH264Bitstream },
 };
 
 const CodecRow& GetRow(Codec codec)
@@ -70,17 +69,6 @@ AVCodecID IDOfCodec(Codec codec)
 
 const Bitstream& GetBitstream(Codec codec)
 {
-  static const HEVCBitstream hevc;
-  static const AV1Bitstream av1;
-  static const H264Bitstream h264;
-  switch (codec)
-  {
-    case Codec::AV1:
-      return av1;
-    case Codec::H264:
-      return h264;
-    default:
-      return hevc;
-  }
+  return GetRow(codec).GetBitstream();
 }
 }

@@ -18,19 +18,6 @@ bool Fail(const char* what, int code, std::string& error)
   error = std::string(what) + ": " + AVErrorText(code);
   return false;
 }
-
-bool CopyParameterSets(const std::vector<std::uint8_t>& sets, AVCodecParameters* parameters)
-{
-  parameters->extradata =
-    static_cast<std::uint8_t*>(av_mallocz(sets.size() + AV_INPUT_BUFFER_PADDING_SIZE));
-  if (!parameters->extradata)
-  {
-    return false;
-  }
-  std::copy(sets.begin(), sets.end(), parameters->extradata);
-  parameters->extradata_size = static_cast<int>(sets.size());
-  return true;
-}
 }
 
 const char* FindContainer(const std::string& fileName)
@@ -90,14 +77,13 @@ bool ContainerWriter::AddTrack(const Track& track, int resolution,
 {
   AVStream* stream = avformat_new_stream(this->Output.get(), nullptr);
   const AVHandle<AVFrame> tags(av_frame_alloc());
-  if (!stream || !tags || !CopyParameterSets(parameterSets, stream->codecpar))
+  if (!stream || !tags ||
+    !SetParameterSets(IDOfCodec(track.Coding), parameterSets, stream->codecpar))
   {
     return Fail("cannot add a track", AVERROR(ENOMEM), error);
   }
   TagFrame(track, resolution, tags.get());
   AVCodecParameters* parameters = stream->codecpar;
-  parameters->codec_type = AVMEDIA_TYPE_VIDEO;
-  parameters->codec_id = IDOfCodec(track.Coding);
   parameters->format = tags->format;
   parameters->width = tags->width;
   parameters->height = tags->height;

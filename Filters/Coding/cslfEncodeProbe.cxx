@@ -4,10 +4,8 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkInformation.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <utility>
 
@@ -23,29 +21,28 @@ bool EncodeProbe::Begin(std::string& error)
 {
   this->Producer->UpdateInformation();
   vtkInformation* information = this->Producer->GetOutputInformation(0);
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  if (extent[5] < extent[4])
+  const auto grid = FindGrid(information);
+  if (!grid)
   {
     error = "The sampler does not say what it makes.";
     return false;
   }
-  const double slices = extent[5] + 1.0;
-  const int viewpoints = static_cast<int>(std::lround(std::sqrt(slices / FaceCount)));
-  const Layout grid(viewpoints, extent[3] + 1);
-  error = FindFault(this->Settings, grid.GetResolution());
-  error = error.empty() ? KeyViews::FindFault(viewpoints, this->Settings.KeyViewStep) : error;
+  error = FindFault(this->Settings, grid->GetResolution());
+  error =
+    error.empty() ? KeyViews::FindFault(grid->GetViewpoints(), this->Settings.KeyViewStep) : error;
   if (!error.empty())
   {
     return false;
   }
+  int extent[6];
+  grid->GetWholeExtent(extent);
   extent[5] = extent[4];
   if (!this->Producer->UpdateExtent(extent))
   {
     error = "The sampler failed.";
     return false;
   }
-  this->Puller.emplace(information, grid);
+  this->Puller.emplace(information, *grid);
   this->Puller->SetKeyViewStep(this->Settings.KeyViewStep);
   this->Writer.emplace("probe.mp4", this->Settings);
   if (!this->Puller->Begin(error))
@@ -79,7 +76,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
     tasks.push_back({ group, true, { this->Settings.CRF } });
   }
   std::vector<GroupParts> parts;
-  if (!this->Writer->EncodeGroups(
+  if (!this->Writer->GetCoder().Encode(
         tasks, this->Puller->GetSlices(), [] {}, parts, error))
   {
     return false;

@@ -9,7 +9,6 @@
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
 #include <vtkSMPTools.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,20 +28,6 @@ constexpr int GroupsPerThread = 2;
 
 /// How much of the progress is left for joining the parts.
 constexpr double JoinShare = 0.05;
-
-/// The grid of viewpoints and texels that a whole extent stands for.
-std::optional<Layout> FindGrid(const int extent[6])
-{
-  const double viewpoints = std::sqrt((extent[5] + 1.0) / FaceCount);
-  const Layout grid(static_cast<int>(std::lround(viewpoints)), extent[3] + 1);
-  int whole[6];
-  grid.GetWholeExtent(whole);
-  if (!grid.IsValid() || !std::equal(whole, whole + 6, extent))
-  {
-    return std::nullopt;
-  }
-  return grid;
-}
 }
 
 EncodeSession::EncodeSession(EncodeJob job)
@@ -93,9 +78,7 @@ bool EncodeSession::Check(const EncodeFault& before)
 
 bool EncodeSession::CheckGrid()
 {
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  this->Job.Input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  this->Grid = FindGrid(extent);
+  this->Grid = FindGrid(this->Job.Input);
   if (!this->Grid)
   {
     return this->Fail(vtkErrorCode::UserError,
@@ -368,7 +351,7 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& resul
   {
     return false;
   }
-  if (!this->Writer->EncodeGroups(
+  if (!this->Writer->GetCoder().Encode(
         tasks, slices, [this] { this->Crew.Serve(); }, parts, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);

@@ -2,58 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Codes a light field group by group into parts, and joins them to one file.
+ * Keeps the coded groups of a light field as parts, and joins them to one file.
  */
 #ifndef cslfFieldWriter_h
 #define cslfFieldWriter_h
 
-#include "Coding/cslfCodingTask.h"
 #include "Coding/cslfFileHeader.h"
 #include "Coding/cslfFrameOrder.h"
+#include "Coding/cslfGroupCoder.h"
 #include "Coding/cslfPartStore.h"
-#include "Coding/cslfRateControl.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cslf
 {
-/// What a user may choose.
-struct EncodeSettings
-{
-  std::string Preset;
-  std::string PixelFormat; ///< FFmpeg's name, or "auto"
-  double CRF = 0.0;
-  double CoverageCRF = 0.0;
-  double DepthCRF = 0.0;
-  int GroupLength = MaximumGroupLength;
-  bool Lossless = false;
-  RateTarget Target{}; ///< in place of CRF, unless its kind is Factor
-  int KeyViewStep = 1; ///< see KeyViews; 0 for what reaches NovelViewPSNR, see ChooseKeyViews
-  double NovelViewPSNR = 0.0;
-  std::string Codec = "hevc";
-};
-
-/// What keeps a file of that name from being written, in one line; empty where nothing does.
-/// Touches no file.
-std::string FindFault(const std::string& fileName);
-
-/// What keeps frames of that resolution from being coded with these settings, likewise.
-std::string FindFault(const EncodeSettings& settings, int resolution);
-
-/// What keeps a field from being coded, in one line; empty where nothing does.
-std::string FindFault(const Description& field);
-
-/// What keeps it from being coded with these settings, which have passed the checks above,
-/// likewise.
-std::string FindFault(const EncodeSettings& settings, const Description& field);
-
-/// A group's part of each track.
-using GroupParts = std::vector<CodedGroup>;
-
-/// First Begin. Then EncodeGroups for every group, on any machine. Where the file is written:
+/// First Begin. Then every group is coded by the coder, on any machine. Where the file is written:
 /// OpenParts, StoreGroup for each group that it did not find, Finish.
 class FieldWriter
 {
@@ -72,7 +39,10 @@ public:
   /// Fixes order and tracks. `field` has passed FindFault; `sample` stands for the field's samples.
   void Begin(const Description& field, std::uint32_t sample);
 
-  std::size_t GetTrackCount() const { return this->Encodings.size(); }
+  std::size_t GetTrackCount() const { return this->States.size(); }
+
+  /// What codes the groups, after Begin.
+  const GroupCoder& GetCoder() const { return *this->Coder; }
 
   /// What rate control has to know. The writer must outlive it.
   RateField GetRateField() const;
@@ -101,12 +71,6 @@ public:
   const std::vector<int>& GetMissingGroups() const { return this->Missing; }
   bool IsMissing(int group) const;
 
-  /// Does some tasks side by side. `slices` are those of the tasks' groups, one group after the
-  /// other; `parts` has those of the first task, for each of its factors, then those of the next.
-  /// `idle` is called now and then on the calling thread.
-  bool EncodeGroups(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
-    const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const;
-
   /// What a group's parts cost.
   GroupCost GetCost(const GroupParts& parts) const;
 
@@ -130,20 +94,14 @@ public:
   bool Finish(const std::function<bool(double)>& progress, std::string& error);
 
 private:
-  struct Encoding
+  /// What is known of a track from its groups.
+  struct TrackState
   {
-    Track Kind;
-    EncodeOptions Options;
     std::vector<std::uint8_t> ParameterSets;
     bool CoveredFully = true;
   };
 
-  void MakeEncodings(const Description& field);
   std::string MakeManifest(std::uint32_t sample) const;
-  EncodeOptions GetOptions(const Encoding& encoding, double factor) const;
-  bool IsMeasured(const CodingTask& task) const;
-  bool MeasureErrors(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
-    std::vector<GroupParts>& parts, std::string& error) const;
   bool FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
   void DropFullCoverage();
@@ -152,7 +110,9 @@ private:
   PartStore Parts;
   EncodeSettings Settings;
   FileHeader Header;
-  std::vector<Encoding> Encodings; ///< one for each of the header's tracks
+  std::optional<GroupCoder> Coder;
+  std::vector<TrackState> States; ///< one for each of the header's tracks
+  int Delay = 0; ///< by how many frames decoding runs ahead of presentation, at most
   std::string Manifest;
   std::vector<int> Missing;
   std::vector<GroupCost> Costs; ///< of each group that is stored

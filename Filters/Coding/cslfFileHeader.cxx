@@ -205,9 +205,7 @@ FileHeader Parse(const JSON& json)
     throw std::invalid_argument("its frames are not each viewpoint once");
   }
   header.Coarsest = coding.at("coarsest").get<int>();
-  header.Delay = coding.at("delay").get<int>();
-  if (coding.at("frame_rate") != FrameRate || header.Delay < 0 ||
-    header.Delay > MaximumGroupLength || header.Coarsest < 0 || header.Coarsest > slices)
+  if (coding.at("frame_rate") != FrameRate || header.Coarsest < 0 || header.Coarsest > slices)
   {
     throw std::invalid_argument("its timing is not valid");
   }
@@ -242,9 +240,8 @@ std::string FileHeader::ToText() const
     order.push_back({ run.Start, run.Step, run.Count });
   }
   JSON json = this->Field.ToJSON();
-  json[CodingKey] = { { "version", Version }, { "frame_rate", FrameRate }, { "delay", this->Delay },
-    { "tracks", tracks }, { "order", order }, { "coarsest", this->Coarsest },
-    { "groups", GroupsToJSON(this->Groups) } };
+  json[CodingKey] = { { "version", Version }, { "frame_rate", FrameRate }, { "tracks", tracks },
+    { "order", order }, { "coarsest", this->Coarsest }, { "groups", GroupsToJSON(this->Groups) } };
   json[ChecksumKey] = ComputeChecksum(json);
   return json.dump();
 }

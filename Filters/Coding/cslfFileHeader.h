@@ -36,7 +36,6 @@ struct FileHeader
   std::vector<int> Slices;        ///< the slice of each frame
   int Coarsest = 0;               ///< how many of the first frames are the coarsest nested grid
   std::vector<int> Groups;        ///< the number of frames of each group
-  int Delay = 0; ///< by how many frames decoding runs ahead of presentation, at most
 
   /// The first frame of each group, and one more: the number of frames.
   std::vector<int> GetGroupStarts() const;

@@ -7,35 +7,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <utility>
 
 namespace cslf
 {
 namespace
 {
 constexpr int ColorBytes = 4;
-
-struct ParametersDeleter
-{
-  void operator()(AVCodecParameters* parameters) const { avcodec_parameters_free(&parameters); }
-};
-using Parameters = std::unique_ptr<AVCodecParameters, ParametersDeleter>;
-
-Parameters MakeParameters(const CodedGroup& part, Codec codec)
-{
-  Parameters parameters(avcodec_parameters_alloc());
-  const std::size_t size = part.ParameterSets.size();
-  if (parameters)
-  {
-    parameters->codec_type = AVMEDIA_TYPE_VIDEO;
-    parameters->codec_id = IDOfCodec(codec);
-    parameters->extradata =
-      static_cast<std::uint8_t*>(av_mallocz(size + AV_INPUT_BUFFER_PADDING_SIZE));
-    parameters->extradata_size = parameters->extradata ? static_cast<int>(size) : 0;
-    std::copy_n(part.ParameterSets.begin(), parameters->extradata_size, parameters->extradata);
-  }
-  return parameters;
-}
 
 bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packets)
 {
@@ -56,9 +34,11 @@ bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packet
 /// Decodes a track into its part of slices.
 bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& slices)
 {
-  const Parameters parameters = MakeParameters(*track.Part, track.Kind.Coding);
+  const AVHandle<AVCodecParameters> parameters(avcodec_parameters_alloc());
   std::vector<AVHandle<AVPacket>> packets;
-  if (!parameters || !MakePackets(*track.Part, packets))
+  if (!parameters ||
+    !SetParameterSets(IDOfCodec(track.Kind.Coding), track.Part->ParameterSets, parameters.get()) ||
+    !MakePackets(*track.Part, packets))
   {
     return false;
   }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfGroupStages.h"
 
+#include "Quality/cslfRobertsSequence.h"
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace cslf
@@ -12,13 +13,6 @@ namespace
 {
 constexpr int LeastSample = 24;
 constexpr int LargestStride = 16;
-}
-
-double SpreadGroup(int group, int axis)
-{
-  constexpr double steps[2] = { 0.7548776662466927, 0.5698402909980532 };
-  const double product = (group + 1) * steps[axis];
-  return product - std::floor(product);
 }
 
 GroupStages::GroupStages(int count)
@@ -43,8 +37,8 @@ GroupStages::GroupStages(int count)
   this->StageCount = static_cast<int>(ends.size()) + 1;
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
-  std::sort(
-    order.begin(), order.end(), [](int a, int b) { return SpreadGroup(a, 0) < SpreadGroup(b, 0); });
+  std::sort(order.begin(), order.end(),
+    [](int a, int b) { return RobertsNumber(a + 1, 0) < RobertsNumber(b + 1, 0); });
   for (int place = 0; place < count; ++place)
   {
     this->Stages[order[place]] = static_cast<int>(

@@ -16,10 +16,6 @@
 
 namespace cslf
 {
-/// Numbers in [0,1) for each group, two independent ones (`axis` 0 or 1), such that those of any
-/// run of groups, and of every n-th, are evenly spread: Roberts' sequence, by the plastic number.
-double SpreadGroup(int group, int axis);
-
 class VTKCSLF_EXPORT GroupStages
 {
 public:
@@ -28,11 +24,8 @@ public:
 
   int GetStageCount() const { return this->StageCount; }
 
-  /// The stage of a group. Stage 0 is the sample: one of so many groups, a power of two from 1 to
-  /// 16, such that there are at least 24 of them, unless there are fewer groups.
-  int GetStage(int group) const { return this->Stages[group]; }
-
-  /// The groups of a stage, ascending.
+  /// The groups of a stage, ascending. Stage 0 is the sample: one of so many groups, a power of two
+  /// from 1 to 16, such that there are at least 24 of them, unless there are fewer groups.
   std::vector<int> GetGroups(int stage) const;
 
 private:

@@ -1,56 +1,57 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coding/cslfH264.h"
+#include "Coding/cslfBitstreams.h"
+#include "Coding/cslfNALUnits.h"
 
 namespace cslf
 {
 namespace
 {
-/// The size of an AVCDecoderConfigurationRecord's fixed part and where its fields lie. Behind it
-/// come the sequence parameter sets, a count in a byte, and the picture parameter sets.
-constexpr std::size_t RecordHeaderSize = 6;
-constexpr std::size_t RecordLengthSizeOffset = 4;
-constexpr std::size_t RecordCountOffset = 5;
-
-constexpr std::size_t NALHeaderSize = 1;
-constexpr int FirstSlice = 1;
-constexpr int LastSlice = 5;
-constexpr int SequenceParameterSet = 7;
-constexpr int PictureParameterSet = 8;
+NALSyntax MakeSyntax()
+{
+  NALSyntax syntax;
+  syntax.HeaderSize = 1;
+  syntax.TypeShift = 0;
+  syntax.TypeMask = 0x1f;
+  syntax.FirstSlice = 1;
+  syntax.LastSlice = 5;
+  syntax.FirstParameterSet = 7; // of a sequence
+  syntax.LastParameterSet = 8;  // of a picture
+  syntax.LeastRecordSize = 7;
+  syntax.RecordLengthSizeOffset = 4;
+  return syntax;
 }
 
-H264Bitstream::H264Bitstream()
-  : NALBitstream(NALHeaderSize, SequenceParameterSet, PictureParameterSet)
+class H264Bitstream : public NALBitstream
 {
-}
-
-int H264Bitstream::GetType(const NALUnit& unit) const
-{
-  return unit.Data[0] & 0x1f;
-}
-
-bool H264Bitstream::IsSlice(int type) const
-{
-  return type >= FirstSlice && type <= LastSlice;
-}
-
-bool H264Bitstream::IsRecord(const std::uint8_t* data, std::size_t size) const
-{
-  return size > RecordHeaderSize && data[0] == 1;
-}
-
-bool H264Bitstream::VisitRecord(
-  const std::uint8_t* data, std::size_t size, int& lengthSize, const Visitor& visit) const
-{
-  lengthSize = (data[RecordLengthSizeOffset] & 3) + 1;
-  std::size_t position = RecordHeaderSize;
-  if (!this->VisitArray(data, size, data[RecordCountOffset] & 0x1f, position, visit) ||
-    position >= size)
+public:
+  H264Bitstream()
+    : NALBitstream(MakeSyntax())
   {
-    return false;
   }
-  const std::size_t count = data[position];
-  ++position;
-  return this->VisitArray(data, size, count, position, visit);
+
+protected:
+  bool VisitRecord(const std::uint8_t* data, std::size_t size, const Visitor& visit) const override
+  {
+    // An AVCDecoderConfigurationRecord has the sequence parameter sets, their count in the low bits
+    // of a byte before them, then the picture parameter sets with a byte for theirs.
+    constexpr std::size_t countOffset = 5;
+    std::size_t position = countOffset + 1;
+    if (!this->VisitArray(data, size, data[countOffset] & 0x1f, position, visit) ||
+      position >= size)
+    {
+      return false;
+    }
+    const std::size_t count = data[position];
+    ++position;
+    return this->VisitArray(data, size, count, position, visit);
+  }
+};
+}
+
+const Bitstream& GetH264Bitstream()
+{
+  static const H264Bitstream bitstream;
+  return bitstream;
 }
 }

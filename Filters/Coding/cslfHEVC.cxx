@@ -1,59 +1,62 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coding/cslfHEVC.h"
+#include "Coding/cslfBitstreams.h"
+#include "Coding/cslfNALUnits.h"
 
 namespace cslf
 {
 namespace
 {
-/// The size of an HEVCDecoderConfigurationRecord's fixed part and where its fields lie.
-constexpr std::size_t RecordHeaderSize = 23;
-constexpr std::size_t RecordLengthSizeOffset = 21;
-constexpr std::size_t RecordArrayCountOffset = 22;
-
-constexpr std::size_t NALHeaderSize = 2;
-constexpr int VideoParameterSet = 32;
-constexpr int PictureParameterSet = 34;
+NALSyntax MakeSyntax()
+{
+  NALSyntax syntax;
+  syntax.HeaderSize = 2;
+  syntax.TypeShift = 1;
+  syntax.TypeMask = 0x3f;
+  syntax.FirstSlice = 0;
+  syntax.LastSlice = 31;
+  syntax.FirstParameterSet = 32; // of a video
+  syntax.LastParameterSet = 34;  // of a picture
+  syntax.LeastRecordSize = 23;
+  syntax.RecordLengthSizeOffset = 21;
+  return syntax;
 }
 
-HEVCBitstream::HEVCBitstream()
-  : NALBitstream(NALHeaderSize, VideoParameterSet, PictureParameterSet)
+class HEVCBitstream : public NALBitstream
 {
-}
-
-int HEVCBitstream::GetType(const NALUnit& unit) const
-{
-  return (unit.Data[0] >> 1) & 0x3f;
-}
-
-bool HEVCBitstream::IsSlice(int type) const
-{
-  return type < VideoParameterSet;
-}
-
-bool HEVCBitstream::IsRecord(const std::uint8_t* data, std::size_t size) const
-{
-  return size >= RecordHeaderSize && data[0] == 1;
-}
-
-bool HEVCBitstream::VisitRecord(
-  const std::uint8_t* data, std::size_t size, int& lengthSize, const Visitor& visit) const
-{
-  lengthSize = (data[RecordLengthSizeOffset] & 3) + 1;
-  std::size_t position = RecordHeaderSize;
-  for (int array = 0; array < data[RecordArrayCountOffset]; ++array)
+public:
+  HEVCBitstream()
+    : NALBitstream(MakeSyntax())
   {
-    if (size - position < 3)
-    {
-      return false;
-    }
-    const std::size_t count = data[position + 1] << 8 | data[position + 2];
-    position += 3;
-    if (!this->VisitArray(data, size, count, position, visit))
-    {
-      return false;
-    }
   }
-  return true;
+
+protected:
+  bool VisitRecord(const std::uint8_t* data, std::size_t size, const Visitor& visit) const override
+  {
+    // Arrays follow an HEVCDecoderConfigurationRecord's fixed part, whose last byte counts them:
+    // each is a type, a count in two bytes, and the units.
+    std::size_t position = MakeSyntax().LeastRecordSize;
+    for (int array = data[position - 1]; array > 0; --array)
+    {
+      if (size - position < 3)
+      {
+        return false;
+      }
+      const std::size_t count = data[position + 1] << 8 | data[position + 2];
+      position += 3;
+      if (!this->VisitArray(data, size, count, position, visit))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+}
+
+const Bitstream& GetHEVCBitstream()
+{
+  static const HEVCBitstream bitstream;
+  return bitstream;
 }
 }

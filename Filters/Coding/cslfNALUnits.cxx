@@ -38,24 +38,45 @@ void AddTo(std::uint32_t& crc, const NALUnit& unit)
 }
 }
 
+int NALBitstream::GetType(const NALUnit& unit) const
+{
+  return unit.Data[0] >> this->Syntax.TypeShift & this->Syntax.TypeMask;
+}
+
+bool NALBitstream::IsSlice(const NALUnit& unit) const
+{
+  const int type = this->GetType(unit);
+  return type >= this->Syntax.FirstSlice && type <= this->Syntax.LastSlice;
+}
+
+bool NALBitstream::VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize,
+  std::size_t& position, const Visitor& visit) const
+{
+  if (size - position < static_cast<std::size_t>(lengthSize))
+  {
+    return false;
+  }
+  const std::size_t length = ReadNumber(data + position, lengthSize);
+  position += lengthSize;
+  if (length < this->Syntax.HeaderSize || length > size - position)
+  {
+    return false;
+  }
+  visit({ data + position, length });
+  position += length;
+  return true;
+}
+
 bool NALBitstream::VisitPrefixed(
   const std::uint8_t* data, std::size_t size, int lengthSize, const Visitor& visit) const
 {
   std::size_t position = 0;
   while (position < size)
   {
-    if (size - position < static_cast<std::size_t>(lengthSize))
+    if (!this->VisitUnit(data, size, lengthSize, position, visit))
     {
       return false;
     }
-    const std::size_t length = ReadNumber(data + position, lengthSize);
-    position += lengthSize;
-    if (length < this->HeaderSize || length > size - position)
-    {
-      return false;
-    }
-    visit({ data + position, length });
-    position += length;
   }
   return true;
 }
@@ -74,7 +95,7 @@ bool NALBitstream::VisitStartCoded(
     {
       --end;
     }
-    if (end - start < this->HeaderSize)
+    if (end - start < this->Syntax.HeaderSize)
     {
       return false;
     }
@@ -87,21 +108,13 @@ bool NALBitstream::VisitStartCoded(
 bool NALBitstream::VisitArray(const std::uint8_t* data, std::size_t size, std::size_t count,
   std::size_t& position, const Visitor& visit) const
 {
-  constexpr std::size_t lengthSize = 2;
+  constexpr int lengthSize = 2;
   for (std::size_t k = 0; k < count; ++k)
   {
-    if (size - position < lengthSize)
+    if (!this->VisitUnit(data, size, lengthSize, position, visit))
     {
       return false;
     }
-    const std::size_t length = ReadNumber(data + position, lengthSize);
-    position += lengthSize;
-    if (length < this->HeaderSize || length > size - position)
-    {
-      return false;
-    }
-    visit({ data + position, length });
-    position += length;
   }
   return true;
 }
@@ -114,20 +127,21 @@ bool NALBitstream::ReadConfiguration(
   const auto add = [&](const NALUnit& unit)
   {
     const int type = this->GetType(unit);
-    if (type >= this->FirstParameterSet && type <= this->LastParameterSet)
+    if (type >= this->Syntax.FirstParameterSet && type <= this->Syntax.LastParameterSet)
     {
-      found |= 1 << (type - this->FirstParameterSet);
+      found |= 1 << (type - this->Syntax.FirstParameterSet);
       AddTo(framing.ParameterSetsCRC, unit);
     }
   };
-  const bool isRecord = this->IsRecord(data, size);
+  const bool isRecord = size >= this->Syntax.LeastRecordSize && data[0] == 1;
   if (!isRecord && !(size > 3 && data[0] == 0 && data[1] == 0))
   {
     return false;
   }
-  const bool isWhole = isRecord ? this->VisitRecord(data, size, framing.LengthSize, add)
-                                : this->VisitStartCoded(data, size, add);
-  const int all = (1 << (this->LastParameterSet - this->FirstParameterSet + 1)) - 1;
+  framing.LengthSize = isRecord ? (data[this->Syntax.RecordLengthSizeOffset] & 3) + 1 : 0;
+  const bool isWhole =
+    isRecord ? this->VisitRecord(data, size, add) : this->VisitStartCoded(data, size, add);
+  const int all = (1 << (this->Syntax.LastParameterSet - this->Syntax.FirstParameterSet + 1)) - 1;
   return isWhole && found == all;
 }
 
@@ -136,7 +150,7 @@ bool NALBitstream::AddToCRC(
 {
   const auto add = [&](const NALUnit& unit)
   {
-    if (this->IsSlice(this->GetType(unit)))
+    if (this->IsSlice(unit))
     {
       AddTo(crc, unit);
     }
@@ -151,7 +165,7 @@ std::vector<std::uint8_t> NALBitstream::Trim(const std::uint8_t* data, std::size
   slices.reserve(size);
   const auto add = [&](const NALUnit& unit)
   {
-    if (this->IsSlice(this->GetType(unit)))
+    if (this->IsSlice(unit))
     {
       slices.insert(slices.end(), { 0, 0, 0, 1 });
       slices.insert(slices.end(), unit.Data, unit.Data + unit.Size);

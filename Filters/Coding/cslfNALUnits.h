@@ -21,6 +21,29 @@ struct NALUnit
   std::size_t Size = 0;
 };
 
+/// How units and the decoder configuration records (ISO/IEC 14496-15) of a codec begin.
+struct NALSyntax
+{
+  std::size_t HeaderSize = 1; ///< of units, in bytes
+  ///@{
+  /// Where the first byte of a unit has its type.
+  int TypeShift = 0;
+  int TypeMask = 0;
+  ///@}
+  ///@{
+  /// The types of units with coded picture data.
+  int FirstSlice = 0;
+  int LastSlice = 0;
+  ///@}
+  ///@{
+  /// The types of parameter sets, all of which a configuration has.
+  int FirstParameterSet = 0;
+  int LastParameterSet = 0;
+  ///@}
+  std::size_t LeastRecordSize = 0;
+  std::size_t RecordLengthSizeOffset = 0; ///< of the byte that tells how long length prefixes are
+};
+
 class NALBitstream : public Bitstream
 {
 public:
@@ -33,23 +56,14 @@ public:
 protected:
   using Visitor = std::function<void(const NALUnit&)>;
 
-  /// The types of the parameter sets are those from `firstParameterSet` to `lastParameterSet`.
-  NALBitstream(std::size_t headerSize, int firstParameterSet, int lastParameterSet)
-    : HeaderSize(headerSize)
-    , FirstParameterSet(firstParameterSet)
-    , LastParameterSet(lastParameterSet)
+  explicit NALBitstream(const NALSyntax& syntax)
+    : Syntax(syntax)
   {
   }
 
-  virtual int GetType(const NALUnit& unit) const = 0;
-  virtual bool IsSlice(int type) const = 0;
-
-  /// Whether the data are a decoder configuration record (ISO/IEC 14496-15), not annex B.
-  virtual bool IsRecord(const std::uint8_t* data, std::size_t size) const = 0;
-
-  /// Visits the units of a record. False if it is cut short.
+  /// Visits the units of a record, which has at least its least size. False if it is cut short.
   virtual bool VisitRecord(
-    const std::uint8_t* data, std::size_t size, int& lengthSize, const Visitor& visit) const = 0;
+    const std::uint8_t* data, std::size_t size, const Visitor& visit) const = 0;
 
   /// Visits `count` units that each follow their size in two bytes, and moves `position` behind
   /// them: records are made of such arrays.
@@ -57,13 +71,17 @@ protected:
     std::size_t& position, const Visitor& visit) const;
 
 private:
+  int GetType(const NALUnit& unit) const;
+  bool IsSlice(const NALUnit& unit) const;
+
+  /// Visits the unit that follows its size at `position`, and moves `position` behind it.
+  bool VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize, std::size_t& position,
+    const Visitor& visit) const;
   bool VisitPrefixed(
     const std::uint8_t* data, std::size_t size, int lengthSize, const Visitor& visit) const;
   bool VisitStartCoded(const std::uint8_t* data, std::size_t size, const Visitor& visit) const;
 
-  std::size_t HeaderSize;
-  int FirstParameterSet;
-  int LastParameterSet;
+  NALSyntax Syntax;
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfRateModel.h"
 
-#include "Coding/cslfGroupStages.h"
+#include "Quality/cslfRobertsSequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ RateModel::RateModel(Measures measure, std::vector<int> frames)
 double RateModel::GetFactor(int group, double level)
 {
   const double floor = std::floor(level);
-  return std::min(MostFactor, floor + (SpreadGroup(group, 1) < level - floor ? 1.0 : 0.0));
+  return std::min(MostFactor, floor + (RobertsNumber(group + 1, 1) < level - floor ? 1.0 : 0.0));
 }
 
 void RateModel::AddTrial(int group, double factor, const GroupCost& cost)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/cslfSlicePuller.h"
 
-#include "Coding/cslfFieldWriter.h"
+#include "Coding/cslfEncodeSettings.h"
 #include "Coding/cslfRadianceFrames.h"
 
 #include <vtkDataArray.h>
@@ -15,6 +15,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace cslf
@@ -31,6 +32,21 @@ const unsigned short* GetDepth(vtkImageData* image)
   return static_cast<unsigned short*>(
     image->GetPointData()->GetArray(DepthName)->GetVoidPointer(0));
 }
+}
+
+std::optional<Layout> FindGrid(vtkInformation* information)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  const double viewpoints = std::sqrt((extent[5] + 1.0) / FaceCount);
+  const Layout grid(static_cast<int>(std::lround(viewpoints)), extent[3] + 1);
+  int whole[6];
+  grid.GetWholeExtent(whole);
+  if (!grid.IsValid() || !std::equal(whole, whole + 6, extent))
+  {
+    return std::nullopt;
+  }
+  return grid;
 }
 
 SlicePuller::SlicePuller(vtkInformation* information, const Layout& grid)

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ class vtkInformation;
 
 namespace cslf
 {
+/// The grid of viewpoints and texels that the whole extent of that pipeline information stands for,
+/// if it is a whole light field's.
+std::optional<Layout> FindGrid(vtkInformation* information);
+
 class SlicePuller
 {
 public:

@@ -37,10 +37,10 @@ constexpr double GroupShare = 0.4;
 constexpr double EnoughShare = 0.03;
 constexpr double LeastSeconds = 0.4;
 
-// Groups in small size, their texels along a tile's side, and their most samples.
+// Groups in small size, their texels along a tile's side, and their most samples. Where an encoder
+// takes no such small pictures, there are fewer groups, of as many texels.
 constexpr int SmallGroups = 24;
 constexpr int SmallResolution = 32;
-constexpr int SmallestResolution = 16;
 constexpr int SmallSamples = 16;
 
 // The fewest groups in full size.
@@ -208,6 +208,17 @@ bool BakeProbe::TimeRendering(int samples, double& seconds)
   return true;
 }
 
+int BakeProbe::ChooseSmallResolution() const
+{
+  // Small pictures must not fall to another encoder than the field's.
+  const bool isRadiance = this->Sampler->GetColorType() == VTK_FLOAT;
+  const EncoderChoice choice = ChooseEncoder(this->Settings, isRadiance, this->Resolution);
+  const int least = choice.Encoder ? choice.Encoder->MinimumResolution : SmallResolution;
+  // Pixel formats may need an even size.
+  const int quarter = this->Resolution / 4 / 2 * 2;
+  return std::min(this->Resolution, std::clamp(quarter, least, std::max(least, SmallResolution)));
+}
+
 int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullGroups) const
 {
   const double work = static_cast<double>(this->Samples) / std::min(this->Samples, SmallSamples);
@@ -220,8 +231,7 @@ int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullG
   const double budget =
     std::min(GroupShare * this->Seconds, std::max(LeastSeconds, EnoughShare * all));
   int resolution = this->Resolution;
-  while (resolution / 2 >= std::max(small, SmallestResolution) &&
-    FullGroups * expect(resolution) > GroupShare * this->Seconds)
+  while (resolution / 2 >= small && FullGroups * expect(resolution) > GroupShare * this->Seconds)
   {
     resolution /= 2;
   }
@@ -234,10 +244,13 @@ int BakeProbe::ChooseSize(double smallSeconds, int small, int groups, int& fullG
 
 bool BakeProbe::EstimateVideo()
 {
-  // How is the cost spread? Pixel formats may need an even size.
-  const int quarter = this->Resolution / 4 / 2 * 2;
-  const int small =
-    std::min(this->Resolution, std::clamp(quarter, SmallestResolution, SmallResolution));
+  this->Error = FindFault(this->Settings, this->Resolution);
+  if (!this->Error.empty())
+  {
+    return false;
+  }
+  // How is the cost spread?
+  const int small = this->ChooseSmallResolution();
   this->SetSize(small, std::min(this->Samples, SmallSamples));
   EncodeProbe smallProbe(this->Sampler, this->Settings);
   if (!this->Begin(smallProbe))
@@ -245,7 +258,9 @@ bool BakeProbe::EstimateVideo()
     return false;
   }
   const int groups = smallProbe.GetGroupCount();
-  const std::vector<int> chosen = Spread(std::min(groups, SmallGroups), groups);
+  const int fitting = SmallGroups * SmallResolution * SmallResolution / (small * small);
+  const std::vector<int> chosen =
+    Spread(std::min(groups, std::clamp(fitting, FullGroups, SmallGroups)), groups);
   std::vector<GroupCosts> smallCosts;
   GroupCosts smallSum;
   std::vector<FieldDetail> details;

@@ -68,6 +68,9 @@ private:
   void NoteScene(double seconds, double cacheSecondsBefore);
   void SetSize(int resolution, int samples);
 
+  /// The resolution of groups in small size.
+  int ChooseSmallResolution() const;
+
   /// How large groups in full size may be, and how many are probed.
   int ChooseSize(double smallSeconds, int small, int groups, int& fullGroups) const;
 

@@ -3,6 +3,7 @@
 #include "Quality/cslfHeldOutViews.h"
 
 #include "Quality/cslfPSNR.h"
+#include "Quality/cslfRobertsSequence.h"
 #include "Quality/cslfTexelChoice.h"
 #include "cslfColor.h"
 #include "cslfLookup.h"
@@ -44,7 +45,7 @@ constexpr double Peak = 255.0;
 constexpr double MostPSNR = 100.0;
 
 /// The viewpoints of a face that are no key views, each once, such that the first ones of them are
-/// evenly spread however many they are: the sequence of Roberts, by the plastic number.
+/// evenly spread however many they are.
 class ViewSequence
 {
 public:
@@ -58,7 +59,6 @@ public:
   /// The slice of the next one, or -1 at the end.
   int Next()
   {
-    constexpr double steps[2] = { 0.7548776662466927, 0.5698402909980532 };
     const int side = this->Grid.GetViewpoints();
     // After as many tries as that all viewpoints have come.
     for (const int end = this->Try + 16 * side * side; this->Try < end;)
@@ -67,9 +67,8 @@ public:
       int place[2];
       for (int axis = 0; axis < 2; ++axis)
       {
-        const double position = (this->Try + this->Face * side) * steps[axis];
-        place[axis] =
-          std::min(side - 1, static_cast<int>(side * (position - std::floor(position))));
+        const double position = RobertsNumber(this->Try + this->Face * side, axis);
+        place[axis] = std::min(side - 1, static_cast<int>(side * position));
       }
       const int slice = this->Grid.SliceOf({ this->Face, place[0], place[1] });
       if (!this->Keys.IsKey(slice) && this->Seen.insert(slice).second)

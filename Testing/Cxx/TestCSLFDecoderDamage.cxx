@@ -119,6 +119,38 @@ void ReadOne(const std::string& fileName, vtkIdType z, vtkImageData* whole)
   }
 }
 
+/// The whole of a damaged file, pulled one viewpoint after the other as writers do: what comes and
+/// what is told is the same as at once.
+void ReadInParts(const std::string& fileName)
+{
+  vtkNew<vtkCSLFDecoder> whole;
+  whole->SetFileName(fileName.c_str());
+  const cslf::testing::Observed observedWhole(whole);
+  whole->Update();
+  vtkNew<vtkCSLFDecoder> parts;
+  parts->SetFileName(fileName.c_str());
+  const cslf::testing::Observed observed(parts);
+  int extent[6];
+  whole->GetOutput()->GetExtent(extent);
+  if (observedWhole.GetErrors() > 0)
+  {
+    parts->Update();
+    CSLF_CHECK(observed.GetErrors() == 1);
+    return;
+  }
+  vtkIdType missing = 0;
+  for (int z = 0, last = extent[5]; z <= last; ++z)
+  {
+    extent[4] = extent[5] = z;
+    CSLF_CHECK(parts->UpdateExtent(extent));
+    CSLF_CHECK(cslf::testing::HasEqualSlices(parts->GetOutput(), whole->GetOutput()));
+    missing += parts->GetNumberOfMissingViewpoints();
+  }
+  CSLF_CHECK(missing == whole->GetNumberOfMissingViewpoints());
+  CSLF_CHECK(observed.GetErrors() == 0);
+  CSLF_CHECK(observed.GetWarnings() == observedWhole.GetWarnings());
+}
+
 /// How often each outcome came about.
 struct Counts
 {
@@ -147,6 +179,10 @@ void TestTruncated(const std::string& fileName, vtkImageData* whole, int count)
     cslf::testing::WriteBytes(cut, { bytes.begin(), bytes.begin() + size });
     counts.Add(Read(cut, whole));
     ReadOne(cut, random() % (whole->GetExtent()[5] + 1), whole);
+    if (place % 5 == 0)
+    {
+      ReadInParts(cut);
+    }
   }
   counts.Print(fileName, "cut");
   // Matroska's index comes last, and nothing is lost where only that is cut.

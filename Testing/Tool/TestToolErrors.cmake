@@ -118,6 +118,34 @@ foreach (percent IN ITEMS 10 50 90 99)
   endif ()
   file(REMOVE_RECURSE "${DIRECTORY}/cut")
 endforeach ()
+
+# What is left of a video comes alike in every format, is told alike, and can be compared.
+execute_process(
+  COMMAND head -c ${kept} whole.mp4
+  WORKING_DIRECTORY "${DIRECTORY}"
+  OUTPUT_FILE cut.mp4)
+set(told "^cslf: warning: cut.mp4 is damaged: [1-9][0-9]* of [0-9]+ viewpoints are missing [^\n]+\n$")
+foreach (arguments IN ITEMS "decode cut.mp4 -o left.vti" "decode cut.mp4 -o left"
+         "compare cut.mp4 left.vti" "compare left cut.mp4")
+  separate_arguments(arguments)
+  execute_process(
+    COMMAND "${CSLF}" ${arguments} --json
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES "${told}")
+    message(FATAL_ERROR "cslf ${arguments} ended with ${result}: ${error}")
+  endif ()
+  if (DEFINED first AND NOT error STREQUAL first)
+    message(FATAL_ERROR "cslf ${arguments} said ${error}, not ${first}")
+  endif ()
+  set(first "${error}")
+endforeach ()
+expect_json(ON channels Color equal)
+cslf_run(compare left left.vti --json)
+expect_json(ON channels Color equal)
+expect_json(ON channels Depth equal)
 cslf_fail("same" "" encode whole.mp4 -o whole.mp4)
 cslf_fail("encode writes" "x" encode whole.mp4 -o x.vti)
 cslf_fail("differ" "x" render whole.mp4 -o x.png --position 1 2 3 --focal-point 1 2 3)

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfBenchmarkOptions.h"
+
+#include "cslfMessages.h"
+#include "cslfTable.h"
+#include "cslfWholeFile.h"
+
+#include <vtkAlgorithm.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <system_error>
+
+namespace cslf
+{
+namespace tool
+{
+void BenchmarkOptions::AddTo(CLI::App& command)
+{
+  command.add_option("field", this->Field, std::string("the light field: ") + FieldFormats)
+    ->required();
+  command.add_option("-o,--output", this->Folder, "the folder for what is found out")->required();
+  this->Novel.AddTo(command, "Novel views (with --scene)");
+  this->Scene.AddOptionalTo(command);
+}
+
+FieldFile BenchmarkOptions::ReadField() const
+{
+  FieldFile file = OpenField(this->Field);
+  {
+    const ProgressBar bar(file.Reader, "Reading");
+    file.Reader->UpdateWholeExtent();
+  }
+  ThrowOnError();
+  return file;
+}
+
+void BenchmarkOptions::MakeFolder() const
+{
+  std::error_code failure;
+  std::filesystem::create_directories(this->Folder, failure);
+  RequireWritable(this->Folder + "/benchmark");
+}
+
+BenchmarkViews BenchmarkOptions::TraceViews(const Description& field)
+{
+  BenchmarkViews views;
+  if (this->Scene.IsEmpty())
+  {
+    return views;
+  }
+  this->Scene.TakeDefaults(nlohmann::json::parse(field.Sampling, nullptr, false));
+  views.Views = TraceNovelViews(this->Scene, this->Scene.Read(), field.Box, this->Novel);
+  for (const NovelView& view : views.Views)
+  {
+    views.NoiseFloor += view.NoiseFloor / static_cast<double>(views.Views.size());
+  }
+  return views;
+}
+
+nlohmann::json BenchmarkOptions::DescribeViews(double noiseFloor) const
+{
+  return { { "count", this->Novel.Views }, { "size", this->Novel.Size },
+    { "spp", this->Novel.Samples }, { "seed", this->Novel.Seed }, { "noise_floor", noiseFloor } };
+}
+
+std::string BenchmarkOptions::DescribeNoise(double noiseFloor)
+{
+  return "\nNoise floor of the novel views' truth: " + Format(noiseFloor, 2) + " dB.\n";
+}
+
+void BenchmarkOptions::Write(const Result& result, const std::string& name) const
+{
+  WriteWholeText(result.Text, this->Folder + "/" + name + ".md");
+  WriteWholeText(result.JSON.dump(2) + "\n", this->Folder + "/" + name + ".json");
+}
+}
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the benchmarks of a light field have in common: the field, perhaps its scene for novel
+ * views, and the folder that the findings go to.
+ */
+#ifndef cslfBenchmarkOptions_h
+#define cslfBenchmarkOptions_h
+
+#include "cslfCommands.h"
+#include "cslfFieldFiles.h"
+#include "cslfNovelViewOptions.h"
+#include "cslfNovelViews.h"
+#include "cslfSceneFiles.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+namespace tool
+{
+/// The views that a field is measured by, and the mean of their noise floors in dB.
+struct BenchmarkViews
+{
+  std::vector<NovelView> Views;
+  double NoiseFloor = 0.0;
+};
+
+struct BenchmarkOptions
+{
+  std::string Field;
+  std::string Folder;
+  SceneOptions Scene;
+  NovelViewOptions Novel;
+
+  /// Adds the field, --output, the scene and the views' options.
+  void AddTo(CLI::App& command);
+
+  /// Reads the whole field. Throws a Failure.
+  FieldFile ReadField() const;
+
+  /// Makes the folder, which must be writable. Throws a Failure.
+  void MakeFolder() const;
+
+  /// Traces the views if there is a scene, which takes over what the field knows of it. Throws a
+  /// Failure.
+  BenchmarkViews TraceViews(const Description& field);
+
+  ///@{
+  /// How views were traced.
+  nlohmann::json DescribeViews(double noiseFloor) const;
+  static std::string DescribeNoise(double noiseFloor);
+  ///@}
+
+  /// Writes a result into the folder, as NAME.md and NAME.json. Throws a Failure.
+  void Write(const Result& result, const std::string& name) const;
+};
+}
+}
+
+#endif
