@@ -120,10 +120,10 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   this->Missing.clear();
   for (int group = 0; group < this->GetGroupCount(); ++group)
   {
-    if (!this->FindGroup(group))
+    const Found found = this->FindGroup(group);
+    damaged += found == Found::Damaged ? 1 : 0;
+    if (found != Found::Whole)
     {
-      const TrackRole last = this->Header.Tracks.back().Kind.Role;
-      damaged += this->Parts.Has(last, group) ? 1 : 0;
       this->Missing.push_back(group);
     }
   }
@@ -145,28 +145,38 @@ bool FieldWriter::IsMissing(int group) const
   return std::binary_search(this->Missing.begin(), this->Missing.end(), group);
 }
 
-bool FieldWriter::FindGroup(int group)
+FieldWriter::Found FieldWriter::FindGroup(int group)
 {
   GroupParts parts(this->Header.Tracks.size());
+  Found found = Found::Whole;
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
+    const TrackRole role = this->Header.Tracks[track].Kind.Role;
     std::string ignored;
-    if (!this->Parts.Read(this->Header.Tracks[track].Kind.Role, group, parts[track], ignored) ||
+    if (!this->Parts.Has(role, group))
+    {
+      found = Found::Missing;
+    }
+    else if (!this->Parts.Read(role, group, parts[track], ignored) ||
       parts[track].Frames.size() != static_cast<std::size_t>(this->Header.Groups[group]))
     {
-      return false;
+      return Found::Damaged;
     }
+  }
+  if (found == Found::Missing)
+  {
+    return found;
   }
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
     std::string ignored;
     if (!this->Note(track, group, parts[track], ignored))
     {
-      return false;
+      return Found::Damaged;
     }
   }
   this->Costs[group] = this->GetCost(parts);
-  return true;
+  return Found::Whole;
 }
 
 GroupCost FieldWriter::GetCost(const GroupParts& parts) const

@@ -101,8 +101,17 @@ private:
     bool CoveredFully = true;
   };
 
+  /// What an earlier run left of a group. A run that is killed while it writes a group's parts, or
+  /// clears them away in the end, leaves some of them.
+  enum class Found
+  {
+    Whole,
+    Missing,
+    Damaged
+  };
+
   std::string MakeManifest(std::uint32_t sample) const;
-  bool FindGroup(int group);
+  Found FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
   void DropFullCoverage();
 

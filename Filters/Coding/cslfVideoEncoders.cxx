@@ -49,7 +49,11 @@ void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* c
   text << "log-level=none:info=0:repeat-headers=0:pools=none:frame-threads=1:wpp=0:pmode=0:pme=0"
        << ":scenecut=0:open-gop=0:keyint=" << options.GroupLength
        << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << Lookahead
-       << ":b-intra=1:bframes=8:ref=5:weightp=0:weightb=0:psy-rd=0:psy-rdoq=0:aq-mode=0";
+       << ":bframes=8:ref=5:weightp=0:weightb=0:psy-rd=0:psy-rdoq=0:aq-mode=0";
+  if (track.Role == TrackRole::Color)
+  {
+    text << ":b-intra=1"; // depth grows by it
+  }
   if (track.Lossless)
   {
     text << ":lossless=1";

@@ -74,6 +74,12 @@ file(WRITE "${DIRECTORY}/killed.mp4.partial/group-2-color.part" "")
 cslf_expect_bytes("^cslf: warning: [^\n]*2 group[^\n]*redone[^\n]*\n$" slow.mp4 killed.mp4
   sample ${slow})
 
+# Where only some of a group's parts are there, as after a kill between them, nothing is damaged.
+cslf_kill(killed.mp4 sample ${slow})
+file(REMOVE "${DIRECTORY}/killed.mp4.partial/group-0-color.part"
+  "${DIRECTORY}/killed.mp4.partial/group-1-depth.part")
+cslf_expect_bytes("^$" slow.mp4 killed.mp4 sample ${slow})
+
 # Other parameters, another scene, or no wish to go on: from the beginning.
 cslf_run(sample ${slow} --seed 1 -o seed.mp4)
 cslf_kill(killed.mp4 sample ${slow})
