@@ -285,7 +285,9 @@ void CodingOptions::AddTo(CLI::App& command)
     ->group(group);
   command
     .add_option("--pixel-format", this->PixelFormat,
-      "auto, which is the codec's best, yuv444p, yuv420p and their 10 bit kin")
+      "auto, which is the codec's best, yuv444p, yuv420p and their 10 bit kin, or gbrp, which "
+      "keeps "
+      "saturated colour maps best")
     ->capture_default_str()
     ->group(group);
   command

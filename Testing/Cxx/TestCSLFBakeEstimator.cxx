@@ -108,6 +108,35 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath)
   CheckBytes(estimator->GetBytes(), name);
 }
 
+/// An encoder that takes no small pictures: the estimate is of its own files nevertheless.
+void TestLeastResolution(const std::string& folder)
+{
+  if (!vtkCSLFEncoder::CanEncode("av1"))
+  {
+    std::cout << "This FFmpeg cannot encode av1: skipped.\n";
+    return;
+  }
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler);
+  sampler->SetIntegratorToPathTracing();
+  sampler->SetViewpoints(3);
+  sampler->SetResolution(128);
+  sampler->SetSamples(1);
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
+  encoder->SetCodec("av1");
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetEncoder(encoder);
+  estimator->SetProbeSeconds(2.0);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  encoder->SetInputConnection(sampler->GetOutputPort());
+  const std::string name = folder + "/av1.mkv";
+  encoder->SetFileName(name.c_str());
+  CSLF_CHECK(encoder->Write() == 1);
+  CheckBytes(estimator->GetBytes(), name);
+}
+
 void TestImages(const std::string& folder)
 {
   vtkNew<vtkCSLFSampler> sampler;
@@ -218,6 +247,7 @@ int TestCSLFBakeEstimator(int argc, char* argv[])
   const std::string folder = cslf::testing::MakeFolder(argc, argv, "BakeEstimator");
   TestVideo(folder, false, false);
   TestVideo(folder, true, true);
+  TestLeastResolution(folder);
   TestImages(folder);
   TestTimeBudget();
   TestRecall(folder);
