@@ -54,7 +54,7 @@ vtkSmartPointer<vtkProp> MakeAxes(const Cube& cube)
   cube.GetBounds(bounds);
   const double length = AxisLength * std::max({ cube.Edges.x, cube.Edges.y, cube.Edges.z });
   vtkNew<vtkTransform> corner;
-  corner->Translate(bounds[0], bounds[2], bounds[4]);
+  corner->Translate(bounds[0], bounds[2], bounds[5]);
   auto axes = vtkSmartPointer<vtkAxesActor>::New();
   axes->SetUserTransform(corner);
   axes->SetTotalLength(length, length, length);

@@ -21,7 +21,8 @@ namespace tool
 /// The edges of the cube.
 vtkSmartPointer<vtkActor> MakeOutline(const Cube& cube);
 
-/// Axes of world coordinates at the cube's least corner.
+/// Axes of world coordinates at the cube's corner of least x and y and greatest z: Z leads out of
+/// it.
 vtkSmartPointer<vtkProp> MakeAxes(const Cube& cube);
 
 /// A dot at each of the field's viewpoints.
