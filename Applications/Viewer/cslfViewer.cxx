@@ -228,6 +228,7 @@ void Viewer::Arrange()
     }
     pane->PSNR = 0.0;
   }
+  this->MeasuredSamples = 0;
 }
 
 void Viewer::SetLookup(int lookup)
@@ -247,6 +248,7 @@ void Viewer::SetToneMapping(const ToneMapping& toneMapping)
   {
     pane->PSNR = 0.0;
   }
+  this->MeasuredSamples = 0;
   this->ShowTruth();
 }
 
@@ -364,8 +366,12 @@ void Viewer::ShowState()
   const Layout& grid = this->Field.Grid;
   const std::string m = std::to_string(grid.GetViewpoints());
   const std::string n = std::to_string(grid.GetResolution());
-  std::string text = "6 x " + m + " x " + m + " viewpoints of " + n + " x " + n + " texels\n" +
-    Format(static_cast<double>(this->GetTextureBytes()) / (1 << 20), 1) + " MiB of textures";
+  std::string text = "6 x " + m + " x " + m + " viewpoints of " + n + " x " + n + " texels";
+  if (this->GetTextureBytes() > 0)
+  {
+    text += "\n" + Format(static_cast<double>(this->GetTextureBytes()) / (1 << 20), 1) +
+      " MiB of textures";
+  }
   if (this->GetFrameRate() > 0.0)
   {
     text += "\n" + Format(this->GetFrameRate(), 1) + " frames/s";
@@ -386,16 +392,21 @@ bool Viewer::Refine(int mostSamples)
   {
     return false;
   }
-  if (this->IsTruthCurrent() && this->GetTruthSamples() >= mostSamples)
+  if (!this->IsTruthCurrent())
+  {
+    this->MeasuredSamples = 0;
+  }
+  else if (this->GetTruthSamples() >= mostSamples)
   {
     return false;
   }
   const auto size = GetSize(this->FindPane(TruthPane)->Renderer);
-  this->Truth->Refine(this->Camera, size.data());
+  this->Truth->Refine(this->Camera, size.data(), mostSamples);
   this->ShowTruth();
   const int samples = this->GetTruthSamples();
-  if ((samples & (samples - 1)) == 0 || samples >= mostSamples)
+  if (samples >= 2 * this->MeasuredSamples || samples >= mostSamples)
   {
+    this->MeasuredSamples = samples;
     this->Measure();
   }
   return true;
