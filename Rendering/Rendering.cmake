@@ -8,15 +8,18 @@ list(APPEND sources
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
+  ../Rendering/cslfToneMapping.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
   ../Rendering/cslfOpenGL.h
+  ../Rendering/cslfToneMapping.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfMapperFS cslfMapperVS)
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfToneMapping cslfMapperFS
+    cslfMapperVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")
   else ()
