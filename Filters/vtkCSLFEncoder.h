@@ -166,8 +166,9 @@ public:
   /**
    * Set/get x265's preset, which trades time for size: ultrafast, superfast, veryfast, faster,
    * fast, medium, slow, slower, veryslow or placebo. x264 has the same, and those of AV1's encoders
-   * are taken that are alike. Default slow: at equal quality, colour is a tenth to a quarter
-   * smaller than with medium, and takes twice the time.
+   * are taken that are alike. Default slow, for colour with the rate-distortion analysis of slower:
+   * at equal quality, colour is a fifth to a quarter smaller than with medium, and takes four
+   * times the time.
    */
   vtkSetStringMacro(Preset);
   vtkGetStringMacro(Preset);
