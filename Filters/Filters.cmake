@@ -87,6 +87,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfPointLight.h
   ../Filters/PathTracing/cslfRayGrid.h
   ../Filters/PathTracing/cslfRayPacket.h
+  ../Filters/PathTracing/cslfRayBin.h
   ../Filters/PathTracing/cslfRayLanes.h
   ../Filters/PathTracing/cslfRoulette.h
   ../Filters/PathTracing/cslfSamplePlaces.h

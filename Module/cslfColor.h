@@ -63,12 +63,9 @@ public:
   unsigned char Encode(double linear) const
   {
     const double clamped = linear > 0.0 ? std::min(linear, 1.0) : 0.0;
-    int level = this->Levels[static_cast<int>(clamped * Steps)];
-    while (clamped >= this->Lower[level + 1])
-    {
-      ++level;
-    }
-    return static_cast<unsigned char>(level);
+    // There is no step in which more than one level begins.
+    const int level = this->Levels[static_cast<int>(clamped * Steps)];
+    return static_cast<unsigned char>(level + (clamped >= this->Lower[level + 1] ? 1 : 0));
   }
 
 private:

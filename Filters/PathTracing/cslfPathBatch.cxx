@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPathBatch.h"
 
+#include "cslfRayBin.h"
+
 #include <algorithm>
 
 namespace cslf
@@ -27,6 +29,7 @@ void PathBatch::Add(const Start& start)
     this->AreSeen = false;
     this->Packets.resize(Capacity / LaneCount);
     this->Next.resize(Capacity / LaneCount);
+    this->Order.resize(Capacity);
     this->Seen.resize(Capacity / LaneCount);
   }
   PathPacket& packet = this->Packets[this->Size / LaneCount];
@@ -55,15 +58,15 @@ void PathBatch::Begin()
 
 void PathBatch::GoOn()
 {
-  // Count the paths to each octant.
+  // Count the paths of each bin.
   const int packets = this->GetNumberOfPackets();
-  int ends[OctantCount] = {};
+  int ends[RayBinCount] = {};
   for (int i = 0; i < packets; ++i)
   {
     const PathPacket& from = this->Packets[i];
     for (int lane = 0; lane < LaneCount; ++lane)
     {
-      ends[from.Octant[lane]] -= from.Rays.Active[lane];
+      ends[from.Bin[lane]] -= from.Rays.Active[lane];
     }
   }
   this->Living = 0;
@@ -74,7 +77,7 @@ void PathBatch::GoOn()
     this->Living += size;
   }
 
-  // Put each at the end of its octant.
+  // Put each at the end of its bin.
   for (int i = 0; i < packets; ++i)
   {
     const PathPacket& from = this->Packets[i];
@@ -82,10 +85,15 @@ void PathBatch::GoOn()
     {
       if (from.Rays.Active[lane] != 0)
       {
-        const int place = ends[from.Octant[lane]]++;
-        this->Next[place / LaneCount].Take(place % LaneCount, from, lane);
+        this->Order[ends[from.Bin[lane]]++] = i * LaneCount + lane;
       }
     }
+  }
+  for (int place = 0; place < this->Living; ++place)
+  {
+    const int path = this->Order[place];
+    this->Next[place / LaneCount].Take(
+      place % LaneCount, this->Packets[path / LaneCount], path % LaneCount);
   }
   Close(this->Next, this->Living);
   this->Packets.swap(this->Next);

@@ -29,8 +29,8 @@ namespace cslf
 class VTKCSLF_EXPORT PathBatch
 {
 public:
-  /// The most paths: enough for several packets to each octant after some reflections, and few
-  /// enough to stay in a core's cache.
+  /// The most paths: enough for several packets to each octant after some reflections, which bins
+  /// keep together, and few enough to stay in a core's cache.
   static constexpr int Capacity = 4096;
 
   /// How a path begins.
@@ -84,7 +84,7 @@ public:
   HitLanes& GetFirstHits(int packet) { return this->Seen[packet]; }
   bool AreFirstHitsKnown() const { return this->AreSeen; }
 
-  /// Gathers the paths that go on anew, those whose rays run to the same octant side by side.
+  /// Gathers the paths that go on anew, those of the same bin side by side.
   void GoOn();
 
 private:
@@ -96,6 +96,7 @@ private:
   std::vector<glm::vec3> Radiances;
   std::vector<PathPacket> Packets;
   std::vector<PathPacket> Next;
+  std::vector<int> Order; // the places of paths in the packets, as they are gathered anew
 };
 }
 

@@ -12,8 +12,6 @@
 
 namespace cslf
 {
-constexpr int OctantCount = 8;
-
 struct PathPacket
 {
   RayLanes Rays;            ///< active where the path goes on
@@ -21,8 +19,8 @@ struct PathPacket
   Lanes<float> Pdf;         ///< of the ray's direction, per solid angle; infinite for a given ray
   Lanes<float> Compression; ///< the factor of the weight that leaving glass undoes
   StreamLanes Streams;
-  Lanes<std::int32_t> Path;     ///< its number in the batch
-  Lanes<std::int32_t> Octant{}; ///< to which the ray runs, in [0,8); not taken over
+  Lanes<std::int32_t> Path;  ///< its number in the batch
+  Lanes<std::int32_t> Bin{}; ///< of the ray, see GetRayBin; not taken over
 
   /// Takes over one path.
   void Take(int lane, const PathPacket& from, int fromLane)

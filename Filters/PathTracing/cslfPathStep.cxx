@@ -5,6 +5,7 @@
 #include "RadianceCache/cslfRadianceCache.h"
 #include "cslfLambert.h"
 #include "cslfPathIntegrator.h"
+#include "cslfRayBin.h"
 #include "cslfRoulette.h"
 #include "cslfTriangleGeometry.h"
 #include "cslfVectorize.h"
@@ -75,11 +76,11 @@ CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, 
   {
     const glm::vec3 direction = local.Get(i);
     const glm::vec3 world = Frame(surfaces.ShadingNormal.Get(i)).ToWorld(direction);
-    paths.Rays.Origin.Set(
-      i, Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i)));
+    const glm::vec3 origin =
+      Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i));
+    paths.Rays.Origin.Set(i, origin);
     paths.Rays.Direction.Set(i, world);
-    paths.Octant[i] =
-      (world.x < 0.0f ? 1 : 0) | (world.y < 0.0f ? 2 : 0) | (world.z < 0.0f ? 4 : 0);
+    paths.Bin[i] = GetRayBin(origin, world);
   }
 }
 
@@ -197,8 +198,7 @@ void PathStep::MakeScattering(const PathPacket& paths)
   {
     return;
   }
-  Lanes<float> unused;
-  paths.Streams.Get2D(this->Vertex, Dimension::Lobe, this->Lobe, unused);
+  paths.Streams.Get1D(this->Vertex, Dimension::Lobe, this->Lobe);
   ForEachLane(surfaces.Scattering,
     [&](int lane)
     {
@@ -313,8 +313,7 @@ void PathStep::ChooseDirections(PathPacket& paths)
 void PathStep::EndByChance(PathPacket& paths)
 {
   Lanes<float> x;
-  Lanes<float> unused;
-  paths.Streams.Get2D(this->Vertex, Dimension::Roulette, x, unused);
+  paths.Streams.Get1D(this->Vertex, Dimension::Roulette, x);
   SurviveAll(x, paths);
 }
 }

@@ -19,6 +19,9 @@ struct StreamLanes
 
   /// The numbers of each path's vertex, as SampleStream::Get2D; vertices are numbered from 0.
   void Get2D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x, Lanes<float>& y) const;
+
+  /// The first of them alone, as SampleStream::Get1D.
+  void Get1D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x) const;
 };
 }
 

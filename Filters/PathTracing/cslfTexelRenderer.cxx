@@ -67,8 +67,8 @@ struct TexelRenderer::Block
   bool LacksDepths = false; // whether a depth is to be found by the samples
 };
 
-/// Paths that wait to be followed together, those of some blocks of a row: which they are depends
-/// on the row alone.
+/// Paths that wait to be followed together, those of a run of blocks: which they are depends on the
+/// run alone.
 struct TexelRenderer::PathQueue
 {
   /// Where a path started.
@@ -103,33 +103,37 @@ std::int64_t TexelRenderer::GetRowsOfTile() const
 
 bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
 {
-  const std::int64_t rows = this->GetRowsOfTile() * this->Layout.Tiles * this->Layout.Slices;
-  const std::int64_t samplesOfRow =
-    std::int64_t(BlockSide) * this->Layout.TileWidth * std::max(this->Settings.Samples, 1);
-  const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfRow);
+  const std::int64_t runs = std::int64_t(this->GetRunsOfRow()) * this->GetRowsOfTile() *
+    this->Layout.Tiles * this->Layout.Slices;
+  const std::int64_t samplesOfRun =
+    std::int64_t(RayPacket::Size) * this->GetBlocksOfRun() * std::max(this->Settings.Samples, 1);
+  const std::int64_t batch = std::max(SmallestBatch, BatchSamples / samplesOfRun);
   vtkSMPThreadLocal<PathQueue> queues;
-  for (std::int64_t first = 0; first < rows; first += batch)
+  for (std::int64_t first = 0; first < runs; first += batch)
   {
-    if (!goOn(static_cast<double>(first) / static_cast<double>(rows)))
+    if (!goOn(static_cast<double>(first) / static_cast<double>(runs)))
     {
       return false;
     }
-    vtkSMPTools::For(first, std::min(first + batch, rows),
+    vtkSMPTools::For(first, std::min(first + batch, runs),
       [this, &queues](vtkIdType begin, vtkIdType end)
       {
         PathQueue& queue = queues.Local();
         for (vtkIdType index = begin; index < end; ++index)
         {
-          this->RenderRow(index, queue);
+          this->RenderRun(index, queue);
         }
       });
   }
   return goOn(1.0);
 }
 
-void TexelRenderer::RenderRow(std::int64_t index, PathQueue& queue) const
+void TexelRenderer::RenderRun(std::int64_t index, PathQueue& queue) const
 {
+  const std::int64_t runs = this->GetRunsOfRow();
   const std::int64_t rows = this->GetRowsOfTile();
+  const int begin = static_cast<int>(index % runs) * this->GetBlocksOfRun();
+  index /= runs;
   Block first;
   first.Y = static_cast<int>(index % rows) * BlockSide;
   index /= rows;
@@ -137,31 +141,34 @@ void TexelRenderer::RenderRow(std::int64_t index, PathQueue& queue) const
   first.Slice = this->Layout.FirstSlice + static_cast<int>(index / this->Layout.Tiles);
   first.Hash = SampleStream::HashSlice(this->Settings.Seed, first.Slice);
   first.Grid = this->Grids(first.Slice, first.Tile);
-  std::vector<Block> blocks(this->GetBlocksAtOnce());
-  queue.Rays = 0;
-  int count = 0;
-  for (int column = 0; column < this->Layout.TileWidth; column += BlockSide)
+  const int count = std::min(this->GetBlocksOfRun(), this->GetBlocksOfRow() - begin);
+  std::vector<Block> blocks(count, first);
+  for (int i = 0; i < count; ++i)
   {
-    blocks[count] = first;
-    this->SetTexels(blocks[count], column);
-    if (++count == static_cast<int>(blocks.size()))
-    {
-      this->RenderBlocks(blocks.data(), count, queue);
-      count = 0;
-    }
+    this->SetTexels(blocks[i], (begin + i) * BlockSide);
   }
+  queue.Rays = 0;
   this->RenderBlocks(blocks.data(), count, queue);
   this->Rays.fetch_add(queue.Rays, std::memory_order_relaxed);
 }
 
-std::size_t TexelRenderer::GetBlocksAtOnce() const
+int TexelRenderer::GetBlocksOfRow() const
+{
+  return (this->Layout.TileWidth + BlockSide - 1) / BlockSide;
+}
+
+int TexelRenderer::GetBlocksOfRun() const
 {
   // As many as fill a batch of paths before it must be followed.
   const int samples =
     this->Settings.NoiseTarget > 0.0 ? FewestSamples : std::max(this->Settings.Samples, 1);
   const int filling = PathBatch::Capacity / (RayPacket::Size * samples);
-  const int all = (this->Layout.TileWidth + BlockSide - 1) / BlockSide;
-  return static_cast<std::size_t>(std::clamp(filling, 1, std::min(all, MostBlocks)));
+  return std::clamp(filling, 1, std::min(this->GetBlocksOfRow(), MostBlocks));
+}
+
+int TexelRenderer::GetRunsOfRow() const
+{
+  return (this->GetBlocksOfRow() + this->GetBlocksOfRun() - 1) / this->GetBlocksOfRun();
 }
 
 void TexelRenderer::SetTexels(Block& block, int column) const

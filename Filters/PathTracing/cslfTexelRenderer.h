@@ -76,9 +76,11 @@ private:
   struct PathQueue;
 
   std::int64_t GetRowsOfTile() const;
-  void RenderRow(std::int64_t index, PathQueue& queue) const;
+  int GetBlocksOfRow() const;
+  int GetBlocksOfRun() const;
+  int GetRunsOfRow() const;
+  void RenderRun(std::int64_t index, PathQueue& queue) const;
   void SetTexels(Block& block, int column) const;
-  std::size_t GetBlocksAtOnce() const;
   void RenderBlocks(Block* blocks, int count, PathQueue& queue) const;
   int GetSamplesAtOnce(int samples) const;
   void AddSamples(Block& block, int count, PathQueue& queue) const;

@@ -140,6 +140,14 @@ void TestColor()
     CSLF_CHECK_NEAR(cslf::SRGBToLinear(cslf::LinearToSRGB(value)), value, 1e-12);
   }
   unsigned char color[4];
+  // Opaque colours go through a table.
+  for (double value = 0.0; value <= 1.0; value += 1.0 / 99991)
+  {
+    cslf::EncodeColor({ value, 1.0 - value, 1.0 + value }, 1.0, color);
+    CSLF_CHECK(color[0] == cslf::ToByte(cslf::LinearToSRGB(value)));
+    CSLF_CHECK(color[1] == cslf::ToByte(cslf::LinearToSRGB(1.0 - value)));
+    CSLF_CHECK(color[2] == 255 && color[3] == 255);
+  }
   // A mean of 0.5 is 0.7354 encoded.
   cslf::EncodeColor({ 0.3, 5.0, 0.0 }, 0.6, color);
   CSLF_CHECK(color[0] == 113 && color[1] == 153 && color[2] == 0 && color[3] == 153);

@@ -25,8 +25,8 @@ DiffuseLookUp::DiffuseLookUp(const Scene& scene, const RadianceCache* cache)
     Surface surface;
     if (mesh.IsDiffuse() && mesh.CanHoldLattice() && !mesh.Triangles.empty())
     {
-      surface.IsKnown = -1;
-      surface.FirstTriangle = static_cast<int>(scene.GetTriangleIndex(i, 0));
+      surface.IsKnown = true;
+      surface.FirstTriangle = static_cast<std::uint32_t>(scene.GetTriangleIndex(i, 0));
       surface.Varies = mesh.HasOneColor() ? 0 : -1;
       surface.Color = mesh.HasOneColor() ? mesh.Material.BaseColor : glm::vec3(1.0f);
     }
@@ -77,36 +77,48 @@ CSLF_VECTORIZE DiffuseLookUp::Finds DiffuseLookUp::FindPlaces(const Surface* sur
 {
   const RTCRay16& ray = packet.Query.ray;
   const RTCHit16& hit = packet.Query.hit;
-  CSLF_LANE_LOOP
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
-  {
-    const int isHit = static_cast<int>(hit.geomID[lane]) == -1 ? 0 : -1;
-    const int mesh = static_cast<int>(hit.geomID[lane]) & isHit;
-    const int canBeKnown = surfaces[mesh].IsKnown & isHit;
-    const int triangle = surfaces[mesh].FirstTriangle + static_cast<int>(hit.primID[lane]);
-    const float away = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] +
-      hit.Ng_z[lane] * ray.dir_z[lane];
-    places.Wanted[lane] = canBeKnown;
-    places.Triangle[lane] = static_cast<std::uint32_t>(triangle & canBeKnown);
-    places.Back[lane] = away > 0.0f ? 1 : 0;
-  }
-  // Bytes are not gathered with the rest.
   alignas(64) int open[RayPacket::Size];
+  const auto findTriangle = [&](int lane)
+  {
+    const bool isHit = hit.geomID[lane] != Hit::None;
+    const Surface& surface = surfaces[isHit ? hit.geomID[lane] : 0];
+    const bool canBeKnown = isHit && surface.IsKnown;
+    places.Triangle[lane] = canBeKnown ? surface.FirstTriangle + hit.primID[lane] : 0;
+    open[lane] = canBeKnown ? sides[places.Triangle[lane]] : 0;
+  };
+
+  // Rays that run alike mostly see one triangle.
+  std::uint32_t differences = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    open[lane] = sides[places.Triangle[lane]];
+    differences |= hit.geomID[lane] ^ hit.geomID[0];
+    differences |= hit.primID[lane] ^ hit.primID[0];
   }
+  findTriangle(0);
+  if (differences == 0)
+  {
+    std::fill_n(places.Triangle, RayPacket::Size, places.Triangle[0]);
+    std::fill_n(open, RayPacket::Size, open[0]);
+  }
+  for (int lane = 1; differences != 0 && lane < RayPacket::Size; ++lane)
+  {
+    findTriangle(lane);
+  }
+
   int others = 0;
   int some = 0;
   CSLF_LANE_LOOP
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     const int isHit = static_cast<int>(hit.geomID[lane]) == -1 ? 0 : -1;
-    const int isKnown = -((open[lane] >> places.Back[lane]) & 1) & places.Wanted[lane];
+    const float away = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] +
+      hit.Ng_z[lane] * ray.dir_z[lane];
+    const int back = away > 0.0f ? 1 : 0;
+    const int isKnown = -((open[lane] >> back) & 1);
     known[lane] = isKnown;
     others |= isHit & ~isKnown;
     some |= isKnown;
-    places.Wanted[lane] = isKnown;
+    places.Back[lane] = back;
     places.U[lane] = isKnown ? hit.u[lane] : 0.0f;
     places.V[lane] = isKnown ? hit.v[lane] : 0.0f;
   }

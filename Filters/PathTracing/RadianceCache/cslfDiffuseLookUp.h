@@ -49,8 +49,8 @@ private:
   /// Of a mesh.
   struct Surface
   {
-    int IsKnown = 0; // -1 if the cache alone knows it, else 0
-    int FirstTriangle = 0;
+    bool IsKnown = false; // whether the cache alone knows it
+    std::uint32_t FirstTriangle = 0;
     glm::vec3 Color{ 1.0f };
     int Varies = 0; // -1 if its colour is none for all of it, else 0
   };

@@ -4,13 +4,51 @@
 
 #include "PathTracing/cslfVectorize.h"
 
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cstring>
+
 namespace cslf
 {
+namespace
+{
+// What one instruction loads and scales at once, whatever loop it stands in.
+#if defined(__GNUC__)
+using Float4 = float __attribute__((vector_size(16)));
+#else
+using Float4 = glm::vec4;
+#endif
+
+inline Float4 Load(const float* values)
+{
+  Float4 result;
+  std::memcpy(&result, values, sizeof(result));
+  return result;
+}
+
+inline void Store(const Float4& value, float* values)
+{
+  std::memcpy(values, &value, sizeof(value));
+}
+}
+
 /// Where the points of a packet are: in which bricks, and where in them.
 struct SurfaceLattice::PacketPlaces
 {
   alignas(64) int First[LatticePacket::Size];
   alignas(64) int Level[LatticePacket::Size]; // below 0 where there are no splits along edges
+  alignas(64) float U[LatticePacket::Size];
+  alignas(64) float V[LatticePacket::Size];
+};
+
+/// Between which values the points of a packet lie, and their weights.
+struct SurfaceLattice::PacketCorners
+{
+  alignas(64) int A[LatticePacket::Size]; // the places of their first components
+  alignas(64) int B[LatticePacket::Size];
+  alignas(64) int C[LatticePacket::Size];
+  alignas(64) float W[LatticePacket::Size];
   alignas(64) float U[LatticePacket::Size];
   alignas(64) float V[LatticePacket::Size];
 };
@@ -26,7 +64,7 @@ SurfaceLattice::SurfaceLattice(const std::vector<std::uint8_t>& splits)
   }
   this->NumberOfRoots = bricks;
   this->Bricks.resize(bricks);
-  this->Values.emplace_back(0.0f);
+  this->Values.resize(1 + Spare, glm::vec3(0.0f));
 }
 
 SurfaceLattice SurfaceLattice::MakeEmpty() const
@@ -35,15 +73,15 @@ SurfaceLattice SurfaceLattice::MakeEmpty() const
   empty.Triangles = this->Triangles;
   empty.NumberOfRoots = this->NumberOfRoots;
   empty.Bricks.resize(this->NumberOfRoots);
-  empty.Values.emplace_back(0.0f);
+  empty.Values.resize(1 + Spare, glm::vec3(0.0f));
   return empty;
 }
 
 void SurfaceLattice::SetBrick(
   std::size_t index, std::uint32_t level, const std::vector<glm::vec3>& values)
 {
-  this->Bricks[index] = { static_cast<std::uint32_t>(this->Values.size()), level };
-  this->Values.insert(this->Values.end(), values.begin(), values.end());
+  this->Bricks[index] = { static_cast<std::uint32_t>(this->GetNumberOfValues()), level };
+  this->Values.insert(this->Values.end() - Spare, values.begin(), values.end());
 }
 
 std::size_t SurfaceLattice::SplitBrick(std::size_t index)
@@ -62,29 +100,53 @@ void SurfaceLattice::Get(LatticePacket& packet) const
   {
     split = GoToParts(this->Bricks.data(), places);
   }
-  Interpolate(this->Values.data(), places, packet);
+  PacketCorners corners;
+  FindCorners(places, corners);
+  Interpolate(this->Values.data(), corners, packet);
 }
 
 CSLF_VECTORIZE int SurfaceLattice::GoToBricks(
   const Triangle* triangles, const Brick* bricks, const LatticePacket& packet, PacketPlaces& places)
 {
+  alignas(64) std::uint32_t firstBrick[LatticePacket::Size];
+  alignas(64) std::uint32_t depth[LatticePacket::Size];
+  std::uint32_t differences = 0;
+  for (int lane = 0; lane < LatticePacket::Size; ++lane)
+  {
+    differences |= packet.Triangle[lane] ^ packet.Triangle[0];
+  }
+  if (differences == 0)
+  {
+    const Triangle triangle = triangles[packet.Triangle[0]];
+    std::fill_n(firstBrick, LatticePacket::Size, triangle.FirstBrick);
+    std::fill_n(depth, LatticePacket::Size, triangle.Depth);
+  }
+  for (int lane = 0; differences != 0 && lane < LatticePacket::Size; ++lane)
+  {
+    firstBrick[lane] = triangles[packet.Triangle[lane]].FirstBrick;
+    depth[lane] = triangles[packet.Triangle[lane]].Depth;
+  }
+  alignas(64) int indices[LatticePacket::Size];
+  CSLF_LANE_LOOP
+  for (int lane = 0; lane < LatticePacket::Size; ++lane)
+  {
+    const int splits = 1 << depth[lane];
+    const LatticeCell cell(packet.U[lane], packet.V[lane], splits);
+    const int index =
+      CellIndex(cell.I, cell.J, cell.Flipped, splits) + packet.Back[lane] * splits * splits;
+    indices[lane] = static_cast<int>(firstBrick[lane]) + index;
+    places.U[lane] = cell.U;
+    places.V[lane] = cell.V;
+  }
   int split = 0;
   CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
-    const int wanted = packet.Wanted[lane];
-    const int triangle = static_cast<int>(packet.Triangle[lane]) & wanted;
-    const int splits = 1 << triangles[triangle].Depth;
-    const LatticeCell cell(packet.U[lane], packet.V[lane], splits);
-    const int index =
-      CellIndex(cell.I, cell.J, cell.Flipped, splits) + packet.Back[lane] * splits * splits;
-    const int brick = static_cast<int>(triangles[triangle].FirstBrick) + (index & wanted);
-    const int level = static_cast<int>(bricks[brick].Level);
-    places.First[lane] = static_cast<int>(bricks[brick].First);
+    const Brick& brick = bricks[indices[lane]];
+    const int level = static_cast<int>(brick.Level);
+    places.First[lane] = static_cast<int>(brick.First);
     places.Level[lane] = level;
-    places.U[lane] = cell.U;
-    places.V[lane] = cell.V;
-    split |= (level == static_cast<int>(Split) ? -1 : 0) & wanted;
+    split |= level == static_cast<int>(Split) ? -1 : 0;
   }
   return split;
 }
@@ -110,10 +172,8 @@ CSLF_VECTORIZE int SurfaceLattice::GoToParts(const Brick* bricks, PacketPlaces& 
   return split;
 }
 
-CSLF_VECTORIZE void SurfaceLattice::Interpolate(
-  const glm::vec3* values, const PacketPlaces& places, LatticePacket& packet)
+CSLF_VECTORIZE void SurfaceLattice::FindCorners(const PacketPlaces& places, PacketCorners& corners)
 {
-  const float* components = &values->x;
   CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
@@ -122,17 +182,36 @@ CSLF_VECTORIZE void SurfaceLattice::Interpolate(
     const int splits = 1 << (places.Level[lane] & varies);
     const LatticeCell cell(places.U[lane], places.V[lane], splits);
     const int flip = cell.Flipped;
-    const int first = places.First[lane] & packet.Wanted[lane];
-    const int inside = varies & packet.Wanted[lane];
-    const int a = 3 * (first + (PointIndex(cell.I + flip, cell.J + flip, splits) & inside));
-    const int b = 3 * (first + (PointIndex(cell.I + 1 - flip, cell.J + flip, splits) & inside));
-    const int c = 3 * (first + (PointIndex(cell.I + flip, cell.J + 1 - flip, splits) & inside));
-    const float w = 1.0f - cell.U - cell.V;
-    packet.Red[lane] = w * components[a] + cell.U * components[b] + cell.V * components[c];
-    packet.Green[lane] =
-      w * components[a + 1] + cell.U * components[b + 1] + cell.V * components[c + 1];
-    packet.Blue[lane] =
-      w * components[a + 2] + cell.U * components[b + 2] + cell.V * components[c + 2];
+    const int first = places.First[lane];
+    corners.A[lane] = 3 * (first + (PointIndex(cell.I + flip, cell.J + flip, splits) & varies));
+    corners.B[lane] = 3 * (first + (PointIndex(cell.I + 1 - flip, cell.J + flip, splits) & varies));
+    corners.C[lane] = 3 * (first + (PointIndex(cell.I + flip, cell.J + 1 - flip, splits) & varies));
+    corners.U[lane] = cell.U;
+    corners.V[lane] = cell.V;
+    corners.W[lane] = 1.0f - cell.U - cell.V;
+  }
+}
+
+CSLF_VECTORIZE void SurfaceLattice::Interpolate(
+  const glm::vec3* values, const PacketCorners& corners, LatticePacket& packet)
+{
+  // The fourth number is the next value's, or the spare one's, and not used.
+  const float* components = &values->x;
+  alignas(64) float sums[LatticePacket::Size][4];
+  for (int lane = 0; lane < LatticePacket::Size; ++lane)
+  {
+    const Float4 a = Load(components + corners.A[lane]);
+    const Float4 b = Load(components + corners.B[lane]);
+    const Float4 c = Load(components + corners.C[lane]);
+    const Float4 sum = corners.W[lane] * a + corners.U[lane] * b + corners.V[lane] * c;
+    Store(sum, sums[lane]);
+  }
+  CSLF_LANE_LOOP
+  for (int lane = 0; lane < LatticePacket::Size; ++lane)
+  {
+    packet.Red[lane] = sums[lane][0];
+    packet.Green[lane] = sums[lane][1];
+    packet.Blue[lane] = sums[lane][2];
   }
 }
 }

@@ -77,12 +77,11 @@ struct LatticePacket
 {
   static constexpr int Size = 16;
 
-  alignas(64) int Wanted[Size]; ///< -1 where there is a point, else 0; all else counts only there
-  alignas(64) std::uint32_t Triangle[Size];
-  alignas(64) int Back[Size]; ///< 1 on the back, else 0
-  alignas(64) float U[Size];  ///< barycentric coordinates
+  alignas(64) std::uint32_t Triangle[Size]; ///< any of the lattice's where no point is wanted
+  alignas(64) int Back[Size];               ///< 1 on the back, else 0
+  alignas(64) float U[Size];                ///< barycentric coordinates
   alignas(64) float V[Size];
-  alignas(64) float Red[Size]; ///< the values; 0 where there is no point
+  alignas(64) float Red[Size]; ///< the values
   alignas(64) float Green[Size];
   alignas(64) float Blue[Size];
 };
@@ -113,7 +112,7 @@ public:
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
   /// Bricks that are not parts of others come first.
   std::size_t GetNumberOfRoots() const { return this->NumberOfRoots; }
-  std::size_t GetNumberOfValues() const { return this->Values.size(); }
+  std::size_t GetNumberOfValues() const { return this->Values.size() - Spare; }
   int GetSplits(std::size_t triangle) const { return 1 << this->Triangles[triangle].Depth; }
 
   std::size_t GetBrickIndex(std::size_t triangle, bool back, int cell) const
@@ -197,17 +196,22 @@ private:
   };
 
   struct PacketPlaces;
+  struct PacketCorners;
 
   static int GoToBricks(const Triangle* triangles, const Brick* bricks, const LatticePacket& packet,
     PacketPlaces& places);
   static int GoToParts(const Brick* bricks, PacketPlaces& places);
+  static void FindCorners(const PacketPlaces& places, PacketCorners& corners);
   static void Interpolate(
-    const glm::vec3* values, const PacketPlaces& places, LatticePacket& packet);
+    const glm::vec3* values, const PacketCorners& corners, LatticePacket& packet);
+
+  // Values after the last that are never used, so that values can be loaded four numbers at once.
+  static constexpr std::size_t Spare = 1;
 
   std::size_t NumberOfRoots = 0;
   std::vector<Triangle> Triangles;
   std::vector<Brick> Bricks;
-  std::vector<glm::vec3> Values;
+  std::vector<glm::vec3> Values = std::vector<glm::vec3>(Spare, glm::vec3(0.0f));
 };
 }
 
