@@ -39,11 +39,21 @@ void SetText(AVCodecContext* context, const char* name, const std::string& value
   av_opt_set(context->priv_data, name, value.c_str(), 0);
 }
 
+/// What x265 does for colour besides, which other tracks gain nothing by: "slow" is x265's with the
+/// rate-distortion analysis of "slower", most of what that gains in half its time. Chroma is a
+/// little finer, since it matters for red, green and blue more than the analysis knows.
+std::string GetColorOptions(AVPixelFormat format, const std::string& preset)
+{
+  std::string text = ":b-intra=1";
+  text += preset == "slow" ? ":rd=6" : "";
+  text += format == AV_PIX_FMT_GBRP ? "" : ":cbqpoffs=-2:crqpoffs=-2";
+  return text;
+}
+
 /// x265: one thread, so that bytes do not depend on the machine's load; no weighted
 /// prediction, on which libx265 3.5 decides by memory that it has not set, so that bytes would
 /// depend on what the process did before; a closed group without scene cuts; no psycho-visual
-/// options, which add detail that is not there. Colour's "slow" is x265's with the thorough
-/// rate-distortion analysis of "slower", which gains most of what that does in half its time.
+/// options, which add detail that is not there.
 void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* context)
 {
   std::ostringstream text;
@@ -53,8 +63,7 @@ void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* c
        << ":bframes=8:ref=5:weightp=0:weightb=0:psy-rd=0:psy-rdoq=0:aq-mode=0";
   if (track.Role == TrackRole::Color && !track.Lossless)
   {
-    // Not for depth, which grows by it.
-    text << ":b-intra=1" << (options.Preset == "slow" ? ":rd=6" : "");
+    text << GetColorOptions(track.Format, options.Preset);
   }
   if (track.Lossless)
   {
