@@ -8,12 +8,20 @@ list(APPEND sources
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
+  ../Rendering/cslfResidency.cxx
+  ../Rendering/cslfSight.cxx
+  ../Rendering/cslfViewpointLevels.cxx
+  ../Rendering/cslfViewpointSource.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
   ../Rendering/cslfOpenGL.h
+  ../Rendering/cslfResidency.h
+  ../Rendering/cslfSight.h
+  ../Rendering/cslfViewpointLevels.h
+  ../Rendering/cslfViewpointSource.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
 foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfMapperFS cslfMapperVS)
