@@ -10,6 +10,8 @@ list(APPEND sources
   ../Rendering/cslfLookup.cxx
   ../Rendering/cslfResidency.cxx
   ../Rendering/cslfSight.cxx
+  ../Rendering/cslfTilePool.cxx
+  ../Rendering/cslfToneMapping.cxx
   ../Rendering/cslfViewpointLevels.cxx
   ../Rendering/cslfViewpointSource.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
@@ -20,11 +22,15 @@ list(APPEND private_headers
   ../Rendering/cslfOpenGL.h
   ../Rendering/cslfResidency.h
   ../Rendering/cslfSight.h
+  ../Rendering/cslfSightSeries.h
+  ../Rendering/cslfTilePool.h
+  ../Rendering/cslfToneMapping.h
   ../Rendering/cslfViewpointLevels.h
   ../Rendering/cslfViewpointSource.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfMapperFS cslfMapperVS)
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfToneMapping cslfMapperFS
+    cslfMapperVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")
   else ()

@@ -8,15 +8,21 @@
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
+#include "cslfToneMappingGLSL.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLActor.h>
+#include <vtkOpenGLCamera.h>
 #include <vtkOpenGLHelper.h>
+#include <vtkOpenGLIndexBufferObject.h>
+#include <vtkOpenGLRenderPass.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkPointData.h>
@@ -74,7 +80,13 @@ vtkCSLFCubeMapper::vtkCSLFCubeMapper()
 }
 
 //------------------------------------------------------------------------------
-vtkCSLFCubeMapper::~vtkCSLFCubeMapper() = default;
+vtkCSLFCubeMapper::~vtkCSLFCubeMapper()
+{
+  if (this->Window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* image)
@@ -90,6 +102,7 @@ void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* i
 void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture.Release(window);
+  this->Window = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -97,6 +110,7 @@ void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Window = window;
   if (!this->TextureFailed && !this->Texture.IsUploadedTo(window))
   {
     std::string error;
@@ -110,22 +124,35 @@ void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+// Takes the camera's and the actor's matrices as VTK's mappers do, so that stereo, tiles and head-
+// mounted displays come out like other actors.
 void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
 {
-  vtkMatrix4x4* wcdc = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  vtkMatrix4x4* wcvc;
+  vtkMatrix4x4* vcdc;
+  vtkMatrix4x4* wcdc;
+  vtkMatrix4x4* mcwc;
+  vtkMatrix3x3* normals;
+  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
+  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, normals);
   vtkNew<vtkMatrix4x4> ccmc;
   for (int axis = 0; axis < 3; ++axis)
   {
     ccmc->SetElement(axis, axis, 0.5 * this->Field.Box.Edges[axis]);
     ccmc->SetElement(axis, 3, this->Field.Box.Center[axis]);
   }
-  vtkMatrix4x4::Multiply4x4(wcdc, actor->GetMatrix(), this->CCDCMatrix);
-  vtkMatrix4x4::Multiply4x4(this->CCDCMatrix, ccmc, this->CCDCMatrix);
+  // Key matrices are transposed.
+  ccmc->Transpose();
+  vtkNew<vtkMatrix4x4> ccwc;
+  vtkMatrix4x4::Multiply4x4(ccmc, mcwc, ccwc);
+  vtkMatrix4x4::Multiply4x4(ccwc, wcvc, this->CCVCMatrix);
+  vtkMatrix4x4::Multiply4x4(ccwc, wcdc, this->CCDCMatrix);
 
   // The eye is where all lines along the display's z meet: for a parallel projection at infinity.
   vtkNew<vtkMatrix4x4> dccc;
-  vtkMatrix4x4::Invert(this->CCDCMatrix, dccc);
+  vtkMatrix4x4::Transpose(this->CCDCMatrix, dccc);
+  dccc->Invert();
   const double along[4] = { 0.0, 0.0, 1.0, 0.0 };
   double eye[4];
   dccc->MultiplyPoint(along, eye);
@@ -141,17 +168,18 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+bool vtkCSLFCubeMapper::IsEyeInside() const
+{
+  return this->EyeCC.w != 0.0 && std::abs(this->EyeCC.x) < 1.0 && std::abs(this->EyeCC.y) < 1.0 &&
+    std::abs(this->EyeCC.z) < 1.0;
+}
+
+//------------------------------------------------------------------------------
 // Whether some line of sight can enter the cube by a face. From inside all of them can.
 bool vtkCSLFCubeMapper::CanEnter(int face) const
 {
   const double along = cslf::FaceSign(face) * this->EyeCC[cslf::FaceAxis(face)];
-  if (this->EyeCC.w == 0.0)
-  {
-    return along < 0.0;
-  }
-  const bool inside = std::abs(this->EyeCC.x) <= 1.0 && std::abs(this->EyeCC.y) <= 1.0 &&
-    std::abs(this->EyeCC.z) <= 1.0;
-  return inside || along > 1.0;
+  return this->EyeCC.w == 0.0 ? along < 0.0 : along >= 1.0 || this->IsEyeInside();
 }
 
 //------------------------------------------------------------------------------
@@ -162,34 +190,119 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   this->UpdateCamera(renderer, actor);
+  const std::string options = this->MakeOptions();
+  if (options != this->Options)
+  {
+    this->Options = options;
+    this->Modified(); // has the shader made anew
+  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
+  // Surfaces within the clipping range are drawn also where the cube's far faces are beyond it.
+  const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
+  glEnable(GL_DEPTH_CLAMP);
+  vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
     if (this->CanEnter(face))
     {
       this->EntryFace = face;
       this->Texture.Activate(face);
-      this->Superclass::RenderPieceDraw(renderer, actor);
+      this->UpdateShaders(triangles, renderer, actor);
+      triangles.IBO->Bind();
+      glDrawElements(
+        GL_TRIANGLES, static_cast<GLsizei>(triangles.IBO->IndexCount), GL_UNSIGNED_INT, nullptr);
+      triangles.IBO->Release();
     }
+  }
+  if (!clampsDepth)
+  {
+    glDisable(GL_DEPTH_CLAMP);
   }
   this->Texture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFCubeMapper::GetShaderTemplate(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
+void vtkCSLFCubeMapper::BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*)
 {
+  std::vector<unsigned int> indices;
+  for (unsigned int face = 0; face < cslf::FaceCount; ++face)
+  {
+    for (const unsigned int corner : { 0, 1, 2, 0, 2, 3 })
+    {
+      indices.push_back(4 * face + corner);
+    }
+  }
+  vtkOpenGLIndexBufferObject* triangles = this->Primitives[PrimitiveTris].IBO;
+  triangles->Upload(indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+  triangles->IndexCount = indices.size();
+}
+
+//------------------------------------------------------------------------------
+// What cslfMapperFS.glsl leaves out unless it is needed.
+std::string vtkCSLFCubeMapper::MakeOptions() const
+{
+  std::string options;
+  if (!this->ClippingPlanesCC.empty())
+  {
+    options += "#define CLIPPING_PLANES " + std::to_string(this->ClippingPlanesCC.size()) + "\n";
+  }
+  if (!this->ToneMapping.IsIdentity())
+  {
+    options += "#define TONE_MAPPING " + std::to_string(this->ToneMapping.Curve) + "\n";
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  const bool inPass = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
   std::string fragment = cslfMapperFS;
+  vtkShaderProgram::Substitute(
+    fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
   vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec", cslfLookupGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
   shaders[vtkShader::Fragment]->SetSource(fragment);
   shaders[vtkShader::Geometry]->SetSource("");
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::ReplaceShaderLight(
+  std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::ReplaceShaderPicking(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::ReplaceShaderPicking(shaders, renderer, actor);
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(fragment, "gl_PrimitiveID", "EntryFacePass");
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+}
+
+//------------------------------------------------------------------------------
+// An opaque actor draws twice: what covers its pixels, then, with the translucent geometry, what
+// covers them in part. An actor that is drawn once only draws all.
+int vtkCSLFCubeMapper::ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const
+{
+  const bool once = actor->GetProperty()->GetOpacity() < 1.0 || actor->GetForceOpaque() ||
+    actor->GetForceTranslucent() || renderer->GetSelector();
+  if (once)
+  {
+    return 0;
+  }
+  return actor->IsRenderingTranslucentPolygonalGeometry() ? 2 : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -203,23 +316,33 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   const float eye[4] = { static_cast<float>(this->EyeCC.x), static_cast<float>(this->EyeCC.y),
     static_cast<float>(this->EyeCC.z), static_cast<float>(this->EyeCC.w) };
   program->SetUniform4f("EyeCC", eye);
-  // GLSL's matrices are stored by columns.
-  vtkNew<vtkMatrix4x4> transposed;
-  vtkMatrix4x4::Transpose(this->CCDCMatrix, transposed);
-  program->SetUniformMatrix("CCDCMatrix", transposed);
+  program->SetUniformMatrix("CCDCMatrix", this->CCDCMatrix);
+  if (program->IsUniformUsed("CCVCMatrix"))
+  {
+    program->SetUniformMatrix("CCVCMatrix", this->CCVCMatrix);
+  }
   program->SetUniformi("EntryFacePass", this->EntryFace);
   program->SetUniformi("LookupMode", this->Lookup);
   program->SetUniform3f("FocalPointCC", &this->FocalPointsCC[this->EntryFace].x);
   program->SetUniformi(
     "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
-
-  // An opaque actor draws twice: what covers its pixels, then, with the translucent geometry, what
-  // covers them in part.
-  const double opacity = actor->GetProperty()->GetOpacity();
-  const bool translucentPass = actor->IsRenderingTranslucentPolygonalGeometry();
-  const bool all = opacity < 1.0 || renderer->GetSelector();
-  program->SetUniformf("Opacity", static_cast<float>(opacity));
-  program->SetUniformi("CoveragePass", all ? 0 : (translucentPass ? 2 : 1));
+  program->SetUniformf("Opacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
+  program->SetUniformi("CoveragePass", this->ChooseCoveragePass(renderer, actor));
+  if (!this->ToneMapping.IsIdentity())
+  {
+    program->SetUniformf("Exposure", static_cast<float>(this->ToneMapping.Exposure));
+  }
+  if (!this->ClippingPlanesCC.empty())
+  {
+    std::vector<std::array<float, 4>> planes;
+    for (const glm::dvec4& plane : this->ClippingPlanesCC)
+    {
+      planes.push_back({ static_cast<float>(plane.x), static_cast<float>(plane.y),
+        static_cast<float>(plane.z), static_cast<float>(plane.w) });
+    }
+    program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
+      reinterpret_cast<const float(*)[4]>(planes.data()));
+  }
 }
 
 //------------------------------------------------------------------------------

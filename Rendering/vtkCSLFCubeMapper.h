@@ -6,13 +6,14 @@
  *
  * Draws the faces of a light field's cube with the shaders of Rendering/Shaders in place of VTK's
  * own. Each entry face that the eye may see is drawn in turn, with the textures of its viewpoints.
- * Not for use by itself.
+ * Belongs to one render window. Not for use by itself.
  */
 #ifndef vtkCSLFCubeMapper_h
 #define vtkCSLFCubeMapper_h
 
 #include "cslfDescription.h"
 #include "cslfFieldTexture.h"
+#include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
@@ -23,6 +24,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkMatrix4x4;
@@ -46,6 +49,18 @@ public:
     this->FocalPointsCC = pointsCC;
   }
 
+  /// The planes that cut the picture: what is drawn lies where they are positive.
+  void SetClippingPlanesCC(const std::vector<glm::dvec4>& planesCC)
+  {
+    this->ClippingPlanesCC = planesCC;
+  }
+
+  /// How radiance becomes colour.
+  void SetToneMapping(const cslf::ToneMapping& toneMapping) { this->ToneMapping = toneMapping; }
+
+  /// Whether the eye of the last picture was inside the cube.
+  bool IsEyeInside() const;
+
   /// The graphics memory that the samples take, in bytes; 0 before the first Render.
   std::int64_t GetTextureBytes() const { return this->Texture.GetBytes(); }
 
@@ -62,23 +77,42 @@ protected:
   void SetMapperShaderParameters(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
 
+  ///@{
+  /**
+   * The cube is drawn as a surface whatever the property's representation, without VTK's lighting,
+   * and each pixel's cell is the face by which its ray enters.
+   */
+  void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* cube) override;
+  void ReplaceShaderLight(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderPicking(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  ///@}
+
 private:
   vtkCSLFCubeMapper(const vtkCSLFCubeMapper&) = delete;
   void operator=(const vtkCSLFCubeMapper&) = delete;
 
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
   bool CanEnter(int face) const;
+  std::string MakeOptions() const;
+  int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
 
   cslf::Description Field;
   vtkSmartPointer<vtkImageData> Image;
   cslf::FieldTexture Texture;
+  vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
   int Lookup = 0;
   std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
+  std::vector<glm::dvec4> ClippingPlanesCC;
+  cslf::ToneMapping ToneMapping;
+  std::string Options; ///< the shader's, for the picture being drawn
 
   // For the picture being drawn.
   int EntryFace = 0;
   glm::dvec4 EyeCC{ 0.0 }; ///< w = 1: the eye; w = 0: the direction of a parallel projection
+  vtkNew<vtkMatrix4x4> CCVCMatrix;
   vtkNew<vtkMatrix4x4> CCDCMatrix;
 };
 

@@ -6,26 +6,68 @@
 #include "cslfFocus.h"
 #include "vtkCSLFCubeMapper.h"
 
+#include <vtkActor.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMath.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkCSLFMapper::vtkInternals
 {
 public:
-  vtkNew<vtkCSLFCubeMapper> CubeMapper;
+  std::map<vtkWindow*, vtkSmartPointer<vtkCSLFCubeMapper>> CubeMappers;
   std::optional<cslf::Description> Field;
   std::array<glm::dvec3, cslf::FaceCount> AutomaticFocalPoints{};
   vtkImageData* CheckedInput = nullptr; ///< only compared
   vtkMTimeType CheckedTime = 0;
+  bool HasWarnedOfInside = false;
+
+  std::array<glm::dvec3, cslf::FaceCount> GetFocalPointsCC(const vtkCSLFMapper* mapper) const;
+  std::vector<glm::dvec4> GetClippingPlanesCC(vtkMapper* mapper, vtkActor* actor) const;
 };
+
+//------------------------------------------------------------------------------
+std::array<glm::dvec3, cslf::FaceCount> vtkCSLFMapper::vtkInternals::GetFocalPointsCC(
+  const vtkCSLFMapper* mapper) const
+{
+  if (mapper->AutomaticFocalPoint)
+  {
+    return this->AutomaticFocalPoints;
+  }
+  const double* point = mapper->FocalPoint;
+  std::array<glm::dvec3, cslf::FaceCount> points;
+  points.fill(this->Field->Box.PointToCube({ point[0], point[1], point[2] }));
+  return points;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkCSLFMapper::vtkInternals::GetClippingPlanesCC(
+  vtkMapper* mapper, vtkActor* actor) const
+{
+  const cslf::Cube& box = this->Field->Box;
+  std::vector<glm::dvec4> planes;
+  for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
+  {
+    double plane[4];
+    mapper->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    const glm::dvec3 normal(plane[0], plane[1], plane[2]);
+    planes.emplace_back(0.5 * normal * box.Edges, plane[3] + glm::dot(normal, box.Center));
+  }
+  return planes;
+}
 
 vtkStandardNewMacro(vtkCSLFMapper);
 
@@ -61,9 +103,21 @@ const char* vtkCSLFMapper::GetLookupAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkCSLFMapper::GetToneMappingAsString()
+{
+  static const char* const names[] = { "clamp", "reinhard", "aces" };
+  return names[this->ToneMapping];
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkCSLFMapper::GetTextureBytes()
 {
-  return this->Internals->CubeMapper->GetTextureBytes();
+  vtkTypeInt64 bytes = 0;
+  for (const auto& windowAndMapper : this->Internals->CubeMappers)
+  {
+    bytes += windowAndMapper.second->GetTextureBytes();
+  }
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -112,7 +166,11 @@ bool vtkCSLFMapper::UpdateField()
     return false;
   }
   internals.AutomaticFocalPoints = cslf::FindFocalPoints(*internals.Field, input);
-  internals.CubeMapper->SetField(*internals.Field, input);
+  internals.HasWarnedOfInside = false;
+  for (const auto& windowAndMapper : internals.CubeMappers)
+  {
+    windowAndMapper.second->SetField(*internals.Field, input);
+  }
   return true;
 }
 
@@ -131,35 +189,51 @@ double* vtkCSLFMapper::GetBounds()
 }
 
 //------------------------------------------------------------------------------
+// The one that draws in a window, made when it is first needed.
+vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkSmartPointer<vtkCSLFCubeMapper>& cubeMapper = internals.CubeMappers[window];
+  if (!cubeMapper)
+  {
+    cubeMapper = vtkSmartPointer<vtkCSLFCubeMapper>::New();
+    cubeMapper->SetField(*internals.Field, internals.CheckedInput);
+  }
+  return cubeMapper;
+}
+
+//------------------------------------------------------------------------------
 void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (!this->UpdateField())
   {
     return;
   }
-  vtkCSLFCubeMapper* cubeMapper = this->Internals->CubeMapper;
+  vtkInternals& internals = *this->Internals;
+  vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
-  const cslf::Cube& box = this->Internals->Field->Box;
-  std::array<glm::dvec3, cslf::FaceCount> focalPoints;
-  focalPoints.fill(
-    box.PointToCube({ this->FocalPoint[0], this->FocalPoint[1], this->FocalPoint[2] }));
-  cubeMapper->SetFocalPointsCC(
-    this->AutomaticFocalPoint ? this->Internals->AutomaticFocalPoints : focalPoints);
+  cubeMapper->SetFocalPointsCC(internals.GetFocalPointsCC(this));
+  cubeMapper->SetClippingPlanesCC(internals.GetClippingPlanesCC(this, actor));
+  cubeMapper->SetToneMapping({ this->Exposure, this->ToneMapping });
   cubeMapper->Render(renderer, actor);
   this->TimeToDraw = cubeMapper->GetTimeToDraw();
-}
-
-//------------------------------------------------------------------------------
-void vtkCSLFMapper::ProcessSelectorPixelBuffers(
-  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
-{
-  this->Internals->CubeMapper->ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+  if (cubeMapper->IsEyeInside() && !internals.HasWarnedOfInside)
+  {
+    internals.HasWarnedOfInside = true;
+    vtkWarningMacro("The eye is inside the light field's cube: only what can also be seen from "
+                    "outside, along the same lines of sight, is drawn.");
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkCSLFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->CubeMapper->ReleaseGraphicsResources(window);
+  const auto found = this->Internals->CubeMappers.find(window);
+  if (found != this->Internals->CubeMappers.end())
+  {
+    found->second->ReleaseGraphicsResources(window);
+    this->Internals->CubeMappers.erase(found);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -172,6 +246,8 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetLookup(other->GetLookup());
     this->SetAutomaticFocalPoint(other->GetAutomaticFocalPoint());
     this->SetFocalPoint(other->GetFocalPoint());
+    this->SetExposure(other->GetExposure());
+    this->SetToneMapping(other->GetToneMapping());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -184,4 +260,6 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutomaticFocalPoint: " << (this->AutomaticFocalPoint ? "on" : "off") << "\n";
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "ToneMapping: " << this->GetToneMappingAsString() << "\n";
 }

@@ -12,13 +12,32 @@
  * The field takes part in the scene like any other opaque object: its coverage becomes opacity, so
  * that what lies behind it shows around its silhouettes, and where the field has a depth channel
  * the surfaces' depth is written, so that other actors pierce it and are hidden by it correctly.
- * Pixels that the field covers in part are drawn in the translucent pass. The actor's transform and
- * opacity apply; its colour and lighting do not, since the light is in the field already.
+ * Pixels that the field covers in part are drawn in the translucent pass, with depth peeling or
+ * without.
  *
- * Viewing is defined for eyes outside the cube; from inside, each pixel shows what the whole line
- * of sight sees from where it enters the cube.
+ * The actor's transform (with a rotation, or a scale of its own along each axis), its opacity and
+ * its ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no meaning
+ * and change nothing: the light is in the field already, and there are no polygons to show as lines
+ * or points. Clipping planes cut the picture: of each pixel the surface that the lookup finds is
+ * drawn unless it lies on a plane's negative side. What lies behind it the field does not know.
  *
- * Fields of `float` colour are shown clamped and sRGB-encoded.
+ * The camera may be of any kind: in perspective or parallel, stereo, one tile of a large picture,
+ * the camera of a light that casts shadows. A field casts shadows and takes part in ambient
+ * occlusion (vtkShadowMapPass, vtkSSAOPass), but receives no shadows.
+ *
+ * Viewing is defined for eyes outside the cube, where all light rays are known. From inside, each
+ * line of sight is followed back out of the cube, and looked up from there: where the first surface
+ * on it lies before the eye, that is what the eye sees, and it is drawn; where it lies behind the
+ * eye, nothing is known of what is before it, and nothing is drawn. The mapper warns of this once
+ * for each field. A field without depth channel cannot tell the two apart and draws all.
+ *
+ * Pickers that ask the graphics hardware find the field: vtkPropPicker and vtkWorldPointPicker give
+ * the point of its surface, vtkHardwareSelector the cell: the face of the cube, from +X, -X to +Z,
+ * -Z, by which the line of sight enters. Pickers that intersect a mapper's input by themselves
+ * (vtkCellPicker, vtkPointPicker) find the image data that holds the samples, which lies elsewhere.
+ *
+ * A mapper may be drawn in several windows. Each has the samples in graphics memory of its own,
+ * until its resources are released.
  *
  * @sa vtkCSLFSampler vtkCSLFDecoder
  */
@@ -30,6 +49,8 @@
 #include "vtkMapper.h"
 
 #include <memory> // for the internals
+
+class vtkCSLFCubeMapper;
 
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
 {
@@ -48,6 +69,16 @@ public:
     BILINEAR = 2, ///< both interpolated; sharp on the far faces of the cube
     FOCAL = 3,    ///< both interpolated, re-aimed: sharp at the focal point
     DEPTH = 4     ///< re-aimed at the surface found from the depth channel: sharp everywhere
+  };
+
+  /**
+   * How radiance is brought into the range that a display shows, as in vtkToneMappingPass.
+   */
+  enum ToneMappingType
+  {
+    CLAMP = 0,    ///< what is brighter than white is white
+    REINHARD = 1, ///< divided by one more than its luminance
+    ACES = 2      ///< the curve of film: a fit of the ACES transforms by K. Narkowicz
   };
 
   ///@{
@@ -88,6 +119,30 @@ public:
 
   ///@{
   /**
+   * What radiance is multiplied by when it is drawn, besides the exposure that the field was
+   * sampled with. Acts on linear values, also where the field holds sRGB-encoded ones, but cannot
+   * bring back what those were clamped to: sample in `float` to choose the exposure at view time.
+   * Default: 1; at least 0.
+   */
+  vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * What becomes of radiance times exposure before it is sRGB-encoded. Default: CLAMP, with which
+   * the field looks as its path-traced truth.
+   */
+  vtkSetClampMacro(ToneMapping, int, CLAMP, ACES);
+  vtkGetMacro(ToneMapping, int);
+  void SetToneMappingToClamp() { this->SetToneMapping(CLAMP); }
+  void SetToneMappingToReinhard() { this->SetToneMapping(REINHARD); }
+  void SetToneMappingToACES() { this->SetToneMapping(ACES); }
+  const char* GetToneMappingAsString();
+  ///@}
+
+  ///@{
+  /**
    * The light field drawn, or null. For a pipeline use SetInputConnection.
    */
   void SetInputData(vtkImageData* field) { this->SetInputDataInternal(0, field); }
@@ -95,8 +150,8 @@ public:
   ///@}
 
   /**
-   * The graphics memory that the field's samples take, in bytes: 0 before the first Render and
-   * after ReleaseGraphicsResources.
+   * The graphics memory that the field's samples take, in bytes, in all windows together: 0 before
+   * the first Render and after ReleaseGraphicsResources.
    */
   vtkTypeInt64 GetTextureBytes();
 
@@ -121,8 +176,6 @@ public:
    * Hardware selection finds the actor; its cells are the faces of the cube.
    */
   bool GetSupportsSelection() override { return true; }
-  void ProcessSelectorPixelBuffers(
-    vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
   ///@}
 
   ///@{
@@ -146,10 +199,13 @@ private:
   void operator=(const vtkCSLFMapper&) = delete;
 
   bool UpdateField();
+  vtkCSLFCubeMapper* GetCubeMapper(vtkWindow* window);
 
   int Lookup = DEPTH;
   bool AutomaticFocalPoint = true;
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
+  double Exposure = 1.0;
+  int ToneMapping = CLAMP;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,13 +1,19 @@
 //VTK::System::Dec
 #extension GL_ARB_texture_gather : enable
+//CSLF::Options::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Casts the ray from the eye through each fragment of the cube's far faces and looks it up
 // (paper, algorithm 1).
 
+// Options, defined only where they apply:
+//   CLIPPING_PLANES  how many planes cut the picture
+//   TONE_MAPPING     vtkCSLFMapper::ToneMappingType, unless colours are shown as they are
+//   RENDER_PASS      a render pass may ask for the surface's position and normal
+
 //VTK::CustomUniforms::Dec
-//VTK::PositionVC::Dec
 //VTK::Camera::Dec
+//VTK::Light::Dec
 //VTK::Picking::Dec
 //VTK::DepthPeeling::Dec
 //VTK::Output::Dec
@@ -23,10 +29,17 @@ uniform vec3 FocalPointCC;
 uniform bool LinearColor;      // the field holds linear values, otherwise sRGB-encoded ones
 uniform float Opacity;
 uniform int CoveragePass;      // 0: all, 1: what covers its pixel, 2: what covers a part of it
+#ifdef CLIPPING_PLANES
+uniform vec4 ClippingPlanesCC[CLIPPING_PLANES]; // what is drawn lies where they are positive
+#endif
+#ifdef RENDER_PASS
+uniform mat4 CCVCMatrix;
+#endif
 
 //CSLF::Cube::Dec
 //CSLF::Field::Dec
 //CSLF::Lookup::Dec
+//CSLF::ToneMapping::Dec
 
 // Coverage from which on a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;
@@ -48,17 +61,31 @@ LookupResult LookUp(RayCoordinates ray)
   }
 }
 
-vec3 LinearToSRGB(vec3 linear)
+bool IsClipped(vec3 pointCC)
 {
-  vec3 clamped = clamp(linear, 0.0, 1.0);
-  return mix(12.92 * clamped, 1.055 * pow(clamped, vec3(1.0 / 2.4)) - 0.055,
-    step(vec3(0.0031308), clamped));
+#ifdef CLIPPING_PLANES
+  for (int i = 0; i < CLIPPING_PLANES; ++i)
+  {
+    if (dot(ClippingPlanesCC[i], vec4(pointCC, 1.0)) < 0.0)
+    {
+      return true;
+    }
+  }
+#endif
+  return false;
+}
+
+vec3 GetDisplayColor(vec3 color)
+{
+#ifdef TONE_MAPPING
+  return LinearToSRGB(MapTone(LinearColor ? color : SRGBToLinear(color)));
+#else
+  return LinearColor ? LinearToSRGB(color) : color;
+#endif
 }
 
 void main()
 {
-  //VTK::PositionVC::Impl
-
   vec3 direction = EyeCC.w > 0.0 ? positionCCVSOutput - EyeCC.xyz : EyeCC.xyz;
   vec3 origin = EyeCC.w > 0.0 ? EyeCC.xyz : positionCCVSOutput;
   RayCoordinates ray = RayToCoordinates(origin, direction);
@@ -80,13 +107,27 @@ void main()
     discard;
   }
 
-  vec4 hitDC = CCDCMatrix * vec4(mix(entry, exit, result.Fraction), 1.0);
-  gl_FragDepth = clamp(0.5 * hitDC.z / hitDC.w + 0.5, 0.0, 1.0);
+  // The surfaces are cut by the clipping range, not the cube; this also leaves out what lies behind
+  // an eye inside the cube.
+  vec3 hitCC = mix(entry, exit, result.Fraction);
+  vec4 hitDC = CCDCMatrix * vec4(hitCC, 1.0);
+  if (abs(hitDC.z) > hitDC.w || IsClipped(hitCC))
+  {
+    discard;
+  }
+  gl_FragDepth = 0.5 * hitDC.z / hitDC.w + 0.5;
 
   //VTK::DepthPeeling::PreColor
 
-  vec3 color = result.Color.rgb / alpha;
-  gl_FragData[0] = vec4(LinearColor ? LinearToSRGB(color) : color, alpha * Opacity);
+  gl_FragData[0] = vec4(GetDisplayColor(result.Color.rgb / alpha), alpha * Opacity);
+
+#ifdef RENDER_PASS
+  // By these names render passes know them.
+  vec4 vertexVC = CCVCMatrix * vec4(hitCC, 1.0);
+  vec3 normalVCVSOutput = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));
+  normalVCVSOutput = length(normalVCVSOutput) > 0.0 ? normalize(normalVCVSOutput) : vec3(0.0, 0.0, 1.0);
+  //VTK::Light::Impl
+#endif
 
   //VTK::DepthPeeling::Impl
   //VTK::Picking::Impl

@@ -4,17 +4,13 @@
 // What the mapper does with inputs that are no light field, with changing inputs, with float
 // colour, with released graphics resources, and with two windows.
 #include "cslfTestField.h"
+#include "cslfTestView.h"
 #include "cslfTesting.h"
-#include "vtkCSLFMapper.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPropPicker.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -25,38 +21,22 @@ namespace
 {
 constexpr int Size = 64;
 
-struct View
+struct View : cslf::testing::View
 {
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkActor> Actor;
+  vtkSmartPointer<vtkActor> Actor;
 
   explicit View(vtkCSLFMapper* mapper)
+    : cslf::testing::View(Size)
+    , Actor(this->Add(mapper))
   {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Size, Size);
-    this->Window->AddRenderer(this->Renderer);
-    this->Actor->SetMapper(mapper);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->GetActiveCamera()->SetPosition(1.0, 0.5, 5.0);
-    this->Renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Renderer->ResetCameraClippingRange();
+    this->GetCamera()->SetPosition(1.0, 0.5, 5.0);
   }
 
   /// The mean of the picture's red, green and blue.
   double Render()
   {
     this->Renderer->ResetCameraClippingRange();
-    this->Window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetPixelData(0, 0, Size - 1, Size - 1, 0, pixels);
-    double sum = 0.0;
-    for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
-    {
-      sum += pixels->GetValue(i);
-    }
-    return sum / static_cast<double>(pixels->GetNumberOfValues());
+    return cslf::testing::View::Render().GetMean();
   }
 };
 
@@ -119,9 +99,11 @@ void TestChanges()
   CSLF_CHECK(view.Render() == brightness);
 
   // A second window shows the same.
-  View other(mapper);
-  CSLF_CHECK(other.Render() == brightness);
-  CSLF_CHECK(view.Render() == brightness);
+  {
+    View other(mapper);
+    CSLF_CHECK(other.Render() == brightness);
+    CSLF_CHECK(view.Render() == brightness);
+  }
 
   // Float colour is interpolated before it is encoded: nearly the same picture.
   mapper->SetInputData(floats);

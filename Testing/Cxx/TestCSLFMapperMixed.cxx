@@ -1,100 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A field among other actors: an opaque cone that pierces its surfaces, a plane behind it that
-// shows around its silhouettes, a translucent sheet before it, outline, axes and text. The cone is
-// added after the field, the plane before it: the order must not matter.
-#include "cslfTestField.h"
+// What a field looks like among other actors.
 #include "cslfTestImage.h"
+#include "cslfTestMixedScene.h"
+#include "cslfTestView.h"
 #include "cslfTesting.h"
-#include "vtkCSLFMapper.h"
-
-#include <vtkActor.h>
-#include <vtkAxesActor.h>
-#include <vtkCamera.h>
-#include <vtkConeSource.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkOutlineSource.h>
-#include <vtkPlaneSource.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-
-namespace
-{
-void AddActor(
-  vtkRenderer* renderer, vtkPolyDataAlgorithm* source, double r, double g, double b, double opacity)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(r, g, b);
-  actor->GetProperty()->SetOpacity(opacity);
-  renderer->AddActor(actor);
-}
-}
 
 int TestCSLFMapperMixed(int argc, char* argv[])
 {
-  const auto field = cslf::testing::MakeTestField(
-    cslf::Layout(9, 64), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(0.2, 0.2, 0.25);
-
-  vtkNew<vtkPlaneSource> behind;
-  behind->SetOrigin(-1.5, -1.5, -1.6);
-  behind->SetPoint1(0.4, -1.5, -1.6);
-  behind->SetPoint2(-1.5, 1.2, -1.6);
-  AddActor(renderer, behind, 0.9, 0.9, 0.9, 1.0);
-
-  vtkNew<vtkCSLFMapper> mapper;
-  mapper->SetInputData(field);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-
-  vtkNew<vtkConeSource> cone;
-  cone->SetCenter(0.0, -0.15, 0.3);
-  cone->SetDirection(-0.5, -0.4, 1.0);
-  cone->SetHeight(1.1);
-  cone->SetRadius(0.3);
-  cone->SetResolution(48);
-  AddActor(renderer, cone, 0.9, 0.4, 0.1, 1.0);
-
-  vtkNew<vtkPlaneSource> sheet;
-  sheet->SetOrigin(0.1, -0.8, 0.75);
-  sheet->SetPoint1(0.8, -0.8, 0.75);
-  sheet->SetPoint2(0.1, 0.3, 0.75);
-  AddActor(renderer, sheet, 0.2, 0.5, 1.0, 0.4);
-
-  vtkNew<vtkOutlineSource> outline;
-  outline->SetBounds(mapper->GetBounds());
-  AddActor(renderer, outline, 1.0, 1.0, 1.0, 1.0);
-
-  vtkNew<vtkAxesActor> axes;
-  axes->AxisLabelsOff();
-  axes->SetTotalLength(1.3, 1.3, 1.3);
-  renderer->AddActor(axes);
-
-  vtkNew<vtkTextActor> text;
-  text->SetInput("light field");
-  text->SetPosition(10, 10);
-  text->GetTextProperty()->SetFontSize(20);
-  renderer->AddActor(text);
-
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(300, 300);
-  window->AddRenderer(renderer);
-  renderer->GetActiveCamera()->SetPosition(2.0, 1.6, 4.0);
-  renderer->ResetCamera();
-  renderer->GetActiveCamera()->Zoom(1.3);
-  CSLF_CHECK(cslf::testing::MatchesBaseline(argc, argv, window));
+  cslf::testing::View view(300);
+  cslf::testing::AddMixedScene(view.Renderer, cslf::testing::MakeTestMapper());
+  CSLF_CHECK(cslf::testing::MatchesBaseline(argc, argv, view.Window));
   return cslf::testing::Result();
 }

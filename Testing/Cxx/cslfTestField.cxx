@@ -4,10 +4,17 @@
 
 #include "cslfColor.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
+#include <vtkSphereSource.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
 
 #include <glm/geometric.hpp>
 
@@ -105,6 +112,30 @@ TestHit TraceTestScene(const glm::dvec3& originCC, const glm::dvec3& directionCC
     }
   }
   return hit;
+}
+
+vtkSmartPointer<vtkPolyData> MakeTestSurfaces(const Cube& box)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(SphereCenter.x, SphereCenter.y, SphereCenter.z);
+  sphere->SetRadius(SphereRadius);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(64);
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(-WallHalf, -WallHalf, WallZ);
+  wall->SetPoint1(WallHalf, -WallHalf, WallZ);
+  wall->SetPoint2(-WallHalf, WallHalf, WallZ);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(sphere->GetOutputPort());
+  both->AddInputConnection(wall->GetOutputPort());
+  vtkNew<vtkTransform> toWorld;
+  toWorld->Translate(box.Center.x, box.Center.y, box.Center.z);
+  toWorld->Scale(0.5 * box.Edges.x, 0.5 * box.Edges.y, 0.5 * box.Edges.z);
+  vtkNew<vtkTransformPolyDataFilter> moved;
+  moved->SetTransform(toWorld);
+  moved->SetInputConnection(both->GetOutputPort());
+  moved->Update();
+  return moved->GetOutput();
 }
 
 vtkSmartPointer<vtkImageData> MakeTestField(const Layout& layout, const Cube& box, int colorType,

@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 class vtkImageData;
+class vtkPolyData;
 
 namespace cslf
 {
@@ -30,6 +31,9 @@ struct TestHit
 
 /// The first thing that a ray in CC meets.
 TestHit TraceTestScene(const glm::dvec3& originCC, const glm::dvec3& directionCC);
+
+/// The scene's surfaces in the world of a field of that cube, for VTK's own mapper.
+vtkSmartPointer<vtkPolyData> MakeTestSurfaces(const Cube& box);
 
 /// The scene's light field, `samples` x `samples` regular samples a texel, slices `first` to `last`
 /// (all of them for last < 0). The types are VTK's; a depth type of 0 leaves depth out.

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Exposure and tone mapping: the shader against its C++ twin, on 8-bit and on float fields, and the
+// curves themselves.
+#include "cslfColor.h"
+#include "cslfTestField.h"
+#include "cslfTestView.h"
+#include "cslfTesting.h"
+#include "cslfToneMapping.h"
+
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+using cslf::testing::Picture;
+using cslf::testing::View;
+
+// The plain picture taken through the C++ functions is the mapped one, but for its rounding.
+void TestPictures(int type)
+{
+  View view;
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputData(
+    cslf::testing::MakeTestField(cslf::Layout(3, 32), cslf::Cube(), type, VTK_UNSIGNED_SHORT, 1));
+  mapper->SetLookupToNearest();
+  view.Add(mapper);
+  const Picture plain = view.Render();
+  for (const double exposure : { 0.5, 1.0, 1.6 })
+  {
+    for (int curve = vtkCSLFMapper::CLAMP; curve <= vtkCSLFMapper::ACES; ++curve)
+    {
+      mapper->SetExposure(exposure);
+      mapper->SetToneMapping(curve);
+      const Picture seen = view.Render();
+      Picture expected = plain;
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(plain.Width, plain.Width, 1);
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      colors->SetArray(expected.Colors.data(), static_cast<vtkIdType>(expected.Colors.size()), 1);
+      image->GetPointData()->SetScalars(colors);
+      cslf::ToneMapping{ exposure, curve }.Apply(image);
+      int most = 0;
+      for (std::size_t i = 0; i < seen.Colors.size(); ++i)
+      {
+        most = std::max(most, std::abs(seen.Colors[i] - expected.Colors[i]));
+      }
+      std::cout << mapper->GetToneMappingAsString() << " at " << exposure << ": " << most
+                << " levels at most\n";
+      CSLF_CHECK(most <= 3);
+    }
+  }
+  mapper->SetExposure(1.0);
+  mapper->SetToneMappingToClamp();
+  CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), plain) == 99.0);
+}
+
+// What is brighter than white comes back where the field is of float.
+void TestRange()
+{
+  const auto field = cslf::testing::MakeTestField(
+    cslf::Layout(3, 16), cslf::Cube(), VTK_FLOAT, VTK_UNSIGNED_SHORT, 1);
+  vtkDataArray* colors = field->GetPointData()->GetArray(cslf::ColorName);
+  for (vtkIdType texel = 0; texel < colors->GetNumberOfTuples(); ++texel)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      colors->SetComponent(texel, c, 8.0 * colors->GetComponent(texel, 3));
+    }
+  }
+  View view;
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputData(field);
+  view.Add(mapper);
+  const auto brightest = [&]
+  {
+    const Picture picture = view.Render();
+    return *std::max_element(picture.Colors.begin(), picture.Colors.end());
+  };
+  CSLF_CHECK(brightest() == 255);
+  mapper->SetExposure(1.0 / 16.0);
+  CSLF_CHECK_NEAR(brightest(), 255.0 * cslf::LinearToSRGB(0.5), 1.0);
+  mapper->SetExposure(1.0);
+  mapper->SetToneMappingToReinhard();
+  CSLF_CHECK_NEAR(brightest(), 255.0 * cslf::LinearToSRGB(8.0 / 9.0), 1.0);
+}
+
+void TestCurves()
+{
+  const glm::dvec3 color(0.2, 0.4, 0.1);
+  CSLF_CHECK((cslf::ToneMapping{ 2.0, vtkCSLFMapper::CLAMP }.MapTone(color) == 2.0 * color));
+  // Reinhard keeps hues and ends below white.
+  const glm::dvec3 mapped = cslf::ToneMapping{ 1.0, vtkCSLFMapper::REINHARD }.MapTone(color);
+  CSLF_CHECK_NEAR(mapped.x / mapped.y, 0.5, 1e-12);
+  CSLF_CHECK(cslf::ToneMapping({ 1e6, vtkCSLFMapper::REINHARD }).MapTone(glm::dvec3(1.0)).x < 1.0);
+  // The curve of film rises throughout.
+  double last = -1.0;
+  for (double value = 0.0; value < 10.0; value += 0.1)
+  {
+    const double shown = cslf::ToneMapping{ 1.0, vtkCSLFMapper::ACES }.MapTone(glm::dvec3(value)).x;
+    CSLF_CHECK(shown > last);
+    last = shown;
+  }
+  CSLF_CHECK(cslf::ToneMapping().IsIdentity());
+}
+
+void TestSettings()
+{
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetExposure(-1.0);
+  CSLF_CHECK(mapper->GetExposure() == 0.0);
+  mapper->SetToneMapping(7);
+  CSLF_CHECK(mapper->GetToneMapping() == vtkCSLFMapper::ACES);
+  vtkNew<vtkCSLFMapper> copy;
+  copy->ShallowCopy(mapper);
+  CSLF_CHECK(copy->GetExposure() == 0.0 && copy->GetToneMapping() == vtkCSLFMapper::ACES);
+}
+}
+
+int TestCSLFMapperToneMapping(int, char*[])
+{
+  TestPictures(VTK_UNSIGNED_CHAR);
+  TestPictures(VTK_FLOAT);
+  TestRange();
+  TestCurves();
+  TestSettings();
+  return cslf::testing::Result();
+}
