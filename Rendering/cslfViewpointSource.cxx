@@ -4,7 +4,6 @@
 
 #include "vtkCSLFDecoder.h"
 
-#include <vtkDataArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -9,13 +9,13 @@
 
 #include "cslfDescription.h"
 
+#include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
 #include <vector>
 
 class vtkCSLFDecoder;
-class vtkDataArray;
 class vtkImageData;
 
 namespace cslf

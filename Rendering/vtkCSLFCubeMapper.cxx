@@ -4,6 +4,7 @@
 
 #include "cslfCubeGLSL.h"
 #include "cslfFieldGLSL.h"
+#include "cslfLookup.h"
 #include "cslfLookupGLSL.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
@@ -14,7 +15,6 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
@@ -33,12 +33,18 @@
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 
 namespace
 {
 constexpr const char* PositionName = "positionCC";
+
+/// The share of the time for a picture that goes into bringing samples to graphics memory, and the
+/// seconds within which it stays: short enough for the hand on the mouse.
+constexpr double UploadShare = 0.25;
+constexpr double LeastUpload = 0.002;
+constexpr double MostUpload = 0.02;
 
 // The cube as six quads, with each point's position in CC as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
@@ -89,13 +95,12 @@ vtkCSLFCubeMapper::~vtkCSLFCubeMapper()
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* image)
+void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& source)
 {
-  this->Field = field;
-  this->Image = image;
+  this->Source = source;
   this->TextureFailed = false;
-  this->Texture.Invalidate();
-  this->SetInputDataObject(MakeCube(field.Box));
+  this->Texture.SetSource(source);
+  this->SetInputDataObject(MakeCube(source->GetDescription().Box));
 }
 
 //------------------------------------------------------------------------------
@@ -109,18 +114,34 @@ void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Window = window;
-  if (!this->TextureFailed && !this->Texture.IsUploadedTo(window))
-  {
-    std::string error;
-    this->TextureFailed = !this->Texture.Upload(window, this->Field, this->Image, error);
-    if (this->TextureFailed)
-    {
-      vtkErrorMacro(<< error);
-    }
-  }
+  this->Window = renderer->GetRenderWindow();
+  this->UpdateCamera(renderer, actor);
+  this->UpdateTexture(renderer, actor);
   this->Superclass::RenderPieceStart(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+// Brings what the camera can use. Not between the two passes of one picture, which must agree.
+void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Viewers.Update({ renderer, renderer->GetActiveCamera()->GetLeftEye() }, this->Sight);
+  if (this->TextureFailed)
+  {
+    return;
+  }
+  cslf::TexturePace pace;
+  pace.Limit = this->TextureMemoryLimit;
+  pace.Waits = !this->Streaming;
+  pace.Seconds = this->ChooseCoveragePass(renderer, actor) == 2
+    ? 0.0
+    : std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
+  std::string error;
+  this->TextureFailed = !this->Texture.Update(window, this->Viewers.GetSights(), pace, error);
+  if (this->TextureFailed)
+  {
+    vtkErrorMacro(<< error);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -136,11 +157,12 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
     ->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
   static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, normals);
+  const cslf::Cube& box = this->Source->GetDescription().Box;
   vtkNew<vtkMatrix4x4> ccmc;
   for (int axis = 0; axis < 3; ++axis)
   {
-    ccmc->SetElement(axis, axis, 0.5 * this->Field.Box.Edges[axis]);
-    ccmc->SetElement(axis, 3, this->Field.Box.Center[axis]);
+    ccmc->SetElement(axis, axis, 0.5 * box.Edges[axis]);
+    ccmc->SetElement(axis, 3, box.Center[axis]);
   }
   // Key matrices are transposed.
   ccmc->Transpose();
@@ -149,37 +171,17 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   vtkMatrix4x4::Multiply4x4(ccwc, wcvc, this->CCVCMatrix);
   vtkMatrix4x4::Multiply4x4(ccwc, wcdc, this->CCDCMatrix);
 
-  // The eye is where all lines along the display's z meet: for a parallel projection at infinity.
-  vtkNew<vtkMatrix4x4> dccc;
-  vtkMatrix4x4::Transpose(this->CCDCMatrix, dccc);
-  dccc->Invert();
-  const double along[4] = { 0.0, 0.0, 1.0, 0.0 };
-  double eye[4];
-  dccc->MultiplyPoint(along, eye);
-  const double length = std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
-  if (std::abs(eye[3]) > 1e-9 * length)
+  cslf::DisplayRows rows;
+  for (int row = 0; row < 4; ++row)
   {
-    this->EyeCC = { eye[0] / eye[3], eye[1] / eye[3], eye[2] / eye[3], 1.0 };
+    for (int column = 0; column < 4; ++column)
+    {
+      rows[row][column] = this->CCDCMatrix->GetElement(column, row);
+    }
   }
-  else
-  {
-    this->EyeCC = { eye[0] / length, eye[1] / length, eye[2] / length, 0.0 };
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkCSLFCubeMapper::IsEyeInside() const
-{
-  return this->EyeCC.w != 0.0 && std::abs(this->EyeCC.x) < 1.0 && std::abs(this->EyeCC.y) < 1.0 &&
-    std::abs(this->EyeCC.z) < 1.0;
-}
-
-//------------------------------------------------------------------------------
-// Whether some line of sight can enter the cube by a face. From inside all of them can.
-bool vtkCSLFCubeMapper::CanEnter(int face) const
-{
-  const double along = cslf::FaceSign(face) * this->EyeCC[cslf::FaceAxis(face)];
-  return this->EyeCC.w == 0.0 ? along < 0.0 : along >= 1.0 || this->IsEyeInside();
+  const cslf::Description& field = this->Source->GetDescription();
+  this->Sight = cslf::Sight(rows, field.GetSceneMinimumCC() - cslf::LookupSceneMargin,
+    field.GetSceneMaximumCC() + cslf::LookupSceneMargin);
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +191,6 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  this->UpdateCamera(renderer, actor);
   const std::string options = this->MakeOptions();
   if (options != this->Options)
   {
@@ -207,7 +208,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
-    if (this->CanEnter(face))
+    if (this->Sight.CanEnter(face))
     {
       this->EntryFace = face;
       this->Texture.Activate(face);
@@ -312,10 +313,9 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
 
   vtkShaderProgram* program = cellBO.Program;
-  this->Texture.SetUniforms(program);
-  const float eye[4] = { static_cast<float>(this->EyeCC.x), static_cast<float>(this->EyeCC.y),
-    static_cast<float>(this->EyeCC.z), static_cast<float>(this->EyeCC.w) };
-  program->SetUniform4f("EyeCC", eye);
+  this->Texture.SetUniforms(program, this->EntryFace);
+  const glm::vec4 eye(this->Sight.GetEye());
+  program->SetUniform4f("EyeCC", &eye.x);
   program->SetUniformMatrix("CCDCMatrix", this->CCDCMatrix);
   if (program->IsUniformUsed("CCVCMatrix"))
   {
@@ -324,8 +324,9 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   program->SetUniformi("EntryFacePass", this->EntryFace);
   program->SetUniformi("LookupMode", this->Lookup);
   program->SetUniform3f("FocalPointCC", &this->FocalPointsCC[this->EntryFace].x);
+  const cslf::Description& field = this->Source->GetDescription();
   program->SetUniformi(
-    "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
+    "LinearColor", field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
   program->SetUniformf("Opacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
   program->SetUniformi("CoveragePass", this->ChooseCoveragePass(renderer, actor));
   if (!this->ToneMapping.IsIdentity())

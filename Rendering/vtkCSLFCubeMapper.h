@@ -13,21 +13,21 @@
 
 #include "cslfDescription.h"
 #include "cslfFieldTexture.h"
+#include "cslfSightSeries.h"
 #include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
-#include <vtkSmartPointer.h>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-class vtkImageData;
 class vtkMatrix4x4;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
@@ -37,8 +37,15 @@ public:
   vtkTypeMacro(vtkCSLFCubeMapper, vtkOpenGLPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The field to draw; its samples go to graphics memory at the next Render.
-  void SetField(const cslf::Description& field, vtkImageData* image);
+  /// The field to draw; its samples go to graphics memory as Render needs them.
+  void SetSource(const std::shared_ptr<cslf::ViewpointSource>& source);
+
+  /// vtkCSLFMapper::Streaming and TextureMemoryLimit.
+  void SetStreaming(bool streaming, std::int64_t limit)
+  {
+    this->Streaming = streaming;
+    this->TextureMemoryLimit = limit;
+  }
 
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->Lookup = lookup; }
@@ -58,8 +65,17 @@ public:
   /// How radiance becomes colour.
   void SetToneMapping(const cslf::ToneMapping& toneMapping) { this->ToneMapping = toneMapping; }
 
-  /// Whether the eye of the last picture was inside the cube.
-  bool IsEyeInside() const;
+  /// What the last picture's camera saw of the cube.
+  const cslf::Sight& GetSight() const { return this->Sight; }
+
+  /// Whether nothing was missing from the last picture, as far as it fits.
+  bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
+
+  /// How many viewpoints turned out to be damaged.
+  int GetNumberOfDamagedViewpoints() const
+  {
+    return this->Texture.GetNumberOfDamagedViewpoints();
+  }
 
   /// The graphics memory that the samples take, in bytes; 0 before the first Render.
   std::int64_t GetTextureBytes() const { return this->Texture.GetBytes(); }
@@ -94,13 +110,15 @@ private:
   void operator=(const vtkCSLFCubeMapper&) = delete;
 
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
-  bool CanEnter(int face) const;
+  void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
   std::string MakeOptions() const;
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
 
-  cslf::Description Field;
-  vtkSmartPointer<vtkImageData> Image;
+  std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;
+  cslf::SightSeries Viewers;
+  bool Streaming = false;
+  std::int64_t TextureMemoryLimit = 0;
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
   int Lookup = 0;
@@ -111,7 +129,7 @@ private:
 
   // For the picture being drawn.
   int EntryFace = 0;
-  glm::dvec4 EyeCC{ 0.0 }; ///< w = 1: the eye; w = 0: the direction of a parallel projection
+  cslf::Sight Sight;
   vtkNew<vtkMatrix4x4> CCVCMatrix;
   vtkNew<vtkMatrix4x4> CCDCMatrix;
 };

@@ -5,7 +5,9 @@
  * @brief   draw a cube surface light field with any vtkActor
  *
  * The input is the image data of a whole light field, as vtkCSLFSampler, vtkCSLFDecoder or
- * vtkCSLFImageReader make it. The mapper draws the field's cube and looks up, for each pixel, the
+ * vtkCSLFImageReader make it. Where it comes right from a vtkCSLFDecoder, the mapper does not have
+ * the field decoded as a whole: it asks for the viewpoints that the camera can use, and no other
+ * memory than the decoder's CacheSize holds them on their way. The mapper draws the field's cube and looks up, for each pixel, the
  * light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021, section 3.4 and algorithm 1). The
  * cost of a picture does not depend on the scene that was sampled.
  *
@@ -51,6 +53,12 @@
 #include <memory> // for the internals
 
 class vtkCSLFCubeMapper;
+class vtkCSLFDecoder;
+
+namespace cslf
+{
+class ViewpointSource;
+}
 
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
 {
@@ -143,6 +151,38 @@ public:
 
   ///@{
   /**
+   * Whether Render draws what is there rather than wait for all that the camera can use. It waits
+   * for the coarsest viewpoints only; in a few milliseconds of each picture others are brought to
+   * graphics memory, those near to what the camera looks at first. Where some are missing,
+   * UpdateDataEvent is invoked at the end of Render, and IsComplete is false: whoever wants to see
+   * them has to draw again, but not from within the event. Default: off, for pictures that are drawn
+   * once.
+   */
+  vtkSetMacro(Streaming, bool);
+  vtkGetMacro(Streaming, bool);
+  vtkBooleanMacro(Streaming, bool);
+  ///@}
+
+  /**
+   * Whether the last picture, in each window, was drawn from all viewpoints that its camera can use,
+   * as far as TextureMemoryLimit allows.
+   */
+  bool IsComplete();
+
+  ///@{
+  /**
+   * How many bytes of graphics memory the samples may take in each window, at least those of four
+   * viewpoints. A camera outside the cube can use no more than 30 % of a field: the viewpoints on
+   * the faces that it sees, and what they see of the others. Where that is too much, the grid of
+   * viewpoints is fine around what the camera looks at, and coarser elsewhere. From inside the cube
+   * all of the field is used. Default: 2 GiB.
+   */
+  vtkSetClampMacro(TextureMemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(TextureMemoryLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
    * The light field drawn, or null. For a pipeline use SetInputConnection.
    */
   void SetInputData(vtkImageData* field) { this->SetInputDataInternal(0, field); }
@@ -150,8 +190,8 @@ public:
   ///@}
 
   /**
-   * The graphics memory that the field's samples take, in bytes, in all windows together: 0 before
-   * the first Render and after ReleaseGraphicsResources.
+   * The graphics memory set aside for the field's samples, in bytes, in all windows together: 0
+   * before the first Render and after ReleaseGraphicsResources.
    */
   vtkTypeInt64 GetTextureBytes();
 
@@ -199,6 +239,9 @@ private:
   void operator=(const vtkCSLFMapper&) = delete;
 
   bool UpdateField();
+  std::shared_ptr<cslf::ViewpointSource> OpenDecoder(vtkCSLFDecoder* decoder);
+  std::shared_ptr<cslf::ViewpointSource> OpenImage(vtkImageData* image);
+  void WarnOfDamage(int damaged);
   vtkCSLFCubeMapper* GetCubeMapper(vtkWindow* window);
 
   int Lookup = DEPTH;
@@ -206,6 +249,8 @@ private:
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
   double Exposure = 1.0;
   int ToneMapping = CLAMP;
+  bool Streaming = false;
+  vtkTypeInt64 TextureMemoryLimit = vtkTypeInt64(2) << 30;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -5,12 +5,11 @@
 
 uniform sampler2DArray ColorTexture; // linear filter
 uniform sampler2DArray DepthTexture; // nearest filter
-uniform sampler2D NodeTexture;       // per cell of the base grid: index, lower, upper coordinate
-uniform vec2 LayerSize;              // in texels
-uniform int SlicesPerLayer;
-uniform int Viewpoints;              // M
+uniform sampler2D CellTexture;       // two texels for each cell of the base grid, see Residency
+uniform float TileLayers[5];         // the first layer of each tile's block
+uniform float TilesPerLayer;
 uniform int BaseNodes;               // M0
-uniform int Resolution;              // N
+uniform float Resolution;            // N
 uniform bool HasDepth;
 uniform vec3 SceneMinimum;           // CC
 uniform vec3 SceneMaximum;           // CC
@@ -18,12 +17,13 @@ uniform vec3 SceneMaximum;           // CC
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
 
-struct NodeBracket
+// The viewpoints around a coordinate: at the lower corner, at upper u, at upper v and at both.
+struct Cell
 {
-  int Lower;
-  float LowerCoordinate;
-  float UpperCoordinate;
-  float Weight;
+  vec4 Slots;
+  vec2 Lower;  // their coordinates
+  vec2 Upper;
+  vec2 Weight; // of the upper ones
 };
 
 int TileOf(int entryFace, int exitFace)
@@ -36,71 +36,73 @@ int ExitFaceOf(int entryFace, int tile)
   return tile < entryFace ? tile : tile + 1;
 }
 
-// Within the entry face, whose slices a texture holds.
-int SliceOf(int i, int j)
+Cell FindCell(vec2 coordinates)
 {
-  return j * Viewpoints + i;
+  vec2 node = 0.5 * (clamp(coordinates, -1.0, 1.0) + 1.0) * float(BaseNodes - 1);
+  ivec2 texel = min(ivec2(node), BaseNodes - 2) * ivec2(2, 1);
+  vec4 corners = texelFetch(CellTexture, texel + ivec2(1, 0), 0);
+  Cell cell;
+  cell.Slots = texelFetch(CellTexture, texel, 0);
+  cell.Lower = corners.xy;
+  cell.Upper = corners.zw;
+  cell.Weight = clamp((coordinates - cell.Lower) / (cell.Upper - cell.Lower), 0.0, 1.0);
+  return cell;
 }
 
-NodeBracket FindNodes(float coordinate)
+// Where a slot's tile begins: the row, in tiles, and the layer. What is not there is in layers below
+// 0, which samplers take for layer 0, where colour and depth are 0: hidden from the view.
+vec2 FindTile(float slot, int tile)
 {
-  float node = 0.5 * (clamp(coordinate, -1.0, 1.0) + 1.0) * float(BaseNodes - 1);
-  int cell = min(int(node), BaseNodes - 2);
-  vec3 stored = texelFetch(NodeTexture, ivec2(cell, 0), 0).xyz;
-  NodeBracket bracket;
-  bracket.Lower = int(stored.x + 0.5);
-  bracket.LowerCoordinate = stored.y;
-  bracket.UpperCoordinate = stored.z;
-  bracket.Weight =
-    clamp((coordinate - stored.y) / (stored.z - stored.y), 0.0, 1.0);
-  return bracket;
-}
-
-// From texels of a tile to texels of the layer.
-vec2 TileCorner(int slice, int tile)
-{
-  return vec2(tile * Resolution, slice % SlicesPerLayer * Resolution);
+  float layer = floor((slot + 0.5) / TilesPerLayer);
+  return vec2(slot - layer * TilesPerLayer, max(layer + TileLayers[tile], 0.0));
 }
 
 vec2 TexelPosition(vec2 coordinates)
 {
-  return 0.5 * (coordinates + 1.0) * float(Resolution);
+  return 0.5 * (coordinates + 1.0) * Resolution;
 }
 
-vec4 ReadNearestColor(int slice, int tile, vec2 coordinates)
+// Texture coordinates of a position in a tile, in texels.
+vec3 TextureCoordinates(float slot, int tile, vec2 position)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, float(Resolution - 1));
-  ivec3 address =
-    ivec3(ivec2(TileCorner(slice, tile) + texel), slice / SlicesPerLayer);
+  vec2 place = FindTile(slot, tile);
+  vec2 texel = position / Resolution;
+  return vec3(texel.x, (place.x + texel.y) / TilesPerLayer, place.y);
+}
+
+vec4 ReadNearestColor(float slot, int tile, vec2 coordinates)
+{
+  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0);
+  vec2 place = FindTile(slot, tile);
+  ivec3 address = ivec3(ivec2(texel + vec2(0.0, place.x * Resolution)), int(place.y));
   return texelFetch(ColorTexture, address, 0);
 }
 
-vec4 ReadColor(int slice, int tile, vec2 coordinates)
+vec4 ReadColor(float slot, int tile, vec2 coordinates)
 {
-  vec2 position = clamp(TexelPosition(coordinates), 0.5, float(Resolution) - 0.5);
-  return textureLod(ColorTexture,
-    vec3((TileCorner(slice, tile) + position) / LayerSize, float(slice / SlicesPerLayer)), 0.0);
+  vec2 position = clamp(TexelPosition(coordinates), 0.5, Resolution - 0.5);
+  return textureLod(ColorTexture, TextureCoordinates(slot, tile, position), 0.0);
 }
 
-float ReadNearestInverseDepth(int slice, int tile, vec2 coordinates)
+float ReadNearestInverseDepth(float slot, int tile, vec2 coordinates)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, float(Resolution - 1));
-  ivec3 address =
-    ivec3(ivec2(TileCorner(slice, tile) + texel), slice / SlicesPerLayer);
+  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0);
+  vec2 place = FindTile(slot, tile);
+  ivec3 address = ivec3(ivec2(texel + vec2(0.0, place.x * Resolution)), int(place.y));
   return 1.0 / max(texelFetch(DepthTexture, address, 0).r, LeastDepth);
 }
 
 // Within one surface interpolated, which is exact for planes; across an edge the nearer surface's.
-float ReadInverseDepth(int slice, int tile, vec2 coordinates)
+float ReadInverseDepth(float slot, int tile, vec2 coordinates)
 {
-  vec2 position = clamp(TexelPosition(coordinates) - 0.5, 0.0, float(Resolution - 1));
-  vec2 base = max(min(floor(position), float(Resolution - 2)), 0.0);
+  vec2 position = clamp(TexelPosition(coordinates) - 0.5, 0.0, Resolution - 1.0);
+  vec2 base = max(min(floor(position), Resolution - 2.0), 0.0);
   vec2 weight = position - base;
 #ifdef GL_ARB_texture_gather
-  vec4 depth = textureGather(DepthTexture,
-    vec3((TileCorner(slice, tile) + base + 1.0) / LayerSize, float(slice / SlicesPerLayer)));
+  vec4 depth = textureGather(DepthTexture, TextureCoordinates(slot, tile, base + 1.0));
 #else
-  ivec3 address = ivec3(ivec2(TileCorner(slice, tile) + base), slice / SlicesPerLayer);
+  vec2 place = FindTile(slot, tile);
+  ivec3 address = ivec3(ivec2(base + vec2(0.0, place.x * Resolution)), int(place.y));
   vec4 depth = vec4(texelFetch(DepthTexture, address + ivec3(0, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,

@@ -24,7 +24,7 @@ struct LookupResult
 
 struct View
 {
-  int Slice;
+  float Slot;
   vec3 Position; // CC
   float Weight;
   float Slack;
@@ -54,20 +54,15 @@ void FindViews(RayCoordinates ray)
   EntryFace = ray.Entry.Face;
   Entry = FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
   Chord = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates) - Entry;
-  NodeBracket u = FindNodes(ray.Entry.Coordinates.x);
-  NodeBracket v = FindNodes(ray.Entry.Coordinates.y);
+  Cell cell = FindCell(ray.Entry.Coordinates);
   for (int k = 0; k < 4; ++k)
   {
-    bool upperU = k % 2 == 1;
-    bool upperV = k / 2 == 1;
-    Views[k].Slice =
-      SliceOf(u.Lower + (upperU ? 1 : 0), v.Lower + (upperV ? 1 : 0));
-    Views[k].Position = FaceToCube(EntryFace,
-      vec2(upperU ? u.UpperCoordinate : u.LowerCoordinate,
-        upperV ? v.UpperCoordinate : v.LowerCoordinate));
-    Views[k].Weight =
-      (upperU ? u.Weight : 1.0 - u.Weight) * (upperV ? v.Weight : 1.0 - v.Weight);
-    float texels = 0.5 * float(Resolution) * distance(Views[k].Position, Entry);
+    bvec2 isUpper = bvec2(k % 2 == 1, k / 2 == 1);
+    Views[k].Slot = cell.Slots[k];
+    Views[k].Position = FaceToCube(EntryFace, mix(cell.Lower, cell.Upper, isUpper));
+    vec2 weight = mix(1.0 - cell.Weight, cell.Weight, isUpper);
+    Views[k].Weight = weight.x * weight.y;
+    float texels = 0.5 * Resolution * distance(Views[k].Position, Entry);
     Views[k].Slack = min(SlackTexels / max(texels, SlackTexels), MostSlack);
   }
 }
@@ -118,7 +113,7 @@ float GuessSurface(float fraction)
   vec3 exit = FaceToCube(ExitFaceOf(EntryFace, seen.Tile), seen.Coordinates);
   vec3 surface = Views[k].Position +
     (exit - Views[k].Position) /
-      ReadNearestInverseDepth(Views[k].Slice, seen.Tile, seen.Coordinates);
+      ReadNearestInverseDepth(Views[k].Slot, seen.Tile, seen.Coordinates);
   return clamp(dot(surface - Entry, Chord) / dot(Chord, Chord), 0.0, 1.0);
 }
 
@@ -128,7 +123,7 @@ LookupResult LookThrough(float fraction)
   for (int k = 0; k < 4; ++k)
   {
     Projection seen = Project(k, Entry + fraction * Chord);
-    color += Views[k].Weight * ReadColor(Views[k].Slice, seen.Tile, seen.Coordinates);
+    color += Views[k].Weight * ReadColor(Views[k].Slot, seen.Tile, seen.Coordinates);
   }
   return LookupResult(color, GuessSurface(fraction));
 }
@@ -138,7 +133,7 @@ LookupResult LookupNearest(RayCoordinates ray)
   FindViews(ray);
   int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
   return LookupResult(
-    ReadNearestColor(Views[FindNearestView()].Slice, tile, ray.Exit.Coordinates),
+    ReadNearestColor(Views[FindNearestView()].Slot, tile, ray.Exit.Coordinates),
     GuessSurface(1.0));
 }
 
@@ -147,7 +142,7 @@ LookupResult LookupLinear(RayCoordinates ray)
   FindViews(ray);
   int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
   return LookupResult(
-    ReadColor(Views[FindNearestView()].Slice, tile, ray.Exit.Coordinates), GuessSurface(1.0));
+    ReadColor(Views[FindNearestView()].Slot, tile, ray.Exit.Coordinates), GuessSurface(1.0));
 }
 
 LookupResult LookupBilinear(RayCoordinates ray)
@@ -189,14 +184,14 @@ int CountSteps(vec2 range)
   {
     reach = max(reach, distance(Views[k].Position, Entry));
   }
-  float texels = 0.5 * float(Resolution) * reach * (range.x - range.y);
+  float texels = 0.5 * Resolution * reach * (range.x - range.y);
   return clamp(int(ceil(texels / TexelsPerStep)), LeastSteps, MostSteps);
 }
 
 float Clearance(int k, float w)
 {
   Projection seen = Project(k, Entry + Chord / max(w, 1.0));
-  return seen.InverseDepth - ReadInverseDepth(Views[k].Slice, seen.Tile, seen.Coordinates);
+  return seen.InverseDepth - ReadInverseDepth(Views[k].Slot, seen.Tile, seen.Coordinates);
 }
 
 Crossing RefineCrossing(int k, float behind, float before)
@@ -289,7 +284,7 @@ vec4 BlendVisible(float w)
   for (int k = 0; k < 4; ++k)
   {
     Projection seen = Project(k, Entry + Chord / w);
-    vec4 color = ReadColor(Views[k].Slice, seen.Tile, seen.Coordinates);
+    vec4 color = ReadColor(Views[k].Slot, seen.Tile, seen.Coordinates);
     all += Views[k].Weight * color;
     float before = Clearance(k, w + Views[k].Slack);
     float behind = Clearance(k, w - Views[k].Slack);
