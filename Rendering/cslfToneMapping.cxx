@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfToneMapping.h"
 
-#include "cslfColor.h"
 #include "vtkCSLFMapper.h"
-
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
-#include <vtkPointData.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,28 +21,5 @@ glm::dvec3 ToneMapping::MapTone(const glm::dvec3& radiance) const
     default:
       return exposed;
   }
-}
-
-void ToneMapping::Apply(vtkImageData* picture) const
-{
-  if (this->IsIdentity())
-  {
-    return;
-  }
-  vtkDataArray* pixels = picture->GetPointData()->GetScalars();
-  for (vtkIdType pixel = 0; pixel < pixels->GetNumberOfTuples(); ++pixel)
-  {
-    glm::dvec3 color;
-    for (int c = 0; c < 3; ++c)
-    {
-      color[c] = pixels->GetComponent(pixel, c) / 255.0;
-    }
-    color = LinearToSRGB(this->MapTone(SRGBToLinear(color)));
-    for (int c = 0; c < 3; ++c)
-    {
-      pixels->SetComponent(pixel, c, ToByte(color[c]));
-    }
-  }
-  pixels->Modified();
 }
 }

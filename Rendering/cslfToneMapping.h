@@ -12,8 +12,6 @@
 
 #include <glm/vec3.hpp>
 
-class vtkImageData;
-
 namespace cslf
 {
 /// What becomes of linear radiance before it is clamped to [0,1] and sRGB-encoded.
@@ -31,9 +29,6 @@ struct VTKCSLF_EXPORT ToneMapping
   /// one more than the luminance (Rec. 709), so that hues stay; ACES is K. Narkowicz's fit of the
   /// ACES reference rendering and output transforms for a display in sRGB (2015).
   glm::dvec3 MapTone(const glm::dvec3& radiance) const;
-
-  /// An sRGB-encoded picture of 8 bits, the first three components of each pixel, in place.
-  void Apply(vtkImageData* picture) const;
 };
 }
 

@@ -13,6 +13,7 @@
 #include "cslfSceneFiles.h"
 #include "cslfStatistics.h"
 #include "cslfTable.h"
+#include "cslfToneOptions.h"
 
 #include "vtkCSLFImageQuality.h"
 
@@ -42,6 +43,7 @@ struct Options
   std::string ContactSheet;
   std::string Title;
   NovelViewOptions Novel;
+  ToneOptions Tone;
 };
 
 /// A lookup's figures, one for each view.
@@ -130,6 +132,7 @@ Result Run(Options options)
   ThrowOnError();
 
   FieldRenderer renderer(file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
+  renderer.SetToneMapping(options.Tone.Get());
   const auto cameras = MakeNovelViews(
     file.Field.Box, options.Novel.Views, options.Novel.Seed, options.Scene.HasCornellBox());
   std::vector<Score> scores = MakeScores(file.Field);
@@ -138,7 +141,7 @@ Result Run(Options options)
   for (int view = 0; view < options.Novel.Views; ++view)
   {
     const Truth truth = TraceTruth(options.Scene, scene, cameras[view], options.Novel.Size,
-      options.Novel.Samples, options.Novel.Seed + view);
+      options.Novel.Samples, options.Novel.Seed + view, options.Tone.Get());
     const auto stencil =
       MakeCubeStencil(file.Field.Box, cameras[view], options.Novel.Size, options.Novel.Size);
     noiseFloors.push_back(ComputeNoiseFloor(truth, stencil));
@@ -191,6 +194,7 @@ void AddEvaluate(CLI::App& app, Command& chosen)
     ->required();
   options->Scene.AddTo(*command);
   options->Novel.AddTo(*command);
+  options->Tone.AddTo(*command);
   command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
   command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
   command->add_option("--title", options->Title, "the scene's name on the contact sheet");

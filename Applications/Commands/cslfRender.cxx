@@ -11,6 +11,7 @@
 #include "cslfPictures.h"
 #include "cslfStatistics.h"
 #include "cslfTable.h"
+#include "cslfToneOptions.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -32,6 +33,7 @@ struct Options
   std::string Field;
   std::string Output;
   std::string Lookup = "depth";
+  ToneOptions Tone;
   CameraOptions Camera;
   CameraPathOptions Path;
   double FrameRate = 25.0;
@@ -53,6 +55,7 @@ Result RunView(const Options& options)
   Read(file);
   FieldRenderer renderer(
     file.Reader->GetOutputPort(), options.Camera.GetWidth(), options.Camera.GetHeight());
+  renderer.SetToneMapping(options.Tone.Get());
   const std::string lookup = ChooseLookup(options.Lookup, file.Field);
   WritePicture(options.Output, renderer.Render(camera, FindLookup(lookup)));
   Result result;
@@ -71,6 +74,7 @@ Result RunPath(const Options& options)
   const auto writer = MakeFrameWriter(options.Output, width, height, options.FrameRate);
   Read(file);
   FieldRenderer renderer(file.Reader->GetOutputPort(), width, height);
+  renderer.SetToneMapping(options.Tone.Get());
   const std::string name = ChooseLookup(options.Lookup, file.Field);
   const int lookup = FindLookup(name);
   // The first picture takes the field to graphics memory, so its time is not a frame's.
@@ -118,6 +122,7 @@ void AddRender(CLI::App& app, Command& chosen)
       "nearest, linear, bilinear, focal or depth; without depth in the field, depth is focal")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
+  options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   options->Path.AddTo(*command);
   command->add_option("--frame-rate", options->FrameRate, "pictures of a video in a second")

@@ -7,24 +7,22 @@
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 #include "cslfPictures.h"
-#include "cslfTable.h"
+#include "cslfSceneFiles.h"
+#include "cslfToneOptions.h"
+#include "cslfViewer.h"
 
-#include "vtkCSLFMapper.h"
-
-#include <vtkActor.h>
+#include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCornerAnnotation.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkTextProperty.h>
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <memory>
 
 namespace cslf
@@ -33,91 +31,128 @@ namespace tool
 {
 namespace
 {
-constexpr const char* Help = "1 nearest  2 linear  3 bilinear  4 focal  5 depth\n"
-                             "left button: rotate, middle: pan, right or wheel: zoom\n"
-                             "r: reset the camera, h: hide this help, q: quit";
+/// How often the interactive window looks whether there is something to do.
+constexpr unsigned long TimerMilliseconds = 20;
 
 struct Options
 {
   std::string Field;
+  SceneOptions Scene;
   std::string Lookup = "depth";
+  std::string Keys;
+  std::string Screenshot;
+  int TruthSamples = 1024;
   double Seconds = 0.0;
+  ToneOptions Tone;
   CameraOptions Camera;
 };
 
-/// The trackball camera, with keys for the lookups.
+/// The trackball camera, with the viewer's keys in place of VTK's.
 class vtkFieldStyle : public vtkInteractorStyleTrackballCamera
 {
 public:
   static vtkFieldStyle* New();
   vtkTypeMacro(vtkFieldStyle, vtkInteractorStyleTrackballCamera);
 
-  vtkCSLFMapper* Mapper = nullptr;
-  vtkCornerAnnotation* Text = nullptr;
-  bool HasDepth = false;
+  Viewer* Shown = nullptr;
 
   void OnChar() override
   {
     const char key = this->Interactor->GetKeyCode();
-    const auto& lookups = GetLookups();
-    if (key >= '1' && key < static_cast<char>('1' + lookups.size()))
-    {
-      const LookupName& lookup = lookups[key - '1'];
-      if (lookup.Lookup != vtkCSLFMapper::DEPTH || this->HasDepth)
-      {
-        this->Mapper->SetLookup(lookup.Lookup);
-        this->Interactor->Render();
-      }
-    }
-    else if (key == 'h')
-    {
-      this->IsHelpShown = !this->IsHelpShown;
-      this->Text->SetText(vtkCornerAnnotation::LowerLeft, this->IsHelpShown ? Help : "h: help");
-      this->Interactor->Render();
-    }
-    else
+    if (key == 'q' || key == 'e' || key == 'r')
     {
       this->Superclass::OnChar();
     }
+    else if (this->Shown->Press(key))
+    {
+      this->Shown->Render();
+    }
   }
-
-private:
-  bool IsHelpShown = true;
 };
 vtkStandardNewMacro(vtkFieldStyle);
 
-/// Shows the lookup and the frame rate of the last frame in the next.
-void ShowState(vtkObject* caller, unsigned long, void* client, void*)
+/// An interactive run, for the timer.
+struct Session
 {
-  auto* renderer = static_cast<vtkRenderer*>(caller);
-  auto* style = static_cast<vtkFieldStyle*>(client);
-  const double seconds = renderer->GetLastRenderTimeInSeconds();
-  std::string text = style->Mapper->GetLookupAsString();
-  if (seconds > 0.0)
+  Viewer& Shown;
+  vtkFieldStyle* Style;
+  int TruthSamples;
+  double Seconds; ///< until the window closes, unless 0
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
+{
+  const auto* session = static_cast<const Session*>(client);
+  const std::chrono::duration<double> age = std::chrono::steady_clock::now() - session->Start;
+  if (session->Seconds > 0.0 && age.count() > session->Seconds)
   {
-    text += "\n" + Format(1.0 / seconds, 1) + " frames/s";
+    static_cast<vtkRenderWindowInteractor*>(caller)->TerminateApp();
   }
-  style->Text->SetText(vtkCornerAnnotation::UpperLeft, text.c_str());
+  else if (session->Style->GetState() == VTKIS_NONE && session->Shown.Refine(session->TruthSamples))
+  {
+    session->Shown.Render();
+  }
 }
 
-void Close(vtkObject* caller, unsigned long, void*, void*)
+void Interact(Viewer& viewer, const Options& options)
 {
-  static_cast<vtkRenderWindowInteractor*>(caller)->TerminateApp();
+  vtkNew<vtkFieldStyle> style;
+  style->Shown = &viewer;
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(viewer.GetWindow());
+  interactor->SetInteractorStyle(style);
+  interactor->Initialize();
+  Session session{ viewer, style, options.TruthSamples, options.Seconds };
+  vtkNew<vtkCallbackCommand> timer;
+  timer->SetCallback(OnTimer);
+  timer->SetClientData(&session);
+  interactor->AddObserver(vtkCommand::TimerEvent, timer);
+  interactor->CreateRepeatingTimer(TimerMilliseconds);
+  viewer.Render();
+  interactor->Start();
+  ThrowOnError();
 }
 
-template <typename Callback>
-vtkSmartPointer<vtkCallbackCommand> MakeObserver(Callback callback, void* client)
+void DrawOnce(Viewer& viewer, const Options& options)
 {
-  auto command = vtkSmartPointer<vtkCallbackCommand>::New();
-  command->SetCallback(callback);
-  command->SetClientData(client);
-  return command;
+  viewer.Render();
+  while (viewer.Refine(options.TruthSamples))
+  {
+  }
+  viewer.WriteScreenshot(options.Screenshot);
+}
+
+std::unique_ptr<RefiningTruth> MakeTruth(SceneOptions options, const Description& field)
+{
+  if (options.IsEmpty())
+  {
+    return nullptr;
+  }
+  options.TakeDefaults(nlohmann::json::parse(field.Sampling, nullptr, false));
+  return std::make_unique<RefiningTruth>(options, options.Read());
+}
+
+void PressKeys(Viewer& viewer, const std::string& keys)
+{
+  for (const char key : keys)
+  {
+    if (!viewer.Press(key))
+    {
+      throw Failure(std::string("The key ") + key + " has no meaning.");
+    }
+  }
 }
 
 Result Run(const Options& options)
 {
+  if (!options.Screenshot.empty())
+  {
+    RequireWritable(options.Screenshot);
+  }
   const FieldFile file = OpenField(options.Field);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
+  auto truth = MakeTruth(options.Scene, file.Field);
   RequireDisplay();
   {
     const ProgressBar bar(file.Reader, "Reading");
@@ -125,46 +160,27 @@ Result Run(const Options& options)
   }
   ThrowOnError();
 
-  vtkNew<vtkCSLFMapper> mapper;
-  mapper->SetInputConnection(file.Reader->GetOutputPort());
-  mapper->SetLookup(FindLookup(ChooseLookup(options.Lookup, file.Field)));
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkNew<vtkCornerAnnotation> text;
-  text->SetMaximumFontSize(16);
-  text->SetText(vtkCornerAnnotation::LowerLeft, Help);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(0.1, 0.1, 0.12);
-  renderer->SetActiveCamera(camera);
-  renderer->AddActor(actor);
-  renderer->AddViewProp(text);
-  renderer->ResetCameraClippingRange();
-
-  vtkNew<vtkRenderWindow> window;
-  window->SetSize(options.Camera.GetWidth(), options.Camera.GetHeight());
-  window->SetWindowName(("cslf: " + options.Field).c_str());
-  window->AddRenderer(renderer);
-  vtkNew<vtkFieldStyle> style;
-  style->Mapper = mapper;
-  style->Text = text;
-  style->HasDepth = file.Field.FindChannel(DepthName) != nullptr;
-  renderer->AddObserver(vtkCommand::StartEvent, MakeObserver(ShowState, style));
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(style);
-  interactor->Initialize();
-  if (options.Seconds > 0.0)
-  {
-    interactor->AddObserver(vtkCommand::TimerEvent, MakeObserver(Close, nullptr));
-    interactor->CreateOneShotTimer(static_cast<unsigned long>(1000.0 * options.Seconds));
-  }
-  window->Render();
-  interactor->Start();
-  ThrowOnError();
-
-  const double seconds = renderer->GetLastRenderTimeInSeconds();
+  Viewer viewer(
+    file, camera, options.Camera.GetWidth(), options.Camera.GetHeight(), std::move(truth));
+  viewer.GetWindow()->SetWindowName(("cslf: " + options.Field).c_str());
+  viewer.GetWindow()->SetOffScreenRendering(!options.Screenshot.empty());
+  viewer.SetLookup(FindLookup(ChooseLookup(options.Lookup, file.Field)));
+  viewer.SetToneMapping(options.Tone.Get());
+  PressKeys(viewer, options.Keys);
   Result result;
-  result.JSON = { { "frames_per_second", seconds > 0.0 ? 1.0 / seconds : 0.0 } };
+  if (options.Screenshot.empty())
+  {
+    Interact(viewer, options);
+  }
+  else
+  {
+    DrawOnce(viewer, options);
+    result.Text = options.Screenshot + "\n";
+  }
+  ThrowOnError();
+  result.JSON = { { "frames_per_second", viewer.GetFrameRate() },
+    { "texture_bytes", viewer.GetTextureBytes() }, { "truth_samples", viewer.GetTruthSamples() },
+    { "psnr", viewer.GetPSNR() } };
   return result;
 }
 }
@@ -172,15 +188,27 @@ Result Run(const Options& options)
 void AddView(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("view", "Look at a light field in an interactive window");
-  command->footer(std::string("Keys and mouse:\n") + Help);
+  command->footer(std::string("Keys and mouse:\n") + Viewer::Help +
+    "\n\nGive the scene, light and material that the field was sampled with to see the path-traced "
+    "truth refine beside the lookups (key t), and their PSNR against it.");
   const auto options = std::make_shared<Options>();
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
+  options->Scene.AddOptionalTo(*command);
   command->add_option("--lookup", options->Lookup, "the lookup at first")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
+  command->add_option("--keys", options->Keys, "keys that are pressed at first, such as sto");
+  command->add_option("--screenshot", options->Screenshot,
+    "draw into this .png, without a window, once the truth is done if it is shown");
+  command
+    ->add_option("--truth-samples", options->TruthSamples,
+      "samples per pixel until which the truth is refined")
+    ->check(CLI::Range(1, 1 << 20))
+    ->capture_default_str();
   command->add_option("--close-after", options->Seconds, "close the window after so many seconds")
     ->check(CLI::PositiveNumber);
+  options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

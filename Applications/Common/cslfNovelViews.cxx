@@ -4,11 +4,11 @@
 
 #include "cslfCameraOptions.h"
 #include "cslfCameraPath.h"
-#include "cslfColor.h"
 #include "cslfMessages.h"
 #include "cslfNovelViewOptions.h"
 #include "cslfPictures.h"
 #include "cslfSceneFiles.h"
+#include "cslfToneOptions.h"
 
 #include "vtkCSLFImageQuality.h"
 #include "vtkCSLFViewTracer.h"
@@ -55,8 +55,8 @@ vtkSmartPointer<vtkImageData> TraceHalf(const SceneOptions& options, const Scene
 }
 
 /// The weighted sum of two linear float pictures, encoded as the field's colours are.
-vtkSmartPointer<vtkImageData> EncodeSum(
-  vtkImageData* first, double firstWeight, vtkImageData* second, double secondWeight)
+vtkSmartPointer<vtkImageData> EncodeSum(vtkImageData* first, double firstWeight,
+  vtkImageData* second, double secondWeight, const ToneMapping& toneMapping)
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(first->GetDimensions());
@@ -71,9 +71,7 @@ vtkSmartPointer<vtkImageData> EncodeSum(
     {
       sum[k] = firstWeight * a[4 * pixel + k] + secondWeight * b[4 * pixel + k];
     }
-    unsigned char color[4];
-    EncodeColor({ sum[0], sum[1], sum[2] }, sum[3], color);
-    std::copy_n(color, 3, pixels + 3 * pixel);
+    EncodeShown(toneMapping, { sum[0], sum[1], sum[2] }, sum[3], pixels + 3 * pixel);
   }
   return picture;
 }
@@ -101,7 +99,7 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
 }
 
 Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* camera, int size,
-  int samples, int seed)
+  int samples, int seed, const ToneMapping& toneMapping)
 {
   const int firstSamples = samples / 2;
   const int secondSamples = samples - firstSamples;
@@ -109,9 +107,9 @@ Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* cam
   const auto second = TraceHalf(options, scene, camera, size, secondSamples, 2 * seed + 1);
   Truth truth;
   const double weight = static_cast<double>(firstSamples) / samples;
-  truth.Picture = EncodeSum(first, weight, second, 1.0 - weight);
-  truth.Halves[0] = EncodeSum(first, 1.0, second, 0.0);
-  truth.Halves[1] = EncodeSum(first, 0.0, second, 1.0);
+  truth.Picture = EncodeSum(first, weight, second, 1.0 - weight, toneMapping);
+  truth.Halves[0] = EncodeSum(first, 1.0, second, 0.0, toneMapping);
+  truth.Halves[1] = EncodeSum(first, 0.0, second, 1.0, toneMapping);
   return truth;
 }
 

@@ -9,6 +9,7 @@
 #define cslfNovelViews_h
 
 #include "cslfCube.h"
+#include "cslfToneMapping.h"
 
 #include <vtkSmartPointer.h>
 
@@ -40,9 +41,10 @@ struct Truth
   vtkSmartPointer<vtkImageData> Halves[2];
 };
 
-/// Traces a square view with `samples` per pixel, half of them in each half. Throws a Failure.
+/// Traces a square view with `samples` per pixel, half of them in each half, and shows it as bright
+/// as asked for. Throws a Failure.
 Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* camera, int size,
-  int samples, int seed);
+  int samples, int seed, const ToneMapping& toneMapping = {});
 
 /// The PSNR that the truth's own noise leaves: the halves' difference has four times the variance
 /// of their mean's error, so it is their PSNR plus 10 log10(4) dB.

@@ -3,6 +3,7 @@
 #include "cslfPictures.h"
 
 #include "cslfMessages.h"
+#include "cslfToneOptions.h"
 #include "cslfWholeFile.h"
 
 #include "vtkCSLFMapper.h"
@@ -134,6 +135,11 @@ FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
 }
 
 FieldRenderer::~FieldRenderer() = default;
+
+void FieldRenderer::SetToneMapping(const ToneMapping& toneMapping)
+{
+  tool::SetToneMapping(this->Mapper, toneMapping);
+}
 
 double FieldRenderer::Draw(vtkCamera* camera, int lookup)
 {

@@ -9,6 +9,7 @@
 
 #include "cslfDescription.h"
 #include "cslfOffscreenWindow.h"
+#include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -67,6 +68,9 @@ class FieldRenderer
 public:
   FieldRenderer(vtkAlgorithmOutput* field, int width, int height);
   ~FieldRenderer();
+
+  /// How bright views are shown; as they are unless this was called.
+  void SetToneMapping(const ToneMapping& toneMapping);
 
   /// Draws the view and returns the seconds that it took. Throws a Failure.
   double Draw(vtkCamera* camera, int lookup);

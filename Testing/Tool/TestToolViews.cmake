@@ -43,3 +43,30 @@ expect_json_at_least(25 psnr)
 expect_json_at_least(45 noise_floor)
 
 cslf_run(view box.vti --close-after 0.5 --size 96 96)
+
+# The viewer off screen: all lookups beside the truth, with everything that keys switch on.
+cslf_run(view box.vti cornell-box ${light} --keys stoavh --truth-samples 32 --size 288 192
+  --screenshot window.png --json)
+expect_json(32 truth_samples)
+expect_json_at_least(20 psnr depth)
+string(JSON psnr_depth GET "${output}" psnr depth)
+string(JSON psnr_nearest GET "${output}" psnr nearest)
+if (NOT psnr_depth GREATER psnr_nearest)
+  message(FATAL_ERROR "In the viewer nearest has ${psnr_nearest} dB, depth ${psnr_depth} dB")
+endif ()
+if (NOT EXISTS "${DIRECTORY}/window.png")
+  message(FATAL_ERROR "The screenshot is missing.")
+endif ()
+cslf_run(view box.vti --screenshot plain.png --size 96 96 --keys "m[")
+cslf_fail("key z" "never.png" view box.vti --keys z --screenshot never.png)
+
+# Exposure and tone mapping at view time: the truth is shown likewise.
+cslf_run(render box.vti -o dim.png --view-exposure 0.25 ${camera})
+cslf_run(compare dim.png depth.png --json)
+string(JSON psnr_dim GET "${output}" psnr)
+if (psnr_dim GREATER 30)
+  message(FATAL_ERROR "A quarter of the exposure changes the picture to ${psnr_dim} dB only.")
+endif ()
+cslf_run(evaluate box.vti cornell-box --views 1 --size 64 --spp 64 ${light} --view-exposure 0.5
+  --tone-mapping reinhard --json)
+expect_json_at_least(20 lookups depth psnr)

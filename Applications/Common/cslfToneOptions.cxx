@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfToneOptions.h"
+
+#include "cslfColor.h"
+
+#include "vtkCSLFMapper.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace tool
+{
+void ToneOptions::AddTo(CLI::App& command)
+{
+  command
+    .add_option("--view-exposure", this->Exposure,
+      "factor of the field's radiance when it is shown; above 1 it needs a field of float colour "
+      "to "
+      "show what was brighter than white")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command
+    .add_option("--tone-mapping", this->Curve, "what becomes of what is brighter than white then")
+    ->check(CLI::IsMember({ "clamp", "reinhard", "aces" }))
+    ->capture_default_str();
+}
+
+ToneMapping ToneOptions::Get() const
+{
+  return { this->Exposure,
+    this->Curve == "clamp"        ? vtkCSLFMapper::CLAMP
+      : this->Curve == "reinhard" ? vtkCSLFMapper::REINHARD
+                                  : vtkCSLFMapper::ACES };
+}
+
+void SetToneMapping(vtkCSLFMapper* mapper, const ToneMapping& toneMapping)
+{
+  mapper->SetExposure(toneMapping.Exposure);
+  mapper->SetToneMapping(toneMapping.Curve);
+}
+
+void EncodeShown(
+  const ToneMapping& toneMapping, const glm::dvec3& radiance, double alpha, unsigned char color[3])
+{
+  unsigned char encoded[4] = { 0, 0, 0, 0 };
+  if (alpha > 0.0)
+  {
+    EncodeColor(alpha * toneMapping.MapTone(radiance / alpha), alpha, encoded);
+  }
+  std::copy_n(encoded, 3, color);
+}
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A path-traced view that gets better while one looks at it.
+ */
+#ifndef cslfRefiningTruth_h
+#define cslfRefiningTruth_h
+
+#include "cslfSceneFiles.h"
+#include "cslfToneMapping.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkCSLFViewTracer;
+class vtkCamera;
+class vtkImageData;
+
+namespace cslf
+{
+namespace tool
+{
+class RefiningTruth
+{
+public:
+  /// The scene is traced as the options say.
+  RefiningTruth(const SceneOptions& options, const Scene& scene);
+  ~RefiningTruth();
+  RefiningTruth(const RefiningTruth&) = delete;
+  RefiningTruth& operator=(const RefiningTruth&) = delete;
+
+  /// Whether the picture is of this view, in this size.
+  bool Shows(vtkCamera* camera, const int size[2]) const;
+
+  /// Adds a pass to the view's picture, begins it where it is another view. The passes get longer:
+  /// 1, 1, 2, 4, ... samples a pixel, at most 16. Throws a Failure.
+  void Refine(vtkCamera* camera, const int size[2]);
+
+  /// Samples of each pixel so far.
+  int GetSamples() const { return this->Samples; }
+
+  /// The picture as it is shown, over black.
+  vtkSmartPointer<vtkImageData> MakePicture(const ToneMapping& toneMapping) const;
+
+private:
+  vtkNew<vtkCSLFViewTracer> Tracer;
+  vtkNew<vtkCamera> Camera; ///< of the picture
+  int Size[2] = { 0, 0 };
+  int Samples = 0;
+  int Passes = 0;
+  std::vector<double> Sums; ///< linear red, green, blue and coverage, of all samples
+};
+}
+}
+
+#endif

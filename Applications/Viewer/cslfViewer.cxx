@@ -1,0 +1,520 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfViewer.h"
+
+#include "cslfFieldFiles.h"
+#include "cslfMessages.h"
+#include "cslfNovelViews.h"
+#include "cslfScenery.h"
+#include "cslfTable.h"
+#include "cslfToneOptions.h"
+
+#include "vtkCSLFImageQuality.h"
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCoordinate.h>
+#include <vtkImageData.h>
+#include <vtkImageStencilData.h>
+#include <vtkPointData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numeric>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+constexpr int TruthPane = -1; ///< in place of a lookup
+constexpr double Background[3] = { 0.1, 0.1, 0.12 };
+constexpr double ExposureStep = 1.25;
+constexpr int FontSize = 15;
+constexpr std::size_t FramesAveraged = 10;
+
+void Place(vtkTextActor* text, double x, double y)
+{
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  text->GetTextProperty()->SetFontSize(FontSize);
+  text->GetTextProperty()->SetVerticalJustification(y > 0.5 ? VTK_TEXT_TOP : VTK_TEXT_BOTTOM);
+  text->GetTextProperty()->SetJustification(x > 0.5 ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
+  text->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
+  text->GetTextProperty()->SetBackgroundOpacity(0.5);
+}
+
+std::array<int, 2> GetSize(vtkRenderer* renderer)
+{
+  int corner[2];
+  std::array<int, 2> size;
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+  return size;
+}
+
+void Observe(vtkObject* object, unsigned long event,
+  void (*callback)(vtkObject*, unsigned long, void*, void*), void* client)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(callback);
+  command->SetClientData(client);
+  object->AddObserver(event, command);
+}
+
+void Toggle(vtkProp* prop)
+{
+  prop->SetVisibility(!prop->GetVisibility());
+}
+
+/// The first name of a screenshot that is not taken.
+std::string MakeScreenshotName()
+{
+  for (int number = 1;; ++number)
+  {
+    const std::string name = "cslf-view-" + std::to_string(number) + ".png";
+    if (!std::filesystem::exists(name))
+    {
+      return name;
+    }
+  }
+}
+}
+
+const char* const Viewer::Help = "1 to 5: nearest, linear, bilinear, focal, depth\n"
+                                 "s: all side by side, and back\n"
+                                 "t: the path-traced truth beside (with --scene)\n"
+                                 "o: outline of the cube   a: axes   v: viewpoints\n"
+                                 "[ and ]: exposure   m: tone mapping\n"
+                                 "i: figures   p: write a picture   h: this help\n"
+                                 "left button: rotate, middle: pan, right or wheel: zoom\n"
+                                 "r: reset the camera   q: quit";
+
+/// A part of the window.
+struct Viewer::Pane
+{
+  Viewer* Owner;
+  std::string Name;
+  int Lookup;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkTextActor> Label;
+  double PSNR = 0.0; ///< of the lookup in this view; 0 where it was not measured
+};
+
+Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
+  std::unique_ptr<RefiningTruth> truth)
+  : Field(file.Field)
+  , Camera(camera)
+  , Outline(MakeOutline(file.Field.Box))
+  , Axes(MakeAxes(file.Field.Box))
+  , Markers(MakeViewpointMarkers(file.Field))
+  , Truth(std::move(truth))
+{
+  this->Mapper->SetInputConnection(file.Reader->GetOutputPort());
+  this->FieldActor->SetMapper(this->Mapper);
+  for (const auto& prop : { this->Outline, this->Axes, this->Markers })
+  {
+    prop->VisibilityOff();
+    prop->PickableOff();
+  }
+  this->Window->SetSize(width, height);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetNumberOfLayers(2);
+  for (const LookupName& lookup : GetLookups(this->Field))
+  {
+    this->Lookup = this->AddPane(lookup.Name, lookup.Lookup)->Lookup;
+  }
+  if (this->Truth)
+  {
+    this->AddPane("path-traced", TruthPane);
+  }
+  this->AddOverlay();
+  Observe(this->Window, vtkCommand::StartEvent, CountFrame, this);
+  Observe(this->Window, vtkCommand::EndEvent, CountFrame, this);
+  this->Panes.front()->Renderer->ResetCameraClippingRange();
+  this->Arrange();
+}
+
+Viewer::~Viewer()
+{
+  this->Window->RemoveAllObservers();
+}
+
+Viewer::Pane* Viewer::AddPane(const std::string& name, int lookup)
+{
+  this->Panes.push_back(std::make_unique<Pane>());
+  Pane* pane = this->Panes.back().get();
+  pane->Owner = this;
+  pane->Name = name;
+  pane->Lookup = lookup;
+  pane->Renderer->SetBackground(Background[0], Background[1], Background[2]);
+  pane->Renderer->SetActiveCamera(this->Camera);
+  pane->Renderer->AddActor(this->FieldActor);
+  for (const auto& prop : { this->Outline, this->Axes, this->Markers })
+  {
+    pane->Renderer->AddViewProp(prop);
+  }
+  Place(pane->Label, 0.02, 0.98);
+  pane->Renderer->AddViewProp(pane->Label);
+  Observe(pane->Renderer, vtkCommand::StartEvent, PreparePane, pane);
+  this->Window->AddRenderer(pane->Renderer);
+  return pane;
+}
+
+Viewer::Pane* Viewer::FindPane(int lookup) const
+{
+  const auto found = std::find_if(this->Panes.begin(), this->Panes.end(),
+    [lookup](const std::unique_ptr<Pane>& pane) { return pane->Lookup == lookup; });
+  return found == this->Panes.end() ? nullptr : found->get();
+}
+
+std::vector<Viewer::Pane*> Viewer::GetShownPanes() const
+{
+  std::vector<Pane*> shown;
+  for (const auto& pane : this->Panes)
+  {
+    const bool isShown =
+      pane->Lookup == TruthPane ? this->ShowsTruth : this->ShowsAll || pane->Lookup == this->Lookup;
+    if (isShown)
+    {
+      shown.push_back(pane.get());
+    }
+  }
+  return shown;
+}
+
+void Viewer::AddOverlay()
+{
+  this->Overlay->SetLayer(1);
+  this->Overlay->InteractiveOff();
+  Place(this->HelpText, 0.01, 0.01);
+  Place(this->StateText, 0.99, 0.01);
+  this->Overlay->AddViewProp(this->HelpText);
+  this->Overlay->AddViewProp(this->StateText);
+  this->Window->AddRenderer(this->Overlay);
+}
+
+// Divides the window among what is shown: in one row up to three, then in two.
+void Viewer::Arrange()
+{
+  const std::vector<Pane*> shown = this->GetShownPanes();
+  const int count = static_cast<int>(shown.size());
+  const int rows = count <= 3 ? 1 : 2;
+  const int columns = (count + rows - 1) / rows;
+  for (const auto& pane : this->Panes)
+  {
+    const auto place = std::find(shown.begin(), shown.end(), pane.get());
+    const bool isShown = place != shown.end();
+    pane->Renderer->SetDraw(isShown);
+    pane->Renderer->SetInteractive(isShown);
+    if (isShown)
+    {
+      const int k = static_cast<int>(place - shown.begin());
+      const double column = k % columns;
+      const double row = rows - 1 - k / columns;
+      pane->Renderer->SetViewport(
+        column / columns, row / rows, (column + 1.0) / columns, (row + 1.0) / rows);
+    }
+    pane->PSNR = 0.0;
+  }
+}
+
+void Viewer::SetLookup(int lookup)
+{
+  if (this->FindPane(lookup))
+  {
+    this->Lookup = lookup;
+    this->ShowsAll = false;
+    this->Arrange();
+  }
+}
+
+void Viewer::SetToneMapping(const ToneMapping& toneMapping)
+{
+  tool::SetToneMapping(this->Mapper, toneMapping);
+  for (const auto& pane : this->Panes)
+  {
+    pane->PSNR = 0.0;
+  }
+  this->ShowTruth();
+}
+
+bool Viewer::Press(char key)
+{
+  const ToneMapping tone = this->GetToneMapping();
+  switch (key)
+  {
+    case 's':
+      this->ShowsAll = !this->ShowsAll;
+      this->Arrange();
+      return true;
+    case 't':
+      this->ShowsTruth = this->Truth && !this->ShowsTruth;
+      this->Arrange();
+      return true;
+    case 'o':
+      Toggle(this->Outline);
+      return true;
+    case 'a':
+      Toggle(this->Axes);
+      return true;
+    case 'v':
+      Toggle(this->Markers);
+      return true;
+    case '[':
+      this->SetToneMapping({ tone.Exposure / ExposureStep, tone.Curve });
+      return true;
+    case ']':
+      this->SetToneMapping({ tone.Exposure * ExposureStep, tone.Curve });
+      return true;
+    case 'm':
+      this->SetToneMapping({ tone.Exposure, (tone.Curve + 1) % (vtkCSLFMapper::ACES + 1) });
+      return true;
+    case 'i':
+      this->ShowsState = !this->ShowsState;
+      return true;
+    case 'h':
+      this->ShowsHelp = !this->ShowsHelp;
+      return true;
+    case 'p':
+      this->WriteScreenshot(MakeScreenshotName());
+      return true;
+    default:
+      if (key < '1' || key >= static_cast<char>('1' + GetLookups().size()))
+      {
+        return false;
+      }
+      this->SetLookup(GetLookups()[key - '1'].Lookup);
+      return true;
+  }
+}
+
+void Viewer::Render()
+{
+  this->ShowState();
+  this->Window->Render();
+}
+
+// Before a pane is drawn: all share the mapper, and the truth may be of another view.
+void Viewer::PreparePane(vtkObject*, unsigned long, void* client, void*)
+{
+  auto* pane = static_cast<Pane*>(client);
+  Viewer* viewer = pane->Owner;
+  const int lookup = pane->Lookup == TruthPane ? viewer->MeasuredLookup : pane->Lookup;
+  viewer->FieldActor->SetVisibility(lookup != TruthPane);
+  if (lookup != TruthPane)
+  {
+    viewer->Mapper->SetLookup(lookup);
+    pane->Renderer->TexturedBackgroundOff();
+    return;
+  }
+  pane->Renderer->SetTexturedBackground(viewer->IsTruthCurrent());
+  if (!viewer->IsTruthCurrent())
+  {
+    pane->Label->SetInput(pane->Name.c_str());
+  }
+}
+
+bool Viewer::IsTruthCurrent() const
+{
+  return this->ShowsTruth &&
+    this->Truth->Shows(this->Camera, GetSize(this->FindPane(TruthPane)->Renderer).data());
+}
+
+void Viewer::CountFrame(vtkObject*, unsigned long event, void* client, void*)
+{
+  auto* viewer = static_cast<Viewer*>(client);
+  const auto now = std::chrono::steady_clock::now();
+  if (event == vtkCommand::StartEvent)
+  {
+    viewer->FrameStart = now;
+    return;
+  }
+  viewer->FieldActor->VisibilityOn();
+  viewer->FrameSeconds.push_back(std::chrono::duration<double>(now - viewer->FrameStart).count());
+  if (viewer->FrameSeconds.size() > FramesAveraged)
+  {
+    viewer->FrameSeconds.pop_front();
+  }
+}
+
+void Viewer::ShowState()
+{
+  const bool isMeasured = this->IsTruthCurrent();
+  for (const auto& pane : this->Panes)
+  {
+    if (pane->Lookup != TruthPane)
+    {
+      const std::string figure =
+        isMeasured && pane->PSNR > 0.0 ? ": " + Format(pane->PSNR, 1) + " dB" : "";
+      pane->Label->SetInput((pane->Name + figure).c_str());
+    }
+  }
+  const Layout& grid = this->Field.Grid;
+  const std::string m = std::to_string(grid.GetViewpoints());
+  const std::string n = std::to_string(grid.GetResolution());
+  std::string text = "6 x " + m + " x " + m + " viewpoints of " + n + " x " + n + " texels\n" +
+    Format(static_cast<double>(this->GetTextureBytes()) / (1 << 20), 1) + " MiB of textures";
+  if (this->GetFrameRate() > 0.0)
+  {
+    text += "\n" + Format(this->GetFrameRate(), 1) + " frames/s";
+  }
+  if (!this->GetToneMapping().IsIdentity())
+  {
+    text += "\nexposure " + Format(this->Mapper->GetExposure(), 2) + ", " +
+      this->Mapper->GetToneMappingAsString();
+  }
+  this->StateText->SetInput(text.c_str());
+  this->StateText->SetVisibility(this->ShowsState);
+  this->HelpText->SetInput(this->ShowsHelp ? Help : "h: help");
+}
+
+bool Viewer::Refine(int mostSamples)
+{
+  if (!this->ShowsTruth)
+  {
+    return false;
+  }
+  if (this->IsTruthCurrent() && this->GetTruthSamples() >= mostSamples)
+  {
+    return false;
+  }
+  const auto size = GetSize(this->FindPane(TruthPane)->Renderer);
+  this->Truth->Refine(this->Camera, size.data());
+  this->ShowTruth();
+  const int samples = this->GetTruthSamples();
+  if ((samples & (samples - 1)) == 0 || samples >= mostSamples)
+  {
+    this->Measure();
+  }
+  return true;
+}
+
+void Viewer::ShowTruth()
+{
+  if (this->GetTruthSamples() == 0)
+  {
+    return;
+  }
+  Pane* pane = this->FindPane(TruthPane);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(this->Truth->MakePicture(this->GetToneMapping()));
+  pane->Renderer->SetBackgroundTexture(texture);
+  pane->Label->SetInput(
+    (pane->Name + ": " + std::to_string(this->GetTruthSamples()) + " samples a pixel").c_str());
+}
+
+// Each lookup is drawn in the truth's place, so that pixels meet their like, and shown to nobody.
+void Viewer::Measure()
+{
+  const std::vector<Pane*> shown = this->GetShownPanes();
+  Pane* place = this->FindPane(TruthPane);
+  std::vector<vtkProp*> hidden{ this->Outline, this->Axes, this->Markers, place->Label };
+  hidden.erase(std::remove_if(hidden.begin(), hidden.end(),
+                 [](vtkProp* prop) { return !prop->GetVisibility(); }),
+    hidden.end());
+  const auto setHidden = [&](bool isHidden)
+  {
+    for (vtkProp* prop : hidden)
+    {
+      prop->SetVisibility(!isHidden);
+    }
+    for (Pane* pane : shown)
+    {
+      pane->Renderer->SetDraw(!isHidden || pane == place);
+    }
+    this->Overlay->SetDraw(!isHidden);
+    this->Window->SetSwapBuffers(!isHidden);
+  };
+  const std::deque<double> frames = this->FrameSeconds;
+  setHidden(true);
+  place->Renderer->SetBackground(0.0, 0.0, 0.0);
+  for (Pane* pane : shown)
+  {
+    if (pane != place)
+    {
+      pane->PSNR = this->MeasureLookup(pane->Lookup, place);
+    }
+  }
+  place->Renderer->SetBackground(Background[0], Background[1], Background[2]);
+  setHidden(false);
+  this->FrameSeconds = frames;
+}
+
+double Viewer::MeasureLookup(int lookup, Pane* place)
+{
+  int size[2];
+  int corner[2];
+  place->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+  this->MeasuredLookup = lookup;
+  this->Window->Render();
+  this->MeasuredLookup = TruthPane;
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetPixelData(
+    corner[0], corner[1], corner[0] + size[0] - 1, corner[1] + size[1] - 1, 0, pixels);
+  vtkNew<vtkImageData> seen;
+  seen->SetDimensions(size[0], size[1], 1);
+  seen->GetPointData()->SetScalars(pixels);
+  vtkNew<vtkCSLFImageQuality> quality;
+  quality->SetInputData(0, this->Truth->MakePicture(this->GetToneMapping()));
+  quality->SetInputData(1, seen);
+  quality->SetStencilData(MakeCubeStencil(this->Field.Box, this->Camera, size[0], size[1]));
+  quality->Update();
+  ThrowOnError();
+  return quality->GetPSNR();
+}
+
+void Viewer::WriteScreenshot(const std::string& fileName)
+{
+  this->Render();
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(this->Window);
+  grabber->SetInputBufferTypeToRGB();
+  grabber->ReadFrontBufferOff();
+  grabber->ShouldRerenderOff();
+  grabber->Update();
+  ThrowOnError();
+  WritePicture(fileName, grabber->GetOutput());
+}
+
+double Viewer::GetFrameRate() const
+{
+  const double seconds = std::accumulate(this->FrameSeconds.begin(), this->FrameSeconds.end(), 0.0);
+  return seconds > 0.0 ? static_cast<double>(this->FrameSeconds.size()) / seconds : 0.0;
+}
+
+std::map<std::string, double> Viewer::GetPSNR() const
+{
+  std::map<std::string, double> values;
+  for (const auto& pane : this->Panes)
+  {
+    if (pane->PSNR > 0.0)
+    {
+      values[pane->Name] = pane->PSNR;
+    }
+  }
+  return values;
+}
+
+vtkTypeInt64 Viewer::GetTextureBytes() const
+{
+  return this->Mapper->GetTextureBytes();
+}
+
+ToneMapping Viewer::GetToneMapping() const
+{
+  return { this->Mapper->GetExposure(), this->Mapper->GetToneMapping() };
+}
+}
+}
