@@ -5,18 +5,22 @@
 list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
+  ../Rendering/cslfFaceSpace.cxx
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
+  ../Rendering/cslfSceneGrid.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
+  ../Rendering/cslfFaceSpace.h
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
   ../Rendering/cslfOpenGL.h
+  ../Rendering/cslfSceneGrid.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfMapperFS cslfMapperVS)
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfMapperFS cslfMapperVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")
   else ()

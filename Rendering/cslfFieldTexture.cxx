@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
-#include "cslfLookup.h"
 #include "cslfOpenGL.h"
+#include "cslfSceneGrid.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -16,6 +16,7 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace cslf
@@ -56,10 +57,9 @@ GLuint CreateTexture(GLenum target, GLenum filter)
   return handle;
 }
 
-glm::vec3 ToFloat(const glm::dvec3& vector)
-{
-  return glm::vec3(vector);
-}
+/// The targets of the textures, in the order of the units.
+constexpr std::array<GLenum, 4> Targets{ GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
+  GL_TEXTURE_3D };
 }
 
 bool FieldTexture::ChooseLayers(std::string& error)
@@ -127,6 +127,18 @@ void FieldTexture::UploadNodes()
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, cells, 1, 0, GL_RGB, GL_FLOAT, texels.data());
 }
 
+void FieldTexture::UploadSceneGrid(vtkImageData* image)
+{
+  std::vector<int> slices(this->Field.Grid.GetSlices());
+  std::iota(slices.begin(), slices.end(), 0);
+  const SceneGrid grid(this->Field, image, slices);
+  this->SceneMinimum = glm::vec3(grid.GetMinimum());
+  this->SceneMaximum = glm::vec3(grid.GetMaximum());
+  this->Grid = CreateTexture(GL_TEXTURE_3D, GL_NEAREST);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, SceneGrid::Cells, SceneGrid::Cells, SceneGrid::Cells, 0,
+    GL_RED, GL_UNSIGNED_BYTE, grid.GetRings().data());
+}
+
 bool FieldTexture::Upload(vtkOpenGLRenderWindow* window, const Description& description,
   vtkImageData* image, std::string& error)
 {
@@ -156,9 +168,12 @@ bool FieldTexture::Upload(vtkOpenGLRenderWindow* window, const Description& desc
     this->UploadFace(face, image);
   }
   this->UploadNodes();
+  this->UploadSceneGrid(image);
   glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  glBindTexture(GL_TEXTURE_2D, 0);
+  for (const GLenum target : Targets)
+  {
+    glBindTexture(target, 0);
+  }
   window->GetTextureUnitManager()->Free(unit);
   if (glGetError() != GL_NO_ERROR)
   {
@@ -174,8 +189,8 @@ bool FieldTexture::Upload(vtkOpenGLRenderWindow* window, const Description& desc
 void FieldTexture::Activate(int entryFace)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  const std::array<Handle, 3> handles{ this->Colors[entryFace], this->Depths[entryFace],
-    this->Nodes };
+  const std::array<Handle, 4> handles{ this->Colors[entryFace], this->Depths[entryFace],
+    this->Nodes, this->Grid };
   for (std::size_t i = 0; i < handles.size(); ++i)
   {
     if (this->Units[i] < 0)
@@ -183,7 +198,7 @@ void FieldTexture::Activate(int entryFace)
       this->Units[i] = this->Window->GetTextureUnitManager()->Allocate();
     }
     state->vtkglActiveTexture(GL_TEXTURE0 + this->Units[i]);
-    glBindTexture(i < 2 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, handles[i]);
+    glBindTexture(Targets[i], handles[i]);
   }
 }
 
@@ -195,7 +210,7 @@ void FieldTexture::Deactivate()
     if (this->Units[i] >= 0)
     {
       state->vtkglActiveTexture(GL_TEXTURE0 + this->Units[i]);
-      glBindTexture(i < 2 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 0);
+      glBindTexture(Targets[i], 0);
       this->Window->GetTextureUnitManager()->Free(this->Units[i]);
       this->Units[i] = -1;
     }
@@ -205,21 +220,16 @@ void FieldTexture::Deactivate()
 void FieldTexture::SetUniforms(vtkShaderProgram* program) const
 {
   const Layout& grid = this->Field.Grid;
-  const float layerSize[2] = { static_cast<float>(grid.GetStripWidth()),
-    static_cast<float>(grid.GetResolution() * this->SlicesPerLayer) };
-  const glm::vec3 minimum = ToFloat(this->Field.GetSceneMinimumCC() - LookupSceneMargin);
-  const glm::vec3 maximum = ToFloat(this->Field.GetSceneMaximumCC() + LookupSceneMargin);
   program->SetUniformi("ColorTexture", this->Units[0]);
   program->SetUniformi("DepthTexture", this->Units[1]);
   program->SetUniformi("NodeTexture", this->Units[2]);
-  program->SetUniform2f("LayerSize", layerSize);
-  program->SetUniformi("SlicesPerLayer", this->SlicesPerLayer);
-  program->SetUniformi("Viewpoints", grid.GetViewpoints());
-  program->SetUniformi("BaseNodes", grid.GetBaseNodes());
-  program->SetUniformi("Resolution", grid.GetResolution());
-  program->SetUniformi("HasDepth", this->Field.FindChannel(DepthName) != nullptr);
-  program->SetUniform3f("SceneMinimum", &minimum.x);
-  program->SetUniform3f("SceneMaximum", &maximum.x);
+  program->SetUniformi("SceneGridTexture", this->Units[3]);
+  program->SetUniformf("SlicesPerLayer", static_cast<float>(this->SlicesPerLayer));
+  program->SetUniformf("Viewpoints", static_cast<float>(grid.GetViewpoints()));
+  program->SetUniformf("BaseNodes", static_cast<float>(grid.GetBaseNodes()));
+  program->SetUniformf("Resolution", static_cast<float>(grid.GetResolution()));
+  program->SetUniform3f("SceneMinimum", &this->SceneMinimum.x);
+  program->SetUniform3f("SceneMaximum", &this->SceneMaximum.x);
 }
 
 void FieldTexture::Free()
@@ -227,9 +237,11 @@ void FieldTexture::Free()
   glDeleteTextures(static_cast<GLsizei>(this->Colors.size()), this->Colors.data());
   glDeleteTextures(static_cast<GLsizei>(this->Depths.size()), this->Depths.data());
   glDeleteTextures(1, &this->Nodes);
+  glDeleteTextures(1, &this->Grid);
   this->Colors.fill(0);
   this->Depths.fill(0);
   this->Nodes = 0;
+  this->Grid = 0;
   this->Bytes = 0;
   this->Window = nullptr;
   this->Valid = false;

@@ -9,6 +9,8 @@
 
 #include "cslfDescription.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -20,10 +22,10 @@ class vtkWindow;
 
 namespace cslf
 {
-/// For each entry face a 2D array texture of colour and one of depth, and a small texture that
-/// finds the viewpoints around a coordinate. A layer holds one or more slices, one above the other,
-/// since drivers limit the number of layers (2048 is usual) more than their size. Belongs to one
-/// render window's context at a time.
+/// For each entry face a 2D array texture of colour and one of depth, a small texture that finds
+/// the viewpoints around a coordinate, and the scene's grid. A layer holds one or more slices, one
+/// above the other, since drivers limit the number of layers (2048 is usual) more than their size.
+/// Belongs to one render window's context at a time.
 class FieldTexture
 {
 public:
@@ -53,7 +55,7 @@ public:
   void Activate(int entryFace);
   void Deactivate();
 
-  /// Sets the uniforms of cslfField.glsl. The textures must be active.
+  /// Sets the uniforms of cslfField.glsl and cslfSceneGrid.glsl. The textures must be active.
   void SetUniforms(vtkShaderProgram* program) const;
 
   /// Frees the textures if they belong to this window, whose context must be current.
@@ -65,6 +67,7 @@ private:
   bool ChooseLayers(std::string& error);
   void UploadFace(int face, vtkImageData* image);
   void UploadNodes();
+  void UploadSceneGrid(vtkImageData* image);
   void Free();
 
   vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
@@ -76,7 +79,10 @@ private:
   std::array<Handle, FaceCount> Colors{};
   std::array<Handle, FaceCount> Depths{};
   Handle Nodes = 0;
-  std::array<int, 3> Units{ -1, -1, -1 }; ///< colour, depth, nodes
+  Handle Grid = 0;
+  glm::vec3 SceneMinimum{ -1.0f };
+  glm::vec3 SceneMaximum{ 1.0f };
+  std::array<int, 4> Units{ -1, -1, -1, -1 }; ///< colour, depth, nodes, grid
 };
 }
 

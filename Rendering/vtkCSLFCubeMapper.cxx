@@ -3,11 +3,13 @@
 #include "vtkCSLFCubeMapper.h"
 
 #include "cslfCubeGLSL.h"
+#include "cslfFaceSpace.h"
 #include "cslfFieldGLSL.h"
 #include "cslfLookupGLSL.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
+#include "cslfSceneGridGLSL.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -32,16 +34,16 @@
 
 namespace
 {
-constexpr const char* PositionName = "positionCC";
+constexpr const char* FaceName = "faceCC";
 
-// The cube as six quads, with each point's position in CC as a vertex attribute.
+// The cube as six quads, with each point's position in CC and face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkFloatArray> positions;
-  positions->SetName(PositionName);
-  positions->SetNumberOfComponents(3);
+  positions->SetName(FaceName);
+  positions->SetNumberOfComponents(4);
   vtkNew<vtkCellArray> quads;
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
@@ -52,7 +54,7 @@ vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
       const glm::dvec3 pointCC = cslf::FaceToCube(face, corner);
       const glm::dvec3 pointWC = box.PointToWorld(pointCC);
       quads->InsertCellPoint(points->InsertNextPoint(pointWC.x, pointWC.y, pointWC.z));
-      positions->InsertNextTuple3(pointCC.x, pointCC.y, pointCC.z);
+      positions->InsertNextTuple4(pointCC.x, pointCC.y, pointCC.z, face);
     }
   }
   auto cube = vtkSmartPointer<vtkPolyData>::New();
@@ -70,7 +72,7 @@ vtkCSLFCubeMapper::vtkCSLFCubeMapper()
 {
   this->ScalarVisibilityOff();
   this->MapDataArrayToVertexAttribute(
-    PositionName, PositionName, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    FaceName, FaceName, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //------------------------------------------------------------------------------
@@ -82,6 +84,7 @@ void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* i
   this->Field = field;
   this->Image = image;
   this->TextureFailed = false;
+  this->Modified();
   this->Texture.Invalidate();
   this->SetInputDataObject(MakeCube(field.Box));
 }
@@ -145,13 +148,14 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
 bool vtkCSLFCubeMapper::CanEnter(int face) const
 {
   const double along = cslf::FaceSign(face) * this->EyeCC[cslf::FaceAxis(face)];
-  if (this->EyeCC.w == 0.0)
-  {
-    return along < 0.0;
-  }
-  const bool inside = std::abs(this->EyeCC.x) <= 1.0 && std::abs(this->EyeCC.y) <= 1.0 &&
+  return this->EyeCC.w == 0.0 ? along < 0.0 : this->IsEyeInside() || along > 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCSLFCubeMapper::IsEyeInside() const
+{
+  return this->EyeCC.w != 0.0 && std::abs(this->EyeCC.x) <= 1.0 && std::abs(this->EyeCC.y) <= 1.0 &&
     std::abs(this->EyeCC.z) <= 1.0;
-  return inside || along > 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +171,9 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
+  // The picture's depth is that of what is seen: the camera's clipping range does not cut the
+  // faces.
+  glEnable(GL_DEPTH_CLAMP);
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
     if (this->CanEnter(face))
@@ -176,20 +183,89 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
       this->Superclass::RenderPieceDraw(renderer, actor);
     }
   }
+  glDisable(GL_DEPTH_CLAMP);
   this->Texture.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+// Branches cost their time even where nothing takes them, so each program knows what it looks up.
+std::string vtkCSLFCubeMapper::MakeFragmentShader() const
+{
+  static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
+    "LookupFocal", "LookupDepth" };
+  const bool hasDepth = this->Field.FindChannel(cslf::DepthName) != nullptr;
+  std::string fragment = cslfMapperFS;
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
+    std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
+  vtkShaderProgram::Substitute(
+    fragment, "//CSLF::Lookup::Impl", std::string("result = ") + lookups[this->Lookup] + "(ray);");
+  return fragment;
 }
 
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::GetShaderTemplate(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
 {
-  std::string fragment = cslfMapperFS;
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec", cslfLookupGLSL);
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
-  shaders[vtkShader::Fragment]->SetSource(fragment);
+  shaders[vtkShader::Fragment]->SetSource(this->MakeFragmentShader());
   shaders[vtkShader::Geometry]->SetSource("");
+}
+
+//------------------------------------------------------------------------------
+// The uniforms that go with the entry face.
+void vtkCSLFCubeMapper::SetFaceSpaceUniforms(vtkShaderProgram* program)
+{
+  const int face = this->EntryFace;
+  vtkNew<vtkMatrix4x4> ccfc;
+  vtkNew<vtkMatrix4x4> fccc;
+  const glm::dvec3 originFC = cslf::CubeToFaceSpace(face, glm::dvec3(0.0));
+  const glm::dvec3 originCC = cslf::FaceSpaceToCube(face, glm::dvec3(0.0));
+  for (int column = 0; column < 4; ++column)
+  {
+    glm::dvec3 unit(0.0);
+    if (column < 3)
+    {
+      unit[column] = 1.0;
+    }
+    const glm::dvec3 pointFC = cslf::CubeToFaceSpace(face, unit) - (column < 3 ? originFC : unit);
+    const glm::dvec3 pointCC = cslf::FaceSpaceToCube(face, unit) - (column < 3 ? originCC : unit);
+    // GLSL's matrices are stored by columns.
+    for (int row = 0; row < 3; ++row)
+    {
+      ccfc->SetElement(column, row, pointFC[row]);
+      fccc->SetElement(column, row, pointCC[row]);
+    }
+  }
+  program->SetUniformMatrix("CCFCMatrix", ccfc);
+  program->SetUniformMatrix("FCCCMatrix", fccc);
+  const glm::vec3 focalPoint(cslf::CubeToFaceSpace(face, this->FocalPointsCC[face]));
+  program->SetUniform3f("FocalPointFC", &focalPoint.x);
+
+  const auto frames = cslf::ListExitFrames(face);
+  const auto setAxes = [&](const char* name, const cslf::ExitFrame& frame, int first, int second)
+  {
+    const float axes[4] = { static_cast<float>(frame.S[first]), static_cast<float>(frame.T[first]),
+      static_cast<float>(frame.S[second]), static_cast<float>(frame.T[second]) };
+    program->SetUniform4f(name, axes);
+  };
+  setAxes("OppositeAxes", frames[0], 0, 1);
+  setAxes("SideXAxes", frames[1], 1, 2);
+  setAxes("SideYAxes", frames[3], 0, 2);
+  const auto setSides =
+    [&](const std::string& name, const cslf::ExitFrame& positive, const cslf::ExitFrame& negative)
+  {
+    const float flip[2] = { positive.S == negative.S ? 1.0f : -1.0f,
+      positive.T == negative.T ? 1.0f : -1.0f };
+    const float tiles[2] = { static_cast<float>(positive.Tile), static_cast<float>(negative.Tile) };
+    program->SetUniform2f((name + "Flip").c_str(), flip);
+    program->SetUniform2f((name + "Tiles").c_str(), tiles);
+  };
+  setSides("SideX", frames[1], frames[2]);
+  setSides("SideY", frames[3], frames[4]);
+  program->SetUniformf("OppositeTile", static_cast<float>(frames[0].Tile));
 }
 
 //------------------------------------------------------------------------------
@@ -208,8 +284,8 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   vtkMatrix4x4::Transpose(this->CCDCMatrix, transposed);
   program->SetUniformMatrix("CCDCMatrix", transposed);
   program->SetUniformi("EntryFacePass", this->EntryFace);
-  program->SetUniformi("LookupMode", this->Lookup);
-  program->SetUniform3f("FocalPointCC", &this->FocalPointsCC[this->EntryFace].x);
+  program->SetUniformi("DrawsExits", this->IsEyeInside());
+  this->SetFaceSpaceUniforms(program);
   program->SetUniformi(
     "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
 

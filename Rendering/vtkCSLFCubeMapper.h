@@ -23,9 +23,11 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 class vtkImageData;
 class vtkMatrix4x4;
+class vtkShaderProgram;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -38,7 +40,14 @@ public:
   void SetField(const cslf::Description& field, vtkImageData* image);
 
   /// vtkCSLFMapper::LookupType.
-  void SetLookup(int lookup) { this->Lookup = lookup; }
+  void SetLookup(int lookup)
+  {
+    if (lookup != this->Lookup)
+    {
+      this->Lookup = lookup;
+      this->Modified(); // which has the shaders built anew
+    }
+  }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -68,6 +77,9 @@ private:
 
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
   bool CanEnter(int face) const;
+  bool IsEyeInside() const;
+  std::string MakeFragmentShader() const;
+  void SetFaceSpaceUniforms(vtkShaderProgram* program);
 
   cslf::Description Field;
   vtkSmartPointer<vtkImageData> Image;

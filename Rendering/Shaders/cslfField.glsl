@@ -6,101 +6,98 @@
 uniform sampler2DArray ColorTexture; // linear filter
 uniform sampler2DArray DepthTexture; // nearest filter
 uniform sampler2D NodeTexture;       // per cell of the base grid: index, lower, upper coordinate
-uniform vec2 LayerSize;              // in texels
-uniform int SlicesPerLayer;
-uniform int Viewpoints;              // M
-uniform int BaseNodes;               // M0
-uniform int Resolution;              // N
-uniform bool HasDepth;
-uniform vec3 SceneMinimum;           // CC
-uniform vec3 SceneMaximum;           // CC
+uniform float SlicesPerLayer;
+uniform float Viewpoints;            // M
+uniform float BaseNodes;             // M0
+uniform float Resolution;            // N
 
+const float TileCount = 5.0;
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
 
 struct NodeBracket
 {
-  int Lower;
+  float Lower;
   float LowerCoordinate;
   float UpperCoordinate;
   float Weight;
 };
 
-int TileOf(int entryFace, int exitFace)
+// Where a slice lies in the textures.
+struct SlicePlace
 {
-  return exitFace < entryFace ? exitFace : exitFace - 1;
-}
-
-int ExitFaceOf(int entryFace, int tile)
-{
-  return tile < entryFace ? tile : tile + 1;
-}
-
-// Within the entry face, whose slices a texture holds.
-int SliceOf(int i, int j)
-{
-  return j * Viewpoints + i;
-}
+  float Layer;
+  float Row; // in slices
+};
 
 NodeBracket FindNodes(float coordinate)
 {
-  float node = 0.5 * (clamp(coordinate, -1.0, 1.0) + 1.0) * float(BaseNodes - 1);
-  int cell = min(int(node), BaseNodes - 2);
+  float node = 0.5 * (coordinate + 1.0) * (BaseNodes - 1.0);
+  int cell = int(min(node, BaseNodes - 1.5));
   vec3 stored = texelFetch(NodeTexture, ivec2(cell, 0), 0).xyz;
   NodeBracket bracket;
-  bracket.Lower = int(stored.x + 0.5);
+  bracket.Lower = stored.x;
   bracket.LowerCoordinate = stored.y;
   bracket.UpperCoordinate = stored.z;
-  bracket.Weight =
-    clamp((coordinate - stored.y) / (stored.z - stored.y), 0.0, 1.0);
+  bracket.Weight = clamp((coordinate - stored.y) / (stored.z - stored.y), 0.0, 1.0);
   return bracket;
 }
 
-// From texels of a tile to texels of the layer.
-vec2 TileCorner(int slice, int tile)
+// Within the entry face, whose slices a texture holds.
+SlicePlace FindSlice(float i, float j)
 {
-  return vec2(tile * Resolution, slice % SlicesPerLayer * Resolution);
+  float slice = j * Viewpoints + i;
+  SlicePlace place;
+  place.Layer = floor((slice + 0.5) / SlicesPerLayer);
+  place.Row = slice - place.Layer * SlicesPerLayer;
+  return place;
 }
 
+// In texels of a tile.
 vec2 TexelPosition(vec2 coordinates)
 {
-  return 0.5 * (coordinates + 1.0) * float(Resolution);
+  return 0.5 * (coordinates + 1.0) * Resolution;
 }
 
-vec4 ReadNearestColor(int slice, int tile, vec2 coordinates)
+// Texture coordinates of a position in a tile.
+vec3 TextureCoordinates(SlicePlace slice, float tile, vec2 position)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, float(Resolution - 1));
-  ivec3 address =
-    ivec3(ivec2(TileCorner(slice, tile) + texel), slice / SlicesPerLayer);
-  return texelFetch(ColorTexture, address, 0);
+  return vec3((vec2(tile, slice.Row) + position / Resolution) / vec2(TileCount, SlicesPerLayer),
+    slice.Layer);
 }
 
-vec4 ReadColor(int slice, int tile, vec2 coordinates)
+ivec3 NearestTexel(SlicePlace slice, float tile, vec2 coordinates)
 {
-  vec2 position = clamp(TexelPosition(coordinates), 0.5, float(Resolution) - 0.5);
-  return textureLod(ColorTexture,
-    vec3((TileCorner(slice, tile) + position) / LayerSize, float(slice / SlicesPerLayer)), 0.0);
+  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0);
+  return ivec3(vec3(vec2(tile, slice.Row) * Resolution + texel, slice.Layer) + 0.5);
 }
 
-float ReadNearestInverseDepth(int slice, int tile, vec2 coordinates)
+vec4 ReadNearestColor(SlicePlace slice, float tile, vec2 coordinates)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, float(Resolution - 1));
-  ivec3 address =
-    ivec3(ivec2(TileCorner(slice, tile) + texel), slice / SlicesPerLayer);
-  return 1.0 / max(texelFetch(DepthTexture, address, 0).r, LeastDepth);
+  return texelFetch(ColorTexture, NearestTexel(slice, tile, coordinates), 0);
+}
+
+vec4 ReadColor(SlicePlace slice, float tile, vec2 coordinates)
+{
+  vec2 position = clamp(TexelPosition(coordinates), 0.5, Resolution - 0.5);
+  return textureLod(ColorTexture, TextureCoordinates(slice, tile, position), 0.0);
+}
+
+float ReadNearestDepth(SlicePlace slice, float tile, vec2 coordinates)
+{
+  return texelFetch(DepthTexture, NearestTexel(slice, tile, coordinates), 0).r;
 }
 
 // Within one surface interpolated, which is exact for planes; across an edge the nearer surface's.
-float ReadInverseDepth(int slice, int tile, vec2 coordinates)
+float ReadInverseDepth(SlicePlace slice, float tile, vec2 coordinates)
 {
-  vec2 position = clamp(TexelPosition(coordinates) - 0.5, 0.0, float(Resolution - 1));
-  vec2 base = max(min(floor(position), float(Resolution - 2)), 0.0);
-  vec2 weight = position - base;
+  vec2 position = TexelPosition(coordinates) - 0.5;
+  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
+  vec2 weight = clamp(position - base, 0.0, 1.0);
 #ifdef GL_ARB_texture_gather
-  vec4 depth = textureGather(DepthTexture,
-    vec3((TileCorner(slice, tile) + base + 1.0) / LayerSize, float(slice / SlicesPerLayer)));
+  vec4 depth = textureGather(DepthTexture, TextureCoordinates(slice, tile, base + 1.0));
 #else
-  ivec3 address = ivec3(ivec2(TileCorner(slice, tile) + base), slice / SlicesPerLayer);
+  ivec3 address = ivec3(vec3(vec2(tile, slice.Row) * Resolution + base, slice.Layer) + 0.5);
   vec4 depth = vec4(texelFetch(DepthTexture, address + ivec3(0, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,
@@ -109,10 +106,7 @@ float ReadInverseDepth(int slice, int tile, vec2 coordinates)
   vec4 inverse = 1.0 / max(depth, LeastDepth);
   float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
   float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
-  if (most - least > SurfaceStep * most)
-  {
-    return most;
-  }
-  return mix(
+  float between = mix(
     mix(inverse.w, inverse.z, weight.x), mix(inverse.x, inverse.y, weight.x), weight.y);
+  return most - least > SurfaceStep * most ? most : between;
 }
