@@ -5,10 +5,12 @@
 list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
+  ../Rendering/cslfFaceSpace.cxx
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
   ../Rendering/cslfResidency.cxx
+  ../Rendering/cslfSceneGrid.cxx
   ../Rendering/cslfSight.cxx
   ../Rendering/cslfTilePool.cxx
   ../Rendering/cslfToneMapping.cxx
@@ -16,11 +18,13 @@ list(APPEND sources
   ../Rendering/cslfViewpointSource.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
+  ../Rendering/cslfFaceSpace.h
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
   ../Rendering/cslfOpenGL.h
   ../Rendering/cslfResidency.h
+  ../Rendering/cslfSceneGrid.h
   ../Rendering/cslfSight.h
   ../Rendering/cslfSightSeries.h
   ../Rendering/cslfTilePool.h
@@ -29,7 +33,7 @@ list(APPEND private_headers
   ../Rendering/cslfViewpointSource.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfToneMapping cslfMapperFS
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfToneMapping cslfMapperFS
     cslfMapperVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")

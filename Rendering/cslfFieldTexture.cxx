@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
-#include "cslfLookup.h"
 #include "cslfOpenGL.h"
 
 #include <vtkOpenGLRenderWindow.h>
@@ -20,10 +19,14 @@ namespace
 {
 /// Room for cameras that see more than one can from outside: several of them, then all faces, as
 /// from inside the cube.
-constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, FaceCount * TileCount };
+constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, FaceCount* TileCount };
 
 /// The targets of the textures, in the order of the units.
-constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D };
+constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
+  GL_TEXTURE_3D };
+
+/// Viewpoints along a side of a face that are enough to see where all surfaces are.
+constexpr int MostSceneNodes = 25;
 
 /// Texels of a table for each cell.
 constexpr int TableTexels = 2;
@@ -38,9 +41,11 @@ std::vector<int> ListSlices(const std::vector<WantedTiles>& wanted)
   return slices;
 }
 
-glm::vec3 ToFloat(const glm::dvec3& vector)
+void SetNearest(GLenum target)
 {
-  return glm::vec3(vector);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 }
 
@@ -48,6 +53,7 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
 {
   this->Source = std::move(source);
   this->Present = Residency();
+  this->Scene = SceneGrid(this->Source->GetDescription());
   this->Damaged = 0;
 }
 
@@ -81,7 +87,11 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
     this->Pool.BeginUploads();
     pace.Waits ? this->BringAll() : this->BringSome(pace.Seconds);
     this->Pool.EndUploads();
-    this->MakeTables();
+    if (std::exchange(this->IsChanged, false))
+    {
+      this->MakeTables();
+      this->MakeSceneTexture();
+    }
   }
   for (const GLenum target : Targets)
   {
@@ -131,11 +141,15 @@ void FieldTexture::Bring(const WantedTiles& wanted)
   {
     if (wanted.Tiles & (1 << tile))
     {
-      this->Pool.Upload(samples, tile, this->Present.GetBlock(face, tile),
-        this->Present.GetSlot(wanted.Slice));
+      this->Pool.Upload(
+        samples, tile, this->Present.GetBlock(face, tile), this->Present.GetSlot(wanted.Slice));
     }
   }
   this->Present.SetPresent(wanted.Slice, wanted.Tiles);
+  if (this->Present.CountNodes(wanted.Level) <= MostSceneNodes)
+  {
+    this->Scene.Add(wanted.Slice, samples, wanted.Tiles);
+  }
 }
 
 void FieldTexture::BringAll()
@@ -171,8 +185,8 @@ void FieldTexture::BringSome(double seconds)
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   const std::vector<WantedTiles> missing = this->Present.ListMissing();
-  const auto finer = std::find_if(missing.begin(), missing.end(),
-    [](const WantedTiles& wanted) { return wanted.Level > 0; });
+  const auto finer = std::find_if(
+    missing.begin(), missing.end(), [](const WantedTiles& wanted) { return wanted.Level > 0; });
   const std::vector<WantedTiles> coarsest(missing.begin(), finer);
   if (!coarsest.empty())
   {
@@ -196,11 +210,6 @@ void FieldTexture::BringSome(double seconds)
 
 void FieldTexture::MakeTables()
 {
-  if (!this->IsChanged)
-  {
-    return;
-  }
-  this->IsChanged = false;
   const int cells = this->Source->GetDescription().Grid.GetBaseNodes() - 1;
   for (int face = 0; face < FaceCount; ++face)
   {
@@ -217,12 +226,26 @@ void FieldTexture::MakeTables()
       glGenTextures(1, &this->Tables[face]);
     }
     glBindTexture(GL_TEXTURE_2D, this->Tables[face]);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    SetNearest(GL_TEXTURE_2D);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, TableTexels * cells, cells, 0, GL_RGBA, GL_FLOAT,
       table.Cells.data());
   }
+}
+
+void FieldTexture::MakeSceneTexture()
+{
+  if (this->SceneTexture == 0)
+  {
+    glGenTextures(1, &this->SceneTexture);
+  }
+  GLint alignment = 4;
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glBindTexture(GL_TEXTURE_3D, this->SceneTexture);
+  SetNearest(GL_TEXTURE_3D);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, SceneGrid::Cells, SceneGrid::Cells, SceneGrid::Cells, 0,
+    GL_RED, GL_UNSIGNED_BYTE, this->Scene.GetRings().data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
 }
 
 //------------------------------------------------------------------------------
@@ -231,8 +254,8 @@ void FieldTexture::MakeTables()
 void FieldTexture::Activate(int entryFace)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  const Handle handles[] = { this->Pool.GetColor(), this->Pool.GetDepth(),
-    this->Tables[entryFace] };
+  const Handle handles[] = { this->Pool.GetColor(), this->Pool.GetDepth(), this->Tables[entryFace],
+    this->SceneTexture };
   for (std::size_t i = 0; i < this->Units.size(); ++i)
   {
     if (this->Units[i] < 0)
@@ -259,36 +282,36 @@ void FieldTexture::Deactivate()
   }
 }
 
-void FieldTexture::SetUniforms(vtkShaderProgram* program, int entryFace) const
+void FieldTexture::SetUniforms(vtkShaderProgram* program) const
 {
-  const Description& field = this->Source->GetDescription();
-  std::array<float, TileCount> layers;
-  for (int tile = 0; tile < TileCount; ++tile)
-  {
-    const bool isThere = this->Tiles[entryFace] & (1 << tile);
-    layers[tile] = static_cast<float>(isThere
-        ? this->Pool.GetFirstLayer(this->Present.GetBlock(entryFace, tile))
-        : Residency::Absent);
-  }
-  const glm::vec3 minimum = ToFloat(field.GetSceneMinimumCC() - LookupSceneMargin);
-  const glm::vec3 maximum = ToFloat(field.GetSceneMaximumCC() + LookupSceneMargin);
+  const Layout& grid = this->Source->GetDescription().Grid;
+  const glm::vec3 minimum(this->Scene.GetMinimum());
+  const glm::vec3 maximum(this->Scene.GetMaximum());
   program->SetUniformi("ColorTexture", this->Units[0]);
   program->SetUniformi("DepthTexture", this->Units[1]);
   program->SetUniformi("CellTexture", this->Units[2]);
-  program->SetUniform1fv("TileLayers", TileCount, layers.data());
+  program->SetUniformi("SceneGridTexture", this->Units[3]);
   program->SetUniformf("TilesPerLayer", static_cast<float>(this->Pool.GetTilesPerLayer()));
-  program->SetUniformi("BaseNodes", field.Grid.GetBaseNodes());
-  program->SetUniformf("Resolution", static_cast<float>(field.Grid.GetResolution()));
-  program->SetUniformi("HasDepth", field.FindChannel(DepthName) != nullptr);
+  program->SetUniformf("BaseNodes", static_cast<float>(grid.GetBaseNodes()));
+  program->SetUniformf("Resolution", static_cast<float>(grid.GetResolution()));
   program->SetUniform3f("SceneMinimum", &minimum.x);
   program->SetUniform3f("SceneMaximum", &maximum.x);
+}
+
+int FieldTexture::FindFirstLayer(int entryFace, int tile) const
+{
+  return this->Tiles[entryFace] & (1 << tile)
+    ? this->Pool.GetFirstLayer(this->Present.GetBlock(entryFace, tile))
+    : Residency::Absent;
 }
 
 void FieldTexture::Free()
 {
   this->Pool.Free();
   glDeleteTextures(static_cast<GLsizei>(this->Tables.size()), this->Tables.data());
+  glDeleteTextures(1, &this->SceneTexture);
   this->Tables.fill(0);
+  this->SceneTexture = 0;
   this->Present = Residency();
   this->Window = nullptr;
 }

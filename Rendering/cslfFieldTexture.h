@@ -9,6 +9,7 @@
 
 #include "cslfDescription.h"
 #include "cslfResidency.h"
+#include "cslfSceneGrid.h"
 #include "cslfSight.h"
 #include "cslfTilePool.h"
 #include "cslfViewpointSource.h"
@@ -57,6 +58,9 @@ public:
   /// How many viewpoints that were needed turned out to be damaged.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
 
+  /// What is known of where the scene's surfaces are, once there is a source.
+  const SceneGrid& GetScene() const { return this->Scene; }
+
   /// The graphics memory that the samples take, in bytes.
   std::int64_t GetBytes() const { return this->Pool.GetBytes(); }
 
@@ -64,8 +68,11 @@ public:
   void Activate(int entryFace);
   void Deactivate();
 
-  /// Sets the uniforms of cslfField.glsl. The textures must be active.
-  void SetUniforms(vtkShaderProgram* program, int entryFace) const;
+  /// Sets the uniforms of cslfField.glsl and cslfSceneGrid.glsl. The textures must be active.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /// The first layer of the tiles of an entry face; Residency::Absent where they are not there.
+  int FindFirstLayer(int entryFace, int tile) const;
 
   /// Frees the textures if they belong to this window, whose context must be current.
   void Release(vtkWindow* window);
@@ -78,6 +85,7 @@ private:
   void BringSome(double seconds);
   void Bring(const WantedTiles& wanted);
   void MakeTables();
+  void MakeSceneTexture();
   void Free();
 
   std::shared_ptr<ViewpointSource> Source;
@@ -85,13 +93,15 @@ private:
   std::int64_t Limit = 0;
   TilePool Pool;
   Residency Present;
+  SceneGrid Scene;
   std::vector<Sight> Sights;
   std::size_t Missing = 0;
   int Damaged = 0;
   bool IsChanged = false; ///< since the tables were made
   std::array<Handle, FaceCount> Tables{};
   std::array<TileSet, FaceCount> Tiles{}; ///< that can be looked up
-  std::array<int, 3> Units{ -1, -1, -1 }; ///< colour, depth, table
+  Handle SceneTexture = 0;
+  std::array<int, 4> Units{ -1, -1, -1, -1 }; ///< colour, depth, table, scene
 };
 }
 

@@ -24,8 +24,8 @@ namespace cslf
 VTKCSLF_EXPORT std::array<glm::dvec3, FaceCount> FindFocalPoints(
   const Description& description, vtkImageData* image);
 
-/// The same for one face, from the viewpoint FindFocalSlice alone. For samples without colour, which
-/// are damaged, the cube's centre.
+/// The same for one face, from the viewpoint FindFocalSlice alone. For samples without colour,
+/// which are damaged, the cube's centre.
 VTKCSLF_EXPORT glm::dvec3 FindFocalPoint(
   const Description& description, int face, const ViewpointSamples& samples);
 VTKCSLF_EXPORT int FindFocalSlice(const Description& description, int face);

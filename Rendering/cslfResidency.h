@@ -53,6 +53,9 @@ public:
   int GetBlocks() const { return static_cast<int>(this->Owners.size()); }
   int GetSlots() const { return this->Slots; }
 
+  /// How many viewpoints along a side of a face belong to a level or a coarser one.
+  int CountNodes(int level) const { return static_cast<int>(this->Levels.GetNodes(level).size()); }
+
   /// Makes room for what these cameras can use. What others used before stays where there is room.
   void Aim(const std::vector<Sight>& sights);
 

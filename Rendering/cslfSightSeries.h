@@ -29,8 +29,8 @@ public:
     this->Entries[viewer] = { sight, ++this->Count };
     for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
     {
-      entry = entry->second.Time + Patience < this->Count ? this->Entries.erase(entry)
-                                                          : std::next(entry);
+      entry =
+        entry->second.Time + Patience < this->Count ? this->Entries.erase(entry) : std::next(entry);
     }
   }
 

@@ -62,8 +62,8 @@ GLuint CreateTexture(const Format& format, GLenum filter, int width, int height,
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.Internal, width, height, layers, 0,
-    format.Components, format.Type, nullptr);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.Internal, width, height, layers, 0, format.Components,
+    format.Type, nullptr);
   return handle;
 }
 }

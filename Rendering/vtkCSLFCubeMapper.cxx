@@ -3,12 +3,13 @@
 #include "vtkCSLFCubeMapper.h"
 
 #include "cslfCubeGLSL.h"
+#include "cslfFaceSpace.h"
 #include "cslfFieldGLSL.h"
-#include "cslfLookup.h"
 #include "cslfLookupGLSL.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
+#include "cslfSceneGridGLSL.h"
 #include "cslfToneMappingGLSL.h"
 
 #include <vtkActor.h>
@@ -38,7 +39,7 @@
 
 namespace
 {
-constexpr const char* PositionName = "positionCC";
+constexpr const char* FaceName = "faceCC";
 
 /// The share of the time for a picture that goes into bringing samples to graphics memory, and the
 /// seconds within which it stays: short enough for the hand on the mouse.
@@ -46,14 +47,14 @@ constexpr double UploadShare = 0.25;
 constexpr double LeastUpload = 0.002;
 constexpr double MostUpload = 0.02;
 
-// The cube as six quads, with each point's position in CC as a vertex attribute.
+// The cube as six quads, with each point's position in CC and face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkFloatArray> positions;
-  positions->SetName(PositionName);
-  positions->SetNumberOfComponents(3);
+  positions->SetName(FaceName);
+  positions->SetNumberOfComponents(4);
   vtkNew<vtkCellArray> quads;
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
@@ -64,7 +65,7 @@ vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
       const glm::dvec3 pointCC = cslf::FaceToCube(face, corner);
       const glm::dvec3 pointWC = box.PointToWorld(pointCC);
       quads->InsertCellPoint(points->InsertNextPoint(pointWC.x, pointWC.y, pointWC.z));
-      positions->InsertNextTuple3(pointCC.x, pointCC.y, pointCC.z);
+      positions->InsertNextTuple4(pointCC.x, pointCC.y, pointCC.z, face);
     }
   }
   auto cube = vtkSmartPointer<vtkPolyData>::New();
@@ -82,7 +83,7 @@ vtkCSLFCubeMapper::vtkCSLFCubeMapper()
 {
   this->ScalarVisibilityOff();
   this->MapDataArrayToVertexAttribute(
-    PositionName, PositionName, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    FaceName, FaceName, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +100,7 @@ void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& 
 {
   this->Source = source;
   this->TextureFailed = false;
+  this->Modified(); // has the shader made anew
   this->Texture.SetSource(source);
   this->SetInputDataObject(MakeCube(source->GetDescription().Box));
 }
@@ -179,9 +181,8 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
       rows[row][column] = this->CCDCMatrix->GetElement(column, row);
     }
   }
-  const cslf::Description& field = this->Source->GetDescription();
-  this->Sight = cslf::Sight(rows, field.GetSceneMinimumCC() - cslf::LookupSceneMargin,
-    field.GetSceneMaximumCC() + cslf::LookupSceneMargin);
+  const cslf::SceneGrid& scene = this->Texture.GetScene();
+  this->Sight = cslf::Sight(rows, scene.GetMinimum(), scene.GetMaximum());
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +203,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  // Surfaces within the clipping range are drawn also where the cube's far faces are beyond it.
+  // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
@@ -259,20 +260,34 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFCubeMapper::GetShaderTemplate(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor* actor)
+// Branches cost their time even where nothing takes them, so each program knows what it looks up.
+std::string vtkCSLFCubeMapper::MakeFragmentShader(bool inPass) const
 {
-  vtkInformation* keys = actor->GetPropertyKeys();
-  const bool inPass = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+  static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
+    "LookupFocal", "LookupDepth" };
+  const bool hasDepth = this->Source->GetDescription().FindChannel(cslf::DepthName) != nullptr;
   std::string fragment = cslfMapperFS;
   vtkShaderProgram::Substitute(
     fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
   vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec", cslfLookupGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
+    std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
+  vtkShaderProgram::Substitute(
+    fragment, "//CSLF::Lookup::Impl", std::string("result = ") + lookups[this->Lookup] + "(ray);");
+  return fragment;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  const bool inPass = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
-  shaders[vtkShader::Fragment]->SetSource(fragment);
+  shaders[vtkShader::Fragment]->SetSource(this->MakeFragmentShader(inPass));
   shaders[vtkShader::Geometry]->SetSource("");
 }
 
@@ -307,13 +322,69 @@ int vtkCSLFCubeMapper::ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor
 }
 
 //------------------------------------------------------------------------------
+// The uniforms that go with the entry face.
+void vtkCSLFCubeMapper::SetFaceSpaceUniforms(vtkShaderProgram* program)
+{
+  const int face = this->EntryFace;
+  vtkNew<vtkMatrix4x4> ccfc;
+  vtkNew<vtkMatrix4x4> fccc;
+  const glm::dvec3 originFC = cslf::CubeToFaceSpace(face, glm::dvec3(0.0));
+  const glm::dvec3 originCC = cslf::FaceSpaceToCube(face, glm::dvec3(0.0));
+  for (int column = 0; column < 4; ++column)
+  {
+    glm::dvec3 unit(0.0);
+    if (column < 3)
+    {
+      unit[column] = 1.0;
+    }
+    const glm::dvec3 pointFC = cslf::CubeToFaceSpace(face, unit) - (column < 3 ? originFC : unit);
+    const glm::dvec3 pointCC = cslf::FaceSpaceToCube(face, unit) - (column < 3 ? originCC : unit);
+    // GLSL's matrices are stored by columns.
+    for (int row = 0; row < 3; ++row)
+    {
+      ccfc->SetElement(column, row, pointFC[row]);
+      fccc->SetElement(column, row, pointCC[row]);
+    }
+  }
+  program->SetUniformMatrix("CCFCMatrix", ccfc);
+  program->SetUniformMatrix("FCCCMatrix", fccc);
+  const glm::vec3 focalPoint(cslf::CubeToFaceSpace(face, this->FocalPointsCC[face]));
+  program->SetUniform3f("FocalPointFC", &focalPoint.x);
+
+  const auto frames = cslf::ListExitFrames(face);
+  const auto firstLayer = [&](const cslf::ExitFrame& frame)
+  { return static_cast<float>(this->Texture.FindFirstLayer(face, frame.Tile)); };
+  const auto setAxes = [&](const char* name, const cslf::ExitFrame& frame, int first, int second)
+  {
+    const float axes[4] = { static_cast<float>(frame.S[first]), static_cast<float>(frame.T[first]),
+      static_cast<float>(frame.S[second]), static_cast<float>(frame.T[second]) };
+    program->SetUniform4f(name, axes);
+  };
+  setAxes("OppositeAxes", frames[0], 0, 1);
+  setAxes("SideXAxes", frames[1], 1, 2);
+  setAxes("SideYAxes", frames[3], 0, 2);
+  const auto setSides =
+    [&](const std::string& name, const cslf::ExitFrame& positive, const cslf::ExitFrame& negative)
+  {
+    const float flip[2] = { positive.S == negative.S ? 1.0f : -1.0f,
+      positive.T == negative.T ? 1.0f : -1.0f };
+    const float blocks[2] = { firstLayer(positive), firstLayer(negative) };
+    program->SetUniform2f((name + "Flip").c_str(), flip);
+    program->SetUniform2f((name + "Blocks").c_str(), blocks);
+  };
+  setSides("SideX", frames[1], frames[2]);
+  setSides("SideY", frames[3], frames[4]);
+  program->SetUniformf("OppositeBlock", firstLayer(frames[0]));
+}
+
+//------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
 
   vtkShaderProgram* program = cellBO.Program;
-  this->Texture.SetUniforms(program, this->EntryFace);
+  this->Texture.SetUniforms(program);
   const glm::vec4 eye(this->Sight.GetEye());
   program->SetUniform4f("EyeCC", &eye.x);
   program->SetUniformMatrix("CCDCMatrix", this->CCDCMatrix);
@@ -322,8 +393,8 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
     program->SetUniformMatrix("CCVCMatrix", this->CCVCMatrix);
   }
   program->SetUniformi("EntryFacePass", this->EntryFace);
-  program->SetUniformi("LookupMode", this->Lookup);
-  program->SetUniform3f("FocalPointCC", &this->FocalPointsCC[this->EntryFace].x);
+  program->SetUniformi("DrawsExits", this->Sight.IsInside());
+  this->SetFaceSpaceUniforms(program);
   const cslf::Description& field = this->Source->GetDescription();
   program->SetUniformi(
     "LinearColor", field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);

@@ -29,6 +29,7 @@
 #include <vector>
 
 class vtkMatrix4x4;
+class vtkShaderProgram;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -48,7 +49,14 @@ public:
   }
 
   /// vtkCSLFMapper::LookupType.
-  void SetLookup(int lookup) { this->Lookup = lookup; }
+  void SetLookup(int lookup)
+  {
+    if (lookup != this->Lookup)
+    {
+      this->Lookup = lookup;
+      this->Modified(); // which has the shaders built anew
+    }
+  }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -72,10 +80,7 @@ public:
   bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
 
   /// How many viewpoints turned out to be damaged.
-  int GetNumberOfDamagedViewpoints() const
-  {
-    return this->Texture.GetNumberOfDamagedViewpoints();
-  }
+  int GetNumberOfDamagedViewpoints() const { return this->Texture.GetNumberOfDamagedViewpoints(); }
 
   /// The graphics memory that the samples take, in bytes; 0 before the first Render.
   std::int64_t GetTextureBytes() const { return this->Texture.GetBytes(); }
@@ -113,6 +118,8 @@ private:
   void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
   std::string MakeOptions() const;
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
+  std::string MakeFragmentShader(bool inPass) const;
+  void SetFaceSpaceUniforms(vtkShaderProgram* program);
 
   std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;

@@ -7,9 +7,10 @@
  * The input is the image data of a whole light field, as vtkCSLFSampler, vtkCSLFDecoder or
  * vtkCSLFImageReader make it. Where it comes right from a vtkCSLFDecoder, the mapper does not have
  * the field decoded as a whole: it asks for the viewpoints that the camera can use, and no other
- * memory than the decoder's CacheSize holds them on their way. The mapper draws the field's cube and looks up, for each pixel, the
- * light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021, section 3.4 and algorithm 1). The
- * cost of a picture does not depend on the scene that was sampled.
+ * memory than the decoder's CacheSize holds them on their way. The mapper draws the field's cube
+ * and looks up, for each pixel, the light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021,
+ * section 3.4 and algorithm 1). The cost of a picture does not depend on the scene that was
+ * sampled.
  *
  * The field takes part in the scene like any other opaque object: its coverage becomes opacity, so
  * that what lies behind it shows around its silhouettes, and where the field has a depth channel
@@ -155,8 +156,8 @@ public:
    * for the coarsest viewpoints only; in a few milliseconds of each picture others are brought to
    * graphics memory, those near to what the camera looks at first. Where some are missing,
    * UpdateDataEvent is invoked at the end of Render, and IsComplete is false: whoever wants to see
-   * them has to draw again, but not from within the event. Default: off, for pictures that are drawn
-   * once.
+   * them has to draw again, but not from within the event. Default: off, for pictures that are
+   * drawn once.
    */
   vtkSetMacro(Streaming, bool);
   vtkGetMacro(Streaming, bool);
@@ -164,8 +165,8 @@ public:
   ///@}
 
   /**
-   * Whether the last picture, in each window, was drawn from all viewpoints that its camera can use,
-   * as far as TextureMemoryLimit allows.
+   * Whether the last picture, in each window, was drawn from all viewpoints that its camera can
+   * use, as far as TextureMemoryLimit allows.
    */
   bool IsComplete();
 

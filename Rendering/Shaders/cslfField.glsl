@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The field's samples: the twin of Module/cslfLayout.cxx and of the readers in cslfLookup.cxx.
-// A layer of the textures holds SlicesPerLayer slices, one above the other.
+// A layer of the textures holds TilesPerLayer tiles, one above the other.
 
 uniform sampler2DArray ColorTexture; // linear filter
 uniform sampler2DArray DepthTexture; // nearest filter
-uniform sampler2D CellTexture;       // two texels for each cell of the base grid, see Residency
-uniform float TileLayers[5];         // the first layer of each tile's block
+uniform sampler2D CellTexture;       // two texels for each cell of the base grid: Residency::Table
 uniform float TilesPerLayer;
-uniform int BaseNodes;               // M0
+uniform float BaseNodes;             // M0
 uniform float Resolution;            // N
-uniform bool HasDepth;
-uniform vec3 SceneMinimum;           // CC
-uniform vec3 SceneMaximum;           // CC
 
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
@@ -26,20 +22,17 @@ struct Cell
   vec2 Weight; // of the upper ones
 };
 
-int TileOf(int entryFace, int exitFace)
+// Where a viewpoint's tiles are, within a block.
+struct SlicePlace
 {
-  return exitFace < entryFace ? exitFace : exitFace - 1;
-}
-
-int ExitFaceOf(int entryFace, int tile)
-{
-  return tile < entryFace ? tile : tile + 1;
-}
+  float Layer;
+  float Row; // in tiles
+};
 
 Cell FindCell(vec2 coordinates)
 {
-  vec2 node = 0.5 * (clamp(coordinates, -1.0, 1.0) + 1.0) * float(BaseNodes - 1);
-  ivec2 texel = min(ivec2(node), BaseNodes - 2) * ivec2(2, 1);
+  vec2 node = 0.5 * (coordinates + 1.0) * (BaseNodes - 1.0);
+  ivec2 texel = ivec2(2, 1) * ivec2(min(node, vec2(BaseNodes - 1.5)));
   vec4 corners = texelFetch(CellTexture, texel + ivec2(1, 0), 0);
   Cell cell;
   cell.Slots = texelFetch(CellTexture, texel, 0);
@@ -49,60 +42,73 @@ Cell FindCell(vec2 coordinates)
   return cell;
 }
 
-// Where a slot's tile begins: the row, in tiles, and the layer. What is not there is in layers below
-// 0, which samplers take for layer 0, where colour and depth are 0: hidden from the view.
-vec2 FindTile(float slot, int tile)
+SlicePlace FindSlice(float slot)
 {
-  float layer = floor((slot + 0.5) / TilesPerLayer);
-  return vec2(slot - layer * TilesPerLayer, max(layer + TileLayers[tile], 0.0));
+  SlicePlace place;
+  place.Layer = floor((slot + 0.5) / TilesPerLayer);
+  place.Row = slot - place.Layer * TilesPerLayer;
+  return place;
 }
 
+// 1 if a tile is there. Otherwise its layer is below 0, which is read as layer 0: colour and depth
+// are 0, so that the view sees nothing.
+float IsKept(SlicePlace slice, float block)
+{
+  return step(0.0, slice.Layer + block);
+}
+
+// In texels of a tile.
 vec2 TexelPosition(vec2 coordinates)
 {
   return 0.5 * (coordinates + 1.0) * Resolution;
 }
 
-// Texture coordinates of a position in a tile, in texels.
-vec3 TextureCoordinates(float slot, int tile, vec2 position)
+// Texture coordinates of a position in a tile.
+vec3 TextureCoordinates(SlicePlace slice, float block, vec2 position)
 {
-  vec2 place = FindTile(slot, tile);
-  vec2 texel = position / Resolution;
-  return vec3(texel.x, (place.x + texel.y) / TilesPerLayer, place.y);
+  vec2 inTile = position / Resolution;
+  return vec3(inTile.x, (slice.Row + inTile.y) / TilesPerLayer, max(slice.Layer + block, 0.0));
 }
 
-vec4 ReadNearestColor(float slot, int tile, vec2 coordinates)
+// Of a position in a tile, for texelFetch.
+ivec3 TexelAddress(SlicePlace slice, float block, vec2 texel)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0);
-  vec2 place = FindTile(slot, tile);
-  ivec3 address = ivec3(ivec2(texel + vec2(0.0, place.x * Resolution)), int(place.y));
-  return texelFetch(ColorTexture, address, 0);
+  return ivec3(
+    vec3(texel.x, slice.Row * Resolution + texel.y, max(slice.Layer + block, 0.0)) + 0.5);
 }
 
-vec4 ReadColor(float slot, int tile, vec2 coordinates)
+ivec3 NearestTexel(SlicePlace slice, float block, vec2 coordinates)
+{
+  return TexelAddress(
+    slice, block, clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0));
+}
+
+vec4 ReadNearestColor(SlicePlace slice, float block, vec2 coordinates)
+{
+  return texelFetch(ColorTexture, NearestTexel(slice, block, coordinates), 0);
+}
+
+vec4 ReadColor(SlicePlace slice, float block, vec2 coordinates)
 {
   vec2 position = clamp(TexelPosition(coordinates), 0.5, Resolution - 0.5);
-  return textureLod(ColorTexture, TextureCoordinates(slot, tile, position), 0.0);
+  return textureLod(ColorTexture, TextureCoordinates(slice, block, position), 0.0);
 }
 
-float ReadNearestInverseDepth(float slot, int tile, vec2 coordinates)
+float ReadNearestDepth(SlicePlace slice, float block, vec2 coordinates)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0);
-  vec2 place = FindTile(slot, tile);
-  ivec3 address = ivec3(ivec2(texel + vec2(0.0, place.x * Resolution)), int(place.y));
-  return 1.0 / max(texelFetch(DepthTexture, address, 0).r, LeastDepth);
+  return texelFetch(DepthTexture, NearestTexel(slice, block, coordinates), 0).r;
 }
 
 // Within one surface interpolated, which is exact for planes; across an edge the nearer surface's.
-float ReadInverseDepth(float slot, int tile, vec2 coordinates)
+float ReadInverseDepth(SlicePlace slice, float block, vec2 coordinates)
 {
-  vec2 position = clamp(TexelPosition(coordinates) - 0.5, 0.0, Resolution - 1.0);
-  vec2 base = max(min(floor(position), Resolution - 2.0), 0.0);
-  vec2 weight = position - base;
+  vec2 position = TexelPosition(coordinates) - 0.5;
+  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
+  vec2 weight = clamp(position - base, 0.0, 1.0);
 #ifdef GL_ARB_texture_gather
-  vec4 depth = textureGather(DepthTexture, TextureCoordinates(slot, tile, base + 1.0));
+  vec4 depth = textureGather(DepthTexture, TextureCoordinates(slice, block, base + 1.0));
 #else
-  vec2 place = FindTile(slot, tile);
-  ivec3 address = ivec3(ivec2(base + vec2(0.0, place.x * Resolution)), int(place.y));
+  ivec3 address = TexelAddress(slice, block, base);
   vec4 depth = vec4(texelFetch(DepthTexture, address + ivec3(0, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,
@@ -111,10 +117,7 @@ float ReadInverseDepth(float slot, int tile, vec2 coordinates)
   vec4 inverse = 1.0 / max(depth, LeastDepth);
   float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
   float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
-  if (most - least > SurfaceStep * most)
-  {
-    return most;
-  }
-  return mix(
+  float between = mix(
     mix(inverse.w, inverse.z, weight.x), mix(inverse.x, inverse.y, weight.x), weight.y);
+  return most - least > SurfaceStep * most ? most : between;
 }

@@ -3,8 +3,8 @@
 //CSLF::Options::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Casts the ray from the eye through each fragment of the cube's far faces and looks it up
-// (paper, algorithm 1).
+// Casts the ray from the eye through each fragment of the cube's faces and looks it up (paper,
+// algorithm 1).
 
 // Options, defined only where they apply:
 //   CLIPPING_PLANES  how many planes cut the picture
@@ -23,9 +23,8 @@ in vec3 positionCCVSOutput;
 uniform int PrimitiveIDOffset;
 uniform vec4 EyeCC;            // w = 1: the eye; w = 0: the direction of parallel projection
 uniform mat4 CCDCMatrix;
-uniform int EntryFacePass;     // the entry face being drawn
-uniform int LookupMode;        // vtkCSLFMapper::LookupType
-uniform vec3 FocalPointCC;
+uniform bool DrawsExits;       // the fragments are where rays leave the cube
+uniform vec3 FocalPointFC;
 uniform bool LinearColor;      // the field holds linear values, otherwise sRGB-encoded ones
 uniform float Opacity;
 uniform int CoveragePass;      // 0: all, 1: what covers its pixel, 2: what covers a part of it
@@ -38,28 +37,12 @@ uniform mat4 CCVCMatrix;
 
 //CSLF::Cube::Dec
 //CSLF::Field::Dec
+//CSLF::SceneGrid::Dec
 //CSLF::Lookup::Dec
 //CSLF::ToneMapping::Dec
 
 // Coverage from which on a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;
-
-LookupResult LookUp(RayCoordinates ray)
-{
-  switch (LookupMode)
-  {
-    case 0:
-      return LookupNearest(ray);
-    case 1:
-      return LookupLinear(ray);
-    case 2:
-      return LookupBilinear(ray);
-    case 3:
-      return LookupFocal(ray, FocalPointCC);
-    default:
-      return LookupDepth(ray);
-  }
-}
 
 bool IsClipped(vec3 pointCC)
 {
@@ -87,19 +70,19 @@ vec3 GetDisplayColor(vec3 color)
 void main()
 {
   vec3 direction = EyeCC.w > 0.0 ? positionCCVSOutput - EyeCC.xyz : EyeCC.xyz;
-  vec3 origin = EyeCC.w > 0.0 ? EyeCC.xyz : positionCCVSOutput;
-  RayCoordinates ray = RayToCoordinates(origin, direction);
+  vec3 directionFC = mat3(CCFCMatrix) * direction;
+  Ray ray = CastRay((CCFCMatrix * vec4(positionCCVSOutput, 1.0)).xyz, directionFC);
 
-  // Each ray is drawn once, where it leaves the cube.
-  vec3 exit = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates);
-  vec3 entry = FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
-  if (!ray.Hits || ray.Entry.Face != EntryFacePass ||
-    distance(positionCCVSOutput, exit) > distance(positionCCVSOutput, entry))
+  // Each ray is drawn once.
+  if (directionFC.z <= 0.0 || (DrawsExits && any(greaterThanEqual(abs(ray.Entry.xy), vec2(1.0)))))
   {
     discard;
   }
+  vec3 entry = (FCCCMatrix * vec4(ray.Entry, 1.0)).xyz;
+  vec3 exit = (FCCCMatrix * vec4(ray.Entry + ray.Chord, 1.0)).xyz;
 
-  LookupResult result = LookUp(ray);
+  LookupResult result;
+  //CSLF::Lookup::Impl
   float alpha = result.Color.a;
   bool covers = alpha >= OpaqueCoverage;
   if (alpha <= 0.0 || (CoveragePass == 1 && !covers) || (CoveragePass == 2 && covers))
