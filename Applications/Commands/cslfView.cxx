@@ -176,11 +176,13 @@ Result Run(const Options& options)
   {
     DrawOnce(viewer, options);
     result.Text = options.Screenshot + "\n";
+    result.JSON = { { "output", options.Screenshot },
+      { "texture_bytes", viewer.GetTextureBytes() } };
   }
   ThrowOnError();
-  result.JSON = { { "frames_per_second", viewer.GetFrameRate() },
-    { "texture_bytes", viewer.GetTextureBytes() }, { "truth_samples", viewer.GetTruthSamples() },
-    { "psnr", viewer.GetPSNR() } };
+  result.JSON["frames_per_second"] = viewer.GetFrameRate();
+  result.JSON["truth_samples"] = viewer.GetTruthSamples();
+  result.JSON["psnr"] = viewer.GetPSNR();
   return result;
 }
 }

@@ -12,6 +12,7 @@
 #include <vtkMatrix4x4.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace cslf
 {
@@ -19,7 +20,10 @@ namespace tool
 {
 namespace
 {
-constexpr int LongestPass = 16;
+// Of a pass: shorter ones get more samples, longer ones fewer.
+constexpr double ShortSeconds = 0.05;
+constexpr double LongSeconds = 0.2;
+constexpr int MostPassSamples = 16;
 
 bool AreSame(vtkCamera* a, vtkCamera* b)
 {
@@ -45,7 +49,7 @@ bool RefiningTruth::Shows(vtkCamera* camera, const int size[2]) const
     AreSame(camera, this->Camera);
 }
 
-void RefiningTruth::Refine(vtkCamera* camera, const int size[2])
+void RefiningTruth::Refine(vtkCamera* camera, const int size[2], int mostSamples)
 {
   if (!this->Shows(camera, size))
   {
@@ -57,7 +61,9 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2])
     this->Tracer->SetCamera(this->Camera);
     this->Tracer->SetSize(size[0], size[1]);
   }
-  const int samples = std::clamp(this->Samples, 1, LongestPass);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const int samples = std::clamp(mostSamples - this->Samples, 1, this->PassSamples);
   this->Tracer->SetSamples(samples);
   this->Tracer->SetSeed(this->Passes);
   this->Tracer->Update();
@@ -69,6 +75,15 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2])
   }
   this->Samples += samples;
   ++this->Passes;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (seconds < ShortSeconds)
+  {
+    this->PassSamples = std::min(2 * this->PassSamples, MostPassSamples);
+  }
+  else if (seconds > LongSeconds)
+  {
+    this->PassSamples = std::max(this->PassSamples / 2, 1);
+  }
 }
 
 vtkSmartPointer<vtkImageData> RefiningTruth::MakePicture(const ToneMapping& toneMapping) const

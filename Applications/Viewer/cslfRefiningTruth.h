@@ -35,9 +35,10 @@ public:
   /// Whether the picture is of this view, in this size.
   bool Shows(vtkCamera* camera, const int size[2]) const;
 
-  /// Adds a pass to the view's picture, begins it where it is another view. The passes get longer:
-  /// 1, 1, 2, 4, ... samples a pixel, at most 16. Throws a Failure.
-  void Refine(vtkCamera* camera, const int size[2]);
+  /// Adds a pass to the view's picture, begins it where it is another view. Passes take more
+  /// samples as long as they are quick, so that the window stays responsive, but no pixel gets more
+  /// than `mostSamples`. Throws a Failure.
+  void Refine(vtkCamera* camera, const int size[2], int mostSamples);
 
   /// Samples of each pixel so far.
   int GetSamples() const { return this->Samples; }
@@ -51,6 +52,7 @@ private:
   int Size[2] = { 0, 0 };
   int Samples = 0;
   int Passes = 0;
+  int PassSamples = 1;      ///< of the next pass
   std::vector<double> Sums; ///< linear red, green, blue and coverage, of all samples
 };
 }

@@ -4,12 +4,10 @@
 
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
-#include "cslfNovelViews.h"
 #include "cslfScenery.h"
-#include "cslfTable.h"
 #include "cslfToneOptions.h"
+#include "cslfViewerPane.h"
 
-#include "vtkCSLFImageQuality.h"
 #include "vtkCSLFMapper.h"
 
 #include <vtkActor.h>
@@ -18,20 +16,15 @@
 #include <vtkCamera.h>
 #include <vtkCoordinate.h>
 #include <vtkImageData.h>
-#include <vtkImageStencilData.h>
-#include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <numeric>
 
 namespace cslf
 {
@@ -39,11 +32,9 @@ namespace tool
 {
 namespace
 {
-constexpr int TruthPane = -1; ///< in place of a lookup
-constexpr double Background[3] = { 0.1, 0.1, 0.12 };
 constexpr double ExposureStep = 1.25;
+
 constexpr int FontSize = 15;
-constexpr std::size_t FramesAveraged = 10;
 
 void Place(vtkTextActor* text, double x, double y)
 {
@@ -54,14 +45,6 @@ void Place(vtkTextActor* text, double x, double y)
   text->GetTextProperty()->SetJustification(x > 0.5 ? VTK_TEXT_RIGHT : VTK_TEXT_LEFT);
   text->GetTextProperty()->SetBackgroundColor(0.0, 0.0, 0.0);
   text->GetTextProperty()->SetBackgroundOpacity(0.5);
-}
-
-std::array<int, 2> GetSize(vtkRenderer* renderer)
-{
-  int corner[2];
-  std::array<int, 2> size;
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
-  return size;
 }
 
 void Observe(vtkObject* object, unsigned long event,
@@ -100,17 +83,6 @@ const char* const Viewer::Help = "1 to 5: nearest, linear, bilinear, focal, dept
                                  "i: figures   p: write a picture   h: this help\n"
                                  "left button: rotate, middle: pan, right or wheel: zoom\n"
                                  "r: reset the camera   q: quit";
-
-/// A part of the window.
-struct Viewer::Pane
-{
-  Viewer* Owner;
-  std::string Name;
-  int Lookup;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkTextActor> Label;
-  double PSNR = 0.0; ///< of the lookup in this view; 0 where it was not measured
-};
 
 Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   std::unique_ptr<RefiningTruth> truth)
@@ -228,6 +200,7 @@ void Viewer::Arrange()
     }
     pane->PSNR = 0.0;
   }
+  this->MeasuredSamples = 0;
 }
 
 void Viewer::SetLookup(int lookup)
@@ -247,6 +220,7 @@ void Viewer::SetToneMapping(const ToneMapping& toneMapping)
   {
     pane->PSNR = 0.0;
   }
+  this->MeasuredSamples = 0;
   this->ShowTruth();
 }
 
@@ -332,70 +306,27 @@ bool Viewer::IsTruthCurrent() const
     this->Truth->Shows(this->Camera, GetSize(this->FindPane(TruthPane)->Renderer).data());
 }
 
-void Viewer::CountFrame(vtkObject*, unsigned long event, void* client, void*)
-{
-  auto* viewer = static_cast<Viewer*>(client);
-  const auto now = std::chrono::steady_clock::now();
-  if (event == vtkCommand::StartEvent)
-  {
-    viewer->FrameStart = now;
-    return;
-  }
-  viewer->FieldActor->VisibilityOn();
-  viewer->FrameSeconds.push_back(std::chrono::duration<double>(now - viewer->FrameStart).count());
-  if (viewer->FrameSeconds.size() > FramesAveraged)
-  {
-    viewer->FrameSeconds.pop_front();
-  }
-}
-
-void Viewer::ShowState()
-{
-  const bool isMeasured = this->IsTruthCurrent();
-  for (const auto& pane : this->Panes)
-  {
-    if (pane->Lookup != TruthPane)
-    {
-      const std::string figure =
-        isMeasured && pane->PSNR > 0.0 ? ": " + Format(pane->PSNR, 1) + " dB" : "";
-      pane->Label->SetInput((pane->Name + figure).c_str());
-    }
-  }
-  const Layout& grid = this->Field.Grid;
-  const std::string m = std::to_string(grid.GetViewpoints());
-  const std::string n = std::to_string(grid.GetResolution());
-  std::string text = "6 x " + m + " x " + m + " viewpoints of " + n + " x " + n + " texels\n" +
-    Format(static_cast<double>(this->GetTextureBytes()) / (1 << 20), 1) + " MiB of textures";
-  if (this->GetFrameRate() > 0.0)
-  {
-    text += "\n" + Format(this->GetFrameRate(), 1) + " frames/s";
-  }
-  if (!this->GetToneMapping().IsIdentity())
-  {
-    text += "\nexposure " + Format(this->Mapper->GetExposure(), 2) + ", " +
-      this->Mapper->GetToneMappingAsString();
-  }
-  this->StateText->SetInput(text.c_str());
-  this->StateText->SetVisibility(this->ShowsState);
-  this->HelpText->SetInput(this->ShowsHelp ? Help : "h: help");
-}
-
 bool Viewer::Refine(int mostSamples)
 {
   if (!this->ShowsTruth)
   {
     return false;
   }
-  if (this->IsTruthCurrent() && this->GetTruthSamples() >= mostSamples)
+  if (!this->IsTruthCurrent())
+  {
+    this->MeasuredSamples = 0;
+  }
+  else if (this->GetTruthSamples() >= mostSamples)
   {
     return false;
   }
   const auto size = GetSize(this->FindPane(TruthPane)->Renderer);
-  this->Truth->Refine(this->Camera, size.data());
+  this->Truth->Refine(this->Camera, size.data(), mostSamples);
   this->ShowTruth();
   const int samples = this->GetTruthSamples();
-  if ((samples & (samples - 1)) == 0 || samples >= mostSamples)
+  if (samples >= 2 * this->MeasuredSamples || samples >= mostSamples)
   {
+    this->MeasuredSamples = samples;
     this->Measure();
   }
   return true;
@@ -415,66 +346,6 @@ void Viewer::ShowTruth()
     (pane->Name + ": " + std::to_string(this->GetTruthSamples()) + " samples a pixel").c_str());
 }
 
-// Each lookup is drawn in the truth's place, so that pixels meet their like, and shown to nobody.
-void Viewer::Measure()
-{
-  const std::vector<Pane*> shown = this->GetShownPanes();
-  Pane* place = this->FindPane(TruthPane);
-  std::vector<vtkProp*> hidden{ this->Outline, this->Axes, this->Markers, place->Label };
-  hidden.erase(std::remove_if(hidden.begin(), hidden.end(),
-                 [](vtkProp* prop) { return !prop->GetVisibility(); }),
-    hidden.end());
-  const auto setHidden = [&](bool isHidden)
-  {
-    for (vtkProp* prop : hidden)
-    {
-      prop->SetVisibility(!isHidden);
-    }
-    for (Pane* pane : shown)
-    {
-      pane->Renderer->SetDraw(!isHidden || pane == place);
-    }
-    this->Overlay->SetDraw(!isHidden);
-    this->Window->SetSwapBuffers(!isHidden);
-  };
-  const std::deque<double> frames = this->FrameSeconds;
-  setHidden(true);
-  place->Renderer->SetBackground(0.0, 0.0, 0.0);
-  for (Pane* pane : shown)
-  {
-    if (pane != place)
-    {
-      pane->PSNR = this->MeasureLookup(pane->Lookup, place);
-    }
-  }
-  place->Renderer->SetBackground(Background[0], Background[1], Background[2]);
-  setHidden(false);
-  this->FrameSeconds = frames;
-}
-
-double Viewer::MeasureLookup(int lookup, Pane* place)
-{
-  int size[2];
-  int corner[2];
-  place->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
-  this->MeasuredLookup = lookup;
-  this->Window->Render();
-  this->MeasuredLookup = TruthPane;
-  vtkNew<vtkUnsignedCharArray> pixels;
-  this->Window->GetPixelData(
-    corner[0], corner[1], corner[0] + size[0] - 1, corner[1] + size[1] - 1, 0, pixels);
-  vtkNew<vtkImageData> seen;
-  seen->SetDimensions(size[0], size[1], 1);
-  seen->GetPointData()->SetScalars(pixels);
-  vtkNew<vtkCSLFImageQuality> quality;
-  quality->SetInputData(0, this->Truth->MakePicture(this->GetToneMapping()));
-  quality->SetInputData(1, seen);
-  quality->SetStencilData(MakeCubeStencil(this->Field.Box, this->Camera, size[0], size[1]));
-  quality->Update();
-  ThrowOnError();
-  return quality->GetPSNR();
-}
-
 void Viewer::WriteScreenshot(const std::string& fileName)
 {
   this->Render();
@@ -486,25 +357,6 @@ void Viewer::WriteScreenshot(const std::string& fileName)
   grabber->Update();
   ThrowOnError();
   WritePicture(fileName, grabber->GetOutput());
-}
-
-double Viewer::GetFrameRate() const
-{
-  const double seconds = std::accumulate(this->FrameSeconds.begin(), this->FrameSeconds.end(), 0.0);
-  return seconds > 0.0 ? static_cast<double>(this->FrameSeconds.size()) / seconds : 0.0;
-}
-
-std::map<std::string, double> Viewer::GetPSNR() const
-{
-  std::map<std::string, double> values;
-  for (const auto& pane : this->Panes)
-  {
-    if (pane->PSNR > 0.0)
-    {
-      values[pane->Name] = pane->PSNR;
-    }
-  }
-  return values;
 }
 
 vtkTypeInt64 Viewer::GetTextureBytes() const

@@ -112,6 +112,7 @@ private:
   std::vector<std::unique_ptr<Pane>> Panes; ///< the lookups' and, last, the truth's
   std::unique_ptr<RefiningTruth> Truth;
   int Lookup = 0;
+  int MeasuredSamples = 0; ///< of the truth, when the lookups were last measured
   int MeasuredLookup = -1; ///< drawn in the truth's place, unless -1
   bool ShowsAll = false;
   bool ShowsTruth = false;

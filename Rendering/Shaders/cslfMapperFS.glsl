@@ -107,8 +107,8 @@ void main()
 #ifdef RENDER_PASS
   // By these names render passes know them.
   vec4 vertexVC = CCVCMatrix * vec4(hitCC, 1.0);
-  vec3 normalVCVSOutput = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));
-  normalVCVSOutput = length(normalVCVSOutput) > 0.0 ? normalize(normalVCVSOutput) : vec3(0.0, 0.0, 1.0);
+  vec3 across = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));
+  vec3 normalVCVSOutput = length(across) > 0.0 ? normalize(across) : vec3(0.0, 0.0, 1.0);
   //VTK::Light::Impl
 #endif
 

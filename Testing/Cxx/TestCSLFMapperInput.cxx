@@ -10,7 +10,6 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPropPicker.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -122,29 +121,11 @@ void TestChanges()
   black->Modified();
   CSLF_CHECK(view.Render() == 0.0);
 }
-
-void TestPick()
-{
-  const auto field = cslf::testing::MakeTestField(
-    cslf::Layout(3, 32), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1);
-  vtkNew<vtkCSLFMapper> mapper;
-  mapper->SetInputData(field);
-  View view(mapper);
-  view.Renderer->GetActiveCamera()->SetPosition(0.25, 0.15, 6.0);
-  view.Renderer->GetActiveCamera()->SetFocalPoint(0.25, 0.15, 0.0);
-  view.Render();
-  vtkNew<vtkPropPicker> picker;
-  CSLF_CHECK(picker->Pick(Size / 2, Size / 2, 0.0, view.Renderer) != 0);
-  CSLF_CHECK(picker->GetActor() == view.Actor);
-  // The sphere's nearest point.
-  CSLF_CHECK_NEAR(picker->GetPickPosition()[2], 0.55, 0.05);
-}
 }
 
 int TestCSLFMapperInput(int, char*[])
 {
   TestRefusals();
   TestChanges();
-  TestPick();
   return cslf::testing::Result();
 }

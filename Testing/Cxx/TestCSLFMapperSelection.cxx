@@ -64,12 +64,13 @@ void TestPickers()
   CSLF_CHECK(picker->Pick(Middle, Middle, 0.0, view.Renderer) == 0);
 }
 
-// The cells that an area selects.
-std::set<vtkIdType> SelectCells(View& view, vtkActor* actor, unsigned int x, unsigned int y)
+// The ids that an area selects.
+std::set<vtkIdType> Select(
+  View& view, vtkActor* actor, unsigned int x, unsigned int y, int association)
 {
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(view.Renderer);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->SetFieldAssociation(association);
   selector->SetArea(x, y, x + 1, y + 1);
   const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   std::set<vtkIdType> cells;
@@ -84,6 +85,23 @@ std::set<vtkIdType> SelectCells(View& view, vtkActor* actor, unsigned int x, uns
     }
   }
   return cells;
+}
+
+std::set<vtkIdType> SelectCells(View& view, vtkActor* actor, unsigned int x, unsigned int y)
+{
+  return Select(view, actor, x, y, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+}
+
+// A field has no points to select, but the actor is found by them too.
+void TestPoints()
+{
+  View view(Size);
+  const auto actor = view.Add(cslf::testing::MakeTestMapper());
+  LookAtSphere(view);
+  view.Render();
+  const auto points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  CSLF_CHECK(!Select(view, actor, Middle, Middle, points).empty());
+  CSLF_CHECK(Select(view, actor, 1, Middle, points).empty());
 }
 
 void TestCells()
@@ -113,5 +131,6 @@ int TestCSLFMapperSelection(int, char*[])
 {
   TestPickers();
   TestCells();
+  TestPoints();
   return cslf::testing::Result();
 }

@@ -57,7 +57,10 @@ endif ()
 if (NOT EXISTS "${DIRECTORY}/window.png")
   message(FATAL_ERROR "The screenshot is missing.")
 endif ()
-cslf_run(view box.vti --screenshot plain.png --size 96 96 --keys "m[")
+cslf_run(view box.vti --screenshot plain.png --size 96 96 --keys "m[p")
+if (NOT EXISTS "${DIRECTORY}/cslf-view-1.png")
+  message(FATAL_ERROR "The key p wrote no picture.")
+endif ()
 cslf_fail("key z" "never.png" view box.vti --keys z --screenshot never.png)
 
 # Exposure and tone mapping at view time: the truth is shown likewise.

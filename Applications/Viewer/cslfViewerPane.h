@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A part of the viewer's window, for the viewer's own files.
+ */
+#ifndef cslfViewerPane_h
+#define cslfViewerPane_h
+
+#include "cslfViewer.h"
+
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+
+#include <array>
+#include <string>
+
+namespace cslf
+{
+namespace tool
+{
+constexpr int TruthPane = -1; ///< in place of a lookup
+constexpr double Background[3] = { 0.1, 0.1, 0.12 };
+
+struct Viewer::Pane
+{
+  Viewer* Owner;
+  std::string Name;
+  int Lookup;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkTextActor> Label;
+  double PSNR = 0.0; ///< of the lookup in this view; 0 where it was not measured
+};
+
+/// In pixels.
+inline std::array<int, 2> GetSize(vtkRenderer* renderer)
+{
+  int corner[2];
+  std::array<int, 2> size;
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+  return size;
+}
+}
+}
+
+#endif
