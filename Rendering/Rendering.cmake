@@ -6,21 +6,26 @@ list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
   ../Rendering/cslfFaceSpace.cxx
+  ../Rendering/cslfFaceUniforms.cxx
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
+  ../Rendering/cslfLookupPicture.cxx
   ../Rendering/cslfSceneGrid.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
   ../Rendering/cslfFaceSpace.h
+  ../Rendering/cslfFaceUniforms.h
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
+  ../Rendering/cslfLookupPicture.h
   ../Rendering/cslfOpenGL.h
   ../Rendering/cslfSceneGrid.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfMapperFS cslfMapperVS)
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfMapperFS
+    cslfMapperVS cslfPictureFS cslfPictureVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")
   else ()

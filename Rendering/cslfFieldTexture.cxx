@@ -150,6 +150,7 @@ bool FieldTexture::Upload(vtkOpenGLRenderWindow* window, const Description& desc
     window->MakeCurrent();
   }
   this->Field = description;
+  ++this->Uploads;
   if (!this->ChooseLayers(error))
   {
     return false;

@@ -48,6 +48,11 @@ public:
   /// Says that the samples in graphics memory are outdated.
   void Invalidate() { this->Valid = false; }
 
+  /// A number that changes with every Upload.
+  unsigned int GetUploads() const { return this->Uploads; }
+
+  const Description& GetField() const { return this->Field; }
+
   /// The graphics memory that the samples take, in bytes.
   std::int64_t GetBytes() const { return this->Bytes; }
 
@@ -72,6 +77,7 @@ private:
 
   vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
   bool Valid = false;
+  unsigned int Uploads = 0;
   Description Field;
   int SlicesPerLayer = 1;
   int Layers = 0;

@@ -3,13 +3,10 @@
 #include "vtkCSLFCubeMapper.h"
 
 #include "cslfCubeGLSL.h"
-#include "cslfFaceSpace.h"
-#include "cslfFieldGLSL.h"
-#include "cslfLookupGLSL.h"
+#include "cslfFaceUniforms.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
-#include "cslfSceneGridGLSL.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -29,6 +26,7 @@
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -84,7 +82,6 @@ void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* i
   this->Field = field;
   this->Image = image;
   this->TextureFailed = false;
-  this->Modified();
   this->Texture.Invalidate();
   this->SetInputDataObject(MakeCube(field.Box));
 }
@@ -93,6 +90,7 @@ void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* i
 void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture.Release(window);
+  this->Picture.Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -159,6 +157,23 @@ bool vtkCSLFCubeMapper::IsEyeInside() const
 }
 
 //------------------------------------------------------------------------------
+// Looks up what is seen, unless that was done for an earlier pass or picture of the same view.
+void vtkCSLFCubeMapper::UpdatePicture(vtkOpenGLRenderWindow* window)
+{
+  cslf::LookupPicture::View view;
+  view.Lookup = this->Lookup;
+  view.EyeCC = this->EyeCC;
+  view.IsEyeInside = this->IsEyeInside();
+  std::copy_n(this->CCDCMatrix->GetData(), view.CCDC.size(), view.CCDC.begin());
+  view.FocalPointsCC = this->FocalPointsCC;
+  for (int face = 0; face < cslf::FaceCount; ++face)
+  {
+    view.EntryFaces[face] = this->CanEnter(face);
+  }
+  this->Picture.Draw(window, view, this->Texture);
+}
+
+//------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   if (this->TextureFailed)
@@ -169,6 +184,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  this->UpdatePicture(window);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   // The picture's depth is that of what is seen: the camera's clipping range does not cut the
@@ -179,93 +195,22 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     if (this->CanEnter(face))
     {
       this->EntryFace = face;
-      this->Texture.Activate(face);
       this->Superclass::RenderPieceDraw(renderer, actor);
     }
   }
   glDisable(GL_DEPTH_CLAMP);
-  this->Texture.Deactivate();
-}
-
-//------------------------------------------------------------------------------
-// Branches cost their time even where nothing takes them, so each program knows what it looks up.
-std::string vtkCSLFCubeMapper::MakeFragmentShader() const
-{
-  static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
-    "LookupFocal", "LookupDepth" };
-  const bool hasDepth = this->Field.FindChannel(cslf::DepthName) != nullptr;
-  std::string fragment = cslfMapperFS;
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
-    std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
-  vtkShaderProgram::Substitute(
-    fragment, "//CSLF::Lookup::Impl", std::string("result = ") + lookups[this->Lookup] + "(ray);");
-  return fragment;
+  this->Picture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::GetShaderTemplate(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
 {
+  std::string fragment = cslfMapperFS;
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
-  shaders[vtkShader::Fragment]->SetSource(this->MakeFragmentShader());
+  shaders[vtkShader::Fragment]->SetSource(fragment);
   shaders[vtkShader::Geometry]->SetSource("");
-}
-
-//------------------------------------------------------------------------------
-// The uniforms that go with the entry face.
-void vtkCSLFCubeMapper::SetFaceSpaceUniforms(vtkShaderProgram* program)
-{
-  const int face = this->EntryFace;
-  vtkNew<vtkMatrix4x4> ccfc;
-  vtkNew<vtkMatrix4x4> fccc;
-  const glm::dvec3 originFC = cslf::CubeToFaceSpace(face, glm::dvec3(0.0));
-  const glm::dvec3 originCC = cslf::FaceSpaceToCube(face, glm::dvec3(0.0));
-  for (int column = 0; column < 4; ++column)
-  {
-    glm::dvec3 unit(0.0);
-    if (column < 3)
-    {
-      unit[column] = 1.0;
-    }
-    const glm::dvec3 pointFC = cslf::CubeToFaceSpace(face, unit) - (column < 3 ? originFC : unit);
-    const glm::dvec3 pointCC = cslf::FaceSpaceToCube(face, unit) - (column < 3 ? originCC : unit);
-    // GLSL's matrices are stored by columns.
-    for (int row = 0; row < 3; ++row)
-    {
-      ccfc->SetElement(column, row, pointFC[row]);
-      fccc->SetElement(column, row, pointCC[row]);
-    }
-  }
-  program->SetUniformMatrix("CCFCMatrix", ccfc);
-  program->SetUniformMatrix("FCCCMatrix", fccc);
-  const glm::vec3 focalPoint(cslf::CubeToFaceSpace(face, this->FocalPointsCC[face]));
-  program->SetUniform3f("FocalPointFC", &focalPoint.x);
-
-  const auto frames = cslf::ListExitFrames(face);
-  const auto setAxes = [&](const char* name, const cslf::ExitFrame& frame, int first, int second)
-  {
-    const float axes[4] = { static_cast<float>(frame.S[first]), static_cast<float>(frame.T[first]),
-      static_cast<float>(frame.S[second]), static_cast<float>(frame.T[second]) };
-    program->SetUniform4f(name, axes);
-  };
-  setAxes("OppositeAxes", frames[0], 0, 1);
-  setAxes("SideXAxes", frames[1], 1, 2);
-  setAxes("SideYAxes", frames[3], 0, 2);
-  const auto setSides =
-    [&](const std::string& name, const cslf::ExitFrame& positive, const cslf::ExitFrame& negative)
-  {
-    const float flip[2] = { positive.S == negative.S ? 1.0f : -1.0f,
-      positive.T == negative.T ? 1.0f : -1.0f };
-    const float tiles[2] = { static_cast<float>(positive.Tile), static_cast<float>(negative.Tile) };
-    program->SetUniform2f((name + "Flip").c_str(), flip);
-    program->SetUniform2f((name + "Tiles").c_str(), tiles);
-  };
-  setSides("SideX", frames[1], frames[2]);
-  setSides("SideY", frames[3], frames[4]);
-  program->SetUniformf("OppositeTile", static_cast<float>(frames[0].Tile));
 }
 
 //------------------------------------------------------------------------------
@@ -275,7 +220,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
 
   vtkShaderProgram* program = cellBO.Program;
-  this->Texture.SetUniforms(program);
+  this->Picture.SetUniforms(program);
   const float eye[4] = { static_cast<float>(this->EyeCC.x), static_cast<float>(this->EyeCC.y),
     static_cast<float>(this->EyeCC.z), static_cast<float>(this->EyeCC.w) };
   program->SetUniform4f("EyeCC", eye);
@@ -285,7 +230,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   program->SetUniformMatrix("CCDCMatrix", transposed);
   program->SetUniformi("EntryFacePass", this->EntryFace);
   program->SetUniformi("DrawsExits", this->IsEyeInside());
-  this->SetFaceSpaceUniforms(program);
+  cslf::SetFaceUniforms(program, this->EntryFace);
   program->SetUniformi(
     "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
 

@@ -13,6 +13,7 @@
 
 #include "cslfDescription.h"
 #include "cslfFieldTexture.h"
+#include "cslfLookupPicture.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
@@ -23,11 +24,10 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 
 class vtkImageData;
 class vtkMatrix4x4;
-class vtkShaderProgram;
+class vtkOpenGLRenderWindow;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -40,14 +40,7 @@ public:
   void SetField(const cslf::Description& field, vtkImageData* image);
 
   /// vtkCSLFMapper::LookupType.
-  void SetLookup(int lookup)
-  {
-    if (lookup != this->Lookup)
-    {
-      this->Lookup = lookup;
-      this->Modified(); // which has the shaders built anew
-    }
-  }
+  void SetLookup(int lookup) { this->Lookup = lookup; }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -78,12 +71,12 @@ private:
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
   bool CanEnter(int face) const;
   bool IsEyeInside() const;
-  std::string MakeFragmentShader() const;
-  void SetFaceSpaceUniforms(vtkShaderProgram* program);
+  void UpdatePicture(vtkOpenGLRenderWindow* window);
 
   cslf::Description Field;
   vtkSmartPointer<vtkImageData> Image;
   cslf::FieldTexture Texture;
+  cslf::LookupPicture Picture;
   bool TextureFailed = false;
   int Lookup = 0;
   std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};

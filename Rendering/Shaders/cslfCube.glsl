@@ -23,6 +23,13 @@ uniform vec2 SideYTiles;
 
 const float LeastToSide = 1.0e-4;
 
+// What a lookup returns.
+struct LookupResult
+{
+  vec4 Color;     // associated alpha
+  float Fraction; // of the way from entry to exit
+};
+
 // A ray through the cube, from the entry face. In FC.
 struct Ray
 {

@@ -19,12 +19,6 @@ const float ClearanceTolerance = 0.05;
 const float SightTolerance = 0.1;
 const float LeastWeight = 0.0001;
 
-struct LookupResult
-{
-  vec4 Color;     // associated alpha
-  float Fraction; // of the way from entry to exit
-};
-
 struct View
 {
   SlicePlace Slice;
