@@ -6,9 +6,11 @@ list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
   ../Rendering/cslfFaceSpace.cxx
+  ../Rendering/cslfFaceUniforms.cxx
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
+  ../Rendering/cslfLookupPicture.cxx
   ../Rendering/cslfResidency.cxx
   ../Rendering/cslfSceneGrid.cxx
   ../Rendering/cslfSight.cxx
@@ -19,9 +21,11 @@ list(APPEND sources
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
   ../Rendering/cslfFaceSpace.h
+  ../Rendering/cslfFaceUniforms.h
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
+  ../Rendering/cslfLookupPicture.h
   ../Rendering/cslfOpenGL.h
   ../Rendering/cslfResidency.h
   ../Rendering/cslfSceneGrid.h
@@ -34,7 +38,7 @@ list(APPEND private_headers
   ../Rendering/vtkCSLFCubeMapper.h)
 
 foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfToneMapping cslfMapperFS
-    cslfMapperVS)
+    cslfMapperVS cslfPictureFS cslfPictureVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")
   else ()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
+#include "cslfFaceSpace.h"
 #include "cslfOpenGL.h"
 
 #include <vtkOpenGLRenderWindow.h>
@@ -91,6 +92,7 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
     {
       this->MakeTables();
       this->MakeSceneTexture();
+      ++this->Changes;
     }
   }
   for (const GLenum target : Targets)
@@ -282,7 +284,7 @@ void FieldTexture::Deactivate()
   }
 }
 
-void FieldTexture::SetUniforms(vtkShaderProgram* program) const
+void FieldTexture::SetUniforms(vtkShaderProgram* program, int entryFace) const
 {
   const Layout& grid = this->Source->GetDescription().Grid;
   const glm::vec3 minimum(this->Scene.GetMinimum());
@@ -295,7 +297,21 @@ void FieldTexture::SetUniforms(vtkShaderProgram* program) const
   program->SetUniformf("BaseNodes", static_cast<float>(grid.GetBaseNodes()));
   program->SetUniformf("Resolution", static_cast<float>(grid.GetResolution()));
   program->SetUniform3f("SceneMinimum", &minimum.x);
+  const float inverseSide = 1.0F / static_cast<float>(grid.GetResolution());
+  const float inverseLayerSize[2] = { inverseSide,
+    inverseSide / static_cast<float>(this->Pool.GetTilesPerLayer()) };
+  program->SetUniform2f("InverseLayerSize", inverseLayerSize);
   program->SetUniform3f("SceneMaximum", &maximum.x);
+
+  const auto frames = ListExitFrames(entryFace);
+  std::array<float, TileCount> layers;
+  for (std::size_t exit = 0; exit < frames.size(); ++exit)
+  {
+    layers[exit] = static_cast<float>(this->FindFirstLayer(entryFace, frames[exit].Tile));
+  }
+  program->SetUniformf("OppositeBlock", layers[0]);
+  program->SetUniform2f("SideXBlocks", &layers[1]);
+  program->SetUniform2f("SideYBlocks", &layers[3]);
 }
 
 int FieldTexture::FindFirstLayer(int entryFace, int tile) const

@@ -61,6 +61,11 @@ public:
   /// What is known of where the scene's surfaces are, once there is a source.
   const SceneGrid& GetScene() const { return this->Scene; }
 
+  /// A number that changes with what is there.
+  unsigned int GetChanges() const { return this->Changes; }
+
+  const Description& GetField() const { return this->Source->GetDescription(); }
+
   /// The graphics memory that the samples take, in bytes.
   std::int64_t GetBytes() const { return this->Pool.GetBytes(); }
 
@@ -69,10 +74,7 @@ public:
   void Deactivate();
 
   /// Sets the uniforms of cslfField.glsl and cslfSceneGrid.glsl. The textures must be active.
-  void SetUniforms(vtkShaderProgram* program) const;
-
-  /// The first layer of the tiles of an entry face; Residency::Absent where they are not there.
-  int FindFirstLayer(int entryFace, int tile) const;
+  void SetUniforms(vtkShaderProgram* program, int entryFace) const;
 
   /// Frees the textures if they belong to this window, whose context must be current.
   void Release(vtkWindow* window);
@@ -86,6 +88,7 @@ private:
   void Bring(const WantedTiles& wanted);
   void MakeTables();
   void MakeSceneTexture();
+  int FindFirstLayer(int entryFace, int tile) const;
   void Free();
 
   std::shared_ptr<ViewpointSource> Source;
@@ -98,6 +101,7 @@ private:
   std::size_t Missing = 0;
   int Damaged = 0;
   bool IsChanged = false; ///< since the tables were made
+  unsigned int Changes = 0;
   std::array<Handle, FaceCount> Tables{};
   std::array<TileSet, FaceCount> Tiles{}; ///< that can be looked up
   Handle SceneTexture = 0;

@@ -3,13 +3,10 @@
 #include "vtkCSLFCubeMapper.h"
 
 #include "cslfCubeGLSL.h"
-#include "cslfFaceSpace.h"
-#include "cslfFieldGLSL.h"
-#include "cslfLookupGLSL.h"
+#include "cslfFaceUniforms.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
-#include "cslfSceneGridGLSL.h"
 #include "cslfToneMappingGLSL.h"
 
 #include <vtkActor.h>
@@ -100,7 +97,6 @@ void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& 
 {
   this->Source = source;
   this->TextureFailed = false;
-  this->Modified(); // has the shader made anew
   this->Texture.SetSource(source);
   this->SetInputDataObject(MakeCube(source->GetDescription().Box));
 }
@@ -109,6 +105,7 @@ void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& 
 void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture.Release(window);
+  this->Picture.Release(window);
   this->Window = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -173,16 +170,35 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   vtkMatrix4x4::Multiply4x4(ccwc, wcvc, this->CCVCMatrix);
   vtkMatrix4x4::Multiply4x4(ccwc, wcdc, this->CCDCMatrix);
 
-  cslf::DisplayRows rows;
   for (int row = 0; row < 4; ++row)
   {
     for (int column = 0; column < 4; ++column)
     {
-      rows[row][column] = this->CCDCMatrix->GetElement(column, row);
+      this->CCDCRows[row][column] = this->CCDCMatrix->GetElement(column, row);
     }
   }
   const cslf::SceneGrid& scene = this->Texture.GetScene();
-  this->Sight = cslf::Sight(rows, scene.GetMinimum(), scene.GetMaximum());
+  this->Sight = cslf::Sight(this->CCDCRows, scene.GetMinimum(), scene.GetMaximum());
+}
+
+//------------------------------------------------------------------------------
+// Looks up what is seen, unless that was done for an earlier pass or picture of the same view.
+void vtkCSLFCubeMapper::UpdatePicture(vtkOpenGLRenderWindow* window)
+{
+  cslf::LookupPicture::View view;
+  view.Lookup = this->Lookup;
+  view.EyeCC = this->Sight.GetEye();
+  view.IsEyeInside = this->Sight.IsInside();
+  for (std::size_t i = 0; i < view.CCDC.size(); ++i)
+  {
+    view.CCDC[i] = this->CCDCRows[i / 4][static_cast<int>(i % 4)];
+  }
+  view.FocalPointsCC = this->FocalPointsCC;
+  for (int face = 0; face < cslf::FaceCount; ++face)
+  {
+    view.EntryFaces[face] = this->Sight.CanEnter(face);
+  }
+  this->Picture.Draw(window, view, this->Texture);
 }
 
 //------------------------------------------------------------------------------
@@ -201,6 +217,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  this->UpdatePicture(window);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
@@ -212,7 +229,6 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     if (this->Sight.CanEnter(face))
     {
       this->EntryFace = face;
-      this->Texture.Activate(face);
       this->UpdateShaders(triangles, renderer, actor);
       triangles.IBO->Bind();
       glDrawElements(
@@ -224,7 +240,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
-  this->Texture.Deactivate();
+  this->Picture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -260,34 +276,18 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-// Branches cost their time even where nothing takes them, so each program knows what it looks up.
-std::string vtkCSLFCubeMapper::MakeFragmentShader(bool inPass) const
-{
-  static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
-    "LookupFocal", "LookupDepth" };
-  const bool hasDepth = this->Source->GetDescription().FindChannel(cslf::DepthName) != nullptr;
-  std::string fragment = cslfMapperFS;
-  vtkShaderProgram::Substitute(
-    fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
-    std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
-  vtkShaderProgram::Substitute(
-    fragment, "//CSLF::Lookup::Impl", std::string("result = ") + lookups[this->Lookup] + "(ray);");
-  return fragment;
-}
-
-//------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::GetShaderTemplate(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor* actor)
 {
   vtkInformation* keys = actor->GetPropertyKeys();
   const bool inPass = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+  std::string fragment = cslfMapperFS;
+  vtkShaderProgram::Substitute(
+    fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
-  shaders[vtkShader::Fragment]->SetSource(this->MakeFragmentShader(inPass));
+  shaders[vtkShader::Fragment]->SetSource(fragment);
   shaders[vtkShader::Geometry]->SetSource("");
 }
 
@@ -322,69 +322,13 @@ int vtkCSLFCubeMapper::ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor
 }
 
 //------------------------------------------------------------------------------
-// The uniforms that go with the entry face.
-void vtkCSLFCubeMapper::SetFaceSpaceUniforms(vtkShaderProgram* program)
-{
-  const int face = this->EntryFace;
-  vtkNew<vtkMatrix4x4> ccfc;
-  vtkNew<vtkMatrix4x4> fccc;
-  const glm::dvec3 originFC = cslf::CubeToFaceSpace(face, glm::dvec3(0.0));
-  const glm::dvec3 originCC = cslf::FaceSpaceToCube(face, glm::dvec3(0.0));
-  for (int column = 0; column < 4; ++column)
-  {
-    glm::dvec3 unit(0.0);
-    if (column < 3)
-    {
-      unit[column] = 1.0;
-    }
-    const glm::dvec3 pointFC = cslf::CubeToFaceSpace(face, unit) - (column < 3 ? originFC : unit);
-    const glm::dvec3 pointCC = cslf::FaceSpaceToCube(face, unit) - (column < 3 ? originCC : unit);
-    // GLSL's matrices are stored by columns.
-    for (int row = 0; row < 3; ++row)
-    {
-      ccfc->SetElement(column, row, pointFC[row]);
-      fccc->SetElement(column, row, pointCC[row]);
-    }
-  }
-  program->SetUniformMatrix("CCFCMatrix", ccfc);
-  program->SetUniformMatrix("FCCCMatrix", fccc);
-  const glm::vec3 focalPoint(cslf::CubeToFaceSpace(face, this->FocalPointsCC[face]));
-  program->SetUniform3f("FocalPointFC", &focalPoint.x);
-
-  const auto frames = cslf::ListExitFrames(face);
-  const auto firstLayer = [&](const cslf::ExitFrame& frame)
-  { return static_cast<float>(this->Texture.FindFirstLayer(face, frame.Tile)); };
-  const auto setAxes = [&](const char* name, const cslf::ExitFrame& frame, int first, int second)
-  {
-    const float axes[4] = { static_cast<float>(frame.S[first]), static_cast<float>(frame.T[first]),
-      static_cast<float>(frame.S[second]), static_cast<float>(frame.T[second]) };
-    program->SetUniform4f(name, axes);
-  };
-  setAxes("OppositeAxes", frames[0], 0, 1);
-  setAxes("SideXAxes", frames[1], 1, 2);
-  setAxes("SideYAxes", frames[3], 0, 2);
-  const auto setSides =
-    [&](const std::string& name, const cslf::ExitFrame& positive, const cslf::ExitFrame& negative)
-  {
-    const float flip[2] = { positive.S == negative.S ? 1.0f : -1.0f,
-      positive.T == negative.T ? 1.0f : -1.0f };
-    const float blocks[2] = { firstLayer(positive), firstLayer(negative) };
-    program->SetUniform2f((name + "Flip").c_str(), flip);
-    program->SetUniform2f((name + "Blocks").c_str(), blocks);
-  };
-  setSides("SideX", frames[1], frames[2]);
-  setSides("SideY", frames[3], frames[4]);
-  program->SetUniformf("OppositeBlock", firstLayer(frames[0]));
-}
-
-//------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
 
   vtkShaderProgram* program = cellBO.Program;
-  this->Texture.SetUniforms(program);
+  this->Picture.SetUniforms(program);
   const glm::vec4 eye(this->Sight.GetEye());
   program->SetUniform4f("EyeCC", &eye.x);
   program->SetUniformMatrix("CCDCMatrix", this->CCDCMatrix);
@@ -394,7 +338,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   }
   program->SetUniformi("EntryFacePass", this->EntryFace);
   program->SetUniformi("DrawsExits", this->Sight.IsInside());
-  this->SetFaceSpaceUniforms(program);
+  cslf::SetFaceUniforms(program, this->EntryFace);
   const cslf::Description& field = this->Source->GetDescription();
   program->SetUniformi(
     "LinearColor", field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);

@@ -13,6 +13,7 @@
 
 #include "cslfDescription.h"
 #include "cslfFieldTexture.h"
+#include "cslfLookupPicture.h"
 #include "cslfSightSeries.h"
 #include "cslfToneMapping.h"
 
@@ -29,7 +30,7 @@
 #include <vector>
 
 class vtkMatrix4x4;
-class vtkShaderProgram;
+class vtkOpenGLRenderWindow;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -49,14 +50,7 @@ public:
   }
 
   /// vtkCSLFMapper::LookupType.
-  void SetLookup(int lookup)
-  {
-    if (lookup != this->Lookup)
-    {
-      this->Lookup = lookup;
-      this->Modified(); // which has the shaders built anew
-    }
-  }
+  void SetLookup(int lookup) { this->Lookup = lookup; }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -116,13 +110,13 @@ private:
 
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
   void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
+  void UpdatePicture(vtkOpenGLRenderWindow* window);
   std::string MakeOptions() const;
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
-  std::string MakeFragmentShader(bool inPass) const;
-  void SetFaceSpaceUniforms(vtkShaderProgram* program);
 
   std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;
+  cslf::LookupPicture Picture;
   cslf::SightSeries Viewers;
   bool Streaming = false;
   std::int64_t TextureMemoryLimit = 0;
@@ -137,6 +131,7 @@ private:
   // For the picture being drawn.
   int EntryFace = 0;
   cslf::Sight Sight;
+  cslf::DisplayRows CCDCRows{};
   vtkNew<vtkMatrix4x4> CCVCMatrix;
   vtkNew<vtkMatrix4x4> CCDCMatrix;
 };

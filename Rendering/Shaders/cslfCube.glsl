@@ -16,13 +16,14 @@ uniform vec4 SideYAxes;
 uniform vec2 SideXFlip;
 uniform vec2 SideYFlip;
 
-// Where the tiles of the opposite face, and of those towards +x, -x and +y, -y, are kept: the first
-// layers of their blocks, far below 0 where they are not.
-uniform float OppositeBlock;
-uniform vec2 SideXBlocks;
-uniform vec2 SideYBlocks;
-
 const float LeastToSide = 1.0e-4;
+
+// What a lookup returns.
+struct LookupResult
+{
+  vec4 Color;     // associated alpha
+  float Fraction; // of the way from entry to exit
+};
 
 // A ray through the cube, from the entry face. In FC.
 struct Ray

@@ -9,6 +9,13 @@ uniform sampler2D CellTexture;       // two texels for each cell of the base gri
 uniform float TilesPerLayer;
 uniform float BaseNodes;             // M0
 uniform float Resolution;            // N
+uniform vec2 InverseLayerSize;       // of a texel in a layer
+
+// Where the tiles of the opposite face, and of those towards +x, -x and +y, -y, are kept: the first
+// layers of their blocks, far below 0 where they are not.
+uniform float OppositeBlock;
+uniform vec2 SideXBlocks;
+uniform vec2 SideYBlocks;
 
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
@@ -66,8 +73,8 @@ vec2 TexelPosition(vec2 coordinates)
 // Texture coordinates of a position in a tile.
 vec3 TextureCoordinates(SlicePlace slice, float block, vec2 position)
 {
-  vec2 inTile = position / Resolution;
-  return vec3(inTile.x, (slice.Row + inTile.y) / TilesPerLayer, max(slice.Layer + block, 0.0));
+  vec2 inLayer = vec2(position.x, slice.Row * Resolution + position.y);
+  return vec3(inLayer * InverseLayerSize, max(slice.Layer + block, 0.0));
 }
 
 // Of a position in a tile, for texelFetch.

@@ -20,12 +20,6 @@ const float SightTolerance = 0.1;
 const float LeastWeight = 0.0001;
 const float Unknown = 2000.0;
 
-struct LookupResult
-{
-  vec4 Color;     // associated alpha
-  float Fraction; // of the way from entry to exit
-};
-
 struct View
 {
   SlicePlace Slice;

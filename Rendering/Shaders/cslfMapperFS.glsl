@@ -1,10 +1,9 @@
 //VTK::System::Dec
-#extension GL_ARB_texture_gather : enable
 //CSLF::Options::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Casts the ray from the eye through each fragment of the cube's faces and looks it up (paper,
-// algorithm 1).
+// Puts what was looked up into the scene: casts the ray from the eye through each fragment of the
+// cube's faces and takes its result from the picture that cslfPictureFS.glsl has drawn.
 
 // Options, defined only where they apply:
 //   CLIPPING_PLANES  how many planes cut the picture
@@ -23,8 +22,11 @@ in vec3 positionCCVSOutput;
 uniform int PrimitiveIDOffset;
 uniform vec4 EyeCC;            // w = 1: the eye; w = 0: the direction of parallel projection
 uniform mat4 CCDCMatrix;
+uniform int EntryFacePass;     // the face by which the rays enter
 uniform bool DrawsExits;       // the fragments are where rays leave the cube
-uniform vec3 FocalPointFC;
+uniform sampler2D PictureColor;
+uniform sampler2D PictureFraction;
+uniform vec2 PictureOrigin;    // of the picture in the window, in pixels
 uniform bool LinearColor;      // the field holds linear values, otherwise sRGB-encoded ones
 uniform float Opacity;
 uniform int CoveragePass;      // 0: all, 1: what covers its pixel, 2: what covers a part of it
@@ -36,13 +38,17 @@ uniform mat4 CCVCMatrix;
 #endif
 
 //CSLF::Cube::Dec
-//CSLF::Field::Dec
-//CSLF::SceneGrid::Dec
-//CSLF::Lookup::Dec
 //CSLF::ToneMapping::Dec
 
 // Coverage from which on a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;
+
+LookupResult ReadPicture()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy - PictureOrigin);
+  return LookupResult(
+    texelFetch(PictureColor, pixel, 0), texelFetch(PictureFraction, pixel, 0).r);
+}
 
 bool IsClipped(vec3 pointCC)
 {
@@ -81,8 +87,7 @@ void main()
   vec3 entry = (FCCCMatrix * vec4(ray.Entry, 1.0)).xyz;
   vec3 exit = (FCCCMatrix * vec4(ray.Entry + ray.Chord, 1.0)).xyz;
 
-  LookupResult result;
-  //CSLF::Lookup::Impl
+  LookupResult result = ReadPicture();
   float alpha = result.Color.a;
   bool covers = alpha >= OpaqueCoverage;
   if (alpha <= 0.0 || (CoveragePass == 1 && !covers) || (CoveragePass == 2 && covers))
