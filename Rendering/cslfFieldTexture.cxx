@@ -26,6 +26,9 @@ constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, FaceCount* TileCount 
 constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
   GL_TEXTURE_3D };
 
+/// Slots for a first picture: those of the coarsest grid.
+constexpr int MostFirstSlots = 16;
+
 /// Viewpoints along a side of a face that are enough to see where all surfaces are.
 constexpr int MostSceneNodes = 25;
 
@@ -56,6 +59,7 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
   this->Present = Residency();
   this->Scene = SceneGrid(this->Source->GetDescription());
   this->Damaged = 0;
+  this->Brought = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -79,7 +83,7 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
   vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
   const int unit = window->GetTextureUnitManager()->Allocate();
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + unit);
-  const bool hasRoom = this->MakeRoom(Residency::CountBlocks(sights), pace.Limit);
+  const bool hasRoom = this->MakeRoom(sights, pace);
   if (hasRoom)
   {
     this->IsChanged = this->IsChanged || sights != this->Sights;
@@ -108,23 +112,28 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
   return hasRoom;
 }
 
-// The room is made anew where it is too small, or much too large for what is needed now.
-bool FieldTexture::MakeRoom(int blocks, std::int64_t limit)
+// The room is made anew where it is too small, or much too large for what is needed now. Drivers
+// may take long to make much room, so that a first picture that nobody waits for begins with
+// little.
+bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace)
 {
-  const int step = *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
-    [blocks](int most) { return blocks <= most; });
-  if (this->Present.GetBlocks() == step && this->Limit == limit)
+  const int blocks = *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
+    [needed = Residency::CountBlocks(sights)](int most) { return needed <= most; });
+  const bool isFirst = !pace.Waits && this->Brought == 0;
+  if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
   {
     return true;
   }
-  this->Limit = limit;
+  this->Limit = pace.Limit;
+  this->IsFirst = isFirst;
   this->IsChanged = true;
   const Description& field = this->Source->GetDescription();
-  if (!this->Pool.Create(field, step, limit))
+  const int mostSlots = isFirst ? MostFirstSlots : field.Grid.GetSlices() / FaceCount;
+  if (!this->Pool.Create(field, blocks, mostSlots, pace.Limit))
   {
     return false;
   }
-  this->Present = Residency(field.Grid, step, this->Pool.GetSlots());
+  this->Present = Residency(field.Grid, blocks, this->Pool.GetSlots());
   return true;
 }
 
@@ -147,6 +156,7 @@ void FieldTexture::Bring(const WantedTiles& wanted)
         samples, tile, this->Present.GetBlock(face, tile), this->Present.GetSlot(wanted.Slice));
     }
   }
+  ++this->Brought;
   this->Present.SetPresent(wanted.Slice, wanted.Tiles);
   if (this->Present.CountNodes(wanted.Level) <= MostSceneNodes)
   {
@@ -236,6 +246,7 @@ void FieldTexture::MakeTables()
 
 void FieldTexture::MakeSceneTexture()
 {
+  this->Scene.Spread();
   if (this->SceneTexture == 0)
   {
     glGenTextures(1, &this->SceneTexture);

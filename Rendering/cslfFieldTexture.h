@@ -53,10 +53,11 @@ public:
     const TexturePace& pace, std::string& error);
 
   /// Whether all that the cameras of the last Update can use is there, as far as it fits.
-  bool IsComplete() const { return this->Missing == 0; }
+  bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
 
-  /// How many viewpoints that were needed turned out to be damaged.
+  /// How many viewpoints that were needed turned out to be damaged, and how many not.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
+  int GetNumberOfViewpoints() const { return this->Brought; }
 
   /// What is known of where the scene's surfaces are, once there is a source.
   const SceneGrid& GetScene() const { return this->Scene; }
@@ -82,7 +83,7 @@ public:
 private:
   using Handle = unsigned int;
 
-  bool MakeRoom(int blocks, std::int64_t limit);
+  bool MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace);
   void BringAll();
   void BringSome(double seconds);
   void Bring(const WantedTiles& wanted);
@@ -94,12 +95,14 @@ private:
   std::shared_ptr<ViewpointSource> Source;
   vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
   std::int64_t Limit = 0;
+  bool IsFirst = false; ///< there is room for the coarsest viewpoints only
   TilePool Pool;
   Residency Present;
   SceneGrid Scene;
   std::vector<Sight> Sights;
   std::size_t Missing = 0;
   int Damaged = 0;
+  int Brought = 0;
   bool IsChanged = false; ///< since the tables were made
   unsigned int Changes = 0;
   std::array<Handle, FaceCount> Tables{};

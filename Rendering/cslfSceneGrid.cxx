@@ -100,6 +100,7 @@ SceneGrid::SceneGrid(
     samples.First = place * description.Grid.GetStripWidth() * description.Grid.GetResolution();
     this->Add(slices[place], samples);
   }
+  this->Spread();
 }
 
 void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
@@ -116,7 +117,9 @@ void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
     if (std::min({ cell.x, cell.y, cell.z }) >= 0 && std::max({ cell.x, cell.y, cell.z }) < Cells &&
       !this->Marks[IndexOf(cell)])
     {
-      this->Mark(cell);
+      this->Marks[IndexOf(cell)] = true;
+      this->Rings[IndexOf(cell)] = 0;
+      this->New.push_back(cell);
     }
   };
   const auto look = [&](const auto* colors, const auto* depths, double depthScale)
@@ -152,34 +155,35 @@ void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
   }
 }
 
-// The cell and its neighbours, since only some texels were looked at, get 0; others their distance,
-// in the maximum norm, to these, where that is less than what they have. Where none of a ring has
-// more, none farther away has.
-void SceneGrid::Mark(const glm::ivec3& cell)
+// Marked cells and their neighbours, since only some texels were looked at, get 0; others their
+// distance to these, in the maximum norm. Ring by ring around what is new, as far as that is nearer
+// than what was known.
+void SceneGrid::Spread()
 {
-  this->Marks[IndexOf(cell)] = true;
-  this->Rings[IndexOf(cell)] = 0;
-  bool isChanged = true;
-  for (int ring = 1; isChanged && ring < Cells; ++ring)
+  for (int ring = 1; !this->New.empty(); ++ring)
   {
-    isChanged = false;
-    const glm::ivec3 least = glm::max(cell - ring, 0);
-    const glm::ivec3 most = glm::min(cell + ring, Cells - 1);
-    for (int z = least.z; z <= most.z; ++z)
+    std::vector<glm::ivec3> next;
+    for (const glm::ivec3& cell : this->New)
     {
-      for (int y = least.y; y <= most.y; ++y)
+      const glm::ivec3 least = glm::max(cell - 1, 0);
+      const glm::ivec3 most = glm::min(cell + 1, Cells - 1);
+      for (int z = least.z; z <= most.z; ++z)
       {
-        const bool isWhole = std::max(std::abs(z - cell.z), std::abs(y - cell.y)) == ring;
-        for (int x = isWhole ? least.x : cell.x - ring; x <= most.x; x += isWhole ? 1 : 2 * ring)
+        for (int y = least.y; y <= most.y; ++y)
         {
-          if (x >= 0 && this->Rings[IndexOf({ x, y, z })] >= ring)
+          for (int x = least.x; x <= most.x; ++x)
           {
-            this->Rings[IndexOf({ x, y, z })] = static_cast<std::uint8_t>(ring - 1);
-            isChanged = true;
+            std::uint8_t& known = this->Rings[IndexOf({ x, y, z })];
+            if (known >= ring)
+            {
+              known = static_cast<std::uint8_t>(ring - 1);
+              next.emplace_back(x, y, z);
+            }
           }
         }
       }
     }
+    this->New.swap(next);
   }
 }
 

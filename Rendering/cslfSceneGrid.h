@@ -33,8 +33,9 @@ public:
   /// Of a field of which nothing was looked at yet: all cells are empty. Without depth none is.
   explicit SceneGrid(const Description& description);
 
-  /// Marks what a viewpoint sees by these tiles, a bit for each.
+  /// Marks what a viewpoint sees by these tiles, a bit for each. The rings follow with Spread.
   void Add(int slice, const ViewpointSamples& samples, int tiles = ~0);
+  void Spread();
 
   /// `image` holds these slices of the field, in that order, with colour and perhaps depth; without
   /// depth no cell counts as empty.
@@ -67,7 +68,6 @@ public:
   double SkipEmpty(const Ray& ray, double w, double last) const;
 
 private:
-  void Mark(const glm::ivec3& cell);
   static glm::ivec3 FindCell(const Ray& ray, double t);
 
   Layout Field;
@@ -75,6 +75,7 @@ private:
   glm::dvec3 Maximum{ 1.0 };
   std::vector<std::uint8_t> Rings;
   std::vector<bool> Marks;
+  std::vector<glm::ivec3> New; ///< marks that the rings do not know of
 };
 }
 

@@ -68,12 +68,12 @@ GLuint CreateTexture(const Format& format, GLenum filter, int width, int height,
 }
 }
 
-bool TilePool::Create(const Description& field, int blocks, std::int64_t limit)
+bool TilePool::Create(const Description& field, int blocks, int mostSlots, std::int64_t limit)
 {
   this->Free();
   this->Field = field;
   this->Blocks = blocks;
-  int slots = field.Grid.GetViewpoints() * field.Grid.GetViewpoints();
+  int slots = mostSlots;
   while (slots > LeastSlots && !(this->ChooseLayers(slots) && this->CountBytes() <= limit))
   {
     --slots;

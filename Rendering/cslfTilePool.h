@@ -28,9 +28,9 @@ public:
   TilePool(const TilePool&) = delete;
   TilePool& operator=(const TilePool&) = delete;
 
-  /// Makes room for `blocks` blocks with as many slots as viewpoints fit into `limit` bytes and the
-  /// driver's memory, but at least 4. False where these do not fit the driver's.
-  bool Create(const Description& field, int blocks, std::int64_t limit);
+  /// Makes room for `blocks` blocks of up to `mostSlots` slots, as many as fit into `limit` bytes
+  /// and the driver's memory, but at least 4. False where these do not fit the driver's.
+  bool Create(const Description& field, int blocks, int mostSlots, std::int64_t limit);
   void Free();
 
   bool IsCreated() const { return this->Color != 0; }

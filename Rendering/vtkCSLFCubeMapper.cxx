@@ -39,10 +39,10 @@ namespace
 constexpr const char* FaceName = "faceCC";
 
 /// The share of the time for a picture that goes into bringing samples to graphics memory, and the
-/// seconds within which it stays: short enough for the hand on the mouse.
-constexpr double UploadShare = 0.25;
+/// seconds within which it stays: a few milliseconds while something moves.
+constexpr double UploadShare = 0.1;
 constexpr double LeastUpload = 0.002;
-constexpr double MostUpload = 0.02;
+constexpr double MostUpload = 0.05;
 
 // The cube as six quads, with each point's position in CC and face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)

@@ -73,8 +73,9 @@ public:
   /// Whether nothing was missing from the last picture, as far as it fits.
   bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
 
-  /// How many viewpoints turned out to be damaged.
+  /// How many viewpoints turned out to be damaged, and how many not.
   int GetNumberOfDamagedViewpoints() const { return this->Texture.GetNumberOfDamagedViewpoints(); }
+  int GetNumberOfViewpoints() const { return this->Texture.GetNumberOfViewpoints(); }
 
   /// The graphics memory that the samples take, in bytes; 0 before the first Render.
   std::int64_t GetTextureBytes() const { return this->Texture.GetBytes(); }

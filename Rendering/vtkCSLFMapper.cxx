@@ -38,7 +38,7 @@ public:
   vtkObject* CheckedInput = nullptr; ///< only compared
   vtkMTimeType CheckedTime = 0;
   bool HasWarnedOfInside = false;
-  bool HasWarnedOfDamage = false;
+  bool HasReportedDamage = false;
 
   const cslf::Cube& GetCube() const { return this->Source->GetDescription().Box; }
   std::array<glm::dvec3, cslf::FaceCount> GetFocalPointsCC(const vtkCSLFMapper* mapper);
@@ -182,7 +182,7 @@ bool vtkCSLFMapper::UpdateField()
   }
   internals.AutomaticFocalPoints.reset();
   internals.HasWarnedOfInside = false;
-  internals.HasWarnedOfDamage = false;
+  internals.HasReportedDamage = false;
   for (const auto& windowAndMapper : internals.CubeMappers)
   {
     windowAndMapper.second->SetSource(internals.Source);
@@ -273,7 +273,8 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   cubeMapper->SetStreaming(this->Streaming, this->TextureMemoryLimit);
   cubeMapper->Render(renderer, actor);
   this->TimeToDraw = cubeMapper->GetTimeToDraw();
-  this->WarnOfDamage(cubeMapper->GetNumberOfDamagedViewpoints());
+  this->ReportDamage(
+    cubeMapper->GetNumberOfDamagedViewpoints(), cubeMapper->GetNumberOfViewpoints());
   if (cubeMapper->GetSight().IsInside() && !internals.HasWarnedOfInside)
   {
     internals.HasWarnedOfInside = true;
@@ -287,13 +288,21 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFMapper::WarnOfDamage(int damaged)
+void vtkCSLFMapper::ReportDamage(int damaged, int undamaged)
 {
-  if (damaged > 0 && !this->Internals->HasWarnedOfDamage)
+  if (damaged == 0 || this->Internals->HasReportedDamage)
   {
-    this->Internals->HasWarnedOfDamage = true;
-    vtkWarningMacro(<< "Viewpoints of the light field are damaged (" << damaged
-                    << " of those needed so far): others are drawn in their place.");
+    return;
+  }
+  this->Internals->HasReportedDamage = true;
+  if (undamaged > 0)
+  {
+    vtkWarningMacro(<< "The light field is damaged: viewpoints that are needed are missing ("
+                    << damaged << " so far), and others are drawn in their place.");
+  }
+  else
+  {
+    vtkErrorMacro("The light field is damaged: none of the viewpoints needed can be read.");
   }
 }
 

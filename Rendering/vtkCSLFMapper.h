@@ -242,7 +242,7 @@ private:
   bool UpdateField();
   std::shared_ptr<cslf::ViewpointSource> OpenDecoder(vtkCSLFDecoder* decoder);
   std::shared_ptr<cslf::ViewpointSource> OpenImage(vtkImageData* image);
-  void WarnOfDamage(int damaged);
+  void ReportDamage(int damaged, int undamaged);
   vtkCSLFCubeMapper* GetCubeMapper(vtkWindow* window);
 
   int Lookup = DEPTH;

@@ -168,6 +168,16 @@ double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
   return frames / seconds;
 }
 
+void FieldRenderer::SetStreaming(bool streaming)
+{
+  this->Mapper->SetStreaming(streaming);
+}
+
+bool FieldRenderer::IsComplete()
+{
+  return this->Mapper->IsComplete();
+}
+
 std::int64_t FieldRenderer::GetTextureBytes()
 {
   return this->Mapper->GetTextureBytes();
