@@ -119,7 +119,7 @@ bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace&
 {
   const int blocks = *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
     [needed = Residency::CountBlocks(sights)](int most) { return needed <= most; });
-  const bool isFirst = !pace.Waits && this->Brought == 0;
+  const bool isFirst = !pace.Waits && this->Brought + this->Damaged == 0;
   if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
   {
     return true;
