@@ -229,6 +229,9 @@ void FieldTexture::SetUniforms(vtkShaderProgram* program) const
   program->SetUniformf("Viewpoints", static_cast<float>(grid.GetViewpoints()));
   program->SetUniformf("BaseNodes", static_cast<float>(grid.GetBaseNodes()));
   program->SetUniformf("Resolution", static_cast<float>(grid.GetResolution()));
+  const float inverseLayerSize[2] = { 1.0f / static_cast<float>(grid.GetStripWidth()),
+    1.0f / static_cast<float>(grid.GetResolution() * this->SlicesPerLayer) };
+  program->SetUniform2f("InverseLayerSize", inverseLayerSize);
   program->SetUniform3f("SceneMinimum", &this->SceneMinimum.x);
   program->SetUniform3f("SceneMaximum", &this->SceneMaximum.x);
 }

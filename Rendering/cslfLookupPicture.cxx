@@ -61,7 +61,7 @@ void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldT
     this->DrawFaces(field);
   }
   this->Colors->Activate();
-  this->Fractions->Activate();
+  this->Depths->Activate();
 }
 
 void LookupPicture::Allocate(const FieldTexture& field, int width, int height)
@@ -85,7 +85,7 @@ void LookupPicture::Allocate(const FieldTexture& field, int width, int height)
     }
   };
   allocate(this->Colors, 4, isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
-  allocate(this->Fractions, 1, VTK_FLOAT);
+  allocate(this->Depths, 1, VTK_FLOAT);
 }
 
 // Branches cost their time even where nothing takes them, so each program knows what it looks up.
@@ -168,7 +168,7 @@ void LookupPicture::DrawFaces(FieldTexture& field)
   this->Framebuffer->SetContext(this->Window);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Colors);
-  this->Framebuffer->AddColorAttachment(1, this->Fractions);
+  this->Framebuffer->AddColorAttachment(1, this->Depths);
   this->Framebuffer->ActivateDrawBuffers(2);
   state->vtkglViewport(0, 0, this->Viewport[2], this->Viewport[3]);
   state->vtkglScissor(0, 0, this->Viewport[2], this->Viewport[3]);
@@ -205,7 +205,7 @@ void LookupPicture::DrawFaces(FieldTexture& field)
 void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformi("PictureColor", this->Colors->GetTextureUnit());
-  program->SetUniformi("PictureFraction", this->Fractions->GetTextureUnit());
+  program->SetUniformi("PictureDepth", this->Depths->GetTextureUnit());
   const float origin[2] = { static_cast<float>(this->Viewport[0]),
     static_cast<float>(this->Viewport[1]) };
   program->SetUniform2f("PictureOrigin", origin);
@@ -214,7 +214,7 @@ void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 void LookupPicture::Deactivate()
 {
   this->Colors->Deactivate();
-  this->Fractions->Deactivate();
+  this->Depths->Deactivate();
 }
 
 void LookupPicture::Release(vtkWindow* window)
@@ -224,7 +224,7 @@ void LookupPicture::Release(vtkWindow* window)
     this->Quad.reset();
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Colors->ReleaseGraphicsResources(window);
-    this->Fractions->ReleaseGraphicsResources(window);
+    this->Depths->ReleaseGraphicsResources(window);
     this->Window = nullptr;
   }
 }

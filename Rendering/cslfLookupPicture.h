@@ -29,9 +29,9 @@ namespace cslf
 {
 class FieldTexture;
 
-/// A texture of colours and one of fractions, of the size of the viewport. VTK draws an actor
-/// several times, an opaque one with parts that cover their pixels in part twice at least; lookups
-/// cost more than reading their results. Belongs to one render window's context at a time.
+/// A texture of colours and one of depths (z of DC), of the size of the viewport. VTK draws an
+/// actor several times, an opaque one with parts that cover their pixels in part twice at least;
+/// lookups cost more than reading their results. Belongs to one render window's context at a time.
 class LookupPicture
 {
 public:
@@ -77,7 +77,7 @@ private:
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
   std::string Source; ///< of the fragment shader
   vtkNew<vtkTextureObject> Colors;
-  vtkNew<vtkTextureObject> Fractions;
+  vtkNew<vtkTextureObject> Depths;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };

@@ -20,6 +20,8 @@ namespace
 {
 /// The scene's bounds are widened by this, in CC.
 constexpr double SceneMargin = 0.01;
+/// A surface's cells begin at least this share of a cell before it.
+constexpr double LeastReach = 0.35;
 /// Viewpoints along a side of a face that are enough to see all there is to see.
 constexpr int MostViewpoints = 17;
 // These stand in cslfSceneGrid.glsl too.
@@ -59,6 +61,7 @@ public:
     const glm::dvec3 eye = this->Grid.ViewpointPosition(viewpoint);
     const int resolution = this->Grid.GetResolution();
     const int stride = std::max(1, resolution / SceneGrid::Cells);
+    const double texel = 2.0 * stride / resolution;
     for (int tile = 0; tile < TileCount; ++tile)
     {
       const int face = ExitFaceOf(viewpoint.Face, tile);
@@ -73,7 +76,7 @@ public:
             const glm::dvec3 exit =
               FaceToCube(face, { this->Grid.TexelCoordinate(p), this->Grid.TexelCoordinate(q) });
             const double depth = this->DepthScale * this->Depths[row + p];
-            this->MarkPoint(eye + depth * (exit - eye), cells);
+            this->MarkPoint(eye + depth * (exit - eye), depth * texel, cells);
           }
         }
       }
@@ -81,13 +84,23 @@ public:
   }
 
 private:
-  void MarkPoint(const glm::dvec3& pointCC, std::vector<std::uint8_t>& cells) const
+  // Marks the cells around a point, up to `reach` from it in CC or a share of a cell.
+  void MarkPoint(const glm::dvec3& pointCC, double reach, std::vector<std::uint8_t>& cells) const
   {
-    const glm::ivec3 cell = glm::ivec3(glm::floor((pointCC - this->Minimum) * this->Scale));
-    if (std::min({ cell.x, cell.y, cell.z }) >= 0 &&
-      std::max({ cell.x, cell.y, cell.z }) < SceneGrid::Cells)
+    const glm::dvec3 position = (pointCC - this->Minimum) * this->Scale;
+    const glm::dvec3 around = glm::max(reach * this->Scale, LeastReach);
+    const double most = SceneGrid::Cells - 1;
+    const glm::ivec3 first(glm::clamp(glm::floor(position - around), 0.0, most));
+    const glm::ivec3 last(glm::clamp(glm::floor(position + around), 0.0, most));
+    for (int z = first.z; z <= last.z; ++z)
     {
-      cells[IndexOf(cell)] = 1;
+      for (int y = first.y; y <= last.y; ++y)
+      {
+        for (int x = first.x; x <= last.x; ++x)
+        {
+          cells[IndexOf({ x, y, z })] = 1;
+        }
+      }
     }
   }
 
@@ -185,8 +198,8 @@ void SceneGrid::MarkSurfaces(
   }
 }
 
-// Marked cells and their neighbours, since only some texels were looked at, get 0; others their
-// distance to those, in the maximum norm, which can be counted axis by axis.
+// Marked cells get 0, others their distance to those, in the maximum norm, which can be counted
+// axis by axis.
 void SceneGrid::CountRings()
 {
   for (std::uint8_t& cell : this->Rings)
@@ -227,10 +240,6 @@ void SceneGrid::CountRings()
         }
       }
     }
-  }
-  for (std::uint8_t& cell : this->Rings)
-  {
-    cell = cell > 0 ? static_cast<std::uint8_t>(cell - 1) : cell;
   }
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFCubeMapper.h"
 
-#include "cslfCubeGLSL.h"
-#include "cslfFaceUniforms.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
@@ -32,16 +30,15 @@
 
 namespace
 {
-constexpr const char* FaceName = "faceCC";
+constexpr const char* FaceName = "face";
 
-// The cube as six quads, with each point's position in CC and face as a vertex attribute.
+// The cube as six quads, with each point's face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> positions;
-  positions->SetName(FaceName);
-  positions->SetNumberOfComponents(4);
+  vtkNew<vtkFloatArray> faces;
+  faces->SetName(FaceName);
   vtkNew<vtkCellArray> quads;
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
@@ -52,13 +49,13 @@ vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
       const glm::dvec3 pointCC = cslf::FaceToCube(face, corner);
       const glm::dvec3 pointWC = box.PointToWorld(pointCC);
       quads->InsertCellPoint(points->InsertNextPoint(pointWC.x, pointWC.y, pointWC.z));
-      positions->InsertNextTuple4(pointCC.x, pointCC.y, pointCC.z, face);
+      faces->InsertNextValue(static_cast<float>(face));
     }
   }
   auto cube = vtkSmartPointer<vtkPolyData>::New();
   cube->SetPoints(points);
   cube->SetPolys(quads);
-  cube->GetPointData()->AddArray(positions);
+  cube->GetPointData()->AddArray(faces);
   return cube;
 }
 }
@@ -194,7 +191,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     if (this->CanEnter(face))
     {
-      this->EntryFace = face;
+      this->Face = face;
       this->Superclass::RenderPieceDraw(renderer, actor);
     }
   }
@@ -207,7 +204,9 @@ void vtkCSLFCubeMapper::GetShaderTemplate(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
 {
   std::string fragment = cslfMapperFS;
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
+  const bool isLinear = this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding;
+  vtkShaderProgram::Substitute(
+    fragment, "//CSLF::Options::Dec", isLinear ? "#define LINEAR_COLOR" : "");
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
   shaders[vtkShader::Fragment]->SetSource(fragment);
   shaders[vtkShader::Geometry]->SetSource("");
@@ -221,18 +220,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
 
   vtkShaderProgram* program = cellBO.Program;
   this->Picture.SetUniforms(program);
-  const float eye[4] = { static_cast<float>(this->EyeCC.x), static_cast<float>(this->EyeCC.y),
-    static_cast<float>(this->EyeCC.z), static_cast<float>(this->EyeCC.w) };
-  program->SetUniform4f("EyeCC", eye);
-  // GLSL's matrices are stored by columns.
-  vtkNew<vtkMatrix4x4> transposed;
-  vtkMatrix4x4::Transpose(this->CCDCMatrix, transposed);
-  program->SetUniformMatrix("CCDCMatrix", transposed);
-  program->SetUniformi("EntryFacePass", this->EntryFace);
-  program->SetUniformi("DrawsExits", this->IsEyeInside());
-  cslf::SetFaceUniforms(program, this->EntryFace);
-  program->SetUniformi(
-    "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
+  program->SetUniformi("FacePass", this->Face);
 
   // An opaque actor draws twice: what covers its pixels, then, with the translucent geometry, what
   // covers them in part.

@@ -5,7 +5,7 @@
  * @brief   the polydata mapper inside vtkCSLFMapper
  *
  * Draws the faces of a light field's cube with the shaders of Rendering/Shaders in place of VTK's
- * own. Each entry face that the eye may see is drawn in turn, with the textures of its viewpoints.
+ * own, from a picture of what all rays see.
  * Not for use by itself.
  */
 #ifndef vtkCSLFCubeMapper_h
@@ -82,7 +82,7 @@ private:
   std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
 
   // For the picture being drawn.
-  int EntryFace = 0;
+  int Face = 0;            ///< of the cube, in turn
   glm::dvec4 EyeCC{ 0.0 }; ///< w = 1: the eye; w = 0: the direction of a parallel projection
   vtkNew<vtkMatrix4x4> CCDCMatrix;
 };

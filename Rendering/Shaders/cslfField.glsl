@@ -10,8 +10,8 @@ uniform float SlicesPerLayer;
 uniform float Viewpoints;            // M
 uniform float BaseNodes;             // M0
 uniform float Resolution;            // N
+uniform vec2 InverseLayerSize;       // of a texel in a layer
 
-const float TileCount = 5.0;
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
 
@@ -62,8 +62,7 @@ vec2 TexelPosition(vec2 coordinates)
 // Texture coordinates of a position in a tile.
 vec3 TextureCoordinates(SlicePlace slice, float tile, vec2 position)
 {
-  return vec3((vec2(tile, slice.Row) + position / Resolution) / vec2(TileCount, SlicesPerLayer),
-    slice.Layer);
+  return vec3((vec2(tile, slice.Row) * Resolution + position) * InverseLayerSize, slice.Layer);
 }
 
 ivec3 NearestTexel(SlicePlace slice, float tile, vec2 coordinates)
