@@ -167,7 +167,7 @@ void vtkCSLFCubeMapper::UpdatePicture(vtkOpenGLRenderWindow* window)
   {
     view.EntryFaces[face] = this->CanEnter(face);
   }
-  this->Picture.Draw(window, view, this->Texture);
+  this->Picture.Draw(window, view, this->Texture, this->LookupSeconds);
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ public:
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->Lookup = lookup; }
 
+  /// The seconds that looking up a picture may take; with less it has fewer pixels.
+  void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
+
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
   {
@@ -79,6 +82,7 @@ private:
   cslf::LookupPicture Picture;
   bool TextureFailed = false;
   int Lookup = 0;
+  double LookupSeconds = 0.0;
   std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
 
   // For the picture being drawn.

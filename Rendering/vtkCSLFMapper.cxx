@@ -6,6 +6,7 @@
 #include "cslfFocus.h"
 #include "vtkCSLFCubeMapper.h"
 
+#include <vtkActor.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -139,6 +140,8 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkCSLFCubeMapper* cubeMapper = this->Internals->CubeMapper;
   cubeMapper->SetLookup(this->Lookup);
+  cubeMapper->SetLookupSeconds(
+    this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
   const cslf::Cube& box = this->Internals->Field->Box;
   std::array<glm::dvec3, cslf::FaceCount> focalPoints;
   focalPoints.fill(
@@ -171,6 +174,7 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetInputConnection(other->GetInputConnection(0, 0));
     this->SetLookup(other->GetLookup());
     this->SetAutomaticFocalPoint(other->GetAutomaticFocalPoint());
+    this->SetAutoAdjustResolution(other->GetAutoAdjustResolution());
     this->SetFocalPoint(other->GetFocalPoint());
   }
   this->Superclass::ShallowCopy(mapper);
@@ -182,6 +186,7 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Lookup: " << this->GetLookupAsString() << "\n";
   os << indent << "AutomaticFocalPoint: " << (this->AutomaticFocalPoint ? "on" : "off") << "\n";
+  os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "on" : "off") << "\n";
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
 }

@@ -88,6 +88,18 @@ public:
 
   ///@{
   /**
+   * Whether fewer rays are looked up where those of all pixels would take longer than the window's
+   * desired update rate allows, as while the camera is moved with an interactor: one for each
+   * square of 2 x 2 to 4 x 4 pixels. At less than one picture a second, as where nothing moves and
+   * where nobody has set a rate, all are looked up. Default: on.
+   */
+  vtkSetMacro(AutoAdjustResolution, bool);
+  vtkGetMacro(AutoAdjustResolution, bool);
+  vtkBooleanMacro(AutoAdjustResolution, bool);
+  ///@}
+
+  ///@{
+  /**
    * The light field drawn, or null. For a pipeline use SetInputConnection.
    */
   void SetInputData(vtkImageData* field) { this->SetInputDataInternal(0, field); }
@@ -149,6 +161,7 @@ private:
 
   int Lookup = DEPTH;
   bool AutomaticFocalPoint = true;
+  bool AutoAdjustResolution = true;
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
 
   class vtkInternals;

@@ -18,6 +18,7 @@ uniform int PrimitiveIDOffset;
 uniform sampler2D PictureColor;
 uniform sampler2D PictureDepth; // z of DC
 uniform vec2 PictureOrigin;     // of the picture in the window, in pixels
+uniform vec2 PictureScale;      // its pixels along a side of one of the window
 uniform float Opacity;
 uniform int CoveragePass;       // 0: all, 1: what covers its pixel, 2: what covers a part of it
 
@@ -42,7 +43,7 @@ void main()
 {
   //VTK::PositionVC::Impl
 
-  ivec2 pixel = ivec2(gl_FragCoord.xy - PictureOrigin);
+  ivec2 pixel = ivec2((gl_FragCoord.xy - PictureOrigin) * PictureScale);
   vec4 color = texelFetch(PictureColor, pixel, 0);
   float alpha = color.a;
   bool covers = alpha >= OpaqueCoverage;
