@@ -14,9 +14,7 @@ namespace cslf
 {
 void SetFaceUniforms(vtkShaderProgram* program, int face)
 {
-  vtkNew<vtkMatrix4x4> ccfc;
   vtkNew<vtkMatrix4x4> fccc;
-  const glm::dvec3 originFC = CubeToFaceSpace(face, glm::dvec3(0.0));
   const glm::dvec3 originCC = FaceSpaceToCube(face, glm::dvec3(0.0));
   for (int column = 0; column < 4; ++column)
   {
@@ -25,16 +23,13 @@ void SetFaceUniforms(vtkShaderProgram* program, int face)
     {
       unit[column] = 1.0;
     }
-    const glm::dvec3 pointFC = CubeToFaceSpace(face, unit) - (column < 3 ? originFC : unit);
-    const glm::dvec3 pointCC = FaceSpaceToCube(face, unit) - (column < 3 ? originCC : unit);
+    const glm::dvec3 pointCC = column < 3 ? FaceSpaceToCube(face, unit) - originCC : originCC;
     // GLSL's matrices are stored by columns.
     for (int row = 0; row < 3; ++row)
     {
-      ccfc->SetElement(column, row, pointFC[row]);
       fccc->SetElement(column, row, pointCC[row]);
     }
   }
-  program->SetUniformMatrix("CCFCMatrix", ccfc);
   program->SetUniformMatrix("FCCCMatrix", fccc);
 
   const auto frames = ListExitFrames(face);

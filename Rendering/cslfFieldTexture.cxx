@@ -75,8 +75,8 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
     window->MakeCurrent();
   }
   this->Window = window;
-  if (this->IsComplete() && sights == this->Sights && this->Present.GetBlocks() > 0 &&
-    this->Limit == pace.Limit)
+  if ((this->IsComplete() || pace.Keeps) && sights == this->Sights &&
+    this->Present.GetBlocks() > 0 && this->Limit == pace.Limit)
   {
     return true;
   }

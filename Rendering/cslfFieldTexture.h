@@ -32,6 +32,7 @@ struct TexturePace
   std::int64_t Limit = 0; ///< bytes of graphics memory
   bool Waits = true;      ///< until all is there; otherwise only for the coarsest viewpoints
   double Seconds = 0.0;   ///< to spend on what is ready otherwise
+  bool Keeps = false;     ///< another pass of the same picture: leaves what is there as it is
 };
 
 /// The samples that cameras can use, and for each entry face a small texture that finds the

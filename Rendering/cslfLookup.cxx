@@ -115,6 +115,32 @@ Lookup::Lookup(const Description& description, vtkImageData* image, const std::v
   }
 }
 
+void Lookup::LeaveOut(int seenFaces)
+{
+  this->LeftOut = seenFaces;
+  this->Grid = SceneGrid(this->Field);
+  ViewpointSamples samples;
+  samples.Color = this->Colors;
+  samples.Depth = this->Depths;
+  const vtkIdType texels =
+    static_cast<vtkIdType>(this->Field.Grid.GetStripWidth()) * this->Field.Grid.GetResolution();
+  for (int slice = 0; slice < this->Field.Grid.GetSlices(); ++slice)
+  {
+    const int face = this->Field.Grid.ViewpointOf(slice).Face;
+    if (this->Places[slice] >= 0 && (seenFaces == 0 || (seenFaces >> face & 1) != 0))
+    {
+      int tiles = 0;
+      for (int tile = 0; tile < TileCount; ++tile)
+      {
+        tiles |= this->IsKept(face, tile) ? 1 << tile : 0;
+      }
+      samples.First = this->Places[slice] * texels;
+      this->Grid.Add(slice, samples, tiles);
+    }
+  }
+  this->Grid.Spread();
+}
+
 //------------------------------------------------------------------------------
 // Reading texels
 

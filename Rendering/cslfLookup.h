@@ -52,10 +52,11 @@ public:
   /// those viewpoints.
   Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices);
 
-  /// Has lookups do without what viewpoints see of these faces, a bit for each: those that a camera
-  /// outside the cube sees, of which the mapper keeps nothing as exits. Lines of sight do not leave
-  /// by them, but a viewpoint may see a point of a ray near to one before such a face.
-  void LeaveOutExits(int faces) { this->LeftOut = faces; }
+  /// Has lookups do with what a camera outside the cube that sees these faces, a bit for each, has
+  /// the mapper keep: nothing of other viewpoints than those on them, and nothing that these see by
+  /// them. No line of sight leaves by such a face, but a viewpoint may see a point of a ray before
+  /// one. 0 for all there is.
+  void LeaveOut(int seenFaces);
 
   /// Nearest viewpoint, nearest texel.
   LookupResult Nearest(const RayCoordinates& ray) const;
@@ -176,7 +177,7 @@ private:
   vtkDataArray* Depths;
   double ColorScale;
   double DepthScale;
-  int LeftOut = 0; ///< exit faces
+  int LeftOut = 0; ///< exit faces, a bit for each
 };
 }
 

@@ -23,9 +23,19 @@
 #include <vtkTextureObject.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace cslf
 {
+namespace
+{
+/// No picture is looked up with fewer than one pixel for so many along each side.
+constexpr int MostDivisor = 4;
+/// Whoever has as many seconds for a picture is not moving it.
+constexpr double StillSeconds = 1.0;
+}
+
 bool LookupPicture::View::operator==(const View& other) const
 {
   return this->Lookup == other.Lookup && this->CCDC == other.CCDC && this->EyeCC == other.EyeCC &&
@@ -37,7 +47,24 @@ LookupPicture::LookupPicture() = default;
 
 LookupPicture::~LookupPicture() = default;
 
-void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field)
+int LookupPicture::ChooseDivisor(
+  const View& view, const std::array<int, 4>& viewport, double seconds) const
+{
+  if (seconds >= StillSeconds)
+  {
+    return 1;
+  }
+  // What the last lookup took says nothing of another one.
+  if (this->PixelSeconds == 0.0 || view.Lookup != this->Current.Lookup)
+  {
+    return 2;
+  }
+  const double all = this->PixelSeconds * viewport[2] * viewport[3];
+  return std::clamp(static_cast<int>(std::ceil(std::sqrt(all / seconds))), 1, MostDivisor);
+}
+
+void LookupPicture::Draw(
+  vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds)
 {
   if (this->Window && this->Window != window)
   {
@@ -48,31 +75,45 @@ void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldT
   }
   std::array<int, 4> viewport{};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  // While the view moves, all passes of a picture share what the first has looked up.
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
-    this->Current == view && this->Changes == field.GetChanges();
+    this->Current == view && this->Changes == field.GetChanges() &&
+    (this->Divisor == 1 || seconds < StillSeconds);
   if (!isCurrent)
   {
+    const int divisor = this->ChooseDivisor(view, viewport, seconds);
     this->Window = window;
     this->Viewport = viewport;
     this->Current = view;
     this->Changes = field.GetChanges();
-    this->Allocate(field, std::max(1, viewport[2]), std::max(1, viewport[3]));
+    this->Divisor = divisor;
+    this->Size = { std::max(1, (viewport[2] + divisor - 1) / divisor),
+      std::max(1, (viewport[3] + divisor - 1) / divisor) };
+    this->Allocate(field);
     this->BuildProgram(field);
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
     this->DrawFaces(field);
+    if (seconds < StillSeconds)
+    {
+      glFinish();
+      this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
+        (static_cast<double>(this->Size[0]) * this->Size[1]);
+    }
   }
   this->Colors->Activate();
-  this->Fractions->Activate();
+  this->Depths->Activate();
 }
 
-void LookupPicture::Allocate(const FieldTexture& field, int width, int height)
+void LookupPicture::Allocate(const FieldTexture& field)
 {
+  const auto width = static_cast<unsigned int>(this->Size[0]);
+  const auto height = static_cast<unsigned int>(this->Size[1]);
   const bool isByte = field.GetField().FindChannel(ColorName)->Type == VTK_UNSIGNED_CHAR;
   const auto allocate = [&](vtkTextureObject* texture, int components, int type)
   {
-    const bool fits = texture->GetHandle() != 0 &&
-      texture->GetWidth() == static_cast<unsigned int>(width) &&
-      texture->GetHeight() == static_cast<unsigned int>(height) &&
-      texture->GetVTKDataType() == type;
+    const bool fits = texture->GetHandle() != 0 && texture->GetWidth() == width &&
+      texture->GetHeight() == height && texture->GetVTKDataType() == type;
     if (!fits)
     {
       this->Framebuffer->ReleaseGraphicsResources(this->Window);
@@ -85,7 +126,7 @@ void LookupPicture::Allocate(const FieldTexture& field, int width, int height)
     }
   };
   allocate(this->Colors, 4, isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
-  allocate(this->Fractions, 1, VTK_FLOAT);
+  allocate(this->Depths, 1, VTK_FLOAT);
 }
 
 // Branches cost their time even where nothing takes them, so each program knows what it looks up.
@@ -168,10 +209,10 @@ void LookupPicture::DrawFaces(FieldTexture& field)
   this->Framebuffer->SetContext(this->Window);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Colors);
-  this->Framebuffer->AddColorAttachment(1, this->Fractions);
+  this->Framebuffer->AddColorAttachment(1, this->Depths);
   this->Framebuffer->ActivateDrawBuffers(2);
-  state->vtkglViewport(0, 0, this->Viewport[2], this->Viewport[3]);
-  state->vtkglScissor(0, 0, this->Viewport[2], this->Viewport[3]);
+  state->vtkglViewport(0, 0, this->Size[0], this->Size[1]);
+  state->vtkglScissor(0, 0, this->Size[0], this->Size[1]);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -205,16 +246,23 @@ void LookupPicture::DrawFaces(FieldTexture& field)
 void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformi("PictureColor", this->Colors->GetTextureUnit());
-  program->SetUniformi("PictureFraction", this->Fractions->GetTextureUnit());
+  program->SetUniformi("PictureDepth", this->Depths->GetTextureUnit());
   const float origin[2] = { static_cast<float>(this->Viewport[0]),
     static_cast<float>(this->Viewport[1]) };
   program->SetUniform2f("PictureOrigin", origin);
+  const float scale[2] = { static_cast<float>(this->Size[0]) /
+      static_cast<float>(this->Viewport[2]),
+    static_cast<float>(this->Size[1]) / static_cast<float>(this->Viewport[3]) };
+  program->SetUniform2f("PictureScale", scale);
+  const float pixelSize[2] = { 2.0F / static_cast<float>(this->Viewport[2]),
+    2.0F / static_cast<float>(this->Viewport[3]) };
+  program->SetUniform2f("PixelSizeDC", pixelSize);
 }
 
 void LookupPicture::Deactivate()
 {
   this->Colors->Deactivate();
-  this->Fractions->Deactivate();
+  this->Depths->Deactivate();
 }
 
 void LookupPicture::Release(vtkWindow* window)
@@ -224,7 +272,7 @@ void LookupPicture::Release(vtkWindow* window)
     this->Quad.reset();
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Colors->ReleaseGraphicsResources(window);
-    this->Fractions->ReleaseGraphicsResources(window);
+    this->Depths->ReleaseGraphicsResources(window);
     this->Window = nullptr;
   }
 }

@@ -29,9 +29,9 @@ namespace cslf
 {
 class FieldTexture;
 
-/// A texture of colours and one of fractions, of the size of the viewport. VTK draws an actor
-/// several times, an opaque one with parts that cover their pixels in part twice at least; lookups
-/// cost more than reading their results. Belongs to one render window's context at a time.
+/// A texture of colours and one of depths (z of DC), of the size of the viewport. VTK draws an
+/// actor several times, an opaque one with parts that cover their pixels in part twice at least;
+/// lookups cost more than reading their results. Belongs to one render window's context at a time.
 class LookupPicture
 {
 public:
@@ -54,8 +54,9 @@ public:
   LookupPicture& operator=(const LookupPicture&) = delete;
 
   /// Looks the view up for the current viewport, unless the picture is that of it, and binds the
-  /// textures until Deactivate. The field must be uploaded to this window.
-  void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field);
+  /// textures until Deactivate. Where all of its pixels would take longer than `seconds`, the
+  /// picture has fewer. The field must be uploaded to this window.
+  void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds);
 
   /// Sets the picture's uniforms of cslfMapperFS.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -66,7 +67,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void Allocate(const FieldTexture& field, int width, int height);
+  int ChooseDivisor(const View& view, const std::array<int, 4>& viewport, double seconds) const;
+  void Allocate(const FieldTexture& field);
   void BuildProgram(const FieldTexture& field);
   void DrawFaces(FieldTexture& field);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
@@ -75,9 +77,12 @@ private:
   View Current;
   unsigned int Changes = 0; ///< of the field that the picture shows
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
-  std::string Source; ///< of the fragment shader
+  int Divisor = 1; ///< pixels of the viewport along a side of one of the picture
+  std::array<int, 2> Size{ 1, 1 };
+  double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
+  std::string Source;        ///< of the fragment shader
   vtkNew<vtkTextureObject> Colors;
-  vtkNew<vtkTextureObject> Fractions;
+  vtkNew<vtkTextureObject> Depths;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };

@@ -18,6 +18,8 @@ namespace
 {
 /// The scene's bounds are widened by this, in CC.
 constexpr double SceneMargin = 0.01;
+/// A surface's cells begin at least this share of a cell before it.
+constexpr double LeastReach = 0.35;
 /// Viewpoints along a side of a face that are enough to see all there is to see.
 constexpr int MostViewpoints = 17;
 // These stand in cslfSceneGrid.glsl too.
@@ -37,7 +39,8 @@ int IndexOf(const glm::ivec3& cell)
   return (cell.z * SceneGrid::Cells + cell.y) * SceneGrid::Cells + cell.x;
 }
 
-/// Calls `see` with the place, in CC, of what a viewpoint sees by every so many texels of a tile.
+/// Calls `see` with the place of what a viewpoint sees by every so many texels of a tile, and with
+/// how far from each other these are there, in CC.
 template <typename ColorValue, typename DepthValue, typename See>
 void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const ColorValue* colors,
   const DepthValue* depths, double depthScale, const See& see)
@@ -46,6 +49,7 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
   const int face = ExitFaceOf(viewpoint.Face, tile);
   const int resolution = grid.GetResolution();
   const int stride = std::max(1, resolution / SceneGrid::Cells);
+  const double texel = 2.0 * stride / resolution;
   for (int q = stride / 2; q < resolution; q += stride)
   {
     const vtkIdType row = static_cast<vtkIdType>(q) * grid.GetStripWidth() + tile * resolution;
@@ -55,7 +59,8 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
       {
         const glm::dvec3 exit =
           FaceToCube(face, { grid.TexelCoordinate(p), grid.TexelCoordinate(q) });
-        see(eye + depthScale * depths[row + p] * (exit - eye));
+        const double depth = depthScale * depths[row + p];
+        see(eye + depth * (exit - eye), depth * texel);
       }
     }
   }
@@ -84,7 +89,6 @@ SceneGrid::SceneGrid(const Description& description)
   , Minimum(description.GetSceneMinimumCC() - SceneMargin)
   , Maximum(description.GetSceneMaximumCC() + SceneMargin)
   , Rings(CountCells(), description.FindChannel(DepthName) ? NoRing : 0)
-  , Marks(CountCells(), false)
 {
 }
 
@@ -111,17 +115,8 @@ void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
   }
   const Viewpoint viewpoint = this->Field.ViewpointOf(slice);
   const glm::dvec3 scale = static_cast<double>(Cells) / (this->Maximum - this->Minimum);
-  const auto see = [&](const glm::dvec3& pointCC)
-  {
-    const glm::ivec3 cell(glm::floor((pointCC - this->Minimum) * scale));
-    if (std::min({ cell.x, cell.y, cell.z }) >= 0 && std::max({ cell.x, cell.y, cell.z }) < Cells &&
-      !this->Marks[IndexOf(cell)])
-    {
-      this->Marks[IndexOf(cell)] = true;
-      this->Rings[IndexOf(cell)] = 0;
-      this->New.push_back(cell);
-    }
-  };
+  const auto see = [&](const glm::dvec3& pointCC, double reach)
+  { this->Mark((pointCC - this->Minimum) * scale, reach * scale); };
   const auto look = [&](const auto* colors, const auto* depths, double depthScale)
   {
     for (int tile = 0; tile < TileCount; ++tile)
@@ -155,9 +150,32 @@ void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
   }
 }
 
-// Marked cells and their neighbours, since only some texels were looked at, get 0; others their
-// distance to these, in the maximum norm. Ring by ring around what is new, as far as that is nearer
-// than what was known.
+// Marks the cells around a position, up to `reach` from it or a share of a cell.
+void SceneGrid::Mark(const glm::dvec3& position, const glm::dvec3& reach)
+{
+  const glm::dvec3 around = glm::max(reach, LeastReach);
+  const double most = Cells - 1;
+  const glm::ivec3 first(glm::clamp(glm::floor(position - around), 0.0, most));
+  const glm::ivec3 last(glm::clamp(glm::floor(position + around), 0.0, most));
+  for (int z = first.z; z <= last.z; ++z)
+  {
+    for (int y = first.y; y <= last.y; ++y)
+    {
+      for (int x = first.x; x <= last.x; ++x)
+      {
+        std::uint8_t& ring = this->Rings[IndexOf({ x, y, z })];
+        if (ring != 0)
+        {
+          ring = 0;
+          this->New.emplace_back(x, y, z);
+        }
+      }
+    }
+  }
+}
+
+// Marked cells have 0, others get their distance to these, in the maximum norm: ring by ring around
+// what is new, as far as that is nearer than what was known.
 void SceneGrid::Spread()
 {
   for (int ring = 1; !this->New.empty(); ++ring)
@@ -174,9 +192,9 @@ void SceneGrid::Spread()
           for (int x = least.x; x <= most.x; ++x)
           {
             std::uint8_t& known = this->Rings[IndexOf({ x, y, z })];
-            if (known >= ring)
+            if (known > ring)
             {
-              known = static_cast<std::uint8_t>(ring - 1);
+              known = static_cast<std::uint8_t>(ring);
               next.emplace_back(x, y, z);
             }
           }

@@ -68,13 +68,13 @@ public:
   double SkipEmpty(const Ray& ray, double w, double last) const;
 
 private:
+  void Mark(const glm::dvec3& position, const glm::dvec3& reach);
   static glm::ivec3 FindCell(const Ray& ray, double t);
 
   Layout Field;
   glm::dvec3 Minimum{ -1.0 };
   glm::dvec3 Maximum{ 1.0 };
   std::vector<std::uint8_t> Rings;
-  std::vector<bool> Marks;
   std::vector<glm::ivec3> New; ///< marks that the rings do not know of
 };
 }

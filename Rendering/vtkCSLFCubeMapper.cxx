@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFCubeMapper.h"
 
-#include "cslfCubeGLSL.h"
-#include "cslfFaceUniforms.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
@@ -36,7 +34,7 @@
 
 namespace
 {
-constexpr const char* FaceName = "faceCC";
+constexpr const char* FaceName = "face";
 
 /// The share of the time for a picture that goes into bringing samples to graphics memory, and the
 /// seconds within which it stays: a few milliseconds while something moves.
@@ -44,14 +42,13 @@ constexpr double UploadShare = 0.1;
 constexpr double LeastUpload = 0.002;
 constexpr double MostUpload = 0.05;
 
-// The cube as six quads, with each point's position in CC and face as a vertex attribute.
+// The cube as six quads, with each point's face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> positions;
-  positions->SetName(FaceName);
-  positions->SetNumberOfComponents(4);
+  vtkNew<vtkFloatArray> faces;
+  faces->SetName(FaceName);
   vtkNew<vtkCellArray> quads;
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
@@ -62,13 +59,13 @@ vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
       const glm::dvec3 pointCC = cslf::FaceToCube(face, corner);
       const glm::dvec3 pointWC = box.PointToWorld(pointCC);
       quads->InsertCellPoint(points->InsertNextPoint(pointWC.x, pointWC.y, pointWC.z));
-      positions->InsertNextTuple4(pointCC.x, pointCC.y, pointCC.z, face);
+      faces->InsertNextValue(static_cast<float>(face));
     }
   }
   auto cube = vtkSmartPointer<vtkPolyData>::New();
   cube->SetPoints(points);
   cube->SetPolys(quads);
-  cube->GetPointData()->AddArray(positions);
+  cube->GetPointData()->AddArray(faces);
   return cube;
 }
 }
@@ -120,7 +117,7 @@ void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-// Brings what the camera can use. Not between the two passes of one picture, which must agree.
+// Brings what the camera can use, but nothing between the two passes of one picture.
 void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -132,9 +129,8 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   cslf::TexturePace pace;
   pace.Limit = this->TextureMemoryLimit;
   pace.Waits = !this->Streaming;
-  pace.Seconds = this->ChooseCoveragePass(renderer, actor) == 2
-    ? 0.0
-    : std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
+  pace.Seconds = std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
+  pace.Keeps = this->ChooseCoveragePass(renderer, actor) == 2;
   std::string error;
   this->TextureFailed = !this->Texture.Update(window, this->Viewers.GetSights(), pace, error);
   if (this->TextureFailed)
@@ -167,7 +163,7 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   ccmc->Transpose();
   vtkNew<vtkMatrix4x4> ccwc;
   vtkMatrix4x4::Multiply4x4(ccmc, mcwc, ccwc);
-  vtkMatrix4x4::Multiply4x4(ccwc, wcvc, this->CCVCMatrix);
+  this->VCDCMatrix->DeepCopy(vcdc);
   vtkMatrix4x4::Multiply4x4(ccwc, wcdc, this->CCDCMatrix);
 
   for (int row = 0; row < 4; ++row)
@@ -198,7 +194,7 @@ void vtkCSLFCubeMapper::UpdatePicture(vtkOpenGLRenderWindow* window)
   {
     view.EntryFaces[face] = this->Sight.CanEnter(face);
   }
-  this->Picture.Draw(window, view, this->Texture);
+  this->Picture.Draw(window, view, this->Texture, this->LookupSeconds);
 }
 
 //------------------------------------------------------------------------------
@@ -228,7 +224,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     if (this->Sight.CanEnter(face))
     {
-      this->EntryFace = face;
+      this->Face = face;
       this->UpdateShaders(triangles, renderer, actor);
       triangles.IBO->Bind();
       glDrawElements(
@@ -264,6 +260,11 @@ void vtkCSLFCubeMapper::BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*)
 std::string vtkCSLFCubeMapper::MakeOptions() const
 {
   std::string options;
+  const cslf::Description& field = this->Source->GetDescription();
+  if (field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding)
+  {
+    options += "#define LINEAR_COLOR\n";
+  }
   if (!this->ClippingPlanesCC.empty())
   {
     options += "#define CLIPPING_PLANES " + std::to_string(this->ClippingPlanesCC.size()) + "\n";
@@ -284,7 +285,6 @@ void vtkCSLFCubeMapper::GetShaderTemplate(
   std::string fragment = cslfMapperFS;
   vtkShaderProgram::Substitute(
     fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
   shaders[vtkShader::Fragment]->SetSource(fragment);
@@ -303,7 +303,7 @@ void vtkCSLFCubeMapper::ReplaceShaderPicking(
 {
   this->Superclass::ReplaceShaderPicking(shaders, renderer, actor);
   std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-  vtkShaderProgram::Substitute(fragment, "gl_PrimitiveID", "EntryFacePass");
+  vtkShaderProgram::Substitute(fragment, "gl_PrimitiveID", "FacePass");
   shaders[vtkShader::Fragment]->SetSource(fragment);
 }
 
@@ -329,36 +329,43 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
 
   vtkShaderProgram* program = cellBO.Program;
   this->Picture.SetUniforms(program);
-  const glm::vec4 eye(this->Sight.GetEye());
-  program->SetUniform4f("EyeCC", &eye.x);
-  program->SetUniformMatrix("CCDCMatrix", this->CCDCMatrix);
-  if (program->IsUniformUsed("CCVCMatrix"))
+  program->SetUniformi("FacePass", this->Face);
+  if (program->IsUniformUsed("DCVCMatrix"))
   {
-    program->SetUniformMatrix("CCVCMatrix", this->CCVCMatrix);
+    vtkNew<vtkMatrix4x4> dcvc;
+    vtkMatrix4x4::Invert(this->VCDCMatrix, dcvc);
+    program->SetUniformMatrix("DCVCMatrix", dcvc);
   }
-  program->SetUniformi("EntryFacePass", this->EntryFace);
-  program->SetUniformi("DrawsExits", this->Sight.IsInside());
-  cslf::SetFaceUniforms(program, this->EntryFace);
-  const cslf::Description& field = this->Source->GetDescription();
-  program->SetUniformi(
-    "LinearColor", field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
   program->SetUniformf("Opacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
   program->SetUniformi("CoveragePass", this->ChooseCoveragePass(renderer, actor));
   if (!this->ToneMapping.IsIdentity())
   {
     program->SetUniformf("Exposure", static_cast<float>(this->ToneMapping.Exposure));
   }
-  if (!this->ClippingPlanesCC.empty())
+  this->SetClippingUniforms(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
+{
+  if (this->ClippingPlanesCC.empty())
   {
-    std::vector<std::array<float, 4>> planes;
-    for (const glm::dvec4& plane : this->ClippingPlanesCC)
-    {
-      planes.push_back({ static_cast<float>(plane.x), static_cast<float>(plane.y),
-        static_cast<float>(plane.z), static_cast<float>(plane.w) });
-    }
-    program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
-      reinterpret_cast<const float(*)[4]>(planes.data()));
+    return;
   }
+  // Planes go by the transposed inverse of the points' matrix, which is transposed.
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(this->CCDCMatrix, inverse);
+  std::vector<std::array<float, 4>> planes;
+  for (const glm::dvec4& plane : this->ClippingPlanesCC)
+  {
+    const double planeCC[4] = { plane.x, plane.y, plane.z, plane.w };
+    double planeDC[4];
+    inverse->MultiplyPoint(planeCC, planeDC);
+    planes.push_back({ static_cast<float>(planeDC[0]), static_cast<float>(planeDC[1]),
+      static_cast<float>(planeDC[2]), static_cast<float>(planeDC[3]) });
+  }
+  program->SetUniform4fv("ClippingPlanesDC", static_cast<int>(planes.size()),
+    reinterpret_cast<const float(*)[4]>(planes.data()));
 }
 
 //------------------------------------------------------------------------------

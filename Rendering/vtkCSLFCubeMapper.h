@@ -5,8 +5,7 @@
  * @brief   the polydata mapper inside vtkCSLFMapper
  *
  * Draws the faces of a light field's cube with the shaders of Rendering/Shaders in place of VTK's
- * own. Each entry face that the eye may see is drawn in turn, with the textures of its viewpoints.
- * Belongs to one render window. Not for use by itself.
+ * own, from a picture of what all rays see. Belongs to one render window. Not for use by itself.
  */
 #ifndef vtkCSLFCubeMapper_h
 #define vtkCSLFCubeMapper_h
@@ -51,6 +50,9 @@ public:
 
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->Lookup = lookup; }
+
+  /// The seconds that looking up a picture may take; with less it has fewer pixels.
+  void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -113,6 +115,7 @@ private:
   void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
   void UpdatePicture(vtkOpenGLRenderWindow* window);
   std::string MakeOptions() const;
+  void SetClippingUniforms(vtkShaderProgram* program);
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
 
   std::shared_ptr<cslf::ViewpointSource> Source;
@@ -124,17 +127,18 @@ private:
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
   int Lookup = 0;
+  double LookupSeconds = 0.0;
   std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
   std::vector<glm::dvec4> ClippingPlanesCC;
   cslf::ToneMapping ToneMapping;
   std::string Options; ///< the shader's, for the picture being drawn
 
   // For the picture being drawn.
-  int EntryFace = 0;
+  int Face = 0; ///< of the cube, in turn
   cslf::Sight Sight;
   cslf::DisplayRows CCDCRows{};
-  vtkNew<vtkMatrix4x4> CCVCMatrix;
   vtkNew<vtkMatrix4x4> CCDCMatrix;
+  vtkNew<vtkMatrix4x4> VCDCMatrix;
 };
 
 #endif

@@ -267,6 +267,8 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   vtkInternals& internals = *this->Internals;
   vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
+  cubeMapper->SetLookupSeconds(
+    this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
   cubeMapper->SetFocalPointsCC(internals.GetFocalPointsCC(this));
   cubeMapper->SetClippingPlanesCC(internals.GetClippingPlanesCC(this, actor));
   cubeMapper->SetToneMapping({ this->Exposure, this->ToneMapping });
@@ -334,6 +336,7 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetInputConnection(other->GetInputConnection(0, 0));
     this->SetLookup(other->GetLookup());
     this->SetAutomaticFocalPoint(other->GetAutomaticFocalPoint());
+    this->SetAutoAdjustResolution(other->GetAutoAdjustResolution());
     this->SetFocalPoint(other->GetFocalPoint());
     this->SetExposure(other->GetExposure());
     this->SetToneMapping(other->GetToneMapping());
@@ -349,6 +352,7 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Lookup: " << this->GetLookupAsString() << "\n";
   os << indent << "AutomaticFocalPoint: " << (this->AutomaticFocalPoint ? "on" : "off") << "\n";
+  os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "on" : "off") << "\n";
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
   os << indent << "Exposure: " << this->Exposure << "\n";

@@ -128,6 +128,18 @@ public:
 
   ///@{
   /**
+   * Whether fewer rays are looked up where those of all pixels would take longer than the window's
+   * desired update rate allows, as while the camera is moved with an interactor: one for each
+   * square of 2 x 2 to 4 x 4 pixels. At less than one picture a second, as where nothing moves and
+   * where nobody has set a rate, all are looked up. Default: on.
+   */
+  vtkSetMacro(AutoAdjustResolution, bool);
+  vtkGetMacro(AutoAdjustResolution, bool);
+  vtkBooleanMacro(AutoAdjustResolution, bool);
+  ///@}
+
+  ///@{
+  /**
    * What radiance is multiplied by when it is drawn, besides the exposure that the field was
    * sampled with. Acts on linear values, also where the field holds sRGB-encoded ones, but cannot
    * bring back what those were clamped to: sample in `float` to choose the exposure at view time.
@@ -247,6 +259,7 @@ private:
 
   int Lookup = DEPTH;
   bool AutomaticFocalPoint = true;
+  bool AutoAdjustResolution = true;
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
   double Exposure = 1.0;
   int ToneMapping = CLAMP;

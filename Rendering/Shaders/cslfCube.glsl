@@ -4,7 +4,6 @@
 // (CC) is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x and
 // y are the face's (sc, tc), z is the depth below it, from 0 to 2.
 
-uniform mat4 CCFCMatrix;
 uniform mat4 FCCCMatrix;
 
 // The (s,t) of the points of exit faces, from FC with z - 1 in place of z: of the opposite face from

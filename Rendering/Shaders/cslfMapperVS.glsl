@@ -1,15 +1,12 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws faces of the cube and hands each fragment its point in cube space: the entry face of the
-// pass, or, where the eye is inside the cube, all others, by which rays leave.
+// Draws the face of the cube by which rays enter, or, where the eye is inside the cube, leave.
 
 in vec4 vertexMC;
-in vec4 faceCC; // position in CC and face
-out vec3 positionCCVSOutput;
+in float face;
 
-uniform int EntryFacePass;
-uniform bool DrawsExits;
+uniform int FacePass; // the face being drawn
 
 //VTK::Camera::Dec
 //VTK::PositionVC::Dec
@@ -17,10 +14,9 @@ uniform bool DrawsExits;
 
 void main()
 {
-  positionCCVSOutput = faceCC.xyz;
   //VTK::PositionVC::Impl
   //VTK::Picking::Impl
-  if ((int(faceCC.w + 0.5) == EntryFacePass) == DrawsExits)
+  if (int(face + 0.5) != FacePass)
   {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   }

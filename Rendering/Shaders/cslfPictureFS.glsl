@@ -10,6 +10,7 @@
 in vec2 positionVSOutput;
 
 uniform vec4 EyeFC; // w = 1: the eye; w = 0: the direction of parallel projection
+uniform mat4 FCDCMatrix;
 uniform mat4 DCFCMatrix;
 uniform bool IsEyeInside;
 uniform vec3 FocalPointFC;
@@ -37,5 +38,6 @@ void main()
   LookupResult result;
   //CSLF::Lookup::Impl
   gl_FragData[0] = result.Color;
-  gl_FragData[1] = vec4(result.Fraction);
+  vec4 hitDC = FCDCMatrix * vec4(ray.Entry + result.Fraction * ray.Chord, 1.0);
+  gl_FragData[1] = vec4(hitDC.z / hitDC.w);
 }

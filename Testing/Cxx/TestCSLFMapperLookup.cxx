@@ -96,7 +96,7 @@ struct Fixture
     this->Mapper->SetInputData(image);
     this->Renderer->ResetCamera();
     cslf::Lookup lookup(field, image);
-    lookup.LeaveOutExits(this->FindSeenFaces(field.Box));
+    lookup.LeaveOut(this->FindSeenFaces(field.Box));
     const FocalPoints focalPoints = cslf::FindFocalPoints(field, image);
     for (int mode = vtkCSLFMapper::NEAREST; mode <= vtkCSLFMapper::DEPTH; ++mode)
     {
