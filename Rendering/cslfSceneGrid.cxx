@@ -198,47 +198,37 @@ void SceneGrid::MarkSurfaces(
   }
 }
 
-// Marked cells get 0, others their distance to those, in the maximum norm, which can be counted
-// axis by axis.
+// Marked cells get 0, others their distance to those in the maximum norm: one more than the least
+// of their neighbours, which a sweep upwards and one downwards settle.
 void SceneGrid::CountRings()
 {
   for (std::uint8_t& cell : this->Rings)
   {
-    cell = cell ? 0 : 255;
+    cell = cell ? 0 : Cells;
   }
-  // Distances to marked cells first: in one axis by two sweeps, over axes as the least over cells
-  // along the axis of the larger of their distance and the distance along it.
-  std::vector<int> line(Cells);
-  std::vector<int> result(Cells);
-  for (int axis = 0; axis < 3; ++axis)
+  for (int cell = 0; cell < CountCells(); ++cell)
   {
-    const int step = axis == 0 ? 1 : (axis == 1 ? Cells : Cells * Cells);
-    for (int a = 0; a < Cells; ++a)
+    this->UpdateRings(cell, -1);
+  }
+  for (int cell = CountCells() - 1; cell >= 0; --cell)
+  {
+    this->UpdateRings(cell, 1);
+  }
+}
+
+// Takes over from the neighbours that come before (direction -1) or after (1) a cell.
+void SceneGrid::UpdateRings(int cell, int direction)
+{
+  const glm::ivec3 centre(cell % Cells, cell / Cells % Cells, cell / (Cells * Cells));
+  std::uint8_t& rings = this->Rings[cell];
+  for (int neighbour = 0; neighbour < 13 && rings > 0; ++neighbour)
+  {
+    const glm::ivec3 offset(1 - neighbour % 3, 1 - neighbour / 3 % 3, 1 - neighbour / 9);
+    const glm::ivec3 other = centre + direction * offset;
+    if (std::min({ other.x, other.y, other.z }) >= 0 &&
+      std::max({ other.x, other.y, other.z }) < Cells)
     {
-      for (int b = 0; b < Cells; ++b)
-      {
-        const int first =
-          axis == 0 ? (a * Cells + b) * Cells : (axis == 1 ? a * Cells * Cells + b : a * Cells + b);
-        for (int i = 0; i < Cells; ++i)
-        {
-          line[i] = this->Rings[first + i * step];
-        }
-        for (int i = 0; i < Cells; ++i)
-        {
-          int least = line[i];
-          for (int away = 1; away < least && away < Cells; ++away)
-          {
-            const int below = i - away >= 0 ? line[i - away] : 255;
-            const int above = i + away < Cells ? line[i + away] : 255;
-            least = std::min(least, std::max(away, std::min(below, above)));
-          }
-          result[i] = least;
-        }
-        for (int i = 0; i < Cells; ++i)
-        {
-          this->Rings[first + i * step] = static_cast<std::uint8_t>(result[i]);
-        }
-      }
+      rings = std::min<std::uint8_t>(rings, this->Rings[IndexOf(other)] + 1);
     }
   }
 }

@@ -34,7 +34,7 @@ public:
   SceneGrid(const Description& description, vtkImageData* image, const std::vector<int>& slices);
 
   /// Per cell, x fastest, how many rings of empty cells are around it, itself included: 0 where a
-  /// surface may be. At most 255.
+  /// surface may be. At most Cells.
   const std::vector<std::uint8_t>& GetRings() const { return this->Rings; }
 
   /// What the grid covers, in CC: the scene's bounds, widened so that surfaces on them are crossed.
@@ -63,6 +63,7 @@ private:
   void MarkSurfaces(
     const Description& description, vtkImageData* image, const std::vector<int>& slices);
   void CountRings();
+  void UpdateRings(int cell, int direction);
   static glm::ivec3 FindCell(const Ray& ray, double t);
 
   glm::dvec3 Minimum{ -1.0 };
