@@ -15,5 +15,6 @@ uniform bool IsEyeInside;
 void main()
 {
   positionVSOutput = 2.0 * texCoordIn - 1.0;
-  gl_Position = IsEyeInside ? vec4(ndCoordIn.xy, 0.0, 1.0) : FCDCMatrix * vec4(positionVSOutput, 0.0, 1.0);
+  gl_Position = IsEyeInside ? vec4(ndCoordIn.xy, 0.0, 1.0)
+                            : FCDCMatrix * vec4(positionVSOutput, 0.0, 1.0);
 }
