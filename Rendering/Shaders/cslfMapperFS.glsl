@@ -1,8 +1,8 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Puts what was looked up into the scene: each fragment of the cube's faces takes its result from the
-// picture that cslfPictureFS.glsl has drawn.
+// Puts what was looked up into the scene: each fragment of the cube's faces takes its result from
+// the picture that cslfPictureFS.glsl has drawn.
 
 // Defines LINEAR_COLOR where the field holds linear values, otherwise sRGB-encoded ones.
 //CSLF::Options::Dec
