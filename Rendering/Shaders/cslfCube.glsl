@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The cube's geometry, the twin of Module/cslfCube.cxx and Rendering/cslfFaceSpace.cxx. Cube space
-// (CC) is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x and
-// y are the face's (sc, tc), z is the depth below it, from 0 to 2.
+// (CC) is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x
+// and y are the face's (sc, tc), z is the depth below it, from 0 to 2.
 
 uniform mat4 FCCCMatrix;
 
-// The (s,t) of the points of exit faces, from FC with z - 1 in place of z: of the opposite face from
-// (x,y), of those towards +x and -x from (y,z) and of those towards +y and -y from (x,z). On the
+// The (s,t) of the points of exit faces, from FC with z - 1 in place of z: of the opposite face
+// from (x,y), of those towards +x and -x from (y,z) and of those towards +y and -y from (x,z). On the
 // negative side the coordinates' signs differ. Each holds the (s,t) of both directions.
 uniform vec4 OppositeAxes;
 uniform vec4 SideXAxes;

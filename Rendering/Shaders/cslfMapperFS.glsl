@@ -2,8 +2,8 @@
 //CSLF::Options::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Puts what was looked up into the scene: each fragment of the cube's faces takes its result from the
-// picture that cslfPictureFS.glsl has drawn.
+// Puts what was looked up into the scene: each fragment of the cube's faces takes its result from
+// the picture that cslfPictureFS.glsl has drawn.
 
 // Options, defined only where they apply:
 //   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the scene's surfaces may be, the twin of Rendering/cslfSceneGrid.cxx: a coarse grid over the
-// scene's bounds. Positions along a ray are fractions of its chord.
+// Where the scene's surfaces may be, the twin of Rendering/cslfSceneGrid.cxx: a coarse grid over
+// the scene's bounds. Positions along a ray are fractions of its chord.
 
 uniform sampler3D SceneGridTexture; // per cell: the rings of empty cells around, 0: not empty
 uniform vec3 SceneMinimum;          // CC
