@@ -233,10 +233,15 @@ void FieldTexture::MakeTables()
     }
     const Residency::Table table = this->Present.MakeTable(face);
     this->Tiles[face] = table.Tiles;
+    if (this->Tables[face] != 0 && this->Cells[face] == table.Cells)
+    {
+      continue;
+    }
     if (this->Tables[face] == 0)
     {
       glGenTextures(1, &this->Tables[face]);
     }
+    this->Cells[face] = table.Cells;
     glBindTexture(GL_TEXTURE_2D, this->Tables[face]);
     SetNearest(GL_TEXTURE_2D);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, TableTexels * cells, cells, 0, GL_RGBA, GL_FLOAT,
@@ -246,7 +251,10 @@ void FieldTexture::MakeTables()
 
 void FieldTexture::MakeSceneTexture()
 {
-  this->Scene.Spread();
+  if (!this->Scene.Spread() && this->SceneTexture != 0)
+  {
+    return;
+  }
   if (this->SceneTexture == 0)
   {
     glGenTextures(1, &this->SceneTexture);

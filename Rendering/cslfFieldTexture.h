@@ -107,7 +107,8 @@ private:
   bool IsChanged = false; ///< since the tables were made
   unsigned int Changes = 0;
   std::array<Handle, FaceCount> Tables{};
-  std::array<TileSet, FaceCount> Tiles{}; ///< that can be looked up
+  std::array<std::vector<float>, FaceCount> Cells; ///< of the tables
+  std::array<TileSet, FaceCount> Tiles{};          ///< that can be looked up
   Handle SceneTexture = 0;
   std::array<int, 4> Units{ -1, -1, -1, -1 }; ///< colour, depth, table, scene
 };

@@ -176,8 +176,9 @@ void SceneGrid::Mark(const glm::dvec3& position, const glm::dvec3& reach)
 
 // Marked cells have 0, others get their distance to these, in the maximum norm: ring by ring around
 // what is new, as far as that is nearer than what was known.
-void SceneGrid::Spread()
+bool SceneGrid::Spread()
 {
+  const bool isAnyNew = !this->New.empty();
   for (int ring = 1; !this->New.empty(); ++ring)
   {
     std::vector<glm::ivec3> next;
@@ -203,6 +204,7 @@ void SceneGrid::Spread()
     }
     this->New.swap(next);
   }
+  return isAnyNew;
 }
 
 SceneGrid::Ray SceneGrid::CastGridRay(const glm::dvec3& entryCC, const glm::dvec3& chordCC) const

@@ -33,9 +33,10 @@ public:
   /// Of a field of which nothing was looked at yet: all cells are empty. Without depth none is.
   explicit SceneGrid(const Description& description);
 
-  /// Marks what a viewpoint sees by these tiles, a bit for each. The rings follow with Spread.
+  /// Marks what a viewpoint sees by these tiles, a bit for each. The rings follow with Spread,
+  /// which says whether anything is new.
   void Add(int slice, const ViewpointSamples& samples, int tiles = ~0);
-  void Spread();
+  bool Spread();
 
   /// `image` holds these slices of the field, in that order, with colour and perhaps depth; without
   /// depth no cell counts as empty.
