@@ -317,9 +317,8 @@ void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
   }
 }
 
-bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
+bool vtkCSLFDecoder::RequireViewpoint(vtkIdType z)
 {
-  image->Initialize();
   if (!this->UpdateReader())
   {
     return false;
@@ -329,6 +328,22 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("There is no viewpoint " << z << " in " << this->FileName << ".");
+    return false;
+  }
+  return true;
+}
+
+bool vtkCSLFDecoder::IsViewpointDamaged(vtkIdType z)
+{
+  return !this->RequireViewpoint(z) ||
+    this->Internal->Reader->GetViewpoints().Get(static_cast<int>(z))->IsMissing;
+}
+
+bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
+{
+  image->Initialize();
+  if (!this->RequireViewpoint(z))
+  {
     return false;
   }
   const auto viewpoint = this->Internal->Reader->GetViewpoints().Get(static_cast<int>(z));

@@ -146,6 +146,13 @@ public:
   bool IsViewpointReady(vtkIdType z);
 
   /**
+   * Whether a viewpoint cannot be had since the file is damaged there. Reports no error of that.
+   * Decodes the viewpoint unless it is kept. True, with an error, if the file cannot be read or has
+   * no such viewpoint.
+   */
+  bool IsViewpointDamaged(vtkIdType z);
+
+  /**
    * Waits until all that Prefetch was asked for is decoded.
    */
   void WaitForPrefetch();
@@ -176,6 +183,7 @@ private:
   bool ReportDamage();
   void WarnOfDamage();
   bool UpdateReader();
+  bool RequireViewpoint(vtkIdType z);
 
   char* FileName = nullptr;
   vtkTypeInt64 CacheSize = 512 << 20;

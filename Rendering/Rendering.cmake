@@ -5,21 +5,40 @@
 list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
+  ../Rendering/cslfFaceSpace.cxx
+  ../Rendering/cslfFaceUniforms.cxx
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
+  ../Rendering/cslfLookupPicture.cxx
+  ../Rendering/cslfResidency.cxx
+  ../Rendering/cslfSceneGrid.cxx
+  ../Rendering/cslfSight.cxx
+  ../Rendering/cslfTilePool.cxx
   ../Rendering/cslfToneMapping.cxx
+  ../Rendering/cslfViewpointLevels.cxx
+  ../Rendering/cslfViewpointSource.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
+  ../Rendering/cslfFaceSpace.h
+  ../Rendering/cslfFaceUniforms.h
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
+  ../Rendering/cslfLookupPicture.h
   ../Rendering/cslfOpenGL.h
+  ../Rendering/cslfResidency.h
+  ../Rendering/cslfSceneGrid.h
+  ../Rendering/cslfSight.h
+  ../Rendering/cslfSightSeries.h
+  ../Rendering/cslfTilePool.h
   ../Rendering/cslfToneMapping.h
+  ../Rendering/cslfViewpointLevels.h
+  ../Rendering/cslfViewpointSource.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfToneMapping cslfMapperFS
-    cslfMapperVS)
+foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfToneMapping cslfMapperFS
+    cslfMapperVS cslfPictureFS cslfPictureVS)
   if (shader MATCHES "(FS|VS)$")
     set(name "${shader}")
   else ()

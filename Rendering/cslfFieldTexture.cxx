@@ -2,188 +2,289 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
-#include "cslfLookup.h"
+#include "cslfFaceSpace.h"
 #include "cslfOpenGL.h"
 
-#include <vtkDataArray.h>
-#include <vtkImageData.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkPointData.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureUnitManager.h>
 
-#include <glm/vec2.hpp>
-
 #include <algorithm>
-#include <vector>
+#include <chrono>
+#include <utility>
 
 namespace cslf
 {
 namespace
 {
-struct Format
-{
-  GLint Internal;
-  GLenum Components;
-  GLenum Type;
-  int Bytes; ///< of a texel in graphics memory
-};
+/// Room for cameras that see more than one can from outside: several of them, then all faces, as
+/// from inside the cube.
+constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, FaceCount* TileCount };
 
-Format ColorFormat(const Channel& channel)
+/// The targets of the textures, in the order of the units.
+constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
+  GL_TEXTURE_3D };
+
+/// Slots for a first picture: those of the coarsest grid.
+constexpr int MostFirstSlots = 16;
+
+/// Viewpoints along a side of a face that are enough to see where all surfaces are.
+constexpr int MostSceneNodes = 25;
+
+/// Texels of a table for each cell.
+constexpr int TableTexels = 2;
+
+std::vector<int> ListSlices(const std::vector<WantedTiles>& wanted)
 {
-  return channel.Type == VTK_UNSIGNED_CHAR ? Format{ GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 }
-                                           : Format{ GL_RGBA16F, GL_RGBA, GL_FLOAT, 8 };
+  std::vector<int> slices;
+  for (const WantedTiles& tiles : wanted)
+  {
+    slices.push_back(tiles.Slice);
+  }
+  return slices;
 }
 
-Format DepthFormat(const Channel& channel)
+void SetNearest(GLenum target)
 {
-  return channel.Type == VTK_UNSIGNED_SHORT ? Format{ GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2 }
-                                            : Format{ GL_R32F, GL_RED, GL_FLOAT, 4 };
-}
-
-GLuint CreateTexture(GLenum target, GLenum filter)
-{
-  GLuint handle = 0;
-  glGenTextures(1, &handle);
-  glBindTexture(target, handle);
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, 0);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-  return handle;
-}
-
-glm::vec3 ToFloat(const glm::dvec3& vector)
-{
-  return glm::vec3(vector);
 }
 }
 
-bool FieldTexture::ChooseLayers(std::string& error)
+void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
 {
-  GLint mostTexels = 0;
-  GLint mostLayers = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &mostTexels);
-  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
-  const Layout& grid = this->Field.Grid;
-  const int slices = grid.GetViewpoints() * grid.GetViewpoints();
-  this->SlicesPerLayer = (slices + mostLayers - 1) / mostLayers;
-  this->Layers = (slices + this->SlicesPerLayer - 1) / this->SlicesPerLayer;
-  if (grid.GetStripWidth() > mostTexels || this->SlicesPerLayer * grid.GetResolution() > mostTexels)
-  {
-    error = "The field's resolution is too large for this graphics driver's textures.";
-    return false;
-  }
-  return true;
+  this->Source = std::move(source);
+  this->Present = Residency();
+  this->Scene = SceneGrid(this->Source->GetDescription());
+  this->Damaged = 0;
+  this->Brought = 0;
 }
 
-void FieldTexture::UploadFace(int face, vtkImageData* image)
-{
-  const Layout& grid = this->Field.Grid;
-  const int slices = grid.GetViewpoints() * grid.GetViewpoints();
-  const int width = grid.GetStripWidth();
-  const int height = grid.GetResolution();
-  const auto upload = [&](const Channel* channel, const Format& format, GLenum filter) -> Handle
-  {
-    const Handle handle = CreateTexture(GL_TEXTURE_2D_ARRAY, filter);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.Internal, width, height * this->SlicesPerLayer,
-      this->Layers, 0, format.Components, format.Type, nullptr);
-    this->Bytes +=
-      std::int64_t{ width } * height * this->SlicesPerLayer * this->Layers * format.Bytes;
-    vtkDataArray* array = image->GetPointData()->GetArray(channel->Name.c_str());
-    for (int i = 0; i < slices; ++i)
-    {
-      const vtkIdType texel = static_cast<vtkIdType>(face * slices + i) * width * height;
-      glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, i % this->SlicesPerLayer * height,
-        i / this->SlicesPerLayer, width, height, 1, format.Components, format.Type,
-        array->GetVoidPointer(texel * channel->Components));
-    }
-    return handle;
-  };
-  const Channel* color = this->Field.FindChannel(ColorName);
-  this->Colors[face] = upload(color, ColorFormat(*color), GL_LINEAR);
-  if (const Channel* depth = this->Field.FindChannel(DepthName))
-  {
-    this->Depths[face] = upload(depth, DepthFormat(*depth), GL_NEAREST);
-  }
-}
+//------------------------------------------------------------------------------
+// Bringing samples
 
-void FieldTexture::UploadNodes()
+bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight>& sights,
+  const TexturePace& pace, std::string& error)
 {
-  const Layout& grid = this->Field.Grid;
-  const int cells = grid.GetBaseNodes() - 1;
-  std::vector<float> texels;
-  for (int cell = 0; cell < cells; ++cell)
+  if (this->Window && this->Window != window)
   {
-    const NodeBracket bracket = grid.FindNodes(-1.0 + 2.0 * (cell + 0.5) / cells);
-    texels.push_back(static_cast<float>(bracket.Lower));
-    texels.push_back(static_cast<float>(grid.NodeCoordinate(bracket.Lower)));
-    texels.push_back(static_cast<float>(grid.NodeCoordinate(bracket.Upper)));
-  }
-  this->Nodes = CreateTexture(GL_TEXTURE_2D, GL_NEAREST);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, cells, 1, 0, GL_RGB, GL_FLOAT, texels.data());
-}
-
-bool FieldTexture::Upload(vtkOpenGLRenderWindow* window, const Description& description,
-  vtkImageData* image, std::string& error)
-{
-  if (this->Window)
-  {
-    vtkOpenGLRenderWindow* previous = this->Window;
-    previous->MakeCurrent();
+    this->Window->MakeCurrent();
     this->Free();
     window->MakeCurrent();
   }
-  this->Field = description;
-  if (!this->ChooseLayers(error))
+  this->Window = window;
+  if ((this->IsComplete() || pace.Keeps) && sights == this->Sights &&
+    this->Present.GetBlocks() > 0 && this->Limit == pace.Limit)
   {
-    return false;
-  }
-  while (glGetError() != GL_NO_ERROR)
-  {
+    return true;
   }
   vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
   const int unit = window->GetTextureUnitManager()->Allocate();
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + unit);
-  GLint alignment = 4;
-  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (int face = 0; face < FaceCount; ++face)
+  const bool hasRoom = this->MakeRoom(sights, pace);
+  if (hasRoom)
   {
-    this->UploadFace(face, image);
+    this->IsChanged = this->IsChanged || sights != this->Sights;
+    this->Sights = sights;
+    this->Present.Aim(sights);
+    this->Pool.BeginUploads();
+    pace.Waits ? this->BringAll() : this->BringSome(pace.Seconds);
+    this->Pool.EndUploads();
+    if (std::exchange(this->IsChanged, false))
+    {
+      this->MakeTables();
+      this->MakeSceneTexture();
+      ++this->Changes;
+    }
   }
-  this->UploadNodes();
-  glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  glBindTexture(GL_TEXTURE_2D, 0);
+  for (const GLenum target : Targets)
+  {
+    glBindTexture(target, 0);
+  }
   window->GetTextureUnitManager()->Free(unit);
-  if (glGetError() != GL_NO_ERROR)
+  if (!hasRoom)
   {
     this->Free();
     error = "The field does not fit the graphics driver's texture memory.";
+  }
+  return hasRoom;
+}
+
+// The room is made anew where it is too small, or much too large for what is needed now. Drivers
+// may take long to make much room, so that a first picture that nobody waits for begins with
+// little.
+bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace)
+{
+  const int blocks = *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
+    [needed = Residency::CountBlocks(sights)](int most) { return needed <= most; });
+  const bool isFirst = !pace.Waits && this->Brought + this->Damaged == 0;
+  if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
+  {
+    return true;
+  }
+  this->Limit = pace.Limit;
+  this->IsFirst = isFirst;
+  this->IsChanged = true;
+  const Description& field = this->Source->GetDescription();
+  const int mostSlots = isFirst ? MostFirstSlots : field.Grid.GetSlices() / FaceCount;
+  if (!this->Pool.Create(field, blocks, mostSlots, pace.Limit))
+  {
     return false;
   }
-  this->Window = window;
-  this->Valid = true;
+  this->Present = Residency(field.Grid, blocks, this->Pool.GetSlots());
   return true;
 }
+
+void FieldTexture::Bring(const WantedTiles& wanted)
+{
+  const ViewpointSamples samples = this->Source->Get(wanted.Slice);
+  this->IsChanged = true;
+  if (!samples.Color)
+  {
+    this->Present.SetDamaged(wanted.Slice);
+    ++this->Damaged;
+    return;
+  }
+  const int face = this->Source->GetDescription().Grid.ViewpointOf(wanted.Slice).Face;
+  for (int tile = 0; tile < TileCount; ++tile)
+  {
+    if (wanted.Tiles & (1 << tile))
+    {
+      this->Pool.Upload(
+        samples, tile, this->Present.GetBlock(face, tile), this->Present.GetSlot(wanted.Slice));
+    }
+  }
+  ++this->Brought;
+  this->Present.SetPresent(wanted.Slice, wanted.Tiles);
+  if (this->Present.CountNodes(wanted.Level) <= MostSceneNodes)
+  {
+    this->Scene.Add(wanted.Slice, samples, wanted.Tiles);
+  }
+}
+
+void FieldTexture::BringAll()
+{
+  std::vector<WantedTiles> missing = this->Present.ListMissing();
+  while (!missing.empty())
+  {
+    std::vector<int> slices = ListSlices(missing);
+    this->Source->Sort(slices);
+    this->Source->Prefetch(slices);
+    this->Source->Wait();
+    bool isAnyReady = false;
+    for (const WantedTiles& wanted : missing)
+    {
+      if (this->Source->IsReady(wanted.Slice))
+      {
+        isAnyReady = true;
+        this->Bring(wanted);
+      }
+    }
+    // Nothing is kept ready by a source without memory for it.
+    if (!isAnyReady)
+    {
+      this->Bring(missing.front());
+    }
+    missing = this->Present.ListMissing();
+  }
+  this->Missing = 0;
+}
+
+void FieldTexture::BringSome(double seconds)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  const std::vector<WantedTiles> missing = this->Present.ListMissing();
+  const auto finer = std::find_if(
+    missing.begin(), missing.end(), [](const WantedTiles& wanted) { return wanted.Level > 0; });
+  const std::vector<WantedTiles> coarsest(missing.begin(), finer);
+  if (!coarsest.empty())
+  {
+    this->Source->Prefetch(ListSlices(coarsest));
+    this->Source->Wait();
+  }
+  this->Source->Prefetch(ListSlices(missing));
+  for (const WantedTiles& wanted : missing)
+  {
+    if (wanted.Level > 0 && Clock::now() > end)
+    {
+      break;
+    }
+    if (wanted.Level == 0 || this->Source->IsReady(wanted.Slice))
+    {
+      this->Bring(wanted);
+    }
+  }
+  this->Missing = this->Present.ListMissing().size();
+}
+
+void FieldTexture::MakeTables()
+{
+  const int cells = this->Source->GetDescription().Grid.GetBaseNodes() - 1;
+  for (int face = 0; face < FaceCount; ++face)
+  {
+    const bool isSeen = std::any_of(this->Sights.begin(), this->Sights.end(),
+      [face](const Sight& sight) { return sight.CanEnter(face); });
+    if (!isSeen)
+    {
+      continue;
+    }
+    const Residency::Table table = this->Present.MakeTable(face);
+    this->Tiles[face] = table.Tiles;
+    if (this->Tables[face] != 0 && this->Cells[face] == table.Cells)
+    {
+      continue;
+    }
+    if (this->Tables[face] == 0)
+    {
+      glGenTextures(1, &this->Tables[face]);
+    }
+    this->Cells[face] = table.Cells;
+    glBindTexture(GL_TEXTURE_2D, this->Tables[face]);
+    SetNearest(GL_TEXTURE_2D);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, TableTexels * cells, cells, 0, GL_RGBA, GL_FLOAT,
+      table.Cells.data());
+  }
+}
+
+void FieldTexture::MakeSceneTexture()
+{
+  if (!this->Scene.Spread() && this->SceneTexture != 0)
+  {
+    return;
+  }
+  if (this->SceneTexture == 0)
+  {
+    glGenTextures(1, &this->SceneTexture);
+  }
+  GLint alignment = 4;
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glBindTexture(GL_TEXTURE_3D, this->SceneTexture);
+  SetNearest(GL_TEXTURE_3D);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, SceneGrid::Cells, SceneGrid::Cells, SceneGrid::Cells, 0,
+    GL_RED, GL_UNSIGNED_BYTE, this->Scene.GetRings().data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
+}
+
+//------------------------------------------------------------------------------
+// Drawing
 
 void FieldTexture::Activate(int entryFace)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  const std::array<Handle, 3> handles{ this->Colors[entryFace], this->Depths[entryFace],
-    this->Nodes };
-  for (std::size_t i = 0; i < handles.size(); ++i)
+  const Handle handles[] = { this->Pool.GetColor(), this->Pool.GetDepth(), this->Tables[entryFace],
+    this->SceneTexture };
+  for (std::size_t i = 0; i < this->Units.size(); ++i)
   {
     if (this->Units[i] < 0)
     {
       this->Units[i] = this->Window->GetTextureUnitManager()->Allocate();
     }
     state->vtkglActiveTexture(GL_TEXTURE0 + this->Units[i]);
-    glBindTexture(i < 2 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, handles[i]);
+    glBindTexture(Targets[i], handles[i]);
   }
 }
 
@@ -195,44 +296,59 @@ void FieldTexture::Deactivate()
     if (this->Units[i] >= 0)
     {
       state->vtkglActiveTexture(GL_TEXTURE0 + this->Units[i]);
-      glBindTexture(i < 2 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 0);
+      glBindTexture(Targets[i], 0);
       this->Window->GetTextureUnitManager()->Free(this->Units[i]);
       this->Units[i] = -1;
     }
   }
 }
 
-void FieldTexture::SetUniforms(vtkShaderProgram* program) const
+void FieldTexture::SetUniforms(vtkShaderProgram* program, int entryFace) const
 {
-  const Layout& grid = this->Field.Grid;
-  const float layerSize[2] = { static_cast<float>(grid.GetStripWidth()),
-    static_cast<float>(grid.GetResolution() * this->SlicesPerLayer) };
-  const glm::vec3 minimum = ToFloat(this->Field.GetSceneMinimumCC() - LookupSceneMargin);
-  const glm::vec3 maximum = ToFloat(this->Field.GetSceneMaximumCC() + LookupSceneMargin);
+  const Layout& grid = this->Source->GetDescription().Grid;
+  const glm::vec3 minimum(this->Scene.GetMinimum());
+  const glm::vec3 maximum(this->Scene.GetMaximum());
   program->SetUniformi("ColorTexture", this->Units[0]);
   program->SetUniformi("DepthTexture", this->Units[1]);
-  program->SetUniformi("NodeTexture", this->Units[2]);
-  program->SetUniform2f("LayerSize", layerSize);
-  program->SetUniformi("SlicesPerLayer", this->SlicesPerLayer);
-  program->SetUniformi("Viewpoints", grid.GetViewpoints());
-  program->SetUniformi("BaseNodes", grid.GetBaseNodes());
-  program->SetUniformi("Resolution", grid.GetResolution());
-  program->SetUniformi("HasDepth", this->Field.FindChannel(DepthName) != nullptr);
+  program->SetUniformi("CellTexture", this->Units[2]);
+  program->SetUniformi("SceneGridTexture", this->Units[3]);
+  program->SetUniformf("TilesPerLayer", static_cast<float>(this->Pool.GetTilesPerLayer()));
+  program->SetUniformf("BaseNodes", static_cast<float>(grid.GetBaseNodes()));
+  program->SetUniformf("Resolution", static_cast<float>(grid.GetResolution()));
   program->SetUniform3f("SceneMinimum", &minimum.x);
+  const float inverseSide = 1.0F / static_cast<float>(grid.GetResolution());
+  const float inverseLayerSize[2] = { inverseSide,
+    inverseSide / static_cast<float>(this->Pool.GetTilesPerLayer()) };
+  program->SetUniform2f("InverseLayerSize", inverseLayerSize);
   program->SetUniform3f("SceneMaximum", &maximum.x);
+
+  const auto frames = ListExitFrames(entryFace);
+  std::array<float, TileCount> layers;
+  for (std::size_t exit = 0; exit < frames.size(); ++exit)
+  {
+    layers[exit] = static_cast<float>(this->FindFirstLayer(entryFace, frames[exit].Tile));
+  }
+  program->SetUniformf("OppositeBlock", layers[0]);
+  program->SetUniform2f("SideXBlocks", &layers[1]);
+  program->SetUniform2f("SideYBlocks", &layers[3]);
+}
+
+int FieldTexture::FindFirstLayer(int entryFace, int tile) const
+{
+  return this->Tiles[entryFace] & (1 << tile)
+    ? this->Pool.GetFirstLayer(this->Present.GetBlock(entryFace, tile))
+    : Residency::Absent;
 }
 
 void FieldTexture::Free()
 {
-  glDeleteTextures(static_cast<GLsizei>(this->Colors.size()), this->Colors.data());
-  glDeleteTextures(static_cast<GLsizei>(this->Depths.size()), this->Depths.data());
-  glDeleteTextures(1, &this->Nodes);
-  this->Colors.fill(0);
-  this->Depths.fill(0);
-  this->Nodes = 0;
-  this->Bytes = 0;
+  this->Pool.Free();
+  glDeleteTextures(static_cast<GLsizei>(this->Tables.size()), this->Tables.data());
+  glDeleteTextures(1, &this->SceneTexture);
+  this->Tables.fill(0);
+  this->SceneTexture = 0;
+  this->Present = Residency();
   this->Window = nullptr;
-  this->Valid = false;
 }
 
 void FieldTexture::Release(vtkWindow* window)

@@ -2,28 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The OpenGL textures that hold a light field's samples.
+ * The OpenGL textures that hold what is drawn of a light field.
  */
 #ifndef cslfFieldTexture_h
 #define cslfFieldTexture_h
 
 #include "cslfDescription.h"
+#include "cslfResidency.h"
+#include "cslfSceneGrid.h"
+#include "cslfSight.h"
+#include "cslfTilePool.h"
+#include "cslfViewpointSource.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
-class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
 
 namespace cslf
 {
-/// For each entry face a 2D array texture of colour and one of depth, and a small texture that
-/// finds the viewpoints around a coordinate. A layer holds one or more slices, one above the other,
-/// since drivers limit the number of layers (2048 is usual) more than their size. Belongs to one
-/// render window's context at a time.
+/// How samples are brought to graphics memory.
+struct TexturePace
+{
+  std::int64_t Limit = 0; ///< bytes of graphics memory
+  bool Waits = true;      ///< until all is there; otherwise only for the coarsest viewpoints
+  double Seconds = 0.0;   ///< to spend on what is ready otherwise
+  bool Keeps = false;     ///< another pass of the same picture: leaves what is there as it is
+};
+
+/// The samples that cameras can use, and for each entry face a small texture that finds the
+/// viewpoints around a coordinate. Belongs to one render window's context at a time.
 class FieldTexture
 {
 public:
@@ -32,29 +45,38 @@ public:
   FieldTexture(const FieldTexture&) = delete;
   FieldTexture& operator=(const FieldTexture&) = delete;
 
-  /// Copies a whole field to the window's graphics memory. On failure nothing is kept and `error`
-  /// says why, in one line.
-  bool Upload(vtkOpenGLRenderWindow* window, const Description& description, vtkImageData* image,
-    std::string& error);
+  /// The field; what is in graphics memory is outdated.
+  void SetSource(std::shared_ptr<ViewpointSource> source);
 
-  /// Whether Upload succeeded for this window and nothing was released or outdated since.
-  bool IsUploadedTo(vtkOpenGLRenderWindow* window) const
-  {
-    return this->Valid && window == this->Window;
-  }
+  /// Brings what these cameras can use of the field to the window's graphics memory. On failure
+  /// nothing is kept and `error` says why, in one line.
+  bool Update(vtkOpenGLRenderWindow* window, const std::vector<Sight>& sights,
+    const TexturePace& pace, std::string& error);
 
-  /// Says that the samples in graphics memory are outdated.
-  void Invalidate() { this->Valid = false; }
+  /// Whether all that the cameras of the last Update can use is there, as far as it fits.
+  bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
+
+  /// How many viewpoints that were needed turned out to be damaged, and how many not.
+  int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
+  int GetNumberOfViewpoints() const { return this->Brought; }
+
+  /// What is known of where the scene's surfaces are, once there is a source.
+  const SceneGrid& GetScene() const { return this->Scene; }
+
+  /// A number that changes with what is there.
+  unsigned int GetChanges() const { return this->Changes; }
+
+  const Description& GetField() const { return this->Source->GetDescription(); }
 
   /// The graphics memory that the samples take, in bytes.
-  std::int64_t GetBytes() const { return this->Bytes; }
+  std::int64_t GetBytes() const { return this->Pool.GetBytes(); }
 
   /// Binds the textures of an entry face to texture units, until Deactivate.
   void Activate(int entryFace);
   void Deactivate();
 
-  /// Sets the uniforms of cslfField.glsl. The textures must be active.
-  void SetUniforms(vtkShaderProgram* program) const;
+  /// Sets the uniforms of cslfField.glsl and cslfSceneGrid.glsl. The textures must be active.
+  void SetUniforms(vtkShaderProgram* program, int entryFace) const;
 
   /// Frees the textures if they belong to this window, whose context must be current.
   void Release(vtkWindow* window);
@@ -62,21 +84,33 @@ public:
 private:
   using Handle = unsigned int;
 
-  bool ChooseLayers(std::string& error);
-  void UploadFace(int face, vtkImageData* image);
-  void UploadNodes();
+  bool MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace);
+  void BringAll();
+  void BringSome(double seconds);
+  void Bring(const WantedTiles& wanted);
+  void MakeTables();
+  void MakeSceneTexture();
+  int FindFirstLayer(int entryFace, int tile) const;
   void Free();
 
+  std::shared_ptr<ViewpointSource> Source;
   vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
-  bool Valid = false;
-  Description Field;
-  int SlicesPerLayer = 1;
-  int Layers = 0;
-  std::int64_t Bytes = 0;
-  std::array<Handle, FaceCount> Colors{};
-  std::array<Handle, FaceCount> Depths{};
-  Handle Nodes = 0;
-  std::array<int, 3> Units{ -1, -1, -1 }; ///< colour, depth, nodes
+  std::int64_t Limit = 0;
+  bool IsFirst = false; ///< there is room for the coarsest viewpoints only
+  TilePool Pool;
+  Residency Present;
+  SceneGrid Scene;
+  std::vector<Sight> Sights;
+  std::size_t Missing = 0;
+  int Damaged = 0;
+  int Brought = 0;
+  bool IsChanged = false; ///< since the tables were made
+  unsigned int Changes = 0;
+  std::array<Handle, FaceCount> Tables{};
+  std::array<std::vector<float>, FaceCount> Cells; ///< of the tables
+  std::array<TileSet, FaceCount> Tiles{};          ///< that can be looked up
+  Handle SceneTexture = 0;
+  std::array<int, 4> Units{ -1, -1, -1, -1 }; ///< colour, depth, table, scene
 };
 }
 

@@ -8,6 +8,7 @@
 #define cslfFocus_h
 
 #include "cslfDescription.h"
+#include "cslfViewpointSource.h"
 
 #include <array>
 
@@ -22,6 +23,12 @@ namespace cslf
 /// field.
 VTKCSLF_EXPORT std::array<glm::dvec3, FaceCount> FindFocalPoints(
   const Description& description, vtkImageData* image);
+
+/// The same for one face, from the viewpoint FindFocalSlice alone. For samples without colour,
+/// which are damaged, the cube's centre.
+VTKCSLF_EXPORT glm::dvec3 FindFocalPoint(
+  const Description& description, int face, const ViewpointSamples& samples);
+VTKCSLF_EXPORT int FindFocalSlice(const Description& description, int face);
 }
 
 #endif

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLookup.h"
 
+#include "cslfFaceSpace.h"
+
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,28 +26,65 @@ namespace
 constexpr double LeastDepth = 1.0 / 4096.0;
 /// Neighbouring texels whose inverse depths differ by less than this share are of one surface.
 constexpr double SurfaceStep = 0.1;
-/// A view cannot tell points of the ray apart that it sees within this many texels.
-constexpr double SlackTexels = 0.25;
-/// Nor points closer than this in w.
-constexpr double MostSlack = 0.1;
 /// The search starts no closer to the entry than at this inverse fraction.
 constexpr double NearestStart = 40.0;
 /// The focal lookup looks no closer to the entry than at this fraction of the chord.
 constexpr double NearestFocus = 0.05;
-/// How many texels a view's image of the ray may move in a step of the search.
-constexpr double TexelsPerStep = 4.0;
-constexpr int LeastSteps = 8;
-constexpr int MostSteps = 128;
-/// Halvings of a step that holds a crossing.
-constexpr int Refinements = 8;
-/// A crossing this far behind the surface, as a share of w, passed an edge instead.
+/// How many texels a view's image of the ray may move in a step of the search, unless the step is
+/// less than a share of w.
+constexpr double TexelsPerStep = 3.0;
+constexpr double StepShare = 0.08;
+/// A step is no longer than this in w.
+constexpr double MostStride = 0.5;
+constexpr int MostSteps = 96;
+/// How many ends of sight along a ray are looked into.
+constexpr int MostCandidates = 16;
+/// Cuts of a step that holds a crossing: each leaves no less than a share of it, and they end where
+/// the clearance is less than a share of w.
+constexpr int Refinements = 12;
+constexpr double LeastShare = 0.02;
+constexpr double Convergence = 0.0005;
+/// The search goes on behind a crossing that is no surface by this share of a stride.
+constexpr double RestartShare = 0.02;
+/// A crossing where the clearance leaps over this share of w passed an edge, not a surface.
 constexpr double EdgeStep = 0.03;
+/// A view sees through points that are clear by more than this share of w; coded depth errs by
+/// less.
+constexpr double ClearanceTolerance = 0.05;
 /// A view colours points within this share of w of the surface that it sees.
 constexpr double SightTolerance = 0.1;
-/// A view sees through points that are clear by more than this; coded depth errs by less.
-constexpr double ClearanceTolerance = 0.1;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
+
+/// A view whose tile is not there has a clearance of less than minus this.
+constexpr double Unknown = 2000.0;
+
+/// Whether some view knows that a point is hidden, and none sees through it.
+bool IsHidden(const glm::dvec4& clearances)
+{
+  return glm::all(glm::lessThanEqual(clearances, glm::dvec4(0.0))) &&
+    glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
+}
+
+/// 1 for the views whose sight ends between two points of the ray, 0 for the others.
+glm::dvec4 EndsOfSight(const glm::dvec4& before, const glm::dvec4& behind)
+{
+  return glm::dvec4(glm::greaterThan(before, glm::dvec4(0.0))) *
+    glm::dvec4(glm::lessThanEqual(behind, glm::dvec4(0.0)));
+}
+
+/// Which view's sight ends first between `before` and `behind`.
+int ChooseCrossing(const glm::dvec4& before, const glm::dvec4& behind)
+{
+  const glm::dvec4 share =
+    glm::mix(glm::dvec4(-1.0), behind / (behind - before), EndsOfSight(before, behind));
+  int first = 0;
+  for (int k = 1; k < 4; ++k)
+  {
+    first = share[k] > share[first] ? k : first;
+  }
+  return first;
+}
 
 std::vector<int> ListSlices(const Layout& grid)
 {
@@ -61,8 +101,7 @@ Lookup::Lookup(const Description& description, vtkImageData* image)
 
 Lookup::Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices)
   : Field(description)
-  , SceneMinimum(description.GetSceneMinimumCC() - LookupSceneMargin)
-  , SceneMaximum(description.GetSceneMaximumCC() + LookupSceneMargin)
+  , Grid(description, image, slices)
   , Places(description.Grid.GetSlices(), -1)
   , Colors(image->GetPointData()->GetArray(ColorName))
   , Depths(image->GetPointData()->GetArray(DepthName))
@@ -74,6 +113,32 @@ Lookup::Lookup(const Description& description, vtkImageData* image, const std::v
   {
     this->Places[slices[place]] = static_cast<int>(place);
   }
+}
+
+void Lookup::LeaveOut(int seenFaces)
+{
+  this->LeftOut = seenFaces;
+  this->Grid = SceneGrid(this->Field);
+  ViewpointSamples samples;
+  samples.Color = this->Colors;
+  samples.Depth = this->Depths;
+  const vtkIdType texels =
+    static_cast<vtkIdType>(this->Field.Grid.GetStripWidth()) * this->Field.Grid.GetResolution();
+  for (int slice = 0; slice < this->Field.Grid.GetSlices(); ++slice)
+  {
+    const int face = this->Field.Grid.ViewpointOf(slice).Face;
+    if (this->Places[slice] >= 0 && (seenFaces == 0 || (seenFaces >> face & 1) != 0))
+    {
+      int tiles = 0;
+      for (int tile = 0; tile < TileCount; ++tile)
+      {
+        tiles |= this->IsKept(face, tile) ? 1 << tile : 0;
+      }
+      samples.First = this->Places[slice] * texels;
+      this->Grid.Add(slice, samples, tiles);
+    }
+  }
+  this->Grid.Spread();
 }
 
 //------------------------------------------------------------------------------
@@ -153,86 +218,125 @@ double Lookup::ReadInverseDepth(int slice, int tile, const glm::dvec2& coordinat
 //------------------------------------------------------------------------------
 // Views
 
-Lookup::RayViews Lookup::FindViews(const RayCoordinates& ray) const
+Lookup::Ray Lookup::ToFaceSpace(const RayCoordinates& ray)
+{
+  const int face = ray.Entry.Face;
+  const glm::dvec3 entry(ray.Entry.Coordinates, 0.0);
+  const glm::dvec3 exitCC = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates);
+  return { face, entry, CubeToFaceSpace(face, exitCC) - entry };
+}
+
+Lookup::View Lookup::MakeView(int face, int i, int j, double weight) const
 {
   const Layout& grid = this->Field.Grid;
-  RayViews result;
-  result.Entry = FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
-  result.Chord = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates) - result.Entry;
-  const NodeBracket u = grid.FindNodes(ray.Entry.Coordinates.x);
-  const NodeBracket v = grid.FindNodes(ray.Entry.Coordinates.y);
-  for (int k = 0; k < 4; ++k)
-  {
-    const bool upperU = k % 2 == 1;
-    const bool upperV = k / 2 == 1;
-    const Viewpoint viewpoint{ ray.Entry.Face, upperU ? u.Upper : u.Lower,
-      upperV ? v.Upper : v.Lower };
-    View& view = result.Views[k];
-    view.Slice = grid.SliceOf(viewpoint);
-    view.Face = ray.Entry.Face;
-    view.Position = grid.ViewpointPosition(viewpoint);
-    view.Weight = (upperU ? u.Weight : 1.0 - u.Weight) * (upperV ? v.Weight : 1.0 - v.Weight);
-    const double texels = 0.5 * grid.GetResolution() * glm::distance(view.Position, result.Entry);
-    view.Slack = std::min(SlackTexels / std::max(texels, SlackTexels), MostSlack);
-  }
-  return result;
+  const glm::dvec2 position(grid.NodeCoordinate(i), grid.NodeCoordinate(j));
+  return { grid.SliceOf({ face, i, j }), face, position, InverseToPositive(position),
+    InverseToNegative(position), weight };
 }
 
-const Lookup::View& Lookup::FindNearestView(const RayViews& ray)
+Lookup::ViewCell Lookup::FindViews(const Ray& ray) const
 {
-  return *std::max_element(
-    ray.Views, ray.Views + 4, [](const View& a, const View& b) { return a.Weight < b.Weight; });
+  const NodeBracket u = this->Field.Grid.FindNodes(ray.Entry.x);
+  const NodeBracket v = this->Field.Grid.FindNodes(ray.Entry.y);
+  ViewCell views;
+  views.Views[0] = this->MakeView(ray.Face, u.Lower, v.Lower, (1.0 - u.Weight) * (1.0 - v.Weight));
+  views.Views[1] = this->MakeView(ray.Face, u.Upper, v.Lower, u.Weight * (1.0 - v.Weight));
+  views.Views[2] = this->MakeView(ray.Face, u.Lower, v.Upper, (1.0 - u.Weight) * v.Weight);
+  views.Views[3] = this->MakeView(ray.Face, u.Upper, v.Upper, u.Weight * v.Weight);
+  const glm::dvec2 entry(ray.Entry);
+  const double reach =
+    glm::length(glm::max(entry - views.Views[0].Position, views.Views[3].Position - entry));
+  views.Stride =
+    std::min(2.0 * TexelsPerStep / (this->Field.Grid.GetResolution() * reach), MostStride);
+  return views;
 }
 
-Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& pointCC) const
+Lookup::View Lookup::FindNearestView(const Ray& ray) const
 {
-  const glm::dvec3 direction = pointCC - view.Position;
-  double inverseDepth = 1.0 / LeastDepth;
-  int axis = FaceAxis(view.Face);
-  for (int a = 0; a < 3; ++a)
-  {
-    // Along the entry face's axis only the opposite face is an exit.
-    const double sign =
-      a == FaceAxis(view.Face) ? -FaceSign(view.Face) : (direction[a] < 0.0 ? -1.0 : 1.0);
-    const double toExit = std::abs(sign - view.Position[a]);
-    if (toExit < inverseDepth * sign * direction[a])
-    {
-      inverseDepth = toExit / (sign * direction[a]);
-      axis = a;
-    }
-  }
-  const int face = axis == FaceAxis(view.Face) ? FaceOf(axis, -FaceSign(view.Face))
-                                               : FaceOf(axis, direction[axis]);
-  const glm::dvec3 exit = view.Position + inverseDepth * direction;
-  return { TileOf(view.Face, face), CubeToFace(face, exit), inverseDepth };
+  const NodeBracket u = this->Field.Grid.FindNodes(ray.Entry.x);
+  const NodeBracket v = this->Field.Grid.FindNodes(ray.Entry.y);
+  return this->MakeView(
+    ray.Face, u.Weight > 0.5 ? u.Upper : u.Lower, v.Weight > 0.5 ? v.Upper : v.Lower, 1.0);
 }
 
-// The guess of a lookup that does not search: the surface that the nearest view sees where it sees
-// the ray's point at `fraction`; without a depth channel that point itself.
-double Lookup::GuessSurface(const RayViews& ray, double fraction) const
+Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
+{
+  const glm::dvec3 direction = point - glm::dvec3(view.Position, 0.0);
+  const glm::dvec3 share = ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
+  const double depth = std::max({ share.x, share.y, share.z, LeastDepth });
+  int axis = 2;
+  double sign = 1.0;
+  if (share.x > std::max(share.y, share.z))
+  {
+    axis = 0;
+    sign = direction.x;
+  }
+  else if (share.y > share.z)
+  {
+    axis = 1;
+    sign = direction.y;
+  }
+  const ExitFrame frame = FindExitFrame(view.Face, axis, sign);
+  const glm::dvec3 exit = glm::dvec3(view.Position, -1.0) + direction / depth;
+  return { frame.Tile, { glm::dot(frame.S, exit), glm::dot(frame.T, exit) }, 1.0 / depth };
+}
+
+// The guess of a lookup that does not search: where the surface that the nearest view sees in the
+// direction of the ray's point at `fraction` lies along the ray; without a depth channel that point
+// itself.
+double Lookup::GuessSurface(const Ray& ray, double fraction) const
 {
   if (!this->Depths)
   {
     return fraction;
   }
-  const View& view = FindNearestView(ray);
-  const Projection seen = this->Project(view, ray.Entry + fraction * ray.Chord);
-  const glm::dvec3 exit = FaceToCube(ExitFaceOf(view.Face, seen.Tile), seen.Coordinates);
-  const glm::dvec3 surface = view.Position +
-    (exit - view.Position) / this->ReadNearestInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
-  return std::clamp(
-    glm::dot(surface - ray.Entry, ray.Chord) / glm::dot(ray.Chord, ray.Chord), 0.0, 1.0);
+  const View view = this->FindNearestView(ray);
+  const glm::dvec3 point = ray.Entry + fraction * ray.Chord;
+  const Projection seen = Project(view, point);
+  const glm::dvec3 viewpoint(view.Position, 0.0);
+  const glm::dvec3 surface = viewpoint +
+    (point - viewpoint) * seen.InverseDepth /
+      this->ReadNearestInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
+  const double guess =
+    std::clamp(glm::dot(surface - ray.Entry, ray.Chord) / glm::dot(ray.Chord, ray.Chord), 0.0, 1.0);
+  return this->IsKept(view.Face, seen.Tile) ? guess : fraction;
 }
 
-LookupResult Lookup::LookThrough(const RayViews& ray, double fraction) const
+glm::dvec4 Lookup::ReadColorOf(const View& view, const glm::dvec3& point) const
+{
+  const Projection seen = Project(view, point);
+  return this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
+}
+
+glm::dvec4 Lookup::ListWeights(const ViewCell& views)
+{
+  return { views.Views[0].Weight, views.Views[1].Weight, views.Views[2].Weight,
+    views.Views[3].Weight };
+}
+
+// What the views see of a point, those that see anything.
+glm::dvec4 Lookup::BlendColors(
+  const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights) const
+{
+  glm::dvec4 color(0.0);
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k)
+  {
+    const View& view = views.Views[k];
+    const Projection seen = Project(view, point);
+    const double weight = this->IsKept(view.Face, seen.Tile) ? weights[k] : 0.0;
+    color += weight * this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
+    sum += weight;
+  }
+  return color / std::max(sum, LeastWeight);
+}
+
+LookupResult Lookup::LookThrough(const Ray& ray, double fraction) const
 {
   LookupResult result;
   result.Fraction = this->GuessSurface(ray, fraction);
-  for (const View& view : ray.Views)
-  {
-    const Projection seen = this->Project(view, ray.Entry + fraction * ray.Chord);
-    result.Color += view.Weight * this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
-  }
+  const ViewCell views = this->FindViews(ray);
+  result.Color = this->BlendColors(views, ray.Entry + fraction * ray.Chord, ListWeights(views));
   return result;
 }
 
@@ -241,183 +345,172 @@ LookupResult Lookup::LookThrough(const RayViews& ray, double fraction) const
 
 LookupResult Lookup::Nearest(const RayCoordinates& ray) const
 {
-  const RayViews views = this->FindViews(ray);
-  return { this->ReadNearestColor(FindNearestView(views).Slice,
+  const Ray rayFC = ToFaceSpace(ray);
+  return { this->ReadNearestColor(this->FindNearestView(rayFC).Slice,
              TileOf(ray.Entry.Face, ray.Exit.Face), ray.Exit.Coordinates),
-    this->GuessSurface(views, 1.0) };
+    this->GuessSurface(rayFC, 1.0) };
 }
 
 LookupResult Lookup::Linear(const RayCoordinates& ray) const
 {
-  const RayViews views = this->FindViews(ray);
-  return { this->ReadColor(FindNearestView(views).Slice, TileOf(ray.Entry.Face, ray.Exit.Face),
-             ray.Exit.Coordinates),
-    this->GuessSurface(views, 1.0) };
+  const Ray rayFC = ToFaceSpace(ray);
+  return { this->ReadColorOf(this->FindNearestView(rayFC), rayFC.Entry + rayFC.Chord),
+    this->GuessSurface(rayFC, 1.0) };
 }
 
 LookupResult Lookup::Bilinear(const RayCoordinates& ray) const
 {
-  return this->LookThrough(this->FindViews(ray), 1.0);
+  return this->LookThrough(ToFaceSpace(ray), 1.0);
 }
 
 LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const
 {
-  const RayViews views = this->FindViews(ray);
-  const Range range = this->ClipToScene(views);
-  if (range.Nearest <= range.Farthest)
+  const Ray rayFC = ToFaceSpace(ray);
+  double first;
+  double last;
+  SceneGrid::ClipToScene(this->CastGridRay(rayFC), first, last);
+  if (first >= last)
   {
     return {};
   }
+  const glm::dvec3 focalPoint = CubeToFaceSpace(rayFC.Face, focalPointCC);
   const double fraction =
-    glm::dot(focalPointCC - views.Entry, views.Chord) / glm::dot(views.Chord, views.Chord);
-  return this->LookThrough(
-    views, std::max(NearestFocus, std::clamp(fraction, 1.0 / range.Nearest, 1.0 / range.Farthest)));
+    glm::dot(focalPoint - rayFC.Entry, rayFC.Chord) / glm::dot(rayFC.Chord, rayFC.Chord);
+  return this->LookThrough(rayFC, std::max(NearestFocus, std::clamp(fraction, first, last)));
 }
 
 //------------------------------------------------------------------------------
 // Depth-corrected lookup
 
-// The part of the ray that the scene can fill; empty where nearest <= farthest.
-Lookup::Range Lookup::ClipToScene(const RayViews& ray) const
+SceneGrid::Ray Lookup::CastGridRay(const Ray& ray) const
 {
-  double first = 1.0 / NearestStart;
-  double last = 1.0;
-  for (int a = 0; a < 3; ++a)
-  {
-    const double direction = std::abs(ray.Chord[a]) < 1e-9 ? 1e-9 : ray.Chord[a];
-    const double t0 = (this->SceneMinimum[a] - ray.Entry[a]) / direction;
-    const double t1 = (this->SceneMaximum[a] - ray.Entry[a]) / direction;
-    first = std::max(first, std::min(t0, t1));
-    last = std::min(last, std::max(t0, t1));
-  }
-  return { 1.0 / first, 1.0 / std::max(last, 1.0 / NearestStart) };
+  const glm::dvec3 entryCC = FaceSpaceToCube(ray.Face, ray.Entry);
+  const glm::dvec3 exitCC = FaceSpaceToCube(ray.Face, ray.Entry + ray.Chord);
+  return this->Grid.CastGridRay(entryCC, exitCC - entryCC);
 }
 
-int Lookup::CountSteps(const RayViews& ray, const Range& range) const
+// How far before the surface that a view sees in its direction a point lies, in inverse depth:
+// positive where the view sees through the point, negative where it is hidden.
+double Lookup::Clearance(const View& view, const glm::dvec3& point) const
 {
-  double reach = 0.0;
-  for (const View& view : ray.Views)
+  const Projection seen = Project(view, point);
+  if (!this->IsKept(view.Face, seen.Tile))
   {
-    reach = std::max(reach, glm::distance(view.Position, ray.Entry));
+    return seen.InverseDepth - 1.0 / LeastDepth;
   }
-  const double texels =
-    0.5 * this->Field.Grid.GetResolution() * reach * (range.Nearest - range.Farthest);
-  return std::clamp(static_cast<int>(std::ceil(texels / TexelsPerStep)), LeastSteps, MostSteps);
-}
-
-// How far before the surface that view k sees in its direction the ray's point at w lies, in
-// inverse depth: positive where the view sees through the point, negative where it is hidden.
-double Lookup::Clearance(const RayViews& ray, int k, double w) const
-{
-  const View& view = ray.Views[k];
-  const Projection seen = this->Project(view, ray.Entry + ray.Chord / std::max(w, 1.0));
   return seen.InverseDepth - this->ReadInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
 }
 
-Lookup::Crossing Lookup::RefineCrossing(
-  const RayViews& ray, int k, double behind, double before) const
+glm::dvec4 Lookup::Clearances(const Ray& ray, const ViewCell& views, double w) const
 {
-  double clearance = this->Clearance(ray, k, behind);
-  for (int i = 0; i < Refinements; ++i)
-  {
-    const double middle = 0.5 * (behind + before);
-    const double c = this->Clearance(ray, k, middle);
-    if (c > 0.0)
-    {
-      before = middle;
-    }
-    else
-    {
-      behind = middle;
-      clearance = c;
-    }
-  }
-  return { behind, clearance > -EdgeStep * behind };
+  const glm::dvec3 point = ray.Entry + ray.Chord / w;
+  return { this->Clearance(views.Views[0], point), this->Clearance(views.Views[1], point),
+    this->Clearance(views.Views[2], point), this->Clearance(views.Views[3], point) };
 }
 
-// Free-space voting: whether any other view sees through the ray's point at w.
-bool Lookup::IsSeenThrough(const RayViews& ray, int exceptView, double w) const
+// Where a view's sight along the ray ends, between two points with these clearances: clearance
+// along the ray is linear where the surface is flat, so that few cuts do.
+double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, double behind,
+  double clearanceBefore, double clearanceBehind) const
 {
-  for (int k = 0; k < 4; ++k)
+  double w = behind;
+  for (int i = 0; i < Refinements; ++i)
   {
-    const double slack = ray.Views[k].Slack;
-    if (k != exceptView &&
-      std::min(this->Clearance(ray, k, w + slack), this->Clearance(ray, k, w - slack)) >
-        ClearanceTolerance)
+    const double share = clearanceBehind / (clearanceBehind - clearanceBefore);
+    w = glm::mix(behind, before, std::clamp(share, LeastShare, 1.0 - LeastShare));
+    const double clearance = this->Clearance(view, ray.Entry + ray.Chord / w);
+    if (std::abs(clearance) < Convergence * w)
     {
-      return true;
+      break;
+    }
+    (clearance > 0.0 ? before : behind) = w;
+    (clearance > 0.0 ? clearanceBefore : clearanceBehind) = clearance;
+  }
+  return w;
+}
+
+// Goes on from `step.Behind` to where some view's sight ends. False where there is no such place.
+// Between cells of the grid that may hold surfaces nothing is looked up.
+bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
+  const Range& range, Step& step) const
+{
+  while (step.Behind > range.Farthest && step.Count < MostSteps)
+  {
+    step.Behind = this->Grid.SkipEmpty(gridRay, step.Behind, range.Farthest);
+    if (step.Behind <= range.Farthest)
+    {
+      break;
+    }
+    step.ClearancesBehind = this->Clearances(ray, views, step.Behind);
+    if (step.FirstHidden == 0.0 && IsHidden(step.ClearancesBehind))
+    {
+      step.FirstHidden = step.Behind;
+    }
+    bool inside = true;
+    while (inside)
+    {
+      step.Before = step.Behind;
+      step.ClearancesBefore = step.ClearancesBehind;
+      const double stride = std::max(views.Stride, StepShare * step.Before);
+      step.Behind = std::max(step.Before - stride, range.Farthest);
+      step.ClearancesBehind = this->Clearances(ray, views, step.Behind);
+      ++step.Count;
+      if (EndsOfSight(step.ClearancesBefore, step.ClearancesBehind) != glm::dvec4(0.0))
+      {
+        return true;
+      }
+      inside = step.Behind > range.Farthest && step.Count < MostSteps &&
+        this->Grid.IsOccupied(gridRay, step.Behind);
     }
   }
   return false;
 }
 
-// The first point at which a view's sight along the ray ends on a surface and that no view sees
-// through. Where there is none, the first edge behind which no view sees; otherwise 0.
-double Lookup::FindSurface(const RayViews& ray) const
+// Free-space voting: the first point at which a view's sight along the ray ends on a surface and
+// that no view sees through. Where there is none, the first point that no view sees; otherwise 0.
+Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views) const
 {
-  const Range range = this->ClipToScene(ray);
-  if (range.Nearest <= range.Farthest)
+  const SceneGrid::Ray gridRay = this->CastGridRay(ray);
+  Range range{};
+  SceneGrid::ClipToScene(gridRay, range.Nearest, range.Farthest);
+  range = { 1.0 / std::max(range.Nearest, 1.0 / NearestStart),
+    1.0 / std::max(range.Farthest, 1.0 / NearestStart) };
+  Step step;
+  step.Behind = range.Nearest;
+  for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, step); ++i)
   {
-    return 0.0;
-  }
-  const int steps = this->CountSteps(ray, range);
-  const double step = (range.Nearest - range.Farthest) / steps;
-  double clearances[4];
-  for (int k = 0; k < 4; ++k)
-  {
-    clearances[k] = this->Clearance(ray, k, range.Nearest);
-  }
-  double edge = 0.0;
-  for (int i = 1; i <= steps; ++i)
-  {
-    const double w = range.Nearest - step * i;
-    double surface = 0.0;
-    for (int k = 0; k < 4; ++k)
+    const int k = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
+    const double w = this->RefineCrossing(ray, views.Views[k], step.Before, step.Behind,
+      step.ClearancesBefore[k], step.ClearancesBehind[k]);
+    const glm::dvec4 clearances = this->Clearances(ray, views, w);
+    const bool isSeenThrough =
+      glm::any(glm::greaterThan(clearances, glm::dvec4(ClearanceTolerance * w)));
+    const bool isSurface = std::abs(clearances[k]) < EdgeStep * w;
+    if (!isSeenThrough && isSurface)
     {
-      const double before = clearances[k];
-      clearances[k] = this->Clearance(ray, k, w);
-      if (before > 0.0 && clearances[k] <= 0.0)
-      {
-        const Crossing crossing = this->RefineCrossing(ray, k, w, w + step);
-        const double best = crossing.IsSurface ? surface : edge;
-        if (crossing.W > best && !this->IsSeenThrough(ray, k, crossing.W))
-        {
-          (crossing.IsSurface ? surface : edge) = crossing.W;
-        }
-      }
+      // A thin sheet's other side is not the ray's: there clearance grows along the ray.
+      const glm::dvec4 near =
+        glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
+      return { w, near * glm::dvec4(glm::lessThan(clearances, step.ClearancesBefore)) };
     }
-    if (surface > 0.0)
+    const bool isKnown = glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
+    if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
     {
-      return surface;
+      step.FirstHidden = w;
     }
+    step.Behind = w - RestartShare * views.Stride;
   }
-  return edge;
+  return { step.FirstHidden, glm::dvec4(0.0) };
 }
 
-// The views that see the surface at w from the ray's side share its colour; where none does, all.
-glm::dvec4 Lookup::BlendVisible(const RayViews& ray, double w) const
+// The views that see the surface from the ray's side share its colour; where none does, all.
+glm::dvec4 Lookup::BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const
 {
-  glm::dvec4 visible(0.0);
-  glm::dvec4 all(0.0);
-  double weights = 0.0;
-  for (int k = 0; k < 4; ++k)
-  {
-    const View& view = ray.Views[k];
-    const Projection seen = this->Project(view, ray.Entry + ray.Chord / w);
-    const glm::dvec4 color = this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
-    all += view.Weight * color;
-    const double before = this->Clearance(ray, k, w + view.Slack);
-    const double behind = this->Clearance(ray, k, w - view.Slack);
-    if (before >= behind)
-    {
-      const double distance = std::max(0.0, std::max(behind, -before));
-      const double weight =
-        (view.Weight + LeastWeight) * std::max(0.0, 1.0 - distance / (SightTolerance * w));
-      visible += weight * color;
-      weights += weight;
-    }
-  }
-  return weights > 0.0 ? visible / weights : all;
+  const glm::dvec3 point = ray.Entry + ray.Chord / surface.W;
+  const glm::dvec4 weights = ListWeights(views);
+  const glm::dvec4 visible = (weights + LeastWeight) * surface.Sight;
+  const double sum = visible.x + visible.y + visible.z + visible.w;
+  return this->BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
 }
 
 LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
@@ -426,12 +519,13 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   {
     return this->Focal(ray, glm::dvec3(0.0));
   }
-  const RayViews views = this->FindViews(ray);
-  const double w = this->FindSurface(views);
-  if (w == 0.0)
+  const Ray rayFC = ToFaceSpace(ray);
+  const ViewCell views = this->FindViews(rayFC);
+  const Surface surface = this->FindSurface(rayFC, views);
+  if (surface.W == 0.0)
   {
     return {};
   }
-  return { this->BlendVisible(views, w), 1.0 / w };
+  return { this->BlendVisible(rayFC, views, surface), 1.0 / surface.W };
 }
 }

@@ -6,17 +6,21 @@
  * and those of cslfLookup.glsl have the same names and the same results; this side serves tests,
  * analysis, and readers who would rather step through C++.
  *
- * Positions along a ray are inverse fractions: the chord's point at `w` is entry + chord / w, from
- * w = 1 at the exit upwards. Depth is read as inverse depth likewise: in these terms a plane's
- * depth is linear over a tile, and the image of a ray moves through a view at a steady pace.
+ * Points are in the entry face's space (FC). Positions along a ray are inverse fractions: the
+ * chord's point at `w` is entry + chord / w, from w = 1 at the exit upwards. Depth is read as
+ * inverse depth likewise: in these terms a plane's depth is linear over a tile, and the image of a
+ * ray moves through a view at a steady pace.
  */
 #ifndef cslfLookup_h
 #define cslfLookup_h
 
 #include "cslfDescription.h"
+#include "cslfSceneGrid.h"
 
 #include <vtkType.h>
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <vector>
@@ -26,9 +30,6 @@ class vtkImageData;
 
 namespace cslf
 {
-/// The scene's bounds are widened by this, in CC, so that surfaces on them are crossed.
-constexpr double LookupSceneMargin = 0.01;
-
 /// What a lookup returns.
 struct LookupResult
 {
@@ -51,6 +52,12 @@ public:
   /// those viewpoints.
   Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices);
 
+  /// Has lookups do with what a camera outside the cube that sees these faces, a bit for each, has
+  /// the mapper keep: nothing of other viewpoints than those on them, and nothing that these see by
+  /// them. No line of sight leaves by such a face, but a viewpoint may see a point of a ray before
+  /// one. 0 for all there is.
+  void LeaveOut(int seenFaces);
+
   /// Nearest viewpoint, nearest texel.
   LookupResult Nearest(const RayCoordinates& ray) const;
 
@@ -69,14 +76,23 @@ public:
   LookupResult DepthCorrected(const RayCoordinates& ray) const;
 
 private:
+  /// A ray through the cube, in the space of its entry face.
+  struct Ray
+  {
+    int Face;
+    glm::dvec3 Entry;
+    glm::dvec3 Chord; ///< from entry to exit
+  };
+
   /// One of the viewpoints around a ray's entry.
   struct View
   {
     int Slice;
     int Face;
-    glm::dvec3 Position; ///< CC
-    double Weight;       ///< bilinear, of (u,v)
-    double Slack;        ///< how far along the ray (in w) the view cannot tell points apart
+    glm::dvec2 Position; ///< on the face
+    glm::dvec2 InverseToPositive;
+    glm::dvec2 InverseToNegative;
+    double Weight; ///< bilinear, of (u,v)
   };
 
   /// Where a view sees a point, and how deep the point lies there.
@@ -87,12 +103,29 @@ private:
     double InverseDepth;    ///< 1 over the point's chord fraction
   };
 
-  /// A ray and the views around its entry.
-  struct RayViews
+  /// The views around a ray's entry: 00, 10, 01 and 11.
+  struct ViewCell
   {
-    glm::dvec3 Entry; ///< CC
-    glm::dvec3 Chord; ///< from entry to exit
     View Views[4];
+    double Stride; ///< in w, of the search
+  };
+
+  /// A step of the search along a ray. The clearances are those of the four views.
+  struct Step
+  {
+    double Before = 0.0;
+    glm::dvec4 ClearancesBefore{ 0.0 };
+    double Behind = 0.0;
+    glm::dvec4 ClearancesBehind{ 0.0 };
+    int Count = 0;            ///< of the steps so far
+    double FirstHidden = 0.0; ///< where no view sees the ray's points first; 0: nowhere so far
+  };
+
+  /// What a ray meets.
+  struct Surface
+  {
+    double W = 0.0;          ///< 0: nothing
+    glm::dvec4 Sight{ 0.0 }; ///< how well the four views see it, in [0,1]
   };
 
   /// A range of w.
@@ -102,13 +135,10 @@ private:
     double Farthest;
   };
 
-  /// Where a view's sight of the ray's points ends.
-  struct Crossing
+  bool IsKept(int entryFace, int tile) const
   {
-    double W = 0.0;         ///< 0 for none
-    bool IsSurface = false; ///< otherwise the ray passes behind an edge that hides it
-  };
-
+    return (this->LeftOut >> ExitFaceOf(entryFace, tile) & 1) == 0;
+  }
   glm::dvec2 TexelPosition(const glm::dvec2& coordinates) const;
   vtkIdType TexelIndex(int slice, int tile, int p, int q) const;
   glm::dvec4 FetchColor(int slice, int tile, int p, int q) const;
@@ -118,28 +148,36 @@ private:
   double ReadNearestInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const;
   double ReadInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const;
 
-  RayViews FindViews(const RayCoordinates& ray) const;
-  static const View& FindNearestView(const RayViews& ray);
-  Projection Project(const View& view, const glm::dvec3& pointCC) const;
-  double GuessSurface(const RayViews& ray, double fraction) const;
-  LookupResult LookThrough(const RayViews& ray, double fraction) const;
+  static Ray ToFaceSpace(const RayCoordinates& ray);
+  View MakeView(int face, int i, int j, double weight) const;
+  ViewCell FindViews(const Ray& ray) const;
+  View FindNearestView(const Ray& ray) const;
+  static Projection Project(const View& view, const glm::dvec3& point);
+  double GuessSurface(const Ray& ray, double fraction) const;
+  glm::dvec4 ReadColorOf(const View& view, const glm::dvec3& point) const;
+  static glm::dvec4 ListWeights(const ViewCell& views);
+  glm::dvec4 BlendColors(
+    const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights) const;
+  LookupResult LookThrough(const Ray& ray, double fraction) const;
 
-  Range ClipToScene(const RayViews& ray) const;
-  int CountSteps(const RayViews& ray, const Range& range) const;
-  double Clearance(const RayViews& ray, int k, double w) const;
-  Crossing RefineCrossing(const RayViews& ray, int k, double behind, double before) const;
-  bool IsSeenThrough(const RayViews& ray, int exceptView, double w) const;
-  double FindSurface(const RayViews& ray) const;
-  glm::dvec4 BlendVisible(const RayViews& ray, double w) const;
+  SceneGrid::Ray CastGridRay(const Ray& ray) const;
+  double Clearance(const View& view, const glm::dvec3& point) const;
+  glm::dvec4 Clearances(const Ray& ray, const ViewCell& views, double w) const;
+  double RefineCrossing(const Ray& ray, const View& view, double before, double behind,
+    double clearanceBefore, double clearanceBehind) const;
+  bool FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
+    const Range& range, Step& step) const;
+  Surface FindSurface(const Ray& ray, const ViewCell& views) const;
+  glm::dvec4 BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
 
   Description Field;
-  glm::dvec3 SceneMinimum; ///< CC
-  glm::dvec3 SceneMaximum; ///< CC
+  SceneGrid Grid;
   std::vector<int> Places; ///< where each slice lies in the arrays
   vtkDataArray* Colors;
   vtkDataArray* Depths;
   double ColorScale;
   double DepthScale;
+  int LeftOut = 0; ///< exit faces, a bit for each
 };
 }
 

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFCubeMapper.h"
 
-#include "cslfCubeGLSL.h"
-#include "cslfFieldGLSL.h"
-#include "cslfLookupGLSL.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
@@ -14,7 +11,6 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
@@ -33,21 +29,26 @@
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 
 namespace
 {
-constexpr const char* PositionName = "positionCC";
+constexpr const char* FaceName = "face";
 
-// The cube as six quads, with each point's position in CC as a vertex attribute.
+/// The share of the time for a picture that goes into bringing samples to graphics memory, and the
+/// seconds within which it stays: a few milliseconds while something moves.
+constexpr double UploadShare = 0.1;
+constexpr double LeastUpload = 0.002;
+constexpr double MostUpload = 0.05;
+
+// The cube as six quads, with each point's face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> positions;
-  positions->SetName(PositionName);
-  positions->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> faces;
+  faces->SetName(FaceName);
   vtkNew<vtkCellArray> quads;
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
@@ -58,13 +59,13 @@ vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
       const glm::dvec3 pointCC = cslf::FaceToCube(face, corner);
       const glm::dvec3 pointWC = box.PointToWorld(pointCC);
       quads->InsertCellPoint(points->InsertNextPoint(pointWC.x, pointWC.y, pointWC.z));
-      positions->InsertNextTuple3(pointCC.x, pointCC.y, pointCC.z);
+      faces->InsertNextValue(static_cast<float>(face));
     }
   }
   auto cube = vtkSmartPointer<vtkPolyData>::New();
   cube->SetPoints(points);
   cube->SetPolys(quads);
-  cube->GetPointData()->AddArray(positions);
+  cube->GetPointData()->AddArray(faces);
   return cube;
 }
 }
@@ -76,7 +77,7 @@ vtkCSLFCubeMapper::vtkCSLFCubeMapper()
 {
   this->ScalarVisibilityOff();
   this->MapDataArrayToVertexAttribute(
-    PositionName, PositionName, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    FaceName, FaceName, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
 }
 
 //------------------------------------------------------------------------------
@@ -89,19 +90,19 @@ vtkCSLFCubeMapper::~vtkCSLFCubeMapper()
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFCubeMapper::SetField(const cslf::Description& field, vtkImageData* image)
+void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& source)
 {
-  this->Field = field;
-  this->Image = image;
+  this->Source = source;
   this->TextureFailed = false;
-  this->Texture.Invalidate();
-  this->SetInputDataObject(MakeCube(field.Box));
+  this->Texture.SetSource(source);
+  this->SetInputDataObject(MakeCube(source->GetDescription().Box));
 }
 
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture.Release(window);
+  this->Picture.Release(window);
   this->Window = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -109,18 +110,33 @@ void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Window = window;
-  if (!this->TextureFailed && !this->Texture.IsUploadedTo(window))
-  {
-    std::string error;
-    this->TextureFailed = !this->Texture.Upload(window, this->Field, this->Image, error);
-    if (this->TextureFailed)
-    {
-      vtkErrorMacro(<< error);
-    }
-  }
+  this->Window = renderer->GetRenderWindow();
+  this->UpdateCamera(renderer, actor);
+  this->UpdateTexture(renderer, actor);
   this->Superclass::RenderPieceStart(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+// Brings what the camera can use, but nothing between the two passes of one picture.
+void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Viewers.Update({ renderer, renderer->GetActiveCamera()->GetLeftEye() }, this->Sight);
+  if (this->TextureFailed)
+  {
+    return;
+  }
+  cslf::TexturePace pace;
+  pace.Limit = this->TextureMemoryLimit;
+  pace.Waits = !this->Streaming;
+  pace.Seconds = std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
+  pace.Keeps = this->ChooseCoveragePass(renderer, actor) == 2;
+  std::string error;
+  this->TextureFailed = !this->Texture.Update(window, this->Viewers.GetSights(), pace, error);
+  if (this->TextureFailed)
+  {
+    vtkErrorMacro(<< error);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -136,50 +152,49 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
     ->GetKeyMatrices(renderer, wcvc, normals, vcdc, wcdc);
   static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, normals);
+  const cslf::Cube& box = this->Source->GetDescription().Box;
   vtkNew<vtkMatrix4x4> ccmc;
   for (int axis = 0; axis < 3; ++axis)
   {
-    ccmc->SetElement(axis, axis, 0.5 * this->Field.Box.Edges[axis]);
-    ccmc->SetElement(axis, 3, this->Field.Box.Center[axis]);
+    ccmc->SetElement(axis, axis, 0.5 * box.Edges[axis]);
+    ccmc->SetElement(axis, 3, box.Center[axis]);
   }
   // Key matrices are transposed.
   ccmc->Transpose();
   vtkNew<vtkMatrix4x4> ccwc;
   vtkMatrix4x4::Multiply4x4(ccmc, mcwc, ccwc);
-  vtkMatrix4x4::Multiply4x4(ccwc, wcvc, this->CCVCMatrix);
+  this->VCDCMatrix->DeepCopy(vcdc);
   vtkMatrix4x4::Multiply4x4(ccwc, wcdc, this->CCDCMatrix);
 
-  // The eye is where all lines along the display's z meet: for a parallel projection at infinity.
-  vtkNew<vtkMatrix4x4> dccc;
-  vtkMatrix4x4::Transpose(this->CCDCMatrix, dccc);
-  dccc->Invert();
-  const double along[4] = { 0.0, 0.0, 1.0, 0.0 };
-  double eye[4];
-  dccc->MultiplyPoint(along, eye);
-  const double length = std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
-  if (std::abs(eye[3]) > 1e-9 * length)
+  for (int row = 0; row < 4; ++row)
   {
-    this->EyeCC = { eye[0] / eye[3], eye[1] / eye[3], eye[2] / eye[3], 1.0 };
+    for (int column = 0; column < 4; ++column)
+    {
+      this->CCDCRows[row][column] = this->CCDCMatrix->GetElement(column, row);
+    }
   }
-  else
-  {
-    this->EyeCC = { eye[0] / length, eye[1] / length, eye[2] / length, 0.0 };
-  }
+  const cslf::SceneGrid& scene = this->Texture.GetScene();
+  this->Sight = cslf::Sight(this->CCDCRows, scene.GetMinimum(), scene.GetMaximum());
 }
 
 //------------------------------------------------------------------------------
-bool vtkCSLFCubeMapper::IsEyeInside() const
+// Looks up what is seen, unless that was done for an earlier pass or picture of the same view.
+void vtkCSLFCubeMapper::UpdatePicture(vtkOpenGLRenderWindow* window)
 {
-  return this->EyeCC.w != 0.0 && std::abs(this->EyeCC.x) < 1.0 && std::abs(this->EyeCC.y) < 1.0 &&
-    std::abs(this->EyeCC.z) < 1.0;
-}
-
-//------------------------------------------------------------------------------
-// Whether some line of sight can enter the cube by a face. From inside all of them can.
-bool vtkCSLFCubeMapper::CanEnter(int face) const
-{
-  const double along = cslf::FaceSign(face) * this->EyeCC[cslf::FaceAxis(face)];
-  return this->EyeCC.w == 0.0 ? along < 0.0 : along >= 1.0 || this->IsEyeInside();
+  cslf::LookupPicture::View view;
+  view.Lookup = this->Lookup;
+  view.EyeCC = this->Sight.GetEye();
+  view.IsEyeInside = this->Sight.IsInside();
+  for (std::size_t i = 0; i < view.CCDC.size(); ++i)
+  {
+    view.CCDC[i] = this->CCDCRows[i / 4][static_cast<int>(i % 4)];
+  }
+  view.FocalPointsCC = this->FocalPointsCC;
+  for (int face = 0; face < cslf::FaceCount; ++face)
+  {
+    view.EntryFaces[face] = this->Sight.CanEnter(face);
+  }
+  this->Picture.Draw(window, view, this->Texture, this->LookupSeconds);
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +204,6 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  this->UpdateCamera(renderer, actor);
   const std::string options = this->MakeOptions();
   if (options != this->Options)
   {
@@ -199,18 +213,18 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  this->UpdatePicture(window);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  // Surfaces within the clipping range are drawn also where the cube's far faces are beyond it.
+  // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
-    if (this->CanEnter(face))
+    if (this->Sight.CanEnter(face))
     {
-      this->EntryFace = face;
-      this->Texture.Activate(face);
+      this->Face = face;
       this->UpdateShaders(triangles, renderer, actor);
       triangles.IBO->Bind();
       glDrawElements(
@@ -222,7 +236,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
-  this->Texture.Deactivate();
+  this->Picture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -246,6 +260,11 @@ void vtkCSLFCubeMapper::BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*)
 std::string vtkCSLFCubeMapper::MakeOptions() const
 {
   std::string options;
+  const cslf::Description& field = this->Source->GetDescription();
+  if (field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding)
+  {
+    options += "#define LINEAR_COLOR\n";
+  }
   if (!this->ClippingPlanesCC.empty())
   {
     options += "#define CLIPPING_PLANES " + std::to_string(this->ClippingPlanesCC.size()) + "\n";
@@ -266,9 +285,6 @@ void vtkCSLFCubeMapper::GetShaderTemplate(
   std::string fragment = cslfMapperFS;
   vtkShaderProgram::Substitute(
     fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec", cslfLookupGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
   shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
   shaders[vtkShader::Fragment]->SetSource(fragment);
@@ -287,7 +303,7 @@ void vtkCSLFCubeMapper::ReplaceShaderPicking(
 {
   this->Superclass::ReplaceShaderPicking(shaders, renderer, actor);
   std::string fragment = shaders[vtkShader::Fragment]->GetSource();
-  vtkShaderProgram::Substitute(fragment, "gl_PrimitiveID", "EntryFacePass");
+  vtkShaderProgram::Substitute(fragment, "gl_PrimitiveID", "FacePass");
   shaders[vtkShader::Fragment]->SetSource(fragment);
 }
 
@@ -312,37 +328,44 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
 
   vtkShaderProgram* program = cellBO.Program;
-  this->Texture.SetUniforms(program);
-  const float eye[4] = { static_cast<float>(this->EyeCC.x), static_cast<float>(this->EyeCC.y),
-    static_cast<float>(this->EyeCC.z), static_cast<float>(this->EyeCC.w) };
-  program->SetUniform4f("EyeCC", eye);
-  program->SetUniformMatrix("CCDCMatrix", this->CCDCMatrix);
-  if (program->IsUniformUsed("CCVCMatrix"))
+  this->Picture.SetUniforms(program);
+  program->SetUniformi("FacePass", this->Face);
+  if (program->IsUniformUsed("DCVCMatrix"))
   {
-    program->SetUniformMatrix("CCVCMatrix", this->CCVCMatrix);
+    vtkNew<vtkMatrix4x4> dcvc;
+    vtkMatrix4x4::Invert(this->VCDCMatrix, dcvc);
+    program->SetUniformMatrix("DCVCMatrix", dcvc);
   }
-  program->SetUniformi("EntryFacePass", this->EntryFace);
-  program->SetUniformi("LookupMode", this->Lookup);
-  program->SetUniform3f("FocalPointCC", &this->FocalPointsCC[this->EntryFace].x);
-  program->SetUniformi(
-    "LinearColor", this->Field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding);
   program->SetUniformf("Opacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
   program->SetUniformi("CoveragePass", this->ChooseCoveragePass(renderer, actor));
   if (!this->ToneMapping.IsIdentity())
   {
     program->SetUniformf("Exposure", static_cast<float>(this->ToneMapping.Exposure));
   }
-  if (!this->ClippingPlanesCC.empty())
+  this->SetClippingUniforms(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
+{
+  if (this->ClippingPlanesCC.empty())
   {
-    std::vector<std::array<float, 4>> planes;
-    for (const glm::dvec4& plane : this->ClippingPlanesCC)
-    {
-      planes.push_back({ static_cast<float>(plane.x), static_cast<float>(plane.y),
-        static_cast<float>(plane.z), static_cast<float>(plane.w) });
-    }
-    program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
-      reinterpret_cast<const float(*)[4]>(planes.data()));
+    return;
   }
+  // Planes go by the transposed inverse of the points' matrix, which is transposed.
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(this->CCDCMatrix, inverse);
+  std::vector<std::array<float, 4>> planes;
+  for (const glm::dvec4& plane : this->ClippingPlanesCC)
+  {
+    const double planeCC[4] = { plane.x, plane.y, plane.z, plane.w };
+    double planeDC[4];
+    inverse->MultiplyPoint(planeCC, planeDC);
+    planes.push_back({ static_cast<float>(planeDC[0]), static_cast<float>(planeDC[1]),
+      static_cast<float>(planeDC[2]), static_cast<float>(planeDC[3]) });
+  }
+  program->SetUniform4fv("ClippingPlanesDC", static_cast<int>(planes.size()),
+    reinterpret_cast<const float(*)[4]>(planes.data()));
 }
 
 //------------------------------------------------------------------------------

@@ -5,30 +5,31 @@
  * @brief   the polydata mapper inside vtkCSLFMapper
  *
  * Draws the faces of a light field's cube with the shaders of Rendering/Shaders in place of VTK's
- * own. Each entry face that the eye may see is drawn in turn, with the textures of its viewpoints.
- * Belongs to one render window. Not for use by itself.
+ * own, from a picture of what all rays see. Belongs to one render window. Not for use by itself.
  */
 #ifndef vtkCSLFCubeMapper_h
 #define vtkCSLFCubeMapper_h
 
 #include "cslfDescription.h"
 #include "cslfFieldTexture.h"
+#include "cslfLookupPicture.h"
+#include "cslfSightSeries.h"
 #include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
-#include <vtkSmartPointer.h>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-class vtkImageData;
 class vtkMatrix4x4;
+class vtkOpenGLRenderWindow;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -37,11 +38,21 @@ public:
   vtkTypeMacro(vtkCSLFCubeMapper, vtkOpenGLPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The field to draw; its samples go to graphics memory at the next Render.
-  void SetField(const cslf::Description& field, vtkImageData* image);
+  /// The field to draw; its samples go to graphics memory as Render needs them.
+  void SetSource(const std::shared_ptr<cslf::ViewpointSource>& source);
+
+  /// vtkCSLFMapper::Streaming and TextureMemoryLimit.
+  void SetStreaming(bool streaming, std::int64_t limit)
+  {
+    this->Streaming = streaming;
+    this->TextureMemoryLimit = limit;
+  }
 
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->Lookup = lookup; }
+
+  /// The seconds that looking up a picture may take; with less it has fewer pixels.
+  void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -58,8 +69,15 @@ public:
   /// How radiance becomes colour.
   void SetToneMapping(const cslf::ToneMapping& toneMapping) { this->ToneMapping = toneMapping; }
 
-  /// Whether the eye of the last picture was inside the cube.
-  bool IsEyeInside() const;
+  /// What the last picture's camera saw of the cube.
+  const cslf::Sight& GetSight() const { return this->Sight; }
+
+  /// Whether nothing was missing from the last picture, as far as it fits.
+  bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
+
+  /// How many viewpoints turned out to be damaged, and how many not.
+  int GetNumberOfDamagedViewpoints() const { return this->Texture.GetNumberOfDamagedViewpoints(); }
+  int GetNumberOfViewpoints() const { return this->Texture.GetNumberOfViewpoints(); }
 
   /// The graphics memory that the samples take, in bytes; 0 before the first Render.
   std::int64_t GetTextureBytes() const { return this->Texture.GetBytes(); }
@@ -94,26 +112,33 @@ private:
   void operator=(const vtkCSLFCubeMapper&) = delete;
 
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
-  bool CanEnter(int face) const;
+  void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
+  void UpdatePicture(vtkOpenGLRenderWindow* window);
   std::string MakeOptions() const;
+  void SetClippingUniforms(vtkShaderProgram* program);
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
 
-  cslf::Description Field;
-  vtkSmartPointer<vtkImageData> Image;
+  std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;
+  cslf::LookupPicture Picture;
+  cslf::SightSeries Viewers;
+  bool Streaming = false;
+  std::int64_t TextureMemoryLimit = 0;
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
   int Lookup = 0;
+  double LookupSeconds = 0.0;
   std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
   std::vector<glm::dvec4> ClippingPlanesCC;
   cslf::ToneMapping ToneMapping;
   std::string Options; ///< the shader's, for the picture being drawn
 
   // For the picture being drawn.
-  int EntryFace = 0;
-  glm::dvec4 EyeCC{ 0.0 }; ///< w = 1: the eye; w = 0: the direction of a parallel projection
-  vtkNew<vtkMatrix4x4> CCVCMatrix;
+  int Face = 0; ///< of the cube, in turn
+  cslf::Sight Sight;
+  cslf::DisplayRows CCDCRows{};
   vtkNew<vtkMatrix4x4> CCDCMatrix;
+  vtkNew<vtkMatrix4x4> VCDCMatrix;
 };
 
 #endif

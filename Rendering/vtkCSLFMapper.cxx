@@ -4,9 +4,12 @@
 
 #include "cslfDescription.h"
 #include "cslfFocus.h"
+#include "cslfViewpointSource.h"
 #include "vtkCSLFCubeMapper.h"
+#include "vtkCSLFDecoder.h"
 
 #include <vtkActor.h>
+#include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -19,6 +22,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -29,35 +33,61 @@ class vtkCSLFMapper::vtkInternals
 {
 public:
   std::map<vtkWindow*, vtkSmartPointer<vtkCSLFCubeMapper>> CubeMappers;
-  std::optional<cslf::Description> Field;
-  std::array<glm::dvec3, cslf::FaceCount> AutomaticFocalPoints{};
-  vtkImageData* CheckedInput = nullptr; ///< only compared
+  std::shared_ptr<cslf::ViewpointSource> Source; ///< null without a valid field
+  std::optional<std::array<glm::dvec3, cslf::FaceCount>> AutomaticFocalPoints;
+  vtkObject* CheckedInput = nullptr; ///< only compared
   vtkMTimeType CheckedTime = 0;
   bool HasWarnedOfInside = false;
+  bool HasReportedDamage = false;
 
-  std::array<glm::dvec3, cslf::FaceCount> GetFocalPointsCC(const vtkCSLFMapper* mapper) const;
+  const cslf::Cube& GetCube() const { return this->Source->GetDescription().Box; }
+  std::array<glm::dvec3, cslf::FaceCount> GetFocalPointsCC(const vtkCSLFMapper* mapper);
+  void FindFocalPoints();
   std::vector<glm::dvec4> GetClippingPlanesCC(vtkMapper* mapper, vtkActor* actor) const;
 };
 
 //------------------------------------------------------------------------------
 std::array<glm::dvec3, cslf::FaceCount> vtkCSLFMapper::vtkInternals::GetFocalPointsCC(
-  const vtkCSLFMapper* mapper) const
+  const vtkCSLFMapper* mapper)
 {
   if (mapper->AutomaticFocalPoint)
   {
-    return this->AutomaticFocalPoints;
+    if (mapper->Lookup == FOCAL && !this->AutomaticFocalPoints)
+    {
+      this->FindFocalPoints();
+    }
+    return this->AutomaticFocalPoints.value_or(std::array<glm::dvec3, cslf::FaceCount>{});
   }
   const double* point = mapper->FocalPoint;
   std::array<glm::dvec3, cslf::FaceCount> points;
-  points.fill(this->Field->Box.PointToCube({ point[0], point[1], point[2] }));
+  points.fill(this->GetCube().PointToCube({ point[0], point[1], point[2] }));
   return points;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::vtkInternals::FindFocalPoints()
+{
+  const cslf::Description& field = this->Source->GetDescription();
+  std::vector<int> slices;
+  for (int face = 0; face < cslf::FaceCount; ++face)
+  {
+    slices.push_back(cslf::FindFocalSlice(field, face));
+  }
+  this->Source->Prefetch(slices);
+  this->Source->Wait();
+  this->AutomaticFocalPoints.emplace();
+  for (int face = 0; face < cslf::FaceCount; ++face)
+  {
+    (*this->AutomaticFocalPoints)[face] =
+      cslf::FindFocalPoint(field, face, this->Source->Get(slices[face]));
+  }
 }
 
 //------------------------------------------------------------------------------
 std::vector<glm::dvec4> vtkCSLFMapper::vtkInternals::GetClippingPlanesCC(
   vtkMapper* mapper, vtkActor* actor) const
 {
-  const cslf::Cube& box = this->Field->Box;
+  const cslf::Cube& box = this->GetCube();
   std::vector<glm::dvec4> planes;
   for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
   {
@@ -121,57 +151,82 @@ vtkTypeInt64 vtkCSLFMapper::GetTextureBytes()
 }
 
 //------------------------------------------------------------------------------
-// Brings the input up to date and reads its description, once per change of the input.
+// Reads the input's description, once per change of the input.
 bool vtkCSLFMapper::UpdateField()
 {
   if (this->GetNumberOfInputConnections(0) < 1)
   {
     return false;
   }
-  if (!this->Static)
+  vtkInternals& internals = *this->Internals;
+  auto* decoder = vtkCSLFDecoder::SafeDownCast(this->GetInputAlgorithm());
+  if (!decoder && !this->Static)
   {
     this->GetInputAlgorithm()->Update();
   }
-  vtkInternals& internals = *this->Internals;
-  vtkImageData* input = this->GetInput();
+  vtkObject* input = decoder ? static_cast<vtkObject*>(decoder) : this->GetInput();
   if (!input)
   {
     return false;
   }
   if (internals.CheckedInput == input && internals.CheckedTime == input->GetMTime())
   {
-    return internals.Field.has_value();
+    return internals.Source != nullptr;
   }
+  internals.Source = decoder ? this->OpenDecoder(decoder) : this->OpenImage(this->GetInput());
   internals.CheckedInput = input;
   internals.CheckedTime = input->GetMTime();
-
-  std::string error;
-  internals.Field = cslf::Description::ReadFrom(input, error);
-  if (internals.Field)
+  if (!internals.Source)
   {
-    const int* extent = input->GetExtent();
-    if (!internals.Field->FindChannel(cslf::ColorName))
+    return false;
+  }
+  internals.AutomaticFocalPoints.reset();
+  internals.HasWarnedOfInside = false;
+  internals.HasReportedDamage = false;
+  for (const auto& windowAndMapper : internals.CubeMappers)
+  {
+    windowAndMapper.second->SetSource(internals.Source);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Viewpoints come from a decoder as they are needed: its output is not updated.
+std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenDecoder(vtkCSLFDecoder* decoder)
+{
+  if (!this->Static)
+  {
+    decoder->UpdateInformation();
+  }
+  std::string error;
+  const auto field = cslf::Description::FromText(decoder->GetDescription(), error);
+  // A decoder that cannot read its file has said so.
+  return field ? cslf::MakeSource(*field, decoder) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenImage(vtkImageData* image)
+{
+  std::string error;
+  const auto field = cslf::Description::ReadFrom(image, error);
+  if (field)
+  {
+    const int* extent = image->GetExtent();
+    if (!field->FindChannel(cslf::ColorName))
     {
       error = "The light field has no colour.";
     }
-    else if (extent[4] != 0 || extent[5] != internals.Field->Grid.GetSlices() - 1)
+    else if (extent[4] != 0 || extent[5] != field->Grid.GetSlices() - 1)
     {
       error = "The image data holds only a part of its light field's viewpoints.";
     }
   }
   if (!error.empty())
   {
-    internals.Field.reset();
     vtkErrorMacro(<< error);
-    return false;
+    return nullptr;
   }
-  internals.AutomaticFocalPoints = cslf::FindFocalPoints(*internals.Field, input);
-  internals.HasWarnedOfInside = false;
-  for (const auto& windowAndMapper : internals.CubeMappers)
-  {
-    windowAndMapper.second->SetField(*internals.Field, input);
-  }
-  return true;
+  return cslf::MakeSource(*field, image);
 }
 
 //------------------------------------------------------------------------------
@@ -179,7 +234,7 @@ double* vtkCSLFMapper::GetBounds()
 {
   if (this->UpdateField())
   {
-    this->Internals->Field->Box.GetBounds(this->Bounds);
+    this->Internals->GetCube().GetBounds(this->Bounds);
   }
   else
   {
@@ -197,7 +252,7 @@ vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
   if (!cubeMapper)
   {
     cubeMapper = vtkSmartPointer<vtkCSLFCubeMapper>::New();
-    cubeMapper->SetField(*internals.Field, internals.CheckedInput);
+    cubeMapper->SetSource(internals.Source);
   }
   return cubeMapper;
 }
@@ -212,17 +267,53 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   vtkInternals& internals = *this->Internals;
   vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
+  cubeMapper->SetLookupSeconds(
+    this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
   cubeMapper->SetFocalPointsCC(internals.GetFocalPointsCC(this));
   cubeMapper->SetClippingPlanesCC(internals.GetClippingPlanesCC(this, actor));
   cubeMapper->SetToneMapping({ this->Exposure, this->ToneMapping });
+  cubeMapper->SetStreaming(this->Streaming, this->TextureMemoryLimit);
   cubeMapper->Render(renderer, actor);
   this->TimeToDraw = cubeMapper->GetTimeToDraw();
-  if (cubeMapper->IsEyeInside() && !internals.HasWarnedOfInside)
+  this->ReportDamage(
+    cubeMapper->GetNumberOfDamagedViewpoints(), cubeMapper->GetNumberOfViewpoints());
+  if (cubeMapper->GetSight().IsInside() && !internals.HasWarnedOfInside)
   {
     internals.HasWarnedOfInside = true;
     vtkWarningMacro("The eye is inside the light field's cube: only what can also be seen from "
                     "outside, along the same lines of sight, is drawn.");
   }
+  if (!cubeMapper->IsComplete())
+  {
+    this->InvokeEvent(vtkCommand::UpdateDataEvent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::ReportDamage(int damaged, int undamaged)
+{
+  if (damaged == 0 || this->Internals->HasReportedDamage)
+  {
+    return;
+  }
+  this->Internals->HasReportedDamage = true;
+  if (undamaged > 0)
+  {
+    vtkWarningMacro(<< "The light field is damaged: viewpoints that are needed are missing ("
+                    << damaged << " so far), and others are drawn in their place.");
+  }
+  else
+  {
+    vtkErrorMacro("The light field is damaged: none of the viewpoints needed can be read.");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkCSLFMapper::IsComplete()
+{
+  const auto& cubeMappers = this->Internals->CubeMappers;
+  return std::all_of(cubeMappers.begin(), cubeMappers.end(),
+    [](const auto& windowAndMapper) { return windowAndMapper.second->IsComplete(); });
 }
 
 //------------------------------------------------------------------------------
@@ -245,9 +336,12 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetInputConnection(other->GetInputConnection(0, 0));
     this->SetLookup(other->GetLookup());
     this->SetAutomaticFocalPoint(other->GetAutomaticFocalPoint());
+    this->SetAutoAdjustResolution(other->GetAutoAdjustResolution());
     this->SetFocalPoint(other->GetFocalPoint());
     this->SetExposure(other->GetExposure());
     this->SetToneMapping(other->GetToneMapping());
+    this->SetStreaming(other->GetStreaming());
+    this->SetTextureMemoryLimit(other->GetTextureMemoryLimit());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -258,8 +352,11 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Lookup: " << this->GetLookupAsString() << "\n";
   os << indent << "AutomaticFocalPoint: " << (this->AutomaticFocalPoint ? "on" : "off") << "\n";
+  os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "on" : "off") << "\n";
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneMapping: " << this->GetToneMappingAsString() << "\n";
+  os << indent << "Streaming: " << (this->Streaming ? "on" : "off") << "\n";
+  os << indent << "TextureMemoryLimit: " << this->TextureMemoryLimit << "\n";
 }

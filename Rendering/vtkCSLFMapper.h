@@ -5,9 +5,12 @@
  * @brief   draw a cube surface light field with any vtkActor
  *
  * The input is the image data of a whole light field, as vtkCSLFSampler, vtkCSLFDecoder or
- * vtkCSLFImageReader make it. The mapper draws the field's cube and looks up, for each pixel, the
- * light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021, section 3.4 and algorithm 1). The
- * cost of a picture does not depend on the scene that was sampled.
+ * vtkCSLFImageReader make it. Where it comes right from a vtkCSLFDecoder, the mapper does not have
+ * the field decoded as a whole: it asks for the viewpoints that the camera can use, and no other
+ * memory than the decoder's CacheSize holds them on their way. The mapper draws the field's cube
+ * and looks up, for each pixel, the light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021,
+ * section 3.4 and algorithm 1). The cost of a picture does not depend on the scene that was
+ * sampled.
  *
  * The field takes part in the scene like any other opaque object: its coverage becomes opacity, so
  * that what lies behind it shows around its silhouettes, and where the field has a depth channel
@@ -51,6 +54,12 @@
 #include <memory> // for the internals
 
 class vtkCSLFCubeMapper;
+class vtkCSLFDecoder;
+
+namespace cslf
+{
+class ViewpointSource;
+}
 
 class VTKCSLF_EXPORT vtkCSLFMapper : public vtkMapper
 {
@@ -119,6 +128,18 @@ public:
 
   ///@{
   /**
+   * Whether fewer rays are looked up where those of all pixels would take longer than the window's
+   * desired update rate allows, as while the camera is moved with an interactor: one for each
+   * square of 2 x 2 to 4 x 4 pixels. At less than one picture a second, as where nothing moves and
+   * where nobody has set a rate, all are looked up. Default: on.
+   */
+  vtkSetMacro(AutoAdjustResolution, bool);
+  vtkGetMacro(AutoAdjustResolution, bool);
+  vtkBooleanMacro(AutoAdjustResolution, bool);
+  ///@}
+
+  ///@{
+  /**
    * What radiance is multiplied by when it is drawn, besides the exposure that the field was
    * sampled with. Acts on linear values, also where the field holds sRGB-encoded ones, but cannot
    * bring back what those were clamped to: sample in `float` to choose the exposure at view time.
@@ -143,6 +164,38 @@ public:
 
   ///@{
   /**
+   * Whether Render draws what is there rather than wait for all that the camera can use. It waits
+   * for the coarsest viewpoints only; in a few milliseconds of each picture others are brought to
+   * graphics memory, those near to what the camera looks at first. Where some are missing,
+   * UpdateDataEvent is invoked at the end of Render, and IsComplete is false: whoever wants to see
+   * them has to draw again, but not from within the event. Default: off, for pictures that are
+   * drawn once.
+   */
+  vtkSetMacro(Streaming, bool);
+  vtkGetMacro(Streaming, bool);
+  vtkBooleanMacro(Streaming, bool);
+  ///@}
+
+  /**
+   * Whether the last picture, in each window, was drawn from all viewpoints that its camera can
+   * use, as far as TextureMemoryLimit allows.
+   */
+  bool IsComplete();
+
+  ///@{
+  /**
+   * How many bytes of graphics memory the samples may take in each window, at least those of four
+   * viewpoints. A camera outside the cube can use no more than 30 % of a field: the viewpoints on
+   * the faces that it sees, and what they see of the others. Where that is too much, the grid of
+   * viewpoints is fine around what the camera looks at, and coarser elsewhere. From inside the cube
+   * all of the field is used. Default: 2 GiB.
+   */
+  vtkSetClampMacro(TextureMemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(TextureMemoryLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
    * The light field drawn, or null. For a pipeline use SetInputConnection.
    */
   void SetInputData(vtkImageData* field) { this->SetInputDataInternal(0, field); }
@@ -150,8 +203,8 @@ public:
   ///@}
 
   /**
-   * The graphics memory that the field's samples take, in bytes, in all windows together: 0 before
-   * the first Render and after ReleaseGraphicsResources.
+   * The graphics memory set aside for the field's samples, in bytes, in all windows together: 0
+   * before the first Render and after ReleaseGraphicsResources.
    */
   vtkTypeInt64 GetTextureBytes();
 
@@ -199,13 +252,19 @@ private:
   void operator=(const vtkCSLFMapper&) = delete;
 
   bool UpdateField();
+  std::shared_ptr<cslf::ViewpointSource> OpenDecoder(vtkCSLFDecoder* decoder);
+  std::shared_ptr<cslf::ViewpointSource> OpenImage(vtkImageData* image);
+  void ReportDamage(int damaged, int undamaged);
   vtkCSLFCubeMapper* GetCubeMapper(vtkWindow* window);
 
   int Lookup = DEPTH;
   bool AutomaticFocalPoint = true;
+  bool AutoAdjustResolution = true;
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
   double Exposure = 1.0;
   int ToneMapping = CLAMP;
+  bool Streaming = false;
+  vtkTypeInt64 TextureMemoryLimit = vtkTypeInt64(2) << 30;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -125,11 +125,7 @@ Result Run(Options options)
   RequireDisplay();
   options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
   const Scene scene = options.Scene.Read();
-  {
-    const ProgressBar bar(file.Reader, "Reading");
-    file.Reader->UpdateWholeExtent();
-  }
-  ThrowOnError();
+  ReadToDraw(file);
 
   FieldRenderer renderer(file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
   renderer.SetToneMapping(options.Tone.Get());

@@ -39,20 +39,13 @@ struct Options
   double FrameRate = 25.0;
 };
 
-void Read(const FieldFile& file)
-{
-  const ProgressBar bar(file.Reader, "Reading");
-  file.Reader->UpdateWholeExtent();
-  ThrowOnError();
-}
-
 Result RunView(const Options& options)
 {
   RequireWritable(options.Output);
   const FieldFile file = OpenField(options.Field);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   RequireDisplay();
-  Read(file);
+  ReadToDraw(file);
   FieldRenderer renderer(
     file.Reader->GetOutputPort(), options.Camera.GetWidth(), options.Camera.GetHeight());
   renderer.SetToneMapping(options.Tone.Get());
@@ -72,7 +65,7 @@ Result RunPath(const Options& options)
   const int width = options.Camera.GetWidth();
   const int height = options.Camera.GetHeight();
   const auto writer = MakeFrameWriter(options.Output, width, height, options.FrameRate);
-  Read(file);
+  ReadToDraw(file);
   FieldRenderer renderer(file.Reader->GetOutputPort(), width, height);
   renderer.SetToneMapping(options.Tone.Get());
   const std::string name = ChooseLookup(options.Lookup, file.Field);

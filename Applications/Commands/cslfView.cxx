@@ -89,9 +89,13 @@ void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
   {
     static_cast<vtkRenderWindowInteractor*>(caller)->TerminateApp();
   }
-  else if (session->Style->GetState() == VTKIS_NONE && session->Shown.Refine(session->TruthSamples))
+  else if (session->Style->GetState() == VTKIS_NONE)
   {
-    session->Shown.Render();
+    const bool isMissing = !session->Shown.IsComplete();
+    if (session->Shown.Refine(session->TruthSamples) || isMissing)
+    {
+      session->Shown.Render();
+    }
   }
 }
 
@@ -154,11 +158,7 @@ Result Run(const Options& options)
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   auto truth = MakeTruth(options.Scene, file.Field);
   RequireDisplay();
-  {
-    const ProgressBar bar(file.Reader, "Reading");
-    file.Reader->UpdateWholeExtent();
-  }
-  ThrowOnError();
+  ReadToDraw(file);
 
   Viewer viewer(
     file, camera, options.Camera.GetWidth(), options.Camera.GetHeight(), std::move(truth));
@@ -170,6 +170,7 @@ Result Run(const Options& options)
   Result result;
   if (options.Screenshot.empty())
   {
+    viewer.SetStreaming(true);
     Interact(viewer, options);
   }
   else

@@ -163,6 +163,16 @@ FieldFile OpenField(const std::string& fileName)
   return file;
 }
 
+void ReadToDraw(const FieldFile& file)
+{
+  if (file.Format != FieldFormat::Video)
+  {
+    const ProgressBar bar(file.Reader, "Reading");
+    file.Reader->UpdateWholeExtent();
+    ThrowOnError();
+  }
+}
+
 int CountMissing(const FieldFile& file)
 {
   vtkIdType missing = 0;

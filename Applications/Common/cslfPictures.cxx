@@ -9,6 +9,7 @@
 #include "vtkCSLFMapper.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkImageExtractComponents.h>
 #include <vtkPNGReader.h>
@@ -157,15 +158,30 @@ double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
 {
   constexpr double measuredSeconds = 0.5;
   constexpr int mostFrames = 100;
-  this->Draw(camera, lookup);
+  // A view that did not change would not be looked up again.
+  constexpr double degrees = 0.01;
+  vtkNew<vtkCamera> moved;
+  moved->DeepCopy(camera);
+  this->Draw(moved, lookup);
   double seconds = 0.0;
   int frames = 0;
   while (frames == 0 || (seconds < measuredSeconds && frames < mostFrames))
   {
-    seconds += this->Draw(camera, lookup);
+    moved->Azimuth(frames % 2 == 0 ? degrees : -degrees);
+    seconds += this->Draw(moved, lookup);
     ++frames;
   }
   return frames / seconds;
+}
+
+void FieldRenderer::SetStreaming(bool streaming)
+{
+  this->Mapper->SetStreaming(streaming);
+}
+
+bool FieldRenderer::IsComplete()
+{
+  return this->Mapper->IsComplete();
 }
 
 std::int64_t FieldRenderer::GetTextureBytes()

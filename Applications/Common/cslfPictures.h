@@ -84,6 +84,10 @@ public:
   /// How many times a second the view can be drawn, the first drawing left out.
   double MeasureFrameRate(vtkCamera* camera, int lookup);
 
+  /// As vtkCSLFMapper::Streaming and IsComplete.
+  void SetStreaming(bool streaming);
+  bool IsComplete();
+
   /// The graphics memory that the field's samples take, once something was drawn.
   std::int64_t GetTextureBytes();
 

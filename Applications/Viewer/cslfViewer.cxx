@@ -359,6 +359,16 @@ void Viewer::WriteScreenshot(const std::string& fileName)
   WritePicture(fileName, grabber->GetOutput());
 }
 
+void Viewer::SetStreaming(bool streaming)
+{
+  this->Mapper->SetStreaming(streaming);
+}
+
+bool Viewer::IsComplete() const
+{
+  return this->Mapper->IsComplete();
+}
+
 vtkTypeInt64 Viewer::GetTextureBytes() const
 {
   return this->Mapper->GetTextureBytes();

@@ -81,6 +81,10 @@ public:
   int GetTruthSamples() const { return this->Truth ? this->Truth->GetSamples() : 0; }
   vtkTypeInt64 GetTextureBytes() const;
 
+  /// As vtkCSLFMapper::Streaming and IsComplete.
+  void SetStreaming(bool streaming);
+  bool IsComplete() const;
+
 private:
   struct Pane;
 

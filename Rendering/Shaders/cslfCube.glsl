@@ -1,108 +1,68 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cube's geometry, the twin of Module/cslfCube.cxx. Faces: +X, -X, +Y, -Y, +Z, -Z; in-face axes
-// as OpenGL's cube maps; cube space (CC) is [-1,1]^3.
+// The cube's geometry, the twin of Module/cslfCube.cxx and Rendering/cslfFaceSpace.cxx. Cube space
+// (CC) is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x
+// and y are the face's (sc, tc), z is the depth below it, from 0 to 2.
 
-struct SurfacePoint
+uniform mat4 FCCCMatrix;
+
+// The (s,t) of the points of exit faces, from FC with z - 1 in place of z: of the opposite face
+// from (x,y), of those towards +x and -x from (y,z) and of those towards +y and -y from (x,z). On the
+// negative side the coordinates' signs differ. Each holds the (s,t) of both directions.
+uniform vec4 OppositeAxes;
+uniform vec4 SideXAxes;
+uniform vec4 SideYAxes;
+uniform vec2 SideXFlip;
+uniform vec2 SideYFlip;
+
+const float LeastToSide = 1.0e-4;
+
+// What a lookup returns.
+struct LookupResult
 {
-  int Face;
-  vec2 Coordinates; // (sc, tc) in [-1,1]
+  vec4 Color;     // associated alpha
+  float Fraction; // of the way from entry to exit
 };
 
-struct RayCoordinates
+// A ray through the cube, from the entry face. In FC.
+struct Ray
 {
-  bool Hits;
-  SurfacePoint Entry; // (u,v)
-  SurfacePoint Exit;  // (s,t)
+  vec3 Entry;
+  vec3 Chord; // from entry to exit
 };
 
-int FaceAxis(int face)
+// The (s,t) of a point of an exit face.
+vec2 ExitCoordinates(vec4 axes, vec2 point)
 {
-  return face / 2;
+  return axes.xy * point.x + axes.zw * point.y;
 }
 
-float FaceSign(int face)
+// 1 over the distances from a point of the entry face to the sides at +1 and -1.
+vec2 InverseToPositive(vec2 from)
 {
-  return face % 2 == 0 ? 1.0 : -1.0;
+  return 1.0 / max(1.0 - from, LeastToSide);
 }
 
-int FaceOf(int axis, float sign)
+vec2 InverseToNegative(vec2 from)
 {
-  return 2 * axis + (sign < 0.0 ? 1 : 0);
+  return 1.0 / max(1.0 + from, LeastToSide);
 }
 
-vec3 FaceToCube(int face, vec2 coordinates)
+// Which share of the ways to the sides (x, y) and to the opposite face (z) a direction covers; the
+// ray leaves by the face of the largest.
+vec3 ShareOfWays(vec3 direction, vec2 inverseToPositive, vec2 inverseToNegative)
 {
-  float sc = coordinates.x;
-  float tc = coordinates.y;
-  switch (face)
-  {
-    case 0:
-      return vec3(1.0, -tc, -sc);
-    case 1:
-      return vec3(-1.0, -tc, sc);
-    case 2:
-      return vec3(sc, 1.0, tc);
-    case 3:
-      return vec3(sc, -1.0, -tc);
-    case 4:
-      return vec3(sc, -tc, 1.0);
-    default:
-      return vec3(-sc, -tc, -1.0);
-  }
+  return vec3(max(direction.xy * inverseToPositive, -direction.xy * inverseToNegative),
+    0.5 * direction.z);
 }
 
-vec2 CubeToFace(int face, vec3 pointCC)
+// The ray through a point in a direction that leads into the cube by the entry face.
+Ray CastRay(vec3 point, vec3 direction)
 {
-  switch (face)
-  {
-    case 0:
-      return vec2(-pointCC.z, -pointCC.y);
-    case 1:
-      return vec2(pointCC.z, -pointCC.y);
-    case 2:
-      return vec2(pointCC.x, pointCC.z);
-    case 3:
-      return vec2(pointCC.x, -pointCC.z);
-    case 4:
-      return vec2(pointCC.x, -pointCC.y);
-    default:
-      return vec2(-pointCC.x, -pointCC.y);
-  }
-}
-
-RayCoordinates RayToCoordinates(vec3 originCC, vec3 directionCC)
-{
-  RayCoordinates ray;
-  float entryDistance = -1.0e30;
-  float exitDistance = 1.0e30;
-  int entryAxis = 0;
-  int exitAxis = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    float direction = directionCC[axis];
-    // A ray along a face's plane meets it far away, on the side that it is on.
-    direction = abs(direction) < 1.0e-12 ? 1.0e-12 : direction;
-    float sign = direction < 0.0 ? -1.0 : 1.0;
-    float nearDistance = (-sign - originCC[axis]) / direction;
-    float farDistance = (sign - originCC[axis]) / direction;
-    if (nearDistance > entryDistance)
-    {
-      entryDistance = nearDistance;
-      entryAxis = axis;
-    }
-    if (farDistance < exitDistance)
-    {
-      exitDistance = farDistance;
-      exitAxis = axis;
-    }
-  }
-  ray.Hits = entryDistance < exitDistance;
-  vec3 entry = originCC + entryDistance * directionCC;
-  vec3 exit = originCC + exitDistance * directionCC;
-  ray.Entry.Face = FaceOf(entryAxis, -directionCC[entryAxis]);
-  ray.Entry.Coordinates = clamp(CubeToFace(ray.Entry.Face, entry), -1.0, 1.0);
-  ray.Exit.Face = FaceOf(exitAxis, directionCC[exitAxis]);
-  ray.Exit.Coordinates = clamp(CubeToFace(ray.Exit.Face, exit), -1.0, 1.0);
+  Ray ray;
+  ray.Entry = vec3(clamp(point.xy - direction.xy * (point.z / direction.z), -1.0, 1.0), 0.0);
+  vec3 share = ShareOfWays(
+    direction, InverseToPositive(ray.Entry.xy), InverseToNegative(ray.Entry.xy));
+  ray.Chord = direction / max(max(share.x, share.y), share.z);
   return ray;
 }

@@ -1,106 +1,121 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The field's samples: the twin of Module/cslfLayout.cxx and of the readers in cslfLookup.cxx.
-// A layer of the textures holds SlicesPerLayer slices, one above the other.
+// A layer of the textures holds TilesPerLayer tiles, one above the other.
 
 uniform sampler2DArray ColorTexture; // linear filter
 uniform sampler2DArray DepthTexture; // nearest filter
-uniform sampler2D NodeTexture;       // per cell of the base grid: index, lower, upper coordinate
-uniform vec2 LayerSize;              // in texels
-uniform int SlicesPerLayer;
-uniform int Viewpoints;              // M
-uniform int BaseNodes;               // M0
-uniform int Resolution;              // N
-uniform bool HasDepth;
-uniform vec3 SceneMinimum;           // CC
-uniform vec3 SceneMaximum;           // CC
+uniform sampler2D CellTexture;       // two texels for each cell of the base grid: Residency::Table
+uniform float TilesPerLayer;
+uniform float BaseNodes;             // M0
+uniform float Resolution;            // N
+uniform vec2 InverseLayerSize;       // of a texel in a layer
+
+// Where the tiles of the opposite face, and of those towards +x, -x and +y, -y, are kept: the first
+// layers of their blocks, far below 0 where they are not.
+uniform float OppositeBlock;
+uniform vec2 SideXBlocks;
+uniform vec2 SideYBlocks;
 
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
 
-struct NodeBracket
+// The viewpoints around a coordinate: at the lower corner, at upper u, at upper v and at both.
+struct Cell
 {
-  int Lower;
-  float LowerCoordinate;
-  float UpperCoordinate;
-  float Weight;
+  vec4 Slots;
+  vec2 Lower;  // their coordinates
+  vec2 Upper;
+  vec2 Weight; // of the upper ones
 };
 
-int TileOf(int entryFace, int exitFace)
+// Where a viewpoint's tiles are, within a block.
+struct SlicePlace
 {
-  return exitFace < entryFace ? exitFace : exitFace - 1;
+  float Layer;
+  float Row; // in tiles
+};
+
+Cell FindCell(vec2 coordinates)
+{
+  vec2 node = 0.5 * (coordinates + 1.0) * (BaseNodes - 1.0);
+  ivec2 texel = ivec2(2, 1) * ivec2(min(node, vec2(BaseNodes - 1.5)));
+  vec4 corners = texelFetch(CellTexture, texel + ivec2(1, 0), 0);
+  Cell cell;
+  cell.Slots = texelFetch(CellTexture, texel, 0);
+  cell.Lower = corners.xy;
+  cell.Upper = corners.zw;
+  cell.Weight = clamp((coordinates - cell.Lower) / (cell.Upper - cell.Lower), 0.0, 1.0);
+  return cell;
 }
 
-int ExitFaceOf(int entryFace, int tile)
+SlicePlace FindSlice(float slot)
 {
-  return tile < entryFace ? tile : tile + 1;
+  SlicePlace place;
+  place.Layer = floor((slot + 0.5) / TilesPerLayer);
+  place.Row = slot - place.Layer * TilesPerLayer;
+  return place;
 }
 
-// Within the entry face, whose slices a texture holds.
-int SliceOf(int i, int j)
+// 1 if a tile is there. Otherwise its layer is below 0, which is read as layer 0: colour and depth
+// are 0, so that the view sees nothing.
+float IsKept(SlicePlace slice, float block)
 {
-  return j * Viewpoints + i;
+  return step(0.0, slice.Layer + block);
 }
 
-NodeBracket FindNodes(float coordinate)
-{
-  float node = 0.5 * (clamp(coordinate, -1.0, 1.0) + 1.0) * float(BaseNodes - 1);
-  int cell = min(int(node), BaseNodes - 2);
-  vec3 stored = texelFetch(NodeTexture, ivec2(cell, 0), 0).xyz;
-  NodeBracket bracket;
-  bracket.Lower = int(stored.x + 0.5);
-  bracket.LowerCoordinate = stored.y;
-  bracket.UpperCoordinate = stored.z;
-  bracket.Weight =
-    clamp((coordinate - stored.y) / (stored.z - stored.y), 0.0, 1.0);
-  return bracket;
-}
-
-// From texels of a tile to texels of the layer.
-vec2 TileCorner(int slice, int tile)
-{
-  return vec2(tile * Resolution, slice % SlicesPerLayer * Resolution);
-}
-
+// In texels of a tile.
 vec2 TexelPosition(vec2 coordinates)
 {
-  return 0.5 * (coordinates + 1.0) * float(Resolution);
+  return 0.5 * (coordinates + 1.0) * Resolution;
 }
 
-vec4 ReadNearestColor(int slice, int tile, vec2 coordinates)
+// Texture coordinates of a position in a tile.
+vec3 TextureCoordinates(SlicePlace slice, float block, vec2 position)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, float(Resolution - 1));
-  ivec3 address =
-    ivec3(ivec2(TileCorner(slice, tile) + texel), slice / SlicesPerLayer);
-  return texelFetch(ColorTexture, address, 0);
+  vec2 inLayer = vec2(position.x, slice.Row * Resolution + position.y);
+  return vec3(inLayer * InverseLayerSize, max(slice.Layer + block, 0.0));
 }
 
-vec4 ReadColor(int slice, int tile, vec2 coordinates)
+// Of a position in a tile, for texelFetch.
+ivec3 TexelAddress(SlicePlace slice, float block, vec2 texel)
 {
-  vec2 position = clamp(TexelPosition(coordinates), 0.5, float(Resolution) - 0.5);
-  return textureLod(ColorTexture,
-    vec3((TileCorner(slice, tile) + position) / LayerSize, float(slice / SlicesPerLayer)), 0.0);
+  return ivec3(
+    vec3(texel.x, slice.Row * Resolution + texel.y, max(slice.Layer + block, 0.0)) + 0.5);
 }
 
-float ReadNearestInverseDepth(int slice, int tile, vec2 coordinates)
+ivec3 NearestTexel(SlicePlace slice, float block, vec2 coordinates)
 {
-  vec2 texel = clamp(floor(TexelPosition(coordinates)), 0.0, float(Resolution - 1));
-  ivec3 address =
-    ivec3(ivec2(TileCorner(slice, tile) + texel), slice / SlicesPerLayer);
-  return 1.0 / max(texelFetch(DepthTexture, address, 0).r, LeastDepth);
+  return TexelAddress(
+    slice, block, clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0));
+}
+
+vec4 ReadNearestColor(SlicePlace slice, float block, vec2 coordinates)
+{
+  return texelFetch(ColorTexture, NearestTexel(slice, block, coordinates), 0);
+}
+
+vec4 ReadColor(SlicePlace slice, float block, vec2 coordinates)
+{
+  vec2 position = clamp(TexelPosition(coordinates), 0.5, Resolution - 0.5);
+  return textureLod(ColorTexture, TextureCoordinates(slice, block, position), 0.0);
+}
+
+float ReadNearestDepth(SlicePlace slice, float block, vec2 coordinates)
+{
+  return texelFetch(DepthTexture, NearestTexel(slice, block, coordinates), 0).r;
 }
 
 // Within one surface interpolated, which is exact for planes; across an edge the nearer surface's.
-float ReadInverseDepth(int slice, int tile, vec2 coordinates)
+float ReadInverseDepth(SlicePlace slice, float block, vec2 coordinates)
 {
-  vec2 position = clamp(TexelPosition(coordinates) - 0.5, 0.0, float(Resolution - 1));
-  vec2 base = max(min(floor(position), float(Resolution - 2)), 0.0);
-  vec2 weight = position - base;
+  vec2 position = TexelPosition(coordinates) - 0.5;
+  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
+  vec2 weight = clamp(position - base, 0.0, 1.0);
 #ifdef GL_ARB_texture_gather
-  vec4 depth = textureGather(DepthTexture,
-    vec3((TileCorner(slice, tile) + base + 1.0) / LayerSize, float(slice / SlicesPerLayer)));
+  vec4 depth = textureGather(DepthTexture, TextureCoordinates(slice, block, base + 1.0));
 #else
-  ivec3 address = ivec3(ivec2(TileCorner(slice, tile) + base), slice / SlicesPerLayer);
+  ivec3 address = TexelAddress(slice, block, base);
   vec4 depth = vec4(texelFetch(DepthTexture, address + ivec3(0, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,
@@ -109,10 +124,7 @@ float ReadInverseDepth(int slice, int tile, vec2 coordinates)
   vec4 inverse = 1.0 / max(depth, LeastDepth);
   float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
   float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
-  if (most - least > SurfaceStep * most)
-  {
-    return most;
-  }
-  return mix(
+  float between = mix(
     mix(inverse.w, inverse.z, weight.x), mix(inverse.x, inverse.y, weight.x), weight.y);
+  return most - least > SurfaceStep * most ? most : between;
 }

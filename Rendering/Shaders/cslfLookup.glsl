@@ -1,321 +1,389 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The lookups, the twin of Rendering/cslfLookup.cxx, where every step is explained. Positions along
-// a ray are inverse fractions w: the chord's point at w is Entry + Chord / w.
+// a ray are inverse fractions w: the chord's point at w is Entry + Chord / w. All points are in FC.
 
-const float SlackTexels = 0.25;
-const float MostSlack = 0.1;
 const float NearestStart = 40.0;
 const float NearestFocus = 0.05;
-const float TexelsPerStep = 4.0;
-const int LeastSteps = 8;
-const int MostSteps = 128;
-const int Refinements = 8;
+const float TexelsPerStep = 3.0;
+const float StepShare = 0.08;
+const float MostStride = 0.5;
+const int MostSteps = 96;
+const int MostCandidates = 16;
+const int Refinements = 12;
+const float LeastShare = 0.02;
+const float Convergence = 0.0005;
+const float RestartShare = 0.02;
 const float EdgeStep = 0.03;
+const float ClearanceTolerance = 0.05;
 const float SightTolerance = 0.1;
-const float ClearanceTolerance = 0.1;
 const float LeastWeight = 0.0001;
-
-struct LookupResult
-{
-  vec4 Color;     // associated alpha
-  float Fraction; // of the way from entry to exit
-};
+const float Unknown = 2000.0;
 
 struct View
 {
-  int Slice;
-  vec3 Position; // CC
+  SlicePlace Slice;
+  vec2 Position;
+  vec2 InverseToPositive;
+  vec2 InverseToNegative;
   float Weight;
-  float Slack;
 };
 
 struct Projection
 {
-  int Tile;
+  float Block;
   vec2 Coordinates;
   float InverseDepth;
 };
 
-struct Crossing
+// The viewpoints around a ray's entry.
+struct ViewCell
 {
-  float W;
-  bool IsSurface;
+  View View00;
+  View View10;
+  View View01;
+  View View11;
+  float Stride; // in w, of the search
 };
 
-// The ray being looked up and the viewpoints around its entry.
-int EntryFace;
-vec3 Entry;
-vec3 Chord;
-View Views[4];
-
-void FindViews(RayCoordinates ray)
+// A step of the search along a ray. The clearances are those of the four views.
+struct Step
 {
-  EntryFace = ray.Entry.Face;
-  Entry = FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
-  Chord = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates) - Entry;
-  NodeBracket u = FindNodes(ray.Entry.Coordinates.x);
-  NodeBracket v = FindNodes(ray.Entry.Coordinates.y);
-  for (int k = 0; k < 4; ++k)
-  {
-    bool upperU = k % 2 == 1;
-    bool upperV = k / 2 == 1;
-    Views[k].Slice =
-      SliceOf(u.Lower + (upperU ? 1 : 0), v.Lower + (upperV ? 1 : 0));
-    Views[k].Position = FaceToCube(EntryFace,
-      vec2(upperU ? u.UpperCoordinate : u.LowerCoordinate,
-        upperV ? v.UpperCoordinate : v.LowerCoordinate));
-    Views[k].Weight =
-      (upperU ? u.Weight : 1.0 - u.Weight) * (upperV ? v.Weight : 1.0 - v.Weight);
-    float texels = 0.5 * float(Resolution) * distance(Views[k].Position, Entry);
-    Views[k].Slack = min(SlackTexels / max(texels, SlackTexels), MostSlack);
-  }
+  float Before;
+  vec4 ClearancesBefore;
+  float Behind;
+  vec4 ClearancesBehind;
+  int Count;         // of the steps so far
+  float FirstHidden; // where no view sees the ray's points first; 0: nowhere so far
+};
+
+// What a ray meets.
+struct Surface
+{
+  float W;    // 0: nothing
+  vec4 Sight; // how well the four views see it, in [0,1]
+};
+
+View MakeView(float slot, vec2 position, vec2 weight)
+{
+  View view;
+  view.Slice = FindSlice(slot);
+  view.Position = position;
+  view.InverseToPositive = InverseToPositive(position);
+  view.InverseToNegative = InverseToNegative(position);
+  view.Weight = weight.x * weight.y;
+  return view;
 }
 
-int FindNearestView()
+ViewCell FindViews(vec3 entry)
 {
-  int nearest = 0;
-  for (int k = 1; k < 4; ++k)
-  {
-    nearest = Views[k].Weight > Views[nearest].Weight ? k : nearest;
-  }
-  return nearest;
+  Cell cell = FindCell(entry.xy);
+  vec2 lower = 1.0 - cell.Weight;
+  ViewCell views;
+  views.View00 = MakeView(cell.Slots.x, cell.Lower, lower);
+  views.View10 =
+    MakeView(cell.Slots.y, vec2(cell.Upper.x, cell.Lower.y), vec2(cell.Weight.x, lower.y));
+  views.View01 =
+    MakeView(cell.Slots.z, vec2(cell.Lower.x, cell.Upper.y), vec2(lower.x, cell.Weight.y));
+  views.View11 = MakeView(cell.Slots.w, cell.Upper, cell.Weight);
+  float reach = length(max(entry.xy - cell.Lower, cell.Upper - entry.xy));
+  views.Stride = min(2.0 * TexelsPerStep / (Resolution * reach), MostStride);
+  return views;
 }
 
-Projection Project(int k, vec3 pointCC)
+View FindNearestView(vec3 entry)
 {
-  vec3 direction = pointCC - Views[k].Position;
-  int entryAxis = FaceAxis(EntryFace);
-  vec3 sign = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0,
-    direction.z < 0.0 ? -1.0 : 1.0);
-  // Along the entry face's axis only the opposite face is an exit.
-  sign[entryAxis] = -FaceSign(EntryFace);
-  vec3 toExit = abs(sign - Views[k].Position);
-  vec3 pace = sign * direction;
-  float inverseDepth = 1.0 / LeastDepth;
-  int axis = entryAxis;
-  for (int a = 0; a < 3; ++a)
-  {
-    if (toExit[a] < inverseDepth * pace[a])
-    {
-      inverseDepth = toExit[a] / pace[a];
-      axis = a;
-    }
-  }
-  int face = FaceOf(axis, sign[axis]);
-  vec3 exit = Views[k].Position + inverseDepth * direction;
-  return Projection(TileOf(EntryFace, face), CubeToFace(face, exit), inverseDepth);
+  Cell cell = FindCell(entry.xy);
+  bvec2 isUpper = greaterThan(cell.Weight, vec2(0.5));
+  vec2 slots = isUpper.y ? cell.Slots.zw : cell.Slots.xy;
+  return MakeView(isUpper.x ? slots.y : slots.x,
+    vec2(isUpper.x ? cell.Upper.x : cell.Lower.x, isUpper.y ? cell.Upper.y : cell.Lower.y),
+    vec2(1.0));
 }
 
-float GuessSurface(float fraction)
+Projection Project(View view, vec3 point)
+{
+  vec3 direction = vec3(point.xy - view.Position, point.z);
+  vec3 share = ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
+  Projection seen;
+  seen.InverseDepth = 1.0 / max(max(max(share.x, share.y), share.z), LeastDepth);
+  vec3 exit = vec3(view.Position, -1.0) + seen.InverseDepth * direction;
+  bool toX = share.x > max(share.y, share.z);
+  bool toY = share.y > share.z;
+  vec2 sideX = ExitCoordinates(SideXAxes, exit.yz);
+  vec2 sideY = ExitCoordinates(SideYAxes, exit.xz);
+  vec2 opposite = ExitCoordinates(OppositeAxes, exit.xy);
+  sideX = direction.x < 0.0 ? sideX * SideXFlip : sideX;
+  sideY = direction.y < 0.0 ? sideY * SideYFlip : sideY;
+  float blockX = direction.x < 0.0 ? SideXBlocks.y : SideXBlocks.x;
+  float blockY = direction.y < 0.0 ? SideYBlocks.y : SideYBlocks.x;
+  seen.Coordinates = toX ? sideX : (toY ? sideY : opposite);
+  seen.Block = toX ? blockX : (toY ? blockY : OppositeBlock);
+  return seen;
+}
+
+// Where the surface that a view sees in the direction of a point lies along the ray.
+float GuessSurface(Ray ray, View view, float fraction)
 {
   if (!HasDepth)
   {
     return fraction;
   }
-  int k = FindNearestView();
-  Projection seen = Project(k, Entry + fraction * Chord);
-  vec3 exit = FaceToCube(ExitFaceOf(EntryFace, seen.Tile), seen.Coordinates);
-  vec3 surface = Views[k].Position +
-    (exit - Views[k].Position) /
-      ReadNearestInverseDepth(Views[k].Slice, seen.Tile, seen.Coordinates);
-  return clamp(dot(surface - Entry, Chord) / dot(Chord, Chord), 0.0, 1.0);
+  vec3 point = ray.Entry + fraction * ray.Chord;
+  Projection seen = Project(view, point);
+  float depth = max(ReadNearestDepth(view.Slice, seen.Block, seen.Coordinates), LeastDepth);
+  vec3 viewpoint = vec3(view.Position, 0.0);
+  vec3 surface = viewpoint + (point - viewpoint) * (seen.InverseDepth * depth);
+  float guess = clamp(dot(surface - ray.Entry, ray.Chord) / dot(ray.Chord, ray.Chord), 0.0, 1.0);
+  return IsKept(view.Slice, seen.Block) > 0.0 ? guess : fraction;
 }
 
-LookupResult LookThrough(float fraction)
+vec4 ReadColorOf(View view, vec3 point)
+{
+  Projection seen = Project(view, point);
+  return ReadColor(view.Slice, seen.Block, seen.Coordinates);
+}
+
+// Adds what a view sees to a weighted sum, if it sees anything.
+void AddColorOf(View view, vec3 point, float weight, inout vec4 color, inout float weights)
+{
+  Projection seen = Project(view, point);
+  weight *= IsKept(view.Slice, seen.Block);
+  color += weight * ReadColor(view.Slice, seen.Block, seen.Coordinates);
+  weights += weight;
+}
+
+vec4 ListWeights(ViewCell views)
+{
+  return vec4(views.View00.Weight, views.View10.Weight, views.View01.Weight, views.View11.Weight);
+}
+
+vec4 BlendColors(ViewCell views, vec3 point, vec4 weights)
 {
   vec4 color = vec4(0.0);
-  for (int k = 0; k < 4; ++k)
-  {
-    Projection seen = Project(k, Entry + fraction * Chord);
-    color += Views[k].Weight * ReadColor(Views[k].Slice, seen.Tile, seen.Coordinates);
-  }
-  return LookupResult(color, GuessSurface(fraction));
+  float sum = 0.0;
+  AddColorOf(views.View00, point, weights.x, color, sum);
+  AddColorOf(views.View10, point, weights.y, color, sum);
+  AddColorOf(views.View01, point, weights.z, color, sum);
+  AddColorOf(views.View11, point, weights.w, color, sum);
+  return color / max(sum, LeastWeight);
 }
 
-LookupResult LookupNearest(RayCoordinates ray)
+LookupResult LookThrough(Ray ray, float fraction)
 {
-  FindViews(ray);
-  int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
-  return LookupResult(
-    ReadNearestColor(Views[FindNearestView()].Slice, tile, ray.Exit.Coordinates),
-    GuessSurface(1.0));
+  ViewCell views = FindViews(ray.Entry);
+  vec3 point = ray.Entry + fraction * ray.Chord;
+  LookupResult result;
+  result.Color = BlendColors(views, point, ListWeights(views));
+  result.Fraction = GuessSurface(ray, FindNearestView(ray.Entry), fraction);
+  return result;
 }
 
-LookupResult LookupLinear(RayCoordinates ray)
+LookupResult LookupNearest(Ray ray)
 {
-  FindViews(ray);
-  int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
-  return LookupResult(
-    ReadColor(Views[FindNearestView()].Slice, tile, ray.Exit.Coordinates), GuessSurface(1.0));
+  View view = FindNearestView(ray.Entry);
+  Projection exit = Project(MakeView(0.0, ray.Entry.xy, vec2(1.0)), ray.Entry + ray.Chord);
+  return LookupResult(ReadNearestColor(view.Slice, exit.Block, exit.Coordinates),
+    GuessSurface(ray, view, 1.0));
 }
 
-LookupResult LookupBilinear(RayCoordinates ray)
+LookupResult LookupLinear(Ray ray)
 {
-  FindViews(ray);
-  return LookThrough(1.0);
+  View view = FindNearestView(ray.Entry);
+  return LookupResult(ReadColorOf(view, ray.Entry + ray.Chord), GuessSurface(ray, view, 1.0));
 }
 
-// The nearest (x) and farthest (y) w that the scene can fill; empty where x <= y.
-vec2 ClipToScene()
+LookupResult LookupBilinear(Ray ray)
 {
-  vec3 direction = vec3(abs(Chord.x) < 1.0e-9 ? 1.0e-9 : Chord.x,
-    abs(Chord.y) < 1.0e-9 ? 1.0e-9 : Chord.y, abs(Chord.z) < 1.0e-9 ? 1.0e-9 : Chord.z);
-  vec3 t0 = (SceneMinimum - Entry) / direction;
-  vec3 t1 = (SceneMaximum - Entry) / direction;
-  vec3 near = min(t0, t1);
-  vec3 far = max(t0, t1);
-  float first = max(max(near.x, near.y), max(near.z, 1.0 / NearestStart));
-  float last = min(min(far.x, far.y), min(far.z, 1.0));
-  return vec2(1.0 / first, 1.0 / max(last, 1.0 / NearestStart));
+  return LookThrough(ray, 1.0);
 }
 
-LookupResult LookupFocal(RayCoordinates ray, vec3 focalPointCC)
+LookupResult LookupFocal(Ray ray)
 {
-  FindViews(ray);
-  vec2 range = ClipToScene();
-  if (range.x <= range.y)
+  vec2 range = ClipToScene(CastGridRay(ray));
+  if (range.x >= range.y)
   {
     return LookupResult(vec4(0.0), 1.0);
   }
-  float fraction = dot(focalPointCC - Entry, Chord) / dot(Chord, Chord);
-  return LookThrough(max(NearestFocus, clamp(fraction, 1.0 / range.x, 1.0 / range.y)));
+  float fraction =
+    dot(FocalPointFC - ray.Entry, ray.Chord) / dot(ray.Chord, ray.Chord);
+  return LookThrough(ray, max(NearestFocus, clamp(fraction, range.x, range.y)));
 }
 
-int CountSteps(vec2 range)
+float Clearance(View view, vec3 point)
 {
-  float reach = 0.0;
-  for (int k = 0; k < 4; ++k)
+  Projection seen = Project(view, point);
+  return seen.InverseDepth - ReadInverseDepth(view.Slice, seen.Block, seen.Coordinates);
+}
+
+// Of the four views, in the order 00, 10, 01, 11.
+vec4 Clearances(Ray ray, ViewCell views, float w)
+{
+  vec3 point = ray.Entry + ray.Chord / w;
+  return vec4(Clearance(views.View00, point), Clearance(views.View10, point),
+    Clearance(views.View01, point), Clearance(views.View11, point));
+}
+
+// Whether some view knows that a point is hidden, and none sees through it.
+bool IsHidden(vec4 clearances)
+{
+  return all(lessThanEqual(clearances, vec4(0.0))) && any(greaterThan(clearances, vec4(-Unknown)));
+}
+
+// 1 for the views whose sight ends between two points of the ray, 0 for the others.
+vec4 EndsOfSight(vec4 before, vec4 behind)
+{
+  return vec4(greaterThan(before, vec4(0.0))) * vec4(lessThanEqual(behind, vec4(0.0)));
+}
+
+// Which view's sight ends first between `before` and `behind`: 1 for it, 0 for the others.
+vec4 ChooseCrossing(vec4 before, vec4 behind)
+{
+  vec4 share = mix(vec4(-1.0), behind / (behind - before), EndsOfSight(before, behind));
+  float first = max(max(share.x, share.y), max(share.z, share.w));
+  vec4 chosen = vec4(share.x == first ? 1.0 : 0.0, 0.0, 0.0, 0.0);
+  chosen.y = share.y == first ? 1.0 - chosen.x : 0.0;
+  chosen.z = share.z == first ? 1.0 - chosen.x - chosen.y : 0.0;
+  chosen.w = 1.0 - chosen.x - chosen.y - chosen.z;
+  return chosen;
+}
+
+View ChooseView(ViewCell views, vec4 chosen)
+{
+  if (chosen.x > 0.0)
   {
-    reach = max(reach, distance(Views[k].Position, Entry));
+    return views.View00;
   }
-  float texels = 0.5 * float(Resolution) * reach * (range.x - range.y);
-  return clamp(int(ceil(texels / TexelsPerStep)), LeastSteps, MostSteps);
+  if (chosen.y > 0.0)
+  {
+    return views.View10;
+  }
+  if (chosen.z > 0.0)
+  {
+    return views.View01;
+  }
+  return views.View11;
 }
 
-float Clearance(int k, float w)
+float RefineCrossing(Ray ray, View view, float before, float behind, float clearanceBefore,
+  float clearanceBehind)
 {
-  Projection seen = Project(k, Entry + Chord / max(w, 1.0));
-  return seen.InverseDepth - ReadInverseDepth(Views[k].Slice, seen.Tile, seen.Coordinates);
-}
-
-Crossing RefineCrossing(int k, float behind, float before)
-{
-  float clearance = Clearance(k, behind);
+  float w = behind;
   for (int i = 0; i < Refinements; ++i)
   {
-    float middle = 0.5 * (behind + before);
-    float c = Clearance(k, middle);
-    if (c > 0.0)
+    float share = clearanceBehind / (clearanceBehind - clearanceBefore);
+    w = mix(behind, before, clamp(share, LeastShare, 1.0 - LeastShare));
+    float clearance = Clearance(view, ray.Entry + ray.Chord / w);
+    if (abs(clearance) < Convergence * w)
     {
-      before = middle;
+      break;
+    }
+    if (clearance > 0.0)
+    {
+      before = w;
+      clearanceBefore = clearance;
     }
     else
     {
-      behind = middle;
-      clearance = c;
+      behind = w;
+      clearanceBehind = clearance;
     }
   }
-  return Crossing(behind, clearance > -EdgeStep * behind);
+  return w;
 }
 
-bool IsSeenThrough(int exceptView, float w)
+// Goes on from `step.Behind` to where some view's sight ends. False where there is no such place.
+bool FindStep(Ray ray, ViewCell views, GridRay gridRay, vec2 range, inout Step step)
 {
-  for (int k = 0; k < 4; ++k)
+  while (step.Behind > range.y && step.Count < MostSteps)
   {
-    float slack = Views[k].Slack;
-    if (k != exceptView &&
-      min(Clearance(k, w + slack), Clearance(k, w - slack)) > ClearanceTolerance)
+    step.Behind = SkipEmpty(gridRay, step.Behind, range.y);
+    if (step.Behind <= range.y)
     {
-      return true;
+      break;
+    }
+    step.ClearancesBehind = Clearances(ray, views, step.Behind);
+    if (step.FirstHidden == 0.0 && IsHidden(step.ClearancesBehind))
+    {
+      step.FirstHidden = step.Behind;
+    }
+    bool inside = true;
+    while (inside)
+    {
+      step.Before = step.Behind;
+      step.ClearancesBefore = step.ClearancesBehind;
+      float stride = max(views.Stride, StepShare * step.Before);
+      step.Behind = max(step.Before - stride, range.y);
+      step.ClearancesBehind = Clearances(ray, views, step.Behind);
+      ++step.Count;
+      if (EndsOfSight(step.ClearancesBefore, step.ClearancesBehind) != vec4(0.0))
+      {
+        return true;
+      }
+      inside = step.Behind > range.y && step.Count < MostSteps && IsOccupied(gridRay, step.Behind);
     }
   }
   return false;
 }
 
-float FindSurface()
+Surface FindSurface(Ray ray, ViewCell views)
 {
-  vec2 range = ClipToScene();
-  if (range.x <= range.y)
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = ClipToScene(gridRay);
+  range = 1.0 / max(range, 1.0 / NearestStart);
+  Step step;
+  step.Behind = range.x;
+  step.Count = 0;
+  step.FirstHidden = 0.0;
+  for (int i = 0; i < MostCandidates; ++i)
   {
-    return 0.0;
-  }
-  int steps = CountSteps(range);
-  float stride = (range.x - range.y) / float(steps);
-  float clearances[4];
-  for (int k = 0; k < 4; ++k)
-  {
-    clearances[k] = Clearance(k, range.x);
-  }
-  float edge = 0.0;
-  for (int i = 1; i <= steps; ++i)
-  {
-    float w = range.x - stride * float(i);
-    float surface = 0.0;
-    for (int k = 0; k < 4; ++k)
+    if (!FindStep(ray, views, gridRay, range, step))
     {
-      float before = clearances[k];
-      clearances[k] = Clearance(k, w);
-      if (before > 0.0 && clearances[k] <= 0.0)
-      {
-        Crossing crossing = RefineCrossing(k, w, w + stride);
-        float best = crossing.IsSurface ? surface : edge;
-        if (crossing.W > best && !IsSeenThrough(k, crossing.W))
-        {
-          if (crossing.IsSurface)
-          {
-            surface = crossing.W;
-          }
-          else
-          {
-            edge = crossing.W;
-          }
-        }
-      }
+      break;
     }
-    if (surface > 0.0)
+    vec4 chosen = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
+    float w = RefineCrossing(ray, ChooseView(views, chosen), step.Before, step.Behind,
+      dot(step.ClearancesBefore, chosen), dot(step.ClearancesBehind, chosen));
+    vec4 clearances = Clearances(ray, views, w);
+    bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
+    bool isSurface = abs(dot(clearances, chosen)) < EdgeStep * w;
+    if (!isSeenThrough && isSurface)
     {
-      return surface;
+      vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
+      vec4 fromFront = vec4(lessThan(clearances, step.ClearancesBefore));
+      return Surface(w, near * fromFront);
     }
+    bool isKnown = any(greaterThan(clearances, vec4(-Unknown)));
+    if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
+    {
+      step.FirstHidden = w;
+    }
+    step.Behind = w - RestartShare * views.Stride;
   }
-  return edge;
+  return Surface(step.FirstHidden, vec4(0.0));
 }
 
-vec4 BlendVisible(float w)
+// The views that see the surface from the ray's side share its colour; where none does, all.
+vec4 BlendVisible(Ray ray, ViewCell views, Surface surface)
 {
-  vec4 visible = vec4(0.0);
-  vec4 all = vec4(0.0);
-  float weights = 0.0;
-  for (int k = 0; k < 4; ++k)
-  {
-    Projection seen = Project(k, Entry + Chord / w);
-    vec4 color = ReadColor(Views[k].Slice, seen.Tile, seen.Coordinates);
-    all += Views[k].Weight * color;
-    float before = Clearance(k, w + Views[k].Slack);
-    float behind = Clearance(k, w - Views[k].Slack);
-    if (before >= behind)
-    {
-      float distance = max(0.0, max(behind, -before));
-      float weight =
-        (Views[k].Weight + LeastWeight) * max(0.0, 1.0 - distance / (SightTolerance * w));
-      visible += weight * color;
-      weights += weight;
-    }
-  }
-  return weights > 0.0 ? visible / weights : all;
+  vec3 point = ray.Entry + ray.Chord / surface.W;
+  vec4 weights = ListWeights(views);
+  vec4 visible = (weights + LeastWeight) * surface.Sight;
+  float sum = dot(visible, vec4(1.0));
+  return BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
 }
 
-LookupResult LookupDepth(RayCoordinates ray)
+LookupResult LookupDepth(Ray ray)
 {
   if (!HasDepth)
   {
-    return LookupFocal(ray, vec3(0.0));
+    return LookupFocal(ray);
   }
-  FindViews(ray);
-  float w = FindSurface();
-  if (w == 0.0)
+  ViewCell views = FindViews(ray.Entry);
+  Surface surface = FindSurface(ray, views);
+  if (surface.W == 0.0)
   {
     return LookupResult(vec4(0.0), 1.0);
   }
-  return LookupResult(BlendVisible(w), 1.0 / w);
+  return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
 }

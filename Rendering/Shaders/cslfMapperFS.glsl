@@ -1,12 +1,12 @@
 //VTK::System::Dec
-#extension GL_ARB_texture_gather : enable
 //CSLF::Options::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Casts the ray from the eye through each fragment of the cube's far faces and looks it up
-// (paper, algorithm 1).
+// Puts what was looked up into the scene: each fragment of the cube's faces takes its result from
+// the picture that cslfPictureFS.glsl has drawn.
 
 // Options, defined only where they apply:
+//   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones
 //   CLIPPING_PLANES  how many planes cut the picture
 //   TONE_MAPPING     vtkCSLFMapper::ToneMappingType, unless colours are shown as they are
 //   RENDER_PASS      a render pass may ask for the surface's position and normal
@@ -18,55 +18,33 @@
 //VTK::DepthPeeling::Dec
 //VTK::Output::Dec
 
-in vec3 positionCCVSOutput;
-
 uniform int PrimitiveIDOffset;
-uniform vec4 EyeCC;            // w = 1: the eye; w = 0: the direction of parallel projection
-uniform mat4 CCDCMatrix;
-uniform int EntryFacePass;     // the entry face being drawn
-uniform int LookupMode;        // vtkCSLFMapper::LookupType
-uniform vec3 FocalPointCC;
-uniform bool LinearColor;      // the field holds linear values, otherwise sRGB-encoded ones
+uniform int FacePass;           // the face being drawn
+uniform sampler2D PictureColor;
+uniform sampler2D PictureDepth; // z of DC
+uniform vec2 PictureOrigin;     // of the picture in the window, in pixels
+uniform vec2 PictureScale;      // its pixels along a side of one of the window
+uniform vec2 PixelSizeDC;       // of the window's pixels
 uniform float Opacity;
-uniform int CoveragePass;      // 0: all, 1: what covers its pixel, 2: what covers a part of it
+uniform int CoveragePass;       // 0: all, 1: what covers its pixel, 2: what covers a part of it
 #ifdef CLIPPING_PLANES
-uniform vec4 ClippingPlanesCC[CLIPPING_PLANES]; // what is drawn lies where they are positive
+uniform vec4 ClippingPlanesDC[CLIPPING_PLANES]; // what is drawn lies where they are positive
 #endif
 #ifdef RENDER_PASS
-uniform mat4 CCVCMatrix;
+uniform mat4 DCVCMatrix;
 #endif
 
-//CSLF::Cube::Dec
-//CSLF::Field::Dec
-//CSLF::Lookup::Dec
 //CSLF::ToneMapping::Dec
 
 // Coverage from which on a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;
 
-LookupResult LookUp(RayCoordinates ray)
-{
-  switch (LookupMode)
-  {
-    case 0:
-      return LookupNearest(ray);
-    case 1:
-      return LookupLinear(ray);
-    case 2:
-      return LookupBilinear(ray);
-    case 3:
-      return LookupFocal(ray, FocalPointCC);
-    default:
-      return LookupDepth(ray);
-  }
-}
-
-bool IsClipped(vec3 pointCC)
+bool IsClipped(vec3 pointDC)
 {
 #ifdef CLIPPING_PLANES
   for (int i = 0; i < CLIPPING_PLANES; ++i)
   {
-    if (dot(ClippingPlanesCC[i], vec4(pointCC, 1.0)) < 0.0)
+    if (dot(ClippingPlanesDC[i], vec4(pointDC, 1.0)) < 0.0)
     {
       return true;
     }
@@ -77,30 +55,23 @@ bool IsClipped(vec3 pointCC)
 
 vec3 GetDisplayColor(vec3 color)
 {
-#ifdef TONE_MAPPING
-  return LinearToSRGB(MapTone(LinearColor ? color : SRGBToLinear(color)));
+#if defined(TONE_MAPPING) && defined(LINEAR_COLOR)
+  return LinearToSRGB(MapTone(color));
+#elif defined(TONE_MAPPING)
+  return LinearToSRGB(MapTone(SRGBToLinear(color)));
+#elif defined(LINEAR_COLOR)
+  return LinearToSRGB(color);
 #else
-  return LinearColor ? LinearToSRGB(color) : color;
+  return color;
 #endif
 }
 
 void main()
 {
-  vec3 direction = EyeCC.w > 0.0 ? positionCCVSOutput - EyeCC.xyz : EyeCC.xyz;
-  vec3 origin = EyeCC.w > 0.0 ? EyeCC.xyz : positionCCVSOutput;
-  RayCoordinates ray = RayToCoordinates(origin, direction);
-
-  // Each ray is drawn once, where it leaves the cube.
-  vec3 exit = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates);
-  vec3 entry = FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
-  if (!ray.Hits || ray.Entry.Face != EntryFacePass ||
-    distance(positionCCVSOutput, exit) > distance(positionCCVSOutput, entry))
-  {
-    discard;
-  }
-
-  LookupResult result = LookUp(ray);
-  float alpha = result.Color.a;
+  vec2 position = gl_FragCoord.xy - PictureOrigin;
+  ivec2 texel = ivec2(position * PictureScale);
+  vec4 color = texelFetch(PictureColor, texel, 0);
+  float alpha = color.a;
   bool covers = alpha >= OpaqueCoverage;
   if (alpha <= 0.0 || (CoveragePass == 1 && !covers) || (CoveragePass == 2 && covers))
   {
@@ -109,21 +80,21 @@ void main()
 
   // The surfaces are cut by the clipping range, not the cube; this also leaves out what lies behind
   // an eye inside the cube.
-  vec3 hitCC = mix(entry, exit, result.Fraction);
-  vec4 hitDC = CCDCMatrix * vec4(hitCC, 1.0);
-  if (abs(hitDC.z) > hitDC.w || IsClipped(hitCC))
+  vec3 hitDC = vec3(position * PixelSizeDC - 1.0, texelFetch(PictureDepth, texel, 0).r);
+  if (abs(hitDC.z) > 1.0 || IsClipped(hitDC))
   {
     discard;
   }
-  gl_FragDepth = 0.5 * hitDC.z / hitDC.w + 0.5;
+  gl_FragDepth = 0.5 * hitDC.z + 0.5;
 
   //VTK::DepthPeeling::PreColor
 
-  gl_FragData[0] = vec4(GetDisplayColor(result.Color.rgb / alpha), alpha * Opacity);
+  gl_FragData[0] = vec4(GetDisplayColor(color.rgb / alpha), alpha * Opacity);
 
 #ifdef RENDER_PASS
   // By these names render passes know them.
-  vec4 vertexVC = CCVCMatrix * vec4(hitCC, 1.0);
+  vec4 vertexVC = DCVCMatrix * vec4(hitDC, 1.0);
+  vertexVC /= vertexVC.w;
   vec3 across = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));
   vec3 normalVCVSOutput = length(across) > 0.0 ? normalize(across) : vec3(0.0, 0.0, 1.0);
   //VTK::Light::Impl

@@ -1,11 +1,12 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the cube's faces and hands each fragment its point in cube space.
+// Draws the face of the cube by which rays enter, or, where the eye is inside the cube, leave.
 
 in vec4 vertexMC;
-in vec3 positionCC;
-out vec3 positionCCVSOutput;
+in float face;
+
+uniform int FacePass; // the face being drawn
 
 //VTK::Camera::Dec
 //VTK::PositionVC::Dec
@@ -13,7 +14,10 @@ out vec3 positionCCVSOutput;
 
 void main()
 {
-  positionCCVSOutput = positionCC;
   //VTK::PositionVC::Impl
   //VTK::Picking::Impl
+  if (int(face + 0.5) != FacePass)
+  {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  }
 }

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What all rays of a view see, looked up once for all passes that draw it.
+ */
+#ifndef cslfLookupPicture_h
+#define cslfLookupPicture_h
+
+#include "cslfCube.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <memory>
+#include <string>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace cslf
+{
+class FieldTexture;
+
+/// A texture of colours and one of depths (z of DC), of the size of the viewport. VTK draws an
+/// actor several times, an opaque one with parts that cover their pixels in part twice at least;
+/// lookups cost more than reading their results. Belongs to one render window's context at a time.
+class LookupPicture
+{
+public:
+  /// What is seen, and how it is looked up.
+  struct View
+  {
+    int Lookup = 0;                ///< vtkCSLFMapper::LookupType
+    std::array<double, 16> CCDC{}; ///< by rows
+    glm::dvec4 EyeCC{ 0.0 };  ///< w = 1: the eye; w = 0: the direction of a parallel projection
+    bool IsEyeInside = false; ///< of the cube
+    std::array<bool, FaceCount> EntryFaces{};
+    std::array<glm::dvec3, FaceCount> FocalPointsCC{};
+
+    bool operator==(const View& other) const;
+  };
+
+  LookupPicture();
+  ~LookupPicture();
+  LookupPicture(const LookupPicture&) = delete;
+  LookupPicture& operator=(const LookupPicture&) = delete;
+
+  /// Looks the view up for the current viewport, unless the picture is that of it, and binds the
+  /// textures until Deactivate. Where all of its pixels would take longer than `seconds`, the
+  /// picture has fewer. The field must be uploaded to this window.
+  void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds);
+
+  /// Sets the picture's uniforms of cslfMapperFS.glsl.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  void Deactivate();
+
+  /// Frees the textures if they belong to this window, whose context must be current.
+  void Release(vtkWindow* window);
+
+private:
+  int ChooseDivisor(const View& view, const std::array<int, 4>& viewport, double seconds) const;
+  void Allocate(const FieldTexture& field);
+  void BuildProgram(const FieldTexture& field);
+  void DrawFaces(FieldTexture& field);
+  void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
+
+  vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
+  View Current;
+  unsigned int Changes = 0; ///< of the field that the picture shows
+  std::array<int, 4> Viewport{ 0, 0, 0, 0 };
+  int Divisor = 1; ///< pixels of the viewport along a side of one of the picture
+  std::array<int, 2> Size{ 1, 1 };
+  double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
+  std::string Source;        ///< of the fragment shader
+  vtkNew<vtkTextureObject> Colors;
+  vtkNew<vtkTextureObject> Depths;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+};
+}
+
+#endif

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSceneGrid.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+/// The scene's bounds are widened by this, in CC.
+constexpr double SceneMargin = 0.01;
+/// A surface's cells begin at least this share of a cell before it.
+constexpr double LeastReach = 0.35;
+/// Viewpoints along a side of a face that are enough to see all there is to see.
+constexpr int MostViewpoints = 17;
+// These stand in cslfSceneGrid.glsl too.
+constexpr int MostSkips = 64;
+constexpr double SkipMargin = 1.0e-4;
+constexpr double LeastChord = 1.0e-5;
+/// Where nothing is marked.
+constexpr std::uint8_t NoRing = 255;
+
+constexpr int CountCells()
+{
+  return SceneGrid::Cells * SceneGrid::Cells * SceneGrid::Cells;
+}
+
+int IndexOf(const glm::ivec3& cell)
+{
+  return (cell.z * SceneGrid::Cells + cell.y) * SceneGrid::Cells + cell.x;
+}
+
+/// Calls `see` with the place of what a viewpoint sees by every so many texels of a tile, and with
+/// how far from each other these are there, in CC.
+template <typename ColorValue, typename DepthValue, typename See>
+void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const ColorValue* colors,
+  const DepthValue* depths, double depthScale, const See& see)
+{
+  const glm::dvec3 eye = grid.ViewpointPosition(viewpoint);
+  const int face = ExitFaceOf(viewpoint.Face, tile);
+  const int resolution = grid.GetResolution();
+  const int stride = std::max(1, resolution / SceneGrid::Cells);
+  const double texel = 2.0 * stride / resolution;
+  for (int q = stride / 2; q < resolution; q += stride)
+  {
+    const vtkIdType row = static_cast<vtkIdType>(q) * grid.GetStripWidth() + tile * resolution;
+    for (int p = stride / 2; p < resolution; p += stride)
+    {
+      if (colors[4 * (row + p) + 3] > 0)
+      {
+        const glm::dvec3 exit =
+          FaceToCube(face, { grid.TexelCoordinate(p), grid.TexelCoordinate(q) });
+        const double depth = depthScale * depths[row + p];
+        see(eye + depth * (exit - eye), depth * texel);
+      }
+    }
+  }
+}
+
+/// The viewpoints that are looked through: all, or every so many.
+std::vector<vtkIdType> ChoosePlaces(const Layout& grid, const std::vector<int>& slices)
+{
+  const int stride = std::max(1, (grid.GetViewpoints() - 1) / (MostViewpoints - 1));
+  const bool whole = static_cast<int>(slices.size()) == grid.GetSlices();
+  std::vector<vtkIdType> places;
+  for (std::size_t place = 0; place < slices.size(); ++place)
+  {
+    const Viewpoint viewpoint = grid.ViewpointOf(slices[place]);
+    if (!whole || (viewpoint.I % stride == 0 && viewpoint.J % stride == 0))
+    {
+      places.push_back(static_cast<vtkIdType>(place));
+    }
+  }
+  return places;
+}
+}
+
+SceneGrid::SceneGrid(const Description& description)
+  : Field(description.Grid)
+  , Minimum(description.GetSceneMinimumCC() - SceneMargin)
+  , Maximum(description.GetSceneMaximumCC() + SceneMargin)
+  , Rings(CountCells(), description.FindChannel(DepthName) ? NoRing : 0)
+{
+}
+
+SceneGrid::SceneGrid(
+  const Description& description, vtkImageData* image, const std::vector<int>& slices)
+  : SceneGrid(description)
+{
+  ViewpointSamples samples;
+  samples.Color = image->GetPointData()->GetArray(ColorName);
+  samples.Depth = image->GetPointData()->GetArray(DepthName);
+  for (vtkIdType place : ChoosePlaces(description.Grid, slices))
+  {
+    samples.First = place * description.Grid.GetStripWidth() * description.Grid.GetResolution();
+    this->Add(slices[place], samples);
+  }
+  this->Spread();
+}
+
+void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
+{
+  if (!samples.Depth)
+  {
+    return;
+  }
+  const Viewpoint viewpoint = this->Field.ViewpointOf(slice);
+  const glm::dvec3 scale = static_cast<double>(Cells) / (this->Maximum - this->Minimum);
+  const auto see = [&](const glm::dvec3& pointCC, double reach)
+  { this->Mark((pointCC - this->Minimum) * scale, reach * scale); };
+  const auto look = [&](const auto* colors, const auto* depths, double depthScale)
+  {
+    for (int tile = 0; tile < TileCount; ++tile)
+    {
+      if (tiles >> tile & 1)
+      {
+        LookThrough(this->Field, viewpoint, tile, colors + 4 * samples.First,
+          depths + samples.First, depthScale, see);
+      }
+    }
+  };
+  const auto lookAtDepth = [&](const auto* colors)
+  {
+    if (samples.Depth->GetDataType() == VTK_UNSIGNED_SHORT)
+    {
+      look(colors, static_cast<const unsigned short*>(samples.Depth->GetVoidPointer(0)),
+        1.0 / 65535.0);
+    }
+    else
+    {
+      look(colors, static_cast<const float*>(samples.Depth->GetVoidPointer(0)), 1.0);
+    }
+  };
+  if (samples.Color->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    lookAtDepth(static_cast<const unsigned char*>(samples.Color->GetVoidPointer(0)));
+  }
+  else
+  {
+    lookAtDepth(static_cast<const float*>(samples.Color->GetVoidPointer(0)));
+  }
+}
+
+// Marks the cells around a position, up to `reach` from it or a share of a cell.
+void SceneGrid::Mark(const glm::dvec3& position, const glm::dvec3& reach)
+{
+  const glm::dvec3 around = glm::max(reach, LeastReach);
+  const double most = Cells - 1;
+  const glm::ivec3 first(glm::clamp(glm::floor(position - around), 0.0, most));
+  const glm::ivec3 last(glm::clamp(glm::floor(position + around), 0.0, most));
+  for (int z = first.z; z <= last.z; ++z)
+  {
+    for (int y = first.y; y <= last.y; ++y)
+    {
+      for (int x = first.x; x <= last.x; ++x)
+      {
+        std::uint8_t& ring = this->Rings[IndexOf({ x, y, z })];
+        if (ring != 0)
+        {
+          ring = 0;
+          this->New.emplace_back(x, y, z);
+        }
+      }
+    }
+  }
+}
+
+// Marked cells have 0, others get their distance to these, in the maximum norm: ring by ring around
+// what is new, as far as that is nearer than what was known.
+bool SceneGrid::Spread()
+{
+  const bool isAnyNew = !this->New.empty();
+  for (int ring = 1; !this->New.empty(); ++ring)
+  {
+    std::vector<glm::ivec3> next;
+    for (const glm::ivec3& cell : this->New)
+    {
+      const glm::ivec3 least = glm::max(cell - 1, 0);
+      const glm::ivec3 most = glm::min(cell + 1, Cells - 1);
+      for (int z = least.z; z <= most.z; ++z)
+      {
+        for (int y = least.y; y <= most.y; ++y)
+        {
+          for (int x = least.x; x <= most.x; ++x)
+          {
+            std::uint8_t& known = this->Rings[IndexOf({ x, y, z })];
+            if (known > ring)
+            {
+              known = static_cast<std::uint8_t>(ring);
+              next.emplace_back(x, y, z);
+            }
+          }
+        }
+      }
+    }
+    this->New.swap(next);
+  }
+  return isAnyNew;
+}
+
+SceneGrid::Ray SceneGrid::CastGridRay(const glm::dvec3& entryCC, const glm::dvec3& chordCC) const
+{
+  const glm::dvec3 scale = static_cast<double>(Cells) / (this->Maximum - this->Minimum);
+  Ray ray{ (entryCC - this->Minimum) * scale, chordCC * scale };
+  for (int a = 0; a < 3; ++a)
+  {
+    ray.Chord[a] = std::abs(ray.Chord[a]) < LeastChord ? LeastChord : ray.Chord[a];
+  }
+  return ray;
+}
+
+void SceneGrid::ClipToScene(const Ray& ray, double& first, double& last)
+{
+  first = 0.0;
+  last = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double t0 = -ray.Entry[a] / ray.Chord[a];
+    const double t1 = (Cells - ray.Entry[a]) / ray.Chord[a];
+    first = std::max(first, std::min(t0, t1));
+    last = std::min(last, std::max(t0, t1));
+  }
+}
+
+glm::ivec3 SceneGrid::FindCell(const Ray& ray, double t)
+{
+  return glm::ivec3(
+    glm::clamp(glm::floor(ray.Entry + t * ray.Chord), 0.0, static_cast<double>(Cells - 1)));
+}
+
+bool SceneGrid::IsOccupied(const Ray& ray, double w) const
+{
+  return this->Rings[IndexOf(FindCell(ray, 1.0 / w))] == 0;
+}
+
+double SceneGrid::SkipEmpty(const Ray& ray, double w, double last) const
+{
+  double t = 1.0 / w;
+  const double end = 1.0 / last;
+  for (int i = 0; i < MostSkips && t < end; ++i)
+  {
+    const glm::ivec3 cell = FindCell(ray, t);
+    const int rings = this->Rings[IndexOf(cell)];
+    if (rings == 0)
+    {
+      break;
+    }
+    double wall = 1.0e30;
+    for (int a = 0; a < 3; ++a)
+    {
+      const int plane = cell[a] + (ray.Chord[a] >= 0.0 ? rings : 1 - rings);
+      wall = std::min(wall, (plane - ray.Entry[a]) / ray.Chord[a]);
+    }
+    t = std::max(t, wall) + SkipMargin;
+  }
+  return t >= end ? 0.0 : 1.0 / t;
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which parts of a cube's surface the lines of sight of a camera can enter and leave by.
+ */
+#ifndef cslfSight_h
+#define cslfSight_h
+
+#include "cslfCube.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <vector>
+
+namespace cslf
+{
+/// The rows of a matrix from CC to display coordinates.
+using DisplayRows = std::array<glm::dvec4, 4>;
+
+/// What a camera sees of a cube. From outside at most three faces are seen, by which lines of sight
+/// enter; all of them leave by the other faces. From inside all faces are both.
+class VTKCSLF_EXPORT Sight
+{
+public:
+  Sight() = default;
+
+  /// The eye and the sides of the picture follow from the matrix. `sceneMinimum` and `sceneMaximum`
+  /// bound, in CC, what there is to see.
+  Sight(const DisplayRows& ccdc, const glm::dvec3& sceneMinimum, const glm::dvec3& sceneMaximum);
+
+  /// w = 1: the eye; w = 0: the direction of a parallel projection. In CC.
+  const glm::dvec4& GetEye() const { return this->Eye; }
+
+  bool IsInside() const;
+
+  /// Whether lines of sight can enter by a face.
+  bool CanEnter(int face) const;
+
+  /// Whether lines of sight that enter by a face can leave by another.
+  bool CanLeave(int entryFace, int exitFace) const;
+
+  /// Whether some line of sight of the picture that may meet the scene passes through this part of
+  /// a face. Sometimes true where none does, never false where one does.
+  bool PassesThrough(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const;
+
+  /// Where the picture's middle enters the cube, or, where it misses the cube, the line of sight to
+  /// the cube's centre does.
+  const glm::dvec3& GetGaze() const { return this->Gaze; }
+
+  bool operator==(const Sight& other) const;
+  bool operator!=(const Sight& other) const { return !(*this == other); }
+
+private:
+  void FindEye(const DisplayRows& ccdc);
+  void FindGaze(const DisplayRows& ccdc);
+  void AddSceneSides(const glm::dvec3& minimum, const glm::dvec3& maximum);
+
+  glm::dvec4 Eye{ 0.0, 0.0, 0.0, 1.0 };
+  glm::dvec3 Gaze{ 0.0 };
+  std::vector<glm::dvec4> Sides; ///< planes, positive where lines of sight may pass
+};
+}
+
+#endif

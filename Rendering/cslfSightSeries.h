@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The cameras that draw a light field in turn.
+ */
+#ifndef cslfSightSeries_h
+#define cslfSightSeries_h
+
+#include "cslfSight.h"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace cslf
+{
+/// What is seen by all who draw a field in one window: its renderers, and both eyes in stereo. Who
+/// draws no more is forgotten after a while.
+class SightSeries
+{
+public:
+  /// Who draws: a renderer, which is only compared, and an eye.
+  using Viewer = std::pair<const void*, int>;
+
+  void Update(const Viewer& viewer, const Sight& sight)
+  {
+    this->Entries[viewer] = { sight, ++this->Count };
+    for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+    {
+      entry =
+        entry->second.Time + Patience < this->Count ? this->Entries.erase(entry) : std::next(entry);
+    }
+  }
+
+  std::vector<Sight> GetSights() const
+  {
+    std::vector<Sight> sights;
+    for (const auto& entry : this->Entries)
+    {
+      sights.push_back(entry.second.Seen);
+    }
+    return sights;
+  }
+
+private:
+  struct Entry
+  {
+    Sight Seen;
+    std::int64_t Time = 0;
+  };
+
+  /// In updates: several passes of several viewers.
+  static constexpr std::int64_t Patience = 64;
+
+  std::map<Viewer, Entry> Entries;
+  std::int64_t Count = 0;
+};
+}
+
+#endif

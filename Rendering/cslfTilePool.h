@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The graphics memory that holds tiles of a light field.
+ */
+#ifndef cslfTilePool_h
+#define cslfTilePool_h
+
+#include "cslfDescription.h"
+#include "cslfViewpointSource.h"
+
+#include <cstdint>
+
+namespace cslf
+{
+/// An array texture of colour and one of depth. A layer holds one or more tiles, one above the
+/// other, since drivers limit the number of layers (2048 is usual) more than their size. The first
+/// layer holds nothing: colour and depth are 0. Then come the blocks of Residency, each in layers
+/// of its own. All calls need the window's context.
+class TilePool
+{
+public:
+  using Handle = unsigned int;
+
+  TilePool() = default;
+  ~TilePool() = default;
+  TilePool(const TilePool&) = delete;
+  TilePool& operator=(const TilePool&) = delete;
+
+  /// Makes room for `blocks` blocks of up to `mostSlots` slots, as many as fit into `limit` bytes
+  /// and the driver's memory, but at least 4. False where these do not fit the driver's.
+  bool Create(const Description& field, int blocks, int mostSlots, std::int64_t limit);
+  void Free();
+
+  bool IsCreated() const { return this->Color != 0; }
+  int GetBlocks() const { return this->Blocks; }
+  int GetSlots() const { return this->Slots; }
+  int GetTilesPerLayer() const { return this->TilesPerLayer; }
+  std::int64_t GetBytes() const { return this->Bytes; }
+  Handle GetColor() const { return this->Color; }
+  Handle GetDepth() const { return this->Depth; }
+
+  /// The first layer of a block.
+  int GetFirstLayer(int block) const { return 1 + block * this->LayersPerBlock; }
+
+  /// Copies tiles to a slot. Between BeginUploads and EndUploads only.
+  void BeginUploads();
+  void Upload(const ViewpointSamples& samples, int tile, int block, int slot);
+  void EndUploads();
+
+private:
+  bool ChooseLayers(int slots);
+  std::int64_t CountBytes() const;
+  bool Allocate();
+  void ClearFirstLayer();
+
+  Description Field;
+  int Blocks = 0;
+  int Slots = 0;
+  int TilesPerLayer = 1;
+  int LayersPerBlock = 0;
+  std::int64_t Bytes = 0;
+  Handle Color = 0;
+  Handle Depth = 0; ///< 0 where the field has none
+  int Alignment = 4;
+  int RowLength = 0;
+};
+}
+
+#endif

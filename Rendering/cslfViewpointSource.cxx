@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfViewpointSource.h"
+
+#include "vtkCSLFDecoder.h"
+
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+ViewpointSamples GetSamples(vtkImageData* image)
+{
+  ViewpointSamples samples;
+  samples.Color = image->GetPointData()->GetArray(ColorName);
+  samples.Depth = image->GetPointData()->GetArray(DepthName);
+  return samples;
+}
+
+class ImageSource : public ViewpointSource
+{
+public:
+  ImageSource(const Description& field, vtkImageData* image)
+    : ViewpointSource(field)
+    , Whole(GetSamples(image))
+  {
+  }
+
+  void Prefetch(const std::vector<int>&) override {}
+  void Wait() override {}
+  bool IsReady(int) override { return true; }
+
+  ViewpointSamples Get(int slice) override
+  {
+    const Layout& grid = this->GetDescription().Grid;
+    ViewpointSamples samples = this->Whole;
+    samples.First = static_cast<vtkIdType>(slice) * grid.GetStripWidth() * grid.GetResolution();
+    return samples;
+  }
+
+  void Sort(std::vector<int>&) override {}
+
+private:
+  const ViewpointSamples Whole;
+};
+
+class DecoderSource : public ViewpointSource
+{
+public:
+  DecoderSource(const Description& field, vtkCSLFDecoder* decoder)
+    : ViewpointSource(field)
+    , Decoder(decoder)
+    , Ranks(field.Grid.GetSlices())
+  {
+    vtkNew<vtkIdTypeArray> order;
+    decoder->GetViewpointsInFileOrder(order);
+    for (vtkIdType rank = 0; rank < order->GetNumberOfValues(); ++rank)
+    {
+      this->Ranks[order->GetValue(rank)] = static_cast<int>(rank);
+    }
+  }
+
+  void Prefetch(const std::vector<int>& slices) override
+  {
+    vtkNew<vtkIdTypeArray> viewpoints;
+    for (int slice : slices)
+    {
+      viewpoints->InsertNextValue(slice);
+    }
+    this->Decoder->Prefetch(viewpoints);
+  }
+
+  void Wait() override { this->Decoder->WaitForPrefetch(); }
+
+  bool IsReady(int slice) override { return this->Decoder->IsViewpointReady(slice); }
+
+  ViewpointSamples Get(int slice) override
+  {
+    vtkNew<vtkImageData> image;
+    return this->Decoder->IsViewpointDamaged(slice) || !this->Decoder->GetViewpoint(slice, image)
+      ? ViewpointSamples{}
+      : GetSamples(image);
+  }
+
+  void Sort(std::vector<int>& slices) override
+  {
+    std::sort(slices.begin(), slices.end(),
+      [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
+  }
+
+private:
+  const vtkSmartPointer<vtkCSLFDecoder> Decoder;
+  std::vector<int> Ranks; ///< in the file
+};
+}
+
+ViewpointSource::ViewpointSource(const Description& field)
+  : Field(field)
+{
+}
+
+ViewpointSource::~ViewpointSource() = default;
+
+std::shared_ptr<ViewpointSource> MakeSource(const Description& field, vtkImageData* image)
+{
+  return std::make_shared<ImageSource>(field, image);
+}
+
+std::shared_ptr<ViewpointSource> MakeSource(const Description& field, vtkCSLFDecoder* decoder)
+{
+  return std::make_shared<DecoderSource>(field, decoder);
+}
+}

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A window that wants more pictures a second than can be looked up gets coarser ones while the view
+// moves, and whole ones when it is still.
+#include "cslfTestField.h"
+#include "cslfTesting.h"
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstdlib>
+#include <vector>
+
+namespace
+{
+constexpr int Size = 160;
+using Pixels = std::vector<unsigned char>;
+
+Pixels Render(vtkRenderWindow* window)
+{
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, Size - 1, Size - 1, 0, pixels);
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+/// How many pixels differ from the left one of their block.
+int CountChanges(const Pixels& pixels, int block)
+{
+  int changes = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const int left = x / block * block;
+        changes += pixels[3 * (y * Size + x) + c] != pixels[3 * (y * Size + left) + c];
+      }
+    }
+  }
+  return changes;
+}
+
+double CountDifference(const Pixels& a, const Pixels& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += std::abs(a[i] - b[i]);
+  }
+  return sum / static_cast<double>(a.size());
+}
+}
+
+int TestCSLFMapperResolution(int, char*[])
+{
+  const auto field = cslf::testing::MakeTestField(
+    cslf::Layout(3, 32), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputData(field);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(Size, Size);
+  window->AddRenderer(renderer);
+  renderer->GetActiveCamera()->SetPosition(1.0, 0.5, 5.0);
+  renderer->ResetCamera();
+  const Pixels whole = Render(window);
+  CSLF_CHECK(CountChanges(whole, 2) > 0);
+
+  // Far more than any machine can: the first picture is coarse by guess, the next by measure.
+  window->SetDesiredUpdateRate(1.0e9);
+  renderer->GetActiveCamera()->Azimuth(10.0);
+  CSLF_CHECK(CountChanges(Render(window), 2) == 0);
+  renderer->GetActiveCamera()->Azimuth(-10.0);
+  const Pixels coarse = Render(window);
+  CSLF_CHECK(CountChanges(coarse, 4) == 0);
+  CSLF_CHECK(CountDifference(coarse, whole) < 10.0);
+
+  window->SetDesiredUpdateRate(1.0e-4);
+  CSLF_CHECK(CountDifference(Render(window), whole) < 0.1);
+
+  mapper->AutoAdjustResolutionOff();
+  window->SetDesiredUpdateRate(1.0e9);
+  renderer->GetActiveCamera()->Azimuth(10.0);
+  CSLF_CHECK(CountChanges(Render(window), 2) > 0);
+  renderer->GetActiveCamera()->Azimuth(-10.0);
+  CSLF_CHECK(CountDifference(Render(window), whole) < 0.1);
+  return cslf::testing::Result();
+}

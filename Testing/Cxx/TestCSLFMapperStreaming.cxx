@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A field drawn right from its decoder: the same pictures as from memory, coarse ones at first
+// where nobody waits, within a budget of graphics memory, and in spite of damage.
+#include "cslfCodecTesting.h"
+#include "cslfLookup.h"
+#include "cslfTestView.h"
+#include "cslfTesting.h"
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFEncoder.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkImageData.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+using cslf::testing::ComparePictures;
+using cslf::testing::Picture;
+using cslf::testing::View;
+
+constexpr int Viewpoints = 9;
+constexpr int Resolution = 32;
+constexpr vtkTypeInt64 RawBytes =
+  vtkTypeInt64(6) * 6 * Viewpoints * Viewpoints * 5 * Resolution * Resolution;
+/// In dB. Where the search along a ray begins depends on what other viewpoints have seen before, so
+/// that single pixels at silhouettes differ.
+constexpr double Same = 40.0;
+
+/// A mapper of a file.
+struct Streamed
+{
+  vtkNew<vtkCSLFDecoder> Decoder;
+  vtkNew<vtkCSLFMapper> Mapper;
+
+  explicit Streamed(const std::string& fileName)
+  {
+    this->Decoder->SetFileName(fileName.c_str());
+    this->Mapper->SetInputConnection(this->Decoder->GetOutputPort());
+  }
+};
+
+vtkSmartPointer<vtkCSLFMapper> MakeMapper(vtkImageData* field)
+{
+  auto mapper = vtkSmartPointer<vtkCSLFMapper>::New();
+  mapper->SetInputData(field);
+  return mapper;
+}
+
+/// What a mapper draws that has drawn nothing before.
+Picture DrawAnew(vtkImageData* field, const double position[3])
+{
+  View view;
+  view.Add(MakeMapper(field));
+  view.GetCamera()->SetPosition(position);
+  return view.Render();
+}
+
+/// Cameras that see one, two and three faces, one after the other; little memory for what is
+/// decoded.
+void TestMoves(const std::string& fileName, vtkImageData* whole)
+{
+  const double positions[][3] = { { 0.3, 0.2, 5.0 }, { 2.5, 0.2, 4.5 }, { 2.5, 2.5, 3.5 },
+    { -3.0, 2.5, 3.0 }, { -3.0, -2.5, -3.0 }, { 0.3, 0.2, 5.0 } };
+  Streamed streamed(fileName);
+  streamed.Decoder->SetCacheSize(vtkTypeInt64(100) * 30 * Resolution * Resolution);
+  View view;
+  view.Add(streamed.Mapper);
+  for (const double* position : positions)
+  {
+    view.GetCamera()->SetPosition(position);
+    const double psnr = ComparePictures(view.Render(), DrawAnew(whole, position));
+    std::cout << "after a move: " << psnr << " dB\n";
+    CSLF_CHECK(psnr > Same);
+    CSLF_CHECK(streamed.Mapper->IsComplete());
+    CSLF_CHECK(streamed.Mapper->GetTextureBytes() < 0.35 * RawBytes);
+  }
+  CSLF_CHECK(streamed.Decoder->GetOutput()->GetNumberOfPoints() == 0);
+
+  // From inside the cube all faces count; outside again, they do not.
+  view.GetCamera()->SetPosition(0.1, 0.2, 0.3);
+  view.GetCamera()->SetClippingRange(0.01, 12.0);
+  view.Render();
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() > 0.9 * RawBytes);
+  view.GetCamera()->SetClippingRange(1.0, 12.0);
+  view.GetCamera()->SetPosition(positions[2]);
+  CSLF_CHECK(ComparePictures(view.Render(), DrawAnew(whole, positions[2])) > Same);
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() < 0.35 * RawBytes);
+}
+
+void Count(vtkObject*, unsigned long, void* count, void*)
+{
+  ++*static_cast<int*>(count);
+}
+
+void TestStreaming(const std::string& fileName, vtkImageData* whole)
+{
+  const double position[3] = { 2.5, 2.0, 3.5 };
+  const Picture complete = DrawAnew(whole, position);
+  Streamed streamed(fileName);
+  streamed.Mapper->StreamingOn();
+  int requests = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(Count);
+  counter->SetClientData(&requests);
+  streamed.Mapper->AddObserver(vtkCommand::UpdateDataEvent, counter);
+  View view;
+  view.Add(streamed.Mapper);
+  view.GetCamera()->SetPosition(position);
+  const Picture first = view.Render();
+  CSLF_CHECK(!streamed.Mapper->IsComplete() && requests > 0);
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() < 0.1 * RawBytes);
+  CSLF_CHECK(first.CountDrawn() > complete.CountDrawn() / 2);
+  int renders = 0;
+  Picture last = first;
+  for (; renders < 10000 && !streamed.Mapper->IsComplete(); ++renders)
+  {
+    last = view.Render();
+  }
+  std::cout << "first: " << ComparePictures(first, complete) << " dB, complete after " << renders
+            << " more\n";
+  CSLF_CHECK(renders > 0 && renders < 10000);
+  CSLF_CHECK(ComparePictures(last, complete) > Same);
+  requests = 0;
+  view.Render();
+  CSLF_CHECK(requests == 0);
+
+  // Released resources come back.
+  streamed.Mapper->ReleaseGraphicsResources(view.Window);
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() == 0);
+  streamed.Mapper->StreamingOff();
+  CSLF_CHECK(ComparePictures(view.Render(), complete) > Same);
+}
+
+/// Each window has what its own camera needs.
+void TestWindows(const std::string& fileName, vtkImageData* whole)
+{
+  const double here[3] = { 2.5, 2.0, 3.5 };
+  const double there[3] = { -2.5, -2.0, -3.5 };
+  Streamed streamed(fileName);
+  View first;
+  View second;
+  first.Add(streamed.Mapper);
+  second.Add(streamed.Mapper);
+  first.GetCamera()->SetPosition(here);
+  second.GetCamera()->SetPosition(there);
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    CSLF_CHECK(ComparePictures(first.Render(), DrawAnew(whole, here)) > Same);
+    CSLF_CHECK(ComparePictures(second.Render(), DrawAnew(whole, there)) > Same);
+  }
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() < 0.7 * RawBytes);
+}
+
+/// With less memory the grid is coarser where the camera does not look.
+void TestBudget(const std::string& fileName, vtkImageData* whole)
+{
+  const double position[3] = { 2.5, 2.0, 3.5 };
+  const Picture complete = DrawAnew(whole, position);
+  Streamed streamed(fileName);
+  View view;
+  view.Add(streamed.Mapper);
+  view.GetCamera()->SetPosition(position);
+  for (const double share : { 0.2, 0.1, 0.02 })
+  {
+    const auto limit = static_cast<vtkTypeInt64>(share * RawBytes);
+    streamed.Mapper->SetTextureMemoryLimit(limit);
+    const Picture picture = view.Render();
+    CSLF_CHECK(streamed.Mapper->GetTextureBytes() <= limit);
+    CSLF_CHECK(streamed.Mapper->GetTextureBytes() > limit / 2);
+    CSLF_CHECK(streamed.Mapper->IsComplete());
+    const double psnr = ComparePictures(picture, complete);
+    std::cout << share << " of the raw bytes: " << psnr << " dB to the complete picture\n";
+    CSLF_CHECK(psnr > 15.0);
+  }
+}
+
+void TestDamage(const std::string& fileName, vtkImageData* whole)
+{
+  const double position[3] = { 2.5, 2.0, 3.5 };
+  const std::string damaged = fileName + ".damaged.mp4";
+  std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  std::mt19937 random(5);
+  for (std::size_t hit = 0; hit < 3; ++hit)
+  {
+    bytes[bytes.size() / 4 + random() % (bytes.size() / 2)] ^= 0x55;
+  }
+  cslf::testing::WriteBytes(damaged, bytes);
+  Streamed streamed(damaged);
+  const cslf::testing::Observed decoder(streamed.Decoder);
+  const cslf::testing::Observed mapper(streamed.Mapper);
+  View view;
+  view.Add(streamed.Mapper);
+  view.GetCamera()->SetPosition(position);
+  const Picture picture = view.Render();
+  view.Render();
+  CSLF_CHECK(decoder.GetErrors() == 0 && mapper.GetErrors() == 0);
+  CSLF_CHECK(mapper.GetWarnings() == 1 && mapper.HasWarning("The light field is damaged"));
+  const double psnr = ComparePictures(picture, DrawAnew(whole, position));
+  std::cout << "damaged: " << psnr << " dB to the whole\n";
+  CSLF_CHECK(psnr > 15.0);
+
+  vtkNew<vtkCSLFMapper> nothing;
+  const cslf::testing::Observed refused(nothing);
+  vtkNew<vtkCSLFDecoder> missing;
+  const cslf::testing::Observed missed(missing);
+  missing->SetFileName((fileName + ".missing.mp4").c_str());
+  nothing->SetInputConnection(missing->GetOutputPort());
+  View other;
+  other.Add(nothing);
+  CSLF_CHECK(other.Render().GetMean() == 0.0);
+  other.Render();
+  CSLF_CHECK(missed.GetErrors() == 1 && refused.GetErrors() == 0);
+}
+
+/// How much of the lookup's quality it costs to do without what viewpoints see of the faces that
+/// the camera sees: against the scene itself, in dB.
+void TestLoss(vtkImageData* whole)
+{
+  std::string error;
+  const cslf::Description field = *cslf::Description::ReadFrom(whole, error);
+  const cslf::Lookup all(field, whole);
+  cslf::Lookup kept(field, whole);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const glm::dvec3& eye :
+    { glm::dvec3(0.3, 0.2, 5.0), glm::dvec3(2.5, 0.2, 4.5), glm::dvec3(2.5, 2.5, 3.5) })
+  {
+    int seen = 0;
+    for (int face = 0; face < cslf::FaceCount; ++face)
+    {
+      seen |= cslf::FaceSign(face) * eye[cslf::FaceAxis(face)] > 1.0 ? 1 << face : 0;
+    }
+    double sums[2] = { 0.0, 0.0 };
+    kept.LeaveOut(seen);
+    for (int k = 0; k < 20000; ++k)
+    {
+      const glm::dvec3 target(uniform(random), uniform(random), uniform(random));
+      const auto ray = cslf::RayToCoordinates(eye, target - eye);
+      const cslf::testing::TestHit hit = cslf::testing::TraceTestScene(eye, target - eye);
+      for (int part = 0; part < 2; ++part)
+      {
+        const glm::dvec4 color = (part == 0 ? all : kept).DepthCorrected(*ray).Color;
+        for (int c = 0; c < 3; ++c)
+        {
+          const double linear = hit.Hit ? hit.Color[c] : 0.0;
+          const double truth =
+            linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+          sums[part] += (color[c] - truth) * (color[c] - truth);
+        }
+      }
+    }
+    const double loss = 10.0 * std::log10(sums[1] / sums[0]);
+    std::cout << "without the exits of faces seen: " << loss << " dB lost of "
+              << -10.0 * std::log10(sums[0] / 60000.0) << "\n";
+    CSLF_CHECK(loss < 0.3);
+  }
+}
+}
+
+int TestCSLFMapperStreaming(int argc, char* argv[])
+{
+  const std::string fileName =
+    cslf::testing::MakeFolder(argc, argv, "MapperStreaming") + "/field.mp4";
+  vtkNew<vtkCSLFEncoder> encoder;
+  CSLF_CHECK(
+    cslf::testing::Encode(encoder, cslf::testing::MakeByteField(Viewpoints, Resolution), fileName));
+  const auto whole = cslf::testing::Decode(fileName);
+  CSLF_CHECK(whole != nullptr);
+  if (whole)
+  {
+    TestMoves(fileName, whole);
+    TestStreaming(fileName, whole);
+    TestWindows(fileName, whole);
+    TestBudget(fileName, whole);
+    TestDamage(fileName, whole);
+    TestLoss(whole);
+  }
+  return cslf::testing::Result();
+}

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Which samples a camera can use, and which of them are kept.
+#include "cslfResidency.h"
+#include "cslfSight.h"
+#include "cslfTesting.h"
+#include "cslfViewpointLevels.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+using cslf::Residency;
+using cslf::Sight;
+
+namespace
+{
+const glm::dvec3 Minimum(-0.9, -0.9, -0.3);
+const glm::dvec3 Maximum(0.9, 0.8, 0.4);
+
+cslf::DisplayRows MakeRows(
+  const glm::dvec3& eye, const glm::dvec3& target, double angle, bool isParallel = false)
+{
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(eye.x, eye.y, eye.z);
+  camera->SetFocalPoint(target.x, target.y, target.z);
+  camera->SetViewUp(0.1, 1.0, 0.2);
+  camera->SetViewAngle(angle);
+  camera->SetParallelProjection(isParallel);
+  camera->SetParallelScale(angle / 20.0);
+  camera->SetClippingRange(0.01, 100.0);
+  vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(1.5, -1.0, 1.0);
+  cslf::DisplayRows rows;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      rows[row][column] = matrix->GetElement(row, column);
+    }
+  }
+  return rows;
+}
+
+Sight MakeSight(const glm::dvec3& eye, double angle = 40.0)
+{
+  return Sight(MakeRows(eye, glm::dvec3(0.0), angle), Minimum, Maximum);
+}
+
+void TestLevels()
+{
+  for (int viewpoints : { 2, 3, 8, 9, 16, 17, 40 })
+  {
+    const cslf::ViewpointLevels levels(viewpoints);
+    const int finest = levels.GetCount() - 1;
+    CSLF_CHECK(static_cast<int>(levels.GetNodes(finest).size()) == viewpoints);
+    CSLF_CHECK(levels.GetNodes(0).size() <= 4);
+    CSLF_CHECK(levels.LevelOf(0, viewpoints - 1) == 0);
+    for (int level = 0; level <= finest; ++level)
+    {
+      const std::vector<int>& nodes = levels.GetNodes(level);
+      CSLF_CHECK(nodes.front() == 0 && nodes.back() == viewpoints - 1);
+      for (int node : nodes)
+      {
+        CSLF_CHECK(levels.LevelOf(node, 0) <= level);
+      }
+      for (int index = 0; index + 1 < viewpoints; ++index)
+      {
+        const int lower = levels.FindInterval(level, index);
+        CSLF_CHECK(nodes[lower] <= index && index + 1 <= nodes[lower + 1]);
+      }
+    }
+  }
+}
+
+// Random lines of sight that meet the scene's box: all must pass where the sight says.
+void TestLinesOfSight(const glm::dvec3& eye, double angle, bool isParallel)
+{
+  const glm::dvec3 target(0.3, -0.1, 0.2);
+  const cslf::DisplayRows rows = MakeRows(eye, target, angle, isParallel);
+  const Sight sight(rows, Minimum, Maximum);
+  CSLF_CHECK(!sight.IsInside());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int drawn = 0;
+  for (int k = 0; k < 3000; ++k)
+  {
+    const glm::dvec3 point =
+      Minimum + (Maximum - Minimum) * glm::dvec3(uniform(random), uniform(random), uniform(random));
+    glm::dvec4 display;
+    for (int row = 0; row < 4; ++row)
+    {
+      display[row] = glm::dot(rows[row], glm::dvec4(point, 1.0));
+    }
+    if (std::max(std::abs(display.x), std::abs(display.y)) > display.w)
+    {
+      continue;
+    }
+    const glm::dvec3 direction =
+      isParallel ? glm::dvec3(sight.GetEye()) : point - glm::dvec3(sight.GetEye());
+    const auto ray = cslf::RayToCoordinates(point, direction);
+    ++drawn;
+    CSLF_CHECK(sight.CanEnter(ray->Entry.Face));
+    CSLF_CHECK(sight.CanLeave(ray->Entry.Face, ray->Exit.Face));
+    CSLF_CHECK(sight.PassesThrough(
+      ray->Entry.Face, ray->Entry.Coordinates - 0.01, ray->Entry.Coordinates + 0.01));
+    CSLF_CHECK(sight.PassesThrough(
+      ray->Exit.Face, ray->Exit.Coordinates - 0.01, ray->Exit.Coordinates + 0.01));
+  }
+  CSLF_CHECK(drawn > 100);
+  const auto gaze = cslf::RayToCoordinates(
+    isParallel ? target : eye, isParallel ? glm::dvec3(sight.GetEye()) : target - eye);
+  CSLF_CHECK(glm::distance(sight.GetGaze(),
+               cslf::FaceToCube(gaze->Entry.Face, gaze->Entry.Coordinates)) < 1e-6);
+}
+
+void TestSight()
+{
+  TestLinesOfSight({ 4.0, 2.0, 3.0 }, 40.0, false);
+  TestLinesOfSight({ 0.2, 0.3, 4.0 }, 40.0, false);
+  TestLinesOfSight({ 2.0, 0.3, -4.0 }, 10.0, false);
+  TestLinesOfSight({ 4.0, 2.0, 3.0 }, 30.0, true);
+  // Seen from above, the scene leaves most of the sides out.
+  const Sight above = MakeSight({ 0.0, 4.0, 0.1 });
+  CSLF_CHECK(above.CanEnter(2) && !above.CanEnter(0) && !above.CanEnter(4));
+  CSLF_CHECK(above.PassesThrough(2, glm::dvec2(-0.1), glm::dvec2(0.1)));
+  CSLF_CHECK(!above.PassesThrough(2, { -0.1, 0.8 }, { 0.1, 0.9 }));
+  CSLF_CHECK(MakeSight({ 0.5, 0.5, -0.5 }).IsInside());
+}
+
+// 1, 2 and 3 faces take 5, 2 x 4 and 3 x 3 blocks.
+void TestBlocks()
+{
+  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 0.0, 0.1, 4.0 }) }) == 5);
+  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 2.0, 0.1, 4.0 }) }) == 8);
+  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 2.0, -3.0, 4.0 }) }) == 9);
+  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 0.0, 0.0, 0.5 }) }) == 30);
+  // Two cameras that see the same share them.
+  CSLF_CHECK(
+    Residency::CountBlocks({ MakeSight({ 2.0, -3.0, 4.0 }), MakeSight({ 2.1, -3.0, 4.0 }) }) == 9);
+}
+
+// How coarse the table's cells are: the largest, in nodes of the base grid; nothing where a slot is
+// absent.
+std::optional<int> FindCoarsestCell(const Residency::Table& table, int baseNodes)
+{
+  double widest = 0.0;
+  for (std::size_t cell = 0; cell < table.Cells.size(); cell += 8)
+  {
+    const float* corners = &table.Cells[cell];
+    if (std::min(std::min(corners[0], corners[1]), std::min(corners[2], corners[3])) < 0.0F)
+    {
+      return {};
+    }
+    widest = std::max({ widest, double(corners[6] - corners[4]), double(corners[7] - corners[5]) });
+  }
+  return static_cast<int>(std::lround(0.5 * widest * (baseNodes - 1)));
+}
+
+void BringAll(Residency& residency, int mostLevel)
+{
+  for (const cslf::WantedTiles& wanted : residency.ListMissing())
+  {
+    if (wanted.Level <= mostLevel)
+    {
+      residency.SetPresent(wanted.Slice, wanted.Tiles);
+    }
+  }
+}
+
+// Level by level the cells become finer, and after a turn of the camera what both views need stays.
+void TestRefinement()
+{
+  const cslf::Layout grid(9, 16);
+  Residency residency(grid, Residency::LeastBlocks, 81);
+  residency.Aim({ MakeSight({ 2.0, 3.0, 4.0 }) });
+  CSLF_CHECK(!FindCoarsestCell(residency.MakeTable(4), 9));
+  const auto missing = residency.ListMissing();
+  CSLF_CHECK(missing.size() > 27 && missing.size() <= 3 * 81);
+  CSLF_CHECK(std::is_sorted(missing.begin(), missing.begin() + 28,
+    [](const auto& a, const auto& b) { return a.Level < b.Level; }));
+  BringAll(residency, 0);
+  CSLF_CHECK(FindCoarsestCell(residency.MakeTable(4), 9) == 4);
+  BringAll(residency, 1);
+  CSLF_CHECK(FindCoarsestCell(residency.MakeTable(4), 9) == 2);
+  // From here the scene does not let lines of sight pass near all edges.
+  BringAll(residency, 2);
+  CSLF_CHECK(residency.ListMissing().empty());
+  CSLF_CHECK(residency.MakeTable(4).Cells[8 * (3 * 8 + 3) + 6] -
+      residency.MakeTable(4).Cells[8 * (3 * 8 + 3) + 4] ==
+    0.25F);
+
+  residency.Aim({ MakeSight({ 2.0, 0.0, 4.0 }) });
+  for (const cslf::WantedTiles& wanted : residency.ListMissing())
+  {
+    const cslf::Viewpoint viewpoint = grid.ViewpointOf(wanted.Slice);
+    CSLF_CHECK(viewpoint.Face == 0 || viewpoint.Face == 4);
+    const int above = cslf::TileOf(viewpoint.Face, 2);
+    CSLF_CHECK((wanted.Tiles & (1 << above)) != 0);
+  }
+  BringAll(residency, 2);
+  // What is not wanted any more made room for it; back again, the faces in common stay.
+  residency.Aim({ MakeSight({ 2.0, 3.0, 4.0 }) });
+  const auto back = residency.ListMissing();
+  CSLF_CHECK(std::all_of(back.begin(), back.end(),
+    [&](const auto& wanted) { return grid.ViewpointOf(wanted.Slice).Face == 2; }));
+}
+
+// Too few slots for all: the coarser levels have them, then what is near to the gaze.
+void TestBudget()
+{
+  const cslf::Layout grid(17, 16);
+  Residency residency(grid, Residency::LeastBlocks, 100);
+  residency.Aim({ MakeSight({ 0.5, 0.5, 4.0 }) });
+  const auto missing = residency.ListMissing();
+  CSLF_CHECK(missing.size() == 100);
+  BringAll(residency, 4);
+  const Residency::Table table = residency.MakeTable(4);
+  const auto width = [&](int i, int j)
+  {
+    const float* cell = &table.Cells[8 * (16 * j + i)];
+    return static_cast<int>(std::lround(8.0 * (cell[6] - cell[4])));
+  };
+  CSLF_CHECK(width(8, 7) == 1 || width(8, 7) == 2);
+  CSLF_CHECK(*FindCoarsestCell(table, 17) <= 4);
+  // Slots are those of the viewpoints, each only once.
+  std::vector<int> uses(100, 0);
+  for (const auto& wanted : missing)
+  {
+    ++uses[residency.GetSlot(wanted.Slice)];
+  }
+  CSLF_CHECK(std::all_of(uses.begin(), uses.end(), [](int use) { return use == 1; }));
+  // Another gaze at the same face gives up some of them only.
+  residency.Aim({ MakeSight({ 0.8, 0.5, 4.0 }) });
+  CSLF_CHECK(residency.ListMissing().size() < 50);
+}
+
+// Cells around a damaged viewpoint fall back to coarser ones; where these lack one, too, what is
+// left is used.
+void TestDamage()
+{
+  const cslf::Layout grid(9, 16);
+  Residency residency(grid, Residency::LeastBlocks, 81);
+  residency.Aim({ MakeSight({ 0.0, 0.1, 4.0 }) });
+  residency.SetDamaged(grid.SliceOf({ 4, 3, 3 }));
+  residency.SetDamaged(grid.SliceOf({ 4, 4, 4 }));
+  BringAll(residency, 2);
+  CSLF_CHECK(residency.ListMissing().empty());
+  const Residency::Table table = residency.MakeTable(4);
+  const float* nearFirst = &table.Cells[8 * (8 * 2 + 2)];
+  CSLF_CHECK(*std::min_element(nearFirst, nearFirst + 4) == Residency::Absent);
+  CSLF_CHECK(*std::max_element(nearFirst, nearFirst + 4) >= 0.0F);
+  const float* far = &table.Cells[8 * (8 * 2 + 5)];
+  CSLF_CHECK(*std::min_element(far, far + 4) >= 0.0F && far[6] - far[4] == 0.25F);
+}
+}
+
+int TestCSLFResidency(int, char*[])
+{
+  TestLevels();
+  TestSight();
+  TestBlocks();
+  TestRefinement();
+  TestBudget();
+  TestDamage();
+  return cslf::testing::Result();
+}
