@@ -63,7 +63,7 @@ struct Outcome
   double PSNR = 0.0;
 };
 
-constexpr double BestPSNR = 100.0;
+constexpr double BestPSNR = 60.0;
 
 double ToPSNR(double meanSquareError)
 {

@@ -57,8 +57,8 @@ cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
 cslf_fail("subcommand" "x" benchmark)
 
 # What the cache gains: the same texels by path tracing and by the integrator told.
-cslf_run(benchmark sampler cornell-box -M 5 -N 32 --spp 4 --views 2 --texels 600
-  --reference-spp 128 --path-spp 1,4 ${light} --json)
+cslf_run(benchmark sampler cornell-box -M 5 -N 32 --spp 4 --views 30 --texels 600
+  --reference-spp 8192 --path-spp 1,4 ${light} --json)
 expect_json_at_least(10 outcomes 0 psnr)
 expect_json("as told" outcomes 2 name)
 expect_json_at_least(0.0001 outcomes 2 cache_seconds)
