@@ -20,7 +20,8 @@ namespace
 {
 /// Room for cameras that see more than one can from outside: several of them, then all faces, as
 /// from inside the cube.
-constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, FaceCount* TileCount };
+constexpr int AllBlocks = FaceCount * TileCount;
+constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, AllBlocks };
 
 /// The targets of the textures, in the order of the units.
 constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
