@@ -20,7 +20,8 @@ namespace
 {
 /// Room for cameras that see more than one can from outside: several of them, then all faces, as
 /// from inside the cube.
-constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, FaceCount* TileCount };
+constexpr int AllBlocks = FaceCount * TileCount;
+constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, AllBlocks };
 
 /// The targets of the textures, in the order of the units.
 constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
@@ -90,7 +91,7 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
     this->Sights = sights;
     this->Present.Aim(sights);
     this->Pool.BeginUploads();
-    pace.Waits ? this->BringAll() : this->BringSome(pace.Seconds);
+    pace.Waits ? this->BringAll() : this->BringSome(pace);
     this->Pool.EndUploads();
     if (std::exchange(this->IsChanged, false))
     {
@@ -119,7 +120,7 @@ bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace&
 {
   const int blocks = *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
     [needed = Residency::CountBlocks(sights)](int most) { return needed <= most; });
-  const bool isFirst = !pace.Waits && this->Brought + this->Damaged == 0;
+  const bool isFirst = !pace.Waits && this->IsEmpty();
   if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
   {
     return true;
@@ -192,10 +193,10 @@ void FieldTexture::BringAll()
   this->Missing = 0;
 }
 
-void FieldTexture::BringSome(double seconds)
+void FieldTexture::BringSome(const TexturePace& pace)
 {
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  const auto end = Clock::now() + std::chrono::duration<double>(pace.Seconds);
   const std::vector<WantedTiles> missing = this->Present.ListMissing();
   const auto finer = std::find_if(
     missing.begin(), missing.end(), [](const WantedTiles& wanted) { return wanted.Level > 0; });
@@ -203,6 +204,10 @@ void FieldTexture::BringSome(double seconds)
   if (!coarsest.empty())
   {
     this->Source->Prefetch(ListSlices(coarsest));
+    if (pace.Begins)
+    {
+      return;
+    }
     this->Source->Wait();
   }
   this->Source->Prefetch(ListSlices(missing));

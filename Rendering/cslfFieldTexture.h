@@ -33,6 +33,7 @@ struct TexturePace
   bool Waits = true;      ///< until all is there; otherwise only for the coarsest viewpoints
   double Seconds = 0.0;   ///< to spend on what is ready otherwise
   bool Keeps = false;     ///< another pass of the same picture: leaves what is there as it is
+  bool Begins = false;    ///< only has the coarsest viewpoints made ready
 };
 
 /// The samples that cameras can use, and for each entry face a small texture that finds the
@@ -55,6 +56,9 @@ public:
 
   /// Whether all that the cameras of the last Update can use is there, as far as it fits.
   bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
+
+  /// Whether nothing was brought since the source was set.
+  bool IsEmpty() const { return this->Brought + this->Damaged == 0; }
 
   /// How many viewpoints that were needed turned out to be damaged, and how many not.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
@@ -86,7 +90,7 @@ private:
 
   bool MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace);
   void BringAll();
-  void BringSome(double seconds);
+  void BringSome(const TexturePace& pace);
   void Bring(const WantedTiles& wanted);
   void MakeTables();
   void MakeSceneTexture();

@@ -132,7 +132,18 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   pace.Seconds = std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
   pace.Keeps = this->ChooseCoveragePass(renderer, actor) == 2;
   std::string error;
-  this->TextureFailed = !this->Texture.Update(window, this->Viewers.GetSights(), pace, error);
+  const auto update = [&]
+  { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
+  // The driver compiles the lookup's program when it draws first: while viewpoints are decoded.
+  pace.Begins = this->Streaming && this->Texture.IsEmpty();
+  if (pace.Begins && update())
+  {
+    vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
+    this->UpdatePicture(window);
+    this->Picture.Deactivate();
+    pace.Begins = false;
+  }
+  this->TextureFailed = !update();
   if (this->TextureFailed)
   {
     vtkErrorMacro(<< error);

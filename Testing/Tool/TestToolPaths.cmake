@@ -119,12 +119,10 @@ foreach (lookup IN ITEMS nearest linear bilinear focal depth)
   expect_json_at_least(0.0001 lookups ${lookup} mesh_ratio)
   expect_json_at_least(0.0001 lookups ${lookup} load_seconds)
   expect_json_at_least(5 lookups ${lookup} psnr)
-  # No more than 35 % of the 24 viewpoints, five images of 16 x 16 texels each, with colour and depth.
-  expect_json_at_least(1536 lookups ${lookup} texture_bytes)
-  string(JSON bytes GET "${output}" lookups ${lookup} texture_bytes)
-  if (bytes GREATER 64512)
-    message(FATAL_ERROR "${bytes} bytes of textures are too many.")
-  endif ()
+  expect_json_at_least(0.0001 lookups ${lookup} first_picture_seconds)
+  # Nine images of 16 x 16 texels for each of a face's four viewpoints, and an empty one, with
+  # colour and depth.
+  expect_json(56832 lookups ${lookup} texture_bytes)
 endforeach ()
 string(JSON device GET "${output}" device)
 file(READ "${DIRECTORY}/bench/render.md" table)
