@@ -241,10 +241,9 @@ Result Report(const Options& options, const std::vector<Series>& all,
 Result Run(Options options)
 {
   RequireDisplay();
-  options.MakeFolder();
   const FieldFile file = options.ReadField();
   CodecSweep sweep(file, options.Folder, options.Repeats);
-  const BenchmarkViews views = options.TraceViews(file.Field);
+  const BenchmarkViews views = options.Begin(file.Field);
   if (!views.Views.empty())
   {
     sweep.SetViews(views.Views, GetLookups(file.Field));

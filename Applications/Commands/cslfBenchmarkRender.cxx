@@ -111,8 +111,8 @@ std::unique_ptr<FieldRenderer> Open(
   return renderer;
 }
 
-Findings Measure(const Options& options, const FieldFile& file, MeshRenderer* mesh,
-  const BenchmarkViews& views)
+Findings Measure(
+  const Options& options, const FieldFile& file, MeshRenderer* mesh, const BenchmarkViews& views)
 {
   Findings findings;
   findings.Path = options.Scene.HasCornellBox() ? SwingName : OrbitName;
@@ -273,8 +273,7 @@ Result Run(Options options)
   {
     mesh = std::make_unique<MeshRenderer>(options.Mesh, options.Novel.Size, options.Novel.Size);
   }
-  options.MakeFolder();
-  const BenchmarkViews views = options.TraceViews(file.Field);
+  const BenchmarkViews views = options.Begin(file.Field);
   const Findings findings = Measure(options, file, mesh.get(), views);
   WriteCharts(options, findings);
   Result result;

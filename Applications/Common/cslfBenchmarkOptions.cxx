@@ -37,22 +37,23 @@ FieldFile BenchmarkOptions::ReadField() const
   return file;
 }
 
-void BenchmarkOptions::MakeFolder() const
+BenchmarkViews BenchmarkOptions::Begin(const Description& field)
 {
+  tool::Scene scene;
+  if (!this->Scene.IsEmpty())
+  {
+    this->Scene.TakeDefaults(nlohmann::json::parse(field.Sampling, nullptr, false));
+    scene = this->Scene.Read();
+  }
   std::error_code failure;
   std::filesystem::create_directories(this->Folder, failure);
   RequireWritable(this->Folder + "/benchmark");
-}
 
-BenchmarkViews BenchmarkOptions::TraceViews(const Description& field)
-{
   BenchmarkViews views;
-  if (this->Scene.IsEmpty())
+  if (!this->Scene.IsEmpty())
   {
-    return views;
+    views.Views = TraceNovelViews(this->Scene, scene, field.Box, this->Novel);
   }
-  this->Scene.TakeDefaults(nlohmann::json::parse(field.Sampling, nullptr, false));
-  views.Views = TraceNovelViews(this->Scene, this->Scene.Read(), field.Box, this->Novel);
   for (const NovelView& view : views.Views)
   {
     views.NoiseFloor += view.NoiseFloor / static_cast<double>(views.Views.size());

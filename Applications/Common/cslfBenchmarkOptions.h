@@ -43,12 +43,9 @@ struct BenchmarkOptions
   /// Reads the whole field. Throws a Failure.
   FieldFile ReadField() const;
 
-  /// Makes the folder, which must be writable. Throws a Failure.
-  void MakeFolder() const;
-
-  /// Traces the views if there is a scene, which takes over what the field knows of it. Throws a
-  /// Failure.
-  BenchmarkViews TraceViews(const Description& field);
+  /// Reads the scene if there is one, which takes over what the field knows of it, makes the
+  /// folder, which must be writable, and traces the views of the scene. Throws a Failure.
+  BenchmarkViews Begin(const Description& field);
 
   ///@{
   /// How views were traced.
