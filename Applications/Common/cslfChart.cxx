@@ -12,6 +12,7 @@
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkDoubleArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
@@ -19,7 +20,6 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -199,13 +199,7 @@ void WriteChart(const std::string& fileName, const Chart& chart)
 
   view->GetRenderWindow()->Render();
   ThrowOnError();
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(view->GetRenderWindow());
-  grabber->SetInputBufferTypeToRGB();
-  grabber->ReadFrontBufferOff();
-  grabber->Update();
-  ThrowOnError();
-  WritePicture(fileName, grabber->GetOutput());
+  WritePicture(fileName, GrabPicture(view->GetRenderWindow()));
 }
 }
 }

@@ -62,8 +62,8 @@ bool IsVideo(const std::string& fileName);
 /// Opens a field. Throws a Failure where it is missing or is no light field.
 FieldFile OpenField(const std::string& fileName);
 
-/// Reads a field for vtkCSLFMapper. Videos are left alone, since the mapper takes what it needs from
-/// their decoder. Throws a Failure.
+/// Reads a field for vtkCSLFMapper. Videos are left alone, since the mapper takes what it needs
+/// from their decoder. Throws a Failure.
 void ReadToDraw(const FieldFile& file);
 
 /// Checks the whole file, without decoding it, for viewpoints that are not there.

@@ -18,6 +18,18 @@ namespace cslf
 {
 namespace tool
 {
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(window);
+  grabber->SetInputBufferTypeToRGB();
+  grabber->ReadFrontBufferOff();
+  grabber->ShouldRerenderOff();
+  grabber->Update();
+  ThrowOnError();
+  return grabber->GetOutput();
+}
+
 OffscreenWindow::OffscreenWindow(int width, int height)
 {
   this->Renderer->SetBackground(0.0, 0.0, 0.0);
@@ -49,14 +61,7 @@ double OffscreenWindow::Draw(vtkCamera* camera)
 
 vtkSmartPointer<vtkImageData> OffscreenWindow::Grab()
 {
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(this->Window);
-  grabber->SetInputBufferTypeToRGB();
-  grabber->ReadFrontBufferOff();
-  grabber->ShouldRerenderOff();
-  grabber->Update();
-  ThrowOnError();
-  return grabber->GetOutput();
+  return GrabPicture(this->Window);
 }
 
 std::string OffscreenWindow::GetDeviceName()

@@ -22,6 +22,9 @@ namespace cslf
 {
 namespace tool
 {
+/// The red, green and blue of what a window shows. Throws a Failure.
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
+
 /// A black window off the screen.
 class OffscreenWindow
 {

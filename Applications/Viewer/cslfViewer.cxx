@@ -21,7 +21,6 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -349,14 +348,7 @@ void Viewer::ShowTruth()
 void Viewer::WriteScreenshot(const std::string& fileName)
 {
   this->Render();
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(this->Window);
-  grabber->SetInputBufferTypeToRGB();
-  grabber->ReadFrontBufferOff();
-  grabber->ShouldRerenderOff();
-  grabber->Update();
-  ThrowOnError();
-  WritePicture(fileName, grabber->GetOutput());
+  WritePicture(fileName, GrabPicture(this->Window));
 }
 
 void Viewer::SetStreaming(bool streaming)
