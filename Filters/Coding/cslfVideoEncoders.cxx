@@ -50,17 +50,17 @@ std::string GetColorOptions(AVPixelFormat format, const std::string& preset)
   return text;
 }
 
-/// x265: one thread, so that bytes do not depend on the machine's load; no weighted
-/// prediction, on which libx265 3.5 decides by memory that it has not set, so that bytes would
-/// depend on what the process did before; a closed group without scene cuts; no psycho-visual
-/// options, which add detail that is not there.
+/// x265: one thread, so that bytes do not depend on the machine's load; no weighted prediction, and
+/// skipped blocks ended early, since on both libx265 3.5 otherwise decides by memory that it has not
+/// set, so that bytes would depend on what the process did before; a closed group without scene
+/// cuts; no psycho-visual options, which add detail that is not there.
 void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* context)
 {
   std::ostringstream text;
   text << "log-level=none:info=0:repeat-headers=0:pools=none:frame-threads=1:wpp=0:pmode=0:pme=0"
        << ":scenecut=0:open-gop=0:keyint=" << options.GroupLength
        << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << Lookahead
-       << ":bframes=8:ref=5:weightp=0:weightb=0:psy-rd=0:psy-rdoq=0:aq-mode=0";
+       << ":bframes=8:ref=5:weightp=0:weightb=0:early-skip=1:psy-rd=0:psy-rdoq=0:aq-mode=0";
   if (track.Role == TrackRole::Color && !track.Lossless)
   {
     text << GetColorOptions(track.Format, options.Preset);
