@@ -40,12 +40,13 @@ void SetText(AVCodecContext* context, const char* name, const std::string& value
 }
 
 /// What x265 does for colour besides, which other tracks gain nothing by: "slow" is x265's with the
-/// rate-distortion analysis of "slower", most of what that gains in half its time. Chroma is a
-/// little finer, since it matters for red, green and blue more than the analysis knows.
+/// rate-distortion analysis of "slower", most of what that gains in half its time, and looks at more
+/// references. Chroma is a little finer, since it matters for red, green and blue more than the
+/// analysis knows.
 std::string GetColorOptions(AVPixelFormat format, const std::string& preset)
 {
   std::string text = ":b-intra=1";
-  text += preset == "slow" ? ":rd=6" : "";
+  text += preset == "slow" ? ":rd=6:limit-refs=1" : "";
   text += format == AV_PIX_FMT_GBRP ? "" : ":cbqpoffs=-2:crqpoffs=-2";
   return text;
 }
