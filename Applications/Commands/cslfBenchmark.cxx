@@ -16,6 +16,7 @@ void AddBenchmark(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand("benchmark", "Measure qualities and rates");
   command->require_subcommand(1);
   AddBenchmarkRender(*command, chosen);
+  AddBenchmarkOpening(*command, chosen);
   AddBenchmarkSampler(*command, chosen);
 #ifdef CSLF_HAS_ENCODER
   AddBenchmarkCodec(*command, chosen);
