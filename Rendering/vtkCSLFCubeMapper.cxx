@@ -137,12 +137,15 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   std::string error;
   const auto update = [&]
   { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
-  // The driver compiles the lookup's program when it draws first: while viewpoints are decoded.
+  // The driver compiles the lookup's program when it draws first: while viewpoints are decoded, for
+  // a picture of one pixel that is not shown.
   pace.Begins = this->Streaming && this->Texture.IsEmpty();
   if (pace.Begins && update())
   {
     vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
-    this->Picture.Draw(window, this->View, this->Texture, this->LookupSeconds);
+    vtkOpenGLState::ScopedglViewport viewport(window->GetState());
+    window->GetState()->vtkglViewport(0, 0, 1, 1);
+    this->Picture.Draw(window, this->View, this->Texture, VTK_DOUBLE_MAX);
     this->Picture.Deactivate();
     pace.Begins = false;
   }
