@@ -39,9 +39,13 @@ namespace
 /// for the encoder's targets.
 constexpr double FixedCRF = 22.0;
 
+/// Video needs as many texels along each side.
+constexpr int LeastResolution = 16;
+
 struct Options : BenchmarkOptions
 {
   std::vector<int> Steps{ 2, 4 };
+  std::vector<int> Divisors{ 1 };
   std::vector<double> CRFs{ 16, 22, 28, 34, 40 };
   std::string Preset = "slow";
 };
@@ -51,6 +55,7 @@ struct Series
 {
   std::string Name;
   int Viewpoints = 0; ///< along each side of a face
+  int Resolution = 0; ///< along each side of an image
   double Limit = 0.0; ///< the PSNR of novel views before anything is coded, in dB
   std::vector<CodecPoint> Points;
 };
@@ -84,11 +89,12 @@ vtkSmartPointer<vtkImageData> MakePlainField(vtkImageData* image, Description fi
   return plain;
 }
 
-vtkSmartPointer<vtkImageData> TakeKeyViews(const FieldFile& file, int step)
+vtkSmartPointer<vtkImageData> TakeKeyViews(const FieldFile& file, int step, int divisor)
 {
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(file.Reader->GetOutputPort());
   resample->SetViewpointStride(step);
+  resample->SetResolutionDivisor(divisor);
   {
     const ProgressBar bar(resample, "Taking key views");
     resample->UpdateWholeExtent();
@@ -115,6 +121,7 @@ Series Measure(const Options& options, const std::string& name, vtkImageData* im
   Series series;
   series.Name = name;
   series.Viewpoints = field.Grid.GetViewpoints();
+  series.Resolution = field.Grid.GetResolution();
   series.Limit = MeasureLimit(image, lookup, options, views);
   CodecSweep sweep(image, field.Grid, options.Folder, 1);
   sweep.SetViews(views, { lookup });
@@ -143,10 +150,15 @@ std::vector<Series> MeasureAll(
     options, "paper: all views, no depth", MakePlainField(image, file.Field), bilinear, views));
   for (const int step : options.Steps)
   {
-    const std::string name =
-      step == 1 ? "all views with depth" : "key views, step " + std::to_string(step);
-    const auto keys = step == 1 ? vtkSmartPointer<vtkImageData>(image) : TakeKeyViews(file, step);
-    all.push_back(Measure(options, name, keys, depth, views));
+    for (const int divisor : options.Divisors)
+    {
+      std::string name =
+        step == 1 ? "all views with depth" : "key views, step " + std::to_string(step);
+      name += divisor == 1 ? "" : ", N / " + std::to_string(divisor);
+      const auto keys = step == 1 && divisor == 1 ? vtkSmartPointer<vtkImageData>(image)
+                                                  : TakeKeyViews(file, step, divisor);
+      all.push_back(Measure(options, name, keys, depth, views));
+    }
   }
   return all;
 }
@@ -185,7 +197,8 @@ std::vector<Comparison> Compare(const std::vector<Series>& all)
 nlohmann::json ToJSON(const Series& series)
 {
   nlohmann::json json = { { "name", series.Name }, { "viewpoints", series.Viewpoints },
-    { "uncoded_psnr", series.Limit }, { "points", nlohmann::json::array() } };
+    { "resolution", series.Resolution }, { "uncoded_psnr", series.Limit },
+    { "points", nlohmann::json::array() } };
   for (const CodecPoint& point : series.Points)
   {
     nlohmann::json tracks;
@@ -210,15 +223,17 @@ nlohmann::json ToJSON(const Comparison& comparison)
 std::string MakeSeriesTable(const std::vector<Series>& all)
 {
   Table table;
-  table.AddRow({ "", "M", "CRF", "bytes", "novel views (dB)", "field (dB)" });
+  table.AddRow({ "", "M", "N", "CRF", "bytes", "novel views (dB)", "field (dB)" });
   for (const Series& series : all)
   {
     const std::string viewpoints = std::to_string(series.Viewpoints);
-    table.AddRow({ series.Name, viewpoints, "not coded", "", Format(series.Limit, 2), "" });
+    const std::string resolution = std::to_string(series.Resolution);
+    table.AddRow(
+      { series.Name, viewpoints, resolution, "not coded", "", Format(series.Limit, 2), "" });
     for (const CodecPoint& point : series.Points)
     {
-      table.AddRow({ series.Name, viewpoints, Format(point.CRF, 1), Format(point.Bytes, 0),
-        Format(point.ViewPSNR.front(), 2), Format(point.FieldPSNR, 2) });
+      table.AddRow({ series.Name, viewpoints, resolution, Format(point.CRF, 1),
+        Format(point.Bytes, 0), Format(point.ViewPSNR.front(), 2), Format(point.FieldPSNR, 2) });
     }
   }
   return table.ToMarkdown();
@@ -266,7 +281,8 @@ void WritePlot(const Options& options, const std::vector<Series>& all)
   WriteChart(options.Folder + "/key-views.png", chart);
 }
 
-void CheckSteps(const Options& options, const Description& field)
+/// Throws a Failure where the field cannot be kept as the options ask for.
+void CheckField(const Options& options, const Description& field)
 {
   if (!field.FindChannel(DepthName))
   {
@@ -289,7 +305,7 @@ Result Run(Options options)
   {
     throw Failure("Novel views need the scene.");
   }
-  CheckSteps(options, OpenField(options.Field).Field);
+  CheckField(options, OpenField(options.Field).Field);
   const FieldFile file = options.ReadField();
   const BenchmarkViews views = options.Begin(file.Field);
   std::sort(options.CRFs.begin(), options.CRFs.end());
@@ -329,17 +345,25 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
   command->footer(
     "Writes key-views.md, key-views.json and a plot into FOLDER. The paper's way is all viewpoints "
     "as colour over black, without coverage and depth, in the bilinear lookup; the other is every "
-    "STEP-th viewpoint with coverage and depth, in the depth-corrected lookup. Both are coded by "
-    "the same encoder with the same preset and rate factors of colour; beyond 22 those of coverage "
+    "STEP-th viewpoint with coverage and depth, perhaps of fewer texels, in the depth-corrected "
+    "lookup. Both are coded by the same encoder with the same preset and rate factors of colour; "
+    "beyond 22 those of coverage "
     "and depth rise with colour's. PSNR is that of novel views, as in cslf evaluate. At equal PSNR "
     "and at equal bytes, each of the paper's files is compared with those of key views, of all "
-    "steps, than which none is both smaller and better: between these the logarithm of bytes is "
+    "steps and divisors, than which none is both smaller and better: between these the logarithm "
+    "of bytes is "
     "linear in dB.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
   command->add_option("--steps", options->Steps, "of key views, as in 2,4; each divides M - 1")
     ->delimiter(',')
     ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  command
+    ->add_option("--divisors", options->Divisors,
+      "of key views' resolution, as in 1,2; each divides N into 16 or more")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 16384))
     ->capture_default_str();
   command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,28,36")
     ->delimiter(',')

@@ -57,9 +57,9 @@ cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
 cslf_fail("subcommand" "x" benchmark)
 
 # Key views against all views without depth.
-cslf_run(benchmark key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2
+cslf_run(benchmark key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2 --divisors 1,2
   --preset ultrafast --views 1 --size 48 --spp 64 ${light} --json)
-foreach (series IN ITEMS 0 1 2)
+foreach (series IN ITEMS 0 1 2 3 4)
   expect_json_at_least(5 series ${series} uncoded_psnr)
   foreach (point IN ITEMS 0 1)
     expect_json_at_least(100 series ${series} points ${point} bytes)
@@ -67,7 +67,9 @@ foreach (series IN ITEMS 0 1 2)
   endforeach ()
 endforeach ()
 expect_json(3 series 1 viewpoints)
-expect_json(2 series 2 viewpoints)
+expect_json(32 series 1 resolution)
+expect_json(16 series 2 resolution)
+expect_json(2 series 3 viewpoints)
 # The paper's files hold nothing but colour.
 string(JSON tracks LENGTH "${output}" series 0 points 0 tracks)
 string(JSON all LENGTH "${output}" series 1 points 0 tracks)
@@ -90,6 +92,8 @@ if (EXISTS "${DIRECTORY}/keys/coded.mp4")
   message(FATAL_ERROR "A video is left.")
 endif ()
 cslf_fail("does not divide" "keys3" benchmark key-views box.vti cornell-box -o keys3 --steps 3)
+cslf_fail("16 or more" "keys3" benchmark key-views box.vti cornell-box -o keys3 --steps 2
+  --divisors 4)
 cslf_fail("need the scene" "keys3" benchmark key-views box.vti -o keys3)
 
 # What the cache gains: the same texels by path tracing and by the integrator told.
