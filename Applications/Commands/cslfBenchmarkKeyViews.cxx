@@ -35,9 +35,11 @@ namespace tool
 {
 namespace
 {
-/// Up to this rate factor of colour, coverage and depth keep theirs; beyond they rise with it, as
-/// for the encoder's targets.
-constexpr double FixedCRF = 22.0;
+/// The rate factor of coverage lies above that of depth by this, as in the encoder's defaults.
+constexpr double CoverageRise = 12.0;
+
+/// The strongest coding there is.
+constexpr double MostCRF = 51.0;
 
 /// Video needs as many texels along each side.
 constexpr int LeastResolution = 16;
@@ -47,6 +49,7 @@ struct Options : BenchmarkOptions
   std::vector<int> Steps{ 2, 4 };
   std::vector<int> Divisors{ 1 };
   std::vector<double> CRFs{ 16, 22, 28, 34, 40 };
+  std::vector<double> DepthCRFs{ 12, 20 };
   std::string Preset = "slow";
 };
 
@@ -58,6 +61,7 @@ struct Series
   int Resolution = 0; ///< along each side of an image
   double Limit = 0.0; ///< the PSNR of novel views before anything is coded, in dB
   std::vector<CodecPoint> Points;
+  std::vector<double> DepthCRFs; ///< of each point
 };
 
 /// One of the paper's files, against key views.
@@ -113,8 +117,10 @@ double MeasureLimit(vtkImageData* image, const LookupName& lookup, const Options
   return Mean(MeasureViews(renderer, lookup.Lookup, views).PSNR);
 }
 
+/// Codes an image with these rate factors of depth; images without have but one.
 Series Measure(const Options& options, const std::string& name, vtkImageData* image,
-  const LookupName& lookup, const std::vector<NovelView>& views)
+  const std::vector<double>& depthCRFs, const LookupName& lookup,
+  const std::vector<NovelView>& views)
 {
   std::string error;
   const Description field = *Description::ReadFrom(image, error);
@@ -125,15 +131,18 @@ Series Measure(const Options& options, const std::string& name, vtkImageData* im
   series.Limit = MeasureLimit(image, lookup, options, views);
   CodecSweep sweep(image, field.Grid, options.Folder, 1);
   sweep.SetViews(views, { lookup });
-  for (const double crf : options.CRFs)
+  for (const double depthCRF : depthCRFs)
   {
-    CodingOptions coding;
-    const double rise = std::max(0.0, crf - FixedCRF);
-    coding.CRF = crf;
-    coding.CoverageCRF += rise;
-    coding.DepthCRF += rise;
-    coding.Preset = options.Preset;
-    series.Points.push_back(sweep.Measure(coding, name));
+    for (const double crf : options.CRFs)
+    {
+      CodingOptions coding;
+      coding.CRF = crf;
+      coding.DepthCRF = depthCRF;
+      coding.CoverageCRF = std::min(depthCRF + CoverageRise, MostCRF);
+      coding.Preset = options.Preset;
+      series.Points.push_back(sweep.Measure(coding, name));
+      series.DepthCRFs.push_back(depthCRF);
+    }
   }
   return series;
 }
@@ -146,8 +155,9 @@ std::vector<Series> MeasureAll(
   const LookupName bilinear{ vtkCSLFMapper::BILINEAR, "bilinear" };
   const LookupName depth{ vtkCSLFMapper::DEPTH, "depth" };
   std::vector<Series> all;
-  all.push_back(Measure(
-    options, "paper: all views, no depth", MakePlainField(image, file.Field), bilinear, views));
+  // Without depth, its rate factor says nothing.
+  all.push_back(Measure(options, "paper: all views, no depth", MakePlainField(image, file.Field),
+    { options.DepthCRFs.front() }, bilinear, views));
   for (const int step : options.Steps)
   {
     for (const int divisor : options.Divisors)
@@ -157,7 +167,7 @@ std::vector<Series> MeasureAll(
       name += divisor == 1 ? "" : ", N / " + std::to_string(divisor);
       const auto keys = step == 1 && divisor == 1 ? vtkSmartPointer<vtkImageData>(image)
                                                   : TakeKeyViews(file, step, divisor);
-      all.push_back(Measure(options, name, keys, depth, views));
+      all.push_back(Measure(options, name, keys, options.DepthCRFs, depth, views));
     }
   }
   return all;
@@ -199,15 +209,17 @@ nlohmann::json ToJSON(const Series& series)
   nlohmann::json json = { { "name", series.Name }, { "viewpoints", series.Viewpoints },
     { "resolution", series.Resolution }, { "uncoded_psnr", series.Limit },
     { "points", nlohmann::json::array() } };
-  for (const CodecPoint& point : series.Points)
+  for (std::size_t k = 0; k < series.Points.size(); ++k)
   {
+    const CodecPoint& point = series.Points[k];
     nlohmann::json tracks;
     for (const auto& [name, bytes] : point.Tracks)
     {
       tracks[name] = bytes;
     }
-    json["points"].push_back({ { "crf", point.CRF }, { "bytes", point.Bytes }, { "tracks", tracks },
-      { "field_psnr", point.FieldPSNR }, { "psnr", point.ViewPSNR.front() } });
+    json["points"].push_back({ { "crf", point.CRF }, { "depth_crf", series.DepthCRFs[k] },
+      { "bytes", point.Bytes }, { "tracks", tracks }, { "field_psnr", point.FieldPSNR },
+      { "psnr", point.ViewPSNR.front() } });
   }
   return json;
 }
@@ -223,17 +235,21 @@ nlohmann::json ToJSON(const Comparison& comparison)
 std::string MakeSeriesTable(const std::vector<Series>& all)
 {
   Table table;
-  table.AddRow({ "", "M", "N", "CRF", "bytes", "novel views (dB)", "field (dB)" });
+  table.AddRow(
+    { "", "M", "N", "CRF", "of depth", "bytes", "novel views (dB)", "colour of the field (dB)" });
   for (const Series& series : all)
   {
     const std::string viewpoints = std::to_string(series.Viewpoints);
     const std::string resolution = std::to_string(series.Resolution);
     table.AddRow(
-      { series.Name, viewpoints, resolution, "not coded", "", Format(series.Limit, 2), "" });
-    for (const CodecPoint& point : series.Points)
+      { series.Name, viewpoints, resolution, "not coded", "", "", Format(series.Limit, 2), "" });
+    for (std::size_t k = 0; k < series.Points.size(); ++k)
     {
+      const CodecPoint& point = series.Points[k];
+      const bool hasDepth = point.Tracks.size() > 1;
       table.AddRow({ series.Name, viewpoints, resolution, Format(point.CRF, 1),
-        Format(point.Bytes, 0), Format(point.ViewPSNR.front(), 2), Format(point.FieldPSNR, 2) });
+        hasDepth ? Format(series.DepthCRFs[k], 1) : "", Format(point.Bytes, 0),
+        Format(point.ViewPSNR.front(), 2), Format(point.FieldPSNR, 2) });
     }
   }
   return table.ToMarkdown();
@@ -269,14 +285,19 @@ void WritePlot(const Options& options, const std::vector<Series>& all)
   Chart chart{ "Novel views", "bytes of the file", "PSNR (dB)", ChartScale::Bytes, {} };
   for (const Series& series : all)
   {
-    ChartCurve curve;
-    curve.Name = series.Name;
-    for (const CodecPoint& point : series.Points)
+    // A curve for each rate factor of depth.
+    for (std::size_t k = 0; k < series.Points.size(); ++k)
     {
-      curve.X.push_back(point.Bytes);
-      curve.Y.push_back(point.ViewPSNR.front());
+      if (k % options.CRFs.size() == 0)
+      {
+        const bool isMany = series.Points.size() > options.CRFs.size();
+        chart.Curves.emplace_back();
+        chart.Curves.back().Name =
+          series.Name + (isMany ? ", depth's CRF " + Format(series.DepthCRFs[k], 0) : "");
+      }
+      chart.Curves.back().X.push_back(series.Points[k].Bytes);
+      chart.Curves.back().Y.push_back(series.Points[k].ViewPSNR.front());
     }
-    chart.Curves.push_back(curve);
   }
   WriteChart(options.Folder + "/key-views.png", chart);
 }
@@ -347,8 +368,8 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     "as colour over black, without coverage and depth, in the bilinear lookup; the other is every "
     "STEP-th viewpoint with coverage and depth, perhaps of fewer texels, in the depth-corrected "
     "lookup. Both are coded by the same encoder with the same preset and rate factors of colour; "
-    "beyond 22 those of coverage "
-    "and depth rise with colour's. PSNR is that of novel views, as in cslf evaluate. At equal PSNR "
+    "that of coverage lies 12 above that of depth. PSNR is that of novel views, as in cslf "
+    "evaluate. At equal PSNR "
     "and at equal bytes, each of the paper's files is compared with those of key views, of all "
     "steps and divisors, than which none is both smaller and better: between these the logarithm "
     "of bytes is "
@@ -366,6 +387,10 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     ->check(CLI::Range(1, 16384))
     ->capture_default_str();
   command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,28,36")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str();
+  command->add_option("--depth-crfs", options->DepthCRFs, "likewise, of key views' depth")
     ->delimiter(',')
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str();

@@ -57,7 +57,7 @@ cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
 cslf_fail("subcommand" "x" benchmark)
 
 # Key views against all views without depth.
-cslf_run(benchmark key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2 --divisors 1,2
+cslf_run(benchmark key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2 --divisors 1,2 --depth-crfs 12
   --preset ultrafast --views 1 --size 48 --spp 64 ${light} --json)
 foreach (series IN ITEMS 0 1 2 3 4)
   expect_json_at_least(5 series ${series} uncoded_psnr)
