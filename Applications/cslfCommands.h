@@ -48,6 +48,8 @@ void AddSheet(CLI::App& app, Command& chosen);
 void AddExport(CLI::App& app, Command& chosen);
 void AddBenchmark(CLI::App& app, Command& chosen);
 void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen);
+void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen);
+void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen);
 void AddBenchmarkRender(CLI::App& benchmark, Command& chosen);
 void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen);
 ///@}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
+#include "Coding/cslfFrameOrder.h"
 #include "cslfFaceSpace.h"
 #include "cslfOpenGL.h"
 
@@ -26,9 +27,6 @@ constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, AllBlocks };
 /// The targets of the textures, in the order of the units.
 constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
   GL_TEXTURE_3D };
-
-/// Slots for a first picture: those of the coarsest grid.
-constexpr int MostFirstSlots = 16;
 
 /// Viewpoints along a side of a face that are enough to see where all surfaces are.
 constexpr int MostSceneNodes = 25;
@@ -118,9 +116,11 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
 // little.
 bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace)
 {
-  const int blocks = *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
-    [needed = Residency::CountBlocks(sights)](int most) { return needed <= most; });
   const bool isFirst = !pace.Waits && this->IsEmpty();
+  const int needed = std::max(1, Residency::CountBlocks(sights));
+  const int blocks = isFirst ? needed
+                             : *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
+                                 [needed](int most) { return needed <= most; });
   if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
   {
     return true;
@@ -129,8 +129,9 @@ bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace&
   this->IsFirst = isFirst;
   this->IsChanged = true;
   const Description& field = this->Source->GetDescription();
-  const int mostSlots = isFirst ? MostFirstSlots : field.Grid.GetSlices() / FaceCount;
-  if (!this->Pool.Create(field, blocks, mostSlots, pace.Limit))
+  const int side = isFirst ? static_cast<int>(CoarsestNodes(field.Grid.GetViewpoints()).size())
+                           : field.Grid.GetViewpoints();
+  if (!this->Pool.Create(field, blocks, side * side, pace.Limit))
   {
     return false;
   }

@@ -167,7 +167,7 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   program->SetUniform4f("EyeFC", eyeFC);
 
   vtkNew<vtkMatrix4x4> ccdc;
-  ccdc->DeepCopy(this->Current.CCDC.data());
+  ccdc->DeepCopy(&this->Current.CCDC[0].x);
   vtkNew<vtkMatrix4x4> fcdc;
   for (int column = 0; column < 4; ++column)
   {

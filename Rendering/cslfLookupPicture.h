@@ -8,6 +8,7 @@
 #define cslfLookupPicture_h
 
 #include "cslfCube.h"
+#include "cslfSight.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -38,8 +39,8 @@ public:
   /// What is seen, and how it is looked up.
   struct View
   {
-    int Lookup = 0;                ///< vtkCSLFMapper::LookupType
-    std::array<double, 16> CCDC{}; ///< by rows
+    int Lookup = 0; ///< vtkCSLFMapper::LookupType
+    DisplayRows CCDC{};
     glm::dvec4 EyeCC{ 0.0 };  ///< w = 1: the eye; w = 0: the direction of a parallel projection
     bool IsEyeInside = false; ///< of the cube
     std::array<bool, FaceCount> EntryFaces{};

@@ -29,6 +29,9 @@
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
 
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <string>
 
@@ -134,12 +137,15 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   std::string error;
   const auto update = [&]
   { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
-  // The driver compiles the lookup's program when it draws first: while viewpoints are decoded.
+  // The driver compiles the lookup's program when it draws first: while viewpoints are decoded, for
+  // a picture of one pixel that is not shown.
   pace.Begins = this->Streaming && this->Texture.IsEmpty();
   if (pace.Begins && update())
   {
     vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
-    this->UpdatePicture(window);
+    vtkOpenGLState::ScopedglViewport viewport(window->GetState());
+    window->GetState()->vtkglViewport(0, 0, 1, 1);
+    this->Picture.Draw(window, this->View, this->Texture, VTK_DOUBLE_MAX);
     this->Picture.Deactivate();
     pace.Begins = false;
   }
@@ -175,37 +181,24 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   vtkNew<vtkMatrix4x4> ccwc;
   vtkMatrix4x4::Multiply4x4(ccmc, mcwc, ccwc);
   this->VCDCMatrix->DeepCopy(vcdc);
-  vtkMatrix4x4::Multiply4x4(ccwc, wcdc, this->CCDCMatrix);
+  vtkNew<vtkMatrix4x4> ccdc;
+  vtkMatrix4x4::Multiply4x4(ccwc, wcdc, ccdc);
 
   for (int row = 0; row < 4; ++row)
   {
     for (int column = 0; column < 4; ++column)
     {
-      this->CCDCRows[row][column] = this->CCDCMatrix->GetElement(column, row);
+      this->View.CCDC[row][column] = ccdc->GetElement(column, row);
     }
   }
   const cslf::SceneGrid& scene = this->Texture.GetScene();
-  this->Sight = cslf::Sight(this->CCDCRows, scene.GetMinimum(), scene.GetMaximum());
-}
-
-//------------------------------------------------------------------------------
-// Looks up what is seen, unless that was done for an earlier pass or picture of the same view.
-void vtkCSLFCubeMapper::UpdatePicture(vtkOpenGLRenderWindow* window)
-{
-  cslf::LookupPicture::View view;
-  view.Lookup = this->Lookup;
-  view.EyeCC = this->Sight.GetEye();
-  view.IsEyeInside = this->Sight.IsInside();
-  for (std::size_t i = 0; i < view.CCDC.size(); ++i)
-  {
-    view.CCDC[i] = this->CCDCRows[i / 4][static_cast<int>(i % 4)];
-  }
-  view.FocalPointsCC = this->FocalPointsCC;
+  this->Sight = cslf::Sight(this->View.CCDC, scene.GetMinimum(), scene.GetMaximum());
+  this->View.EyeCC = this->Sight.GetEye();
+  this->View.IsEyeInside = this->Sight.IsInside();
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
-    view.EntryFaces[face] = this->Sight.CanEnter(face);
+    this->View.EntryFaces[face] = this->Sight.CanEnter(face);
   }
-  this->Picture.Draw(window, view, this->Texture, this->LookupSeconds);
 }
 
 //------------------------------------------------------------------------------
@@ -224,7 +217,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
-  this->UpdatePicture(window);
+  this->Picture.Draw(window, this->View, this->Texture, this->LookupSeconds);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
@@ -363,17 +356,14 @@ void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
   {
     return;
   }
-  // Planes go by the transposed inverse of the points' matrix, which is transposed.
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(this->CCDCMatrix, inverse);
+  // Planes go by the transposed inverse of the points' matrix; GLM takes its rows as columns.
+  const cslf::DisplayRows& ccdc = this->View.CCDC;
+  const glm::dmat4 inverse = glm::inverse(glm::dmat4(ccdc[0], ccdc[1], ccdc[2], ccdc[3]));
   std::vector<std::array<float, 4>> planes;
   for (const glm::dvec4& plane : this->ClippingPlanesCC)
   {
-    const double planeCC[4] = { plane.x, plane.y, plane.z, plane.w };
-    double planeDC[4];
-    inverse->MultiplyPoint(planeCC, planeDC);
-    planes.push_back({ static_cast<float>(planeDC[0]), static_cast<float>(planeDC[1]),
-      static_cast<float>(planeDC[2]), static_cast<float>(planeDC[3]) });
+    const glm::vec4 planeDC(inverse * plane);
+    planes.push_back({ planeDC.x, planeDC.y, planeDC.z, planeDC.w });
   }
   program->SetUniform4fv("ClippingPlanesDC", static_cast<int>(planes.size()),
     reinterpret_cast<const float(*)[4]>(planes.data()));
@@ -383,8 +373,8 @@ void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
 void vtkCSLFCubeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Lookup: " << this->Lookup << "\n";
-  for (const glm::dvec3& point : this->FocalPointsCC)
+  os << indent << "Lookup: " << this->View.Lookup << "\n";
+  for (const glm::dvec3& point : this->View.FocalPointsCC)
   {
     os << indent << "FocalPointCC: (" << point.x << ", " << point.y << ", " << point.z << ")\n";
   }

@@ -29,7 +29,6 @@
 #include <vector>
 
 class vtkMatrix4x4;
-class vtkOpenGLRenderWindow;
 
 class vtkCSLFCubeMapper : public vtkOpenGLPolyDataMapper
 {
@@ -49,7 +48,7 @@ public:
   }
 
   /// vtkCSLFMapper::LookupType.
-  void SetLookup(int lookup) { this->Lookup = lookup; }
+  void SetLookup(int lookup) { this->View.Lookup = lookup; }
 
   /// The seconds that looking up a picture may take; with less it has fewer pixels.
   void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
@@ -57,7 +56,7 @@ public:
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
   {
-    this->FocalPointsCC = pointsCC;
+    this->View.FocalPointsCC = pointsCC;
   }
 
   /// The planes that cut the picture: what is drawn lies where they are positive.
@@ -113,7 +112,6 @@ private:
 
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
   void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
-  void UpdatePicture(vtkOpenGLRenderWindow* window);
   std::string MakeOptions() const;
   void SetClippingUniforms(vtkShaderProgram* program);
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
@@ -126,9 +124,7 @@ private:
   std::int64_t TextureMemoryLimit = 0;
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
-  int Lookup = 0;
   double LookupSeconds = 0.0;
-  std::array<glm::dvec3, cslf::FaceCount> FocalPointsCC{};
   std::vector<glm::dvec4> ClippingPlanesCC;
   cslf::ToneMapping ToneMapping;
   std::string Options; ///< the shader's, for the picture being drawn
@@ -136,8 +132,7 @@ private:
   // For the picture being drawn.
   int Face = 0; ///< of the cube, in turn
   cslf::Sight Sight;
-  cslf::DisplayRows CCDCRows{};
-  vtkNew<vtkMatrix4x4> CCDCMatrix;
+  cslf::LookupPicture::View View;
   vtkNew<vtkMatrix4x4> VCDCMatrix;
 };
 

@@ -16,16 +16,22 @@ void AddBenchmark(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand("benchmark", "Measure qualities and rates");
   command->require_subcommand(1);
   AddBenchmarkRender(*command, chosen);
+  AddBenchmarkOpening(*command, chosen);
   AddBenchmarkSampler(*command, chosen);
 #ifdef CSLF_HAS_ENCODER
   AddBenchmarkCodec(*command, chosen);
+  AddBenchmarkKeyViews(*command, chosen);
 #else
-  CLI::App* codec = command->add_subcommand("codec", "Needs the video encoder, left out here");
-  codec->allow_extras();
-  codec->callback(
-    [&chosen] {
-      chosen = []() -> Result { throw Failure("This cslf was built without the video encoder."); };
-    });
+  for (const char* name : { "codec", "key-views" })
+  {
+    CLI::App* missing = command->add_subcommand(name, "Needs the video encoder, left out here");
+    missing->allow_extras();
+    missing->callback(
+      [&chosen] {
+        chosen = []() -> Result
+        { throw Failure("This cslf was built without the video encoder."); };
+      });
+  }
 #endif
 }
 }

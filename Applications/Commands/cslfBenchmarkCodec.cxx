@@ -9,6 +9,9 @@
 #include "cslfRateCurves.h"
 #include "cslfTable.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkImageData.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -242,7 +245,8 @@ Result Run(Options options)
 {
   RequireDisplay();
   const FieldFile file = options.ReadField();
-  CodecSweep sweep(file, options.Folder, options.Repeats);
+  auto* field = vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0));
+  CodecSweep sweep(field, file.Field.Grid, options.Folder, options.Repeats);
   const BenchmarkViews views = options.Begin(file.Field);
   if (!views.Views.empty())
   {

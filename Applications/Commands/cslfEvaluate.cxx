@@ -3,6 +3,7 @@
 
 // cslf evaluate: novel views looked up in a light field, measured against path-traced ones.
 #include "cslfCameraOptions.h"
+#include "cslfCameraPath.h"
 #include "cslfCommands.h"
 #include "cslfContactSheet.h"
 #include "cslfFieldFiles.h"
@@ -26,6 +27,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -42,17 +44,29 @@ struct Options
   std::string OutputFolder;
   std::string ContactSheet;
   std::string Title;
+  std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
   NovelViewOptions Novel;
+  CameraPathOptions Path;
   ToneOptions Tone;
 };
 
-/// A lookup's figures, one for each view.
+/// A lookup's figures, one for each view. Along a path also one for each step to the next view.
 struct Score
 {
   LookupName Lookup;
   std::vector<double> PSNR;
   std::vector<double> SSIM;
+  std::vector<double> ChangePSNR;
   double FrameRate = 0.0;
+  vtkSmartPointer<vtkImageData> Picture; ///< of the last view
+};
+
+/// What was measured.
+struct Findings
+{
+  std::vector<Score> Scores;
+  std::vector<double> NoiseFloors; ///< one for each view
+  std::vector<LabelledPicture> Sheet;
 };
 
 void CheckOutputs(const Options& options)
@@ -69,49 +83,190 @@ void CheckOutputs(const Options& options)
   }
 }
 
-void SaveView(const Options& options, int view, const std::string& name, vtkImageData* picture)
+/// One score for each lookup. Throws a Failure where the field has not the channels for it.
+std::vector<Score> MakeScores(const Options& options, const Description& description)
 {
-  if (!options.OutputFolder.empty())
+  const auto isAsked = [&options](const std::string& name)
   {
-    WritePicture(
-      options.OutputFolder + "/view-" + std::to_string(view) + "-" + name + ".png", picture);
-  }
-}
-
-std::vector<Score> MakeScores(const Description& description)
-{
+    return options.Lookups.empty() ||
+      std::count(options.Lookups.begin(), options.Lookups.end(), name) > 0;
+  };
   std::vector<Score> scores;
   for (const LookupName& lookup : GetLookups(description))
   {
-    scores.push_back({ lookup, {}, {}, 0.0 });
+    if (isAsked(lookup.Name))
+    {
+      scores.emplace_back();
+      scores.back().Lookup = lookup;
+    }
+  }
+  if (!options.Lookups.empty() && isAsked("depth") && !description.FindChannel(DepthName))
+  {
+    throw Failure("The field has no depth, which the depth lookup needs.");
   }
   return scores;
 }
 
-Result Report(
-  const Options& options, const std::vector<Score>& scores, const std::vector<double>& noiseFloors)
+std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(const Options& options, const Cube& cube)
 {
-  const double noiseFloor = Mean(noiseFloors);
-  Result result;
-  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
-    { "views", options.Novel.Views }, { "size", options.Novel.Size },
-    { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed },
-    { "noise_floor", noiseFloor } };
+  return options.Path.IsEmpty()
+    ? MakeNovelViews(cube, options.Novel.Views, options.Novel.Seed, options.Scene.HasCornellBox())
+    : options.Path.MakeCameras(CameraOptions().MakeCamera(cube));
+}
+
+/// The number of a view, with leading zeros where there are many.
+std::string ToNumber(std::size_t view, std::size_t views)
+{
+  const std::string number = std::to_string(view);
+  return std::string(std::to_string(views - 1).size() - number.size(), '0') + number;
+}
+
+void SaveView(
+  const Options& options, const std::string& number, const std::string& name, vtkImageData* picture)
+{
+  if (!options.OutputFolder.empty())
+  {
+    WritePicture(options.OutputFolder + "/view-" + number + "-" + name + ".png", picture);
+  }
+}
+
+/// Draws one view in every lookup and compares it with the truth. `previous` is that of the view
+/// before, or null.
+void MeasureView(const Options& options, const NovelView& view, vtkImageData* previous,
+  const std::string& number, FieldRenderer& renderer, Findings& findings)
+{
+  SaveView(options, number, "truth", view.Picture);
+  const std::string title = options.Title.empty() ? "" : options.Title + ", ";
+  findings.Sheet.push_back({ view.Picture, title + "view " + number + ", truth" });
+  for (Score& score : findings.Scores)
+  {
+    const auto picture = renderer.Render(view.Camera, score.Lookup.Lookup);
+    vtkNew<vtkCSLFImageQuality> quality;
+    quality->SetInputData(0, view.Picture);
+    quality->SetInputData(1, picture);
+    quality->SetStencilData(view.Stencil);
+    quality->Update();
+    ThrowOnError();
+    score.PSNR.push_back(quality->GetPSNR());
+    score.SSIM.push_back(quality->GetSSIM());
+    if (previous)
+    {
+      score.ChangePSNR.push_back(
+        ComputeChangePSNR(previous, score.Picture, view.Picture, picture, view.Stencil));
+    }
+    score.Picture = picture;
+    SaveView(options, number, score.Lookup.Name, picture);
+    findings.Sheet.push_back(
+      { picture, std::string(score.Lookup.Name) + ", " + Format(quality->GetPSNR(), 1) + " dB" });
+  }
+}
+
+/// A row for each view, or, of the views of a path, as many as make the sheet about square.
+int CountColumns(const Options& options, const Findings& findings)
+{
+  const std::size_t pictures = findings.Scores.size() + 1;
+  const std::size_t views = findings.Sheet.size() / pictures;
+  const double side = std::sqrt(static_cast<double>(findings.Sheet.size()));
+  const auto across = static_cast<std::size_t>(std::lround(side / static_cast<double>(pictures)));
+  return static_cast<int>(
+    pictures * (options.Path.IsEmpty() ? 1 : std::clamp<std::size_t>(across, 1, views)));
+}
+
+/// The place of the lowest value.
+std::size_t FindLowest(const std::vector<double>& values)
+{
+  return std::min_element(values.begin(), values.end()) - values.begin();
+}
+
+nlohmann::json ToJSON(const Score& score)
+{
+  nlohmann::json json = { { "psnr", Mean(score.PSNR) }, { "lowest_psnr", Minimum(score.PSNR) },
+    { "psnr_of_views", score.PSNR }, { "ssim", Mean(score.SSIM) },
+    { "frames_per_second", score.FrameRate } };
+  if (!score.ChangePSNR.empty())
+  {
+    json["median_psnr"] = Median(score.PSNR);
+    json["median_change_psnr"] = Median(score.ChangePSNR);
+    json["lowest_change_psnr"] = Minimum(score.ChangePSNR);
+    json["change_psnr_of_steps"] = score.ChangePSNR;
+  }
+  return json;
+}
+
+std::string MakeTable(const std::vector<Score>& scores)
+{
+  const bool isPath = !scores.front().ChangePSNR.empty();
   Table table;
-  table.AddRow({ "lookup", "PSNR (dB)", "lowest", "SSIM", "frames/s" });
-  double best = 0.0;
+  std::vector<std::string> head = { "lookup", "PSNR (dB)", "lowest", "SSIM", "frames/s" };
+  if (isPath)
+  {
+    head.insert(head.end(),
+      { "median (dB)", "lowest, of view", "below it (dB)", "changes: median (dB)",
+        "lowest, to view", "below it (dB)" });
+  }
+  table.AddRow(head);
   for (const Score& score : scores)
   {
-    result.JSON["lookups"][score.Lookup.Name] = { { "psnr", Mean(score.PSNR) },
-      { "lowest_psnr", Minimum(score.PSNR) }, { "psnr_of_views", score.PSNR },
-      { "ssim", Mean(score.SSIM) }, { "frames_per_second", score.FrameRate } };
-    table.AddRow({ score.Lookup.Name, Format(Mean(score.PSNR), 2), Format(Minimum(score.PSNR), 2),
-      Format(Mean(score.SSIM), 4), Format(score.FrameRate, 1) });
+    std::vector<std::string> row = { score.Lookup.Name, Format(Mean(score.PSNR), 2),
+      Format(Minimum(score.PSNR), 2), Format(Mean(score.SSIM), 4), Format(score.FrameRate, 1) };
+    if (isPath)
+    {
+      row.insert(row.end(),
+        { Format(Median(score.PSNR), 2), std::to_string(FindLowest(score.PSNR)),
+          Format(Median(score.PSNR) - Minimum(score.PSNR), 2), Format(Median(score.ChangePSNR), 2),
+          std::to_string(FindLowest(score.ChangePSNR) + 1),
+          Format(Median(score.ChangePSNR) - Minimum(score.ChangePSNR), 2) });
+    }
+    table.AddRow(row);
+  }
+  return table.ToText();
+}
+
+/// The PSNR of each view of a path, and of the change that leads to it.
+std::string MakePathTable(const std::vector<Score>& scores)
+{
+  Table table;
+  std::vector<std::string> head = { "view" };
+  for (const Score& score : scores)
+  {
+    head.insert(head.end(), { std::string(score.Lookup.Name) + " (dB)", "change" });
+  }
+  table.AddRow(head);
+  for (std::size_t view = 0; view < scores.front().PSNR.size(); ++view)
+  {
+    std::vector<std::string> row = { std::to_string(view) };
+    for (const Score& score : scores)
+    {
+      row.push_back(Format(score.PSNR[view], 2));
+      row.push_back(view > 0 ? Format(score.ChangePSNR[view - 1], 2) : "");
+    }
+    table.AddRow(row);
+  }
+  return table.ToText();
+}
+
+Result Report(const Options& options, const Findings& findings)
+{
+  const double noiseFloor = Mean(findings.NoiseFloors);
+  Result result;
+  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
+    { "views", findings.NoiseFloors.size() }, { "size", options.Novel.Size },
+    { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed },
+    { "noise_floor", noiseFloor } };
+  if (!options.Path.IsEmpty())
+  {
+    result.JSON["path"] = options.Path.GetPath();
+  }
+  double best = 0.0;
+  for (const Score& score : findings.Scores)
+  {
+    result.JSON["lookups"][score.Lookup.Name] = ToJSON(score);
     best = std::max(best, Mean(score.PSNR));
   }
+  const std::string size = std::to_string(options.Novel.Size);
   result.Text = options.Field + ": " + std::to_string(CountBytes(options.Field)) + " bytes, " +
-    std::to_string(options.Novel.Views) + " views of " + std::to_string(options.Novel.Size) +
-    " x " + std::to_string(options.Novel.Size) + "\n" + table.ToText() +
+    std::to_string(findings.NoiseFloors.size()) + " views of " + size + " x " + size + "\n" +
+    (options.Path.IsEmpty() ? "" : MakePathTable(findings.Scores)) + MakeTable(findings.Scores) +
     "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
     std::to_string(options.Novel.Samples) + " samples per pixel)\n";
   WarnOfNoise(noiseFloor, best, "the best lookup", "--spp");
@@ -123,54 +278,39 @@ Result Run(Options options)
   CheckOutputs(options);
   const FieldFile file = OpenField(options.Field);
   RequireDisplay();
+  Findings findings;
+  findings.Scores = MakeScores(options, file.Field);
+  const auto cameras = MakeCameras(options, file.Field.Box);
   options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
   const Scene scene = options.Scene.Read();
   ReadToDraw(file);
 
-  FieldRenderer renderer(file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
+  const int size = options.Novel.Size;
+  FieldRenderer renderer(file.Reader->GetOutputPort(), size, size);
   renderer.SetToneMapping(options.Tone.Get());
-  const auto cameras = MakeNovelViews(
-    file.Field.Box, options.Novel.Views, options.Novel.Seed, options.Scene.HasCornellBox());
-  std::vector<Score> scores = MakeScores(file.Field);
-  std::vector<double> noiseFloors;
-  std::vector<LabelledPicture> sheet;
-  for (int view = 0; view < options.Novel.Views; ++view)
+  vtkSmartPointer<vtkImageData> previous;
+  for (std::size_t number = 0; number < cameras.size(); ++number)
   {
-    const Truth truth = TraceTruth(options.Scene, scene, cameras[view], options.Novel.Size,
-      options.Novel.Samples, options.Novel.Seed + view, options.Tone.Get());
-    const auto stencil =
-      MakeCubeStencil(file.Field.Box, cameras[view], options.Novel.Size, options.Novel.Size);
-    noiseFloors.push_back(ComputeNoiseFloor(truth, stencil));
-    SaveView(options, view, "truth", truth.Picture);
-    sheet.push_back({ truth.Picture,
-      (options.Title.empty() ? "" : options.Title + ", ") + "view " + std::to_string(view) +
-        ", truth" });
-    for (Score& score : scores)
-    {
-      const auto picture = renderer.Render(cameras[view], score.Lookup.Lookup);
-      vtkNew<vtkCSLFImageQuality> quality;
-      quality->SetInputData(0, truth.Picture);
-      quality->SetInputData(1, picture);
-      quality->SetStencilData(stencil);
-      quality->Update();
-      ThrowOnError();
-      score.PSNR.push_back(quality->GetPSNR());
-      score.SSIM.push_back(quality->GetSSIM());
-      SaveView(options, view, score.Lookup.Name, picture);
-      sheet.push_back(
-        { picture, std::string(score.Lookup.Name) + ", " + Format(quality->GetPSNR(), 1) + " dB" });
-    }
+    const auto& camera = cameras[number];
+    const Truth truth = TraceTruth(options.Scene, scene, camera, size, options.Novel.Samples,
+      options.Novel.Seed + static_cast<int>(number), options.Tone.Get());
+    NovelView view{ camera, truth.Picture, MakeCubeStencil(file.Field.Box, camera, size, size) };
+    view.NoiseFloor = ComputeNoiseFloor(truth, view.Stencil);
+    findings.NoiseFloors.push_back(view.NoiseFloor);
+    MeasureView(options, view, options.Path.IsEmpty() ? nullptr : previous.Get(),
+      ToNumber(number, cameras.size()), renderer, findings);
+    previous = view.Picture;
   }
-  for (Score& score : scores)
+  for (Score& score : findings.Scores)
   {
     score.FrameRate = renderer.MeasureFrameRate(cameras[0], score.Lookup.Lookup);
   }
   if (!options.ContactSheet.empty())
   {
     WritePicture(
-      options.ContactSheet, MakeContactSheet(sheet, static_cast<int>(scores.size()) + 1));
+      options.ContactSheet, MakeContactSheet(findings.Sheet, CountColumns(options, findings)));
   }
-  return Report(options, scores, noiseFloors);
+  return Report(options, findings);
 }
 }
 
@@ -184,13 +324,24 @@ void AddEvaluate(CLI::App& app, Command& chosen)
     "the pixels whose ray meets the cube: the mean of the views' dB, each at most 60. The truth "
     "is the mean of two halves traced with different seeds; its noise floor is the PSNR of one "
     "half against the other plus 6.02 dB, as the mean has a quarter of their difference's "
-    "variance. Give the scene, light and material that the field was sampled with.");
+    "variance. Give the scene, light and material that the field was sampled with. With --path, "
+    "the views are those along a camera path that begins two edges in front of the cube, each has "
+    "a row of its own, and the changes from view to view are compared too: their PSNR is that of "
+    "the difference between the errors of a view and of the one before, which tells what flickers "
+    "from what is wrong but stays.");
   const auto options = std::make_shared<Options>();
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
   options->Scene.AddTo(*command);
   options->Novel.AddTo(*command);
+  options->Path.AddTo(*command);
+  command->get_option("--path")->excludes("--views");
   options->Tone.AddTo(*command);
+  command
+    ->add_option("--lookups", options->Lookups,
+      "those to measure, as in bilinear,depth; by default all that the field has channels for")
+    ->delimiter(',')
+    ->check(CLI::IsMember(GetLookupNames()));
   command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
   command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
   command->add_option("--title", options->Title, "the scene's name on the contact sheet");

@@ -17,6 +17,12 @@ namespace cslf
 {
 namespace tool
 {
+void WriteResult(const Result& result, const std::string& folder, const std::string& name)
+{
+  WriteWholeText(result.Text, folder + "/" + name + ".md");
+  WriteWholeText(result.JSON.dump(2) + "\n", folder + "/" + name + ".json");
+}
+
 void BenchmarkOptions::AddTo(CLI::App& command)
 {
   command.add_option("field", this->Field, std::string("the light field: ") + FieldFormats)
@@ -72,10 +78,5 @@ std::string BenchmarkOptions::DescribeNoise(double noiseFloor)
   return "\nNoise floor of the novel views' truth: " + Format(noiseFloor, 2) + " dB.\n";
 }
 
-void BenchmarkOptions::Write(const Result& result, const std::string& name) const
-{
-  WriteWholeText(result.Text, this->Folder + "/" + name + ".md");
-  WriteWholeText(result.JSON.dump(2) + "\n", this->Folder + "/" + name + ".json");
-}
 }
 }

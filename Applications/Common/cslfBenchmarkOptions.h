@@ -30,6 +30,9 @@ struct BenchmarkViews
   double NoiseFloor = 0.0;
 };
 
+/// Writes a result into a folder, as NAME.md and NAME.json. Throws a Failure.
+void WriteResult(const Result& result, const std::string& folder, const std::string& name);
+
 struct BenchmarkOptions
 {
   std::string Field;
@@ -53,8 +56,11 @@ struct BenchmarkOptions
   static std::string DescribeNoise(double noiseFloor);
   ///@}
 
-  /// Writes a result into the folder, as NAME.md and NAME.json. Throws a Failure.
-  void Write(const Result& result, const std::string& name) const;
+  /// Writes a result into the folder.
+  void Write(const Result& result, const std::string& name) const
+  {
+    WriteResult(result, this->Folder, name);
+  }
 };
 }
 }

@@ -42,9 +42,10 @@ vtkSmartPointer<vtkTrivialProducer> Produce(vtkImageData* image)
 }
 }
 
-CodecSweep::CodecSweep(const FieldFile& file, const std::string& folder, int repeats)
-  : Field(vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0)))
-  , Grid(file.Field.Grid)
+CodecSweep::CodecSweep(
+  vtkImageData* field, const Layout& grid, const std::string& folder, int repeats)
+  : Field(field)
+  , Grid(grid)
   , FileName(folder + "/coded.mp4")
   , Repeats(repeats)
 {

@@ -38,9 +38,9 @@ struct CodecPoint
 class CodecSweep
 {
 public:
-  /// The file's reader holds the whole field. One video after the other is made in the folder, each
-  /// as often as `repeats` says; the last goes with the sweep.
-  CodecSweep(const FieldFile& file, const std::string& folder, int repeats);
+  /// Of a whole field. One video after the other is made in the folder, each as often as `repeats`
+  /// says; the last goes with the sweep.
+  CodecSweep(vtkImageData* field, const Layout& grid, const std::string& folder, int repeats);
   ~CodecSweep();
   CodecSweep(const CodecSweep&) = delete;
   CodecSweep& operator=(const CodecSweep&) = delete;

@@ -125,6 +125,32 @@ double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil)
   return quality->GetPSNR() + 10.0 * std::log10(4.0);
 }
 
+double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
+  vtkImageData* truth, vtkImageData* picture, vtkImageStencilData* stencil)
+{
+  constexpr double peak = 255.0;
+  constexpr double most = 60.0;
+  const auto read = [](vtkImageData* image, int x, int y, int k) -> int
+  { return static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0))[k]; };
+  const int* size = truth->GetDimensions();
+  double sum = 0.0;
+  double count = 0.0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      for (int k = 0; k < 3 && stencil->IsInside(x, y, 0); ++k)
+      {
+        const int before = read(pictureBefore, x, y, k) - read(truthBefore, x, y, k);
+        const int difference = read(picture, x, y, k) - read(truth, x, y, k) - before;
+        sum += 1.0 * difference * difference;
+        count += 1.0;
+      }
+    }
+  }
+  return sum > 0.0 ? std::min(most, 10.0 * std::log10(peak * peak * count / sum)) : most;
+}
+
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   const Cube& cube, vtkCamera* camera, int width, int height)
 {

@@ -73,6 +73,12 @@ struct ViewQuality
 /// Draws the views in a lookup, in the size of their pictures, and compares. Throws a Failure.
 ViewQuality MeasureViews(FieldRenderer& renderer, int lookup, const std::vector<NovelView>& views);
 
+/// How near the change from one view to the next comes to the truth's: the PSNR in dB, at most 60,
+/// of the difference between the errors of both, in the pixels of `stencil`. All pictures are red,
+/// green and blue bytes of one size.
+double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
+  vtkImageData* truth, vtkImageData* picture, vtkImageStencilData* stencil);
+
 /// The pixels whose ray meets the cube. Row 0 is at the bottom, as VTK's images have it.
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   const Cube& cube, vtkCamera* camera, int width, int height);

@@ -112,5 +112,55 @@ std::optional<double> ComputeDeltaRate(
   }
   return std::exp(sum / (high - low)) - 1.0;
 }
+
+std::vector<RatePoint> FindFront(std::vector<RatePoint> points)
+{
+  std::sort(points.begin(), points.end(),
+    [](const RatePoint& a, const RatePoint& b)
+    { return a.Bytes < b.Bytes || (a.Bytes == b.Bytes && a.PSNR > b.PSNR); });
+  std::vector<RatePoint> front;
+  for (const RatePoint& point : points)
+  {
+    if (front.empty() || point.PSNR > front.back().PSNR)
+    {
+      front.push_back(point);
+    }
+  }
+  return front;
+}
+
+std::optional<double> FindBytes(const std::vector<RatePoint>& front, double psnr)
+{
+  const auto above = std::find_if(
+    front.begin(), front.end(), [psnr](const RatePoint& point) { return point.PSNR >= psnr; });
+  if (above == front.end())
+  {
+    return std::nullopt;
+  }
+  if (above == front.begin())
+  {
+    return above->Bytes;
+  }
+  const RatePoint& below = *(above - 1);
+  const double part = (psnr - below.PSNR) / (above->PSNR - below.PSNR);
+  return below.Bytes * std::pow(above->Bytes / below.Bytes, part);
+}
+
+std::optional<double> FindPSNR(const std::vector<RatePoint>& front, double bytes)
+{
+  const auto above = std::find_if(
+    front.begin(), front.end(), [bytes](const RatePoint& point) { return point.Bytes > bytes; });
+  if (above == front.begin())
+  {
+    return std::nullopt;
+  }
+  const RatePoint& below = *(above - 1);
+  if (above == front.end())
+  {
+    return below.PSNR;
+  }
+  const double part = std::log(bytes / below.Bytes) / std::log(above->Bytes / below.Bytes);
+  return below.PSNR + part * (above->PSNR - below.PSNR);
+}
 }
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Quality against size: curves through a few measured points, and how far two are apart.
+ * Quality against size: curves through a few measured points, how far two are apart, and what the
+ * best points of many come to.
  */
 #ifndef cslfRateCurves_h
 #define cslfRateCurves_h
@@ -28,6 +29,18 @@ struct RatePoint
 /// two points or the curves share no range.
 std::optional<double> ComputeDeltaRate(
   const std::vector<RatePoint>& reference, const std::vector<RatePoint>& tested);
+
+/// The points than which no other one has both fewer bytes and a higher PSNR, the smallest first.
+std::vector<RatePoint> FindFront(std::vector<RatePoint> points);
+
+/// The bytes at which a front has this PSNR: between two points their logarithm is linear in dB.
+/// What is worse than the smallest point takes the bytes of that; nothing for what is better than
+/// all.
+std::optional<double> FindBytes(const std::vector<RatePoint>& front, double psnr);
+
+/// The PSNR that a front has at these bytes, likewise. With more bytes than any the best; nothing
+/// for fewer than the smallest point's.
+std::optional<double> FindPSNR(const std::vector<RatePoint>& front, double bytes);
 }
 }
 

@@ -35,6 +35,46 @@ if (NOT EXISTS "${DIRECTORY}/sheet.png")
   message(FATAL_ERROR "The contact sheet is missing.")
 endif ()
 
+# Along a path: every view and every change has its figure, and the sheet is about square.
+cslf_run(evaluate box.vti cornell-box --path swing --frames 9 --size 48 --spp 64 ${light}
+  --lookups bilinear,depth --json -o swing --contact-sheet swing.png)
+expect_json(9 views)
+expect_json("swing" path)
+foreach (lookup IN ITEMS bilinear depth)
+  string(JSON views LENGTH "${output}" lookups ${lookup} psnr_of_views)
+  string(JSON steps LENGTH "${output}" lookups ${lookup} change_psnr_of_steps)
+  if (NOT views EQUAL 9 OR NOT steps EQUAL 8)
+    message(FATAL_ERROR "${lookup} has ${views} views and ${steps} steps.")
+  endif ()
+  string(JSON lowest GET "${output}" lookups ${lookup} lowest_psnr)
+  expect_json_at_least(${lowest} lookups ${lookup} median_psnr)
+  string(JSON lowest GET "${output}" lookups ${lookup} lowest_change_psnr)
+  expect_json_at_least(${lowest} lookups ${lookup} median_change_psnr)
+  string(JSON change_${lookup} GET "${output}" lookups ${lookup} median_change_psnr)
+endforeach ()
+if (NOT change_depth GREATER change_bilinear)
+  message(FATAL_ERROR "Changes: bilinear ${change_bilinear} dB, depth ${change_depth} dB")
+endif ()
+string(JSON nothing ERROR_VARIABLE error GET "${output}" lookups focal)
+if (NOT error OR NOT EXISTS "${DIRECTORY}/swing/view-8-depth.png")
+  message(FATAL_ERROR "A lookup was measured that nobody asked for, or a picture is missing.")
+endif ()
+file(READ "${DIRECTORY}/swing.png" header OFFSET 16 LIMIT 8 HEX)
+# Two views of three pictures of 48 pixels in a row, 4 pixels between: 308 wide.
+if (NOT header MATCHES "^00000134")
+  message(FATAL_ERROR "The contact sheet's size is ${header}.")
+endif ()
+# One picture again and again: nothing changes, and nothing flickers.
+file(WRITE "${DIRECTORY}/still.json"
+  "[[[0, 0, 5], [0, 0, 0], [0, 1, 0]], [[0, 0, 5], [0, 0, 0], [0, 1, 0]]]")
+cslf_run(evaluate box.vti cornell-box --path still.json --frames 2 --size 48 --spp 1024 ${light}
+  --lookups depth --json)
+expect_json_at_least(42 lookups depth change_psnr_of_steps 0)
+cslf_run(sample cornell-box -o flat.vti -M 2 -N 16 --spp 1 --no-depth ${light})
+cslf_fail("no depth" "x" evaluate flat.vti cornell-box --lookups depth)
+cslf_fail("--views" "x" evaluate box.vti cornell-box --path orbit --views 3)
+cslf_fail("no camera path" "x" evaluate box.vti cornell-box --path nowhere.json)
+
 # Texels: noise is all that parts the field from the reference.
 cslf_run(sample cornell-box -o noisy.vti -M 3 -N 16 --spp 4 --integrator path ${light})
 cslf_run(evaluate-texels noisy.vti cornell-box --texels 1000 --reference-spp 512 --json)

@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf benchmark key-views: novel views from few coded viewpoints with depth, against the paper's
+// way: from all of them, without.
+#include "cslfBenchmarkOptions.h"
+#include "cslfChart.h"
+#include "cslfCodecSweep.h"
+#include "cslfMessages.h"
+#include "cslfPictures.h"
+#include "cslfRateCurves.h"
+#include "cslfStatistics.h"
+#include "cslfTable.h"
+
+#include "vtkCSLFMapper.h"
+#include "vtkCSLFResample.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTrivialProducer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+/// The rate factor of coverage lies above that of depth by this, as in the encoder's defaults.
+constexpr double CoverageRise = 12.0;
+
+/// The strongest coding there is.
+constexpr double MostCRF = 51.0;
+
+/// Video needs as many texels along each side.
+constexpr int LeastResolution = 16;
+
+struct Options : BenchmarkOptions
+{
+  std::vector<int> Steps{ 2, 4 };
+  std::vector<int> Divisors{ 1 };
+  std::vector<double> CRFs{ 16, 22, 28, 34, 40 };
+  std::vector<double> DepthCRFs{ 12, 20 };
+  std::string Preset = "slow";
+};
+
+/// One way to keep a field, at several rate factors.
+struct Series
+{
+  std::string Name;
+  int Viewpoints = 0; ///< along each side of a face
+  int Resolution = 0; ///< along each side of an image
+  double Limit = 0.0; ///< the PSNR of novel views before anything is coded, in dB
+  std::vector<CodecPoint> Points;
+  std::vector<double> DepthCRFs; ///< of each point
+};
+
+/// One of the paper's files, against key views.
+struct Comparison
+{
+  RatePoint Paper;
+  std::optional<double> Ratio; ///< of the paper's bytes to those that have the same PSNR
+  bool IsBound = false;        ///< whether that is only the least it can be
+  std::optional<double> Gain;  ///< in dB, at the same bytes
+};
+
+RatePoint ToRatePoint(const CodecPoint& point)
+{
+  return { point.Bytes, point.ViewPSNR.front() };
+}
+
+/// The field as the paper keeps it: colour alone, over black.
+vtkSmartPointer<vtkImageData> MakePlainField(vtkImageData* image, Description field)
+{
+  vtkDataArray* colors = image->GetPointData()->GetArray(ColorName);
+  auto opaque = vtk::TakeSmartPointer(colors->NewInstance());
+  opaque->DeepCopy(colors);
+  opaque->FillComponent(3, colors->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0);
+  field.Channels = { *field.FindChannel(ColorName) };
+  auto plain = vtkSmartPointer<vtkImageData>::New();
+  plain->SetExtent(image->GetExtent());
+  plain->GetPointData()->AddArray(opaque);
+  field.WriteTo(plain->GetFieldData());
+  return plain;
+}
+
+vtkSmartPointer<vtkImageData> TakeKeyViews(const FieldFile& file, int step, int divisor)
+{
+  vtkNew<vtkCSLFResample> resample;
+  resample->SetInputConnection(file.Reader->GetOutputPort());
+  resample->SetViewpointStride(step);
+  resample->SetResolutionDivisor(divisor);
+  {
+    const ProgressBar bar(resample, "Taking key views");
+    resample->UpdateWholeExtent();
+  }
+  ThrowOnError();
+  return resample->GetOutput();
+}
+
+/// What the lookup makes of an image's novel views, uncoded.
+double MeasureLimit(vtkImageData* image, const LookupName& lookup, const Options& options,
+  const std::vector<NovelView>& views)
+{
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(image);
+  FieldRenderer renderer(producer->GetOutputPort(), options.Novel.Size, options.Novel.Size);
+  return Mean(MeasureViews(renderer, lookup.Lookup, views).PSNR);
+}
+
+/// Codes an image with these rate factors of depth; images without have but one.
+Series Measure(const Options& options, const std::string& name, vtkImageData* image,
+  const std::vector<double>& depthCRFs, const LookupName& lookup,
+  const std::vector<NovelView>& views)
+{
+  std::string error;
+  const Description field = *Description::ReadFrom(image, error);
+  Series series;
+  series.Name = name;
+  series.Viewpoints = field.Grid.GetViewpoints();
+  series.Resolution = field.Grid.GetResolution();
+  series.Limit = MeasureLimit(image, lookup, options, views);
+  CodecSweep sweep(image, field.Grid, options.Folder, 1);
+  sweep.SetViews(views, { lookup });
+  for (const double depthCRF : depthCRFs)
+  {
+    for (const double crf : options.CRFs)
+    {
+      CodingOptions coding;
+      coding.CRF = crf;
+      coding.DepthCRF = depthCRF;
+      coding.CoverageCRF = std::min(depthCRF + CoverageRise, MostCRF);
+      coding.Preset = options.Preset;
+      series.Points.push_back(sweep.Measure(coding, name));
+      series.DepthCRFs.push_back(depthCRF);
+    }
+  }
+  return series;
+}
+
+/// The paper's series first.
+std::vector<Series> MeasureAll(
+  const Options& options, const FieldFile& file, const std::vector<NovelView>& views)
+{
+  auto* image = vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0));
+  const LookupName bilinear{ vtkCSLFMapper::BILINEAR, "bilinear" };
+  const LookupName depth{ vtkCSLFMapper::DEPTH, "depth" };
+  std::vector<Series> all;
+  // Without depth, its rate factor says nothing.
+  all.push_back(Measure(options, "paper: all views, no depth", MakePlainField(image, file.Field),
+    { options.DepthCRFs.front() }, bilinear, views));
+  for (const int step : options.Steps)
+  {
+    for (const int divisor : options.Divisors)
+    {
+      std::string name =
+        step == 1 ? "all views with depth" : "key views, step " + std::to_string(step);
+      name += divisor == 1 ? "" : ", N / " + std::to_string(divisor);
+      const auto keys = step == 1 && divisor == 1 ? vtkSmartPointer<vtkImageData>(image)
+                                                  : TakeKeyViews(file, step, divisor);
+      all.push_back(Measure(options, name, keys, options.DepthCRFs, depth, views));
+    }
+  }
+  return all;
+}
+
+/// Of all files of key views those count than which none is both smaller and better.
+std::vector<Comparison> Compare(const std::vector<Series>& all)
+{
+  std::vector<RatePoint> keys;
+  for (auto series = all.begin() + 1; series != all.end(); ++series)
+  {
+    std::transform(
+      series->Points.begin(), series->Points.end(), std::back_inserter(keys), ToRatePoint);
+  }
+  const std::vector<RatePoint> front = FindFront(keys);
+  std::vector<Comparison> comparisons;
+  for (const CodecPoint& point : all.front().Points)
+  {
+    Comparison comparison;
+    comparison.Paper = ToRatePoint(point);
+    const auto bytes = FindBytes(front, comparison.Paper.PSNR);
+    if (bytes)
+    {
+      comparison.Ratio = comparison.Paper.Bytes / *bytes;
+      comparison.IsBound = front.front().PSNR > comparison.Paper.PSNR;
+    }
+    const auto psnr = FindPSNR(front, comparison.Paper.Bytes);
+    if (psnr)
+    {
+      comparison.Gain = *psnr - comparison.Paper.PSNR;
+    }
+    comparisons.push_back(comparison);
+  }
+  return comparisons;
+}
+
+nlohmann::json ToJSON(const Series& series)
+{
+  nlohmann::json json = { { "name", series.Name }, { "viewpoints", series.Viewpoints },
+    { "resolution", series.Resolution }, { "uncoded_psnr", series.Limit },
+    { "points", nlohmann::json::array() } };
+  for (std::size_t k = 0; k < series.Points.size(); ++k)
+  {
+    const CodecPoint& point = series.Points[k];
+    nlohmann::json tracks;
+    for (const auto& [name, bytes] : point.Tracks)
+    {
+      tracks[name] = bytes;
+    }
+    json["points"].push_back({ { "crf", point.CRF }, { "depth_crf", series.DepthCRFs[k] },
+      { "bytes", point.Bytes }, { "tracks", tracks }, { "field_psnr", point.FieldPSNR },
+      { "psnr", point.ViewPSNR.front() } });
+  }
+  return json;
+}
+
+nlohmann::json ToJSON(const Comparison& comparison)
+{
+  return { { "bytes", comparison.Paper.Bytes }, { "psnr", comparison.Paper.PSNR },
+    { "ratio", comparison.Ratio ? nlohmann::json(*comparison.Ratio) : nlohmann::json() },
+    { "ratio_is_bound", comparison.IsBound },
+    { "gain", comparison.Gain ? nlohmann::json(*comparison.Gain) : nlohmann::json() } };
+}
+
+std::string MakeSeriesTable(const std::vector<Series>& all)
+{
+  Table table;
+  table.AddRow(
+    { "", "M", "N", "CRF", "of depth", "bytes", "novel views (dB)", "colour of the field (dB)" });
+  for (const Series& series : all)
+  {
+    const std::string viewpoints = std::to_string(series.Viewpoints);
+    const std::string resolution = std::to_string(series.Resolution);
+    table.AddRow(
+      { series.Name, viewpoints, resolution, "not coded", "", "", Format(series.Limit, 2), "" });
+    for (std::size_t k = 0; k < series.Points.size(); ++k)
+    {
+      const CodecPoint& point = series.Points[k];
+      const bool hasDepth = point.Tracks.size() > 1;
+      table.AddRow({ series.Name, viewpoints, resolution, Format(point.CRF, 1),
+        hasDepth ? Format(series.DepthCRFs[k], 1) : "", Format(point.Bytes, 0),
+        Format(point.ViewPSNR.front(), 2), Format(point.FieldPSNR, 2) });
+    }
+  }
+  return table.ToMarkdown();
+}
+
+std::string MakeComparisonTable(const std::vector<Comparison>& comparisons)
+{
+  Table table;
+  table.AddRow({ "paper's way: bytes", "dB", "key views: times fewer bytes at its dB",
+    "dB more at its bytes" });
+  for (const Comparison& comparison : comparisons)
+  {
+    table.AddRow({ Format(comparison.Paper.Bytes, 0), Format(comparison.Paper.PSNR, 2),
+      !comparison.Ratio ? "never as good"
+                        : (comparison.IsBound ? "more than " : "") + Format(*comparison.Ratio, 1),
+      comparison.Gain ? Format(*comparison.Gain, 2) : "never as small" });
+  }
+  return table.ToMarkdown();
+}
+
+/// The best that each way comes to.
+std::string DescribeLimits(const std::vector<Series>& all)
+{
+  const auto best = std::max_element(
+    all.begin() + 1, all.end(), [](const Series& a, const Series& b) { return a.Limit < b.Limit; });
+  return "\nUncoded, the paper's way has " + Format(all.front().Limit, 2) +
+    " dB with M = " + std::to_string(all.front().Viewpoints) + ", the other at best " +
+    Format(best->Limit, 2) + " dB with M = " + std::to_string(best->Viewpoints) + ".\n";
+}
+
+void WritePlot(const Options& options, const std::vector<Series>& all)
+{
+  Chart chart{ "Novel views", "bytes of the file", "PSNR (dB)", ChartScale::Bytes, {} };
+  for (const Series& series : all)
+  {
+    // A curve for each rate factor of depth.
+    for (std::size_t k = 0; k < series.Points.size(); ++k)
+    {
+      if (k % options.CRFs.size() == 0)
+      {
+        const bool isMany = series.Points.size() > options.CRFs.size();
+        chart.Curves.emplace_back();
+        chart.Curves.back().Name =
+          series.Name + (isMany ? ", depth's CRF " + Format(series.DepthCRFs[k], 0) : "");
+      }
+      chart.Curves.back().X.push_back(series.Points[k].Bytes);
+      chart.Curves.back().Y.push_back(series.Points[k].ViewPSNR.front());
+    }
+  }
+  WriteChart(options.Folder + "/key-views.png", chart);
+}
+
+/// Throws a Failure where the field cannot be kept as the options ask for.
+void CheckField(const Options& options, const Description& field)
+{
+  if (!field.FindChannel(DepthName))
+  {
+    throw Failure("The field has no depth, which key views are looked up with.");
+  }
+  for (const int step : options.Steps)
+  {
+    if ((field.Grid.GetViewpoints() - 1) % step != 0)
+    {
+      throw Failure("A step of " + std::to_string(step) +
+        " does not divide M - 1 = " + std::to_string(field.Grid.GetViewpoints() - 1) + ".");
+    }
+  }
+}
+
+Result Run(Options options)
+{
+  RequireDisplay();
+  if (options.Scene.IsEmpty())
+  {
+    throw Failure("Novel views need the scene.");
+  }
+  CheckField(options, OpenField(options.Field).Field);
+  const FieldFile file = options.ReadField();
+  const BenchmarkViews views = options.Begin(file.Field);
+  std::sort(options.CRFs.begin(), options.CRFs.end());
+  const std::vector<Series> all = MeasureAll(options, file, views.Views);
+  const std::vector<Comparison> comparisons = Compare(all);
+  WritePlot(options, all);
+  double best = 0.0;
+  for (const Series& series : all)
+  {
+    best = std::max(best, series.Limit);
+  }
+  WarnOfNoise(views.NoiseFloor, best, "the best novel views", "--spp");
+
+  Result result;
+  result.JSON = { { "field", options.Field }, { "preset", options.Preset },
+    { "views", options.DescribeViews(views.NoiseFloor) }, { "series", nlohmann::json::array() },
+    { "comparisons", nlohmann::json::array() } };
+  for (const Series& series : all)
+  {
+    result.JSON["series"].push_back(ToJSON(series));
+  }
+  for (const Comparison& comparison : comparisons)
+  {
+    result.JSON["comparisons"].push_back(ToJSON(comparison));
+  }
+  result.Text = MakeSeriesTable(all) + "\n" + MakeComparisonTable(comparisons) +
+    DescribeLimits(all) + BenchmarkOptions::DescribeNoise(views.NoiseFloor);
+  options.Write(result, "key-views");
+  return result;
+}
+}
+
+void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
+{
+  CLI::App* command = benchmark.add_subcommand("key-views",
+    "Code a light field as key views with depth and as the paper does: novel views against size");
+  command->footer(
+    "Writes key-views.md, key-views.json and a plot into FOLDER. The paper's way is all viewpoints "
+    "as colour over black, without coverage and depth, in the bilinear lookup; the other is every "
+    "STEP-th viewpoint with coverage and depth, perhaps of fewer texels, in the depth-corrected "
+    "lookup. Both are coded by the same encoder with the same preset and rate factors of colour; "
+    "that of coverage lies 12 above that of depth. PSNR is that of novel views, as in cslf "
+    "evaluate. At equal PSNR "
+    "and at equal bytes, each of the paper's files is compared with those of key views, of all "
+    "steps and divisors, than which none is both smaller and better: between these the logarithm "
+    "of bytes is "
+    "linear in dB.");
+  const auto options = std::make_shared<Options>();
+  options->AddTo(*command);
+  command->add_option("--steps", options->Steps, "of key views, as in 2,4; each divides M - 1")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  command
+    ->add_option("--divisors", options->Divisors,
+      "of key views' resolution, as in 1,2; each divides N into 16 or more")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 16384))
+    ->capture_default_str();
+  command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,28,36")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str();
+  command->add_option("--depth-crfs", options->DepthCRFs, "likewise, of key views' depth")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str();
+  command->add_option("--preset", options->Preset, "x265's preset, for both ways")
+    ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}

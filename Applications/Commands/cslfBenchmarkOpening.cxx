@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// cslf benchmark opening: how long it takes until a file that is opened shows a first picture.
+#include "cslfBenchmarkOptions.h"
+#include "cslfCameraOptions.h"
+#include "cslfMessages.h"
+#include "cslfOffscreenWindow.h"
+#include "cslfPictures.h"
+#include "cslfStatistics.h"
+#include "cslfTable.h"
+
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkAlgorithm.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+struct Options
+{
+  std::string Field;
+  std::string Folder;
+  std::string Lookup = "depth";
+  int Size = 512;
+  int Repeats = 10;
+};
+
+/// How long something took, by the clock and by the processor's, all threads together.
+struct Duration
+{
+  double Seconds = 0.0;
+  double CPUSeconds = 0.0;
+};
+
+class Stopwatch
+{
+public:
+  Duration Read() const
+  {
+    return { std::chrono::duration<double>(Clock::now() - this->Start).count(),
+      static_cast<double>(std::clock() - this->CPUStart) / CLOCKS_PER_SEC };
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Start = Clock::now();
+  std::clock_t CPUStart = std::clock();
+};
+
+/// What lies between a program and its first picture, one after the other.
+enum Phase
+{
+  Window,  ///< making a window and clearing it, before anything is opened
+  Opening, ///< reading the file's header
+  Drawing, ///< decoding the coarsest viewpoints and drawing
+  PhaseCount
+};
+
+constexpr const char* PhaseNames[] = { "window", "opening", "drawing" };
+
+/// How long each phase took when the file was opened once.
+using Phases = std::vector<Duration>;
+
+struct Findings
+{
+  std::string Device;
+  std::string Lookup;
+  std::vector<Phases> Repeats;
+  vtkSmartPointer<vtkImageData> Picture; ///< the last first one
+};
+
+void OpenOnce(const Options& options, Findings& findings)
+{
+  Phases phases(PhaseCount);
+  vtkNew<vtkCamera> nowhere;
+  const Stopwatch making;
+  OffscreenWindow window(options.Size, options.Size);
+  window.Draw(nowhere);
+  phases[Window] = making.Read();
+
+  const Stopwatch opening;
+  const FieldFile file = OpenField(options.Field);
+  phases[Opening] = opening.Read();
+
+  const Stopwatch drawing;
+  findings.Lookup = ChooseLookup(options.Lookup, file.Field);
+  ReadToDraw(file);
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputConnection(file.Reader->GetOutputPort());
+  mapper->SetLookup(FindLookup(findings.Lookup));
+  mapper->StreamingOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  window.AddActor(actor);
+  window.Draw(CameraOptions().MakeCamera(file.Field.Box));
+  phases[Drawing] = drawing.Read();
+  findings.Repeats.push_back(phases);
+  findings.Device = window.GetDeviceName();
+  findings.Picture = window.Grab();
+}
+
+/// Of the phases from `first` on.
+Duration Sum(const Phases& phases, int first)
+{
+  Duration sum;
+  for (int phase = first; phase < PhaseCount; ++phase)
+  {
+    sum.Seconds += phases[phase].Seconds;
+    sum.CPUSeconds += phases[phase].CPUSeconds;
+  }
+  return sum;
+}
+
+nlohmann::json ToJSON(const Phases& phases)
+{
+  nlohmann::json json;
+  for (int phase = 0; phase < PhaseCount; ++phase)
+  {
+    json[PhaseNames[phase]] = { { "seconds", phases[phase].Seconds },
+      { "cpu_seconds", phases[phase].CPUSeconds } };
+  }
+  return json;
+}
+
+/// A row of milliseconds.
+void AddRow(Table& table, const std::string& name, const std::vector<Duration>& durations)
+{
+  std::vector<double> seconds;
+  std::vector<double> cpuSeconds;
+  for (const Duration& duration : durations)
+  {
+    seconds.push_back(1000.0 * duration.Seconds);
+    cpuSeconds.push_back(1000.0 * duration.CPUSeconds);
+  }
+  std::vector<std::string> row = { name };
+  for (const auto& values : { seconds, cpuSeconds })
+  {
+    row.push_back(Format(values.front(), 1));
+    row.push_back(
+      values.size() > 1 ? Format(Minimum({ values.begin() + 1, values.end() }), 1) : "");
+    row.push_back(values.size() > 1 ? Format(Median({ values.begin() + 1, values.end() }), 1) : "");
+  }
+  table.AddRow(row);
+}
+
+std::string MakeTable(const Findings& findings)
+{
+  Table table;
+  table.AddRow({ "", "first time (ms)", "then: least", "median", "CPU, first time (ms)",
+    "then: least", "median" });
+  const auto collect = [&findings](const auto& get)
+  {
+    std::vector<Duration> durations;
+    for (const Phases& phases : findings.Repeats)
+    {
+      durations.push_back(get(phases));
+    }
+    return durations;
+  };
+  for (int phase = 0; phase < PhaseCount; ++phase)
+  {
+    AddRow(table, PhaseNames[phase], collect([phase](const Phases& p) { return p[phase]; }));
+  }
+  AddRow(table, "opening and drawing", collect([](const Phases& p) { return Sum(p, Opening); }));
+  AddRow(table, "all", collect([](const Phases& p) { return Sum(p, Window); }));
+  return table.ToMarkdown();
+}
+
+Result Run(const Options& options)
+{
+  RequireDisplay();
+  OpenField(options.Field);
+  std::error_code failure;
+  std::filesystem::create_directories(options.Folder, failure);
+  RequireWritable(options.Folder + "/benchmark");
+  Findings findings;
+  for (int repeat = 0; repeat < options.Repeats; ++repeat)
+  {
+    OpenOnce(options, findings);
+  }
+  WritePicture(options.Folder + "/opening.png", findings.Picture);
+  Result result;
+  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
+    { "size", options.Size }, { "lookup", findings.Lookup }, { "device", findings.Device },
+    { "repeats", nlohmann::json::array() } };
+  for (const Phases& phases : findings.Repeats)
+  {
+    result.JSON["repeats"].push_back(ToJSON(phases));
+  }
+  const std::string size = std::to_string(options.Size);
+  result.Text = MakeTable(findings) + "\n" + options.Field + ", " +
+    std::to_string(CountBytes(options.Field)) + " bytes: " + findings.Lookup + " lookup, " + size +
+    " x " + size + ", drawn by " + findings.Device + ".\n";
+  WriteResult(result, options.Folder, "opening");
+  return result;
+}
+}
+
+void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
+{
+  CLI::App* command = benchmark.add_subcommand(
+    "opening", "Open a light field again and again: how long until there is a first picture");
+  command->footer(
+    "Writes opening.md, opening.json and the first picture into FOLDER. Each time a new window is "
+    "made and cleared, the file opened, and a picture drawn from its coarsest viewpoints, as "
+    "vtkCSLFMapper does it with Streaming. Milliseconds are told by the clock, and by the "
+    "processor's, which counts all threads together and other programs not at all. The first time "
+    "counts by itself: drivers and systems remember much for the others. What a driver keeps on "
+    "disk is there already unless it is told another place: Mesa by MESA_SHADER_CACHE_DIR.");
+  const auto options = std::make_shared<Options>();
+  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+    ->required();
+  command->add_option("-o,--output", options->Folder, "the folder for what is found out")
+    ->required();
+  command->add_option("--lookup", options->Lookup, "nearest, linear, bilinear, focal or depth")
+    ->check(CLI::IsMember(GetLookupNames()))
+    ->capture_default_str();
+  command->add_option("--size", options->Size, "of a picture, in pixels")
+    ->check(CLI::Range(1, 8192))
+    ->capture_default_str();
+  command->add_option("--repeats", options->Repeats, "how often it is opened")
+    ->check(CLI::Range(1, 10000))
+    ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+}
+}
