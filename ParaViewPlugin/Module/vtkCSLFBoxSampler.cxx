@@ -3,6 +3,9 @@
 #include "vtkCSLFBoxSampler.h"
 
 #include <vtkObjectFactory.h>
+#include <vtkSMPTools.h>
+
+#include <string>
 
 vtkStandardNewMacro(vtkCSLFBoxSampler);
 
@@ -32,6 +35,20 @@ void vtkCSLFBoxSampler::UpdateCube()
   this->SetCubeCenter(
     position[0] + 0.5 * lengths[0], position[1] + 0.5 * lengths[1], position[2] + 0.5 * lengths[2]);
   this->SetCubeEdges(lengths[0], lengths[1], lengths[2]);
+}
+
+//------------------------------------------------------------------------------
+int vtkCSLFBoxSampler::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (std::string(vtkSMPTools::GetBackend()) != "Sequential")
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  int result = 0;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config("STDThread"),
+    [&]() { result = this->Superclass::RequestData(request, inputVector, outputVector); });
+  return result;
 }
 
 //------------------------------------------------------------------------------

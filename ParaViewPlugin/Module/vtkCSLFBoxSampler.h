@@ -36,6 +36,9 @@ protected:
   vtkCSLFBoxSampler() = default;
   ~vtkCSLFBoxSampler() override = default;
 
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 private:
   vtkCSLFBoxSampler(const vtkCSLFBoxSampler&) = delete;
   void operator=(const vtkCSLFBoxSampler&) = delete;

@@ -7,18 +7,22 @@
 #include "vtkCSLFSceneImporter.h"
 
 #include <vtkActor.h>
+#include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkLightCollection.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVRenderView.h>
+#include <vtkPointData.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 #include <vtkSMProxyManager.h>
 #include <vtkSMProxySelectionModel.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMViewProxy.h>
+
+#include <string>
 
 vtkStandardNewMacro(vtkCSLFViewScene);
 
@@ -36,6 +40,32 @@ vtkView* GetActiveView()
   vtkSMProxySelectionModel* views = proxies ? proxies->GetSelectionModel("ActiveView") : nullptr;
   vtkSMProxy* view = views ? views->GetCurrentProxy() : nullptr;
   return view ? vtkView::SafeDownCast(view->GetClientSideObject()) : nullptr;
+}
+
+/// ParaView wants all arrays of points and cells to have a name.
+void NameArrays(vtkMultiBlockDataSet* scene)
+{
+  for (unsigned int i = 0; i < scene->GetNumberOfBlocks(); ++i)
+  {
+    auto* block = vtkDataSet::SafeDownCast(scene->GetBlock(i));
+    if (!block)
+    {
+      continue;
+    }
+    for (vtkDataSetAttributes* attributes :
+      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
+    {
+      for (int j = 0; j < attributes->GetNumberOfArrays(); ++j)
+      {
+        vtkAbstractArray* array = attributes->GetAbstractArray(j);
+        if (!array->GetName())
+        {
+          array->SetName(("Array" + std::to_string(j)).c_str());
+        }
+      }
+    }
+  }
 }
 
 /// Copies what representations show, and the lights, to a renderer of its own: the view's has
@@ -111,6 +141,7 @@ bool vtkCSLFViewScene::CaptureNow()
   importer->SetRenderer(renderer);
   importer->Update();
   this->Scene->ShallowCopy(importer->GetOutput());
+  NameArrays(this->Scene);
   // Actors and lights belong to the view's renderer.
   renderer->RemoveAllViewProps();
   renderer->RemoveAllLights();

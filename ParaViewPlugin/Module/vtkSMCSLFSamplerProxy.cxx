@@ -31,6 +31,12 @@ vtkPVArrayInformation* vtkSMCSLFSamplerProxy::FindColorArray()
     return nullptr;
   }
   vtkPVDataInformation* data = source->GetDataInformation(input.GetOutputPort());
+  // Scripts may not have updated it yet.
+  if (data->GetNumberOfPoints() == 0)
+  {
+    source->UpdatePipeline();
+    data = source->GetDataInformation(input.GetOutputPort());
+  }
   vtkSMPropertyHelper array(this, "ColorArrayName");
   const char* name = array.GetInputArrayNameToProcess();
   if (name && *name)

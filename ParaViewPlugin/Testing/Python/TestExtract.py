@@ -5,9 +5,7 @@ import os
 
 from cslfparaview import *
 
-source = TimeSource(Growing=0, XAmplitude=3.0)
-scene = Transform(Input=Contour(Input=Wavelet(), Isosurfaces=[150.0]))
-scene.UpdatePipeline()
+scene = Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0])
 field = bake(scene, Viewpoints=3, Resolution=32, Samples=4)
 extractor = CreateExtractor("CSLF", field, registrationName="light field")
 check(extractor is not None, "there is no extractor")

@@ -9,7 +9,7 @@ from cslfparaview import *
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 
 name = sys.argv[1]
-contour = Contour(Input=Wavelet(), Isosurfaces=[150.0])
+contour = Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0])
 field = bake(contour, Viewpoints=3, Resolution=32, Samples=4)
 SaveData(name + ".mp4", proxy=field, Lossless=1)
 view = make_view()

@@ -21,7 +21,7 @@ def make_scene():
 
 def bake(source, **parameters):
     """A small light field."""
-    settings = dict(Viewpoints=5, Resolution=64, Samples=16)
+    settings = dict(Viewpoints=5, Resolution=64, Samples=16, Integrator="Path Tracing")
     settings.update(parameters)
     return CSLFSampler(Input=source, **settings)
 
@@ -38,6 +38,12 @@ def look(view):
     view.CameraPosition = [2.0, -1.6, 2.2]
     view.CameraViewUp = [0, 0, 1]
     view.CameraViewAngle = 30
+
+
+def get_camera(view):
+    """The view's camera, as VTK's."""
+    return view.GetClientSideObject().GetRenderWindow().GetRenderers().GetFirstRenderer() \
+        .GetActiveCamera()
 
 
 def read_picture(name):
