@@ -128,10 +128,17 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Field);
-    vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(inInfo, this, false, false);
     double bounds[6];
     this->GetDrawnBounds(bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
+    vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+    if (controller && controller->GetNumberOfProcesses() > 1)
+    {
+      // What the field covers in part has to be composited in order.
+      outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+      vtkPVRenderView::SetOrderedCompositingConfiguration(
+        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+    }
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {

@@ -9,8 +9,8 @@
  * the image data that holds the samples. Image data that is no whole light field is an error, and
  * draws nothing.
  *
- * Where several ranks have made a part of the field each, rank 0 gathers the whole of it. It alone
- * draws it, or the client, as ParaView decides by the field's size.
+ * Where several ranks have made a part of the field each, rank 0 gathers the whole of it, and alone
+ * draws it, or the client does: ParaView decides by the field's size.
  *
  * @sa vtkCSLFMapper
  */

@@ -11,6 +11,7 @@ extractor = CreateExtractor("CSLF", field, registrationName="light field")
 check(extractor is not None, "there is no extractor")
 extractor.Writer.FileName = "field_{timestep:03d}.mp4"
 extractor.Writer.CRF = 30
+extractor.Writer.Preset = "ultrafast"
 extractor.Trigger = "TimeStep"
 extractor.Trigger.Frequency = 2
 animation = GetAnimationScene()

@@ -14,7 +14,7 @@ covered = color[:, 3] == 255
 # Round trips.
 for name, parameters, least in (("a.mp4", {}, 36), ("a.mkv", {"Lossless": 1}, 99),
                                 ("b.mp4", {"TargetPSNR": 40}, 39)):
-    SaveData(name, proxy=field, **parameters)
+    SaveData(name, proxy=field, Preset="fast", **parameters)
     reader = OpenDataFile(name)
     check(reader.GetXMLName() == "CSLFReader", f"{name} was opened by {reader.GetXMLName()}")
     quality = psnr(fetch_array(reader, "Color")[:, :3], color[:, :3])
