@@ -2,17 +2,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Everything CSLF is built from, found in one place.
+
+# ParaView brings its own VTK, which has to be found before any other.
+if (CSLF_BUILD_PARAVIEW_PLUGIN)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+endif ()
 set(cslf_vtk_components
-  ChartsCore
-  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonTransforms
-  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
-  ImagingColor ImagingCore ImagingGeneral ImagingStatistics ImagingStencil
-  InteractionStyle InteractionWidgets
-  IOGeometry IOImage IOPLY IOXML
+  CommonCore CommonDataModel CommonExecutionModel CommonTransforms
+  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry
+  ImagingCore ImagingGeneral
+  IOGeometry
   ParallelCore
-  RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
-  ViewsContext2D opengl vtksys)
-if (CSLF_BUILD_TESTING)
+  RenderingCore RenderingOpenGL2 opengl vtksys)
+# The tool and the tests.
+if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
+  list(APPEND cslf_vtk_components
+    ChartsCore
+    CommonColor CommonMisc
+    FiltersModeling FiltersSources
+    ImagingColor ImagingStatistics ImagingStencil
+    InteractionStyle InteractionWidgets
+    IOImage IOPLY IOXML
+    RenderingAnnotation RenderingContextOpenGL2 RenderingFreeType RenderingUI
+    ViewsContext2D)
+endif ()
+if (CSLF_BUILD_TESTING AND NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components TestingCore TestingRendering)
 endif ()
 if (CSLF_WRAP_PYTHON)

@@ -231,6 +231,8 @@ int vtkCSLFPathTracer::RequestUpdateExtent(
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    // The output's extent would go on to what the inputs are made of, such as image data.
+    info->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   }
   return 1;
 }

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFRepresentation.h"
+
+#include "cslfGatherField.h"
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkBoundingBox.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+#include <vtkMultiProcessController.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutlineSource.h>
+#include <vtkPVRenderView.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+vtkStandardNewMacro(vtkCSLFRepresentation);
+
+//------------------------------------------------------------------------------
+vtkCSLFRepresentation::vtkCSLFRepresentation()
+{
+  this->Actor->SetMapper(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkCSLFRepresentation::~vtkCSLFRepresentation() = default;
+
+//------------------------------------------------------------------------------
+int vtkCSLFRepresentation::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // A client or a render server may have none.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkCSLFRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Field = nullptr;
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    // The executive's output must not be held on to: it is the same object when it changes.
+    vtkNew<vtkImageData> part;
+    part->ShallowCopy(vtkImageData::GetData(inputVector[0], 0));
+    this->Field = cslf::GatherField(part, vtkMultiProcessController::GetGlobalController());
+    if (this->Field && this->Field->GetNumberOfPoints() == 0)
+    {
+      this->Field = nullptr;
+    }
+  }
+  this->UpdateOutline();
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::UpdateOutline()
+{
+  double bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  if (this->Field)
+  {
+    this->BoundsMapper->SetInputData(this->Field);
+    this->BoundsMapper->GetBounds(bounds);
+  }
+  else
+  {
+    this->BoundsMapper->RemoveAllInputs();
+  }
+  // What is no light field has been reported.
+  if (!vtkMath::AreBoundsInitialized(bounds))
+  {
+    this->Field = nullptr;
+  }
+  this->Outline->SetBounds(bounds);
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* vtkCSLFRepresentation::GetRenderedDataObject(int vtkNotUsed(port))
+{
+  if (!this->Field)
+  {
+    return nullptr;
+  }
+  this->Outline->Update();
+  return this->Outline->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+// The cube where the actor has placed it.
+void vtkCSLFRepresentation::GetDrawnBounds(double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (!this->Field)
+  {
+    return;
+  }
+  double cube[6];
+  this->Outline->GetBounds(cube);
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  vtkBoundingBox box;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[4] = { cube[corner & 1], cube[2 + (corner >> 1 & 1)],
+      cube[4 + (corner >> 2)], 1.0 };
+    double placed[4];
+    matrix->MultiplyPoint(point, placed);
+    box.AddPoint(placed);
+  }
+  box.GetBounds(bounds);
+}
+
+//------------------------------------------------------------------------------
+int vtkCSLFRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Field);
+    double bounds[6];
+    this->GetDrawnBounds(bounds);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
+    vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+    if (controller && controller->GetNumberOfProcesses() > 1)
+    {
+      // What the field covers in part has to be composited in order.
+      outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+      vtkPVRenderView::SetOrderedCompositingConfiguration(
+        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+    }
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    auto* field = vtkImageData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
+    if (field && field->GetNumberOfPoints() > 0)
+    {
+      this->Mapper->SetInputConnection(vtkPVRenderView::GetPieceProducer(inInfo, this));
+      this->Actor->SetVisibility(this->GetVisibility());
+    }
+    else
+    {
+      this->Mapper->RemoveAllInputs();
+      this->Actor->SetVisibility(false);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCSLFRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddActor(this->Actor);
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkCSLFRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->RemoveActor(this->Actor);
+  return this->Superclass::RemoveFromView(view);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->Actor->SetVisibility(visible);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetLookup(int lookup)
+{
+  this->Mapper->SetLookup(lookup);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetAutomaticFocalPoint(bool automatic)
+{
+  this->Mapper->SetAutomaticFocalPoint(automatic);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetFocalPoint(double x, double y, double z)
+{
+  this->Mapper->SetFocalPoint(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetExposure(double exposure)
+{
+  this->Mapper->SetExposure(exposure);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetToneMapping(int toneMapping)
+{
+  this->Mapper->SetToneMapping(toneMapping);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetAutoAdjustResolution(bool adjust)
+{
+  this->Mapper->SetAutoAdjustResolution(adjust);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetTextureMemory(int mebibytes)
+{
+  this->Mapper->SetTextureMemoryLimit(vtkTypeInt64(mebibytes) << 20);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetOpacity(double opacity)
+{
+  this->Actor->GetProperty()->SetOpacity(opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetOrientation(double x, double y, double z)
+{
+  this->Actor->SetOrientation(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetOrigin(double x, double y, double z)
+{
+  this->Actor->SetOrigin(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetPickable(int pickable)
+{
+  this->Actor->SetPickable(pickable);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetPosition(double x, double y, double z)
+{
+  this->Actor->SetPosition(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetScale(double x, double y, double z)
+{
+  this->Actor->SetScale(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Field: " << this->Field.Get() << "\n";
+  os << indent << "Mapper:\n";
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCSLFRepresentation
+ * @brief   draws a light field in ParaView's render view
+ *
+ * The representation "Light Field" of image data, drawn by vtkCSLFMapper beside all else in the
+ * view. Bounds, and so the camera's reset and the axes, are those of the field's cube, not those of
+ * the image data that holds the samples. Image data that is no whole light field is an error, and
+ * draws nothing.
+ *
+ * Where several ranks have made a part of the field each, rank 0 gathers the whole of it, and alone
+ * draws it, or the client does: ParaView decides by the field's size.
+ *
+ * @sa vtkCSLFMapper
+ */
+#ifndef vtkCSLFRepresentation_h
+#define vtkCSLFRepresentation_h
+
+#include "vtkCSLFParaViewModule.h" // for export macro
+#include "vtkNew.h"                // for vtkNew
+#include "vtkPVDataRepresentation.h"
+#include "vtkSmartPointer.h" // for vtkSmartPointer
+
+class vtkActor;
+class vtkCSLFMapper;
+class vtkImageData;
+class vtkOutlineSource;
+
+class VTKCSLFPARAVIEW_EXPORT vtkCSLFRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkCSLFRepresentation* New();
+  vtkTypeMacro(vtkCSLFRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+
+  /**
+   * The cube's outline, for whoever asks for what is drawn and where it is.
+   */
+  vtkDataObject* GetRenderedDataObject(int port) override;
+
+  ///@{
+  /**
+   * Settings of the mapper: see vtkCSLFMapper.
+   */
+  void SetLookup(int lookup);
+  void SetAutomaticFocalPoint(bool automatic);
+  void SetFocalPoint(double x, double y, double z);
+  void SetExposure(double exposure);
+  void SetToneMapping(int toneMapping);
+  void SetAutoAdjustResolution(bool adjust);
+  ///@}
+
+  /**
+   * The graphics memory that the samples may take, in MiB: the mapper's TextureMemoryLimit.
+   */
+  void SetTextureMemory(int mebibytes);
+
+  ///@{
+  /**
+   * Settings of the actor: see vtkActor and vtkProperty.
+   */
+  void SetOpacity(double opacity);
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetPickable(int pickable);
+  void SetPosition(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  ///@}
+
+protected:
+  vtkCSLFRepresentation();
+  ~vtkCSLFRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkCSLFRepresentation(const vtkCSLFRepresentation&) = delete;
+  void operator=(const vtkCSLFRepresentation&) = delete;
+
+  void UpdateOutline();
+  void GetDrawnBounds(double bounds[6]);
+
+  vtkNew<vtkCSLFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkCSLFMapper> BoundsMapper; // never draws: tells the cube of the field before it is sent
+  vtkNew<vtkOutlineSource> Outline;
+  vtkSmartPointer<vtkImageData> Field; // null where there is none, and on ranks above 0
+};
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFViewScene.h"
+
+#include "vtkCSLFLight.h"
+#include "vtkCSLFMapper.h"
+#include "vtkCSLFSceneImporter.h"
+
+#include <vtkActor.h>
+#include <vtkCellData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkLightCollection.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPVRenderView.h>
+#include <vtkPointData.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderer.h>
+#include <vtkSMProxyManager.h>
+#include <vtkSMProxySelectionModel.h>
+#include <vtkSMSessionProxyManager.h>
+#include <vtkSMViewProxy.h>
+
+#include <string>
+
+vtkStandardNewMacro(vtkCSLFViewScene);
+
+namespace
+{
+/// The client's active view; null where this process is no client, or there is none.
+vtkView* GetActiveView()
+{
+  if (!vtkSMProxyManager::IsInitialized())
+  {
+    return nullptr;
+  }
+  vtkSMSessionProxyManager* proxies =
+    vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager();
+  vtkSMProxySelectionModel* views = proxies ? proxies->GetSelectionModel("ActiveView") : nullptr;
+  vtkSMProxy* view = views ? views->GetCurrentProxy() : nullptr;
+  return view ? vtkView::SafeDownCast(view->GetClientSideObject()) : nullptr;
+}
+
+/// ParaView wants all arrays of points and cells to have a name.
+void NameArrays(vtkMultiBlockDataSet* scene)
+{
+  for (unsigned int i = 0; i < scene->GetNumberOfBlocks(); ++i)
+  {
+    auto* block = vtkDataSet::SafeDownCast(scene->GetBlock(i));
+    if (!block)
+    {
+      continue;
+    }
+    for (vtkDataSetAttributes* attributes :
+      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
+    {
+      for (int j = 0; j < attributes->GetNumberOfArrays(); ++j)
+      {
+        vtkAbstractArray* array = attributes->GetAbstractArray(j);
+        if (!array->GetName())
+        {
+          array->SetName(("Array" + std::to_string(j)).c_str());
+        }
+      }
+    }
+  }
+}
+
+/// Copies what representations show, and the lights, to a renderer of its own: the view's has
+/// decorations, too.
+void CopyScene(vtkRenderer* from, vtkRenderer* to)
+{
+  vtkCollectionSimpleIterator cookie;
+  from->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = from->GetViewProps()->GetNextProp(cookie))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (actor && actor->IsA("vtkPVLODActor") && !vtkCSLFMapper::SafeDownCast(actor->GetMapper()))
+    {
+      to->AddActor(actor);
+    }
+  }
+  from->GetLights()->InitTraversal(cookie);
+  while (vtkLight* light = from->GetLights()->GetNextLight(cookie))
+  {
+    to->AddLight(light);
+  }
+  to->SetActiveCamera(from->GetActiveCamera());
+  to->SetUseImageBasedLighting(from->GetUseImageBasedLighting());
+  to->SetEnvironmentTexture(from->GetEnvironmentTexture());
+  to->SetEnvironmentUp(from->GetEnvironmentUp());
+  to->SetEnvironmentRight(from->GetEnvironmentRight());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCSLFViewScene::vtkCSLFViewScene()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkCSLFViewScene::~vtkCSLFViewScene() = default;
+
+//------------------------------------------------------------------------------
+void vtkCSLFViewScene::SetView(vtkView* view)
+{
+  if (this->View != view)
+  {
+    this->View = view;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkView* vtkCSLFViewScene::GetView()
+{
+  return this->View;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFViewScene::Capture()
+{
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkCSLFViewScene::CaptureNow()
+{
+  auto* view = vtkPVRenderView::SafeDownCast(this->View ? this->View.Get() : GetActiveView());
+  if (!view)
+  {
+    vtkErrorMacro("There is no render view to capture: set View.");
+    return false;
+  }
+  vtkNew<vtkRenderer> renderer;
+  CopyScene(view->GetRenderer(), renderer);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  importer->Update();
+  this->Scene->ShallowCopy(importer->GetOutput());
+  NameArrays(this->Scene);
+  // Actors and lights belong to the view's renderer.
+  renderer->RemoveAllViewProps();
+  renderer->RemoveAllLights();
+  const unsigned int last = this->Scene->GetNumberOfBlocks() - 1;
+  if (!this->CaptureLights)
+  {
+    vtkCSLFLight::RemoveLights(this->Scene->GetBlock(last));
+  }
+  this->CaptureTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkCSLFViewScene::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (this->CaptureTime < this->GetMTime() && !this->CaptureNow())
+  {
+    return 0;
+  }
+  vtkMultiBlockDataSet::GetData(outputVector)->ShallowCopy(this->Scene);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFViewScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->View.Get() << "\n";
+  os << indent << "CaptureLights: " << (this->CaptureLights ? "on" : "off") << "\n";
+}

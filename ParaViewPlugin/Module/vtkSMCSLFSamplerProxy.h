@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMCSLFSamplerProxy
+ * @brief   the sampler's proxy: finds the lookup table that ParaView shows an array with
+ *
+ * Where no LookupTable is set, the one that the session has for the array that colours the first
+ * input is. One that was never used before spans the array's range.
+ */
+#ifndef vtkSMCSLFSamplerProxy_h
+#define vtkSMCSLFSamplerProxy_h
+
+#include "vtkCSLFParaViewModule.h" // for export macro
+#include "vtkSMSourceProxy.h"
+
+class vtkPVArrayInformation;
+
+class VTKCSLFPARAVIEW_EXPORT vtkSMCSLFSamplerProxy : public vtkSMSourceProxy
+{
+public:
+  static vtkSMCSLFSamplerProxy* New();
+  vtkTypeMacro(vtkSMCSLFSamplerProxy, vtkSMSourceProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void UpdateVTKObjects() override;
+
+protected:
+  vtkSMCSLFSamplerProxy() = default;
+  ~vtkSMCSLFSamplerProxy() override = default;
+
+private:
+  vtkSMCSLFSamplerProxy(const vtkSMCSLFSamplerProxy&) = delete;
+  void operator=(const vtkSMCSLFSamplerProxy&) = delete;
+
+  vtkPVArrayInformation* FindColorArray();
+};
+
+#endif

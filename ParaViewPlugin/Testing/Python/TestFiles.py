@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Readers and writers: round trips, other people's files, damaged ones. Arguments: a coded field."""
+import os
+import sys
+
+import cslf
+from cslfparaview import *
+
+field = bake(make_scene(), Viewpoints=3, Resolution=32)
+color = fetch_array(field, "Color")
+covered = color[:, 3] == 255
+
+# Round trips.
+for name, parameters, least in (("a.mp4", {}, 36), ("a.mkv", {"Lossless": 1}, 99),
+                                ("b.mp4", {"TargetPSNR": 40}, 39)):
+    SaveData(name, proxy=field, Preset="fast", **parameters)
+    reader = OpenDataFile(name)
+    check(reader.GetXMLName() == "CSLFReader", f"{name} was opened by {reader.GetXMLName()}")
+    quality = psnr(fetch_array(reader, "Color")[:, :3], color[:, :3])
+    check(quality > least, f"{name}: {quality} dB")
+check(os.path.getsize("a.mp4") < os.path.getsize("a.mkv") / 2, "coded no smaller than lossless")
+
+# A folder of cube maps.
+writer = cslf.vtkCSLFImageWriter()
+writer.SetInputConnection(field.GetClientSideObject().GetOutputPort())
+writer.SetFileName(os.path.abspath("folder"))
+check(writer.Write() == 1, "the folder was not written")
+folder = OpenDataFile(os.path.abspath("folder"))
+check(folder is not None and folder.GetXMLName() == "CSLFImageReader", "the folder is not opened")
+check((fetch_array(folder, "Color") == color).all(), "the folder differs")
+
+# Videos that are none of ours, and folders, are left alone.
+with open(sys.argv[1], "rb") as file:
+    data = file.read()
+with open("other.mp4", "wb") as file:
+    file.write(data.replace(b"nodes", b"sedon").replace(b"CSLF", b"FLSC").replace(b"cslf", b"flsc"))
+with open("text.mp4", "w") as file:
+    file.write("no video")
+os.makedirs("empty", exist_ok=True)
+for name in ("other.mp4", "text.mp4", "empty"):
+    with Errors():
+        try:
+            opened = OpenDataFile(os.path.abspath(name))
+        except RuntimeError:
+            opened = None
+    check(opened is None or not opened.GetXMLName().startswith("CSLF"), f"{name} was opened")
+
+# A file that breaks off: what is left is read, with a warning; what is no field is not written.
+with open("short.mp4", "wb") as file:
+    file.write(data[:100])
+with Errors() as errors:
+    broken = CSLFReader(FileName=os.path.abspath("short.mp4"))
+    broken.UpdatePipeline()
+check(errors.messages, "a broken file gives no error")
+image = Wavelet()
+image.UpdatePipeline()
+with Errors():
+    try:
+        SaveData("wavelet.mp4", proxy=image)
+        check(False, "image data that is no field was written")
+    except (AttributeError, RuntimeError):
+        pass
+check(not os.path.exists("wavelet.mp4"), "image data that is no field made a file")

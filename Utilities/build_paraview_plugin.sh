@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Builds the ParaView plugin, on a bare Debian 12 too; afterwards `ctest --preset paraview` tests it.
+# With ParaView_DIR set to the CMake folder of a ParaView that is installed with its development
+# files, the plugin is built against that one, and Debian's is left alone.
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+sdk="$source/build/paraview-sdk"
+
+# Debian's ParaView has its Python package, which the one of Debian's VTK conflicts with, and its
+# headers in packages of their own. They are unpacked side by side with links to the rest.
+unpack_sdk()
+{
+  local version file
+  version="$(dpkg-query --show --showformat='${Version}' paraview)"
+  if [ "$(cat "$sdk/version" 2>/dev/null)" = "$version" ]; then
+    return
+  fi
+  echo "Unpacking ParaView's development files to $sdk"
+  rm -rf "$sdk"
+  mkdir -p "$sdk/packages"
+  (cd "$sdk/packages" && apt-get download --quiet "paraview-dev=$version" "python3-paraview=$version")
+  for file in "$sdk"/packages/*.deb; do
+    dpkg-deb --extract "$file" "$sdk"
+  done
+  rm -r "$sdk/packages"
+  dpkg --listfiles paraview | while read -r file; do
+    if { [ ! -d "$file" ] || [ -L "$file" ]; } && [ ! -e "$sdk$file" ]; then
+      mkdir -p "$(dirname "$sdk$file")"
+      ln -s "$file" "$sdk$file"
+    fi
+  done
+  echo "$version" >"$sdk/version"
+}
+
+cslf_install "${cslf_packages[@]}"
+if [ -z "${ParaView_DIR:-}" ]; then
+  cslf_install paraview python3-mpi4py python3-numpy openmpi-bin
+  unpack_sdk
+  ParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)"
+fi
+cd "$source"
+cmake --preset paraview "-DParaView_DIR=$ParaView_DIR"
+cmake --build --preset paraview
