@@ -34,6 +34,12 @@ namespace
 constexpr int MostDivisor = 4;
 /// Whoever has as many seconds for a picture is not moving it.
 constexpr double StillSeconds = 1.0;
+/// The depth lookup's guesses come from a picture with one pixel for so many along each side.
+constexpr int GuessDivisor = 4;
+/// In the order of vtkCSLFMapper::LookupType.
+constexpr int DepthLookup = 4;
+/// The depth of pixels where nothing is seen, as in cslfPictureFS.glsl.
+constexpr float NothingDC = 1.0e30F;
 }
 
 bool LookupPicture::View::operator==(const View& other) const
@@ -89,11 +95,14 @@ void LookupPicture::Draw(
     this->Divisor = divisor;
     this->Size = { std::max(1, (viewport[2] + divisor - 1) / divisor),
       std::max(1, (viewport[3] + divisor - 1) / divisor) };
+    this->HasGuess = view.Lookup == DepthLookup && !view.IsEyeInside &&
+      field.GetField().FindChannel(DepthName) != nullptr &&
+      std::min(this->Size[0], this->Size[1]) > GuessDivisor;
     this->Allocate(field);
     this->BuildProgram(field);
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    this->DrawFaces(field);
+    this->DrawPicture(field);
     if (seconds < StillSeconds)
     {
       glFinish();
@@ -101,32 +110,56 @@ void LookupPicture::Draw(
         (static_cast<double>(this->Size[0]) * this->Size[1]);
     }
   }
-  this->Colors->Activate();
-  this->Depths->Activate();
+  this->Picture.Colors->Activate();
+  this->Picture.Depths->Activate();
+}
+
+void LookupPicture::Target::Allocate(
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType)
+{
+  this->Size = size;
+  const auto width = static_cast<unsigned int>(size[0]);
+  const auto height = static_cast<unsigned int>(size[1]);
+  const auto allocate = [&](vtkTextureObject* texture, int type, const auto& allocateTexels)
+  {
+    const bool fits = texture->GetHandle() != 0 && texture->GetWidth() == width &&
+      texture->GetHeight() == height && (type == VTK_VOID || texture->GetVTKDataType() == type);
+    if (!fits)
+    {
+      texture->ReleaseGraphicsResources(window);
+      texture->SetContext(window);
+      texture->ResetFormatAndType();
+      texture->SetMinificationFilter(vtkTextureObject::Nearest);
+      texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+      allocateTexels();
+    }
+  };
+  allocate(this->Colors, colorType, [&] { this->Colors->Allocate2D(width, height, 4, colorType); });
+  allocate(this->Depths, VTK_FLOAT, [&] { this->Depths->Allocate2D(width, height, 1, VTK_FLOAT); });
+  allocate(this->Marks, VTK_VOID,
+    [&] { this->Marks->AllocateDepth(width, height, vtkTextureObject::Fixed16); });
+}
+
+void LookupPicture::Target::Release(vtkWindow* window)
+{
+  this->Colors->ReleaseGraphicsResources(window);
+  this->Depths->ReleaseGraphicsResources(window);
+  this->Marks->ReleaseGraphicsResources(window);
 }
 
 void LookupPicture::Allocate(const FieldTexture& field)
 {
-  const auto width = static_cast<unsigned int>(this->Size[0]);
-  const auto height = static_cast<unsigned int>(this->Size[1]);
+  this->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(ColorName)->Type == VTK_UNSIGNED_CHAR;
-  const auto allocate = [&](vtkTextureObject* texture, int components, int type)
+  const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
+  this->Picture.Allocate(this->Window, this->Size, colorType);
+  if (this->HasGuess)
   {
-    const bool fits = texture->GetHandle() != 0 && texture->GetWidth() == width &&
-      texture->GetHeight() == height && texture->GetVTKDataType() == type;
-    if (!fits)
-    {
-      this->Framebuffer->ReleaseGraphicsResources(this->Window);
-      texture->ReleaseGraphicsResources(this->Window);
-      texture->SetContext(this->Window);
-      texture->ResetFormatAndType();
-      texture->SetMinificationFilter(vtkTextureObject::Nearest);
-      texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-      texture->Allocate2D(width, height, components, type);
-    }
-  };
-  allocate(this->Colors, 4, isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
-  allocate(this->Depths, 1, VTK_FLOAT);
+    this->Guess.Allocate(this->Window,
+      { (this->Size[0] + GuessDivisor - 1) / GuessDivisor,
+        (this->Size[1] + GuessDivisor - 1) / GuessDivisor },
+      colorType);
+  }
 }
 
 // Branches cost their time even where nothing takes them, so each program knows what it looks up.
@@ -141,14 +174,23 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
   vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
     std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Impl",
-    std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
-  if (!this->Quad || fragment != this->Source)
+  if (this->Search && fragment == this->Source && this->Current.Lookup == this->SourceLookup &&
+    (this->Check != nullptr) == this->HasGuess)
   {
-    this->Source = fragment;
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(this->Window, cslfPictureVS, fragment.c_str(), "");
+    return;
   }
+  this->Source = fragment;
+  this->SourceLookup = this->Current.Lookup;
+  const auto build = [&](const std::string& lookup)
+  {
+    std::string source = fragment;
+    vtkShaderProgram::Substitute(source, "//CSLF::Lookup::Impl", lookup);
+    return std::make_unique<vtkOpenGLQuadHelper>(this->Window, cslfPictureVS, source.c_str(), "");
+  };
+  this->Search = build(std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
+  this->Check = this->HasGuess
+    ? build("if (!LookupGuessed(ray, GuessPlane(FCDCMatrix), result)) { discard; }")
+    : nullptr;
 }
 
 void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) const
@@ -193,38 +235,85 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   fcdc->Transpose();
   program->SetUniformMatrix("FCDCMatrix", fcdc);
   program->SetUniformMatrix("DCFCMatrix", dcfc);
+  program->SetUniformf("MarkDC", this->Check && program == this->Check->Program ? -1.0F : 0.0F);
+  if (this->Check && program == this->Check->Program)
+  {
+    const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
+    program->SetUniformi("GuessDepth", this->Guess.Depths->GetTextureUnit());
+    program->SetUniform2f("PictureSize", size);
+  }
 }
 
-void LookupPicture::DrawFaces(FieldTexture& field)
+void LookupPicture::DrawPicture(FieldTexture& field)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglColorMask colorMask(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->PushFramebufferBindings();
-  this->Framebuffer->SetContext(this->Window);
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Colors);
-  this->Framebuffer->AddColorAttachment(1, this->Depths);
-  this->Framebuffer->ActivateDrawBuffers(2);
-  state->vtkglViewport(0, 0, this->Size[0], this->Size[1]);
-  state->vtkglScissor(0, 0, this->Size[0], this->Size[1]);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  if (this->HasGuess)
+  {
+    this->Begin(this->Guess, false);
+    this->DrawFaces(field, *this->Search);
+    this->Guess.Depths->Activate();
+    this->Begin(this->Picture, true);
+    // What the guess does not hold for is searched: early depth tests spare all else.
+    state->vtkglEnable(GL_DEPTH_TEST);
+    this->DrawFaces(field, *this->Check);
+    this->DrawFaces(field, *this->Search);
+    this->Guess.Depths->Deactivate();
+  }
+  else
+  {
+    this->Begin(this->Picture, false);
+    this->DrawFaces(field, *this->Search);
+  }
+  state->PopFramebufferBindings();
+}
 
-  vtkShaderProgram* program = this->Quad->Program;
+// All targets share one framebuffer object: vtkOpenGLState takes the draw buffers of two for the
+// same.
+void LookupPicture::Begin(Target& target, bool marks)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  this->Framebuffer->SetContext(this->Window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, target.Colors);
+  this->Framebuffer->AddColorAttachment(1, target.Depths);
+  this->Framebuffer->RemoveDepthAttachment();
+  if (marks)
+  {
+    this->Framebuffer->AddDepthAttachment(target.Marks);
+  }
+  this->Framebuffer->ActivateDrawBuffers(2);
+  state->vtkglViewport(0, 0, target.Size[0], target.Size[1]);
+  state->vtkglScissor(0, 0, target.Size[0], target.Size[1]);
+  const float noColor[4] = { 0.0F, 0.0F, 0.0F, 0.0F };
+  const float noDepth[4] = { NothingDC, 0.0F, 0.0F, 0.0F };
+  glClearBufferfv(GL_COLOR, 0, noColor);
+  glClearBufferfv(GL_COLOR, 1, noDepth);
+  if (marks)
+  {
+    const float noMark = 1.0F;
+    glClearBufferfv(GL_DEPTH, 0, &noMark);
+  }
+}
+
+void LookupPicture::DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad)
+{
+  vtkShaderProgram* program = quad.Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
-  // The camera's clipping range does not cut the faces.
-  const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
-  glEnable(GL_DEPTH_CLAMP);
   for (int face = 0; face < FaceCount; ++face)
   {
     if (this->Current.EntryFaces[face])
@@ -232,21 +321,16 @@ void LookupPicture::DrawFaces(FieldTexture& field)
       field.Activate(face);
       field.SetUniforms(program, face);
       this->SetViewUniforms(program, face);
-      this->Quad->Render();
+      quad.Render();
     }
   }
   field.Deactivate();
-  if (!clampsDepth)
-  {
-    glDisable(GL_DEPTH_CLAMP);
-  }
-  state->PopFramebufferBindings();
 }
 
 void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 {
-  program->SetUniformi("PictureColor", this->Colors->GetTextureUnit());
-  program->SetUniformi("PictureDepth", this->Depths->GetTextureUnit());
+  program->SetUniformi("PictureColor", this->Picture.Colors->GetTextureUnit());
+  program->SetUniformi("PictureDepth", this->Picture.Depths->GetTextureUnit());
   const float origin[2] = { static_cast<float>(this->Viewport[0]),
     static_cast<float>(this->Viewport[1]) };
   program->SetUniform2f("PictureOrigin", origin);
@@ -261,18 +345,19 @@ void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 
 void LookupPicture::Deactivate()
 {
-  this->Colors->Deactivate();
-  this->Depths->Deactivate();
+  this->Picture.Colors->Deactivate();
+  this->Picture.Depths->Deactivate();
 }
 
 void LookupPicture::Release(vtkWindow* window)
 {
   if (this->Window && this->Window == window)
   {
-    this->Quad.reset();
+    this->Search.reset();
+    this->Check.reset();
     this->Framebuffer->ReleaseGraphicsResources(window);
-    this->Colors->ReleaseGraphicsResources(window);
-    this->Depths->ReleaseGraphicsResources(window);
+    this->Picture.Release(window);
+    this->Guess.Release(window);
     this->Window = nullptr;
   }
 }

@@ -68,10 +68,27 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  /// Where lookups are drawn.
+  struct Target
+  {
+    std::array<int, 2> Size{ 1, 1 };
+    vtkNew<vtkTextureObject> Colors;
+    vtkNew<vtkTextureObject> Depths;
+    vtkNew<vtkTextureObject> Marks; ///< a depth buffer: 1 where nothing was drawn yet
+
+    void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType);
+
+    void Release(vtkWindow* window);
+  };
+
   int ChooseDivisor(const View& view, const std::array<int, 4>& viewport, double seconds) const;
   void Allocate(const FieldTexture& field);
   void BuildProgram(const FieldTexture& field);
-  void DrawFaces(FieldTexture& field);
+  void DrawPicture(FieldTexture& field);
+
+  /// Clears a target and draws there from now on, perhaps with its marks.
+  void Begin(Target& target, bool marks);
+  void DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
 
   vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
@@ -81,11 +98,14 @@ private:
   int Divisor = 1; ///< pixels of the viewport along a side of one of the picture
   std::array<int, 2> Size{ 1, 1 };
   double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
-  std::string Source;        ///< of the fragment shader
-  vtkNew<vtkTextureObject> Colors;
-  vtkNew<vtkTextureObject> Depths;
+  bool HasGuess = false;     ///< the depth lookup begins with a small picture's depths
+  std::string Source;        ///< of the fragment shaders
+  int SourceLookup = -1;
+  Target Picture;
+  Target Guess;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< looks all rays up
+  std::unique_ptr<vtkOpenGLQuadHelper> Check;  ///< those that the guess holds for
 };
 }
 

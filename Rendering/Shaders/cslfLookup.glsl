@@ -20,6 +20,13 @@ const float SightTolerance = 0.1;
 const float LeastWeight = 0.0001;
 const float Unknown = 2000.0;
 
+// Of guesses, which only this side has: how far the surface may be from the plane, as a share of w;
+// within how many cells of the plane the grid's first cell that is not empty counts as its own; and
+// the least slope that a shift is worked out with.
+const float GuessTolerance = 0.02;
+const float GuessCells = 2.5;
+const float LeastSlope = 0.01;
+
 struct View
 {
   SlicePlace Slice;
@@ -386,4 +393,62 @@ LookupResult LookupDepth(Ray ray)
     return LookupResult(vec4(0.0), 1.0);
   }
   return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
+}
+
+// How far the clearances of the four views grow with w before a plane; below 0 for those behind it.
+// For a view at a ray's entry it is 1, and it goes with the view's nearness to the plane.
+vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
+{
+  vec4 x = vec4(views.View00.Position.x, views.View10.Position.x, views.View01.Position.x,
+    views.View11.Position.x);
+  vec4 y = vec4(views.View00.Position.y, views.View10.Position.y, views.View01.Position.y,
+    views.View11.Position.y);
+  return atEntry / (plane.x * x + plane.y * y + plane.w);
+}
+
+// Whether the search may begin at a plane that the ray meets at w: where it would come upon it in
+// its first step, or the grid's first cell that is not empty belongs to the plane.
+bool IsFirst(ViewCell views, vec4 plane, float atEntry, float first, float w)
+{
+  float stride = max(views.Stride, StepShare * first);
+  vec3 perCell = mat3(FCCCMatrix) * plane.xyz * (SceneMaximum - SceneMinimum) / GridCells;
+  float height = atEntry * (1.0 - w / first);
+  bool isNear = height * height < GuessCells * GuessCells * dot(perCell, perCell);
+  return w <= first && (w >= first - stride || isNear);
+}
+
+// As LookupDepth, where a plane is guessed that the ray's surface is near to. False where the views
+// do not confirm it.
+bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
+{
+  result = LookupResult(vec4(0.0), 1.0);
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
+  float first = SkipEmpty(gridRay, range.x, range.y);
+  if (first == 0.0)
+  {
+    return true;
+  }
+  ViewCell views = FindViews(ray.Entry);
+  float atEntry = dot(plane.xyz, ray.Entry) + plane.w;
+  float w = -dot(plane.xyz, ray.Chord) / (atEntry == 0.0 ? 1.0 : atEntry);
+  bool isFirst = w >= range.y && IsFirst(views, plane, atEntry, first, w);
+  w = isFirst ? w : first;
+  vec4 clearances = Clearances(ray, views, w);
+  vec4 slopes = GuessSlopes(views, plane, atEntry);
+  vec4 fromFront = vec4(greaterThan(slopes, vec4(0.0)));
+  vec4 sees = fromFront * vec4(lessThan(abs(clearances), vec4(EdgeStep * w)));
+  vec4 shifts = sees * clearances / max(slopes, vec4(LeastSlope));
+  bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
+  bool isSurface = sees != vec4(0.0) && all(lessThan(abs(shifts), vec4(GuessTolerance * w)));
+  if (!isFirst || isSeenThrough || !isSurface)
+  {
+    return false;
+  }
+  float shift = min(min(shifts.x, shifts.y), min(shifts.z, shifts.w));
+  w -= shift;
+  clearances -= shift * slopes;
+  vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
+  result = LookupResult(BlendVisible(ray, views, Surface(w, near * fromFront)), 1.0 / w);
+  return true;
 }

@@ -14,11 +14,33 @@ uniform mat4 FCDCMatrix;
 uniform mat4 DCFCMatrix;
 uniform bool IsEyeInside;
 uniform vec3 FocalPointFC;
+uniform sampler2D GuessDepth; // of a small picture of the same view: z of DC
+uniform vec2 PictureSize;     // of the picture that is drawn, in pixels
+
+const float NothingDC = 1.0e30; // where nothing is seen
 
 //CSLF::Cube::Dec
 //CSLF::Field::Dec
 //CSLF::SceneGrid::Dec
 //CSLF::Lookup::Dec
+
+// The plane that the guess has around the fragment, in FC; 0 where it has none.
+vec4 GuessPlane(mat4 matrix)
+{
+  vec2 size = vec2(textureSize(GuessDepth, 0));
+  vec2 position = gl_FragCoord.xy / PictureSize * size - 0.5;
+  vec2 base = clamp(floor(position), vec2(0.0), size - 2.0);
+  ivec2 texel = ivec2(base);
+  vec4 z = vec4(texelFetch(GuessDepth, texel, 0).r, texelFetch(GuessDepth, texel + ivec2(1, 0), 0).r,
+    texelFetch(GuessDepth, texel + ivec2(0, 1), 0).r, texelFetch(GuessDepth, texel + ivec2(1, 1), 0).r);
+  vec2 offset = position - base;
+  vec2 row = mix(z.xz, z.yw, offset.x);
+  float here = mix(row.x, row.y, offset.y);
+  vec2 slope = 0.5 * size * vec2(mix(z.y - z.x, z.w - z.z, offset.y), row.y - row.x);
+  vec2 fragmentDC = 2.0 * gl_FragCoord.xy / PictureSize - 1.0;
+  bool isKnown = max(max(z.x, z.y), max(z.z, z.w)) < NothingDC;
+  return isKnown ? vec4(slope, -1.0, here - dot(slope, fragmentDC)) * matrix : vec4(0.0);
+}
 
 void main()
 {
@@ -39,5 +61,5 @@ void main()
   //CSLF::Lookup::Impl
   gl_FragData[0] = result.Color;
   vec4 hitDC = FCDCMatrix * vec4(ray.Entry + result.Fraction * ray.Chord, 1.0);
-  gl_FragData[1] = vec4(hitDC.z / hitDC.w);
+  gl_FragData[1] = vec4(result.Color.a > 0.0 ? hitDC.z / hitDC.w : NothingDC);
 }

@@ -11,10 +11,12 @@ out vec2 positionVSOutput;
 
 uniform mat4 FCDCMatrix;
 uniform bool IsEyeInside;
+uniform float MarkDC; // z of all that is drawn: the camera's clipping range does not cut the faces
 
 void main()
 {
   positionVSOutput = 2.0 * texCoordIn - 1.0;
   gl_Position = IsEyeInside ? vec4(ndCoordIn.xy, 0.0, 1.0)
                             : FCDCMatrix * vec4(positionVSOutput, 0.0, 1.0);
+  gl_Position.z = MarkDC * gl_Position.w;
 }
