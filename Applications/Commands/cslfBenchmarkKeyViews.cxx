@@ -26,6 +26,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -280,24 +282,33 @@ std::string DescribeLimits(const std::vector<Series>& all)
     Format(best->Limit, 2) + " dB with M = " + std::to_string(best->Viewpoints) + ".\n";
 }
 
+/// One curve of key views for each M: of their files those than which none is smaller and better.
 void WritePlot(const Options& options, const std::vector<Series>& all)
 {
-  Chart chart{ "Novel views", "bytes of the file", "PSNR (dB)", ChartScale::Bytes, {} };
-  for (const Series& series : all)
+  std::map<int, std::vector<RatePoint>> keys;
+  for (auto series = all.begin() + 1; series != all.end(); ++series)
   {
-    // A curve for each rate factor of depth.
-    for (std::size_t k = 0; k < series.Points.size(); ++k)
+    std::transform(series->Points.begin(), series->Points.end(),
+      std::back_inserter(keys[series->Viewpoints]), ToRatePoint);
+  }
+  Chart chart{ "Novel views", "bytes of the file", "PSNR (dB)", ChartScale::Bytes, {} };
+  const auto add = [&chart](const std::string& name, const std::vector<RatePoint>& points)
+  {
+    ChartCurve curve{ name, {}, {} };
+    for (const RatePoint& point : points)
     {
-      if (k % options.CRFs.size() == 0)
-      {
-        const bool isMany = series.Points.size() > options.CRFs.size();
-        chart.Curves.emplace_back();
-        chart.Curves.back().Name =
-          series.Name + (isMany ? ", depth's CRF " + Format(series.DepthCRFs[k], 0) : "");
-      }
-      chart.Curves.back().X.push_back(series.Points[k].Bytes);
-      chart.Curves.back().Y.push_back(series.Points[k].ViewPSNR.front());
+      curve.X.push_back(point.Bytes);
+      curve.Y.push_back(point.PSNR);
     }
+    chart.Curves.push_back(curve);
+  };
+  std::vector<RatePoint> paper;
+  const Series& first = all.front();
+  std::transform(first.Points.begin(), first.Points.end(), std::back_inserter(paper), ToRatePoint);
+  add(first.Name, paper);
+  for (const auto& [viewpoints, points] : keys)
+  {
+    add("with depth, M = " + std::to_string(viewpoints), FindFront(points));
   }
   WriteChart(options.Folder + "/key-views.png", chart);
 }
@@ -315,6 +326,15 @@ void CheckField(const Options& options, const Description& field)
     {
       throw Failure("A step of " + std::to_string(step) +
         " does not divide M - 1 = " + std::to_string(field.Grid.GetViewpoints() - 1) + ".");
+    }
+  }
+  const int resolution = field.Grid.GetResolution();
+  for (const int divisor : options.Divisors)
+  {
+    if (resolution % divisor != 0 || resolution / divisor < LeastResolution)
+    {
+      throw Failure("A divisor of " + std::to_string(divisor) +
+        " does not divide N = " + std::to_string(resolution) + " into 16 or more.");
     }
   }
 }
@@ -369,11 +389,9 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     "STEP-th viewpoint with coverage and depth, perhaps of fewer texels, in the depth-corrected "
     "lookup. Both are coded by the same encoder with the same preset and rate factors of colour; "
     "that of coverage lies 12 above that of depth. PSNR is that of novel views, as in cslf "
-    "evaluate. At equal PSNR "
-    "and at equal bytes, each of the paper's files is compared with those of key views, of all "
-    "steps and divisors, than which none is both smaller and better: between these the logarithm "
-    "of bytes is "
-    "linear in dB.");
+    "evaluate. At equal PSNR and at equal bytes, each of the paper's files is compared with those "
+    "of key views than which none is both smaller and better: between these the logarithm of bytes "
+    "is linear in dB.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
   command->add_option("--steps", options->Steps, "of key views, as in 2,4; each divides M - 1")

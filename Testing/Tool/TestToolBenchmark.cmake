@@ -56,46 +56,6 @@ cslf_fail("vp9" "bench/coded" benchmark codec box.vti -o bench --codecs vp9 --cr
 cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
 cslf_fail("subcommand" "x" benchmark)
 
-# Key views against all views without depth.
-cslf_run(benchmark key-views box.vti cornell-box -o keys --crfs 40,16 --steps 1,2 --divisors 1,2 --depth-crfs 12
-  --preset ultrafast --views 1 --size 48 --spp 64 ${light} --json)
-foreach (series IN ITEMS 0 1 2 3 4)
-  expect_json_at_least(5 series ${series} uncoded_psnr)
-  foreach (point IN ITEMS 0 1)
-    expect_json_at_least(100 series ${series} points ${point} bytes)
-    expect_json_at_least(5 series ${series} points ${point} psnr)
-  endforeach ()
-endforeach ()
-expect_json(3 series 1 viewpoints)
-expect_json(32 series 1 resolution)
-expect_json(16 series 2 resolution)
-expect_json(2 series 3 viewpoints)
-# The paper's files hold nothing but colour.
-string(JSON tracks LENGTH "${output}" series 0 points 0 tracks)
-string(JSON all LENGTH "${output}" series 1 points 0 tracks)
-if (NOT tracks EQUAL 1 OR NOT all EQUAL 3)
-  message(FATAL_ERROR "There are ${tracks} tracks without depth, ${all} with it.")
-endif ()
-# What the table says at equal quality and at equal size follows from the points.
-string(JSON length LENGTH "${output}" comparisons)
-string(JSON ratio GET "${output}" comparisons 0 ratio)
-string(JSON gain GET "${output}" comparisons 0 gain)
-if (NOT length EQUAL 2 OR NOT ratio GREATER 0.1 OR NOT gain GREATER 0)
-  message(FATAL_ERROR "${length} comparisons; ${ratio} times fewer bytes, ${gain} dB more.")
-endif ()
-foreach (file IN ITEMS key-views.md key-views.json key-views.png)
-  if (NOT EXISTS "${DIRECTORY}/keys/${file}")
-    message(FATAL_ERROR "${file} is missing.")
-  endif ()
-endforeach ()
-if (EXISTS "${DIRECTORY}/keys/coded.mp4")
-  message(FATAL_ERROR "A video is left.")
-endif ()
-cslf_fail("does not divide" "keys3" benchmark key-views box.vti cornell-box -o keys3 --steps 3)
-cslf_fail("16 or more" "keys3" benchmark key-views box.vti cornell-box -o keys3 --steps 2
-  --divisors 4)
-cslf_fail("need the scene" "keys3" benchmark key-views box.vti -o keys3)
-
 # What the cache gains: the same texels by path tracing and by the integrator told.
 cslf_run(benchmark sampler cornell-box -M 5 -N 32 --spp 4 --views 30 --texels 600
   --reference-spp 8192 --path-spp 1,4 ${light} --json)
