@@ -96,8 +96,7 @@ void LookupPicture::Draw(
     this->Size = { std::max(1, (viewport[2] + divisor - 1) / divisor),
       std::max(1, (viewport[3] + divisor - 1) / divisor) };
     this->HasGuess = view.Lookup == DepthLookup && !view.IsEyeInside &&
-      field.GetField().FindChannel(DepthName) != nullptr &&
-      std::min(this->Size[0], this->Size[1]) > GuessDivisor;
+      field.GetField().FindChannel(DepthName) != nullptr;
     this->Allocate(field);
     this->BuildProgram(field);
     using Clock = std::chrono::steady_clock;

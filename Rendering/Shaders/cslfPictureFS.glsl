@@ -29,10 +29,12 @@ vec4 GuessPlane(mat4 matrix)
 {
   vec2 size = vec2(textureSize(GuessDepth, 0));
   vec2 position = gl_FragCoord.xy / PictureSize * size - 0.5;
-  vec2 base = clamp(floor(position), vec2(0.0), size - 2.0);
-  ivec2 texel = ivec2(base);
-  vec4 z = vec4(texelFetch(GuessDepth, texel, 0).r, texelFetch(GuessDepth, texel + ivec2(1, 0), 0).r,
-    texelFetch(GuessDepth, texel + ivec2(0, 1), 0).r, texelFetch(GuessDepth, texel + ivec2(1, 1), 0).r);
+  vec2 base = clamp(floor(position), vec2(0.0), max(size - 2.0, 0.0));
+  ivec2 low = ivec2(base);
+  ivec2 high = min(low + 1, ivec2(size) - 1);
+  vec4 z = vec4(texelFetch(GuessDepth, low, 0).r,
+    texelFetch(GuessDepth, ivec2(high.x, low.y), 0).r,
+    texelFetch(GuessDepth, ivec2(low.x, high.y), 0).r, texelFetch(GuessDepth, high, 0).r);
   vec2 offset = position - base;
   vec2 row = mix(z.xz, z.yw, offset.x);
   float here = mix(row.x, row.y, offset.y);
