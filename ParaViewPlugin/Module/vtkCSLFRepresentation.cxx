@@ -127,7 +127,8 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    vtkPVView::SetPiece(inInfo, this, this->Field);
+    // Who receives a piece has to announce one, too.
+    vtkPVView::SetPiece(inInfo, this, this->Field ? this->Field.Get() : this->NoField.Get());
     double bounds[6];
     this->GetDrawnBounds(bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);

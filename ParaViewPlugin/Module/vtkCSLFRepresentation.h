@@ -94,6 +94,7 @@ private:
   vtkNew<vtkCSLFMapper> BoundsMapper; // never draws: tells the cube of the field before it is sent
   vtkNew<vtkOutlineSource> Outline;
   vtkSmartPointer<vtkImageData> Field; // null where there is none, and on ranks above 0
+  vtkNew<vtkImageData> NoField;        // empty
 };
 
 #endif

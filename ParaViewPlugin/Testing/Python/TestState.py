@@ -14,7 +14,7 @@ def make():
     SaveData(os.path.abspath("state.mp4"), proxy=field, Preset="fast")
     view = make_view()
     Show(OpenDataFile(os.path.abspath("state.mp4")), view)
-    look(view)
+    Render(view)
     return view
 
 
@@ -22,10 +22,10 @@ step = sys.argv[1]
 if step == "save":
     config = smtrace.start_trace(preamble="")
     view = make()
-    Render(view)
     trace = smtrace.stop_trace()
     with open("trace.py", "w") as file:
         file.write(trace)
+    look(view)
     take_picture(view, "traced.png")
     # Traces have no property that a script sets; states have.
     GetDisplayProperties(view=view).Exposure = 0.5
