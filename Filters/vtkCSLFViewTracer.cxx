@@ -171,7 +171,8 @@ int vtkCSLFViewTracer::RequestData(
 
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::PictureLayout layout{ this->Size[0], this->Size[1], 1, 0, 1 };
-  if (!this->Render(layout, [&rays](int, int) { return rays; }, pixels))
+  if (!this->Render(
+        layout, [&rays](int, int) { return rays; }, pixels))
   {
     output->Initialize();
   }

@@ -40,9 +40,9 @@ void SetText(AVCodecContext* context, const char* name, const std::string& value
 }
 
 /// What x265 does for colour besides, which other tracks gain nothing by: "slow" is x265's with the
-/// rate-distortion analysis of "slower", most of what that gains in half its time, and looks at more
-/// references. Chroma is a little finer, since it matters for red, green and blue more than the
-/// analysis knows.
+/// rate-distortion analysis of "slower", most of what that gains in half its time, and looks at
+/// more references. Chroma is a little finer, since it matters for red, green and blue more than
+/// the analysis knows.
 std::string GetColorOptions(AVPixelFormat format, const std::string& preset)
 {
   std::string text = ":b-intra=1";
@@ -52,8 +52,8 @@ std::string GetColorOptions(AVPixelFormat format, const std::string& preset)
 }
 
 /// x265: one thread, so that bytes do not depend on the machine's load; no weighted prediction, and
-/// skipped blocks ended early, since on both libx265 3.5 otherwise decides by memory that it has not
-/// set, so that bytes would depend on what the process did before; a closed group without scene
+/// skipped blocks ended early, since on both libx265 3.5 otherwise decides by memory that it has
+/// not set, so that bytes would depend on what the process did before; a closed group without scene
 /// cuts; no psycho-visual options, which add detail that is not there.
 void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* context)
 {
