@@ -45,6 +45,10 @@ constexpr double UploadShare = 0.1;
 constexpr double LeastUpload = 0.002;
 constexpr double MostUpload = 0.05;
 
+/// Pixels along each side of a picture that is drawn to have programs compiled: as many as it takes
+/// for all programs of a large one.
+constexpr int CompilingSize = 16;
+
 // The cube as six quads, with each point's face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
 {
@@ -137,14 +141,14 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   std::string error;
   const auto update = [&]
   { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
-  // The driver compiles the lookup's program when it draws first: while viewpoints are decoded, for
-  // a picture of one pixel that is not shown.
+  // The driver compiles the lookup's programs when it draws first: while viewpoints are decoded,
+  // for a small picture that is not shown.
   pace.Begins = this->Streaming && this->Texture.IsEmpty();
   if (pace.Begins && update())
   {
     vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
     vtkOpenGLState::ScopedglViewport viewport(window->GetState());
-    window->GetState()->vtkglViewport(0, 0, 1, 1);
+    window->GetState()->vtkglViewport(0, 0, CompilingSize, CompilingSize);
     this->Picture.Draw(window, this->View, this->Texture, VTK_DOUBLE_MAX);
     this->Picture.Deactivate();
     pace.Begins = false;
