@@ -4,6 +4,7 @@
 import os
 import sys
 
+import paraview.simple
 from cslfparaview import *
 from paraview import smstate, smtrace
 
@@ -13,6 +14,8 @@ def make():
     field = bake(make_scene())
     SaveData(os.path.abspath("state.mp4"), proxy=field, Preset="fast")
     view = make_view()
+    paraview.simple._DisableFirstRenderCameraReset()
+    look(view)
     Show(OpenDataFile(os.path.abspath("state.mp4")), view)
     Render(view)
     return view
@@ -25,7 +28,6 @@ if step == "save":
     trace = smtrace.stop_trace()
     with open("trace.py", "w") as file:
         file.write(trace)
-    look(view)
     take_picture(view, "traced.png")
     # Traces have no property that a script sets; states have.
     GetDisplayProperties(view=view).Exposure = 0.5
