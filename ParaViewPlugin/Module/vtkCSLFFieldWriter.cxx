@@ -16,23 +16,26 @@ vtkStandardNewMacro(vtkCSLFFieldWriter);
 //------------------------------------------------------------------------------
 int vtkCSLFFieldWriter::Write()
 {
-  vtkMultiProcessController* controller = this->GetController();
-  if (!controller || controller->GetNumberOfProcesses() < 2 ||
-    this->GetNumberOfInputConnections(0) < 1)
+  if (this->GetNumberOfInputConnections(0) < 1)
   {
     return this->Superclass::Write();
   }
-  this->GetInputAlgorithm()->UpdatePiece(
-    controller->GetLocalProcessId(), controller->GetNumberOfProcesses(), 0);
+  vtkMultiProcessController* controller = this->GetController();
+  const int rank = controller ? controller->GetLocalProcessId() : 0;
+  const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
+  this->GetInputAlgorithm()->UpdatePiece(rank, ranks, 0);
   const vtkSmartPointer<vtkImageData> field = cslf::GatherField(this->GetInput(), controller);
   int outcome[2] = { 0, vtkErrorCode::NoError };
-  if (controller->GetLocalProcessId() == 0)
+  if (rank == 0)
   {
     outcome[0] = this->WriteAlone(field);
     outcome[1] = static_cast<int>(this->GetErrorCode());
   }
-  controller->Broadcast(outcome, 2, 0);
-  this->SetErrorCode(static_cast<unsigned long>(outcome[1]));
+  if (ranks > 1)
+  {
+    controller->Broadcast(outcome, 2, 0);
+    this->SetErrorCode(static_cast<unsigned long>(outcome[1]));
+  }
   return outcome[0];
 }
 

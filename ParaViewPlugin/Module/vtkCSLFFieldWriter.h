@@ -4,9 +4,10 @@
  * @class   vtkCSLFFieldWriter
  * @brief   vtkCSLFEncoder for ParaView's pipelines, on any number of ranks
  *
- * With one rank it is the encoder. With several, ParaView's pipeline has each rank make its piece
- * of the field, together; rank 0 then gathers the whole field, which must fit in its memory, and
- * writes it alone. The bytes of the file are the same.
+ * The field is made as a whole before it is coded, as ParaView makes all data, and has to fit in
+ * memory: pulled slab by slab through ParaView's pipeline, its input would be made again for each.
+ * With several ranks, each makes its piece of the field, together, and rank 0 gathers and writes
+ * it. The frames of the file are the same for any number of ranks.
  *
  * @sa vtkCSLFEncoder
  */
