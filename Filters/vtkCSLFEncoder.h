@@ -265,7 +265,7 @@ public:
    * Writes the file, on all ranks of the controller together. Returns 1 on success; otherwise 0,
    * and the error code tells the kind of error.
    */
-  int Write();
+  virtual int Write();
 
   ///@{
   /**

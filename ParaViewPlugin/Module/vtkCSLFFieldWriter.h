@@ -27,7 +27,7 @@ public:
    * Writes the file: all ranks call it. Returns 1 on success; otherwise 0 on all ranks, and the
    * error code tells the kind of error.
    */
-  int Write();
+  int Write() override;
 
 protected:
   vtkCSLFFieldWriter() = default;
