@@ -69,7 +69,7 @@ def code(colors, order, options, crf, path):
     command = ["ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
                "%dx%d" % (width, height), "-r", "30", "-i", "-", "-vf", TO_VIDEO, "-c:v",
                "libx265", "-preset", "medium", "-crf", str(crf), "-x265-params",
-               "log-level=error:range=full:colormatrix=bt709" + options, path]
+               "log-level=error:info=0:range=full:colormatrix=bt709" + options, path]
     with subprocess.Popen(command, stdin=subprocess.PIPE) as process:
         for view in order:
             process.stdin.write(colors[view].tobytes())
