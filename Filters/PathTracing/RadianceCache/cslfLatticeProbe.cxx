@@ -37,15 +37,16 @@ constexpr double FirstShare = 1.0 / 256;
 // The fewest bricks of a step, so that all threads have work.
 constexpr std::size_t FewestBricks = 512;
 
-// What of a pass's expected time is enough, and the least time that tells anything, in seconds.
+// A pass is built whole if that takes no longer than so many times what the probe may. Of all
+// others some part of the expected time is enough.
+constexpr double MostTimes = 2.5;
 constexpr double EnoughShare = 0.025;
-constexpr double LeastSeconds = 0.1;
 
 // Bricks whose points are counted; beyond, that of more batches is the same.
 constexpr std::size_t MostCounted = std::size_t(1) << 19;
 constexpr std::size_t CountedRun = std::size_t(1) << 14;
 
-// How many of the nearest points a value is interpolated between.
+// How many of the nearest points an estimate is made from.
 constexpr int Neighbours = 6;
 
 constexpr std::uint32_t ChoiceSeed = 20210;
@@ -56,11 +57,11 @@ double GetTurn(std::size_t brick, std::size_t run)
   return static_cast<double>(MixBits(brick / run, ChoiceSeed) >> 11) / 9007199254740992.0;
 }
 
-/// Interpolates between points in space, of surfaces that look the same way.
-class ScatteredValues
+/// Estimates from those at points in space, of surfaces that look the same way.
+class ScatteredEstimates
 {
 public:
-  explicit ScatteredValues(const Scene& scene)
+  explicit ScatteredEstimates(const Scene& scene)
     : World(scene)
   {
   }
@@ -71,7 +72,7 @@ public:
     this->Places->InsertNextPoint(
       surface.LeavePosition.x, surface.LeavePosition.y, surface.LeavePosition.z);
     this->Normals.push_back(surface.GeometricNormal);
-    this->Values.push_back(estimate.Value);
+    this->Estimates.push_back(estimate);
   }
 
   void Finish()
@@ -81,7 +82,8 @@ public:
     this->Locator->BuildLocator();
   }
 
-  glm::vec3 Get(const Hit& place) const
+  /// The value is interpolated; the light that arrives is that of the point that counts most.
+  SurfaceEstimate Get(const Hit& place) const
   {
     const SurfaceHit surface = this->World.GetSurface(place);
     const double point[3] = { surface.LeavePosition.x, surface.LeavePosition.y,
@@ -90,6 +92,9 @@ public:
     this->Locator->FindClosestNPoints(Neighbours, point, nearest);
     glm::dvec3 sum(0.0);
     double weights = 0.0;
+    double most = 0.0;
+    SurfaceEstimate result;
+    result.Reach = std::numeric_limits<float>::infinity();
     for (const vtkIdType id : *nearest)
     {
       double other[3];
@@ -97,10 +102,16 @@ public:
       const glm::dvec3 way(other[0] - point[0], other[1] - point[1], other[2] - point[2]);
       const double facing = std::max(glm::dot(this->Normals[id], surface.GeometricNormal), 1e-3f);
       const double weight = facing * facing / (glm::dot(way, way) + 1e-12);
-      sum += weight * glm::dvec3(this->Values[id]);
+      sum += weight * glm::dvec3(this->Estimates[id].Value);
       weights += weight;
+      if (weight > most)
+      {
+        most = weight;
+        result.Incident = this->Estimates[id].Incident;
+      }
     }
-    return weights > 0.0 ? glm::vec3(sum / weights) : glm::vec3(0.0f);
+    result.Value = weights > 0.0 ? glm::vec3(sum / weights) : glm::vec3(0.0f);
+    return result;
   }
 
 private:
@@ -109,7 +120,7 @@ private:
   vtkNew<vtkPolyData> Data;
   vtkNew<vtkStaticPointLocator> Locator;
   std::vector<glm::vec3> Normals;
-  std::vector<glm::vec3> Values;
+  std::vector<SurfaceEstimate> Estimates;
 };
 
 /// The number of points that the whole begins with.
@@ -136,7 +147,7 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
     return 0.0;
   }
   const double allPoints = CountAll(builder, bricks);
-  ScatteredValues values(scene);
+  ScatteredEstimates estimates(scene);
   double expected = 0.0;
   double elapsed = 0.0;
   double done = 0.0;
@@ -153,8 +164,8 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
         built += isBuilt ? 1 : 0;
         return isBuilt;
       },
-      [&values](const Hit& place, const SurfaceEstimate& estimate)
-      { values.Add(place, estimate); });
+      [&estimates](const Hit& place, const SurfaceEstimate& estimate)
+      { estimates.Add(place, estimate); });
     elapsed += SecondsSince(start);
     done = std::min(share, 1.0);
     // Points that several bricks share are fewer in the whole than in its parts.
@@ -164,23 +175,17 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
     const double points = builder.GetNumberOfEstimates();
     expected =
       points > 0.0 ? elapsed / points * (allPoints + further / std::max(parts, 1e-9)) : 0.0;
-    if (built > 0 &&
-      (elapsed > seconds || elapsed > std::max(LeastSeconds, EnoughShare * expected)))
+    if (built > 0 && expected > MostTimes * seconds &&
+      elapsed > std::min(seconds, EnoughShare * expected))
     {
       break;
     }
   }
   if (done < 1.0)
   {
-    values.Finish();
+    estimates.Finish();
     builder.FillPart([done](std::size_t brick) { return GetTurn(brick, RunLength) >= done; },
-      [&values](const Hit& place, std::uint64_t)
-      {
-        SurfaceEstimate estimate;
-        estimate.Value = values.Get(place);
-        estimate.Reach = std::numeric_limits<float>::infinity();
-        return estimate;
-      });
+      [&estimates](const Hit& place, std::uint64_t) { return estimates.Get(place); });
   }
   return expected;
 }
