@@ -138,8 +138,8 @@ def main():
     crfs = [float(crf) for crf in arguments.crfs.split(",")]
     colors = read_colors(arguments.field, os.path.join(arguments.folder, "colors.rgb"))
     curves = {"encoder": [], **{name: [] for name in PEERS}}
-    for name, curve in curves.items():
-        for crf in crfs:
+    for crf in crfs:
+        for name, curve in curves.items():
             if name == "encoder":
                 curve.append(measure_encoder(arguments.field, crf, arguments.folder))
             else:
