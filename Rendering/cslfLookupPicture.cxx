@@ -114,7 +114,7 @@ void LookupPicture::Draw(
 }
 
 void LookupPicture::Target::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType)
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks)
 {
   this->Size = size;
   const auto width = static_cast<unsigned int>(size[0]);
@@ -135,8 +135,11 @@ void LookupPicture::Target::Allocate(
   };
   allocate(this->Colors, colorType, [&] { this->Colors->Allocate2D(width, height, 4, colorType); });
   allocate(this->Depths, VTK_FLOAT, [&] { this->Depths->Allocate2D(width, height, 1, VTK_FLOAT); });
-  allocate(this->Marks, VTK_VOID,
-    [&] { this->Marks->AllocateDepth(width, height, vtkTextureObject::Fixed16); });
+  if (hasMarks)
+  {
+    allocate(this->Marks, VTK_VOID,
+      [&] { this->Marks->AllocateDepth(width, height, vtkTextureObject::Fixed16); });
+  }
 }
 
 void LookupPicture::Target::Release(vtkWindow* window)
@@ -151,13 +154,13 @@ void LookupPicture::Allocate(const FieldTexture& field)
   this->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(ColorName)->Type == VTK_UNSIGNED_CHAR;
   const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
-  this->Picture.Allocate(this->Window, this->Size, colorType);
+  this->Picture.Allocate(this->Window, this->Size, colorType, this->HasGuess);
   if (this->HasGuess)
   {
     this->Guess.Allocate(this->Window,
       { (this->Size[0] + GuessDivisor - 1) / GuessDivisor,
         (this->Size[1] + GuessDivisor - 1) / GuessDivisor },
-      colorType);
+      colorType, false);
   }
 }
 

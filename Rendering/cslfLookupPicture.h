@@ -76,7 +76,8 @@ private:
     vtkNew<vtkTextureObject> Depths;
     vtkNew<vtkTextureObject> Marks; ///< a depth buffer: 1 where nothing was drawn yet
 
-    void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType);
+    void Allocate(
+      vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks);
 
     void Release(vtkWindow* window);
   };

@@ -12,6 +12,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkContourFilter.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkFloatArray.h>
@@ -24,6 +25,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRTAnalyticSource.h>
 #include <vtkSmartPointer.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkUnsignedCharArray.h>
@@ -353,6 +355,47 @@ void TestLightsInFieldData()
   CSLF_CHECK(viewer.Update());
   CSLF_CHECK(viewer.WarnsOf("1 light(s)"));
 }
+
+/// A contour of image data that is whole before it is asked for, or made when the picture is.
+void ConnectContour(Viewer& viewer, bool isWhole)
+{
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(-5, 5, -5, 5, -5, 5);
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputConnection(wavelet->GetOutputPort());
+  contour->SetValue(0, 200.0);
+  if (isWhole)
+  {
+    contour->Update();
+    viewer.Tracer->SetInputDataObject(contour->GetOutput());
+  }
+  else
+  {
+    viewer.Tracer->SetInputConnection(contour->GetOutputPort());
+  }
+}
+
+/// What the picture's extent is must not decide which part of image data upstream is contoured.
+void TestImageUpstream()
+{
+  Viewer whole;
+  ConnectContour(whole, true);
+  CSLF_CHECK(whole.Update());
+  Viewer connected;
+  ConnectContour(connected, false);
+  CSLF_CHECK(connected.Update());
+  int seen = 0;
+  for (double x = -1.75; x < 2.0; x += 0.5)
+  {
+    for (double y = -0.75; y < 1.0; y += 0.5)
+    {
+      const glm::dvec4 color = whole.GetColor(x, y);
+      CSLF_CHECK(connected.GetColor(x, y) == color);
+      seen += color.a > 0.0 ? 1 : 0;
+    }
+  }
+  CSLF_CHECK(seen > 0);
+}
 }
 
 int TestCSLFPathTracerInputs(int, char*[])
@@ -361,5 +404,6 @@ int TestCSLFPathTracerInputs(int, char*[])
   TestColors();
   TestBrokenData();
   TestLightsInFieldData();
+  TestImageUpstream();
   return cslf::testing::Result();
 }
