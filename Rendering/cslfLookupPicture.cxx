@@ -22,6 +22,9 @@
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -32,6 +35,8 @@ namespace
 {
 /// No picture is looked up with fewer than one pixel for so many along each side.
 constexpr int MostDivisor = 4;
+/// No picture is looked up with more than so many for one pixel along each side.
+constexpr int MostSamples = 16;
 /// Whoever has as many seconds for a picture is not moving it.
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with one pixel for so many along each side.
@@ -40,6 +45,55 @@ constexpr int GuessDivisor = 4;
 constexpr int DepthLookup = 4;
 /// The depth of pixels where nothing is seen, as in cslfPictureFS.glsl.
 constexpr float NothingDC = 1.0e30F;
+
+/// How many pixels long an edge of the cube is around its centre, seen from the side.
+double FindEdge(const LookupPicture::View& view, const std::array<int, 4>& viewport)
+{
+  const double width = glm::length(glm::dvec3(view.CCDC[0])) * viewport[2];
+  const double height = glm::length(glm::dvec3(view.CCDC[1])) * viewport[3];
+  return std::max(0.5 * (width + height) / view.CCDC[3].w, 1.0);
+}
+
+/// The part of the viewport that shows the cube: x, y, width, height; all of it where the eye is
+/// too near to tell.
+std::array<int, 4> FindArea(const LookupPicture::View& view, const std::array<int, 4>& viewport)
+{
+  const glm::dvec2 size(viewport[2], viewport[3]);
+  glm::dvec2 low(size);
+  glm::dvec2 high(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 point(
+      corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0, 1.0);
+    const double w = glm::dot(view.CCDC[3], point);
+    if (w <= 0.0)
+    {
+      return { 0, 0, viewport[2], viewport[3] };
+    }
+    const glm::dvec2 pointDC(glm::dot(view.CCDC[0], point), glm::dot(view.CCDC[1], point));
+    const glm::dvec2 pixel = 0.5 * (pointDC / w + 1.0) * size;
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
+  // A pixel around the edges, as they are rasterised with less precision.
+  const glm::ivec2 first(glm::clamp(glm::floor(low) - 1.0, glm::dvec2(0.0), size - 1.0));
+  const glm::ivec2 last(glm::clamp(glm::ceil(high) + 1.0, glm::dvec2(first) + 1.0, size));
+  return { first.x, first.y, last.x - first.x, last.y - first.y };
+}
+
+/// The same view for an area of the viewport instead of the whole.
+DisplayRows CutOut(
+  const DisplayRows& ccdc, const std::array<int, 4>& viewport, const std::array<int, 4>& area)
+{
+  DisplayRows rows = ccdc;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double size = area[2 + axis];
+    const double shift = (viewport[2 + axis] - 2.0 * area[axis]) / size - 1.0;
+    rows[axis] = ccdc[axis] * (viewport[2 + axis] / size) + ccdc[3] * shift;
+  }
+  return rows;
+}
 }
 
 bool LookupPicture::View::operator==(const View& other) const
@@ -53,24 +107,42 @@ LookupPicture::LookupPicture() = default;
 
 LookupPicture::~LookupPicture() = default;
 
-int LookupPicture::ChooseDivisor(
-  const View& view, const std::array<int, 4>& viewport, double seconds) const
+// While the view moves, as many rays as there is time for.
+void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
 {
-  if (seconds >= StillSeconds)
+  this->Divisor = 1;
+  this->Samples = wantedSamples;
+  if (seconds < StillSeconds)
   {
-    return 1;
+    // What the last lookup took says nothing of another one.
+    const bool isKnown = this->PixelSeconds > 0.0 && lookup == this->Current.Lookup;
+    const double all = this->PixelSeconds * this->Area[2] * this->Area[3];
+    const double side = isKnown ? std::sqrt(seconds / all) : 0.5;
+    this->Samples = std::clamp(static_cast<int>(side), 1, wantedSamples);
+    this->Divisor = std::clamp(static_cast<int>(std::ceil(1.0 / side)), 1, MostDivisor);
   }
-  // What the last lookup took says nothing of another one.
-  if (this->PixelSeconds == 0.0 || view.Lookup != this->Current.Lookup)
+  for (int axis = 0; axis < 2; ++axis)
   {
-    return 2;
+    const int pixels = this->Area[2 + axis];
+    this->Size[axis] = std::max(1, (pixels * this->Samples + this->Divisor - 1) / this->Divisor);
   }
-  const double all = this->PixelSeconds * viewport[2] * viewport[3];
-  return std::clamp(static_cast<int>(std::ceil(std::sqrt(all / seconds))), 1, MostDivisor);
 }
 
 void LookupPicture::Draw(
   vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds)
+{
+  this->Look(window, view, field, seconds, MostSamples);
+  this->Picture.Colors->Activate();
+  this->Picture.Depths->Activate();
+}
+
+void LookupPicture::Compile(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field)
+{
+  this->Look(window, view, field, VTK_DOUBLE_MAX, 1);
+}
+
+void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field,
+  double seconds, int mostSamples)
 {
   if (this->Window && this->Window != window)
   {
@@ -81,36 +153,39 @@ void LookupPicture::Draw(
   }
   std::array<int, 4> viewport{};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  const int texels = field.GetField().Grid.GetResolution();
+  const int wantedSamples = view.IsEyeInside
+    ? 1
+    : std::clamp(static_cast<int>(texels / FindEdge(view, viewport) + 0.5), 1, mostSamples);
   // While the view moves, all passes of a picture share what the first has looked up.
+  const bool isComplete = this->Divisor == 1 && this->Samples == wantedSamples;
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
     this->Current == view && this->Changes == field.GetChanges() &&
-    (this->Divisor == 1 || seconds < StillSeconds);
-  if (!isCurrent)
+    (isComplete || seconds < StillSeconds);
+  if (isCurrent)
   {
-    const int divisor = this->ChooseDivisor(view, viewport, seconds);
-    this->Window = window;
-    this->Viewport = viewport;
-    this->Current = view;
-    this->Changes = field.GetChanges();
-    this->Divisor = divisor;
-    this->Size = { std::max(1, (viewport[2] + divisor - 1) / divisor),
-      std::max(1, (viewport[3] + divisor - 1) / divisor) };
-    this->HasGuess = view.Lookup == DepthLookup && !view.IsEyeInside &&
-      field.GetField().FindChannel(DepthName) != nullptr;
-    this->Allocate(field);
-    this->BuildProgram(field);
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
-    this->DrawPicture(field);
-    if (seconds < StillSeconds)
-    {
-      glFinish();
-      this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
-        (static_cast<double>(this->Size[0]) * this->Size[1]);
-    }
+    return;
   }
-  this->Picture.Colors->Activate();
-  this->Picture.Depths->Activate();
+  this->Window = window;
+  this->Viewport = viewport;
+  this->Area = wantedSamples > 1 ? FindArea(view, viewport)
+                                 : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
+  this->ChooseSize(view.Lookup, wantedSamples, seconds);
+  this->Current = view;
+  this->Changes = field.GetChanges();
+  this->HasGuess = view.Lookup == DepthLookup && !view.IsEyeInside &&
+    field.GetField().FindChannel(DepthName) != nullptr;
+  this->Allocate(field);
+  this->BuildProgram(field);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  this->DrawPicture(field);
+  if (seconds < StillSeconds)
+  {
+    glFinish();
+    this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
+      (static_cast<double>(this->Size[0]) * this->Size[1]);
+  }
 }
 
 void LookupPicture::Target::Allocate(
@@ -210,8 +285,9 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
     static_cast<float>(eye.z), static_cast<float>(this->Current.EyeCC.w) };
   program->SetUniform4f("EyeFC", eyeFC);
 
+  const DisplayRows rows = CutOut(this->Current.CCDC, this->Viewport, this->Area);
   vtkNew<vtkMatrix4x4> ccdc;
-  ccdc->DeepCopy(&this->Current.CCDC[0].x);
+  ccdc->DeepCopy(&rows[0].x);
   vtkNew<vtkMatrix4x4> fcdc;
   for (int column = 0; column < 4; ++column)
   {
@@ -333,16 +409,19 @@ void LookupPicture::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformi("PictureColor", this->Picture.Colors->GetTextureUnit());
   program->SetUniformi("PictureDepth", this->Picture.Depths->GetTextureUnit());
-  const float origin[2] = { static_cast<float>(this->Viewport[0]),
+  const float viewport[2] = { static_cast<float>(this->Viewport[0]),
     static_cast<float>(this->Viewport[1]) };
-  program->SetUniform2f("PictureOrigin", origin);
-  const float scale[2] = { static_cast<float>(this->Size[0]) /
-      static_cast<float>(this->Viewport[2]),
-    static_cast<float>(this->Size[1]) / static_cast<float>(this->Viewport[3]) };
-  program->SetUniform2f("PictureScale", scale);
+  program->SetUniform2f("ViewportOrigin", viewport);
   const float pixelSize[2] = { 2.0F / static_cast<float>(this->Viewport[2]),
     2.0F / static_cast<float>(this->Viewport[3]) };
   program->SetUniform2f("PixelSizeDC", pixelSize);
+  const float origin[2] = { static_cast<float>(this->Viewport[0] + this->Area[0]),
+    static_cast<float>(this->Viewport[1] + this->Area[1]) };
+  program->SetUniform2f("PictureOrigin", origin);
+  const float scale[2] = { static_cast<float>(this->Size[0]) / static_cast<float>(this->Area[2]),
+    static_cast<float>(this->Size[1]) / static_cast<float>(this->Area[3]) };
+  program->SetUniform2f("PictureScale", scale);
+  program->SetUniformi("PictureSamples", this->Samples);
 }
 
 void LookupPicture::Deactivate()

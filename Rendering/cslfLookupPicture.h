@@ -55,9 +55,17 @@ public:
   LookupPicture& operator=(const LookupPicture&) = delete;
 
   /// Looks the view up for the current viewport, unless the picture is that of it, and binds the
-  /// textures until Deactivate. Where all of its pixels would take longer than `seconds`, the
-  /// picture has fewer. The field must be uploaded to this window.
+  /// textures until Deactivate. Where the field has more texels than the viewport has pixels for
+  /// them, the picture has several for each; where all would take longer than `seconds`, fewer. The
+  /// field must be uploaded to this window.
   void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds);
+
+  /// Has the programs for such pictures compiled.
+  void Compile(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field);
+
+  /// How many pixels along each side the picture has for one of the viewport: more than 1 where
+  /// they are to be averaged.
+  int GetSamples() const { return this->Samples; }
 
   /// Sets the picture's uniforms of cslfMapperFS.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -82,7 +90,9 @@ private:
     void Release(vtkWindow* window);
   };
 
-  int ChooseDivisor(const View& view, const std::array<int, 4>& viewport, double seconds) const;
+  void Look(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds,
+    int mostSamples);
+  void ChooseSize(int lookup, int wantedSamples, double seconds);
   void Allocate(const FieldTexture& field);
   void BuildProgram(const FieldTexture& field);
   void DrawPicture(FieldTexture& field);
@@ -96,7 +106,9 @@ private:
   View Current;
   unsigned int Changes = 0; ///< of the field that the picture shows
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
+  std::array<int, 4> Area{ 0, 0, 0, 0 }; ///< of the viewport that the picture covers: x, y, size
   int Divisor = 1; ///< pixels of the viewport along a side of one of the picture
+  int Samples = 1; ///< pixels of the picture along a side of one of the viewport
   std::array<int, 2> Size{ 1, 1 };
   double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
   bool HasGuess = false;     ///< the depth lookup begins with a small picture's depths

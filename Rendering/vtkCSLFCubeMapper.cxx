@@ -149,8 +149,7 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
     vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
     vtkOpenGLState::ScopedglViewport viewport(window->GetState());
     window->GetState()->vtkglViewport(0, 0, CompilingSize, CompilingSize);
-    this->Picture.Draw(window, this->View, this->Texture, VTK_DOUBLE_MAX);
-    this->Picture.Deactivate();
+    this->Picture.Compile(window, this->View, this->Texture);
     pace.Begins = false;
   }
   this->TextureFailed = !update();
@@ -212,16 +211,16 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  this->Picture.Draw(window, this->View, this->Texture, this->LookupSeconds);
   const std::string options = this->MakeOptions();
   if (options != this->Options)
   {
     this->Options = options;
     this->Modified(); // has the shader made anew
   }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
-  this->Picture.Draw(window, this->View, this->Texture, this->LookupSeconds);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
@@ -276,6 +275,10 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
   if (!this->ClippingPlanesCC.empty())
   {
     options += "#define CLIPPING_PLANES " + std::to_string(this->ClippingPlanesCC.size()) + "\n";
+  }
+  if (this->Picture.GetSamples() > 1)
+  {
+    options += "#define PICTURE_SAMPLES\n";
   }
   if (!this->ToneMapping.IsIdentity())
   {

@@ -8,6 +8,7 @@
 // Options, defined only where they apply:
 //   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones
 //   CLIPPING_PLANES  how many planes cut the picture
+//   PICTURE_SAMPLES  the picture has several pixels for each of the window, to be averaged
 //   TONE_MAPPING     vtkCSLFMapper::ToneMappingType, unless colours are shown as they are
 //   RENDER_PASS      a render pass may ask for the surface's position and normal
 
@@ -22,9 +23,11 @@ uniform int PrimitiveIDOffset;
 uniform int FacePass;           // the face being drawn
 uniform sampler2D PictureColor;
 uniform sampler2D PictureDepth; // z of DC
+uniform vec2 ViewportOrigin;    // in the window, in pixels
+uniform vec2 PixelSizeDC;       // of the window's pixels
 uniform vec2 PictureOrigin;     // of the picture in the window, in pixels
 uniform vec2 PictureScale;      // its pixels along a side of one of the window
-uniform vec2 PixelSizeDC;       // of the window's pixels
+uniform int PictureSamples;     // the same, where they are to be averaged
 uniform float Opacity;
 uniform int CoveragePass;       // 0: all, 1: what covers its pixel, 2: what covers a part of it
 #ifdef CLIPPING_PLANES
@@ -35,6 +38,8 @@ uniform mat4 DCVCMatrix;
 #endif
 
 //CSLF::ToneMapping::Dec
+
+const float NothingDC = 1.0e30; // where nothing is seen
 
 // Coverage from which on a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;
@@ -66,11 +71,34 @@ vec3 GetDisplayColor(vec3 color)
 #endif
 }
 
-void main()
+// The colour and the z of DC that the picture has for the fragment.
+vec4 ReadPicture(out float z)
 {
   vec2 position = gl_FragCoord.xy - PictureOrigin;
+#ifdef PICTURE_SAMPLES
+  ivec2 first = ivec2(position) * PictureSamples;
+  vec4 sum = vec4(0.0);
+  z = NothingDC;
+  for (int y = 0; y < PictureSamples; ++y)
+  {
+    for (int x = 0; x < PictureSamples; ++x)
+    {
+      sum += texelFetch(PictureColor, first + ivec2(x, y), 0);
+      z = min(z, texelFetch(PictureDepth, first + ivec2(x, y), 0).r);
+    }
+  }
+  return sum / float(PictureSamples * PictureSamples);
+#else
   ivec2 texel = ivec2(position * PictureScale);
-  vec4 color = texelFetch(PictureColor, texel, 0);
+  z = texelFetch(PictureDepth, texel, 0).r;
+  return texelFetch(PictureColor, texel, 0);
+#endif
+}
+
+void main()
+{
+  float z;
+  vec4 color = ReadPicture(z);
   float alpha = color.a;
   bool covers = alpha >= OpaqueCoverage;
   if (alpha <= 0.0 || (CoveragePass == 1 && !covers) || (CoveragePass == 2 && covers))
@@ -80,7 +108,7 @@ void main()
 
   // The surfaces are cut by the clipping range, not the cube; this also leaves out what lies behind
   // an eye inside the cube.
-  vec3 hitDC = vec3(position * PixelSizeDC - 1.0, texelFetch(PictureDepth, texel, 0).r);
+  vec3 hitDC = vec3((gl_FragCoord.xy - ViewportOrigin) * PixelSizeDC - 1.0, z);
   if (abs(hitDC.z) > 1.0 || IsClipped(hitDC))
   {
     discard;
