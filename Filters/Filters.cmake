@@ -157,6 +157,7 @@ list(APPEND sources
   ../Filters/Coding/cslfBackgroundSteps.cxx
   ../Filters/Coding/cslfCodec.cxx
   ../Filters/Coding/cslfContainerReader.cxx
+  ../Filters/Coding/cslfDepthCurve.cxx
   ../Filters/Coding/cslfDepthFill.cxx
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFileHeader.cxx
@@ -181,6 +182,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfCodingTask.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
+  ../Filters/Coding/cslfDepthCurve.h
   ../Filters/Coding/cslfDepthFill.h
   ../Filters/Coding/cslfEncodeCrew.h
   ../Filters/Coding/cslfEncodeProbe.h

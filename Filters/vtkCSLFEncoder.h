@@ -155,8 +155,8 @@ public:
   ///@{
   /**
    * Set/get the constant rate factor of depth, from 0 to 51. Where a target chooses colour's, it
-   * rises like coverage's. Default 12: lookups that correct by depth need it exact, and novel
-   * views lose about 0.3 dB by it.
+   * rises like coverage's. Default 8: lookups that correct by depth need it exact. It is
+   * coded by a curve that is finer near the entry face.
    */
   vtkSetClampMacro(DepthCRF, double, 0.0, 51.0);
   vtkGetMacro(DepthCRF, double);
@@ -316,7 +316,7 @@ private:
   double TargetSize = 0.0;
   double TargetPSNR = 0.0;
   double CoverageCRF = 24.0;
-  double DepthCRF = 12.0;
+  double DepthCRF = 8.0;
   char* Preset = nullptr;
   char* PixelFormat = nullptr;
   int GroupLength = 16;

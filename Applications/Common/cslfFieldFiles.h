@@ -81,7 +81,7 @@ struct CodingOptions
   std::string Codec = "hevc";
   double CRF = 22.0;
   double CoverageCRF = 24.0;
-  double DepthCRF = 12.0;
+  double DepthCRF = 8.0;
   double TargetRatio = 0.0;
   double TargetSize = 0.0;
   double TargetPSNR = 0.0;

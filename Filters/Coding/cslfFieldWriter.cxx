@@ -73,7 +73,7 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
 std::string FieldWriter::MakeManifest(std::uint32_t sample) const
 {
   const EncodeSettings& settings = this->Settings;
-  const nlohmann::json manifest = { { "version", 1 }, { "cslf", CSLF_VERSION },
+  const nlohmann::json manifest = { { "version", 2 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "description", this->Header.Field.ToJSON() },
     { "sample", sample }, { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFileHeader.h"
 
+#include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfFrameOrder.h"
 
 #include <vtkType.h>
@@ -30,9 +31,10 @@ std::uint32_t ComputeChecksum(const JSON& json)
     ::crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
 }
 
-/// What a track of float colour says of its samples.
+/// What tracks of float colour and of depth say of their samples.
 constexpr const char* TransferKey = "transfer";
 constexpr const char* PQName = "smpte2084";
+const std::string CurveName = "mu-law-" + std::to_string(DepthMu);
 
 JSON ToJSON(const CodedTrack& track)
 {
@@ -44,6 +46,10 @@ JSON ToJSON(const CodedTrack& track)
   if (track.Kind.IsRadiance)
   {
     json[TransferKey] = PQName;
+  }
+  if (track.Kind.IsCurved)
+  {
+    json[TransferKey] = CurveName;
   }
   return json;
 }
@@ -63,10 +69,13 @@ CodedTrack ToTrack(const JSON& json)
     throw std::invalid_argument(
       std::string("its track \"") + NameOfRole(*role) + "\" has an unknown pixel format");
   }
+  const std::string transfer = json.value(TransferKey, "");
   track.Kind = { *role, *format, json.at("lossless").get<bool>(), *codec,
-    json.contains(TransferKey) };
-  if (track.Kind.IsRadiance &&
-    (*role != TrackRole::Color || !CanHoldRadiance(*format) || json.at(TransferKey) != PQName))
+    *role == TrackRole::Color && transfer == PQName,
+    *role == TrackRole::Depth && transfer == CurveName };
+  const bool isKnown =
+    track.Kind.IsRadiance ? CanHoldRadiance(*format) : track.Kind.IsCurved || transfer.empty();
+  if (!isKnown)
   {
     throw std::invalid_argument(
       std::string("its track \"") + NameOfRole(*role) + "\" has an unknown transfer curve");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFrameConverter.h"
 
+#include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfDepthFill.h"
 #include "Coding/cslfRadianceFrames.h"
 #include "Coding/cslfTexelRows.h"
@@ -24,17 +25,6 @@ constexpr int CoverageTolerance = 3;
 
 /// The planes of a planar RGB frame hold green, blue, red.
 constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
-
-/// The largest number that a format's samples can have.
-unsigned int GetMaximumCode(AVPixelFormat format)
-{
-  return (1U << BitsOfFormat(format)) - 1U;
-}
-
-std::uint16_t EncodeDepth(unsigned short depth, unsigned int maximum)
-{
-  return static_cast<std::uint16_t>((depth * maximum + FarDepth / 2) / FarDepth);
-}
 
 /// A scaler that only changes the format: accurate, chroma at full resolution, full range.
 AVHandle<SwsContext> MakeScaler(int width, int height, AVPixelFormat from, AVPixelFormat to)
@@ -242,10 +232,9 @@ void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
     }
     this->Filled.resize(texels);
     FillDepth(this->Resolution, this->Coverage.data(), slice.Depth, this->Filled.data());
-    const unsigned int maximum = GetMaximumCode(this->Kind.Format);
+    const std::vector<std::uint16_t>& codes = GetDepthCodes(BitsOfFormat(this->Kind.Format));
     VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
-      [&](std::size_t texel, std::uint16_t& sample)
-      { sample = EncodeDepth(this->Filled[texel], maximum); });
+      [&](std::size_t texel, std::uint16_t& sample) { sample = codes[this->Filled[texel]]; });
     if (HasChroma(this->Kind.Format))
     {
       PutNeutralChroma<std::uint16_t>(frame, this->Kind.Format);
@@ -304,7 +293,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
       for (int y = 0; y < frame->height; ++y)
       {
         SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
-          BitsOfFormat(this->Kind.Format), frame->width,
+          BitsOfFormat(this->Kind.Format), this->Kind.IsCurved, frame->width,
           slice.Depth + static_cast<std::size_t>(y) * frame->width);
       }
       return true;

@@ -53,9 +53,10 @@ GroupCoder::GroupCoder(
   const EncoderChoice choice = ChooseEncoder(settings, this->IsRadiance, this->Resolution);
   const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
   {
-    this->Encodings.push_back({ { role, format, settings.Lossless, choice.Encoder->Coding,
-                                  this->IsRadiance && role == TrackRole::Color },
-      { settings.Preset, crf, settings.GroupLength } });
+    this->Encodings.push_back(
+      { { role, format, settings.Lossless, choice.Encoder->Coding,
+          this->IsRadiance && role == TrackRole::Color, role == TrackRole::Depth },
+        { settings.Preset, crf, settings.GroupLength } });
   };
   add(TrackRole::Color, choice.Color, settings.CRF);
   add(TrackRole::Coverage, choice.Encoder->Coverage, settings.CoverageCRF);

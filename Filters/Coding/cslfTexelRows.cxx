@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfTexelRows.h"
 
+#include "Coding/cslfDepthCurve.h"
 #include "PathTracing/cslfVectorize.h"
 
 #include <vtkEndian.h>
@@ -136,8 +137,18 @@ void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colo
   (bits > 8 ? ConvertWords : ConvertBytes)(row, MakeWeights(bits), count, colors);
 }
 
-void SamplesToDepths(const std::uint16_t* samples, int bits, int count, unsigned short* depths)
+void SamplesToDepths(
+  const std::uint16_t* samples, int bits, bool isCurved, int count, unsigned short* depths)
 {
+  if (isCurved)
+  {
+    const std::vector<unsigned short>& curve = GetCodedDepths(bits);
+    for (int k = 0; k < count; ++k)
+    {
+      depths[k] = curve[std::min<std::size_t>(samples[k], curve.size() - 1)];
+    }
+    return;
+  }
   (bits > 10 ? Widen12 : Widen10)(samples, count, depths);
 }
 

@@ -25,10 +25,10 @@ struct YCbCrRow
 /// and blue of 8 bits, 4 bytes a texel. The fourth byte stays as it is.
 VTKCSLF_EXPORT void YCbCrToColors(const YCbCrRow& row, int bits, int count, unsigned char* colors);
 
-/// The nearest depth of 16 bits of each depth of 10 or 12 bits; larger samples count as the
-/// largest.
+/// The depth of 16 bits of each sample of 10 or 12 bits: the nearest of as large a share of the
+/// largest, or by the curve of cslfDepthCurve.h; larger samples count as the largest.
 VTKCSLF_EXPORT void SamplesToDepths(
-  const std::uint16_t* samples, int bits, int count, unsigned short* depths);
+  const std::uint16_t* samples, int bits, bool isCurved, int count, unsigned short* depths);
 
 /// Bytes to the fourth byte of each color.
 VTKCSLF_EXPORT void SamplesToCoverage(

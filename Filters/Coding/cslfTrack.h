@@ -33,6 +33,7 @@ struct Track
   bool Lossless = false;
   Codec Coding = Codec::HEVC;
   bool IsRadiance = false; ///< colour: linear radiance through the perceptual quantiser
+  bool IsCurved = false;   ///< depth: through the curve of cslfDepthCurve.h
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.

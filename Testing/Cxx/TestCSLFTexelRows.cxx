@@ -67,11 +67,16 @@ void TestDepths(int bits)
     samples[k] = static_cast<std::uint16_t>(k);
   }
   std::vector<unsigned short> depths(samples.size());
-  cslf::SamplesToDepths(samples.data(), bits, static_cast<int>(samples.size()), depths.data());
-  for (std::size_t k = 0; k < samples.size(); ++k)
+  for (const bool isCurved : { false, true })
   {
-    const double code = std::min(static_cast<double>(k), static_cast<double>(largest));
-    CSLF_CHECK(depths[k] == std::lround(code * 65535 / largest));
+    cslf::SamplesToDepths(
+      samples.data(), bits, isCurved, static_cast<int>(samples.size()), depths.data());
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      const double code = std::min(static_cast<double>(k), static_cast<double>(largest)) / largest;
+      const double depth = isCurved ? (std::pow(41.0, code) - 1.0) / 40.0 : code;
+      CSLF_CHECK(depths[k] == std::lround(depth * 65535));
+    }
   }
 }
 
