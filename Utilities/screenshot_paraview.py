@@ -28,10 +28,10 @@ def field():
     """The light field between the outline and a slice of the data, and its file."""
     wavelet, contour = make_contour()
     slice = Slice(Input=wavelet)
-    slice.SliceType.Origin, slice.SliceType.Normal = [0, 0, -10], [0, 0, 1]
+    slice.SliceType.Origin, slice.SliceType.Normal = [0, 0, -9.9], [0, 0, 1]
     slice.UpdatePipeline()
     ColorBy(Show(slice, view), ("POINTS", "RTData"))
-    field = CSLFSampler(Input=contour, Viewpoints=5, Samples=4)
+    field = CSLFSampler(Input=contour, Viewpoints=5, Resolution=64, Samples=8, Integrator="Path Tracing")
     Show(field, view)
     SaveData("contour.mp4", proxy=field, CRF=16, Preset="ultrafast")
     SetActiveSource(field)
