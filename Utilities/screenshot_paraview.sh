@@ -70,7 +70,8 @@ take()
   local paraview
   rm -f "$state/ready"
   openbox &
-  CSLF_PICTURE="$1" CSLF_READY="$state/ready" paraview --dr --script="$source/Utilities/screenshot_paraview.py" &
+  CSLF_PICTURE="$1" CSLF_READY="$state/ready" \
+    paraview --dr --script="$source/Utilities/screenshot_paraview.py" &
   paraview=$!
   until [ -e "$state/ready" ]; do
     kill -0 "$paraview"
