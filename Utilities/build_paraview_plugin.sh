@@ -38,7 +38,7 @@ unpack_sdk()
 
 cslf_install "${cslf_packages[@]}"
 if [ -z "${ParaView_DIR:-}" ]; then
-  cslf_install paraview python3-mpi4py python3-numpy openmpi-bin
+  cslf_install paraview libqt5svg5 python3-mpi4py python3-numpy openmpi-bin
   unpack_sdk
   ParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)"
 fi

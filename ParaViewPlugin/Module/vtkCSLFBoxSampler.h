@@ -5,7 +5,8 @@
  * @brief   vtkCSLFSampler with its cube in the terms of ParaView's interactive box
  *
  * The cube that is not automatic is set by its lowest corner and its lengths, in place of
- * CubeCenter and CubeEdges.
+ * CubeCenter and CubeEdges. It is wider than the box by a thousandth of the longest length on each
+ * side, so that it contains inputs that the box just encloses.
  *
  * @sa vtkCSLFSampler
  */
@@ -32,6 +33,16 @@ public:
    */
   void SetCubeLengths(double x, double y, double z);
 
+  ///@{
+  /**
+   * Bounds that, where they are used, are scaled by CubeLengths and then moved by CubePosition to
+   * make the box, as in ParaView's other boxes. Default: off, 0, 1, 0, 1, 0, 1.
+   */
+  void SetUseReferenceBounds(bool use);
+  void SetReferenceBounds(
+    double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
+  ///@}
+
 protected:
   vtkCSLFBoxSampler() = default;
   ~vtkCSLFBoxSampler() override = default;
@@ -47,6 +58,8 @@ private:
 
   double CubePosition[3] = { -1.0, -1.0, -1.0 };
   double CubeLengths[3] = { 2.0, 2.0, 2.0 };
+  bool UseReferenceBounds = false;
+  double ReferenceBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
 };
 
 #endif

@@ -26,14 +26,25 @@ check(hit.any() and blue[hit][:, 2].mean() > 20 * blue[hit][:, 0].mean() + 1, "n
 check(scene.GetDataInformation().GetFieldDataInformation().GetNumberOfArrays() == 0,
       "the material's input was changed")
 
-# A cube that is set, and one that does not hold the scene.
+# A cube that is set, in both ways, and one that does not hold the scene.
 field.AutomaticCube = 0
+view = make_view()
+
+
+def check_cube(expected, margin):
+    Show(field, view)
+    Render(view)
+    bounds = GetRepresentation(field, view).GetRepresentedDataInformation().GetBounds()
+    wider = [value + (margin if i % 2 else -margin) for i, value in enumerate(expected)]
+    check(max(abs(a - b) for a, b in zip(bounds, wider)) < 1e-6, f"bounds {bounds}")
+
+
 field.CubePosition, field.CubeLengths = [-0.5, -0.75, 0.0], [2.0, 2.0, 2.0]
-Show(field, make_view())
-Render()
-bounds = GetRepresentation(field).GetRepresentedDataInformation().GetBounds()
-check(max(abs(a - b) for a, b in zip(bounds, (-0.5, 1.5, -0.75, 1.25, 0.0, 2.0))) < 1e-6,
-      f"bounds {bounds}")
+check_cube((-0.5, 1.5, -0.75, 1.25, 0.0, 2.0), 0.002)
+field.UseReferenceBounds, field.ReferenceBounds = 1, [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0]
+field.CubePosition, field.CubeLengths = [0.5, 0.25, 0.5], [1.0, 1.5, 1.5]
+check_cube((-0.5, 1.5, -1.25, 1.75, -1.0, 2.0), 0.003)
+field.UseReferenceBounds = 0
 with Errors() as errors:
     field.CubeLengths = [0.1, 0.1, 0.1]
     field.UpdatePipeline()
