@@ -46,9 +46,14 @@ constexpr int DepthLookup = 4;
 /// The depth of pixels where nothing is seen, as in cslfPictureFS.glsl.
 constexpr float NothingDC = 1.0e30F;
 
-/// How many pixels long an edge of the cube is around its centre, seen from the side.
+/// How many pixels long an edge of the cube is around its centre, seen from the side; 0 where the
+/// centre is behind the eye.
 double FindEdge(const LookupPicture::View& view, const std::array<int, 4>& viewport)
 {
+  if (view.CCDC[3].w <= 0.0)
+  {
+    return 0.0;
+  }
   const double width = glm::length(glm::dvec3(view.CCDC[0])) * viewport[2];
   const double height = glm::length(glm::dvec3(view.CCDC[1])) * viewport[3];
   return std::max(0.5 * (width + height) / view.CCDC[3].w, 1.0);
@@ -79,6 +84,19 @@ std::array<int, 4> FindArea(const LookupPicture::View& view, const std::array<in
   const glm::ivec2 first(glm::clamp(glm::floor(low) - 1.0, glm::dvec2(0.0), size - 1.0));
   const glm::ivec2 last(glm::clamp(glm::ceil(high) + 1.0, glm::dvec2(first) + 1.0, size));
   return { first.x, first.y, last.x - first.x, last.y - first.y };
+}
+
+/// Rays along each side of a pixel, so that they are about as many as texels, and never many more
+/// in all.
+int CountSamples(int resolution, double edge, const std::array<int, 4>& area)
+{
+  if (edge <= 0.0)
+  {
+    return 1;
+  }
+  const int fitting = 2 * resolution / std::max(area[2], area[3]);
+  const double wanted = std::min(resolution / edge + 0.5, static_cast<double>(fitting));
+  return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MostSamples)));
 }
 
 /// The same view for an area of the viewport instead of the whole.
@@ -153,10 +171,11 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   }
   std::array<int, 4> viewport{};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
-  const int texels = field.GetField().Grid.GetResolution();
+  const std::array<int, 4> area = FindArea(view, viewport);
   const int wantedSamples = view.IsEyeInside
     ? 1
-    : std::clamp(static_cast<int>(texels / FindEdge(view, viewport) + 0.5), 1, mostSamples);
+    : std::min(CountSamples(field.GetField().Grid.GetResolution(), FindEdge(view, viewport), area),
+        mostSamples);
   // While the view moves, all passes of a picture share what the first has looked up.
   const bool isComplete = this->Divisor == 1 && this->Samples == wantedSamples;
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
@@ -168,8 +187,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   }
   this->Window = window;
   this->Viewport = viewport;
-  this->Area = wantedSamples > 1 ? FindArea(view, viewport)
-                                 : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
+  this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
   this->ChooseSize(view.Lookup, wantedSamples, seconds);
   this->Current = view;
   this->Changes = field.GetChanges();
