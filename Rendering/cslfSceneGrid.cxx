@@ -20,8 +20,6 @@ namespace
 constexpr double SceneMargin = 0.01;
 /// A surface's cells begin at least this share of a cell before it.
 constexpr double LeastReach = 0.35;
-/// Depths of one surface differ by at most this share from texel to texel.
-constexpr double SameSurface = 0.03;
 /// Viewpoints along a side of a face that are enough to see all there is to see.
 constexpr int MostViewpoints = 17;
 // These stand in cslfSceneGrid.glsl too.
@@ -41,31 +39,6 @@ int IndexOf(const glm::ivec3& cell)
   return (cell.z * SceneGrid::Cells + cell.y) * SceneGrid::Cells + cell.x;
 }
 
-/// Whether a texel's depth lies between those of its neighbours, near to none: codecs leave such
-/// depths along silhouettes, where there is no surface.
-template <typename DepthValue>
-bool IsBetweenSurfaces(const DepthValue* depths, vtkIdType width, int resolution, int p, int q)
-{
-  const auto depth = static_cast<double>(depths[q * width + p]);
-  const double tolerance = SameSurface * depth;
-  bool hasNearer = false;
-  bool hasFarther = false;
-  for (int y = std::max(q - 1, 0); y <= std::min(q + 1, resolution - 1); ++y)
-  {
-    for (int x = std::max(p - 1, 0); x <= std::min(p + 1, resolution - 1); ++x)
-    {
-      const double difference = static_cast<double>(depths[y * width + x]) - depth;
-      if ((x != p || y != q) && std::abs(difference) <= tolerance)
-      {
-        return false;
-      }
-      hasNearer = hasNearer || difference < 0.0;
-      hasFarther = hasFarther || difference > 0.0;
-    }
-  }
-  return hasNearer && hasFarther;
-}
-
 /// Calls `see` with the place of what a viewpoint sees by every so many texels of a tile, and with
 /// how far from each other these are there, in CC.
 template <typename ColorValue, typename DepthValue, typename See>
@@ -82,8 +55,7 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
     const vtkIdType row = static_cast<vtkIdType>(q) * grid.GetStripWidth() + tile * resolution;
     for (int p = stride / 2; p < resolution; p += stride)
     {
-      if (colors[4 * (row + p) + 3] > 0 &&
-        !IsBetweenSurfaces(depths + tile * resolution, grid.GetStripWidth(), resolution, p, q))
+      if (colors[4 * (row + p) + 3] > 0)
       {
         const glm::dvec3 exit =
           FaceToCube(face, { grid.TexelCoordinate(p), grid.TexelCoordinate(q) });

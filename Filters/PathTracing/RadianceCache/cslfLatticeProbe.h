@@ -12,9 +12,10 @@
 
 namespace cslf
 {
-/// Builds all bricks where that takes no more than a few times `seconds`. Otherwise more and more of
-/// them until it has worked for `seconds`, or for a few per cent of what all would take, and gives
-/// all others estimates made from the built ones' points. The seconds that building the whole takes.
+/// Builds all bricks where that takes no more than a few times `seconds`. Otherwise more and more
+/// of them until it has worked for `seconds`, or for a few per cent of what all would take, and
+/// gives all others estimates made from the built ones' points. The seconds that building the whole
+/// takes.
 double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds);
 }
 
