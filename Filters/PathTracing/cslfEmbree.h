@@ -14,6 +14,7 @@
 #include <embree4/rtcore.h>
 #endif
 
+#include <cstring>
 #include <memory>
 #include <type_traits>
 
@@ -66,28 +67,46 @@ inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
   rtcOccluded1(scene, &query.Context, &ray);
 }
 
-/// The first hits of 16 rays, which may run alike; lanes with valid == 0 are left alone.
-inline void EmbreeIntersect16(
-  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRayHit16& rayHit)
+/// The first hits of a packet of rays, which may run alike; lanes with valid == 0 are left alone.
+/// The packet must not be wider than GetPacketWidth.
+template <typename RayHits>
+void EmbreeIntersectPacket(
+  RTCScene scene, EmbreeQuery query, bool alike, const int* valid, RayHits& rayHits)
 {
   query.Context.flags =
     alike ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  rtcIntersect16(valid, scene, &query.Context, &rayHit);
+  if constexpr (std::is_same_v<RayHits, RTCRayHit16>)
+  {
+    rtcIntersect16(valid, scene, &query.Context, &rayHits);
+  }
+  else if constexpr (std::is_same_v<RayHits, RTCRayHit8>)
+  {
+    rtcIntersect8(valid, scene, &query.Context, &rayHits);
+  }
+  else
+  {
+    rtcIntersect4(valid, scene, &query.Context, &rayHits);
+  }
 }
 
-/// The first hits of 8 rays that do not run alike.
-inline void EmbreeIntersect8(
-  RTCScene scene, EmbreeQuery query, const int valid[8], RTCRayHit8& rayHit)
+/// Whether anything lies along each ray of a packet, which do not run alike: sets tfar to -infinity
+/// if so. The packet must not be wider than GetPacketWidth.
+template <typename Rays>
+void EmbreeOccludedPacket(RTCScene scene, EmbreeQuery query, const int* valid, Rays& rays)
 {
   query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  rtcIntersect8(valid, scene, &query.Context, &rayHit);
-}
-
-/// Whether anything lies along each of 16 rays that do not run alike: sets tfar to -infinity if so.
-inline void EmbreeOccluded16(RTCScene scene, EmbreeQuery query, const int valid[16], RTCRay16& ray)
-{
-  query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  rtcOccluded16(valid, scene, &query.Context, &ray);
+  if constexpr (std::is_same_v<Rays, RTCRay16>)
+  {
+    rtcOccluded16(valid, scene, &query.Context, &rays);
+  }
+  else if constexpr (std::is_same_v<Rays, RTCRay8>)
+  {
+    rtcOccluded8(valid, scene, &query.Context, &rays);
+  }
+  else
+  {
+    rtcOccluded4(valid, scene, &query.Context, &rays);
+  }
 }
 
 #else
@@ -121,36 +140,127 @@ inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
   rtcOccluded1(scene, &ray, &arguments);
 }
 
-inline void EmbreeIntersect16(
-  RTCScene scene, EmbreeQuery query, bool alike, const int valid[16], RTCRayHit16& rayHit)
+template <typename RayHits>
+void EmbreeIntersectPacket(
+  RTCScene scene, EmbreeQuery query, bool alike, const int* valid, RayHits& rayHits)
 {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.flags = alike ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
   arguments.context = &query.Context;
-  rtcIntersect16(valid, scene, &rayHit, &arguments);
+  if constexpr (std::is_same_v<RayHits, RTCRayHit16>)
+  {
+    rtcIntersect16(valid, scene, &rayHits, &arguments);
+  }
+  else if constexpr (std::is_same_v<RayHits, RTCRayHit8>)
+  {
+    rtcIntersect8(valid, scene, &rayHits, &arguments);
+  }
+  else
+  {
+    rtcIntersect4(valid, scene, &rayHits, &arguments);
+  }
 }
 
-inline void EmbreeIntersect8(
-  RTCScene scene, EmbreeQuery query, const int valid[8], RTCRayHit8& rayHit)
-{
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
-  arguments.context = &query.Context;
-  rtcIntersect8(valid, scene, &rayHit, &arguments);
-}
-
-inline void EmbreeOccluded16(RTCScene scene, EmbreeQuery query, const int valid[16], RTCRay16& ray)
+template <typename Rays>
+void EmbreeOccludedPacket(RTCScene scene, EmbreeQuery query, const int* valid, Rays& rays)
 {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
   arguments.context = &query.Context;
-  rtcOccluded16(valid, scene, &ray, &arguments);
+  if constexpr (std::is_same_v<Rays, RTCRay16>)
+  {
+    rtcOccluded16(valid, scene, &rays, &arguments);
+  }
+  else if constexpr (std::is_same_v<Rays, RTCRay8>)
+  {
+    rtcOccluded8(valid, scene, &rays, &arguments);
+  }
+  else
+  {
+    rtcOccluded4(valid, scene, &rays, &arguments);
+  }
 }
 
 #endif
+
+/// How many rays Embree traces side by side on this machine: 16, 8 or 4.
+inline int GetPacketWidth(RTCDevice device)
+{
+  return rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) ? 16
+    : rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)     ? 8
+                                                                                  : 4;
+}
+
+/// Calls `trace(first, part)` for each `Part` of a packet of 16, which gets its lanes from `first`
+/// on and gives them back. The packet and its parts must be Embree's structures of one kind, whose
+/// members are each a 4-byte value of every lane.
+template <typename Part, typename Packet, typename Trace>
+void ForEachPart(Packet& packet, const Trace& trace)
+{
+  constexpr std::size_t lane = sizeof(float);
+  constexpr std::size_t members = sizeof(Packet) / (16 * lane);
+  constexpr std::size_t lanes = sizeof(Part) / (members * lane);
+  static_assert(members * lanes * lane == sizeof(Part), "a part has no padding");
+  auto* whole = reinterpret_cast<unsigned char*>(&packet);
+  for (std::size_t first = 0; first < 16; first += lanes)
+  {
+    Part part;
+    auto* some = reinterpret_cast<unsigned char*>(&part);
+    for (std::size_t i = 0; i < members; ++i)
+    {
+      std::memcpy(some + i * lanes * lane, whole + (16 * i + first) * lane, lanes * lane);
+    }
+    trace(first, part);
+    for (std::size_t i = 0; i < members; ++i)
+    {
+      std::memcpy(whole + (16 * i + first) * lane, some + i * lanes * lane, lanes * lane);
+    }
+  }
+}
+
+/// The first hits of 16 rays, which may run alike; lanes with valid == 0 are left alone. They are
+/// traced in packets of GetPacketWidth: wider ones Embree 3 traces without a look at `valid`, and
+/// stops the process where a lane's numbers are not finite.
+inline void EmbreeIntersect16(RTCScene scene, int width, const EmbreeQuery& query, bool alike,
+  const int valid[16], RTCRayHit16& rayHits)
+{
+  const auto trace = [scene, &query, alike, valid](std::size_t first, auto& part)
+  { EmbreeIntersectPacket(scene, query, alike, valid + first, part); };
+  if (width == 16)
+  {
+    trace(0, rayHits);
+  }
+  else if (width == 8)
+  {
+    ForEachPart<RTCRayHit8>(rayHits, trace);
+  }
+  else
+  {
+    ForEachPart<RTCRayHit4>(rayHits, trace);
+  }
+}
+
+/// Whether anything lies along each of 16 rays that do not run alike: sets tfar to -infinity if so.
+inline void EmbreeOccluded16(
+  RTCScene scene, int width, const EmbreeQuery& query, const int valid[16], RTCRay16& rays)
+{
+  const auto trace = [scene, &query, valid](std::size_t first, auto& part)
+  { EmbreeOccludedPacket(scene, query, valid + first, part); };
+  if (width == 16)
+  {
+    trace(0, rays);
+  }
+  else if (width == 8)
+  {
+    ForEachPart<RTCRay8>(rays, trace);
+  }
+  else
+  {
+    ForEachPart<RTCRay4>(rays, trace);
+  }
+}
 }
 
 #endif

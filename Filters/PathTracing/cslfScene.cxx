@@ -309,6 +309,7 @@ std::vector<EmissiveTriangle> CollectEmitters(std::vector<Mesh>& meshes)
 struct Scene::Acceleration
 {
   EmbreeDevice Device;
+  int PacketWidth = 0;
   std::vector<EmbreeScene> Parts; // of meshes that have instances
   EmbreeScene World;
 };
@@ -336,6 +337,7 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     return;
   }
   rtcSetDeviceErrorFunction(device, ReportError, &this->Error);
+  this->Tree->PacketWidth = GetPacketWidth(device);
   // The builder of high quality refers to triangles more than once; rays that are attenuated must
   // meet each only once.
   const bool translucent = std::any_of(this->Meshes.begin(), this->Meshes.end(),
@@ -409,7 +411,8 @@ void Scene::Intersect(RayPacket& packet) const
   alignas(64) int valid[RayPacket::Size];
   PrepareQuery(packet.Query, packet.Active, valid);
   const EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
-  EmbreeIntersect16(this->Tree->World.get(), rule, true, valid, packet.Query);
+  EmbreeIntersect16(
+    this->Tree->World.get(), this->Tree->PacketWidth, rule, true, valid, packet.Query);
   if (!this->Tree->Parts.empty())
   {
     RTCHit16& hit = packet.Query.hit;
@@ -453,11 +456,11 @@ void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
   RTCScene world = this->Tree->World.get();
   const EmbreeQuery rule(Passing::ByChance);
   alignas(64) int valid[LaneCount];
-  if (this->Small)
+  if (this->Small || this->Tree->PacketWidth < LaneCount / 2)
   {
     RTCRayHit16 query;
     Fill(rays, query, valid);
-    EmbreeIntersect16(world, rule, true, valid, query);
+    EmbreeIntersect16(world, this->Tree->PacketWidth, rule, this->Small, valid, query);
     Read(query, hits);
   }
   else
@@ -467,7 +470,7 @@ void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
     {
       RTCRayHit8 query;
       Fill(rays, first, query, valid);
-      EmbreeIntersect8(world, rule, valid, query);
+      EmbreeIntersectPacket(world, rule, false, valid, query);
       Read(query, first, hits);
     }
   }
@@ -485,7 +488,7 @@ void Scene::FindTransmittances(ShadowLanes& shadows) const
   std::fill_n(shadows.Transmittance.Values, LaneCount, 1.0f);
   EmbreeQuery rule(Passing::Attenuated);
   rule.Transmittance = shadows.Transmittance.Values;
-  EmbreeOccluded16(this->Tree->World.get(), rule, valid, query);
+  EmbreeOccluded16(this->Tree->World.get(), this->Tree->PacketWidth, rule, valid, query);
   for (int i = 0; i < LaneCount; ++i)
   {
     if (!valid[i] || query.tfar[i] < 0.0f)
