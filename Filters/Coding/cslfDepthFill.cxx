@@ -4,6 +4,7 @@
 
 #include "cslfLayout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -12,6 +13,9 @@ namespace cslf
 {
 namespace
 {
+/// How much farther a neighbour on the same surface may be.
+constexpr float SameSurface = 1.1F;
+
 /// A square of numbers, some of which are known.
 struct Patch
 {
@@ -75,6 +79,38 @@ void Fill(Patch& patch)
     }
   }
 }
+
+/// Moves the known texels beside unknown ones to the farthest of the known around them that belongs
+/// to the same surface.
+void PushRim(Patch& patch)
+{
+  const Patch before = patch;
+  for (int y = 0; y < patch.Size; ++y)
+  {
+    for (int x = 0; x < patch.Size; ++x)
+    {
+      const std::size_t to = patch.IndexOf(x, y);
+      const float most = SameSurface * before.Values[to];
+      float farthest = before.Values[to];
+      bool isRim = false;
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, patch.Size - 1); ++j)
+      {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, patch.Size - 1); ++i)
+        {
+          const std::size_t from = before.IndexOf(i, j);
+          const bool isKnown = before.Weights[from] > 0.0F;
+          isRim = isRim || !isKnown;
+          const bool isSame = isKnown && before.Values[from] < most;
+          farthest = isSame ? std::max(farthest, before.Values[from]) : farthest;
+        }
+      }
+      if (isRim && before.Weights[to] > 0.0F)
+      {
+        patch.Values[to] = farthest;
+      }
+    }
+  }
+}
 }
 
 void FillDepth(int resolution, const unsigned char* coverage, const unsigned short* depth,
@@ -98,6 +134,7 @@ void FillDepth(int resolution, const unsigned char* coverage, const unsigned sho
     }
     if (isCovered)
     {
+      PushRim(patch);
       Fill(patch);
     }
     for (int y = 0; y < resolution; ++y)

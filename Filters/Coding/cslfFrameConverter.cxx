@@ -21,7 +21,7 @@ constexpr unsigned short FarDepth = 65535;
 
 /// Lossy coverage this near to none or full is taken for none or full. On the closed-form test
 /// field it removes 19 of 20 of the false traces of coverage at a rate factor of 12.
-constexpr int CoverageTolerance = 3;
+constexpr int CoverageTolerance = 8;
 
 /// The planes of a planar RGB frame hold green, blue, red.
 constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
