@@ -234,10 +234,8 @@ Lookup::View Lookup::MakeView(int face, int i, int j, double weight) const
     InverseToNegative(position), weight };
 }
 
-Lookup::ViewCell Lookup::FindViews(const Ray& ray) const
+Lookup::ViewCell Lookup::MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const
 {
-  const NodeBracket u = this->Field.Grid.FindNodes(ray.Entry.x);
-  const NodeBracket v = this->Field.Grid.FindNodes(ray.Entry.y);
   ViewCell views;
   views.Views[0] = this->MakeView(ray.Face, u.Lower, v.Lower, (1.0 - u.Weight) * (1.0 - v.Weight));
   views.Views[1] = this->MakeView(ray.Face, u.Upper, v.Lower, u.Weight * (1.0 - v.Weight));
@@ -249,6 +247,28 @@ Lookup::ViewCell Lookup::FindViews(const Ray& ray) const
   views.Stride =
     std::min(2.0 * TexelsPerStep / (this->Field.Grid.GetResolution() * reach), MostStride);
   return views;
+}
+
+Lookup::ViewCell Lookup::FindViews(const Ray& ray) const
+{
+  const Layout& grid = this->Field.Grid;
+  return this->MakeCell(ray, grid.FindNodes(ray.Entry.x), grid.FindNodes(ray.Entry.y));
+}
+
+// The viewpoints around those: what the inner ones do not see, these may.
+Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray) const
+{
+  const auto widen = [this](double coordinate)
+  {
+    const Layout& grid = this->Field.Grid;
+    NodeBracket nodes = grid.FindNodes(coordinate);
+    nodes.Lower = std::max(nodes.Lower - 1, 0);
+    nodes.Upper = std::min(nodes.Upper + 1, grid.GetViewpoints() - 1);
+    const double lower = grid.NodeCoordinate(nodes.Lower);
+    nodes.Weight = (coordinate - lower) / (grid.NodeCoordinate(nodes.Upper) - lower);
+    return nodes;
+  };
+  return this->MakeCell(ray, widen(ray.Entry.x), widen(ray.Entry.y));
 }
 
 Lookup::View Lookup::FindNearestView(const Ray& ray) const
@@ -324,9 +344,12 @@ glm::dvec4 Lookup::BlendColors(
   {
     const View& view = views.Views[k];
     const Projection seen = Project(view, point);
-    const double weight = this->IsKept(view.Face, seen.Tile) ? weights[k] : 0.0;
-    color += weight * this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
-    sum += weight;
+    const double weight = this->IsKept(view, seen.Tile) ? weights[k] : 0.0;
+    if (weight > 0.0)
+    {
+      color += weight * this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
+      sum += weight;
+    }
   }
   return color / std::max(sum, LeastWeight);
 }
@@ -394,7 +417,7 @@ SceneGrid::Ray Lookup::CastGridRay(const Ray& ray) const
 double Lookup::Clearance(const View& view, const glm::dvec3& point) const
 {
   const Projection seen = Project(view, point);
-  if (!this->IsKept(view.Face, seen.Tile))
+  if (!this->IsKept(view, seen.Tile))
   {
     return seen.InverseDepth - 1.0 / LeastDepth;
   }
@@ -468,13 +491,9 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
 
 // Free-space voting: the first point at which a view's sight along the ray ends on a surface and
 // that no view sees through. Where there is none, the first point that no view sees; otherwise 0.
-Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views) const
+Lookup::Surface Lookup::FindSurface(
+  const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay, const Range& range) const
 {
-  const SceneGrid::Ray gridRay = this->CastGridRay(ray);
-  Range range{};
-  SceneGrid::ClipToScene(gridRay, range.Nearest, range.Farthest);
-  range = { 1.0 / std::max(range.Nearest, 1.0 / NearestStart),
-    1.0 / std::max(range.Farthest, 1.0 / NearestStart) };
   Step step;
   step.Behind = range.Nearest;
   for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, step); ++i)
@@ -491,7 +510,8 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views) const
       // A thin sheet's other side is not the ray's: there clearance grows along the ray.
       const glm::dvec4 near =
         glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
-      return { w, near * glm::dvec4(glm::lessThan(clearances, step.ClearancesBefore)) };
+      return { w, near * glm::dvec4(glm::lessThan(clearances, step.ClearancesBefore)),
+        step.FirstHidden };
     }
     const bool isKnown = glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
     if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
@@ -500,7 +520,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views) const
     }
     step.Behind = w - RestartShare * views.Stride;
   }
-  return { step.FirstHidden, glm::dvec4(0.0) };
+  return { step.FirstHidden, glm::dvec4(0.0), step.FirstHidden };
 }
 
 // The views that see the surface from the ray's side share its colour; where none does, all.
@@ -520,11 +540,31 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
     return this->Focal(ray, glm::dvec3(0.0));
   }
   const Ray rayFC = ToFaceSpace(ray);
-  const ViewCell views = this->FindViews(rayFC);
-  const Surface surface = this->FindSurface(rayFC, views);
+  const SceneGrid::Ray gridRay = this->CastGridRay(rayFC);
+  Range range{};
+  SceneGrid::ClipToScene(gridRay, range.Nearest, range.Farthest);
+  range = { 1.0 / std::max(range.Nearest, 1.0 / NearestStart),
+    1.0 / std::max(range.Farthest, 1.0 / NearestStart) };
+  ViewCell views = this->FindViews(rayFC);
+  Surface surface = this->FindSurface(rayFC, views, gridRay, range);
   if (surface.W == 0.0)
   {
     return {};
+  }
+  if (surface.Sight == glm::dvec4(0.0))
+  {
+    // From a step before on, where the outer ones may see the surface at once.
+    const double stride = std::max(views.Stride, StepShare * surface.W);
+    range.Nearest = std::min(surface.W + stride, range.Nearest);
+    const ViewCell outer = this->FindOuterViews(rayFC);
+    const Surface seen = this->FindSurface(rayFC, outer, gridRay, range);
+    // Where it is not behind what the inner ones hide, they show a silhouette better.
+    const bool isBehind = seen.W < (1.0 - EdgeStep) * surface.W && seen.Hidden == 0.0;
+    if (isBehind && seen.Sight != glm::dvec4(0.0))
+    {
+      surface = seen;
+      views = outer;
+    }
   }
   return { this->BlendVisible(rayFC, views, surface), 1.0 / surface.W };
 }

@@ -72,7 +72,8 @@ public:
   LookupResult Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const;
 
   /// The four viewpoints around the entry, each looked up where it sees the surface that the ray
-  /// meets first, if it sees it. Without a depth channel: as Focal about the cube's centre.
+  /// meets first, if it sees it. Where none does, the four around those. Without a depth channel: as
+  /// Focal about the cube's centre.
   LookupResult DepthCorrected(const RayCoordinates& ray) const;
 
 private:
@@ -126,6 +127,7 @@ private:
   {
     double W = 0.0;          ///< 0: nothing
     glm::dvec4 Sight{ 0.0 }; ///< how well the four views see it, in [0,1]
+    double Hidden = 0.0;     ///< where no view sees the ray's points before it; 0: nowhere
   };
 
   /// A range of w.
@@ -139,6 +141,10 @@ private:
   {
     return (this->LeftOut >> ExitFaceOf(entryFace, tile) & 1) == 0;
   }
+  bool IsKept(const View& view, int tile) const
+  {
+    return this->Places[view.Slice] >= 0 && this->IsKept(view.Face, tile);
+  }
   glm::dvec2 TexelPosition(const glm::dvec2& coordinates) const;
   vtkIdType TexelIndex(int slice, int tile, int p, int q) const;
   glm::dvec4 FetchColor(int slice, int tile, int p, int q) const;
@@ -150,7 +156,9 @@ private:
 
   static Ray ToFaceSpace(const RayCoordinates& ray);
   View MakeView(int face, int i, int j, double weight) const;
+  ViewCell MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const;
   ViewCell FindViews(const Ray& ray) const;
+  ViewCell FindOuterViews(const Ray& ray) const;
   View FindNearestView(const Ray& ray) const;
   static Projection Project(const View& view, const glm::dvec3& point);
   double GuessSurface(const Ray& ray, double fraction) const;
@@ -167,7 +175,8 @@ private:
     double clearanceBefore, double clearanceBehind) const;
   bool FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
     const Range& range, Step& step) const;
-  Surface FindSurface(const Ray& ray, const ViewCell& views) const;
+  Surface FindSurface(
+    const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay, const Range& range) const;
   glm::dvec4 BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
 
   Description Field;

@@ -105,6 +105,7 @@ def measure_encoder(field, crf, folder):
     encoder.SetInputConnection(decoder.GetOutputPort())
     encoder.SetFileName(path)
     encoder.SetCRF(crf)
+    encoder.SetDepthCRF(51)  # of which nothing is measured
     if not encoder.Write():
         raise SystemExit("The encoder could not write " + path)
     result = vtkCSLFDecoder()

@@ -67,8 +67,9 @@ struct Step
 // What a ray meets.
 struct Surface
 {
-  float W;    // 0: nothing
-  vec4 Sight; // how well the four views see it, in [0,1]
+  float W;      // 0: nothing
+  vec4 Sight;   // how well the four views see it, in [0,1]
+  float Hidden; // where no view sees the ray's points before it; 0: nowhere
 };
 
 View MakeView(float slot, vec2 position, vec2 weight)
@@ -94,6 +95,31 @@ ViewCell FindViews(vec3 entry)
     MakeView(cell.Slots.z, vec2(cell.Lower.x, cell.Upper.y), vec2(lower.x, cell.Weight.y));
   views.View11 = MakeView(cell.Slots.w, cell.Upper, cell.Weight);
   float reach = length(max(entry.xy - cell.Lower, cell.Upper - entry.xy));
+  views.Stride = min(2.0 * TexelsPerStep / (Resolution * reach), MostStride);
+  return views;
+}
+
+// The viewpoints around those: what the inner ones do not see, these may.
+ViewCell FindOuterViews(vec3 entry)
+{
+  Cell inner = FindCell(entry.xy);
+  vec2 halfSize = 0.5 * (inner.Upper - inner.Lower);
+  vec2 low = max(inner.Lower - halfSize, -1.0);
+  vec2 high = min(inner.Upper + halfSize, 1.0);
+  Cell cell00 = FindCell(low);
+  Cell cell10 = FindCell(vec2(high.x, low.y));
+  Cell cell01 = FindCell(vec2(low.x, high.y));
+  Cell cell11 = FindCell(high);
+  vec2 weight = (entry.xy - cell00.Lower) / (cell11.Upper - cell00.Lower);
+  vec2 lower = 1.0 - weight;
+  ViewCell views;
+  views.View00 = MakeView(cell00.Slots.x, cell00.Lower, lower);
+  views.View10 =
+    MakeView(cell10.Slots.y, vec2(cell10.Upper.x, cell10.Lower.y), vec2(weight.x, lower.y));
+  views.View01 =
+    MakeView(cell01.Slots.z, vec2(cell01.Lower.x, cell01.Upper.y), vec2(lower.x, weight.y));
+  views.View11 = MakeView(cell11.Slots.w, cell11.Upper, weight);
+  float reach = length(max(entry.xy - cell00.Lower, cell11.Upper - entry.xy));
   views.Stride = min(2.0 * TexelsPerStep / (Resolution * reach), MostStride);
   return views;
 }
@@ -333,11 +359,8 @@ bool FindStep(Ray ray, ViewCell views, GridRay gridRay, vec2 range, inout Step s
   return false;
 }
 
-Surface FindSurface(Ray ray, ViewCell views)
+Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range)
 {
-  GridRay gridRay = CastGridRay(ray);
-  vec2 range = ClipToScene(gridRay);
-  range = 1.0 / max(range, 1.0 / NearestStart);
   Step step;
   step.Behind = range.x;
   step.Count = 0;
@@ -358,7 +381,7 @@ Surface FindSurface(Ray ray, ViewCell views)
     {
       vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
       vec4 fromFront = vec4(lessThan(clearances, step.ClearancesBefore));
-      return Surface(w, near * fromFront);
+      return Surface(w, near * fromFront, step.FirstHidden);
     }
     bool isKnown = any(greaterThan(clearances, vec4(-Unknown)));
     if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
@@ -367,7 +390,7 @@ Surface FindSurface(Ray ray, ViewCell views)
     }
     step.Behind = w - RestartShare * views.Stride;
   }
-  return Surface(step.FirstHidden, vec4(0.0));
+  return Surface(step.FirstHidden, vec4(0.0), step.FirstHidden);
 }
 
 // The views that see the surface from the ray's side share its colour; where none does, all.
@@ -386,11 +409,25 @@ LookupResult LookupDepth(Ray ray)
   {
     return LookupFocal(ray);
   }
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
   ViewCell views = FindViews(ray.Entry);
-  Surface surface = FindSurface(ray, views);
+  Surface surface = FindSurface(ray, views, gridRay, range);
   if (surface.W == 0.0)
   {
     return LookupResult(vec4(0.0), 1.0);
+  }
+  if (surface.Sight == vec4(0.0))
+  {
+    range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
+    ViewCell outer = FindOuterViews(ray.Entry);
+    Surface seen = FindSurface(ray, outer, gridRay, range);
+    bool isBehind = seen.W < (1.0 - EdgeStep) * surface.W && seen.Hidden == 0.0;
+    if (isBehind && seen.Sight != vec4(0.0))
+    {
+      surface = seen;
+      views = outer;
+    }
   }
   return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
 }
@@ -449,6 +486,6 @@ bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
   w -= shift;
   clearances -= shift * slopes;
   vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
-  result = LookupResult(BlendVisible(ray, views, Surface(w, near * fromFront)), 1.0 / w);
+  result = LookupResult(BlendVisible(ray, views, Surface(w, near * fromFront, 0.0)), 1.0 / w);
   return true;
 }
