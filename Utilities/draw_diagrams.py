@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the diagrams of Documentation/Conventions.md: the cube, its faces, tiles, and two lookups."""
+"""Draws the diagrams of Documentation/Conventions.md: cube, faces, tiles, and two lookups."""
 import argparse
 import pathlib
 import sys
@@ -95,7 +95,8 @@ def draw_cube():
     drawing.polygon(face(4), ENTRY, ENTRY, 0.10)
     for j in range(M):
         for i in range(M):
-            drawing.dot(project(FACES[4][3](-1 + 2 * i / (M - 1), -1 + 2 * j / (M - 1))), ENTRY, 2.5)
+            node = (-1 + 2 * i / (M - 1), -1 + 2 * j / (M - 1))
+            drawing.dot(project(FACES[4][3](*node)), ENTRY, 2.5)
     drawing.line(project(eye), project(entry_point), INK, 1.5)
     for point, color in ((eye, INK), (entry_point, ENTRY), (exit_point, EXIT)):
         drawing.dot(project(point), color, 5)
@@ -222,8 +223,8 @@ def draw_lookups():
             drawing.dot(hit, EXIT, 4)
         drawing.dot(end, INK, 3)
         drawing.text((end[0] + 8, bottom - 8), "(s, t)")
-    drawing.text((20, 354), "Orange: the points whose colours are mixed. Left they are apart, so that "
-                 "the surface is doubled.", size=13)
+    drawing.text((20, 354), "Orange: the points whose colours are mixed. Left they are apart, so "
+                 "that the surface is doubled.", size=13)
     return drawing
 
 

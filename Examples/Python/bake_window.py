@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A window becomes a light field: what a renderer shows (actors with properties, a texture, a lookup
-table, lights) is sampled, and drawn again from the field. Arguments: M N samples."""
+"""A window becomes a light field: what a renderer shows (actors with properties, a texture, a
+lookup table, lights) is sampled, and drawn again from the field. Arguments: M N samples."""
 import cslf
 from example import make_actor, make_field_actor, read_sizes, save_picture, set_sizes
 from vtkmodules.vtkFiltersCore import vtkElevationFilter

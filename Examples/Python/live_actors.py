@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """A light field among live actors: two golden rings come from one field, an ordinary ring is linked
-with each, and a translucent plane cuts them all. The live ring turns, and the field is moved, without
-being sampled again. Arguments: M N samples."""
+with each, and a translucent plane cuts them all. The live ring turns, and the field is moved,
+without being sampled again. Arguments: M N samples."""
 import cslf
 from example import make_actor, make_field_actor, read_sizes, save_picture, set_sizes
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus

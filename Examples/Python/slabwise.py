@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """A light field is image data, and ordinary VTK filters take it apart, slab by slab: one viewpoint
-as a picture, an epipolar-plane image, and how bright the scene is from each face. Only the viewpoints
-that are asked for are ever sampled. Arguments: M N samples."""
+as a picture, an epipolar-plane image, and how bright the scene is from each face. Only the
+viewpoints that are asked for are ever sampled. Arguments: M N samples."""
 import cslf
 from example import read_sizes, set_sizes
 from vtkmodules.vtkImagingCore import (vtkExtractVOI, vtkImageExtractComponents, vtkImageFlip,

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bake within a time: as many samples are taken as the seconds allow, progress is shown, and a bake
-can be aborted, after which nothing is left of it. Arguments: M N seconds."""
+"""A bake within a time: as many samples are taken as the seconds allow, progress is shown, and a
+bake can be aborted, after which nothing is left of it. Arguments: M N seconds."""
 import argparse
 import os
 import sys

@@ -15,7 +15,8 @@ function (cslf_run)
     OUTPUT_QUIET
     COMMAND_ERROR_IS_FATAL ANY)
 endfunction ()
-cslf_run(sample cornell-box -M 3 -N 32 --spp 4 -o box.vti)
+set(cache --cache-samples 64 --cache-tolerance 0.06)
+cslf_run(sample cornell-box -M 3 -N 32 --spp 4 ${cache} -o box.vti)
 cslf_run(encode box.vti -o box.mp4 --preset ultrafast)
 cslf_run(sample dragon.ply --metallic 1 --roughness 0.3 --base-color 0.9 0.7 0.3 -M 3 -N 32 --spp 4
-  -o dragon.mp4 --preset ultrafast)
+  ${cache} -o dragon.mp4 --preset ultrafast)

@@ -145,7 +145,7 @@ def prepare(options):
         [str(HERE / "commands"), str(pathlib.Path(sys.executable).parent), environment["PATH"]])
     environment["CSLF_TOOL"] = str(pathlib.Path(options.build).resolve() / "bin" / "cslf")
     environment["PYTHONPATH"] = os.pathsep.join(
-        filter(None, [packages, str(SOURCE / "Examples" / "Python"), environment.get("PYTHONPATH")]))
+        filter(None, [packages, environment.get("PYTHONPATH")]))
     return folder, environment
 
 

@@ -51,7 +51,8 @@ run("${CMAKE_COMMAND}" -E env --unset=LD_LIBRARY_PATH "${prefix}/bin/cslf" sampl
   -M 2 -N 16 --spp 1 -o box.vti)
 if (PYTHON)
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/lib/python3/dist-packages"
-    "${PYTHON}" -c "from cslf import __file__ as f, vtkCSLFSampler as s\nprint(f, s().GetViewpoints())")
+    "${PYTHON}" -c "from cslf import __file__ as f, vtkCSLFSampler as s
+print(f, s().GetViewpoints())")
   expect("root/usr/lib/python3/dist-packages/cslf/__init__.py 17")
 endif ()
 run("${CMAKE_COMMAND}" -S "${SOURCE}" -B find "-DCMAKE_PREFIX_PATH=${prefix}" "-DVERSION=${VERSION}"
