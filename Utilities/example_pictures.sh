@@ -3,15 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Makes the pictures of the examples, Documentation/images/example-*.png, from those in Python, with
-# more viewpoints and texels than the tests have. Needs the built preset "release".
+# the sizes that they have by themselves or larger ones. Needs the built preset "release".
 #
 # usage: example_pictures.sh [example...]    names of scripts without .py; all by default
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-viewpoints=7
-resolution=64
-samples=16
 export PYTHONPATH="${PYTHONPATH:-$build/lib/python3/dist-packages}"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
@@ -22,10 +19,10 @@ if [ "$#" -eq 0 ]; then
 fi
 for example in "$@"; do
   case "$example" in
-    slabwise) arguments=(33 "$resolution" "$samples") ;;
-    timed_bake) arguments=("$viewpoints" "$resolution" 60) ;;
+    hello_light_field | notebook) arguments=(7 64 16) ;;
+    timed_bake) arguments=(5 64 200) ;;
     regression_fixture) arguments=(--bake) ;;
-    *) arguments=("$viewpoints" "$resolution" "$samples") ;;
+    *) arguments=() ;;
   esac
   (cd "$folder" && xvfb-run --auto-servernum \
     /usr/bin/python3 "$source/Examples/Python/$example.py" "${arguments[@]}")
