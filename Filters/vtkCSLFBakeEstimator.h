@@ -47,6 +47,9 @@ public:
   vtkTypeMacro(vtkCSLFBakeEstimator, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * The kinds of files whose cost can be estimated.
+   */
   enum Formats
   {
     Video = 0,  ///< as the encoder writes it: .mp4, .mkv

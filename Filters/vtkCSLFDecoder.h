@@ -66,11 +66,13 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
+  ///@{
   /**
    * The extensions of the files that may hold light fields, and what to call them in a file dialog.
    */
   const char* GetFileExtensions() { return ".mp4 .mkv"; }
   const char* GetDescriptiveName() { return "Cube surface light field"; }
+  ///@}
 
   ///@{
   /**

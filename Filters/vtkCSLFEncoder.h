@@ -289,6 +289,9 @@ public:
   vtkGetMacro(ActualNovelViewPSNR, double);
   ///@}
 
+  /**
+   * Writes the file where the pipeline asks for data.
+   */
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -8,11 +8,10 @@
  * lies; the path tracer keeps one copy of its geometry. Any VTK pipeline carries them along. This
  * class knows the arrays' names; each has one tuple an instance:
  *
- * | array | components | meaning |
- * |---|---|---|
- * | `InstanceMatrix` | 16 | from the data's coordinates to the world, as vtkMatrix4x4 has it: row
- * by row, the last 0, 0, 0, 1 | | `InstanceColor` | 3 or 4 | unsigned char, optional: the base
- * colour, sRGB, and the opacity, which multiplies that of the material |
+ * - `InstanceMatrix`: 16 components, from the data's coordinates to the world, as vtkMatrix4x4 has
+ *   it: row by row, the last 0, 0, 0, 1.
+ * - `InstanceColor`: 3 or 4 components, unsigned char, optional. The base colour, sRGB, and the
+ *   opacity, which multiplies that of the material.
  *
  * Instances that are flat show nothing.
  *

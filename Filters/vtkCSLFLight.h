@@ -18,8 +18,9 @@
  * | `SpotLightPosition` | 3 | world |
  * | `SpotLightIntensity` | 3 | as of a point light, along the axis |
  * | `SpotLightDirection` | 3 | the axis, away from the light, world; any length but 0 |
- * | `SpotLightCone` | 2 | the angle between axis and cone in degrees; the exponent of the cosine to
- * the axis that the intensity falls off with |
+ * | `SpotLightCone` | 2 | between axis and cone, degrees; the exponent of the falloff |
+ *
+ * A spot light's intensity falls off with the cosine to its axis to the power of that exponent.
  *
  * The environment is light from infinitely far away; where there is one, it takes the place of the
  * filter's own. It is described by `EnvironmentRadiance`, 3 components, one tuple for the same

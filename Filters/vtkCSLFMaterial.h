@@ -181,6 +181,9 @@ public:
   static double GetPointRadius(vtkDataObject* data);
   ///@}
 
+  /**
+   * What a texture is used for.
+   */
   enum TextureSlots
   {
     BaseColorTexture = 0,     ///< sRGB colour times the base colour, alpha times the opacity

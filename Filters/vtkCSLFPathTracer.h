@@ -73,6 +73,9 @@ public:
    */
   vtkMTimeType GetMTime() override;
 
+  /**
+   * The ways to follow light.
+   */
   enum Integrators
   {
     PathTracing = 0, ///< every path to its end: no bias but MaximumDepth
@@ -189,6 +192,9 @@ public:
   vtkBooleanMacro(ShowEnvironment, bool);
   ///@}
 
+  /**
+   * The kinds of light from infinitely far away.
+   */
   enum EnvironmentModes
   {
     NoEnvironment = 0,   ///< darkness

@@ -208,13 +208,11 @@ public:
    */
   vtkTypeInt64 GetTextureBytes();
 
-  ///@{
+  using vtkMapper::GetBounds;
   /**
    * The bounds of the field's cube; uninitialised where there is no valid field.
    */
-  using vtkMapper::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
-  ///@}
 
   ///@{
   /**
@@ -239,6 +237,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}
 
+  /**
+   * Takes over the parameters and the input of another mapper.
+   */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
 protected:

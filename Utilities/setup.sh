@@ -16,6 +16,7 @@ cslf_packages=(
   libvtk9-dev libpython3-dev python3 python3-vtk9
   libembree-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  dpkg-dev file  # for the test of the Debian package
   xauth xvfb)
 
 cslf_is_installed()

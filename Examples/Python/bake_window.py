@@ -1,15 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A window becomes a light field: what a renderer shows (actors with properties, a texture, a lookup
-table, lights) is sampled, and drawn again from the field. Arguments: M N samples."""
-import sys
+"""A window becomes a light field: what a renderer shows (actors with properties, a texture, a
+lookup table, lights) is sampled, and drawn again from the field. Arguments: M N samples."""
 import cslf
+from example import make_actor, make_field_actor, read_sizes, save_picture, set_sizes
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource, vtkSuperquadricSource
 from vtkmodules.vtkImagingSources import vtkImageCanvasSource2D
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer,
-                                         vtkRenderWindow, vtkTexture, vtkWindowToImageFilter)
+                                         vtkRenderWindow, vtkTexture)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws the window
 
 renderer = vtkRenderer()
@@ -18,10 +17,7 @@ renderer.SetBackground(0.2, 0.22, 0.28)
 
 def show(source):
     """Adds an actor of what a source makes."""
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = make_actor(source)
     renderer.AddActor(actor)
     return actor
 
@@ -100,16 +96,10 @@ renderer.AddLight(head)
 # The light field of all that.
 sampler = cslf.vtkCSLFSampler()
 sampler.SetRenderer(renderer)
-sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
-sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
-sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
-sampler.Update()
+set_sizes(sampler, read_sizes(__doc__))
 
 # The window on the left, the field on the right.
-mapper = cslf.vtkCSLFMapper()
-mapper.SetInputData(sampler.GetOutput())
-field = vtkActor()
-field.SetMapper(mapper)
+field = make_field_actor(sampler)
 second = vtkRenderer()
 second.SetBackground(renderer.GetBackground())
 second.AddActor(field)
@@ -126,9 +116,4 @@ window = vtkRenderWindow()
 window.SetSize(960, 400)
 window.AddRenderer(renderer)
 window.AddRenderer(second)
-picture = vtkWindowToImageFilter()
-picture.SetInput(window)
-writer = vtkPNGWriter()
-writer.SetInputConnection(picture.GetOutputPort())
-writer.SetFileName("BakeWindow.png")
-writer.Write()
+save_picture(window, "BakeWindow.png")

@@ -5,8 +5,11 @@
 The classes work beside those of ``vtkmodules``::
 
     from cslf import vtkCSLFSampler
+
+In a notebook, ``cslf.show(field)`` is a picture of a light field.
 """
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the mapper draws with OpenGL
 
 from .vtkCSLF import *  # noqa: F401,F403
+from .notebook import Picture, capture, show  # noqa: F401

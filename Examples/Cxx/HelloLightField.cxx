@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Bakes the Cornell box into a video file, reads it back, and saves a view of it:
-// BakeCornellBox [viewpoints a side] [texels a side] [samples]
+// The shortest way from a scene to a light field and back: the Cornell box is sampled into a video
+// file, and a view of it is drawn from that file.
+// HelloLightField [viewpoints a side] [texels a side] [samples]
 #include <vtkCSLFCornellBoxSource.h>
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFEncoder.h>
@@ -21,6 +22,7 @@
 
 int main(int argc, char* argv[])
 {
+  // Sample the scene: viewpoints and texels along each side, rays for each texel.
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
@@ -29,32 +31,36 @@ int main(int argc, char* argv[])
   sampler->SetSamples(argc > 3 ? std::atoi(argv[3]) : 16);
   sampler->SetEnvironmentModeToNone(); // the box has a lamp
 
-  vtkNew<vtkCSLFEncoder> encoder; // pulls viewpoints from the sampler, a few at a time
+  // Write the field; the encoder pulls viewpoints from the sampler, a few at a time.
+  vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(sampler->GetOutputPort());
-  encoder->SetFileName("CornellBox.mp4");
+  encoder->SetFileName("HelloLightField.mp4");
   if (!encoder->Write())
   {
     return EXIT_FAILURE;
   }
 
+  // Draw what is in the file.
   vtkNew<vtkCSLFDecoder> decoder;
-  decoder->SetFileName("CornellBox.mp4");
+  decoder->SetFileName("HelloLightField.mp4");
   vtkNew<vtkCSLFMapper> mapper;
   mapper->SetInputConnection(decoder->GetOutputPort());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
-  renderer->GetActiveCamera()->SetPosition(0.7, 0.5, 6.0);
+  renderer->GetActiveCamera()->SetPosition(0.7, 0.5, 4.6);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
   window->SetSize(320, 320);
   window->AddRenderer(renderer);
+
+  // Keep the picture.
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName("CornellBox.png");
+  writer->SetFileName("HelloLightField.png");
   writer->Write();
   return writer->GetErrorCode() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -3,16 +3,14 @@
 """A light field in a VTK pipeline and scene: a contour of image data, coloured by how steeply the
 data changes there, becomes a light field, which is shown with an outline, axes and a scalar bar.
 Arguments: M N samples."""
-import sys
 import cslf
+from example import make_actor, make_field_actor, read_sizes, save_picture, set_sizes
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkProbeFilter
 from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkImagingGeneral import vtkImageGradientMagnitude
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor, vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
-                                         vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
 
 # The data: a surface of equal value, with the magnitude of the gradient on it.
@@ -49,24 +47,16 @@ colors.AddRGBPoint(high, 1.0, 0.9, 0.25)
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(surface.GetOutputPort())
 sampler.SetLookupTable(colors)
-sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
-sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
-sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
+sampler.SetCacheSamples(256)  # of light that varies little, few do
+set_sizes(sampler, read_sizes(__doc__))
 sampler.SetEnvironmentModeToGradient()
 sampler.SetEnvironmentUp(0.0, 0.0, 1.0)
 
 # The scene.
-mapper = cslf.vtkCSLFMapper()
-mapper.SetInputConnection(sampler.GetOutputPort())
-field = vtkActor()
-field.SetMapper(mapper)
-
+field = make_field_actor(sampler)
 outlineFilter = vtkOutlineFilter()
 outlineFilter.SetInputConnection(image.GetOutputPort())
-outlineMapper = vtkPolyDataMapper()
-outlineMapper.SetInputConnection(outlineFilter.GetOutputPort())
-outline = vtkActor()
-outline.SetMapper(outlineMapper)
+outline = make_actor(outlineFilter)
 outline.GetProperty().SetLineWidth(2.0)
 
 bar = vtkScalarBarActor()
@@ -100,9 +90,4 @@ renderer.ResetCameraClippingRange()
 window = vtkRenderWindow()
 window.SetSize(640, 480)
 window.AddRenderer(renderer)
-picture = vtkWindowToImageFilter()
-picture.SetInput(window)
-writer = vtkPNGWriter()
-writer.SetInputConnection(picture.GetOutputPort())
-writer.SetFileName("ContourField.png")
-writer.Write()
+save_picture(window, "Isosurface.png")

@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The shortest way from a scene to a light field and back: the Cornell box is sampled into a video
+file, and a view of it is drawn from that file. Arguments: M N samples."""
+import sys
+
+import cslf
+from vtkmodules import vtkIOImage, vtkRenderingCore
+
+# Sample the scene: viewpoints and texels along each side, rays for each texel.
+box = cslf.vtkCSLFCornellBoxSource()
+sampler = cslf.vtkCSLFSampler()
+sampler.SetInputConnection(box.GetOutputPort())
+sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
+sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
+sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
+sampler.SetEnvironmentModeToNone()  # the box has a lamp
+
+# Write the field; the encoder pulls viewpoints from the sampler, a few at a time.
+encoder = cslf.vtkCSLFEncoder()
+encoder.SetInputConnection(sampler.GetOutputPort())
+encoder.SetFileName("HelloLightField.mp4")
+if not encoder.Write():
+    sys.exit("The light field was not written.")
+
+# Draw what is in the file.
+decoder = cslf.vtkCSLFDecoder()
+decoder.SetFileName("HelloLightField.mp4")
+mapper = cslf.vtkCSLFMapper()
+mapper.SetInputConnection(decoder.GetOutputPort())
+actor = vtkRenderingCore.vtkActor()
+actor.SetMapper(mapper)
+renderer = vtkRenderingCore.vtkRenderer()
+renderer.AddActor(actor)
+renderer.GetActiveCamera().SetPosition(0.7, 0.5, 4.6)
+renderer.ResetCameraClippingRange()
+window = vtkRenderingCore.vtkRenderWindow()
+window.SetSize(320, 320)
+window.AddRenderer(renderer)
+
+# Keep the picture.
+picture = vtkRenderingCore.vtkWindowToImageFilter()
+picture.SetInput(window)
+writer = vtkIOImage.vtkPNGWriter()
+writer.SetInputConnection(picture.GetOutputPort())
+writer.SetFileName("HelloLightField.png")
+writer.Write()

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of light fields that notebooks display."""
+
+import os
+import pathlib
+
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkRenderer, vtkRenderWindow,
+                                         vtkWindowToImageFilter)
+
+from .vtkCSLF import vtkCSLFDecoder, vtkCSLFMapper
+
+# From the front, a little to the right and above, two edges of the cube away.
+DIRECTION = (0.35, 0.25, 1.0)
+
+
+class Picture:
+    """A picture as a PNG file in memory. A notebook shows one that a cell ends with."""
+
+    def __init__(self, png):
+        self.png = png
+
+    def _repr_png_(self):
+        return self.png
+
+    def save(self, file_name):
+        """Writes the PNG file."""
+        pathlib.Path(file_name).write_bytes(self.png)
+
+
+def capture(window):
+    """What a render window shows, as a Picture."""
+    if window.GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
+        raise RuntimeError("VTK draws through an X server here, and there is none: start the "
+                           "program with xvfb-run -a, or set DISPLAY.")
+    grabber = vtkWindowToImageFilter()
+    grabber.SetInput(window)
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(grabber.GetOutputPort())
+    writer.WriteToMemoryOn()
+    writer.Write()
+    return Picture(bytes(memoryview(writer.GetResult())))
+
+
+def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
+         background=(0.0, 0.0, 0.0), lookup="Depth"):
+    """A view of a light field, as a Picture.
+
+    ``field`` is the name of a video, what makes a field (a ``vtkCSLFSampler``, say), or image data.
+    ``position`` is where the eye is, in the world, and ``focal_point`` where it looks: by default
+    two edges of the cube from its centre, in front, and the centre. ``lookup`` is ``Nearest``,
+    ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``.
+    """
+    mapper = vtkCSLFMapper()
+    if isinstance(field, (str, os.PathLike)):
+        decoder = vtkCSLFDecoder()
+        decoder.SetFileName(os.fspath(field))
+        mapper.SetInputConnection(decoder.GetOutputPort())
+    elif hasattr(field, "GetOutputPort"):
+        mapper.SetInputConnection(field.GetOutputPort())
+    else:
+        mapper.SetInputData(field)
+    getattr(mapper, f"SetLookupTo{lookup}")()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    bounds = actor.GetBounds()
+    if bounds is None or bounds[0] > bounds[1]:
+        raise ValueError("This is no light field.")
+
+    center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
+    edge = max(bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3))
+    length = sum(value**2 for value in DIRECTION)**0.5
+    if position is None:
+        position = [c + 2.0 * edge * d / length for c, d in zip(center, DIRECTION)]
+    renderer = vtkRenderer()
+    renderer.SetBackground(*background)
+    renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(*position)
+    camera.SetFocalPoint(*(center if focal_point is None else focal_point))
+    camera.SetViewUp(*view_up)
+    camera.SetViewAngle(40.0)  # as the tool's
+    renderer.ResetCameraClippingRange()
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(0)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+    return capture(window)

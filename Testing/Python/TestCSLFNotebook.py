@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures for notebooks: of files, of pipelines and of image data; and what is no field."""
+import os
+import struct
+import sys
+import unittest
+from unittest import mock
+
+import cslf
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+FIELD = sys.argv.pop()
+
+
+class TestCSLFNotebook(unittest.TestCase):
+    def check(self, picture, width, height):
+        png = picture._repr_png_()
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", png[16:24]), (width, height))
+        return png
+
+    def test_sources(self):
+        """The same picture, whatever the field comes from."""
+        file = self.check(cslf.show(FIELD, size=(80, 60)), 80, 60)
+        decoder = cslf.vtkCSLFDecoder()
+        decoder.SetFileName(FIELD)
+        decoder.Update()
+        self.assertEqual(self.check(cslf.show(decoder, size=(80, 60)), 80, 60), file)
+        self.assertEqual(self.check(cslf.show(decoder.GetOutput(), size=(80, 60)), 80, 60), file)
+
+    def test_parameters(self):
+        front = self.check(cslf.show(FIELD, size=(60, 60)), 60, 60)
+        for other in ({"position": (-3.0, 2.0, 4.0)}, {"lookup": "Nearest"},
+                      {"background": (1.0, 0.0, 0.0)}, {"focal_point": (0.5, 0.0, 0.0)},
+                      {"view_up": (1.0, 0.0, 0.0)}):
+            self.assertNotEqual(self.check(cslf.show(FIELD, size=(60, 60), **other), 60, 60), front)
+
+    def test_save(self):
+        picture = cslf.show(FIELD, size=(40, 40))
+        picture.save("TestCSLFNotebook.png")
+        with open("TestCSLFNotebook.png", "rb") as file:
+            self.assertEqual(file.read(), picture._repr_png_())
+
+    def test_invalid(self):
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 2)
+        image.GlobalWarningDisplayOff()
+        try:
+            with self.assertRaises(ValueError):
+                cslf.show(image)
+            with self.assertRaises(ValueError):
+                cslf.show("missing.mp4")
+        finally:
+            image.GlobalWarningDisplayOn()
+        with mock.patch.dict(os.environ, {"DISPLAY": ""}), self.assertRaises(RuntimeError):
+            cslf.show(FIELD)
+
+
+if __name__ == "__main__":
+    unittest.main()
