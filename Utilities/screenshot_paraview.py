@@ -33,10 +33,9 @@ def field():
     slice.SliceType.Origin, slice.SliceType.Normal = [0, 0, -9.9], [0, 0, 1]
     slice.UpdatePipeline()
     ColorBy(Show(slice, view), ("POINTS", "RTData"))
-    field = CSLFSampler(Input=contour, Viewpoints=5, Resolution=64, Samples=8,
-                        Integrator="Path Tracing")
+    field = CSLFSampler(Input=contour)
     Show(field, view)
-    SaveData("contour.mp4", proxy=field, CRF=16, Preset="ultrafast")
+    SaveData("contour.mp4", proxy=field, CRF=16, Preset="fast")
     SetActiveSource(field)
 
 
