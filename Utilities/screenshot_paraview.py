@@ -33,9 +33,10 @@ def field():
     slice.SliceType.Origin, slice.SliceType.Normal = [0, 0, -9.9], [0, 0, 1]
     slice.UpdatePipeline()
     ColorBy(Show(slice, view), ("POINTS", "RTData"))
-    field = CSLFSampler(Input=contour)
+    field = CSLFSampler(Input=contour, Viewpoints=5, Resolution=64, Samples=8,
+                        Integrator="Path Tracing")
     Show(field, view)
-    SaveData("contour.mp4", proxy=field, CRF=16, Preset="fast")
+    SaveData("contour.mp4", proxy=field, CRF=16, Preset="ultrafast")
     SetActiveSource(field)
 
 
