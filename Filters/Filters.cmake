@@ -38,6 +38,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfHitGeometry.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfMesh.cxx
+  ../Filters/PathTracing/cslfMeshJoin.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathBatch.cxx
@@ -78,6 +79,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
   ../Filters/PathTracing/cslfMesh.h
+  ../Filters/PathTracing/cslfMeshJoin.h
   ../Filters/PathTracing/cslfMeshMaker.h
   ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathBatch.h

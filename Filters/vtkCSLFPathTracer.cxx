@@ -276,7 +276,7 @@ std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& i
     WriteTimes(input, key);
   }
   vtkScalarsToColors* table = this->Internals->LookupTable;
-  key << this->MustGather() << ' ' << this->ScalarVisibility << ' '
+  key << this->DistributedScene << ' ' << this->MustGather() << ' ' << this->ScalarVisibility << ' '
       << this->GetInputArrayInformation(0)->GetMTime() << ' ' << (table ? table->GetMTime() : 0)
       << ' ' << this->EnvironmentMode << ' ' << this->EnvironmentIntensity << ' '
       << (this->EnvironmentFileName ? this->EnvironmentFileName : "");
@@ -315,6 +315,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
+  options.InPieces = this->DistributedScene;
   std::vector<vtkDataObject*> parts = inputs;
   std::vector<vtkSmartPointer<vtkDataObject>> gathered;
   if (this->MustGather())

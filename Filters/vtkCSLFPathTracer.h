@@ -305,12 +305,12 @@ public:
 
   ///@{
   /**
-   * Whether each rank of the controller holds a piece of the scene, as where the inputs are read or
-   * made in pieces. If on, each rank asks its inputs for its own piece, and every rank traces all
-   * of them together, in the order of the ranks. Lights, which are field data and so may be on
-   * every piece, are taken from the first rank that has some on an input, or on a leaf of it. All
-   * ranks must update together whenever the scene changes. If off, each rank asks for the whole
-   * scene and traces what it gets: the choice where all ranks read the same files. Default: off.
+   * Whether each rank of the controller holds a piece of the scene. If on, each rank asks its
+   * inputs for its own piece, and every rank traces all, surfaces joined and sorted: the bytes are
+   * the same however the scene is cut, also for one rank. Lights, as field data perhaps on every
+   * piece, are taken from the first rank that has some on an input, or on a leaf of it. All ranks
+   * must update together whenever the scene changes. If off, each rank asks for the whole scene and
+   * traces what it gets: the choice where all ranks read the same files. Default: off.
    */
   vtkSetMacro(DistributedScene, bool);
   vtkGetMacro(DistributedScene, bool);

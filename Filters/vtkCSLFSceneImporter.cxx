@@ -40,20 +40,15 @@ vtkProp* GetVisibleEnd(vtkAssemblyPath* path)
   return path->GetLastNode()->GetViewProp();
 }
 
-/// Calls `visit(prop, matrix)` for all visible props that are no assemblies.
-void ForEachProp(vtkRenderer* renderer, const std::function<void(vtkProp*, vtkMatrix4x4*)>& visit)
+/// Calls `visit(prop, matrix)` for all visible props that a prop consists of.
+void ForEachPart(vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*)>& visit)
 {
-  vtkCollectionSimpleIterator cookie;
-  renderer->GetViewProps()->InitTraversal(cookie);
-  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
   {
-    prop->InitPathTraversal();
-    while (vtkAssemblyPath* path = prop->GetNextPath())
+    if (vtkProp* end = GetVisibleEnd(path))
     {
-      if (vtkProp* end = GetVisibleEnd(path))
-      {
-        visit(end, path->GetLastNode()->GetMatrix());
-      }
+      visit(end, path->GetLastNode()->GetMatrix());
     }
   }
 }
@@ -133,21 +128,24 @@ vtkMTimeType vtkCSLFSceneImporter::GetMTime()
   this->FindingTime = true;
   time = std::max({ time, this->Renderer->GetMTime(), this->Renderer->GetViewProps()->GetMTime(),
     cslf::GetLightTime(this->Renderer, this->HeadlightsAllAround) });
+  const auto addTime = [&time](vtkProp* part, vtkMatrix4x4*)
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    if (actor && cslf::IsImportable(actor))
+    {
+      time = std::max(time, cslf::GetImportTime(actor));
+    }
+  };
   vtkCollectionSimpleIterator cookie;
   this->Renderer->GetViewProps()->InitTraversal(cookie);
   while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(cookie))
   {
-    time = std::max(time, prop->GetMTime());
-  }
-  ForEachProp(this->Renderer,
-    [&time](vtkProp* prop, vtkMatrix4x4*)
+    if (this->IsOfScene(prop))
     {
-      auto* actor = vtkActor::SafeDownCast(prop);
-      if (actor && cslf::IsImportable(actor))
-      {
-        time = std::max(time, cslf::GetImportTime(actor));
-      }
-    });
+      time = std::max(time, prop->GetMTime());
+      ForEachPart(prop, addTime);
+    }
+  }
   this->FindingTime = false;
   return time;
 }
@@ -161,19 +159,27 @@ int vtkCSLFSceneImporter::RequestData(
     return 0;
   }
   cslf::ImportedScene scene;
-  ForEachProp(this->Renderer,
-    [&scene](vtkProp* prop, vtkMatrix4x4* matrix)
+  const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    if (actor && cslf::IsImportable(actor))
     {
-      auto* actor = vtkActor::SafeDownCast(prop);
-      if (actor && cslf::IsImportable(actor))
-      {
-        cslf::ImportActor(actor, matrix, scene);
-      }
-      else if (const char* name = GetOmittedName(prop))
-      {
-        scene.Omitted.insert(name);
-      }
-    });
+      cslf::ImportActor(actor, matrix, scene);
+    }
+    else if (const char* name = GetOmittedName(part))
+    {
+      scene.Omitted.insert(name);
+    }
+  };
+  vtkCollectionSimpleIterator cookie;
+  this->Renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(cookie))
+  {
+    if (this->IsOfScene(prop))
+    {
+      ForEachPart(prop, import);
+    }
+  }
   cslf::ImportLights(this->Renderer, this->HeadlightsAllAround, scene);
   SetRadii(scene.Blocks, this->PixelSize);
 
@@ -191,6 +197,11 @@ int vtkCSLFSceneImporter::RequestData(
     vtkWarningMacro("Not represented of the renderer's scene: " << scene.ListOmitted() << ".");
   }
   return 1;
+}
+
+bool vtkCSLFSceneImporter::IsOfScene(vtkProp* vtkNotUsed(prop))
+{
+  return true;
 }
 
 void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)

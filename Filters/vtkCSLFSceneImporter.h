@@ -48,6 +48,7 @@
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkSmartPointer.h" // for the renderer
 
+class vtkProp;
 class vtkRenderer;
 
 class VTKCSLF_EXPORT vtkCSLFSceneImporter : public vtkMultiBlockDataSetAlgorithm
@@ -95,6 +96,11 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  /**
+   * Whether one of the renderer's props is part of the scene, for subclasses to decide. All are.
+   */
+  virtual bool IsOfScene(vtkProp* prop);
 
 private:
   vtkCSLFSceneImporter(const vtkCSLFSceneImporter&) = delete;

@@ -89,6 +89,8 @@ public:
   /// What GetRadiance tells where there is no image.
   const SkyGradient& GetGradient() const { return this->Gradient; }
 
+  const EnvironmentAxes& GetAxes() const { return this->Axes; }
+
   LightSample Sample(const glm::vec2& u) const;
   float Pdf(const glm::vec3& direction) const;
 

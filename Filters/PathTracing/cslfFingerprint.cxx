@@ -4,14 +4,8 @@
 
 #include "cslfScene.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDataObject.h>
 #include <vtkFieldData.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
 #include <vtksys/MD5.h>
@@ -75,36 +69,11 @@ void Fingerprint::AddArray(vtkAbstractArray* array)
   }
 }
 
-void Fingerprint::AddArrays(vtkFieldData* fields)
+void Fingerprint::Add(vtkFieldData* fields)
 {
-  for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
     this->AddArray(fields->GetAbstractArray(i));
-  }
-}
-
-void Fingerprint::Add(vtkDataObject* data)
-{
-  this->AddArrays(data->GetFieldData());
-  auto* polyData = vtkPolyData::SafeDownCast(data);
-  if (!polyData)
-  {
-    return;
-  }
-  this->AddArrays(polyData->GetPointData());
-  this->AddArrays(polyData->GetCellData());
-  if (polyData->GetPoints())
-  {
-    this->AddArray(polyData->GetPoints()->GetData());
-  }
-  for (vtkCellArray* cells :
-    { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips() })
-  {
-    if (cells)
-    {
-      this->AddArray(cells->GetOffsetsArray());
-      this->AddArray(cells->GetConnectivityArray());
-    }
   }
 }
 
@@ -118,7 +87,20 @@ void Fingerprint::Add(const Mesh& mesh)
   this->Add(mesh.Opacities);
   this->Add(mesh.Radii);
   this->Add(mesh.Instances);
+  this->Add(std::vector<char>(mesh.Appearance.begin(), mesh.Appearance.end()));
   this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring), static_cast<int>(mesh.Shape) });
+}
+
+void Fingerprint::Add(const LightSet& lights)
+{
+  this->Add(lights.Directional);
+  this->Add(lights.Points);
+  const Environment& surroundings = lights.Surroundings;
+  this->Add(std::vector<SkyGradient>{ surroundings.GetGradient() });
+  this->Add(std::vector<EnvironmentAxes>{ surroundings.GetAxes() });
+  const EnvironmentImage& image = surroundings.GetImage();
+  this->Add(std::vector<int>{ image.Width, image.Height });
+  this->Add(image.Pixels);
 }
 
 std::string Fingerprint::Finish()

@@ -13,11 +13,11 @@
 #include <vector>
 
 class vtkAbstractArray;
-class vtkDataObject;
 class vtkFieldData;
 
 namespace cslf
 {
+struct LightSet;
 struct Mesh;
 
 /// Takes everything in order; equal contents give equal text in every process.
@@ -29,12 +29,11 @@ public:
   Fingerprint(const Fingerprint&) = delete;
   Fingerprint& operator=(const Fingerprint&) = delete;
 
-  /// The arrays of an object's field data, which are its material and lights, and all that
-  /// polygonal data holds.
-  void Add(vtkDataObject* data);
+  /// All arrays.
+  void Add(vtkFieldData* fields);
 
-  /// Geometry and colours.
   void Add(const Mesh& mesh);
+  void Add(const LightSet& lights);
 
   /// Numbers, after how many there are.
   template <typename Value>
@@ -50,7 +49,6 @@ public:
   std::string Finish();
 
 private:
-  void AddArrays(vtkFieldData* fields);
   void AddArray(vtkAbstractArray* array);
   void AddBytes(const void* bytes, std::size_t count);
 

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace cslf
@@ -78,6 +79,7 @@ struct VTKCSLF_EXPORT Mesh
   ColorsOf Coloring = ColorsOf::None;
   SurfaceMaterial Material;
   MaterialTextures Textures;
+  std::string Appearance; ///< tells the material and the textures from others
 
   /// Where the mesh is, if it is not where it lies; its vertices may then be in a space of their
   /// own.

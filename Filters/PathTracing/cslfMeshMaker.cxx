@@ -71,6 +71,7 @@ public:
     this->AddInstances();
     this->Result.Material = this->Source.Material;
     this->Result.Textures = this->Source.Textures;
+    this->Result.Appearance = this->Source.Appearance;
     return std::move(this->Result);
   }
 

@@ -81,6 +81,10 @@ RoundSelection SelectRound(vtkPolyData* data, Mesh::Shapes shape)
     const vtkIdType* points;
     cell->GetCurrentCell(count, points);
     const vtkIdType index = first + cell->GetCurrentCellId();
+    if (IsGhost(data, index))
+    {
+      continue;
+    }
     if (!std::all_of(points, points + count,
           [data](vtkIdType point) { return IsFinite(GetPoint(data, point)); }))
     {

@@ -15,6 +15,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -69,6 +70,7 @@ struct SceneBlock
   bool ScalarsOfCells = false;
   SurfaceMaterial Material;
   MaterialTextures Textures;
+  std::string Appearance; ///< tells the material and the textures from others
   std::vector<BlockInstance> Instances;
 
   bool HasTextures() const;

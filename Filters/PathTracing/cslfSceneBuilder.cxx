@@ -6,6 +6,7 @@
 #include "cslfEnvironmentReader.h"
 #include "cslfFingerprint.h"
 #include "cslfLightReader.h"
+#include "cslfMeshJoin.h"
 #include "cslfMeshMaker.h"
 #include "cslfSceneBlock.h"
 #include "cslfSurfaceColors.h"
@@ -134,7 +135,6 @@ private:
   void AddInput(vtkDataObject* input)
   {
     this->AddLights(input);
-    this->Identity.Add(input);
     auto* composite = vtkCompositeDataSet::SafeDownCast(input);
     if (!composite)
     {
@@ -145,7 +145,6 @@ private:
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
       this->AddLights(leaf->GetCurrentDataObject());
-      this->Identity.Add(leaf->GetCurrentDataObject());
       this->AddLeaf(leaf->GetCurrentDataObject(), input);
     }
   }
@@ -264,6 +263,9 @@ private:
     block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);
     block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
     block.Textures = this->Textures.Read(holder);
+    Fingerprint appearance;
+    appearance.Add(holder->GetFieldData());
+    block.Appearance = appearance.Finish();
   }
 
   void CheckTextures(SceneBlock& block)
@@ -297,7 +299,7 @@ private:
         meshes.push_back(std::move(mesh));
       }
     }
-    return meshes;
+    return this->Options.InPieces ? JoinMeshes(std::move(meshes)) : meshes;
   }
 
   BuiltScene Finish(BuiltScene built, std::vector<Mesh> meshes, LightSet lights)
@@ -309,7 +311,7 @@ private:
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;
     }
-    built.Fingerprint = this->Identify(meshes, lights, built.Frame);
+    built.Fingerprint = Identify(meshes, lights, built.Frame);
     built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
     built.Error = built.World->GetError();
     if (!built.Error.empty())
@@ -319,18 +321,18 @@ private:
     return built;
   }
 
-  /// Materials and lights are in the inputs' field data, which is taken already.
-  std::string Identify(
+  static std::string Identify(
     const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
   {
-    this->Identity.Add(
+    Fingerprint identity;
+    identity.Add(
       std::vector<double>{ frame.Center.x, frame.Center.y, frame.Center.z, frame.Radius });
     for (const Mesh& mesh : meshes)
     {
-      this->Identity.Add(mesh);
+      identity.Add(mesh);
     }
-    this->Identity.Add(lights.Surroundings.GetImage().Pixels);
-    return this->Identity.Finish();
+    identity.Add(lights);
+    return identity.Finish();
   }
 
   const SceneOptions& Options;
@@ -341,7 +343,6 @@ private:
   std::map<float, SpecularAlbedo> Albedos; // of any roughness, by the index of refraction
   std::vector<SceneBlock> Blocks;
   Omissions Omitted;
-  Fingerprint Identity;
   glm::dvec3 Lower{ VTK_DOUBLE_MAX };
   glm::dvec3 Upper{ VTK_DOUBLE_MIN };
 };

@@ -32,6 +32,9 @@ struct SceneOptions
   vtkScalarsToColors* LookupTable = nullptr;
 
   Environment Surroundings; ///< unless an input brings its own
+
+  /// Whether the inputs are pieces, cut no matter how, of a scene that is to be the same always.
+  bool InPieces = false;
 };
 
 struct BuiltScene

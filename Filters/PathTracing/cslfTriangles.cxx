@@ -4,9 +4,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
 
@@ -83,6 +85,13 @@ bool IsFinite(const glm::dvec3& point)
   return std::abs(point.x) < limit && std::abs(point.y) < limit && std::abs(point.z) < limit;
 }
 
+bool IsGhost(vtkPolyData* data, vtkIdType cell)
+{
+  constexpr int ghost = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  return ghosts && (ghosts->GetValue(cell) & ghost) != 0;
+}
+
 glm::dvec3 GetPoint(vtkPolyData* data, vtkIdType index)
 {
   double point[3];
@@ -102,6 +111,10 @@ TriangleSelection SelectTriangles(vtkPolyData* data)
   ForEachPolygon(selection.Surface,
     [&](vtkIdType cell, vtkIdType count, const vtkIdType* points)
     {
+      if (IsGhost(selection.Surface, cell))
+      {
+        return;
+      }
       if (count != 3 || !AreFinite(selection.Surface, count, points))
       {
         ++selection.Removed;

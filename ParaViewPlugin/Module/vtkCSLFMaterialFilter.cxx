@@ -14,6 +14,12 @@
 vtkStandardNewMacro(vtkCSLFMaterialFilter);
 
 //------------------------------------------------------------------------------
+vtkCSLFMaterialFilter::vtkCSLFMaterialFilter() = default;
+
+//------------------------------------------------------------------------------
+vtkCSLFMaterialFilter::~vtkCSLFMaterialFilter() = default;
+
+//------------------------------------------------------------------------------
 int vtkCSLFMaterialFilter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -29,31 +35,74 @@ int vtkCSLFMaterialFilter::RequestData(
   output->ShallowCopy(input);
   vtkNew<vtkFieldData> fields; // of its own, so that the input stays as it is
   fields->ShallowCopy(input->GetFieldData());
+  for (int i = 0; i < this->Material->GetFieldData()->GetNumberOfArrays(); ++i)
+  {
+    fields->AddArray(this->Material->GetFieldData()->GetAbstractArray(i));
+  }
   output->SetFieldData(fields);
-  vtkCSLFMaterial::SetBaseColor(output, this->BaseColor[0], this->BaseColor[1], this->BaseColor[2]);
-  vtkCSLFMaterial::SetMetallic(output, this->Metallic);
-  vtkCSLFMaterial::SetRoughness(output, this->Roughness);
-  vtkCSLFMaterial::SetEmission(output, this->Emission[0], this->Emission[1], this->Emission[2]);
-  vtkCSLFMaterial::SetIndexOfRefraction(output, this->IndexOfRefraction);
-  vtkCSLFMaterial::SetTransmission(output, this->Transmission);
-  vtkCSLFMaterial::SetThinWalled(output, this->ThinWalled);
-  vtkCSLFMaterial::SetOpacity(output, this->Opacity);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetBaseColor(double red, double green, double blue)
+{
+  vtkCSLFMaterial::SetBaseColor(this->Material, red, green, blue);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetMetallic(double metallic)
+{
+  vtkCSLFMaterial::SetMetallic(this->Material, metallic);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetRoughness(double roughness)
+{
+  vtkCSLFMaterial::SetRoughness(this->Material, roughness);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetEmission(double red, double green, double blue)
+{
+  vtkCSLFMaterial::SetEmission(this->Material, red, green, blue);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetIndexOfRefraction(double index)
+{
+  vtkCSLFMaterial::SetIndexOfRefraction(this->Material, index);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetTransmission(double transmission)
+{
+  vtkCSLFMaterial::SetTransmission(this->Material, transmission);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetThinWalled(bool thin)
+{
+  vtkCSLFMaterial::SetThinWalled(this->Material, thin);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMaterialFilter::SetOpacity(double opacity)
+{
+  vtkCSLFMaterial::SetOpacity(this->Material, opacity);
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkCSLFMaterialFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto printVector = [&os, indent](const char* name, const double* values) {
-    os << indent << name << ": (" << values[0] << ", " << values[1] << ", " << values[2] << ")\n";
-  };
-  printVector("BaseColor", this->BaseColor);
-  os << indent << "Metallic: " << this->Metallic << "\n";
-  os << indent << "Roughness: " << this->Roughness << "\n";
-  printVector("Emission", this->Emission);
-  os << indent << "IndexOfRefraction: " << this->IndexOfRefraction << "\n";
-  os << indent << "Transmission: " << this->Transmission << "\n";
-  os << indent << "ThinWalled: " << (this->ThinWalled ? "on" : "off") << "\n";
-  os << indent << "Opacity: " << this->Opacity << "\n";
+  os << indent << "Material:\n";
+  this->Material->GetFieldData()->PrintSelf(os, indent.GetNextIndent());
 }

@@ -10,12 +10,10 @@
 #include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkLightCollection.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVRenderView.h>
 #include <vtkPointData.h>
-#include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 #include <vtkSMProxyManager.h>
 #include <vtkSMProxySelectionModel.h>
@@ -68,31 +66,22 @@ void NameArrays(vtkMultiBlockDataSet* scene)
   }
 }
 
-/// Copies what representations show, and the lights, to a renderer of its own: the view's has
-/// decorations, too.
-void CopyScene(vtkRenderer* from, vtkRenderer* to)
+/// Imports what representations show: a view's renderer has decorations, too.
+class ViewImporter : public vtkCSLFSceneImporter
 {
-  vtkCollectionSimpleIterator cookie;
-  from->GetViewProps()->InitTraversal(cookie);
-  while (vtkProp* prop = from->GetViewProps()->GetNextProp(cookie))
+public:
+  static ViewImporter* New();
+  vtkTypeMacro(ViewImporter, vtkCSLFSceneImporter);
+
+protected:
+  bool IsOfScene(vtkProp* prop) override
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    if (actor && actor->IsA("vtkPVLODActor") && !vtkCSLFMapper::SafeDownCast(actor->GetMapper()))
-    {
-      to->AddActor(actor);
-    }
+    return actor && actor->IsA("vtkPVLODActor") && !vtkCSLFMapper::SafeDownCast(actor->GetMapper());
   }
-  from->GetLights()->InitTraversal(cookie);
-  while (vtkLight* light = from->GetLights()->GetNextLight(cookie))
-  {
-    to->AddLight(light);
-  }
-  to->SetActiveCamera(from->GetActiveCamera());
-  to->SetUseImageBasedLighting(from->GetUseImageBasedLighting());
-  to->SetEnvironmentTexture(from->GetEnvironmentTexture());
-  to->SetEnvironmentUp(from->GetEnvironmentUp());
-  to->SetEnvironmentRight(from->GetEnvironmentRight());
-}
+};
+
+vtkStandardNewMacro(ViewImporter);
 }
 
 //------------------------------------------------------------------------------
@@ -135,16 +124,11 @@ bool vtkCSLFViewScene::CaptureNow()
     vtkErrorMacro("There is no render view to capture: set View.");
     return false;
   }
-  vtkNew<vtkRenderer> renderer;
-  CopyScene(view->GetRenderer(), renderer);
-  vtkNew<vtkCSLFSceneImporter> importer;
-  importer->SetRenderer(renderer);
+  vtkNew<ViewImporter> importer;
+  importer->SetRenderer(view->GetRenderer());
   importer->Update();
   this->Scene->ShallowCopy(importer->GetOutput());
   NameArrays(this->Scene);
-  // Actors and lights belong to the view's renderer.
-  renderer->RemoveAllViewProps();
-  renderer->RemoveAllLights();
   const unsigned int last = this->Scene->GetNumberOfBlocks() - 1;
   if (!this->CaptureLights)
   {

@@ -1,17 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scene of which each rank holds a piece is sampled like the whole on one rank.
+// A scene of which each rank holds a piece is sampled like the whole on one rank: every byte, and
+// the description, are the same.
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSampler.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCommunicator.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
+#include <vtkLookupTable.h>
 #include <vtkMPIController.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -21,6 +27,7 @@
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -72,7 +79,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<int>& ranks, 
 void SetUp(vtkCSLFSampler* sampler, vtkMultiProcessController* controller)
 {
   sampler->SetController(controller);
-  sampler->SetDistributedScene(controller != nullptr);
+  sampler->DistributedSceneOn();
   sampler->SetViewpoints(2);
   sampler->SetResolution(12);
   sampler->SetSamples(4);
@@ -110,7 +117,7 @@ void TestBlocks(vtkMultiProcessController* controller)
   vtkNew<vtkCSLFSampler> together;
   SetUp(together, controller);
   together->SetInputDataObject(MakeBlocks({ rank }, count));
-  const std::string bytes = Sample(together).Bytes;
+  const Sampled field = Sample(together);
 
   std::vector<int> all;
   for (int i = 0; i < count; ++i)
@@ -120,9 +127,83 @@ void TestBlocks(vtkMultiProcessController* controller)
   vtkNew<vtkCSLFSampler> alone;
   SetUp(alone, nullptr);
   alone->SetInputDataObject(MakeBlocks(all, count));
-  // The field data of the root comes once for each rank, which the scene's hash tells; what is seen
-  // is the same.
-  CSLF_CHECK(Sample(alone).Bytes == bytes);
+  const Sampled whole = Sample(alone);
+  CSLF_CHECK(whole.Text == field.Text && whole.Bytes == field.Bytes);
+}
+
+/// A surface of quads that give light, and of tubes and spheres, coloured by cells or by points.
+vtkSmartPointer<vtkPolyData> MakeSurface(bool cellColors)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->LatLongTessellationOn();
+  sphere->Update();
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->DeepCopy(sphere->GetOutput());
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < 20; i += 2)
+  {
+    const vtkIdType line[2] = { i, i + 1 };
+    lines->InsertNextCell(2, line);
+    vertices->InsertNextCell(1, line);
+  }
+  surface->SetLines(lines);
+  surface->SetVerts(vertices);
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("Scalars");
+  const vtkIdType count = cellColors ? surface->GetNumberOfCells() : surface->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    scalars->InsertNextValue(std::sin(0.7 * i));
+  }
+  vtkDataSetAttributes* attributes = surface->GetPointData();
+  if (cellColors)
+  {
+    attributes = surface->GetCellData();
+  }
+  attributes->SetScalars(scalars);
+  vtkCSLFMaterial::SetEmission(surface, 0.2, 0.1, 0.4);
+  vtkCSLFMaterial::SetPointRadius(surface, 0.1);
+  vtkCSLFMaterial::SetLineRadius(surface, 0.05);
+  return surface;
+}
+
+/// Every so many-th of the cells; the others come as ghosts.
+vtkSmartPointer<vtkPolyData> Cut(vtkPolyData* whole, int piece, int pieces)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  const vtkIdType count = whole->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    ghosts->InsertNextValue(cell % pieces == piece ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  auto cut = vtkSmartPointer<vtkPolyData>::New();
+  cut->ShallowCopy(whole);
+  cut->GetCellData()->AddArray(ghosts);
+  return cut;
+}
+
+/// One surface, cut without regard to where its parts are.
+void TestCuts(vtkMultiProcessController* controller, bool cellColors, int integrator)
+{
+  const vtkSmartPointer<vtkPolyData> surface = MakeSurface(cellColors);
+  vtkNew<vtkLookupTable> table;
+  table->SetTableRange(-1.0, 1.0);
+  Sampled fields[2];
+  for (const bool cut : { false, true })
+  {
+    vtkNew<vtkCSLFSampler> sampler;
+    SetUp(sampler, cut ? controller : nullptr);
+    sampler->SetIntegrator(integrator);
+    sampler->SetLookupTable(table);
+    sampler->SetInputData(cut
+        ? Cut(surface, controller->GetLocalProcessId(), controller->GetNumberOfProcesses())
+        : surface);
+    fields[cut ? 1 : 0] = Sample(sampler);
+  }
+  CSLF_CHECK(fields[0].Text == fields[1].Text);
+  CSLF_CHECK(fields[0].Bytes == fields[1].Bytes);
 }
 
 /// A source that makes its sphere in pieces; every rank has all of it.
@@ -145,6 +226,7 @@ void TestPieces(vtkMultiProcessController* controller)
   const Sampled whole = Sample(together);
   vtkNew<vtkCSLFSampler> alone;
   SetUp(alone, nullptr);
+  alone->DistributedSceneOff();
   alone->SetInputConnection(source->GetOutputPort());
   const Sampled expected = Sample(alone);
   CSLF_CHECK(expected.Text == whole.Text && expected.Bytes == whole.Bytes);
@@ -156,6 +238,11 @@ int TestCSLFSamplerParallel(int argc, char* argv[])
   vtkNew<vtkMPIController> controller;
   controller->Initialize(&argc, &argv, 0);
   TestBlocks(controller);
+  for (const bool cellColors : { false, true })
+  {
+    TestCuts(controller, cellColors, vtkCSLFSampler::PathTracing);
+    TestCuts(controller, cellColors, vtkCSLFSampler::RadianceCaching);
+  }
   TestPieces(controller);
   const int mine = cslf::testing::Failures();
   int all = 0;
