@@ -16,8 +16,8 @@
 
 namespace cslf
 {
-/// Copies a slice's depth tile by tile, filling it where `coverage` is 0 and pushing the rims. Tiles
-/// with nothing covered are kept as they are.
+/// Copies a slice's depth tile by tile, filling it where `coverage` is 0 and pushing the rims.
+/// Tiles with nothing covered are kept as they are.
 void FillDepth(int resolution, const unsigned char* coverage, const unsigned short* depth,
   unsigned short* filled);
 }
