@@ -84,7 +84,8 @@ void TestRoundTrip(const Case& item, const std::string& folder)
             << psnr.Depth << " dB\n";
   CSLF_CHECK(psnr.Color > item.LeastPSNR);
   CSLF_CHECK(psnr.Coverage > 39.0);
-  CSLF_CHECK(psnr.Depth > 42.0);
+  // Rims, of which small tiles have many, are pushed back before they are coded.
+  CSLF_CHECK(psnr.Depth > 40.0);
 
   const auto part = Decode(fileName, 5, 9);
   CSLF_CHECK(part && cslf::testing::HasEqualSlices(part, whole));
