@@ -167,6 +167,7 @@ bool vtkCSLFRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Actor);
+  renderView->RegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::AddToView(view);
 }
 
@@ -178,6 +179,7 @@ bool vtkCSLFRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
+  renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   renderView->GetRenderer()->RemoveActor(this->Actor);
   return this->Superclass::RemoveFromView(view);
 }

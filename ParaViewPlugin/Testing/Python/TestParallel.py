@@ -26,7 +26,8 @@ def save(scene, kind, **parameters):
 
 
 if not serial:
-    SaveData("scene.pvtp", proxy=make_scene())
+    # Binary: with newer expat, ParaView 5.11 cannot read all files of appended data.
+    SaveData("scene.pvtp", proxy=make_scene(), DataMode="Binary")
 field = save(OpenDataFile(os.path.abspath("scene.pvtp")), "pieces")
 save(make_contour(), "contour")
 save(make_contour(), "cached", Integrator="Radiance Caching", CacheSamples=64)

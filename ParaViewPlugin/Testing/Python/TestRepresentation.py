@@ -17,9 +17,15 @@ ResetCamera(view)
 distance = sum((a - b) ** 2 for a, b in zip(view.CameraPosition, view.CameraFocalPoint)) ** 0.5
 check(distance < 6 and abs(view.CameraFocalPoint[2] - 1.0) < 0.01, f"camera at {distance}")
 
-# The picture is the truth's.
 look(view)
 picture = take_picture(view, "field.png")
+
+# A click on the sphere picks the field, one beside it nothing.
+picked = view.SMProxy.Pick(SIZE // 2, SIZE // 2)
+check(picked is not None and picked == display.SMProxy, f"picked {picked}")
+check(view.SMProxy.Pick(3, 3) is None, "the empty corner was picked")
+
+# The picture is the truth's.
 truth = cslf.vtkCSLFViewTracer()
 truth.SetInputData(servermanager.Fetch(scene))
 truth.SetLookupTable(GetColorTransferFunction("Elevation").GetClientSideObject())
