@@ -276,11 +276,12 @@ Result Run(Options options)
   const int size = options.Novel.Size;
   FieldRenderer renderer(file.Reader->GetOutputPort(), size, size);
   renderer.SetToneMapping(options.Tone.Get());
+  TruthTracer tracer(options.Scene, scene, options.Novel.TruthFolder);
   vtkSmartPointer<vtkImageData> previous;
   for (std::size_t number = 0; number < cameras.size(); ++number)
   {
     const auto& camera = cameras[number];
-    const Truth truth = TraceTruth(options.Scene, scene, camera, size, options.Novel.Samples,
+    const Truth truth = tracer.Trace(camera, size, options.Novel.Samples,
       options.Novel.Seed + static_cast<int>(number), options.Tone.Get());
     NovelView view{ camera, truth.Picture, MakeCubeStencil(file.Field.Box, camera, size, size) };
     view.NoiseFloor = ComputeNoiseFloor(truth, view.Stencil);
