@@ -9,6 +9,7 @@
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -17,6 +18,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 
 #include <glm/geometric.hpp>
 
@@ -175,7 +177,12 @@ int vtkCSLFViewTracer::RequestData(
         layout, [&rays](int, int) { return rays; }, pixels))
   {
     output->Initialize();
+    return 1;
   }
+  vtkNew<vtkStringArray> sampling;
+  sampling->SetName(SAMPLING_NAME());
+  sampling->InsertNextValue(this->DescribeSampling());
+  output->GetFieldData()->AddArray(sampling);
   return 1;
 }
 

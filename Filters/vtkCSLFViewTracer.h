@@ -9,7 +9,8 @@
  * output is image data of the size asked for, with row 0 at the bottom, and one point-data array,
  * `Color`: 4 unsigned chars (sRGB-encoded mean of the samples that hit, times alpha) or 4 floats
  * (linear radiance times exposure, associated alpha: exactly the mean over all samples). Each pixel
- * is averaged over its area.
+ * is averaged over its area. The field-data array `Sampling` is one string: the parameters and a
+ * fingerprint of the scene as JSON, as a light field's description has them.
  *
  * Rays start at the camera, or for parallel projection on the plane through it, whatever the
  * clipping range.
@@ -31,6 +32,11 @@ public:
   static vtkCSLFViewTracer* New();
   vtkTypeMacro(vtkCSLFViewTracer, vtkCSLFPathTracer);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The name of the field-data array that tells how the picture was traced.
+   */
+  static const char* SAMPLING_NAME() { return "Sampling"; }
 
   /**
    * Takes the camera's time into account.

@@ -58,6 +58,8 @@ constexpr double LeastWeight = 0.0001;
 
 /// A view whose tile is not there has a clearance of less than minus this.
 constexpr double Unknown = 2000.0;
+/// The clearance of a view that is left out.
+constexpr double NotAsked = -2.0 * Unknown;
 
 /// Whether some view knows that a point is hidden, and none sees through it.
 bool IsHidden(const glm::dvec4& clearances)
@@ -66,11 +68,11 @@ bool IsHidden(const glm::dvec4& clearances)
     glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
 }
 
-/// 1 for the views whose sight ends between two points of the ray, 0 for the others.
-glm::dvec4 EndsOfSight(const glm::dvec4& before, const glm::dvec4& behind)
+/// For which views sight ends between two points of the ray.
+glm::bvec4 EndsOfSight(const glm::dvec4& before, const glm::dvec4& behind)
 {
-  return glm::dvec4(glm::greaterThan(before, glm::dvec4(0.0))) *
-    glm::dvec4(glm::lessThanEqual(behind, glm::dvec4(0.0)));
+  return glm::greaterThan(glm::dvec4(glm::greaterThan(before, glm::dvec4(0.0))),
+    glm::dvec4(glm::greaterThan(behind, glm::dvec4(0.0))));
 }
 
 /// Which view's sight ends first between `before` and `behind`.
@@ -236,14 +238,18 @@ Lookup::View Lookup::MakeView(int face, int i, int j, double weight) const
 
 Lookup::ViewCell Lookup::MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const
 {
+  const bool isUpperU = u.Weight > 0.5;
+  const bool isUpperV = v.Weight > 0.5;
+  const int near[2] = { isUpperU ? u.Upper : u.Lower, isUpperV ? v.Upper : v.Lower };
+  const int far[2] = { isUpperU ? u.Lower : u.Upper, isUpperV ? v.Lower : v.Upper };
+  const double nearU = std::max(u.Weight, 1.0 - u.Weight);
+  const double nearV = std::max(v.Weight, 1.0 - v.Weight);
   ViewCell views;
-  views.Views[0] = this->MakeView(ray.Face, u.Lower, v.Lower, (1.0 - u.Weight) * (1.0 - v.Weight));
-  views.Views[1] = this->MakeView(ray.Face, u.Upper, v.Lower, u.Weight * (1.0 - v.Weight));
-  views.Views[2] = this->MakeView(ray.Face, u.Lower, v.Upper, (1.0 - u.Weight) * v.Weight);
-  views.Views[3] = this->MakeView(ray.Face, u.Upper, v.Upper, u.Weight * v.Weight);
-  const glm::dvec2 entry(ray.Entry);
-  const double reach =
-    glm::length(glm::max(entry - views.Views[0].Position, views.Views[3].Position - entry));
+  views.Views[0] = this->MakeView(ray.Face, near[0], near[1], nearU * nearV);
+  views.Views[1] = this->MakeView(ray.Face, far[0], near[1], (1.0 - nearU) * nearV);
+  views.Views[2] = this->MakeView(ray.Face, near[0], far[1], nearU * (1.0 - nearV));
+  views.Views[3] = this->MakeView(ray.Face, far[0], far[1], (1.0 - nearU) * (1.0 - nearV));
+  const double reach = glm::distance(views.Views[3].Position, glm::dvec2(ray.Entry));
   views.Stride =
     std::min(2.0 * TexelsPerStep / (this->Field.Grid.GetResolution() * reach), MostStride);
   return views;
@@ -269,14 +275,6 @@ Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray) const
     return nodes;
   };
   return this->MakeCell(ray, widen(ray.Entry.x), widen(ray.Entry.y));
-}
-
-Lookup::View Lookup::FindNearestView(const Ray& ray) const
-{
-  const NodeBracket u = this->Field.Grid.FindNodes(ray.Entry.x);
-  const NodeBracket v = this->Field.Grid.FindNodes(ray.Entry.y);
-  return this->MakeView(
-    ray.Face, u.Weight > 0.5 ? u.Upper : u.Lower, v.Weight > 0.5 ? v.Upper : v.Lower, 1.0);
 }
 
 Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
@@ -310,7 +308,7 @@ double Lookup::GuessSurface(const Ray& ray, double fraction) const
   {
     return fraction;
   }
-  const View view = this->FindNearestView(ray);
+  const View view = this->FindViews(ray).Views[0];
   const glm::dvec3 point = ray.Entry + fraction * ray.Chord;
   const Projection seen = Project(view, point);
   const glm::dvec3 viewpoint(view.Position, 0.0);
@@ -369,7 +367,7 @@ LookupResult Lookup::LookThrough(const Ray& ray, double fraction) const
 LookupResult Lookup::Nearest(const RayCoordinates& ray) const
 {
   const Ray rayFC = ToFaceSpace(ray);
-  return { this->ReadNearestColor(this->FindNearestView(rayFC).Slice,
+  return { this->ReadNearestColor(this->FindViews(rayFC).Views[0].Slice,
              TileOf(ray.Entry.Face, ray.Exit.Face), ray.Exit.Coordinates),
     this->GuessSurface(rayFC, 1.0) };
 }
@@ -377,7 +375,7 @@ LookupResult Lookup::Nearest(const RayCoordinates& ray) const
 LookupResult Lookup::Linear(const RayCoordinates& ray) const
 {
   const Ray rayFC = ToFaceSpace(ray);
-  return { this->ReadColorOf(this->FindNearestView(rayFC), rayFC.Entry + rayFC.Chord),
+  return { this->ReadColorOf(this->FindViews(rayFC).Views[0], rayFC.Entry + rayFC.Chord),
     this->GuessSurface(rayFC, 1.0) };
 }
 
@@ -424,11 +422,13 @@ double Lookup::Clearance(const View& view, const glm::dvec3& point) const
   return seen.InverseDepth - this->ReadInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
 }
 
-glm::dvec4 Lookup::Clearances(const Ray& ray, const ViewCell& views, double w) const
+// Of the four views; the last is looked into only where asked for.
+glm::dvec4 Lookup::Clearances(const Ray& ray, const ViewCell& views, double w, bool all) const
 {
   const glm::dvec3 point = ray.Entry + ray.Chord / w;
   return { this->Clearance(views.Views[0], point), this->Clearance(views.Views[1], point),
-    this->Clearance(views.Views[2], point), this->Clearance(views.Views[3], point) };
+    this->Clearance(views.Views[2], point),
+    all ? this->Clearance(views.Views[3], point) : NotAsked };
 }
 
 // Where a view's sight along the ray ends, between two points with these clearances: clearance
@@ -455,7 +455,7 @@ double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, d
 // Goes on from `step.Behind` to where some view's sight ends. False where there is no such place.
 // Between cells of the grid that may hold surfaces nothing is looked up.
 bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
-  const Range& range, Step& step) const
+  const Range& range, bool all, Step& step) const
 {
   while (step.Behind > range.Farthest && step.Count < MostSteps)
   {
@@ -464,7 +464,7 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
     {
       break;
     }
-    step.ClearancesBehind = this->Clearances(ray, views, step.Behind);
+    step.ClearancesBehind = this->Clearances(ray, views, step.Behind, all);
     if (step.FirstHidden == 0.0 && IsHidden(step.ClearancesBehind))
     {
       step.FirstHidden = step.Behind;
@@ -476,9 +476,9 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
       step.ClearancesBefore = step.ClearancesBehind;
       const double stride = std::max(views.Stride, StepShare * step.Before);
       step.Behind = std::max(step.Before - stride, range.Farthest);
-      step.ClearancesBehind = this->Clearances(ray, views, step.Behind);
+      step.ClearancesBehind = this->Clearances(ray, views, step.Behind, all);
       ++step.Count;
-      if (EndsOfSight(step.ClearancesBefore, step.ClearancesBehind) != glm::dvec4(0.0))
+      if (glm::any(EndsOfSight(step.ClearancesBefore, step.ClearancesBehind)))
       {
         return true;
       }
@@ -491,17 +491,19 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
 
 // Free-space voting: the first point at which a view's sight along the ray ends on a surface and
 // that no view sees through. Where there is none, the first point that no view sees; otherwise 0.
-Lookup::Surface Lookup::FindSurface(
-  const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay, const Range& range) const
+// Steps are taken by all four views, or by the three nearest, which is nearly as good and takes
+// less time.
+Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
+  const SceneGrid::Ray& gridRay, const Range& range, bool all) const
 {
   Step step;
   step.Behind = range.Nearest;
-  for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, step); ++i)
+  for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, all, step); ++i)
   {
     const int k = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
     const double w = this->RefineCrossing(ray, views.Views[k], step.Before, step.Behind,
       step.ClearancesBefore[k], step.ClearancesBehind[k]);
-    const glm::dvec4 clearances = this->Clearances(ray, views, w);
+    const glm::dvec4 clearances = this->Clearances(ray, views, w, true);
     const bool isSeenThrough =
       glm::any(glm::greaterThan(clearances, glm::dvec4(ClearanceTolerance * w)));
     const bool isSurface = std::abs(clearances[k]) < EdgeStep * w;
@@ -510,8 +512,12 @@ Lookup::Surface Lookup::FindSurface(
       // A thin sheet's other side is not the ray's: there clearance grows along the ray.
       const glm::dvec4 near =
         glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
-      return { w, near * glm::dvec4(glm::lessThan(clearances, step.ClearancesBefore)),
-        step.FirstHidden };
+      glm::dvec4 before = step.ClearancesBefore;
+      if (!all)
+      {
+        before.w = this->Clearance(views.Views[3], ray.Entry + ray.Chord / step.Before);
+      }
+      return { w, near * glm::dvec4(glm::lessThan(clearances, before)), step.FirstHidden };
     }
     const bool isKnown = glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
     if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
@@ -546,7 +552,11 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   range = { 1.0 / std::max(range.Nearest, 1.0 / NearestStart),
     1.0 / std::max(range.Farthest, 1.0 / NearestStart) };
   ViewCell views = this->FindViews(rayFC);
-  Surface surface = this->FindSurface(rayFC, views, gridRay, range);
+  Surface surface = this->FindSurface(rayFC, views, gridRay, range, false);
+  if (surface.W > 0.0 && surface.Sight == glm::dvec4(0.0))
+  {
+    surface = this->FindSurface(rayFC, views, gridRay, range, true);
+  }
   if (surface.W == 0.0)
   {
     return {};
@@ -557,7 +567,7 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
     const double stride = std::max(views.Stride, StepShare * surface.W);
     range.Nearest = std::min(surface.W + stride, range.Nearest);
     const ViewCell outer = this->FindOuterViews(rayFC);
-    const Surface seen = this->FindSurface(rayFC, outer, gridRay, range);
+    const Surface seen = this->FindSurface(rayFC, outer, gridRay, range, true);
     // Where it is not behind what the inner ones hide, they show a silhouette better.
     const bool isBehind = seen.W < (1.0 - EdgeStep) * surface.W && seen.Hidden == 0.0;
     if (isBehind && seen.Sight != glm::dvec4(0.0))

@@ -107,7 +107,7 @@ private:
   /// The views around a ray's entry: 00, 10, 01 and 11.
   struct ViewCell
   {
-    View Views[4];
+    View Views[4]; ///< the nearest, its neighbours along u and v, the one opposite
     double Stride; ///< in w, of the search
   };
 
@@ -159,7 +159,6 @@ private:
   ViewCell MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const;
   ViewCell FindViews(const Ray& ray) const;
   ViewCell FindOuterViews(const Ray& ray) const;
-  View FindNearestView(const Ray& ray) const;
   static Projection Project(const View& view, const glm::dvec3& point);
   double GuessSurface(const Ray& ray, double fraction) const;
   glm::dvec4 ReadColorOf(const View& view, const glm::dvec3& point) const;
@@ -170,13 +169,13 @@ private:
 
   SceneGrid::Ray CastGridRay(const Ray& ray) const;
   double Clearance(const View& view, const glm::dvec3& point) const;
-  glm::dvec4 Clearances(const Ray& ray, const ViewCell& views, double w) const;
+  glm::dvec4 Clearances(const Ray& ray, const ViewCell& views, double w, bool all) const;
   double RefineCrossing(const Ray& ray, const View& view, double before, double behind,
     double clearanceBefore, double clearanceBehind) const;
   bool FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
-    const Range& range, Step& step) const;
-  Surface FindSurface(
-    const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay, const Range& range) const;
+    const Range& range, bool all, Step& step) const;
+  Surface FindSurface(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
+    const Range& range, bool all) const;
   glm::dvec4 BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
 
   Description Field;

@@ -40,11 +40,18 @@ constexpr int MostSamples = 16;
 /// Whoever has as many seconds for a picture is not moving it.
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with one pixel for so many along each side.
-constexpr int GuessDivisor = 4;
+constexpr int GuessDivisor = 3;
 /// In the order of vtkCSLFMapper::LookupType.
 constexpr int DepthLookup = 4;
-/// The depth of pixels where nothing is seen, as in cslfPictureFS.glsl.
+/// What the passes of the depth lookup mark their pixels with, as z of DC: each leaves alone those
+/// that an earlier one has marked.
+constexpr float CheckMark = -1.0F;
+constexpr float SearchMark = 0.0F;
+constexpr float RestMark = 0.5F;
+/// The depths of pixels where nothing is seen, and of those that no pass has drawn, as in
+/// cslfPictureFS.glsl.
 constexpr float NothingDC = 1.0e30F;
+constexpr float UnknownDC = 2.0e30F;
 
 /// How many pixels long an edge of the cube is around its centre, seen from the side; 0 where the
 /// centre is behind the eye.
@@ -191,8 +198,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   this->ChooseSize(view.Lookup, wantedSamples, seconds);
   this->Current = view;
   this->Changes = field.GetChanges();
-  this->HasGuess = view.Lookup == DepthLookup && !view.IsEyeInside &&
-    field.GetField().FindChannel(DepthName) != nullptr;
+  this->IsSearched =
+    view.Lookup == DepthLookup && field.GetField().FindChannel(DepthName) != nullptr;
   this->Allocate(field);
   this->BuildProgram(field);
   using Clock = std::chrono::steady_clock;
@@ -247,8 +254,8 @@ void LookupPicture::Allocate(const FieldTexture& field)
   this->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(ColorName)->Type == VTK_UNSIGNED_CHAR;
   const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
-  this->Picture.Allocate(this->Window, this->Size, colorType, this->HasGuess);
-  if (this->HasGuess)
+  this->Picture.Allocate(this->Window, this->Size, colorType, this->IsSearched);
+  if (this->IsSearched)
   {
     this->Guess.Allocate(this->Window,
       { (this->Size[0] + GuessDivisor - 1) / GuessDivisor,
@@ -261,7 +268,7 @@ void LookupPicture::Allocate(const FieldTexture& field)
 void LookupPicture::BuildProgram(const FieldTexture& field)
 {
   static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
-    "LookupFocal", "LookupDepth" };
+    "LookupFocal", "LookupFocal" };
   const bool hasDepth = field.GetField().FindChannel(DepthName) != nullptr;
   std::string fragment = cslfPictureFS;
   vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
@@ -269,8 +276,7 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
   vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
     std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
-  if (this->Search && fragment == this->Source && this->Current.Lookup == this->SourceLookup &&
-    (this->Check != nullptr) == this->HasGuess)
+  if (this->Search && fragment == this->Source && this->Current.Lookup == this->SourceLookup)
   {
     return;
   }
@@ -282,10 +288,20 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
     vtkShaderProgram::Substitute(source, "//CSLF::Lookup::Impl", lookup);
     return std::make_unique<vtkOpenGLQuadHelper>(this->Window, cslfPictureVS, source.c_str(), "");
   };
-  this->Search = build(std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
-  this->Check = this->HasGuess
-    ? build("if (!LookupGuessed(ray, GuessPlane(FCDCMatrix), result)) { discard; }")
-    : nullptr;
+  if (this->IsSearched)
+  {
+    this->Check = build(
+      "vec4 plane; "
+      "if (!GuessPlane(FCDCMatrix, plane) || !LookupGuessed(ray, plane, result)) { discard; }");
+    this->Search = build("if (!LookupSeen(ray, result)) { discard; }");
+    this->Rest = build("result = LookupUnseen(ray);");
+  }
+  else
+  {
+    this->Search = build(std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
+    this->Check.reset();
+    this->Rest.reset();
+  }
 }
 
 void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) const
@@ -331,7 +347,6 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   fcdc->Transpose();
   program->SetUniformMatrix("FCDCMatrix", fcdc);
   program->SetUniformMatrix("DCFCMatrix", dcfc);
-  program->SetUniformf("MarkDC", this->Check && program == this->Check->Program ? -1.0F : 0.0F);
   if (this->Check && program == this->Check->Program)
   {
     const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
@@ -358,22 +373,30 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  if (this->HasGuess)
+  if (this->IsSearched)
   {
-    this->Begin(this->Guess, false);
-    this->DrawFaces(field, *this->Search);
-    this->Guess.Depths->Activate();
+    const bool hasGuess = !this->Current.IsEyeInside;
+    if (hasGuess)
+    {
+      this->Begin(this->Guess, false);
+      this->DrawFaces(field, *this->Search, SearchMark);
+      this->Guess.Depths->Activate();
+    }
     this->Begin(this->Picture, true);
-    // What the guess does not hold for is searched: early depth tests spare all else.
+    // What a pass has looked up the next ones leave alone: early depth tests spare them.
     state->vtkglEnable(GL_DEPTH_TEST);
-    this->DrawFaces(field, *this->Check);
-    this->DrawFaces(field, *this->Search);
-    this->Guess.Depths->Deactivate();
+    if (hasGuess)
+    {
+      this->DrawFaces(field, *this->Check, CheckMark);
+      this->Guess.Depths->Deactivate();
+    }
+    this->DrawFaces(field, *this->Search, SearchMark);
+    this->DrawFaces(field, *this->Rest, RestMark);
   }
   else
   {
     this->Begin(this->Picture, false);
-    this->DrawFaces(field, *this->Search);
+    this->DrawFaces(field, *this->Search, SearchMark);
   }
   state->PopFramebufferBindings();
 }
@@ -396,7 +419,7 @@ void LookupPicture::Begin(Target& target, bool marks)
   state->vtkglViewport(0, 0, target.Size[0], target.Size[1]);
   state->vtkglScissor(0, 0, target.Size[0], target.Size[1]);
   const float noColor[4] = { 0.0F, 0.0F, 0.0F, 0.0F };
-  const float noDepth[4] = { NothingDC, 0.0F, 0.0F, 0.0F };
+  const float noDepth[4] = { UnknownDC, 0.0F, 0.0F, 0.0F };
   glClearBufferfv(GL_COLOR, 0, noColor);
   glClearBufferfv(GL_COLOR, 1, noDepth);
   if (marks)
@@ -406,7 +429,7 @@ void LookupPicture::Begin(Target& target, bool marks)
   }
 }
 
-void LookupPicture::DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad)
+void LookupPicture::DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC)
 {
   vtkShaderProgram* program = quad.Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
@@ -417,6 +440,7 @@ void LookupPicture::DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad)
       field.Activate(face);
       field.SetUniforms(program, face);
       this->SetViewUniforms(program, face);
+      program->SetUniformf("MarkDC", markDC);
       quad.Render();
     }
   }
@@ -454,6 +478,7 @@ void LookupPicture::Release(vtkWindow* window)
   {
     this->Search.reset();
     this->Check.reset();
+    this->Rest.reset();
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Picture.Release(window);
     this->Guess.Release(window);

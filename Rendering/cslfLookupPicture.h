@@ -99,7 +99,7 @@ private:
 
   /// Clears a target and draws there from now on, perhaps with its marks.
   void Begin(Target& target, bool marks);
-  void DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad);
+  void DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
 
   vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
@@ -111,14 +111,15 @@ private:
   int Samples = 1; ///< pixels of the picture along a side of one of the viewport
   std::array<int, 2> Size{ 1, 1 };
   double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
-  bool HasGuess = false;     ///< the depth lookup begins with a small picture's depths
+  bool IsSearched = false;   ///< by depth, which takes several passes
   std::string Source;        ///< of the fragment shaders
   int SourceLookup = -1;
   Target Picture;
   Target Guess;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< looks all rays up
-  std::unique_ptr<vtkOpenGLQuadHelper> Check;  ///< those that the guess holds for
+  std::unique_ptr<vtkOpenGLQuadHelper> Check;  ///< looks up what a small picture's depths hold for
+  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< what is not known; without depth, all
+  std::unique_ptr<vtkOpenGLQuadHelper> Rest;   ///< what the search has not found to be seen
 };
 }
 

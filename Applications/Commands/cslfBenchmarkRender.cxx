@@ -33,6 +33,7 @@ namespace
 struct Options : BenchmarkOptions
 {
   std::string Mesh;
+  std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
   int Frames = 72;
 };
 
@@ -129,7 +130,7 @@ Findings Measure(
   findings.Path = options.Scene.HasCornellBox() ? SwingName : OrbitName;
   findings.Triangles = mesh ? mesh->GetNumberOfTriangles() : 0;
   findings.NoiseFloor = views.NoiseFloor;
-  for (const LookupName& lookup : GetLookups(file.Field))
+  for (const LookupName& lookup : ChooseLookups(options.Lookups, file.Field))
   {
     Score score;
     score.Lookup = lookup;
@@ -327,6 +328,7 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
   command->add_option("--frames", options->Frames, "pictures along the orbit")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
+  AddLookups(*command, options->Lookups);
   command->add_option("--mesh", options->Mesh, "a mesh to compare with, as files of scenes");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

@@ -86,23 +86,11 @@ void CheckOutputs(const Options& options)
 /// One score for each lookup. Throws a Failure where the field has not the channels for it.
 std::vector<Score> MakeScores(const Options& options, const Description& description)
 {
-  const auto isAsked = [&options](const std::string& name)
-  {
-    return options.Lookups.empty() ||
-      std::count(options.Lookups.begin(), options.Lookups.end(), name) > 0;
-  };
   std::vector<Score> scores;
-  for (const LookupName& lookup : GetLookups(description))
+  for (const LookupName& lookup : ChooseLookups(options.Lookups, description))
   {
-    if (isAsked(lookup.Name))
-    {
-      scores.emplace_back();
-      scores.back().Lookup = lookup;
-    }
-  }
-  if (!options.Lookups.empty() && isAsked("depth") && !description.FindChannel(DepthName))
-  {
-    throw Failure("The field has no depth, which the depth lookup needs.");
+    scores.emplace_back();
+    scores.back().Lookup = lookup;
   }
   return scores;
 }
@@ -288,11 +276,12 @@ Result Run(Options options)
   const int size = options.Novel.Size;
   FieldRenderer renderer(file.Reader->GetOutputPort(), size, size);
   renderer.SetToneMapping(options.Tone.Get());
+  TruthTracer tracer(options.Scene, scene, options.Novel.TruthFolder);
   vtkSmartPointer<vtkImageData> previous;
   for (std::size_t number = 0; number < cameras.size(); ++number)
   {
     const auto& camera = cameras[number];
-    const Truth truth = TraceTruth(options.Scene, scene, camera, size, options.Novel.Samples,
+    const Truth truth = tracer.Trace(camera, size, options.Novel.Samples,
       options.Novel.Seed + static_cast<int>(number), options.Tone.Get());
     NovelView view{ camera, truth.Picture, MakeCubeStencil(file.Field.Box, camera, size, size) };
     view.NoiseFloor = ComputeNoiseFloor(truth, view.Stencil);
@@ -337,11 +326,7 @@ void AddEvaluate(CLI::App& app, Command& chosen)
   options->Path.AddTo(*command);
   command->get_option("--path")->excludes("--views");
   options->Tone.AddTo(*command);
-  command
-    ->add_option("--lookups", options->Lookups,
-      "those to measure, as in bilinear,depth; by default all that the field has channels for")
-    ->delimiter(',')
-    ->check(CLI::IsMember(GetLookupNames()));
+  AddLookups(*command, options->Lookups);
   command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
   command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
   command->add_option("--title", options->Title, "the scene's name on the contact sheet");

@@ -26,6 +26,10 @@ void NovelViewOptions::AddTo(CLI::App& command, const std::string& group)
     ->check(CLI::Range(0, 1 << 29))
     ->capture_default_str()
     ->group(group);
+  command
+    .add_option("--truth", this->TruthFolder,
+      "a folder that keeps the truth: what is there already is not traced again")
+    ->group(group);
 }
 }
 }

@@ -24,8 +24,9 @@ struct NovelViewOptions
   int Size = 512;    ///< along each side, in pixels
   int Samples = 256; ///< per pixel of the truth
   int Seed = 1;
+  std::string TruthFolder; ///< keeps the truth for the next time; empty: nothing does
 
-  /// Adds --views, --size, --spp and --seed, under a heading of the help if there is one.
+  /// Adds --views, --size, --spp, --seed and --truth, under a heading of the help if there is one.
   void AddTo(CLI::App& command, const std::string& group = "Options");
 };
 }

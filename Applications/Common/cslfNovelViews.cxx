@@ -8,10 +8,8 @@
 #include "cslfNovelViewOptions.h"
 #include "cslfPictures.h"
 #include "cslfSceneFiles.h"
-#include "cslfToneOptions.h"
 
 #include "vtkCSLFImageQuality.h"
-#include "vtkCSLFViewTracer.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -35,46 +33,6 @@ namespace
 /// Turns a spiral's next point by the golden angle, which spreads the points evenly.
 const double GoldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
 
-/// Half of the truth: linear float colours.
-vtkSmartPointer<vtkImageData> TraceHalf(const SceneOptions& options, const Scene& scene,
-  vtkCamera* camera, int size, int samples, int seed)
-{
-  vtkNew<vtkCSLFViewTracer> tracer;
-  options.Apply(scene, tracer);
-  tracer->SetCamera(camera);
-  tracer->SetSize(size, size);
-  tracer->SetSamples(samples);
-  tracer->SetSeed(seed);
-  tracer->SetColorType(VTK_FLOAT);
-  {
-    const ProgressBar bar(tracer, "Tracing the truth");
-    tracer->Update();
-  }
-  ThrowOnError();
-  return tracer->GetOutput();
-}
-
-/// The weighted sum of two linear float pictures, encoded as the field's colours are.
-vtkSmartPointer<vtkImageData> EncodeSum(vtkImageData* first, double firstWeight,
-  vtkImageData* second, double secondWeight, const ToneMapping& toneMapping)
-{
-  auto picture = vtkSmartPointer<vtkImageData>::New();
-  picture->SetDimensions(first->GetDimensions());
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const auto* a = static_cast<const float*>(first->GetScalarPointer());
-  const auto* b = static_cast<const float*>(second->GetScalarPointer());
-  auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
-  for (vtkIdType pixel = 0; pixel < picture->GetNumberOfPoints(); ++pixel)
-  {
-    double sum[4];
-    for (int k = 0; k < 4; ++k)
-    {
-      sum[k] = firstWeight * a[4 * pixel + k] + secondWeight * b[4 * pixel + k];
-    }
-    EncodeShown(toneMapping, { sum[0], sum[1], sum[2] }, sum[3], pixels + 3 * pixel);
-  }
-  return picture;
-}
 }
 
 std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
@@ -96,33 +54,6 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
       { 0.0, 1.0, 0.0 }, DefaultViewAngle));
   }
   return cameras;
-}
-
-Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* camera, int size,
-  int samples, int seed, const ToneMapping& toneMapping)
-{
-  const int firstSamples = samples / 2;
-  const int secondSamples = samples - firstSamples;
-  const auto first = TraceHalf(options, scene, camera, size, firstSamples, 2 * seed);
-  const auto second = TraceHalf(options, scene, camera, size, secondSamples, 2 * seed + 1);
-  Truth truth;
-  const double weight = static_cast<double>(firstSamples) / samples;
-  truth.Picture = EncodeSum(first, weight, second, 1.0 - weight, toneMapping);
-  truth.Halves[0] = EncodeSum(first, 1.0, second, 0.0, toneMapping);
-  truth.Halves[1] = EncodeSum(first, 0.0, second, 1.0, toneMapping);
-  return truth;
-}
-
-double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil)
-{
-  vtkNew<vtkCSLFImageQuality> quality;
-  quality->SetInputData(0, truth.Halves[0]);
-  quality->SetInputData(1, truth.Halves[1]);
-  quality->SetStencilData(stencil);
-  quality->SetMaximumPSNR(100.0);
-  quality->Update();
-  ThrowOnError();
-  return quality->GetPSNR() + 10.0 * std::log10(4.0);
 }
 
 double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
@@ -200,11 +131,11 @@ std::vector<NovelView> TraceNovelViews(
   const SceneOptions& options, const Scene& scene, const Cube& cube, const NovelViewOptions& novel)
 {
   std::vector<NovelView> views;
+  TruthTracer tracer(options, scene, novel.TruthFolder);
   for (const auto& camera : MakeNovelViews(cube, novel.Views, novel.Seed, options.HasCornellBox()))
   {
     const int number = static_cast<int>(views.size());
-    const Truth truth =
-      TraceTruth(options, scene, camera, novel.Size, novel.Samples, novel.Seed + number);
+    const Truth truth = tracer.Trace(camera, novel.Size, novel.Samples, novel.Seed + number);
     const auto stencil = MakeCubeStencil(cube, camera, novel.Size, novel.Size);
     views.push_back({ camera, truth.Picture, stencil, ComputeNoiseFloor(truth, stencil) });
   }

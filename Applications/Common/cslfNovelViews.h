@@ -9,7 +9,7 @@
 #define cslfNovelViews_h
 
 #include "cslfCube.h"
-#include "cslfToneMapping.h"
+#include "cslfTruth.h"
 
 #include <vtkSmartPointer.h>
 
@@ -24,31 +24,12 @@ namespace cslf
 namespace tool
 {
 class FieldRenderer;
-class Scene;
-class SceneOptions;
 struct NovelViewOptions;
 
 /// Cameras around the cube, spread evenly over the sphere, or over the cap of 35 degrees around +Z
 /// where the Cornell box opens.
 std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
   const Cube& cube, int count, int seed, bool isCornellBox);
-
-/// A path-traced view as red, green and blue bytes over black, and the two halves it is the mean
-/// of.
-struct Truth
-{
-  vtkSmartPointer<vtkImageData> Picture;
-  vtkSmartPointer<vtkImageData> Halves[2];
-};
-
-/// Traces a square view with `samples` per pixel, half of them in each half, and shows it as bright
-/// as asked for. Throws a Failure.
-Truth TraceTruth(const SceneOptions& options, const Scene& scene, vtkCamera* camera, int size,
-  int samples, int seed, const ToneMapping& toneMapping = {});
-
-/// The PSNR that the truth's own noise leaves: the halves' difference has four times the variance
-/// of their mean's error, so it is their PSNR plus 10 log10(4) dB.
-double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil);
 
 /// A view that lookups are measured by.
 struct NovelView

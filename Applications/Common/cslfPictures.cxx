@@ -17,12 +17,15 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 
+#include <CLI/CLI.hpp>
+
 #ifdef CSLF_NEEDS_X_SERVER
 #include <X11/Xlib.h>
 #endif
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 namespace fs = std::filesystem;
@@ -107,6 +110,30 @@ std::vector<std::string> GetLookupNames()
     names.emplace_back(lookup.Name);
   }
   return names;
+}
+
+std::vector<LookupName> ChooseLookups(
+  const std::vector<std::string>& names, const Description& description)
+{
+  const auto isNamed = [&names](const LookupName& lookup)
+  { return names.empty() || std::count(names.begin(), names.end(), lookup.Name) > 0; };
+  if (std::count(names.begin(), names.end(), "depth") > 0 && !description.FindChannel(DepthName))
+  {
+    throw Failure("The field has no depth, which the depth lookup needs.");
+  }
+  std::vector<LookupName> lookups;
+  const std::vector<LookupName> all = GetLookups(description);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(lookups), isNamed);
+  return lookups;
+}
+
+void AddLookups(CLI::App& command, std::vector<std::string>& names)
+{
+  command
+    .add_option("--lookups", names,
+      "those to measure, as in bilinear,depth; by default all that the field has channels for")
+    ->delimiter(',')
+    ->check(CLI::IsMember(GetLookupNames()));
 }
 
 int FindLookup(const std::string& name)

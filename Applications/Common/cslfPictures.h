@@ -24,6 +24,11 @@ class vtkCSLFMapper;
 class vtkCamera;
 class vtkImageData;
 
+namespace CLI
+{
+class App;
+}
+
 namespace cslf
 {
 namespace tool
@@ -55,6 +60,14 @@ std::vector<LookupName> GetLookups(const Description& description);
 
 /// The names of all.
 std::vector<std::string> GetLookupNames();
+
+/// Those of these names, or, where there are none, all that a field has the channels for. Throws a
+/// Failure where it has not the channels for one that is named.
+std::vector<LookupName> ChooseLookups(
+  const std::vector<std::string>& names, const Description& description);
+
+/// Adds --lookups, which names some.
+void AddLookups(CLI::App& command, std::vector<std::string>& names);
 
 /// The lookup of that name, which must be one of theirs.
 int FindLookup(const std::string& name);

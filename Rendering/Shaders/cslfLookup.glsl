@@ -19,12 +19,11 @@ const float ClearanceTolerance = 0.05;
 const float SightTolerance = 0.1;
 const float LeastWeight = 0.0001;
 const float Unknown = 2000.0;
+const float NotAsked = -2.0 * Unknown;
 
-// Of guesses, which only this side has: how far the surface may be from the plane, as a share of w;
-// within how many cells of the plane the grid's first cell that is not empty counts as its own; and
-// the least slope that a shift is worked out with.
+// Of guesses, which only this side has: how far the surface may be from the plane, as a share of w,
+// and the least slope that a shift is worked out with.
 const float GuessTolerance = 0.02;
-const float GuessCells = 2.5;
 const float LeastSlope = 0.01;
 
 struct View
@@ -43,7 +42,7 @@ struct Projection
   float InverseDepth;
 };
 
-// The viewpoints around a ray's entry.
+// The viewpoints around a ray's entry: 00 is the nearest, 11 the one opposite to that.
 struct ViewCell
 {
   View View00;
@@ -83,20 +82,30 @@ View MakeView(float slot, vec2 position, vec2 weight)
   return view;
 }
 
+// `slots` are those at the lower corner, at upper u, at upper v and at both.
+ViewCell MakeCell(vec3 entry, vec4 slots, vec2 lower, vec2 upper)
+{
+  vec2 weight = clamp((entry.xy - lower) / (upper - lower), 0.0, 1.0);
+  bvec2 isUpper = greaterThan(weight, vec2(0.5));
+  slots = isUpper.x ? slots.yxwz : slots;
+  slots = isUpper.y ? slots.zwxy : slots;
+  vec2 near = mix(lower, upper, isUpper);
+  vec2 far = mix(upper, lower, isUpper);
+  vec2 nearWeight = max(weight, 1.0 - weight);
+  vec2 farWeight = 1.0 - nearWeight;
+  ViewCell views;
+  views.View00 = MakeView(slots.x, near, nearWeight);
+  views.View10 = MakeView(slots.y, vec2(far.x, near.y), vec2(farWeight.x, nearWeight.y));
+  views.View01 = MakeView(slots.z, vec2(near.x, far.y), vec2(nearWeight.x, farWeight.y));
+  views.View11 = MakeView(slots.w, far, farWeight);
+  views.Stride = min(2.0 * TexelsPerStep / (Resolution * length(far - entry.xy)), MostStride);
+  return views;
+}
+
 ViewCell FindViews(vec3 entry)
 {
   Cell cell = FindCell(entry.xy);
-  vec2 lower = 1.0 - cell.Weight;
-  ViewCell views;
-  views.View00 = MakeView(cell.Slots.x, cell.Lower, lower);
-  views.View10 =
-    MakeView(cell.Slots.y, vec2(cell.Upper.x, cell.Lower.y), vec2(cell.Weight.x, lower.y));
-  views.View01 =
-    MakeView(cell.Slots.z, vec2(cell.Lower.x, cell.Upper.y), vec2(lower.x, cell.Weight.y));
-  views.View11 = MakeView(cell.Slots.w, cell.Upper, cell.Weight);
-  float reach = length(max(entry.xy - cell.Lower, cell.Upper - entry.xy));
-  views.Stride = min(2.0 * TexelsPerStep / (Resolution * reach), MostStride);
-  return views;
+  return MakeCell(entry, cell.Slots, cell.Lower, cell.Upper);
 }
 
 // The viewpoints around those: what the inner ones do not see, these may.
@@ -110,28 +119,8 @@ ViewCell FindOuterViews(vec3 entry)
   Cell cell10 = FindCell(vec2(high.x, low.y));
   Cell cell01 = FindCell(vec2(low.x, high.y));
   Cell cell11 = FindCell(high);
-  vec2 weight = (entry.xy - cell00.Lower) / (cell11.Upper - cell00.Lower);
-  vec2 lower = 1.0 - weight;
-  ViewCell views;
-  views.View00 = MakeView(cell00.Slots.x, cell00.Lower, lower);
-  views.View10 =
-    MakeView(cell10.Slots.y, vec2(cell10.Upper.x, cell10.Lower.y), vec2(weight.x, lower.y));
-  views.View01 =
-    MakeView(cell01.Slots.z, vec2(cell01.Lower.x, cell01.Upper.y), vec2(lower.x, weight.y));
-  views.View11 = MakeView(cell11.Slots.w, cell11.Upper, weight);
-  float reach = length(max(entry.xy - cell00.Lower, cell11.Upper - entry.xy));
-  views.Stride = min(2.0 * TexelsPerStep / (Resolution * reach), MostStride);
-  return views;
-}
-
-View FindNearestView(vec3 entry)
-{
-  Cell cell = FindCell(entry.xy);
-  bvec2 isUpper = greaterThan(cell.Weight, vec2(0.5));
-  vec2 slots = isUpper.y ? cell.Slots.zw : cell.Slots.xy;
-  return MakeView(isUpper.x ? slots.y : slots.x,
-    vec2(isUpper.x ? cell.Upper.x : cell.Lower.x, isUpper.y ? cell.Upper.y : cell.Lower.y),
-    vec2(1.0));
+  vec4 slots = vec4(cell00.Slots.x, cell10.Slots.y, cell01.Slots.z, cell11.Slots.w);
+  return MakeCell(entry, slots, cell00.Lower, cell11.Upper);
 }
 
 Projection Project(View view, vec3 point)
@@ -208,13 +197,13 @@ LookupResult LookThrough(Ray ray, float fraction)
   vec3 point = ray.Entry + fraction * ray.Chord;
   LookupResult result;
   result.Color = BlendColors(views, point, ListWeights(views));
-  result.Fraction = GuessSurface(ray, FindNearestView(ray.Entry), fraction);
+  result.Fraction = GuessSurface(ray, views.View00, fraction);
   return result;
 }
 
 LookupResult LookupNearest(Ray ray)
 {
-  View view = FindNearestView(ray.Entry);
+  View view = FindViews(ray.Entry).View00;
   Projection exit = Project(MakeView(0.0, ray.Entry.xy, vec2(1.0)), ray.Entry + ray.Chord);
   return LookupResult(ReadNearestColor(view.Slice, exit.Block, exit.Coordinates),
     GuessSurface(ray, view, 1.0));
@@ -222,7 +211,7 @@ LookupResult LookupNearest(Ray ray)
 
 LookupResult LookupLinear(Ray ray)
 {
-  View view = FindNearestView(ray.Entry);
+  View view = FindViews(ray.Entry).View00;
   return LookupResult(ReadColorOf(view, ray.Entry + ray.Chord), GuessSurface(ray, view, 1.0));
 }
 
@@ -249,12 +238,12 @@ float Clearance(View view, vec3 point)
   return seen.InverseDepth - ReadInverseDepth(view.Slice, seen.Block, seen.Coordinates);
 }
 
-// Of the four views, in the order 00, 10, 01, 11.
-vec4 Clearances(Ray ray, ViewCell views, float w)
+// Of the views 00, 10, 01, 11; the last is looked into only where asked for.
+vec4 Clearances(Ray ray, ViewCell views, float w, bool all)
 {
   vec3 point = ray.Entry + ray.Chord / w;
   return vec4(Clearance(views.View00, point), Clearance(views.View10, point),
-    Clearance(views.View01, point), Clearance(views.View11, point));
+    Clearance(views.View01, point), all ? Clearance(views.View11, point) : NotAsked);
 }
 
 // Whether some view knows that a point is hidden, and none sees through it.
@@ -263,10 +252,10 @@ bool IsHidden(vec4 clearances)
   return all(lessThanEqual(clearances, vec4(0.0))) && any(greaterThan(clearances, vec4(-Unknown)));
 }
 
-// 1 for the views whose sight ends between two points of the ray, 0 for the others.
-vec4 EndsOfSight(vec4 before, vec4 behind)
+// For which views sight ends between two points of the ray.
+bvec4 EndsOfSight(vec4 before, vec4 behind)
 {
-  return vec4(greaterThan(before, vec4(0.0))) * vec4(lessThanEqual(behind, vec4(0.0)));
+  return greaterThan(vec4(greaterThan(before, vec4(0.0))), vec4(greaterThan(behind, vec4(0.0))));
 }
 
 // Which view's sight ends first between `before` and `behind`: 1 for it, 0 for the others.
@@ -326,7 +315,8 @@ float RefineCrossing(Ray ray, View view, float before, float behind, float clear
 }
 
 // Goes on from `step.Behind` to where some view's sight ends. False where there is no such place.
-bool FindStep(Ray ray, ViewCell views, GridRay gridRay, vec2 range, inout Step step)
+bool FindStep(
+  Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all, inout Step step)
 {
   while (step.Behind > range.y && step.Count < MostSteps)
   {
@@ -335,7 +325,7 @@ bool FindStep(Ray ray, ViewCell views, GridRay gridRay, vec2 range, inout Step s
     {
       break;
     }
-    step.ClearancesBehind = Clearances(ray, views, step.Behind);
+    step.ClearancesBehind = Clearances(ray, views, step.Behind, all);
     if (step.FirstHidden == 0.0 && IsHidden(step.ClearancesBehind))
     {
       step.FirstHidden = step.Behind;
@@ -347,9 +337,9 @@ bool FindStep(Ray ray, ViewCell views, GridRay gridRay, vec2 range, inout Step s
       step.ClearancesBefore = step.ClearancesBehind;
       float stride = max(views.Stride, StepShare * step.Before);
       step.Behind = max(step.Before - stride, range.y);
-      step.ClearancesBehind = Clearances(ray, views, step.Behind);
+      step.ClearancesBehind = Clearances(ray, views, step.Behind, all);
       ++step.Count;
-      if (EndsOfSight(step.ClearancesBefore, step.ClearancesBehind) != vec4(0.0))
+      if (any(EndsOfSight(step.ClearancesBefore, step.ClearancesBehind)))
       {
         return true;
       }
@@ -359,7 +349,8 @@ bool FindStep(Ray ray, ViewCell views, GridRay gridRay, vec2 range, inout Step s
   return false;
 }
 
-Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range)
+// Steps by all four views, or by the three nearest.
+Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all)
 {
   Step step;
   step.Behind = range.x;
@@ -367,20 +358,22 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range)
   step.FirstHidden = 0.0;
   for (int i = 0; i < MostCandidates; ++i)
   {
-    if (!FindStep(ray, views, gridRay, range, step))
+    if (!FindStep(ray, views, gridRay, range, all, step))
     {
       break;
     }
     vec4 chosen = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
     float w = RefineCrossing(ray, ChooseView(views, chosen), step.Before, step.Behind,
       dot(step.ClearancesBefore, chosen), dot(step.ClearancesBehind, chosen));
-    vec4 clearances = Clearances(ray, views, w);
+    vec4 clearances = Clearances(ray, views, w, true);
     bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
     bool isSurface = abs(dot(clearances, chosen)) < EdgeStep * w;
     if (!isSeenThrough && isSurface)
     {
       vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
-      vec4 fromFront = vec4(lessThan(clearances, step.ClearancesBefore));
+      float before = all ? step.ClearancesBefore.w
+                         : Clearance(views.View11, ray.Entry + ray.Chord / step.Before);
+      vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
       return Surface(w, near * fromFront, step.FirstHidden);
     }
     bool isKnown = any(greaterThan(clearances, vec4(-Unknown)));
@@ -403,16 +396,33 @@ vec4 BlendVisible(Ray ray, ViewCell views, Surface surface)
   return BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
 }
 
-LookupResult LookupDepth(Ray ray)
+// The range of w that the scene can fill.
+vec2 FindRange(GridRay gridRay)
 {
-  if (!HasDepth)
-  {
-    return LookupFocal(ray);
-  }
+  return 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
+}
+
+// By the three nearest views. False where none of the four sees the surface.
+bool LookupSeen(Ray ray, out LookupResult result)
+{
   GridRay gridRay = CastGridRay(ray);
-  vec2 range = 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
   ViewCell views = FindViews(ray.Entry);
-  Surface surface = FindSurface(ray, views, gridRay, range);
+  Surface surface = FindSurface(ray, views, gridRay, FindRange(gridRay), false);
+  result = LookupResult(vec4(0.0), 1.0);
+  if (surface.W > 0.0)
+  {
+    result = LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
+  }
+  return surface.W == 0.0 || surface.Sight != vec4(0.0);
+}
+
+// Where LookupSeen is false: by all four views and those around them.
+LookupResult LookupUnseen(Ray ray)
+{
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = FindRange(gridRay);
+  ViewCell views = FindViews(ray.Entry);
+  Surface surface = FindSurface(ray, views, gridRay, range, true);
   if (surface.W == 0.0)
   {
     return LookupResult(vec4(0.0), 1.0);
@@ -421,7 +431,7 @@ LookupResult LookupDepth(Ray ray)
   {
     range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
     ViewCell outer = FindOuterViews(ray.Entry);
-    Surface seen = FindSurface(ray, outer, gridRay, range);
+    Surface seen = FindSurface(ray, outer, gridRay, range, true);
     bool isBehind = seen.W < (1.0 - EdgeStep) * surface.W && seen.Hidden == 0.0;
     if (isBehind && seen.Sight != vec4(0.0))
     {
@@ -443,42 +453,28 @@ vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
   return atEntry / (plane.x * x + plane.y * y + plane.w);
 }
 
-// Whether the search may begin at a plane that the ray meets at w: where it would come upon it in
-// its first step, or the grid's first cell that is not empty belongs to the plane.
-bool IsFirst(ViewCell views, vec4 plane, float atEntry, float first, float w)
-{
-  float stride = max(views.Stride, StepShare * first);
-  vec3 perCell = mat3(FCCCMatrix) * plane.xyz * (SceneMaximum - SceneMinimum) / GridCells;
-  float height = atEntry * (1.0 - w / first);
-  bool isNear = height * height < GuessCells * GuessCells * dot(perCell, perCell);
-  return w <= first && (w >= first - stride || isNear);
-}
-
-// As LookupDepth, where a plane is guessed that the ray's surface is near to. False where the views
-// do not confirm it.
+// As LookupSeen, where the ray's surface is thought to be near a plane. False where the views do not
+// confirm it. With a plane of 0 there is no surface.
 bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);
-  GridRay gridRay = CastGridRay(ray);
-  vec2 range = 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
-  float first = SkipEmpty(gridRay, range.x, range.y);
-  if (first == 0.0)
+  if (plane == vec4(0.0))
   {
     return true;
   }
   ViewCell views = FindViews(ray.Entry);
   float atEntry = dot(plane.xyz, ray.Entry) + plane.w;
   float w = -dot(plane.xyz, ray.Chord) / (atEntry == 0.0 ? 1.0 : atEntry);
-  bool isFirst = w >= range.y && IsFirst(views, plane, atEntry, first, w);
-  w = isFirst ? w : first;
-  vec4 clearances = Clearances(ray, views, w);
+  bool isInside = w >= 1.0 && w <= NearestStart;
+  w = isInside ? w : 1.0;
+  vec4 clearances = Clearances(ray, views, w, true);
   vec4 slopes = GuessSlopes(views, plane, atEntry);
   vec4 fromFront = vec4(greaterThan(slopes, vec4(0.0)));
   vec4 sees = fromFront * vec4(lessThan(abs(clearances), vec4(EdgeStep * w)));
   vec4 shifts = sees * clearances / max(slopes, vec4(LeastSlope));
   bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
   bool isSurface = sees != vec4(0.0) && all(lessThan(abs(shifts), vec4(GuessTolerance * w)));
-  if (!isFirst || isSeenThrough || !isSurface)
+  if (!isInside || isSeenThrough || !isSurface)
   {
     return false;
   }

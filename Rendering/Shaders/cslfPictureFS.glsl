@@ -17,15 +17,16 @@ uniform vec3 FocalPointFC;
 uniform sampler2D GuessDepth; // of a small picture of the same view: z of DC
 uniform vec2 PictureSize;     // of the picture that is drawn, in pixels
 
-const float NothingDC = 1.0e30; // where nothing is seen
+const float NothingDC = 1.0e30; // where nothing is seen; greater where nothing was drawn
 
 //CSLF::Cube::Dec
 //CSLF::Field::Dec
 //CSLF::SceneGrid::Dec
 //CSLF::Lookup::Dec
 
-// The plane that the guess has around the fragment, in FC; 0 where it has none.
-vec4 GuessPlane(mat4 matrix)
+// What the guess has around the fragment: a plane of FC. False where it does not know. Where it says
+// that there is nothing, the plane is 0.
+bool GuessPlane(mat4 matrix, out vec4 plane)
 {
   vec2 size = vec2(textureSize(GuessDepth, 0));
   vec2 position = gl_FragCoord.xy / PictureSize * size - 0.5;
@@ -40,8 +41,10 @@ vec4 GuessPlane(mat4 matrix)
   float here = mix(row.x, row.y, offset.y);
   vec2 slope = 0.5 * size * vec2(mix(z.y - z.x, z.w - z.z, offset.y), row.y - row.x);
   vec2 fragmentDC = 2.0 * gl_FragCoord.xy / PictureSize - 1.0;
-  bool isKnown = max(max(z.x, z.y), max(z.z, z.w)) < NothingDC;
-  return isKnown ? vec4(slope, -1.0, here - dot(slope, fragmentDC)) * matrix : vec4(0.0);
+  bool isNothing = z == vec4(NothingDC);
+  plane =
+    isNothing ? vec4(0.0) : vec4(slope, -1.0, here - dot(slope, fragmentDC)) * matrix;
+  return isNothing || all(lessThan(z, vec4(NothingDC)));
 }
 
 void main()

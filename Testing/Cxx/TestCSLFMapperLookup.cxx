@@ -143,9 +143,10 @@ struct Fixture
       std::cout << what << ", " << this->Mapper->GetLookupAsString() << ": " << psnr << " dB, "
                 << different << " of " << count << " pixels differ\n";
       CSLF_CHECK(lit > 500);
-      // Rounding can send a ray on an edge either way; all others agree.
+      // Rounding can send a ray on an edge either way, and a guess can hold where the search comes
+      // upon another surface first; all others agree.
       CSLF_CHECK(psnr > 50.0);
-      CSLF_CHECK(different < 0.005 * count);
+      CSLF_CHECK(different < 0.01 * count);
     }
   }
 

@@ -31,7 +31,7 @@ constexpr vtkTypeInt64 RawBytes =
   vtkTypeInt64(6) * 6 * Viewpoints * Viewpoints * 5 * Resolution * Resolution;
 /// In dB. Where the search along a ray begins depends on what other viewpoints have seen before, so
 /// that single pixels at silhouettes differ.
-constexpr double Same = 40.0;
+constexpr double Same = 38.0;
 
 /// A mapper of a file.
 struct Streamed
