@@ -33,7 +33,7 @@ def field():
     slice.SliceType.Origin, slice.SliceType.Normal = [0, 0, -9.9], [0, 0, 1]
     slice.UpdatePipeline()
     ColorBy(Show(slice, view), ("POINTS", "RTData"))
-    field = CSLFSampler(Input=contour, Viewpoints=5, Resolution=64, Samples=8,
+    field = CSLFSampler(Input=contour, Viewpoints=9, Resolution=128, Samples=16,
                         Integrator="Path Tracing")
     Show(field, view)
     SaveData("contour.mp4", proxy=field, CRF=16, Preset="ultrafast")

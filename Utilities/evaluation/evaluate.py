@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measures what evaluate.sh is asked for and writes the page."""
+import argparse
+import datetime
+import json
+import os
+import platform
+import subprocess
+import time
+from pathlib import Path
+
+from report import Report
+from studies import FULL, QUICK, Studies
+from tool import Tool
+
+NAMES = ("sampling", "sizes", "novel-views", "key-views", "frame-rates", "integrators", "limits")
+
+
+def describe_machine(cslf):
+    """What figures depend on."""
+    def say(*command):
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+    processor = next((line.split(":")[1].strip() for line in
+                      Path("/proc/cpuinfo").read_text().splitlines()
+                      if line.startswith("model name")), platform.machine())
+    versions = say("dpkg-query", "--show", "--showformat=${Package} ${Version}, ", "libvtk9.1",
+                   "libembree3-3", "libavcodec59", "libx265-199", "libgl1-mesa-dri")
+    return {"date": datetime.date.today().isoformat(), "processor": processor,
+            "cores": len(os.sched_getaffinity(0)), "cslf": say(cslf, "--version"),
+            "system": platform.freedesktop_os_release()["PRETTY_NAME"],
+            "packages": versions.rstrip(", ")}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--source", type=Path, required=True)
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("studies", nargs="*", metavar="STUDY", choices=[[], *NAMES])
+    options = parser.parse_args()
+    setting = QUICK if options.quick else FULL
+    folder = (options.build.parent / "evaluation-quick" if options.quick
+              else options.source / "Documentation" / "evaluation")
+    work = options.build.parent / ("fields-quick" if options.quick else "fields")
+    cslf = str(options.build / "bin" / "cslf")
+    tool = Tool(cslf, work, folder)
+    studies = Studies(tool, setting, options.source / "Testing" / "Data")
+    report = Report(tool, setting)
+    machine = describe_machine(cslf)
+    begin = time.monotonic()
+    for name in options.studies or NAMES:
+        method = name.replace("-", "_")
+        part = getattr(report, method)(getattr(studies, method)())
+        (work / f"{name}.md").write_text(part)
+    machine["seconds"] = round(time.monotonic() - begin)
+    (folder / "json" / "machine.json").write_text(json.dumps(machine, indent=1) + "\n")
+    write_page(folder, work, machine)
+    print(f"{folder / 'README.md'}, {machine['seconds']} seconds")
+
+
+def write_page(folder, work, machine):
+    """All parts that there are."""
+    head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `json`. "
+            f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
+            f"{machine['system']}, {machine['cslf']}, {machine['packages']}.\n")
+    parts = [work / f"{name}.md" for name in NAMES]
+    page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
+    (folder / "README.md").write_text(page)
+
+
+if __name__ == "__main__":
+    main()

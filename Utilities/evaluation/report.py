@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page: tables, plots and pictures of what the studies found."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+from studies import LOOKUPS
+
+TITLES = {"cornell-box": "Cornell box", "dragon": "dragon"}
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def count(number):
+    return f"{number:,}".replace(",", " ")
+
+
+def megabytes(number):
+    return f"{number / 1e6:.2f}"
+
+
+class Report:
+    def __init__(self, tool, setting):
+        self.tool = tool
+        self.setting = setting
+
+    def plot(self, name, curves, x, y, log=(False, False)):
+        """Curves are (label, xs, ys)."""
+        figure, axes = plt.subplots(figsize=(6, 4), dpi=100)
+        for label, xs, ys in curves:
+            axes.plot(xs, ys, "o-", markersize=4, label=label)
+        axes.set_xlabel(x)
+        axes.set_ylabel(y)
+        axes.set_xscale("log" if log[0] else "linear")
+        axes.set_yscale("log" if log[1] else "linear")
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize="small")
+        figure.tight_layout()
+        figure.savefig(self.tool.folder / f"{name}.png")
+        plt.close(figure)
+        return f"![{y} against {x}]({name}.png)\n"
+
+    def sampling(self, found):
+        rows = []
+        for scene, fields in found.items():
+            for field in fields:
+                texels = field["slices"] * 5 * field["resolution"] ** 2
+                rows.append([TITLES[scene], field["views"], field["resolution"],
+                             count(6 * field["views"] ** 2), f"{field['seconds']:.1f}",
+                             f"{texels / field['seconds'] / 1e6:.2f}",
+                             f"{field['peak_bytes'] / 2**20:.0f}"])
+        curves = [(TITLES[scene], [field["views"] for field in fields],
+                   [field["seconds"] for field in fields]) for scene, fields in found.items()]
+        return ("## Sampling\n\nThe paper's table 1: from 1 536 to 9 600 viewpoints. At most 16 "
+                "samples a texel, fewer where the standard error is 0.004 of white.\n\n" +
+                table(["scene", "M", "N", "viewpoints", "seconds", "million texels/s",
+                       "most memory (MiB)"], rows) + "\n" +
+                self.plot("sampling", curves, "M", "seconds"))
+
+    def sizes(self, found):
+        rows = []
+        curves = []
+        for scene, fields in found.items():
+            for field in fields:
+                coded = field["coded"]["bytes"]
+                rows.append([TITLES[scene], field["viewpoints"], field["resolution"],
+                             megabytes(field["raw_bytes"]), megabytes(coded),
+                             f"{field['raw_bytes'] / coded:.0f}"])
+            for n in sorted({field["resolution"] for field in fields}):
+                chosen = [field for field in fields if field["resolution"] == n]
+                curves.append((f"{TITLES[scene]}, N = {n}",
+                               [field["viewpoints"] for field in chosen],
+                               [field["coded"]["bytes"] / 1e6 for field in chosen]))
+        return ("## Size\n\nThe paper's figure 3. Raw: 24-bit colours alone. Coded: colour, coverage "
+                f"and depth, rate factor 22, preset `{self.setting.preset}`.\n\n" +
+                table(["scene", "M", "N", "raw (MB)", "coded (MB)", "ratio"], rows) + "\n" +
+                self.plot("sizes", curves, "M", "coded (MB)", log=(False, True)))
+
+    def novel_views(self, found):
+        rows = [[row["viewpoints"], row["resolution"]] +
+                [f"{row['lookups'][lookup]['psnr']:.2f}, {row['lookups'][lookup]['ssim']:.3f}"
+                 for lookup in LOOKUPS] for row in found]
+        floor = min(row["noise_floor"] for row in found)
+        return ("## Novel views\n\nThe paper's figure 4, which has no figures, and two more lookups: "
+                "PSNR (dB) and SSIM of one view of the Cornell box, from fields that are not "
+                f"coded. Noise floor of the truth: {floor:.1f} dB.\n\n" +
+                table(["M", "N", *LOOKUPS], rows) +
+                "\n![A row for each field, a column for each lookup](novel-views.png)\n")
+
+    def key_views(self, found):
+        parts = ["## Novel views against size\n\nThe paper's way codes all viewpoints as colour and "
+                 "looks them up bilinearly. Ours codes every second or fourth viewpoint with "
+                 "coverage and depth and looks those up with depth correction. Same encoder, preset "
+                 f"(`{self.setting.preset}`) and rate factors of colour.\n"]
+        for scene, result in found.items():
+            rows = []
+            for each in result["comparisons"]:
+                ratio = f"{each['ratio']:.1f}" if each["ratio"] else "not reached"
+                rows.append([count(each["bytes"]), f"{each['psnr']:.2f}",
+                             ("more than " if each["ratio_is_bound"] else "") + ratio,
+                             f"{each['gain']:.1f}" if each["gain"] is not None else "no file so small"])
+            curves = [(f"{series['name']}, depth's rate factor {rate}" if "key" in series["name"]
+                       else series["name"],
+                       [point["bytes"] for point in series["points"] if point["depth_crf"] == rate],
+                       [point["psnr"] for point in series["points"] if point["depth_crf"] == rate])
+                      for series in result["series"]
+                      for rate in sorted({point["depth_crf"] for point in series["points"]})]
+            field = result["series"][0]
+            limits = ", ".join(f"{series['name']}: {series['uncoded_psnr']:.2f}"
+                               for series in result["series"])
+            parts.append(
+                f"\n{TITLES[scene].capitalize()}, M = {field['viewpoints']}, N = "
+                f"{field['resolution']}:\n\n" +
+                table(["the paper's way (bytes)", "dB", "fewer bytes at its dB (times)",
+                       "more dB at its bytes"], rows) +
+                f"\nNot coded (dB): {limits}.\n\n" +
+                self.plot(f"key-views-{scene}", curves, "bytes", "PSNR (dB)", log=(True, False)))
+        return "".join(parts)
+
+    def frame_rates(self, found):
+        rows = []
+        for row in found["fields"]:
+            lookups = row["found"]["lookups"]
+            rows.append([row["viewpoints"], row["resolution"]] +
+                        [f"{lookups[lookup]['frames_per_second']:.1f}"
+                         for lookup in ("bilinear", "focal", "depth")] +
+                        [f"{lookups['depth']['texture_bytes'] / 2**20:.0f}"])
+        meshes = []
+        for row in found["meshes"]:
+            lookups = row["found"]["lookups"]
+            meshes.append([count(row["triangles"]),
+                           f"{lookups['depth']['mesh_frames_per_second']:.1f}",
+                           f"{lookups['bilinear']['frames_per_second']:.1f}",
+                           f"{lookups['depth']['frames_per_second']:.1f}"])
+        device = found["fields"][0]["found"]["device"]
+        curves = [(name, [row["triangles"] for row in found["meshes"]],
+                   [pick(row["found"]["lookups"]) for row in found["meshes"]])
+                  for name, pick in
+                  (("the mesh, by VTK", lambda lookups: lookups["depth"]["mesh_frames_per_second"]),
+                   ("bilinear", lambda lookups: lookups["bilinear"]["frames_per_second"]),
+                   ("depth", lambda lookups: lookups["depth"]["frames_per_second"]))]
+        return (f"## Frame rates\n\nPictures of 512 x 512 a second, medians along a path, drawn by "
+                f"{device}. The Cornell box:\n\n" +
+                table(["M", "N", "bilinear", "focal", "depth", "textures, depth (MiB)"], rows) +
+                "\nThe dragon's field (M = 9) beside its mesh, with fewer and more triangles, drawn "
+                "in turn:\n\n" + table(["triangles", "mesh", "bilinear", "depth"], meshes) + "\n" +
+                self.plot("frame-rates", curves, "triangles of the mesh", "frames a second",
+                          log=(True, False)))
+
+    def integrators(self, found):
+        rows = []
+        curves = []
+        for scene, result in found.items():
+            outcomes = result["outcomes"]
+            for each in outcomes:
+                name = "cached radiance" if each["name"] == "as told" else each["name"]
+                rows.append([TITLES[scene], name, f"{each['psnr']:.2f}",
+                             f"{each['field_seconds']:.0f}"])
+            paths = [each for each in outcomes if each["name"] != "as told"]
+            told = outcomes[-1]
+            curves.append((f"{TITLES[scene]}, path tracing", [e["field_seconds"] for e in paths],
+                           [e["psnr"] for e in paths]))
+            curves.append((f"{TITLES[scene]}, cached radiance", [told["field_seconds"]],
+                           [told["psnr"]]))
+        ratios = ", ".join(f"{TITLES[scene]} {result['ratio']:.1f}"
+                           for scene, result in found.items())
+        return ("## Noise against time\n\nTexels of a field (M = 17, N = 128) against a reference, "
+                "and the seconds of the whole field.\n\n" +
+                table(["scene", "integrator", "PSNR (dB)", "seconds"], rows) +
+                f"\nPath tracing takes as many times as long for equal PSNR: {ratios}.\n\n" +
+                self.plot("integrators", curves, "seconds", "PSNR (dB)", log=(True, False)))
+
+    def limits(self, found):
+        parts = ["## What does not work well\n"]
+        for row in found:
+            figures = ", ".join(f"{lookup} {values['psnr']:.2f} dB"
+                                for lookup, values in row["found"]["lookups"].items())
+            parts.append(
+                f"\n{row['title'][0].upper()}{row['title'][1:]} (M = {row['viewpoints']}, N = "
+                f"{row['resolution']}): {figures}.\n\n![The truth and the lookups](limits-"
+                f"{row['name']}.png)\n")
+        return "".join(parts)

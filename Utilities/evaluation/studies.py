@@ -1,0 +1,243 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is measured. Each study returns what its part of the page is made from."""
+import dataclasses
+
+import vtkmodules.vtkFiltersCore as filters
+import vtkmodules.vtkFiltersModeling as modeling
+import vtkmodules.vtkIOPLY as ply
+import vtkmodules.vtkIOXML as xml
+import vtkmodules.vtkCommonCore as core
+import vtkmodules.vtkFiltersSources as sources
+
+LOOKUPS = ("nearest", "linear", "bilinear", "focal", "depth")
+QUALITY = ("--spp", 16, "--noise", 0.004)
+
+
+@dataclasses.dataclass
+class Setting:
+    """How large fields and pictures are, and how long truths are traced. Resolutions of the paper's
+    are divided by `divisor`."""
+    divisor: int
+    size: int           # of novel views, in pixels
+    views: int
+    spp: int            # of the truth
+    frames: int         # along a path
+    key_viewpoints: int
+    crfs: str
+    depth_crfs: str
+    preset: str
+    reference_spp: int
+
+    def resolution(self, of_paper):
+        return of_paper // self.divisor
+
+
+FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
+               crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096)
+QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
+                crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256)
+
+
+class Studies:
+    def __init__(self, tool, setting, data):
+        self.tool = tool
+        self.setting = setting
+        self.truth = ("--truth", tool.work / "truth")
+        self.scenes = {
+            "cornell-box": ("cornell-box",),
+            "dragon": (data / "dragon.ply", "--roughness", 0.3, "--environment", "white")}
+        self.mirror = (data / "dragon.ply", "--roughness", 0.05, "--environment", "white")
+
+    def sample(self, scene, viewpoints, resolution, inputs=None):
+        """The field's file and what its sampling took."""
+        name = f"{scene}-{viewpoints}x{resolution}"
+        file = self.tool.work / f"{name}.vti"
+        return file, self.tool.measure(
+            f"sample-{name}", "sample", *(inputs or self.scenes[scene]), "-M", viewpoints, "-N",
+            resolution, *QUALITY, "-o", file, output=file)
+
+    def evaluate(self, name, field, scene, *options, inputs=None, views=None):
+        setting = self.setting
+        return self.tool.measure(
+            f"evaluate-{name}", "evaluate", field, *(inputs or self.scenes[scene]), "--views",
+            views or setting.views, "--size", setting.size, "--spp", setting.spp, *self.truth,
+            *options)
+
+    # The paper's table 1.
+    def sampling(self):
+        n = self.setting.resolution(128)
+        return {scene: [self.sample(scene, m, n)[1] for m in (16, 32, 40)]
+                for scene in self.scenes}
+
+    # The paper's figure 3.
+    def sizes(self):
+        found = {scene: [] for scene in self.scenes}
+        for scene in self.scenes:
+            for m in (16, 32, 40):
+                field = self.sample(scene, m, self.setting.resolution(128))[0]
+                for divisor in (1, 2):
+                    n = self.setting.resolution(128) // divisor
+                    small = field
+                    if divisor > 1:
+                        small = self.tool.work / f"{scene}-{m}x{n}-of-{n * divisor}.vti"
+                        if not small.exists():
+                            self.tool.run("resample", field, "-o", small,
+                                          "--resolution-divisor", divisor)
+                    file = self.tool.work / f"{scene}-{m}x{n}.mp4"
+                    coded = self.tool.measure(f"encode-{scene}-{m}x{n}", "encode", small, "-o", file,
+                                              "--preset", self.setting.preset, output=file)
+                    found[scene].append({"viewpoints": m, "resolution": n, "coded": coded,
+                                         "raw_bytes": 6 * m * m * 5 * n * n * 3})
+        return found
+
+    # The paper's figure 4, with two more lookups.
+    def novel_views(self):
+        rows = []
+        pictures = []
+        labels = []
+        for m, n in ((40, 128), (40, 64), (32, 256), (32, 128), (32, 64), (16, 256), (16, 128)):
+            n = self.setting.resolution(n)
+            folder = self.tool.work / f"novel-{m}x{n}"
+            field = self.sample("cornell-box", m, n)[0]
+            found = self.evaluate(f"novel-{m}x{n}", field, "cornell-box", "-o", folder, views=1)
+            rows.append({"viewpoints": m, "resolution": n, "lookups": found["lookups"],
+                         "noise_floor": found["noise_floor"]})
+            for lookup in LOOKUPS:
+                pictures.append(folder / f"view-0-{lookup}.png")
+                labels += ["--label",
+                           f"{m} x {n} {lookup} {found['lookups'][lookup]['psnr']:.1f} dB"]
+        self.tool.run("sheet", *pictures, "-o", self.tool.folder / "novel-views.png", "--columns",
+                      len(LOOKUPS), *labels)
+        return rows
+
+    # Novel views against size: the paper's way and ours.
+    def key_views(self):
+        found = {}
+        setting = self.setting
+        for scene, inputs in self.scenes.items():
+            field = self.sample(scene, setting.key_viewpoints, setting.resolution(128) * 2
+                                if setting.divisor > 1 else 128)[0]
+            folder = self.tool.work / f"key-views-{scene}"
+            found[scene] = self.tool.measure(
+                f"key-views-{scene}", "benchmark", "key-views", field, *inputs, "-o", folder,
+                "--preset", setting.preset, "--crfs", setting.crfs, "--depth-crfs",
+                setting.depth_crfs, "--steps", "2,4", "--divisors", "1,2", "--views", setting.views,
+                "--size", setting.size, "--spp", setting.spp, *self.truth)
+        return found
+
+    # Frames a second against M, N and the number of triangles.
+    def frame_rates(self):
+        rows = []
+        n = self.setting.resolution(128)
+        for m, n in ((9, n), (17, n), (40, n), (9, 2 * n), (9, n // 2)):
+            field = self.sample("cornell-box", m, n)[0]
+            folder = self.tool.work / f"render-{m}x{n}"
+            found = self.tool.measure(
+                f"render-cornell-box-{m}x{n}", "benchmark", "render", field, "-o", folder,
+                "--scene", "cornell-box", "--frames", self.setting.frames, "--size", 512,
+                "--views", 1, "--spp", 2, "--lookups", "bilinear,focal,depth")
+            rows.append({"viewpoints": m, "resolution": n, "found": found})
+        meshes = []
+        field = self.sample("dragon", 9, self.setting.resolution(128))[0]
+        for mesh, triangles in self.make_meshes():
+            found = self.tool.measure(
+                f"render-dragon-{triangles}", "benchmark", "render", field, "-o",
+                self.tool.work / f"render-dragon-{triangles}", "--frames", self.setting.frames,
+                "--size", 512, "--mesh", mesh, "--lookups", "bilinear,depth")
+            meshes.append({"triangles": triangles, "found": found})
+        return {"fields": rows, "meshes": meshes}
+
+    def make_meshes(self):
+        """The dragon with a quarter of its triangles, with all, and with four times as many."""
+        reader = ply.vtkPLYReader()
+        reader.SetFileName(str(self.scenes["dragon"][0]))
+        fewer = filters.vtkQuadricDecimation()
+        fewer.SetTargetReduction(0.75)
+        more = modeling.vtkLinearSubdivisionFilter()
+        for name, step in (("fewer", fewer), ("same", None), ("more", more)):
+            last = reader
+            if step:
+                step.SetInputConnection(reader.GetOutputPort())
+                last = step
+            last.Update()
+            file = self.tool.work / f"dragon-{name}.ply"
+            writer = ply.vtkPLYWriter()
+            writer.SetFileName(str(file))
+            writer.SetInputConnection(last.GetOutputPort())
+            writer.Write()
+            yield file, last.GetOutput().GetNumberOfPolys()
+
+    # The quality that path tracing and cached radiance reach in how much time.
+    def integrators(self):
+        setting = self.setting
+        return {scene: self.tool.measure(
+            f"integrators-{scene}", "benchmark", "sampler", *inputs, "-M", 17, "-N", 128,
+            "--reference-spp", setting.reference_spp, "--path-spp", "4,16,64", "--views", 12,
+            "--texels", 100000 // setting.divisor ** 2, *QUALITY)
+            for scene, inputs in self.scenes.items()}
+
+    # What does not work well.
+    def limits(self):
+        n = self.setting.resolution(128) * (2 if self.setting.divisor > 1 else 1)
+        wires = self.tool.work / "wires.vtp"
+        make_wires(wires)
+        wires = (wires, "--environment", "white")
+        cases = (("mirror", "a dragon of roughness 0.05", 9, self.mirror),
+                 ("wires", "tubes thinner than a texel before a wall", 9, wires),
+                 ("few", "the Cornell box from 3 x 3 viewpoints", 3, None))
+        rows = []
+        for name, title, m, inputs in cases:
+            scene = "cornell-box" if inputs is None else name
+            field = self.sample(scene, m, n, inputs)[0]
+            sheet = self.tool.folder / f"limits-{name}.png"
+            found = self.evaluate(f"limits-{name}", field, scene, "--contact-sheet", sheet,
+                                  "--lookups", "bilinear,focal,depth", inputs=inputs, views=2)
+            rows.append({"name": name, "title": title, "viewpoints": m, "resolution": n,
+                         "found": found})
+        return rows
+
+
+def make_wires(file):
+    """28 coloured tubes at random places before a wall."""
+    random = core.vtkMinimalStandardRandomSequence()
+    random.SetSeed(3)
+
+    def draw(low, high):
+        random.Next()
+        return random.GetRangeValue(low, high)
+
+    append = filters.vtkAppendPolyData()
+    wall = sources.vtkPlaneSource()
+    wall.SetOrigin(-1, -1, -1)
+    wall.SetPoint1(1, -1, -1)
+    wall.SetPoint2(-1, 1, -1)
+    append.AddInputData(colour(wall, (90, 140, 220)))
+    colours = ((230, 60, 40), (240, 220, 60), (40, 200, 80), (250, 250, 250))
+    for k in range(28):
+        line = sources.vtkLineSource()
+        line.SetPoint1(*(draw(-0.95, 0.95) for _ in range(3)))
+        line.SetPoint2(*(draw(-0.95, 0.95) for _ in range(3)))
+        tube = filters.vtkTubeFilter()
+        tube.SetInputConnection(line.GetOutputPort())
+        tube.SetRadius((0.004, 0.008, 0.015)[k % 3])
+        tube.SetNumberOfSides(10)
+        append.AddInputData(colour(tube, colours[k % 4]))
+    writer = xml.vtkXMLPolyDataWriter()
+    writer.SetFileName(str(file))
+    writer.SetDataModeToBinary()
+    writer.SetInputConnection(append.GetOutputPort())
+    writer.Write()
+
+
+def colour(source, rgb):
+    source.Update()
+    mesh = source.GetOutput()
+    mesh.GetPointData().Initialize()
+    colours = core.vtkUnsignedCharArray()
+    colours.SetName("Colors")
+    colours.SetNumberOfComponents(3)
+    for _ in range(mesh.GetNumberOfPoints()):
+        colours.InsertNextTuple3(*rgb)
+    mesh.GetPointData().SetScalars(colours)
+    return mesh

@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the cslf tool and keeps what it says, so that nothing is measured twice."""
+import json
+import os
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+
+class Tool:
+    """The tool, a folder for fields (which may be large) and one for what is found out."""
+
+    def __init__(self, program, work, folder):
+        self.program = program
+        self.work = Path(work)
+        self.folder = Path(folder)
+        self.work.mkdir(parents=True, exist_ok=True)
+        (self.folder / "json").mkdir(parents=True, exist_ok=True)
+
+    def measure(self, name, *arguments, output=None):
+        """What a command prints as JSON, with the seconds it took (seconds_of_run) and the most
+        memory it had (peak_bytes). `output` is a file that it makes: it runs again without it."""
+        kept = self.folder / "json" / f"{name}.json"
+        if kept.exists() and (output is None or Path(output).exists()):
+            return json.loads(kept.read_text())
+        command = [self.program, *map(str, arguments), "--json"]
+        print(name, flush=True)
+        begin = time.monotonic()
+        with tempfile.TemporaryFile() as printed, tempfile.TemporaryFile() as told:
+            process = subprocess.Popen(command, stdout=printed, stderr=told)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            printed.seek(0)
+            told.seek(0)
+            if process.returncode != 0:
+                raise SystemExit(f"{' '.join(command)}\n{told.read().decode()}")
+            found = json.loads(printed.read())
+        found["seconds_of_run"] = time.monotonic() - begin
+        found["peak_bytes"] = usage.ru_maxrss * 1024
+        found = strip_paths(found)
+        kept.write_text(json.dumps(found, indent=1) + "\n")
+        return found
+
+    def run(self, *arguments):
+        """A command of which only the files count."""
+        subprocess.run([self.program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+
+
+def strip_paths(found):
+    """Without the folders of files, which say nothing on another machine."""
+    if isinstance(found, dict):
+        return {key: strip_paths(value) for key, value in found.items()}
+    if isinstance(found, list):
+        return [strip_paths(value) for value in found]
+    if isinstance(found, str) and found.startswith("/"):
+        return Path(found).name
+    return found
