@@ -149,19 +149,18 @@ class Studies:
         return {"fields": rows, "meshes": meshes}
 
     def make_meshes(self):
-        """The dragon with a quarter of its triangles, with all, and with four times as many."""
+        """The dragon's mesh, and with each triangle cut into 4, 2 and 3 times."""
         reader = ply.vtkPLYReader()
         reader.SetFileName(str(self.scenes["dragon"][0]))
-        fewer = filters.vtkQuadricDecimation()
-        fewer.SetTargetReduction(0.75)
-        more = modeling.vtkLinearSubdivisionFilter()
-        for name, step in (("fewer", fewer), ("same", None), ("more", more)):
-            last = reader
-            if step:
-                step.SetInputConnection(reader.GetOutputPort())
-                last = step
+        for passes in (0, 2, 3):
+            cut = modeling.vtkAdaptiveSubdivisionFilter()
+            cut.SetInputConnection(reader.GetOutputPort())
+            cut.SetMaximumNumberOfPasses(passes)
+            cut.SetMaximumEdgeLength(1e-9)
+            cut.SetMaximumTriangleArea(1e-18)
+            last = cut if passes else reader
             last.Update()
-            file = self.tool.work / f"dragon-{name}.ply"
+            file = self.tool.work / f"dragon-{passes}.ply"
             writer = ply.vtkPLYWriter()
             writer.SetFileName(str(file))
             writer.SetInputConnection(last.GetOutputPort())
