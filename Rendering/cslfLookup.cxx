@@ -56,6 +56,9 @@ constexpr double SightTolerance = 0.1;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
 
+/// Where nothing else is found, a surface that is seen through by no more than the share of w that
+/// so many texels make.
+constexpr double DoubtTexels = 8.0;
 /// A view whose tile is not there has a clearance of less than minus this.
 constexpr double Unknown = 2000.0;
 /// The clearance of a view that is left out.
@@ -490,7 +493,9 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
 }
 
 // Free-space voting: the first point at which a view's sight along the ray ends on a surface and
-// that no view sees through. Where there is none, the first point that no view sees; otherwise 0.
+// that no view sees through. Where there is none, the first point that no view sees; otherwise the
+// surface that is least seen through, if it is nearly one: texels that are coarse for the scene err
+// by more than coded depth. Without that, 0.
 // Steps are taken by all four views, or by the three nearest, which is nearly as good and takes
 // less time.
 Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
@@ -498,20 +503,27 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
 {
   Step step;
   step.Behind = range.Nearest;
+  Surface doubtful;
+  double least = DoubtTexels / this->Field.Grid.GetResolution();
   for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, all, step); ++i)
   {
     const int k = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
     const double w = this->RefineCrossing(ray, views.Views[k], step.Before, step.Behind,
       step.ClearancesBefore[k], step.ClearancesBehind[k]);
     const glm::dvec4 clearances = this->Clearances(ray, views, w, true);
-    const bool isSeenThrough =
-      glm::any(glm::greaterThan(clearances, glm::dvec4(ClearanceTolerance * w)));
+    const double most = std::max({ clearances.x, clearances.y, clearances.z, clearances.w }) / w;
+    const bool isSeenThrough = most > ClearanceTolerance;
     const bool isSurface = std::abs(clearances[k]) < EdgeStep * w;
+    const glm::dvec4 near =
+      glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
+    if (isSurface && most < least)
+    {
+      least = most;
+      doubtful = { w, near, 0.0 };
+    }
     if (!isSeenThrough && isSurface)
     {
       // A thin sheet's other side is not the ray's: there clearance grows along the ray.
-      const glm::dvec4 near =
-        glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
       glm::dvec4 before = step.ClearancesBefore;
       if (!all)
       {
@@ -525,6 +537,10 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
       step.FirstHidden = w;
     }
     step.Behind = w - RestartShare * views.Stride;
+  }
+  if (step.FirstHidden == 0.0)
+  {
+    return doubtful;
   }
   return { step.FirstHidden, glm::dvec4(0.0), step.FirstHidden };
 }

@@ -18,6 +18,7 @@ const float EdgeStep = 0.03;
 const float ClearanceTolerance = 0.05;
 const float SightTolerance = 0.1;
 const float LeastWeight = 0.0001;
+const float DoubtTexels = 8.0;
 const float Unknown = 2000.0;
 const float NotAsked = -2.0 * Unknown;
 
@@ -356,6 +357,8 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
   step.Behind = range.x;
   step.Count = 0;
   step.FirstHidden = 0.0;
+  Surface doubtful = Surface(0.0, vec4(0.0), 0.0);
+  float least = DoubtTexels / Resolution;
   for (int i = 0; i < MostCandidates; ++i)
   {
     if (!FindStep(ray, views, gridRay, range, all, step))
@@ -366,11 +369,17 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
     float w = RefineCrossing(ray, ChooseView(views, chosen), step.Before, step.Behind,
       dot(step.ClearancesBefore, chosen), dot(step.ClearancesBehind, chosen));
     vec4 clearances = Clearances(ray, views, w, true);
-    bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
+    float most = max(max(clearances.x, clearances.y), max(clearances.z, clearances.w)) / w;
+    bool isSeenThrough = most > ClearanceTolerance;
     bool isSurface = abs(dot(clearances, chosen)) < EdgeStep * w;
+    vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
+    if (isSurface && most < least)
+    {
+      least = most;
+      doubtful = Surface(w, near, 0.0);
+    }
     if (!isSeenThrough && isSurface)
     {
-      vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
       float before = all ? step.ClearancesBefore.w
                          : Clearance(views.View11, ray.Entry + ray.Chord / step.Before);
       vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
@@ -382,6 +391,10 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
       step.FirstHidden = w;
     }
     step.Behind = w - RestartShare * views.Stride;
+  }
+  if (step.FirstHidden == 0.0)
+  {
+    return doubtful;
   }
   return Surface(step.FirstHidden, vec4(0.0), step.FirstHidden);
 }
