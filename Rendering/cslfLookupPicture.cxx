@@ -123,7 +123,8 @@ DisplayRows CutOut(
 
 bool LookupPicture::View::operator==(const View& other) const
 {
-  return this->Lookup == other.Lookup && this->CCDC == other.CCDC && this->EyeCC == other.EyeCC &&
+  return this->Lookup == other.Lookup && this->Samples == other.Samples &&
+    this->CCDC == other.CCDC && this->EyeCC == other.EyeCC &&
     this->IsEyeInside == other.IsEyeInside && this->EntryFaces == other.EntryFaces &&
     this->FocalPointsCC == other.FocalPointsCC;
 }
@@ -179,10 +180,12 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   std::array<int, 4> viewport{};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
   const std::array<int, 4> area = FindArea(view, viewport);
-  const int wantedSamples = view.IsEyeInside
+  const int fitting = vtkTextureObject::GetMaximumTextureSize(window) / std::max(area[2], area[3]);
+  const int ofTexels = view.IsEyeInside
     ? 1
-    : std::min(CountSamples(field.GetField().Grid.GetResolution(), FindEdge(view, viewport), area),
-        mostSamples);
+    : CountSamples(field.GetField().Grid.GetResolution(), FindEdge(view, viewport), area);
+  const int wantedSamples =
+    std::clamp(std::min(std::max(ofTexels, view.Samples), fitting), 1, mostSamples);
   // While the view moves, all passes of a picture share what the first has looked up.
   const bool isComplete = this->Divisor == 1 && this->Samples == wantedSamples;
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&

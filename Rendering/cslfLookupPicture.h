@@ -39,7 +39,8 @@ public:
   /// What is seen, and how it is looked up.
   struct View
   {
-    int Lookup = 0; ///< vtkCSLFMapper::LookupType
+    int Lookup = 0;  ///< vtkCSLFMapper::LookupType
+    int Samples = 1; ///< the least rays along each side of a pixel
     DisplayRows CCDC{};
     glm::dvec4 EyeCC{ 0.0 };  ///< w = 1: the eye; w = 0: the direction of a parallel projection
     bool IsEyeInside = false; ///< of the cube

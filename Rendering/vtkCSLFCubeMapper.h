@@ -50,6 +50,9 @@ public:
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->View.Lookup = lookup; }
 
+  /// The least rays along each side of a pixel.
+  void SetPixelSamples(int samples) { this->View.Samples = samples; }
+
   /// The seconds that looking up a picture may take; with less it has fewer pixels.
   void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
 

@@ -267,6 +267,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   vtkInternals& internals = *this->Internals;
   vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
+  cubeMapper->SetPixelSamples(this->PixelSamples);
   cubeMapper->SetLookupSeconds(
     this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
   cubeMapper->SetFocalPointsCC(internals.GetFocalPointsCC(this));
@@ -338,6 +339,7 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetAutomaticFocalPoint(other->GetAutomaticFocalPoint());
     this->SetAutoAdjustResolution(other->GetAutoAdjustResolution());
     this->SetFocalPoint(other->GetFocalPoint());
+    this->SetPixelSamples(other->GetPixelSamples());
     this->SetExposure(other->GetExposure());
     this->SetToneMapping(other->GetToneMapping());
     this->SetStreaming(other->GetStreaming());
@@ -355,6 +357,7 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "on" : "off") << "\n";
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
+  os << indent << "PixelSamples: " << this->PixelSamples << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneMapping: " << this->GetToneMappingAsString() << "\n";
   os << indent << "Streaming: " << (this->Streaming ? "on" : "off") << "\n";

@@ -140,6 +140,16 @@ public:
 
   ///@{
   /**
+   * How many rays along each side of a pixel are looked up at least while the view is still, from 1
+   * to 16. The mean of 2 x 2 has smooth silhouettes and takes up to four times as long. Where
+   * texels are smaller than pixels there are more rays anyway. Default: 1.
+   */
+  vtkSetClampMacro(PixelSamples, int, 1, 16);
+  vtkGetMacro(PixelSamples, int);
+  ///@}
+
+  ///@{
+  /**
    * What radiance is multiplied by when it is drawn, besides the exposure that the field was
    * sampled with. Acts on linear values, also where the field holds sRGB-encoded ones, but cannot
    * bring back what those were clamped to: sample in `float` to choose the exposure at view time.
@@ -262,6 +272,7 @@ private:
   bool AutomaticFocalPoint = true;
   bool AutoAdjustResolution = true;
   double FocalPoint[3] = { 0.0, 0.0, 0.0 };
+  int PixelSamples = 1;
   double Exposure = 1.0;
   int ToneMapping = CLAMP;
   bool Streaming = false;

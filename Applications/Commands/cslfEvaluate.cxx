@@ -44,6 +44,7 @@ struct Options
   std::string OutputFolder;
   std::string ContactSheet;
   std::string Title;
+  int PixelSamples = 1;
   std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
   NovelViewOptions Novel;
   CameraPathOptions Path;
@@ -239,8 +240,8 @@ Result Report(const Options& options, const Findings& findings)
   Result result;
   result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
     { "views", findings.NoiseFloors.size() }, { "size", options.Novel.Size },
-    { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed },
-    { "noise_floor", noiseFloor } };
+    { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed }, { "noise_floor", noiseFloor },
+    { "pixel_samples", options.PixelSamples } };
   if (!options.Path.IsEmpty())
   {
     result.JSON["path"] = options.Path.GetPath();
@@ -276,6 +277,7 @@ Result Run(Options options)
   const int size = options.Novel.Size;
   FieldRenderer renderer(file.Reader->GetOutputPort(), size, size);
   renderer.SetToneMapping(options.Tone.Get());
+  renderer.SetPixelSamples(options.PixelSamples);
   TruthTracer tracer(options.Scene, scene, options.Novel.TruthFolder);
   vtkSmartPointer<vtkImageData> previous;
   for (std::size_t number = 0; number < cameras.size(); ++number)
@@ -327,6 +329,7 @@ void AddEvaluate(CLI::App& app, Command& chosen)
   command->get_option("--path")->excludes("--views");
   options->Tone.AddTo(*command);
   AddLookups(*command, options->Lookups);
+  AddPixelSamples(*command, options->PixelSamples);
   command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
   command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
   command->add_option("--title", options->Title, "the scene's name on the contact sheet");

@@ -34,6 +34,7 @@ struct Options
   std::string Output;
   std::string Lookup = "depth";
   ToneOptions Tone;
+  int PixelSamples = 1;
   CameraOptions Camera;
   CameraPathOptions Path;
   double FrameRate = 25.0;
@@ -49,6 +50,7 @@ Result RunView(const Options& options)
   FieldRenderer renderer(
     file.Reader->GetOutputPort(), options.Camera.GetWidth(), options.Camera.GetHeight());
   renderer.SetToneMapping(options.Tone.Get());
+  renderer.SetPixelSamples(options.PixelSamples);
   const std::string lookup = ChooseLookup(options.Lookup, file.Field);
   WritePicture(options.Output, renderer.Render(camera, FindLookup(lookup)));
   Result result;
@@ -68,6 +70,7 @@ Result RunPath(const Options& options)
   ReadToDraw(file);
   FieldRenderer renderer(file.Reader->GetOutputPort(), width, height);
   renderer.SetToneMapping(options.Tone.Get());
+  renderer.SetPixelSamples(options.PixelSamples);
   const std::string name = ChooseLookup(options.Lookup, file.Field);
   const int lookup = FindLookup(name);
   // The first picture takes the field to graphics memory, so its time is not a frame's.
@@ -115,6 +118,7 @@ void AddRender(CLI::App& app, Command& chosen)
       "nearest, linear, bilinear, focal or depth; without depth in the field, depth is focal")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
+  AddPixelSamples(*command, options->PixelSamples);
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   options->Path.AddTo(*command);

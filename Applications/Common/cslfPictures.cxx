@@ -127,6 +127,15 @@ std::vector<LookupName> ChooseLookups(
   return lookups;
 }
 
+void AddPixelSamples(CLI::App& command, int& samples)
+{
+  command
+    .add_option("--pixel-samples", samples,
+      "rays along each side of a pixel, at least: 2 makes silhouettes smooth")
+    ->check(CLI::Range(1, 16))
+    ->capture_default_str();
+}
+
 void AddLookups(CLI::App& command, std::vector<std::string>& names)
 {
   command
@@ -199,6 +208,11 @@ double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
     ++frames;
   }
   return frames / seconds;
+}
+
+void FieldRenderer::SetPixelSamples(int samples)
+{
+  this->Mapper->SetPixelSamples(samples);
 }
 
 void FieldRenderer::SetStreaming(bool streaming)

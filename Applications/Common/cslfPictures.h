@@ -66,6 +66,9 @@ std::vector<std::string> GetLookupNames();
 std::vector<LookupName> ChooseLookups(
   const std::vector<std::string>& names, const Description& description);
 
+/// Adds --pixel-samples, as vtkCSLFMapper::PixelSamples.
+void AddPixelSamples(CLI::App& command, int& samples);
+
 /// Adds --lookups, which names some.
 void AddLookups(CLI::App& command, std::vector<std::string>& names);
 
@@ -84,6 +87,9 @@ public:
 
   /// How bright views are shown; as they are unless this was called.
   void SetToneMapping(const ToneMapping& toneMapping);
+
+  /// As vtkCSLFMapper::PixelSamples.
+  void SetPixelSamples(int samples);
 
   /// Draws the view and returns the seconds that it took. Throws a Failure.
   double Draw(vtkCamera* camera, int lookup);

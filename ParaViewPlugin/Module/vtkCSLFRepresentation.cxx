@@ -210,6 +210,12 @@ void vtkCSLFRepresentation::SetFocalPoint(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
+void vtkCSLFRepresentation::SetPixelSamples(int samples)
+{
+  this->Mapper->SetPixelSamples(samples);
+}
+
+//------------------------------------------------------------------------------
 void vtkCSLFRepresentation::SetExposure(double exposure)
 {
   this->Mapper->SetExposure(exposure);

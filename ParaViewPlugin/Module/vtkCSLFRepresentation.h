@@ -50,6 +50,7 @@ public:
   void SetLookup(int lookup);
   void SetAutomaticFocalPoint(bool automatic);
   void SetFocalPoint(double x, double y, double z);
+  void SetPixelSamples(int samples);
   void SetExposure(double exposure);
   void SetToneMapping(int toneMapping);
   void SetAutoAdjustResolution(bool adjust);

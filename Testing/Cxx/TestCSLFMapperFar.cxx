@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A cube that is far away, so that its texels are smaller than pixels: each pixel shows the mean of
-// what lies in it, as a larger picture has it.
+// A cube that is far away, so that its texels are smaller than pixels, or several rays for each
+// pixel by choice: each pixel shows the mean of what lies in it, as a larger picture has it.
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMapper.h"
@@ -18,13 +18,13 @@ using cslf::testing::Picture;
 using cslf::testing::View;
 
 constexpr int SmallSize = 24;
-constexpr int Factor = 16;
+constexpr int NearSize = 160;
 
 /// The mean of each block of pixels.
-Picture Shrink(const Picture& large)
+Picture Shrink(const Picture& large, int factor)
 {
   Picture small;
-  small.Width = large.Width / Factor;
+  small.Width = large.Width / factor;
   for (int y = 0; y < small.Width; ++y)
   {
     for (int x = 0; x < small.Width; ++x)
@@ -32,13 +32,13 @@ Picture Shrink(const Picture& large)
       for (int c = 0; c < 3; ++c)
       {
         int sum = 0;
-        for (int k = 0; k < Factor * Factor; ++k)
+        for (int k = 0; k < factor * factor; ++k)
         {
-          const std::size_t row = static_cast<std::size_t>(y) * Factor + k / Factor;
-          sum += large.Colors[3 * (row * large.Width + x * Factor + k % Factor) + c];
+          const std::size_t row = static_cast<std::size_t>(y) * factor + k / factor;
+          sum += large.Colors[3 * (row * large.Width + x * factor + k % factor) + c];
         }
         small.Colors.push_back(
-          static_cast<unsigned char>((sum + Factor * Factor / 2) / (Factor * Factor)));
+          static_cast<unsigned char>((sum + factor * factor / 2) / (factor * factor)));
       }
     }
   }
@@ -60,10 +60,18 @@ int TestCSLFMapperFar(int, char*[])
   {
     mapper->SetLookup(lookup);
     const Picture far = Draw(mapper, SmallSize);
-    const Picture mean = Shrink(Draw(mapper, SmallSize * Factor));
+    const Picture mean = Shrink(Draw(mapper, SmallSize * 16), 16);
     const double psnr = cslf::testing::ComparePictures(far, mean);
     std::cout << mapper->GetLookupAsString() << ": " << psnr << " dB\n";
     CSLF_CHECK(psnr > 40.0);
   }
+
+  const Picture mean = Shrink(Draw(mapper, NearSize * 2), 2);
+  const double single = cslf::testing::ComparePictures(Draw(mapper, NearSize), mean);
+  mapper->SetPixelSamples(2);
+  const double several = cslf::testing::ComparePictures(Draw(mapper, NearSize), mean);
+  std::cout << "near: " << single << " dB, with more rays " << several << " dB\n";
+  CSLF_CHECK(several > 45.0);
+  CSLF_CHECK(several > single + 6.0);
   return cslf::testing::Result();
 }
