@@ -18,7 +18,7 @@ def table(head, rows):
 
 
 def count(number):
-    return f"{number:,}".replace(",", " ")
+    return f"{round(number):,}".replace(",", " ")
 
 
 def megabytes(number):
@@ -40,7 +40,7 @@ class Report:
         axes.set_xscale("log" if log[0] else "linear")
         axes.set_yscale("log" if log[1] else "linear")
         axes.grid(alpha=0.3)
-        axes.legend(fontsize="small")
+        axes.legend(fontsize="x-small")
         figure.tight_layout()
         figure.savefig(self.tool.folder / f"{name}.png")
         plt.close(figure)
@@ -91,7 +91,7 @@ class Report:
                 "PSNR (dB) and SSIM of one view of the Cornell box, from fields that are not "
                 f"coded. Noise floor of the truth: {floor:.1f} dB.\n\n" +
                 table(["M", "N", *LOOKUPS], rows) +
-                "\n![A row for each field, a column for each lookup](novel-views.png)\n")
+                "\n![A row for each field: the truth and the lookups](novel-views.png)\n")
 
     def key_views(self, found):
         parts = ["## Novel views against size\n\nThe paper's way codes all viewpoints as colour and "
@@ -105,7 +105,7 @@ class Report:
                 rows.append([count(each["bytes"]), f"{each['psnr']:.2f}",
                              ("more than " if each["ratio_is_bound"] else "") + ratio,
                              f"{each['gain']:.1f}" if each["gain"] is not None else "no file so small"])
-            curves = [(f"{series['name']}, depth's rate factor {rate}" if "key" in series["name"]
+            curves = [(f"{series['name']}, depth's rate factor {rate:g}" if "key" in series["name"]
                        else series["name"],
                        [point["bytes"] for point in series["points"] if point["depth_crf"] == rate],
                        [point["psnr"] for point in series["points"] if point["depth_crf"] == rate])

@@ -103,12 +103,14 @@ class Studies:
             found = self.evaluate(f"novel-{m}x{n}", field, "cornell-box", "-o", folder, views=1)
             rows.append({"viewpoints": m, "resolution": n, "lookups": found["lookups"],
                          "noise_floor": found["noise_floor"]})
+            pictures.append(folder / "view-0-truth.png")
+            labels += ["--label", "truth"]
             for lookup in LOOKUPS:
                 pictures.append(folder / f"view-0-{lookup}.png")
                 labels += ["--label",
                            f"{m} x {n} {lookup} {found['lookups'][lookup]['psnr']:.1f} dB"]
         self.tool.run("sheet", *pictures, "-o", self.tool.folder / "novel-views.png", "--columns",
-                      len(LOOKUPS), *labels)
+                      1 + len(LOOKUPS), *labels)
         return rows
 
     # Novel views against size: the paper's way and ours.
