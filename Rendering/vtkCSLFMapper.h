@@ -141,10 +141,10 @@ public:
   ///@{
   /**
    * How many rays along each side of a pixel are looked up at least while the view is still, from 1
-   * to 16. The mean of 2 x 2 has smooth silhouettes and takes up to four times as long. Where
+   * to 4. The mean of 2 x 2 has smooth silhouettes and takes up to four times as long. Where
    * texels are smaller than pixels there are more rays anyway. Default: 1.
    */
-  vtkSetClampMacro(PixelSamples, int, 1, 16);
+  vtkSetClampMacro(PixelSamples, int, 1, 4);
   vtkGetMacro(PixelSamples, int);
   ///@}
 

@@ -4,7 +4,7 @@
 #
 # Regenerates every table and figure of Documentation/evaluation, on a bare Debian 12 too: builds,
 # samples, codes, draws and measures, and writes a page with plots and contact sheets and the JSON
-# behind them. What has been measured into a folder is not measured again: remove its folder `json`
+# behind them. What has been measured into a folder is not measured again: remove its folder `parts`
 # for that. Nothing else should run meanwhile.
 #
 # usage: evaluate.sh [--quick] [STUDY...]

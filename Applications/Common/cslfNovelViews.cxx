@@ -32,7 +32,6 @@ namespace
 {
 /// Turns a spiral's next point by the golden angle, which spreads the points evenly.
 const double GoldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
-
 }
 
 std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(

@@ -132,7 +132,7 @@ void AddPixelSamples(CLI::App& command, int& samples)
   command
     .add_option("--pixel-samples", samples,
       "rays along each side of a pixel, at least: 2 makes silhouettes smooth")
-    ->check(CLI::Range(1, 16))
+    ->check(CLI::Range(1, 4))
     ->capture_default_str();
 }
 

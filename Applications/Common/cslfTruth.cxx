@@ -148,6 +148,8 @@ vtkSmartPointer<vtkImageData> TruthTracer::GetHalf(
   const auto half = this->TraceHalf(camera, size, samples, seed);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(half);
+  // Not all raw appended data can be read back with newer expat.
+  writer->SetDataModeToBinary();
   WriteWhole(writer.Get(), fileName);
   return half;
 }
@@ -176,6 +178,7 @@ std::string TruthTracer::GetFileName(vtkCamera* camera, int size, int samples, i
   const double* focalPoint = camera->GetFocalPoint();
   const double* up = camera->GetViewUp();
   nlohmann::json key = nlohmann::json::parse(this->Description);
+  key["cslf"] = CSLF_VERSION;
   key["samples"] = samples;
   key["seed"] = seed;
   key["size"] = size;

@@ -26,7 +26,6 @@ struct Cell
   vec4 Slots;
   vec2 Lower;  // their coordinates
   vec2 Upper;
-  vec2 Weight; // of the upper ones
 };
 
 // Where a viewpoint's tiles are, within a block.
@@ -45,7 +44,6 @@ Cell FindCell(vec2 coordinates)
   cell.Slots = texelFetch(CellTexture, texel, 0);
   cell.Lower = corners.xy;
   cell.Upper = corners.zw;
-  cell.Weight = clamp((coordinates - cell.Lower) / (cell.Upper - cell.Lower), 0.0, 1.0);
   return cell;
 }
 

@@ -467,13 +467,15 @@ vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
 }
 
 // As LookupSeen, where the ray's surface is thought to be near a plane. False where the views do not
-// confirm it. With a plane of 0 there is no surface.
+// confirm it. A plane of 0 stands for nothing, which the grid must confirm.
 bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);
   if (plane == vec4(0.0))
   {
-    return true;
+    GridRay gridRay = CastGridRay(ray);
+    vec2 range = FindRange(gridRay);
+    return SkipEmpty(gridRay, range.x, range.y) == 0.0;
   }
   ViewCell views = FindViews(ray.Entry);
   float atEntry = dot(plane.xyz, ray.Entry) + plane.w;

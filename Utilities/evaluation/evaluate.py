@@ -37,7 +37,7 @@ def main():
     parser.add_argument("--source", type=Path, required=True)
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("studies", nargs="*", metavar="STUDY", choices=[[], *NAMES])
+    parser.add_argument("studies", nargs="*", metavar="STUDY", choices=NAMES)
     options = parser.parse_args()
     setting = QUICK if options.quick else FULL
     folder = (options.build.parent / "evaluation-quick" if options.quick
@@ -52,19 +52,19 @@ def main():
     for name in options.studies or NAMES:
         method = name.replace("-", "_")
         part = getattr(report, method)(getattr(studies, method)())
-        (work / f"{name}.md").write_text(part)
+        (folder / "parts" / f"{name}.md").write_text(part)
     machine["seconds"] = round(time.monotonic() - begin)
-    (folder / "json" / "machine.json").write_text(json.dumps(machine, indent=1) + "\n")
-    write_page(folder, work, machine)
+    (folder / "parts" / "machine.json").write_text(json.dumps(machine, indent=1) + "\n")
+    write_page(folder, machine)
     print(f"{folder / 'README.md'}, {machine['seconds']} seconds")
 
 
-def write_page(folder, work, machine):
+def write_page(folder, machine):
     """All parts that there are."""
-    head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `json`. "
+    head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `parts`. "
             f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
             f"{machine['system']}, {machine['cslf']}, {machine['packages']}.\n")
-    parts = [work / f"{name}.md" for name in NAMES]
+    parts = [folder / "parts" / f"{name}.md" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)
 

@@ -57,12 +57,12 @@ class Studies:
             f"sample-{name}", "sample", *(inputs or self.scenes[scene]), "-M", viewpoints, "-N",
             resolution, *QUALITY, "-o", file, output=file)
 
-    def evaluate(self, name, field, scene, *options, inputs=None, views=None):
+    def evaluate(self, name, field, scene, *options, output, inputs=None, views=None):
         setting = self.setting
         return self.tool.measure(
             f"evaluate-{name}", "evaluate", field, *(inputs or self.scenes[scene]), "--views",
             views or setting.views, "--size", setting.size, "--spp", setting.spp, *self.truth,
-            *options)
+            *options, output=output)
 
     # The paper's table 1.
     def sampling(self):
@@ -100,7 +100,8 @@ class Studies:
             n = self.setting.resolution(n)
             folder = self.tool.work / f"novel-{m}x{n}"
             field = self.sample("cornell-box", m, n)[0]
-            found = self.evaluate(f"novel-{m}x{n}", field, "cornell-box", "-o", folder, views=1)
+            found = self.evaluate(f"novel-{m}x{n}", field, "cornell-box", "-o", folder,
+                                  output=folder / "view-0-truth.png", views=1)
             rows.append({"viewpoints": m, "resolution": n, "lookups": found["lookups"],
                          "noise_floor": found["noise_floor"]})
             pictures.append(folder / "view-0-truth.png")
@@ -193,7 +194,8 @@ class Studies:
             field = self.sample(scene, m, n, inputs)[0]
             sheet = self.tool.folder / f"limits-{name}.png"
             found = self.evaluate(f"limits-{name}", field, scene, "--contact-sheet", sheet,
-                                  "--lookups", "bilinear,focal,depth", inputs=inputs, views=2)
+                                  "--lookups", "bilinear,focal,depth", output=sheet, inputs=inputs,
+                                  views=2)
             rows.append({"name": name, "title": title, "viewpoints": m, "resolution": n,
                          "found": found})
         return rows

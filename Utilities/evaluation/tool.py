@@ -17,12 +17,12 @@ class Tool:
         self.work = Path(work)
         self.folder = Path(folder)
         self.work.mkdir(parents=True, exist_ok=True)
-        (self.folder / "json").mkdir(parents=True, exist_ok=True)
+        (self.folder / "parts").mkdir(parents=True, exist_ok=True)
 
     def measure(self, name, *arguments, output=None):
         """What a command prints as JSON, with the seconds it took (seconds_of_run) and the most
         memory it had (peak_bytes). `output` is a file that it makes: it runs again without it."""
-        kept = self.folder / "json" / f"{name}.json"
+        kept = self.folder / "parts" / f"{name}.json"
         if kept.exists() and (output is None or Path(output).exists()):
             return json.loads(kept.read_text())
         command = [self.program, *map(str, arguments), "--json"]
