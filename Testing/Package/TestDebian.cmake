@@ -40,8 +40,8 @@ message("${output}")
 expect("Package: cslf\n")
 expect("Version: ${VERSION}")
 expect("\nDepends: [^\n]*libavcodec[^\n]*libembree[^\n]*libvtk")
-run(dpkg-deb --extract "${package}" root)
-set(prefix "${DIRECTORY}/root/usr")
+run(dpkg-deb --extract "${package}" installed)
+set(prefix "${DIRECTORY}/installed/usr")
 
 run("${prefix}/bin/cslf" --version)
 expect("${VERSION}")
@@ -53,7 +53,7 @@ if (PYTHON)
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/lib/python3/dist-packages"
     "${PYTHON}" -c "from cslf import __file__ as f, vtkCSLFSampler as s
 print(f, s().GetViewpoints())")
-  expect("root/usr/lib/python3/dist-packages/cslf/__init__.py 17")
+  expect("installed/usr/lib/python3/dist-packages/cslf/__init__.py 17")
 endif ()
 run("${CMAKE_COMMAND}" -S "${SOURCE}" -B find "-DCMAKE_PREFIX_PATH=${prefix}" "-DVERSION=${VERSION}"
   "-DVTK_DIR=${VTK_DIR}" "-DCMAKE_CXX_COMPILER=${COMPILER}")

@@ -32,6 +32,10 @@ class Setting:
     def resolution(self, of_paper):
         return of_paper // self.divisor
 
+    def fine_resolution(self):
+        """Where the scene's details count: small settings have half of 128."""
+        return 128 if self.divisor == 1 else 64
+
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
                crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096)
@@ -119,8 +123,7 @@ class Studies:
         found = {}
         setting = self.setting
         for scene, inputs in self.scenes.items():
-            field = self.sample(scene, setting.key_viewpoints, setting.resolution(128) * 2
-                                if setting.divisor > 1 else 128)[0]
+            field = self.sample(scene, setting.key_viewpoints, setting.fine_resolution())[0]
             folder = self.tool.work / f"key-views-{scene}"
             found[scene] = self.tool.measure(
                 f"key-views-{scene}", "benchmark", "key-views", field, *inputs, "-o", folder,
@@ -181,7 +184,7 @@ class Studies:
 
     # What does not work well.
     def limits(self):
-        n = self.setting.resolution(128) * (2 if self.setting.divisor > 1 else 1)
+        n = self.setting.fine_resolution()
         wires = self.tool.work / "wires.vtp"
         make_wires(wires)
         wires = (wires, "--environment", "white")
