@@ -37,7 +37,8 @@ def main():
     parser.add_argument("--source", type=Path, required=True)
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("studies", nargs="*", metavar="STUDY", choices=NAMES)
+    # With nargs "*", argparse checks the empty list, too.
+    parser.add_argument("studies", nargs="*", metavar="STUDY", choices=[[], *NAMES])
     options = parser.parse_args()
     setting = QUICK if options.quick else FULL
     folder = (options.build.parent / "evaluation-quick" if options.quick
