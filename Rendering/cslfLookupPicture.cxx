@@ -33,8 +33,13 @@ namespace cslf
 {
 namespace
 {
-/// No picture is looked up with fewer than one pixel for so many along each side.
-constexpr int MostDivisor = 4;
+/// The share of the time for drawing that goes into looking up; the rest is for uploads and for
+/// putting the picture into the scene.
+constexpr double LookupShare = 0.7;
+/// While the view moves, a picture has no fewer pixels than this share of the viewport's along each
+/// side, in so many steps up to 1: a share that changed with every frame would flicker.
+constexpr double LeastShare = 0.25;
+constexpr double ShareSteps = 16.0;
 /// No picture is looked up with more than so many for one pixel along each side.
 constexpr int MostSamples = 16;
 /// Whoever has as many seconds for a picture is not moving it.
@@ -136,21 +141,21 @@ LookupPicture::~LookupPicture() = default;
 // While the view moves, as many rays as there is time for.
 void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
 {
-  this->Divisor = 1;
+  this->Share = 1.0;
   this->Samples = wantedSamples;
   if (seconds < StillSeconds)
   {
     // What the last lookup took says nothing of another one.
     const bool isKnown = this->PixelSeconds > 0.0 && lookup == this->Current.Lookup;
     const double all = this->PixelSeconds * this->Area[2] * this->Area[3];
-    const double side = isKnown ? std::sqrt(seconds / all) : 0.5;
+    const double side = isKnown ? std::sqrt(LookupShare * seconds / all) : 0.5;
     this->Samples = std::clamp(static_cast<int>(side), 1, wantedSamples);
-    this->Divisor = std::clamp(static_cast<int>(std::ceil(1.0 / side)), 1, MostDivisor);
+    this->Share = std::clamp(std::floor(side * ShareSteps) / ShareSteps, LeastShare, 1.0);
   }
   for (int axis = 0; axis < 2; ++axis)
   {
-    const int pixels = this->Area[2 + axis];
-    this->Size[axis] = std::max(1, (pixels * this->Samples + this->Divisor - 1) / this->Divisor);
+    const double pixels = this->Area[2 + axis] * this->Samples * this->Share;
+    this->Size[axis] = static_cast<int>(std::ceil(pixels));
   }
 }
 
@@ -184,10 +189,13 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   const int ofTexels = view.IsEyeInside
     ? 1
     : CountSamples(field.GetField().Grid.GetResolution(), FindEdge(view, viewport), area);
+  const bool isSearched =
+    view.Lookup == DepthLookup && field.GetField().FindChannel(DepthName) != nullptr;
+  const int ofView = isSearched ? view.Samples : 1;
   const int wantedSamples =
-    std::clamp(std::min(std::max(ofTexels, view.Samples), fitting), 1, mostSamples);
+    std::clamp(std::min(std::max(ofTexels, ofView), fitting), 1, mostSamples);
   // While the view moves, all passes of a picture share what the first has looked up.
-  const bool isComplete = this->Divisor == 1 && this->Samples == wantedSamples;
+  const bool isComplete = this->Share == 1.0 && this->Samples == wantedSamples;
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
     this->Current == view && this->Changes == field.GetChanges() &&
     (isComplete || seconds < StillSeconds);
@@ -201,8 +209,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   this->ChooseSize(view.Lookup, wantedSamples, seconds);
   this->Current = view;
   this->Changes = field.GetChanges();
-  this->IsSearched =
-    view.Lookup == DepthLookup && field.GetField().FindChannel(DepthName) != nullptr;
+  this->IsSearched = isSearched;
   this->Allocate(field);
   this->BuildProgram(field);
   using Clock = std::chrono::steady_clock;
@@ -222,7 +229,8 @@ void LookupPicture::Target::Allocate(
   this->Size = size;
   const auto width = static_cast<unsigned int>(size[0]);
   const auto height = static_cast<unsigned int>(size[1]);
-  const auto allocate = [&](vtkTextureObject* texture, int type, const auto& allocateTexels)
+  const auto allocate =
+    [&](vtkTextureObject* texture, int type, int filter, const auto& allocateTexels)
   {
     const bool fits = texture->GetHandle() != 0 && texture->GetWidth() == width &&
       texture->GetHeight() == height && (type == VTK_VOID || texture->GetVTKDataType() == type);
@@ -231,16 +239,20 @@ void LookupPicture::Target::Allocate(
       texture->ReleaseGraphicsResources(window);
       texture->SetContext(window);
       texture->ResetFormatAndType();
-      texture->SetMinificationFilter(vtkTextureObject::Nearest);
-      texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+      texture->SetMinificationFilter(filter);
+      texture->SetMagnificationFilter(filter);
+      texture->SetWrapS(vtkTextureObject::ClampToEdge);
+      texture->SetWrapT(vtkTextureObject::ClampToEdge);
       allocateTexels();
     }
   };
-  allocate(this->Colors, colorType, [&] { this->Colors->Allocate2D(width, height, 4, colorType); });
-  allocate(this->Depths, VTK_FLOAT, [&] { this->Depths->Allocate2D(width, height, 1, VTK_FLOAT); });
+  allocate(this->Colors, colorType, vtkTextureObject::Linear,
+    [&] { this->Colors->Allocate2D(width, height, 4, colorType); });
+  allocate(this->Depths, VTK_FLOAT, vtkTextureObject::Nearest,
+    [&] { this->Depths->Allocate2D(width, height, 1, VTK_FLOAT); });
   if (hasMarks)
   {
-    allocate(this->Marks, VTK_VOID,
+    allocate(this->Marks, VTK_VOID, vtkTextureObject::Nearest,
       [&] { this->Marks->AllocateDepth(width, height, vtkTextureObject::Fixed16); });
   }
 }

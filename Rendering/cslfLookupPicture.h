@@ -40,7 +40,7 @@ public:
   struct View
   {
     int Lookup = 0;  ///< vtkCSLFMapper::LookupType
-    int Samples = 1; ///< the least rays along each side of a pixel
+    int Samples = 1; ///< the least rays along each side of a pixel, by depth in still views
     DisplayRows CCDC{};
     glm::dvec4 EyeCC{ 0.0 };  ///< w = 1: the eye; w = 0: the direction of a parallel projection
     bool IsEyeInside = false; ///< of the cube
@@ -67,6 +67,9 @@ public:
   /// How many pixels along each side the picture has for one of the viewport: more than 1 where
   /// they are to be averaged.
   int GetSamples() const { return this->Samples; }
+
+  /// Whether the picture has fewer pixels than the viewport, to be interpolated.
+  bool IsCoarse() const { return this->Share < 1.0; }
 
   /// Sets the picture's uniforms of cslfMapperFS.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -108,8 +111,8 @@ private:
   unsigned int Changes = 0; ///< of the field that the picture shows
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
   std::array<int, 4> Area{ 0, 0, 0, 0 }; ///< of the viewport that the picture covers: x, y, size
-  int Divisor = 1; ///< pixels of the viewport along a side of one of the picture
-  int Samples = 1; ///< pixels of the picture along a side of one of the viewport
+  int Samples = 1;    ///< pixels of the picture along a side of one of the viewport
+  double Share = 1.0; ///< of those, what there is time for while the view moves
   std::array<int, 2> Size{ 1, 1 };
   double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
   bool IsSearched = false;   ///< by depth, which takes several passes

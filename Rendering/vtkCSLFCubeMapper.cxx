@@ -280,6 +280,10 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
   {
     options += "#define PICTURE_SAMPLES\n";
   }
+  else if (this->Picture.IsCoarse())
+  {
+    options += "#define PICTURE_COARSE\n";
+  }
   if (!this->ToneMapping.IsIdentity())
   {
     options += "#define TONE_MAPPING " + std::to_string(this->ToneMapping.Curve) + "\n";

@@ -50,10 +50,10 @@ public:
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->View.Lookup = lookup; }
 
-  /// The least rays along each side of a pixel.
+  /// The least rays along each side of a pixel, by depth in still views.
   void SetPixelSamples(int samples) { this->View.Samples = samples; }
 
-  /// The seconds that looking up a picture may take; with less it has fewer pixels.
+  /// The seconds that drawing may take; with less fewer rays are looked up.
   void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
 
   /// The focal lookup's point, for the rays that enter by each face.

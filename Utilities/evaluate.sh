@@ -10,7 +10,7 @@
 # usage: evaluate.sh [--quick] [STUDY...]
 #   --quick   small fields, within 10 minutes, into build/evaluation-quick; without it hours, into
 #             Documentation/evaluation
-#   STUDY     some of: sampling sizes novel-views key-views frame-rates integrators limits
+#   STUDY     some of: sampling scaling sizes novel-views key-views frame-rates integrators limits
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

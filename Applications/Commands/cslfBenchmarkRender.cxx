@@ -35,6 +35,7 @@ struct Options : BenchmarkOptions
   std::string Mesh;
   std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
   int Frames = 72;
+  double Rate = 30.0; ///< that is wanted while the view moves
 };
 
 /// What one lookup does.
@@ -46,8 +47,11 @@ struct Score
   std::int64_t TextureBytes = 0;
   std::vector<double> StreamingSeconds; ///< of each frame the first time along the path
   std::vector<double> Seconds;          ///< of each frame when nothing is missing any more
+  std::vector<double> StillSeconds;     ///< likewise, with all rays that a still view has
+  std::vector<double> MovingSeconds;    ///< likewise, with as many as there is time for
   std::vector<double> MeshSeconds;      ///< of the mesh's frames, drawn in turn with these
-  ViewQuality Quality;
+  ViewQuality Quality;                  ///< of still views
+  ViewQuality MovingQuality;            ///< with as many rays as there is time for
 };
 
 /// All that was measured.
@@ -81,6 +85,8 @@ void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& rend
   const auto cameras = MakePath(options, cube);
   const auto meshCameras = mesh ? MakePath(options, mesh->GetCube()) : cameras;
   const int lookup = score.Lookup.Lookup;
+  const int stillSamples = renderer.GetPixelSamples();
+  renderer.SetPixelSamples(1);
   renderer.SetStreaming(true);
   for (const auto& camera : cameras)
   {
@@ -104,6 +110,24 @@ void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& rend
       score.MeshSeconds.push_back(mesh->Draw(meshCameras[frame]));
     }
   }
+  renderer.SetPixelSamples(stillSamples);
+  for (const auto& camera : cameras)
+  {
+    score.StillSeconds.push_back(renderer.Draw(camera, lookup));
+  }
+}
+
+/// Draws the path and then the views at the rate that is wanted of moving ones.
+void MeasureMoving(const Options& options, const Cube& cube, const std::vector<NovelView>& views,
+  FieldRenderer& renderer, Score& score)
+{
+  const int lookup = score.Lookup.Lookup;
+  renderer.SetDesiredUpdateRate(options.Rate);
+  for (const auto& camera : MakePath(options, cube))
+  {
+    score.MovingSeconds.push_back(renderer.Draw(camera, lookup));
+  }
+  score.MovingQuality = MeasureViews(renderer, lookup, views);
 }
 
 /// A renderer of its own for a lookup, with no more in graphics memory than it needs, and the file
@@ -139,6 +163,7 @@ Findings Measure(
     const auto renderer = Open(options, lookup.Lookup, false, opened, score.LoadSeconds);
     MeasureFrames(options, file.Field.Box, *renderer, mesh, score);
     score.Quality = MeasureViews(*renderer, lookup.Lookup, views.Views);
+    MeasureMoving(options, file.Field.Box, views.Views, *renderer, score);
     score.TextureBytes = renderer->GetTextureBytes();
     findings.Device = renderer->GetDeviceName();
     findings.Scores.push_back(score);
@@ -151,7 +176,8 @@ nlohmann::json ToJSON(const Options& options, const FieldFile& file, const Findi
   nlohmann::json json = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
     { "viewpoints", file.Field.Grid.GetViewpoints() },
     { "resolution", file.Field.Grid.GetResolution() }, { "size", options.Novel.Size },
-    { "path", findings.Path }, { "frames", options.Frames }, { "device", findings.Device } };
+    { "path", findings.Path }, { "frames", options.Frames }, { "update_rate", options.Rate },
+    { "device", findings.Device } };
   if (findings.Triangles > 0)
   {
     json["mesh"] = { { "file", options.Mesh }, { "triangles", findings.Triangles } };
@@ -160,8 +186,12 @@ nlohmann::json ToJSON(const Options& options, const FieldFile& file, const Findi
   {
     nlohmann::json& lookup = json["lookups"][score.Lookup.Name];
     lookup = { { "frames_per_second", FrameRate(score.Seconds) },
+      { "still_frames_per_second", FrameRate(score.StillSeconds) },
+      { "moving_frames_per_second", FrameRate(score.MovingSeconds) },
       { "streaming_frames_per_second", FrameRate(score.StreamingSeconds) },
-      { "frame_seconds", score.Seconds }, { "streaming_frame_seconds", score.StreamingSeconds },
+      { "frame_seconds", score.Seconds }, { "still_frame_seconds", score.StillSeconds },
+      { "moving_frame_seconds", score.MovingSeconds },
+      { "streaming_frame_seconds", score.StreamingSeconds },
       { "first_picture_seconds", score.FirstSeconds }, { "load_seconds", score.LoadSeconds },
       { "texture_bytes", score.TextureBytes } };
     if (findings.Triangles > 0)
@@ -174,6 +204,7 @@ nlohmann::json ToJSON(const Options& options, const FieldFile& file, const Findi
       lookup["psnr"] = Mean(score.Quality.PSNR);
       lookup["lowest_psnr"] = Minimum(score.Quality.PSNR);
       lookup["ssim"] = Mean(score.Quality.SSIM);
+      lookup["moving_psnr"] = Mean(score.MovingQuality.PSNR);
     }
   }
   if (!options.Scene.IsEmpty())
@@ -186,21 +217,22 @@ nlohmann::json ToJSON(const Options& options, const FieldFile& file, const Findi
 std::string MakeTable(const Options& options, const Findings& findings)
 {
   Table table;
-  std::vector<std::string> head = { "lookup", "frames/s", "streaming, frames/s", "first (s)",
-    "load (s)", "textures (bytes)" };
+  std::vector<std::string> head = { "lookup", "frames/s", "still, frames/s", "moving, frames/s",
+    "streaming, frames/s", "first (s)", "load (s)", "textures (bytes)" };
   if (findings.Triangles > 0)
   {
     head.insert(head.end(), { "mesh, frames/s", "ratio" });
   }
   if (!options.Scene.IsEmpty())
   {
-    head.insert(head.end(), { "PSNR (dB)", "lowest", "SSIM" });
+    head.insert(head.end(), { "PSNR (dB)", "lowest", "SSIM", "moving, PSNR" });
   }
   table.AddRow(head);
   for (const Score& score : findings.Scores)
   {
     const double rate = FrameRate(score.Seconds);
     std::vector<std::string> row = { score.Lookup.Name, Format(rate, 1),
+      Format(FrameRate(score.StillSeconds), 1), Format(FrameRate(score.MovingSeconds), 1),
       Format(FrameRate(score.StreamingSeconds), 1), Format(score.FirstSeconds, 2),
       Format(score.LoadSeconds, 2), std::to_string(score.TextureBytes) };
     if (findings.Triangles > 0)
@@ -212,7 +244,7 @@ std::string MakeTable(const Options& options, const Findings& findings)
     {
       row.insert(row.end(),
         { Format(Mean(score.Quality.PSNR), 2), Format(Minimum(score.Quality.PSNR), 2),
-          Format(Mean(score.Quality.SSIM), 4) });
+          Format(Mean(score.Quality.SSIM), 4), Format(Mean(score.MovingQuality.PSNR), 2) });
     }
     table.AddRow(row);
   }
@@ -316,7 +348,10 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
     "two of its edges from the centre; with the Cornell box as the scene to and fro within 35 "
     "degrees of its opening. Frame rates are those of the median frame: drawn, and waited for. The "
     "first time along the path it is drawn from what is there while more comes (streaming); then "
-    "until all is there, which does not count; then for frames/s. First is the time from opening "
+    "until all is there, which does not count; then for frames/s; all of these with one ray a "
+    "pixel; "
+    "then as it is drawn while nothing moves, with more rays a pixel (still); and with as many as "
+    "there is time for at --update-rate (moving). First is the time from opening "
     "the file to a first picture, from the "
     "coarsest viewpoints; "
     "loading is that to the complete one, with nothing shown before. With the "
@@ -329,6 +364,10 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
   AddLookups(*command, options->Lookups);
+  command
+    ->add_option("--update-rate", options->Rate, "pictures a second that are wanted of moving ones")
+    ->check(CLI::Range(1.5, 1000.0))
+    ->capture_default_str();
   command->add_option("--mesh", options->Mesh, "a mesh to compare with, as files of scenes");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

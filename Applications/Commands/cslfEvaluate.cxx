@@ -44,7 +44,7 @@ struct Options
   std::string OutputFolder;
   std::string ContactSheet;
   std::string Title;
-  int PixelSamples = 1;
+  int PixelSamples = 2;
   std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
   NovelViewOptions Novel;
   CameraPathOptions Path;

@@ -34,7 +34,7 @@ struct Options
   std::string Output;
   std::string Lookup = "depth";
   ToneOptions Tone;
-  int PixelSamples = 1;
+  int PixelSamples = 2;
   CameraOptions Camera;
   CameraPathOptions Path;
   double FrameRate = 25.0;

@@ -46,6 +46,11 @@ void OffscreenWindow::AddActor(vtkActor* actor)
   this->Renderer->AddActor(actor);
 }
 
+void OffscreenWindow::SetDesiredUpdateRate(double rate)
+{
+  this->Window->SetDesiredUpdateRate(rate);
+}
+
 double OffscreenWindow::Draw(vtkCamera* camera)
 {
   using Clock = std::chrono::steady_clock;

@@ -36,6 +36,9 @@ public:
 
   void AddActor(vtkActor* actor);
 
+  /// As vtkRenderWindow::DesiredUpdateRate: pictures a second.
+  void SetDesiredUpdateRate(double rate);
+
   /// Draws, waits until the picture is done, and returns the seconds that both took. Throws a
   /// Failure.
   double Draw(vtkCamera* camera);

@@ -131,7 +131,8 @@ void AddPixelSamples(CLI::App& command, int& samples)
 {
   command
     .add_option("--pixel-samples", samples,
-      "rays along each side of a pixel, at least: 2 makes silhouettes smooth")
+      "rays along each side of a pixel that the depth lookup draws with; 1 leaves silhouettes "
+      "jagged")
     ->check(CLI::Range(1, 4))
     ->capture_default_str();
 }
@@ -208,6 +209,11 @@ double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
     ++frames;
   }
   return frames / seconds;
+}
+
+int FieldRenderer::GetPixelSamples() const
+{
+  return this->Mapper->GetPixelSamples();
 }
 
 void FieldRenderer::SetPixelSamples(int samples)

@@ -89,7 +89,11 @@ public:
   void SetToneMapping(const ToneMapping& toneMapping);
 
   /// As vtkCSLFMapper::PixelSamples.
+  int GetPixelSamples() const;
   void SetPixelSamples(int samples);
+
+  /// As vtkRenderWindow::DesiredUpdateRate: above 1, as if the view moved.
+  void SetDesiredUpdateRate(double rate) { this->Window.SetDesiredUpdateRate(rate); }
 
   /// Draws the view and returns the seconds that it took. Throws a Failure.
   double Draw(vtkCamera* camera, int lookup);

@@ -9,6 +9,7 @@
 //   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones
 //   CLIPPING_PLANES  how many planes cut the picture
 //   PICTURE_SAMPLES  the picture has several pixels for each of the window, to be averaged
+//   PICTURE_COARSE   it has fewer, to be interpolated
 //   TONE_MAPPING     vtkCSLFMapper::ToneMappingType, unless colours are shown as they are
 //   RENDER_PASS      a render pass may ask for the surface's position and normal
 
@@ -89,9 +90,13 @@ vec4 ReadPicture(out float z)
   }
   return sum / float(PictureSamples * PictureSamples);
 #else
-  ivec2 texel = ivec2(position * PictureScale);
-  z = texelFetch(PictureDepth, texel, 0).r;
-  return texelFetch(PictureColor, texel, 0);
+  vec2 inPicture = position * PictureScale;
+  z = texelFetch(PictureDepth, ivec2(inPicture), 0).r;
+#ifdef PICTURE_COARSE
+  return textureLod(PictureColor, inPicture / vec2(textureSize(PictureColor, 0)), 0.0);
+#else
+  return texelFetch(PictureColor, ivec2(inPicture), 0);
+#endif
 #endif
 }
 

@@ -7,14 +7,14 @@ import json
 import os
 import platform
 import subprocess
-import time
 from pathlib import Path
 
 from report import Report
 from studies import FULL, QUICK, Studies
 from tool import Tool
 
-NAMES = ("sampling", "sizes", "novel-views", "key-views", "frame-rates", "integrators", "limits")
+NAMES = ("sampling", "scaling", "sizes", "novel-views", "key-views", "frame-rates", "integrators",
+         "limits")
 
 
 def describe_machine(cslf):
@@ -49,12 +49,11 @@ def main():
     studies = Studies(tool, setting, options.source / "Testing" / "Data")
     report = Report(tool, setting)
     machine = describe_machine(cslf)
-    begin = time.monotonic()
     for name in options.studies or NAMES:
         method = name.replace("-", "_")
         part = getattr(report, method)(getattr(studies, method)())
         (folder / "parts" / f"{name}.md").write_text(part)
-    machine["seconds"] = round(time.monotonic() - begin)
+    machine["seconds"] = round(tool.get_seconds())
     (folder / "parts" / "machine.json").write_text(json.dumps(machine, indent=1) + "\n")
     write_page(folder, machine)
     print(f"{folder / 'README.md'}, {machine['seconds']} seconds")
@@ -64,7 +63,8 @@ def write_page(folder, machine):
     """All parts that there are."""
     head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `parts`. "
             f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
-            f"{machine['system']}, {machine['cslf']}, {machine['packages']}.\n")
+            f"{machine['system']}, {machine['cslf']}, {machine['packages']}. All that was measured took "
+            f"{machine['seconds'] / 60:.0f} minutes.\n")
     parts = [folder / "parts" / f"{name}.md" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)

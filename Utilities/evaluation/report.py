@@ -63,6 +63,22 @@ class Report:
                        "most memory (MiB)"], rows) + "\n" +
                 self.plot("sampling", curves, "M", "seconds"))
 
+    def scaling(self, found):
+        rows = []
+        for field in found:
+            texels = field["slices"] * 5 * field["resolution"] ** 2
+            rows.append([field["views"], field["resolution"], count(field["slices"]),
+                         megabytes(6 * texels), f"{field['seconds_of_run']:.0f}",
+                         f"{field['processor_seconds']:.0f}",
+                         f"{texels / field['processor_seconds'] / 1e6:.2f}",
+                         f"{field['peak_bytes'] / 2**20:.0f}", megabytes(field["bytes"])])
+        return ("## Scaling\n\nThe Cornell box sampled straight into a coded file, never held as a "
+                "whole: one sample a texel, preset `ultrafast`. Raw: colour, coverage and depth. "
+                "Processor seconds are those of all cores together.\n\n" +
+                table(["M", "N", "viewpoints", "raw (MB)", "seconds", "processor seconds",
+                       "million texels per processor second", "most memory (MiB)", "file (MB)"],
+                      rows))
+
     def sizes(self, found):
         rows = []
         curves = []
@@ -130,7 +146,9 @@ class Report:
             rows.append([row["viewpoints"], row["resolution"]] +
                         [f"{lookups[lookup]['frames_per_second']:.1f}"
                          for lookup in ("bilinear", "focal", "depth")] +
-                        [f"{lookups['depth']['texture_bytes'] / 2**20:.0f}"])
+                        [f"{lookups['depth']['moving_frames_per_second']:.1f}",
+                         f"{lookups['depth']['still_frames_per_second']:.1f}",
+                         f"{lookups['depth']['texture_bytes'] / 2**20:.0f}"])
         meshes = []
         for row in found["meshes"]:
             lookups = row["found"]["lookups"]
@@ -146,8 +164,10 @@ class Report:
                    ("bilinear", lambda lookups: lookups["bilinear"]["frames_per_second"]),
                    ("depth", lambda lookups: lookups["depth"]["frames_per_second"]))]
         return (f"## Frame rates\n\nPictures of 512 x 512 a second, medians along a path, drawn by "
-                f"{device}. The Cornell box:\n\n" +
-                table(["M", "N", "bilinear", "focal", "depth", "textures, depth (MiB)"], rows) +
+                f"{device}. One ray a pixel; where the view moves, as many as there is time for at "
+                "30 pictures a second; where it is still, four. The Cornell box:\n\n" +
+                table(["M", "N", "bilinear", "focal", "depth", "depth, moving", "depth, still",
+                       "textures, depth (MiB)"], rows) +
                 "\nThe dragon's field (M = 9) beside its mesh, with fewer and more triangles, drawn "
                 "in turn:\n\n" + table(["triangles", "mesh", "bilinear", "depth"], meshes) + "\n" +
                 self.plot("frame-rates", curves, "triangles of the mesh", "frames a second",

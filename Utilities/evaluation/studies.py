@@ -28,6 +28,7 @@ class Setting:
     depth_crfs: str
     preset: str
     reference_spp: int
+    scaling: tuple      # viewpoints and resolutions
 
     def resolution(self, of_paper):
         return of_paper // self.divisor
@@ -38,9 +39,11 @@ class Setting:
 
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
-               crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096)
+               crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096,
+               scaling=((16, 128), (32, 256), (64, 512)))
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
-                crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256)
+                crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256,
+                scaling=((8, 32), (16, 64), (32, 128)))
 
 
 class Studies:
@@ -73,6 +76,17 @@ class Studies:
         n = self.setting.resolution(128)
         return {scene: [self.sample(scene, m, n)[1] for m in (16, 32, 40)]
                 for scene in self.scenes}
+
+    # Time and memory of fields that grow beyond what a machine could hold, one sample a texel.
+    def scaling(self):
+        rows = []
+        for m, n in self.setting.scaling:
+            file = self.tool.work / f"scaling-{m}x{n}.mp4"
+            rows.append(self.tool.measure(
+                f"scaling-{m}x{n}", "sample", *self.scenes["cornell-box"], "-M", m, "-N", n, "--spp",
+                1, "--preset", "ultrafast", "-o", file))
+            file.unlink(missing_ok=True)
+        return rows
 
     # The paper's figure 3.
     def sizes(self):

@@ -20,8 +20,8 @@ class Tool:
         (self.folder / "parts").mkdir(parents=True, exist_ok=True)
 
     def measure(self, name, *arguments, output=None):
-        """What a command prints as JSON, with the seconds it took (seconds_of_run) and the most
-        memory it had (peak_bytes). `output` is a file that it makes: it runs again without it."""
+        """What a command prints as JSON, with the seconds it took (seconds_of_run), those of all
+        its threads together (processor_seconds) and the most memory it had (peak_bytes). `output` is a file that it makes: it runs again without it."""
         kept = self.folder / "parts" / f"{name}.json"
         if kept.exists() and (output is None or Path(output).exists()):
             return json.loads(kept.read_text())
@@ -38,10 +38,16 @@ class Tool:
                 raise SystemExit(f"{' '.join(command)}\n{told.read().decode()}")
             found = json.loads(printed.read())
         found["seconds_of_run"] = time.monotonic() - begin
+        found["processor_seconds"] = usage.ru_utime + usage.ru_stime
         found["peak_bytes"] = usage.ru_maxrss * 1024
         found = strip_paths(found)
         kept.write_text(json.dumps(found, indent=1) + "\n")
         return found
+
+    def get_seconds(self):
+        """What all that was measured took together."""
+        parts = [json.loads(kept.read_text()) for kept in (self.folder / "parts").glob("*.json")]
+        return sum(part.get("seconds_of_run", 0.0) for part in parts)
 
     def run(self, *arguments):
         """A command of which only the files count."""
