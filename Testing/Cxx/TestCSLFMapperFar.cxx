@@ -66,6 +66,7 @@ int TestCSLFMapperFar(int, char*[])
     CSLF_CHECK(psnr > 40.0);
   }
 
+  mapper->SetPixelSamples(1);
   const Picture mean = Shrink(Draw(mapper, NearSize * 2), 2);
   const double single = cslf::testing::ComparePictures(Draw(mapper, NearSize), mean);
   mapper->SetPixelSamples(2);

@@ -52,6 +52,7 @@ struct Fixture
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(Size, Size);
     this->Window->AddRenderer(this->Renderer);
+    this->Mapper->SetPixelSamples(1);
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);
     this->Renderer->SetBackground(0.0, 0.0, 0.0);

@@ -66,16 +66,17 @@ class Report:
     def scaling(self, found):
         rows = []
         for field in found:
-            texels = field["slices"] * 5 * field["resolution"] ** 2
-            rows.append([field["views"], field["resolution"], count(field["slices"]),
-                         megabytes(6 * texels), f"{field['seconds_of_run']:.0f}",
+            texels = field["kept"] * 5 * field["resolution"] ** 2
+            raw = 6 * field["slices"] * 5 * field["resolution"] ** 2
+            rows.append([field["views"], field["resolution"], count(6 * field["views"] ** 2),
+                         count(field["kept"]), megabytes(raw), f"{field['seconds_of_run']:.0f}",
                          f"{field['processor_seconds']:.0f}",
                          f"{texels / field['processor_seconds'] / 1e6:.2f}",
                          f"{field['peak_bytes'] / 2**20:.0f}", megabytes(field["bytes"])])
         return ("## Scaling\n\nThe Cornell box sampled straight into a coded file, never held as a "
-                "whole: one sample a texel, preset `ultrafast`. Raw: colour, coverage and depth. "
-                "Processor seconds are those of all cores together.\n\n" +
-                table(["M", "N", "viewpoints", "raw (MB)", "seconds", "processor seconds",
+                "whole: one sample a texel, preset `ultrafast`. Where fewer viewpoints are kept, "
+                "these are key views. Raw: colour, coverage and depth of all. Processor seconds are those of all cores together.\n\n" +
+                table(["M", "N", "viewpoints", "kept", "raw (MB)", "seconds", "processor seconds",
                        "million texels per processor second", "most memory (MiB)", "file (MB)"],
                       rows))
 

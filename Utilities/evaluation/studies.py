@@ -28,7 +28,7 @@ class Setting:
     depth_crfs: str
     preset: str
     reference_spp: int
-    scaling: tuple      # viewpoints and resolutions
+    scaling: tuple      # viewpoints, resolutions and steps of key views
 
     def resolution(self, of_paper):
         return of_paper // self.divisor
@@ -39,11 +39,11 @@ class Setting:
 
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
-               crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096,
-               scaling=((16, 128), (32, 256), (64, 512)))
+               crfs="16,22,28,34,40", depth_crfs="12,20", preset="medium", reference_spp=4096,
+               scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)))
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
                 crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256,
-                scaling=((8, 32), (16, 64), (32, 128)))
+                scaling=((8, 32, 1), (16, 64, 1), (32, 128, 4)))
 
 
 class Studies:
@@ -80,11 +80,12 @@ class Studies:
     # Time and memory of fields that grow beyond what a machine could hold, one sample a texel.
     def scaling(self):
         rows = []
-        for m, n in self.setting.scaling:
+        for m, n, step in self.setting.scaling:
             file = self.tool.work / f"scaling-{m}x{n}.mp4"
-            rows.append(self.tool.measure(
+            row = self.tool.measure(
                 f"scaling-{m}x{n}", "sample", *self.scenes["cornell-box"], "-M", m, "-N", n, "--spp",
-                1, "--preset", "ultrafast", "-o", file))
+                1, "--key-views", step, "--preset", "ultrafast", "-o", file)
+            rows.append({**row, "step": step, "kept": 6 * ((m - 2) // step + 2) ** 2})
             file.unlink(missing_ok=True)
         return rows
 
