@@ -66,10 +66,11 @@ class Report:
     def scaling(self, found):
         rows = []
         for field in found:
-            texels = field["kept"] * 5 * field["resolution"] ** 2
-            raw = 6 * field["slices"] * 5 * field["resolution"] ** 2
-            rows.append([field["views"], field["resolution"], count(6 * field["views"] ** 2),
-                         count(field["kept"]), megabytes(raw), f"{field['seconds_of_run']:.0f}",
+            strip = 5 * field["resolution"] ** 2
+            viewpoints = 6 * field["viewpoints"] ** 2
+            texels = field["slices"] * strip
+            rows.append([field["viewpoints"], field["resolution"], count(viewpoints),
+                         count(field["slices"]), megabytes(6 * viewpoints * strip), f"{field['seconds_of_run']:.0f}",
                          f"{field['processor_seconds']:.0f}",
                          f"{texels / field['processor_seconds'] / 1e6:.2f}",
                          f"{field['peak_bytes'] / 2**20:.0f}", megabytes(field["bytes"])])

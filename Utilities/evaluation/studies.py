@@ -85,7 +85,7 @@ class Studies:
             row = self.tool.measure(
                 f"scaling-{m}x{n}", "sample", *self.scenes["cornell-box"], "-M", m, "-N", n, "--spp",
                 1, "--key-views", step, "--preset", "ultrafast", "-o", file)
-            rows.append({**row, "step": step, "kept": 6 * ((m - 2) // step + 2) ** 2})
+            rows.append({**row, "viewpoints": m})
             file.unlink(missing_ok=True)
         return rows
 
