@@ -39,7 +39,7 @@ class Setting:
 
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
-               crfs="16,22,28,34,40", depth_crfs="12,20", preset="medium", reference_spp=4096,
+               crfs="16,22,28,34,40", depth_crfs="12,20", preset="fast", reference_spp=4096,
                scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)))
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
                 crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256,
