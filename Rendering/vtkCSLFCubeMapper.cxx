@@ -214,6 +214,8 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
+  // What is not complete will be drawn anew.
+  this->View.Samples = this->IsComplete() ? this->PixelSamples : 1;
   this->Picture.Draw(window, this->View, this->Texture, this->LookupSeconds);
   const std::string options = this->MakeOptions();
   if (options != this->Options)

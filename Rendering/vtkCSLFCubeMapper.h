@@ -50,8 +50,8 @@ public:
   /// vtkCSLFMapper::LookupType.
   void SetLookup(int lookup) { this->View.Lookup = lookup; }
 
-  /// The least rays along each side of a pixel, by depth in still views.
-  void SetPixelSamples(int samples) { this->View.Samples = samples; }
+  /// The least rays along each side of a pixel, by depth in still views that are complete.
+  void SetPixelSamples(int samples) { this->PixelSamples = samples; }
 
   /// The seconds that drawing may take; with less fewer rays are looked up.
   void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
@@ -127,6 +127,7 @@ private:
   std::int64_t TextureMemoryLimit = 0;
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
+  int PixelSamples = 1;
   double LookupSeconds = 0.0;
   std::vector<glm::dvec4> ClippingPlanesCC;
   cslf::ToneMapping ToneMapping;

@@ -140,10 +140,10 @@ public:
 
   ///@{
   /**
-   * How many rays along each side of a pixel the depth lookup draws with at least while the view is
-   * still, from 1 to 4. The mean of 2 x 2 has smooth silhouettes, as a path-traced picture, and
-   * takes some 2.5 times as long as one. Other lookups are not sharp enough to gain by it and have
-   * one. Where texels are smaller than pixels all have more anyway. Default: 2.
+   * How many rays along each side of a pixel the depth lookup draws with at least while the view
+   * is still and complete, from 1 to 4. The mean of 2 x 2 has smooth silhouettes, as a path-traced
+   * picture, and takes some 2.5 times as long as one. Other lookups are not sharp enough to gain
+   * by it and have one. Where texels are smaller than pixels all have more anyway. Default: 2.
    */
   vtkSetClampMacro(PixelSamples, int, 1, 4);
   vtkGetMacro(PixelSamples, int);
