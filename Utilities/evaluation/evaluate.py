@@ -7,6 +7,7 @@ import json
 import os
 import platform
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -14,7 +15,8 @@ from report import Report
 from studies import FULL, QUICK, Studies
 from tool import Tool
 
-NAMES = ("sampling", "sizes", "novel-views", "key-views", "frame-rates", "integrators", "limits")
+NAMES = ("sampling", "sizes", "novel-views", "key-views", "frame-rates", "integrators", "cycles",
+         "limits")
 
 
 def describe_machine(cslf):
@@ -45,6 +47,7 @@ def main():
               else options.source / "Documentation" / "evaluation")
     work = options.build.parent / ("fields-quick" if options.quick else "fields")
     cslf = str(options.build / "bin" / "cslf")
+    sys.path.insert(0, str(options.build / "lib" / "python3" / "dist-packages"))
     tool = Tool(cslf, work, folder)
     studies = Studies(tool, setting, options.source / "Testing" / "Data")
     report = Report(tool, setting)

@@ -28,6 +28,7 @@ class Setting:
     depth_crfs: str
     preset: str
     reference_spp: int
+    one_view: dict      # arguments of OneView
 
     def resolution(self, of_paper):
         return of_paper // self.divisor
@@ -38,9 +39,11 @@ class Setting:
 
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
-               crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096)
+               crfs="16,22,28,34,40", depth_crfs="12,20", preset="slow", reference_spp=4096,
+               one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 2048})
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
-                crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256)
+                crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256,
+                one_view={"size": (128, 96), "counts": (1, 4, 16, 64), "reference": 1024})
 
 
 class Studies:
@@ -181,6 +184,11 @@ class Studies:
             "--reference-spp", setting.reference_spp, "--path-spp", "4,16,64", "--views", 12,
             "--texels", 100000 // setting.divisor ** 2, *QUALITY)
             for scene, inputs in self.scenes.items()}
+
+    # The same by a renderer that others made.
+    def cycles(self):
+        from one_view import OneView  # only this study needs the Python package and Blender
+        return OneView(self.tool, **self.setting.one_view).measure()
 
     # What does not work well.
     def limits(self):
