@@ -10,12 +10,13 @@
 # usage: evaluate.sh [--quick] [STUDY...]
 #   --quick   small fields, within 10 minutes, into build/evaluation-quick; without it hours, into
 #             Documentation/evaluation
-#   STUDY     some of: sampling scaling sizes novel-views key-views frame-rates integrators limits
+#   STUDY     some of: sampling scaling sizes novel-views key-views frame-rates integrators cycles
+#             limits
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-cslf_install "${cslf_packages[@]}" python3-matplotlib
-cslf_build cslf
+cslf_install "${cslf_packages[@]}" python3-matplotlib python3-numpy python3-openimageio blender
+cslf_build cslf vtkCSLFPython
 exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   /usr/bin/python3 "$source/Utilities/evaluation/evaluate.py" --source "$source" \
   --build "$build" "$@"

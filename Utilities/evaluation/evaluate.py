@@ -7,6 +7,7 @@ import json
 import os
 import platform
 import subprocess
+import sys
 from pathlib import Path
 
 from report import Report
@@ -14,7 +15,7 @@ from studies import FULL, QUICK, Studies
 from tool import Tool
 
 NAMES = ("sampling", "scaling", "sizes", "novel-views", "key-views", "frame-rates", "integrators",
-         "limits")
+         "cycles", "limits")
 
 
 def describe_machine(cslf):
@@ -25,7 +26,7 @@ def describe_machine(cslf):
                       Path("/proc/cpuinfo").read_text().splitlines()
                       if line.startswith("model name")), platform.machine())
     versions = say("dpkg-query", "--show", "--showformat=${Package} ${Version}, ", "libvtk9.1",
-                   "libembree3-3", "libavcodec59", "libx265-199", "libgl1-mesa-dri")
+                   "libembree3-3", "libavcodec59", "libx265-199", "libgl1-mesa-dri", "blender")
     return {"date": datetime.date.today().isoformat(), "processor": processor,
             "cores": len(os.sched_getaffinity(0)), "cslf": say(cslf, "--version"),
             "system": platform.freedesktop_os_release()["PRETTY_NAME"],
@@ -45,6 +46,7 @@ def main():
               else options.source / "Documentation" / "evaluation")
     work = options.build.parent / ("fields-quick" if options.quick else "fields")
     cslf = str(options.build / "bin" / "cslf")
+    sys.path.insert(0, str(options.build / "lib" / "python3" / "dist-packages"))
     tool = Tool(cslf, work, folder)
     studies = Studies(tool, setting, options.source / "Testing" / "Data")
     report = Report(tool, setting)
@@ -63,8 +65,8 @@ def write_page(folder, machine):
     """All parts that there are."""
     head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `parts`. "
             f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
-            f"{machine['system']}, {machine['cslf']}, {machine['packages']}. All that was measured took "
-            f"{machine['seconds'] / 60:.0f} minutes.\n")
+            f"{machine['system']}, {machine['cslf']}, {machine['packages']}. All that was "
+            f"measured took {machine['seconds'] / 60:.0f} minutes.\n")
     parts = [folder / "parts" / f"{name}.md" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)

@@ -29,6 +29,7 @@ class Setting:
     preset: str
     reference_spp: int
     scaling: tuple      # viewpoints, resolutions and steps of key views
+    one_view: dict      # arguments of OneView
 
     def resolution(self, of_paper):
         return of_paper // self.divisor
@@ -40,10 +41,12 @@ class Setting:
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
                crfs="16,22,28,34,40", depth_crfs="12,20", preset="fast", reference_spp=4096,
-               scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)))
+               scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)),
+               one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 2048})
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
                 crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256,
-                scaling=((8, 32, 1), (16, 64, 1), (32, 128, 4)))
+                scaling=((8, 32, 1), (16, 64, 1), (32, 128, 4)),
+                one_view={"size": (128, 96), "counts": (1, 4, 16, 64), "reference": 1024})
 
 
 class Studies:
@@ -196,6 +199,11 @@ class Studies:
             "--reference-spp", setting.reference_spp, "--path-spp", "4,16,64", "--views", 12,
             "--texels", 100000 // setting.divisor ** 2, *QUALITY)
             for scene, inputs in self.scenes.items()}
+
+    # The same by a renderer that others made.
+    def cycles(self):
+        from one_view import OneView  # only this study needs the Python package and Blender
+        return OneView(self.tool, **self.setting.one_view).measure()
 
     # What does not work well.
     def limits(self):

@@ -21,26 +21,21 @@ class Tool:
 
     def measure(self, name, *arguments, output=None):
         """What a command prints as JSON, with the seconds it took (seconds_of_run), those of all
-        its threads together (processor_seconds) and the most memory it had (peak_bytes). `output` is a file that it makes: it runs again without it."""
+        its threads together (processor_seconds) and the most memory it had (peak_bytes). `output`
+        is a file that it makes: it runs again without it."""
+        command = [self.program, *map(str, arguments), "--json"]
+        return self.keep(name, lambda: run_measured(command), output)
+
+    def keep(self, name, measure, output=None):
+        """What `measure` returns, with seconds_of_run, or has returned before, if the file `output`
+        is still there."""
         kept = self.folder / "parts" / f"{name}.json"
         if kept.exists() and (output is None or Path(output).exists()):
             return json.loads(kept.read_text())
-        command = [self.program, *map(str, arguments), "--json"]
         print(name, flush=True)
         begin = time.monotonic()
-        with tempfile.TemporaryFile() as printed, tempfile.TemporaryFile() as told:
-            process = subprocess.Popen(command, stdout=printed, stderr=told)
-            _, status, usage = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(status)
-            printed.seek(0)
-            told.seek(0)
-            if process.returncode != 0:
-                raise SystemExit(f"{' '.join(command)}\n{told.read().decode()}")
-            found = json.loads(printed.read())
+        found = strip_paths(measure())
         found["seconds_of_run"] = time.monotonic() - begin
-        found["processor_seconds"] = usage.ru_utime + usage.ru_stime
-        found["peak_bytes"] = usage.ru_maxrss * 1024
-        found = strip_paths(found)
         kept.write_text(json.dumps(found, indent=1) + "\n")
         return found
 
@@ -52,6 +47,30 @@ class Tool:
     def run(self, *arguments):
         """A command of which only the files count."""
         subprocess.run([self.program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+
+
+def run_measured(command):
+    """What Tool.measure returns, but for the seconds of the run."""
+    with tempfile.TemporaryFile() as printed, tempfile.TemporaryFile() as told:
+        process = subprocess.Popen(command, stdout=printed, stderr=told)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        printed.seek(0)
+        told.seek(0)
+        if process.returncode != 0:
+            raise SystemExit(f"{' '.join(command)}\n{told.read().decode()}")
+        found = json.loads(printed.read())
+    found["processor_seconds"] = usage.ru_utime + usage.ru_stime
+    found["peak_bytes"] = usage.ru_maxrss * 1024
+    return found
+
+
+def run_program(*command):
+    """A program other than the tool. What it says is shown only if it fails."""
+    command = list(map(str, command))
+    process = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if process.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}\n{process.stdout}")
 
 
 def strip_paths(found):

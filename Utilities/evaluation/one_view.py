@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One view of the Cornell box by our integrators and by Blender's Cycles: what noise is left after
+how many seconds, and whether both come to the same picture.
+
+All have the scene from vtkCSLFCornellBoxSource and the camera from here. Pictures are linear.
+"""
+import json
+import math
+import statistics
+import time
+from pathlib import Path
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+import cslf
+from pictures import make_linear, psnr, read, show, write
+from tool import run_program
+
+# The box fills the picture; the angle is that from bottom to top, in degrees.
+CAMERA = {"position": (0.35, 0.2, 3.1), "focal_point": (0.0, 0.0, 0.0), "view_up": (0.0, 1.0, 0.0),
+          "view_angle": 40.0}
+REFLECTIONS = 8         # of the longest path
+NOISY_SEED = 0
+HALF_SEEDS = (1, 2)     # of the halves of a converged picture
+REPEATS = 3             # of noisy pictures: seconds are medians
+SQUARE = 16             # the pixels along each side of squares whose means are compared
+SCRIPT = Path(__file__).with_name("render_cycles.py")
+
+
+class OneView:
+    """`size` is (width, height). Noisy pictures have `counts` samples a pixel, the converged ones
+    of path tracing and Cycles `reference`."""
+
+    def __init__(self, tool, size, counts, reference):
+        self.tool = tool
+        self.size = size
+        self.counts = counts
+        self.reference = reference
+        self.box = cslf.vtkCSLFCornellBoxSource()
+        self.box.Update()
+
+    def measure(self):
+        keep = self.tool.keep
+        return {"size": self.size, "reference": self.reference, "reflections": REFLECTIONS,
+                "path": keep("cycles-path", self.measure_path, self.converged("path")),
+                "cycles": keep("cycles-blender", self.measure_cycles, self.converged("cycles")),
+                "cache": keep("cycles-cache", self.measure_cache),
+                "agreement": keep("cycles-agreement", self.compare,
+                                  self.tool.folder / "cycles-pictures.png")}
+
+    def converged(self, renderer):
+        """The file of a converged picture."""
+        return self.tool.work / f"one-view-{renderer}.exr"
+
+    def measure_path(self):
+        tracer = self.make_tracer()
+        self.trace(tracer, 1, NOISY_SEED)  # builds the scene
+        return self.judge("path", [(*self.trace(tracer, samples, seed), samples)
+                                   for samples, seed in self.list_pictures()])
+
+    def measure_cycles(self):
+        pictures = [{"samples": samples, "seed": seed,
+                     "file": str(self.tool.work / f"one-view-cycles-{k}.exr")}
+                    for k, (samples, seed) in enumerate(self.list_pictures())]
+        job = self.tool.work / "one-view-job.json"
+        job.write_text(json.dumps({
+            "size": self.size, "camera": CAMERA, "reflections": REFLECTIONS,
+            "blocks": self.describe_blocks(), "pictures": pictures}))
+        found = self.tool.work / "one-view-found.json"
+        run_program("blender", "--background", "--factory-startup", "--python-exit-code", 1,
+                    "--python", SCRIPT, "--", job, found)
+        found = json.loads(found.read_text())
+        return {"version": found["version"],
+                **self.judge("cycles", [(read(picture["file"]), seconds, picture["samples"])
+                                        for picture, seconds in zip(pictures, found["seconds"])])}
+
+    def measure_cache(self):
+        """Against the picture that path tracing comes to, as the cache has a bias."""
+        tracer = self.make_tracer()
+        tracer.SetIntegratorToRadianceCaching()
+        self.trace(tracer, 1, NOISY_SEED)
+        cache_seconds = tracer.GetCacheSeconds()
+        noisy = [(*self.trace(tracer, samples, NOISY_SEED), samples)
+                 for samples in self.counts for _ in range(REPEATS)]
+        return {"cache_seconds": cache_seconds,
+                "pictures": self.judge_noisy(noisy, show(read(self.converged("path"))))}
+
+    def list_pictures(self):
+        """Samples and seeds: the converged picture's halves first."""
+        return ([(self.reference // 2, seed) for seed in HALF_SEEDS] +
+                [(count, NOISY_SEED) for count in self.counts for _ in range(REPEATS)])
+
+    def judge(self, renderer, pictures):
+        """Of (picture, seconds, samples), in the order of list_pictures."""
+        first, second = (picture for picture, _, _ in pictures[:2])
+        truth = (first + second) / 2
+        write(self.converged(renderer), truth)
+        return {"reference_seconds": pictures[0][1] + pictures[1][1],
+                # Of the mean of two halves, a quarter of their difference.
+                "reference_psnr": psnr(show(first), show(second)) + 10 * math.log10(4),
+                "pictures": self.judge_noisy(pictures[2:], show(truth))}
+
+    def judge_noisy(self, pictures, truth):
+        found = []
+        for k in range(0, len(pictures), REPEATS):
+            picture, _, samples = pictures[k]
+            seconds = statistics.median(each[1] for each in pictures[k:k + REPEATS])
+            found.append({"samples": samples, "seconds": seconds,
+                          "psnr": psnr(show(picture), truth)})
+        return found
+
+    def compare(self):
+        """How far the converged pictures are apart; and a picture of that, for the page."""
+        path, cycles = (read(self.converged(renderer)) for renderer in ("path", "cycles"))
+        difference = show(cycles) - show(path)
+        gap = numpy.ones((len(path), 4, 3))
+        write(self.tool.folder / "cycles-pictures.png", numpy.concatenate(
+            [show(path), gap, show(cycles), gap, numpy.clip(0.5 + 16 * difference, 0, 1)], axis=1))
+        radiance, other = (numpy.clip(picture, 0, 1).mean(axis=(0, 1))
+                           for picture in (path, cycles))
+        return {"psnr": psnr(show(cycles), show(path)),
+                "radiance_path": radiance.tolist(), "radiance_cycles": other.tolist(),
+                "largest_difference_of_squares": float(numpy.abs(average(difference)).max())}
+
+    def make_tracer(self):
+        camera = vtkCamera()
+        camera.SetPosition(CAMERA["position"])
+        camera.SetFocalPoint(CAMERA["focal_point"])
+        camera.SetViewUp(CAMERA["view_up"])
+        camera.SetViewAngle(CAMERA["view_angle"])
+        tracer = cslf.vtkCSLFViewTracer()
+        tracer.SetInputConnection(self.box.GetOutputPort())
+        tracer.SetEnvironmentModeToNone()
+        tracer.SetMaximumDepth(REFLECTIONS)
+        tracer.SetColorTypeToFloat()
+        tracer.SetCamera(camera)
+        tracer.SetSize(*self.size)
+        return tracer
+
+    def trace(self, tracer, samples, seed):
+        """The picture and the seconds it took."""
+        tracer.SetSamples(samples)
+        tracer.SetSeed(seed)
+        tracer.Modified()
+        begin = time.monotonic()
+        tracer.Update()
+        seconds = time.monotonic() - begin
+        colors = vtk_to_numpy(tracer.GetOutput().GetPointData().GetArray("Color"))
+        width, height = self.size
+        return colors.reshape(height, width, 4)[::-1, :, :3].astype(float), seconds
+
+    def describe_blocks(self):
+        """The scene, as Cycles' script takes it."""
+        data = self.box.GetOutput()
+        blocks = []
+        for k in range(data.GetNumberOfBlocks()):
+            block = data.GetBlock(k)
+            corners = vtk_to_numpy(block.GetPolys().GetConnectivityArray())
+            ends = vtk_to_numpy(block.GetPolys().GetOffsetsArray())[1:-1]
+            material = block.GetFieldData()
+            reflectance = make_linear(numpy.array(material.GetArray("BaseColor").GetTuple3(0)))
+            blocks.append({"name": data.GetMetaData(k).Get(vtkCompositeDataSet.NAME()),
+                           "points": vtk_to_numpy(block.GetPoints().GetData()).tolist(),
+                           "polygons": [each.tolist() for each in numpy.split(corners, ends)],
+                           "reflectance": reflectance.tolist(),
+                           "emission": material.GetArray("Emission").GetTuple3(0)})
+        return blocks
+
+
+def average(picture):
+    """The means of squares of pixels, of those that are whole."""
+    rows, columns = (length // SQUARE for length in picture.shape[:2])
+    whole = picture[:rows * SQUARE, :columns * SQUARE]
+    return whole.reshape(rows, SQUARE, columns, SQUARE, 3).mean(axis=(1, 3))

@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures as arrays of rows, from top to bottom, of pixels of red, green and blue."""
+import math
+
+import numpy
+import OpenImageIO
+
+
+def read(file):
+    """An OpenEXR picture, linear."""
+    picture = OpenImageIO.ImageBuf(str(file)).get_pixels(OpenImageIO.FLOAT)
+    if picture is None:
+        raise SystemExit(f"{file} cannot be read")
+    return picture[..., :3].astype(float)
+
+
+def write(file, picture):
+    """As OpenEXR, or what is shown as PNG."""
+    height, width, channels = picture.shape
+    kind = OpenImageIO.UINT8 if file.suffix == ".png" else OpenImageIO.FLOAT
+    image = OpenImageIO.ImageBuf(OpenImageIO.ImageSpec(width, height, channels, kind))
+    image.set_pixels(OpenImageIO.ROI(), picture.astype(numpy.float32))
+    if not image.write(str(file)):
+        raise SystemExit(image.geterror())
+
+
+def show(linear):
+    """Radiance as displayed: 1 is white, and sRGB-encoded."""
+    shown = numpy.clip(linear, 0, 1)
+    return numpy.where(shown <= 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
+
+
+def make_linear(shown):
+    """What `show` makes of it is `shown`, in [0, 1]."""
+    return numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+
+
+def psnr(shown, truth):
+    """Of red, green and blue together."""
+    return -10 * math.log10(numpy.square(shown - truth).mean())
