@@ -72,13 +72,15 @@ class Report:
             viewpoints = 6 * field["viewpoints"] ** 2
             texels = field["slices"] * strip
             rows.append([field["viewpoints"], field["resolution"], count(viewpoints),
-                         count(field["slices"]), megabytes(6 * viewpoints * strip), f"{field['seconds_of_run']:.0f}",
+                         count(field["slices"]), megabytes(6 * viewpoints * strip),
+                         f"{field['seconds_of_run']:.0f}",
                          f"{field['processor_seconds']:.0f}",
                          f"{texels / field['processor_seconds'] / 1e6:.2f}",
                          f"{field['peak_bytes'] / 2**20:.0f}", megabytes(field["bytes"])])
         return ("## Scaling\n\nThe Cornell box sampled straight into a coded file, never held as a "
                 "whole: one sample a texel, preset `ultrafast`. Where fewer viewpoints are kept, "
-                "these are key views. Raw: colour, coverage and depth of all. Processor seconds are those of all cores together.\n\n" +
+                "these are key views. Raw: colour, coverage and depth of all. "
+                "Processor seconds are those of all cores together.\n\n" +
                 table(["M", "N", "viewpoints", "kept", "raw (MB)", "seconds", "processor seconds",
                        "million texels per processor second", "most memory (MiB)", "file (MB)"],
                       rows))
@@ -97,8 +99,8 @@ class Report:
                 curves.append((f"{TITLES[scene]}, N = {n}",
                                [field["viewpoints"] for field in chosen],
                                [field["coded"]["bytes"] / 1e6 for field in chosen]))
-        return ("## Size\n\nThe paper's figure 3. Raw: 24-bit colours alone. Coded: colour, coverage "
-                f"and depth, rate factor 22, preset `{self.setting.preset}`.\n\n" +
+        return ("## Size\n\nThe paper's figure 3. Raw: 24-bit colours alone. Coded: colour, "
+                f"coverage and depth, rate factor 22, preset `{self.setting.preset}`.\n\n" +
                 table(["scene", "M", "N", "raw (MB)", "coded (MB)", "ratio"], rows) + "\n" +
                 self.plot("sizes", curves, "M", "coded (MB)", log=(False, True)))
 
@@ -107,16 +109,17 @@ class Report:
                 [f"{row['lookups'][lookup]['psnr']:.2f}, {row['lookups'][lookup]['ssim']:.3f}"
                  for lookup in LOOKUPS] for row in found]
         floor = min(row["noise_floor"] for row in found)
-        return ("## Novel views\n\nThe paper's figure 4, which has no figures, and two more lookups: "
-                "PSNR (dB) and SSIM of one view of the Cornell box, from fields that are not "
-                f"coded. Noise floor of the truth: {floor:.1f} dB.\n\n" +
+        return ("## Novel views\n\nThe paper's figure 4, which has no figures, and two more "
+                "lookups: PSNR (dB) and SSIM of one view of the Cornell box, from fields that are "
+                f"not coded. Noise floor of the truth: {floor:.1f} dB.\n\n" +
                 table(["M", "N", *LOOKUPS], rows) +
                 "\n![A row for each field: the truth and the lookups](novel-views.png)\n")
 
     def key_views(self, found):
-        parts = ["## Novel views against size\n\nThe paper's way codes all viewpoints as colour and "
-                 "looks them up bilinearly. Ours codes every second or fourth viewpoint with "
-                 "coverage and depth and looks those up with depth correction. Same encoder, preset "
+        parts = ["## Novel views against size\n\nThe paper's way codes all viewpoints as colour "
+                 "and looks them up bilinearly. Ours codes every second or fourth viewpoint with "
+                 "coverage and depth and looks those up with depth correction. Same encoder, "
+                 "preset "
                  f"(`{self.setting.preset}`) and rate factors of colour.\n"]
         for scene, result in found.items():
             rows = []
@@ -124,7 +127,8 @@ class Report:
                 ratio = f"{each['ratio']:.1f}" if each["ratio"] else "not reached"
                 rows.append([count(each["bytes"]), f"{each['psnr']:.2f}",
                              ("more than " if each["ratio_is_bound"] else "") + ratio,
-                             f"{each['gain']:.1f}" if each["gain"] is not None else "no file so small"])
+                             "no file so small" if each["gain"] is None
+                             else f"{each['gain']:.1f}"])
             curves = [(f"{series['name']}, depth's rate factor {rate:g}" if "key" in series["name"]
                        else series["name"],
                        [point["bytes"] for point in series["points"] if point["depth_crf"] == rate],
@@ -172,8 +176,9 @@ class Report:
                 "30 pictures a second; where it is still, four. The Cornell box:\n\n" +
                 table(["M", "N", "bilinear", "focal", "depth", "depth, moving", "depth, still",
                        "textures, depth (MiB)"], rows) +
-                "\nThe dragon's field (M = 9) beside its mesh, with fewer and more triangles, drawn "
-                "in turn:\n\n" + table(["triangles", "mesh", "bilinear", "depth"], meshes) + "\n" +
+                "\nThe dragon's field (M = 9) beside its mesh, with fewer and more triangles, "
+                "drawn in turn:\n\n" +
+                table(["triangles", "mesh", "bilinear", "depth"], meshes) + "\n" +
                 self.plot("frame-rates", curves, "triangles of the mesh", "frames a second",
                           log=(True, False)))
 

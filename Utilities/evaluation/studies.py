@@ -86,8 +86,8 @@ class Studies:
         for m, n, step in self.setting.scaling:
             file = self.tool.work / f"scaling-{m}x{n}.mp4"
             row = self.tool.measure(
-                f"scaling-{m}x{n}", "sample", *self.scenes["cornell-box"], "-M", m, "-N", n, "--spp",
-                1, "--key-views", step, "--preset", "ultrafast", "-o", file)
+                f"scaling-{m}x{n}", "sample", *self.scenes["cornell-box"], "-M", m, "-N", n,
+                "--spp", 1, "--key-views", step, "--preset", "ultrafast", "-o", file)
             rows.append({**row, "viewpoints": m})
             file.unlink(missing_ok=True)
         return rows
@@ -107,8 +107,8 @@ class Studies:
                             self.tool.run("resample", field, "-o", small,
                                           "--resolution-divisor", divisor)
                     file = self.tool.work / f"{scene}-{m}x{n}.mp4"
-                    coded = self.tool.measure(f"encode-{scene}-{m}x{n}", "encode", small, "-o", file,
-                                              "--preset", self.setting.preset, output=file)
+                    coded = self.tool.measure(f"encode-{scene}-{m}x{n}", "encode", small, "-o",
+                                              file, "--preset", self.setting.preset, output=file)
                     found[scene].append({"viewpoints": m, "resolution": n, "coded": coded,
                                          "raw_bytes": 6 * m * m * 5 * n * n * 3})
         return found
