@@ -40,11 +40,11 @@ class Setting:
 
 
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
-               crfs="16,22,28,34,40", depth_crfs="12,20", preset="fast", reference_spp=4096,
+               crfs="16,22,28,34,40", depth_crfs="8,12", preset="fast", reference_spp=4096,
                scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)),
                one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 2048})
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
-                crfs="16,28,40", depth_crfs="16", preset="veryfast", reference_spp=256,
+                crfs="16,28,40", depth_crfs="8", preset="veryfast", reference_spp=256,
                 scaling=((8, 32, 1), (16, 64, 1), (32, 128, 4)),
                 one_view={"size": (128, 96), "counts": (1, 4, 16), "reference": 512})
 
