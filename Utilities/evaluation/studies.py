@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is measured. Each study returns what its part of the page is made from."""
 import dataclasses
+import shutil
 
 import vtkmodules.vtkFiltersCore as filters
 import vtkmodules.vtkFiltersModeling as modeling
@@ -143,6 +144,7 @@ class Studies:
         for scene, inputs in self.scenes.items():
             field = self.sample(scene, setting.key_viewpoints, setting.fine_resolution())[0]
             folder = self.tool.work / f"key-views-{scene}"
+            shutil.rmtree(folder, ignore_errors=True)  # what a run that was cut short left there
             found[scene] = self.tool.measure(
                 f"key-views-{scene}", "benchmark", "key-views", field, *inputs, "-o", folder,
                 "--preset", setting.preset, "--crfs", setting.crfs, "--depth-crfs",
