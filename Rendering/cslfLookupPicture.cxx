@@ -34,10 +34,11 @@ namespace cslf
 namespace
 {
 /// The share of the time for drawing that goes into looking up; the rest is for uploads and for
-/// putting the picture into the scene.
+/// putting the picture into the scene. With it, 30 pictures a second come where 30 are wanted.
 constexpr double LookupShare = 0.7;
 /// While the view moves, a picture has no fewer pixels than this share of the viewport's along each
-/// side, in so many steps up to 1: a share that changed with every frame would flicker.
+/// side, in so many steps up to 1. A share that changed with every frame would flicker, so it stays
+/// while there is time for it and not for two steps more.
 constexpr double LeastShare = 0.25;
 constexpr double ShareSteps = 16.0;
 /// No picture is looked up with more than so many for one pixel along each side.
@@ -141,6 +142,7 @@ LookupPicture::~LookupPicture() = default;
 // While the view moves, as many rays as there is time for.
 void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
 {
+  const double previous = this->Share;
   this->Share = 1.0;
   this->Samples = wantedSamples;
   if (seconds < StillSeconds)
@@ -150,7 +152,9 @@ void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
     const double all = this->PixelSeconds * this->Area[2] * this->Area[3];
     const double side = isKnown ? std::sqrt(LookupShare * seconds / all) : 0.5;
     this->Samples = std::clamp(static_cast<int>(side), 1, wantedSamples);
-    this->Share = std::clamp(std::floor(side * ShareSteps) / ShareSteps, LeastShare, 1.0);
+    const bool isKept = side >= previous && side < previous + 2.0 / ShareSteps;
+    this->Share =
+      isKept ? previous : std::clamp(std::floor(side * ShareSteps) / ShareSteps, LeastShare, 1.0);
   }
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -172,9 +176,13 @@ void LookupPicture::Compile(vtkOpenGLRenderWindow* window, const View& view, Fie
   this->Look(window, view, field, VTK_DOUBLE_MAX, 1);
 }
 
-void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field,
+void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field,
   double seconds, int mostSamples)
 {
+  const bool isSearched =
+    asked.Lookup == DepthLookup && field.GetField().FindChannel(DepthName) != nullptr;
+  View view = asked;
+  view.Samples = isSearched ? asked.Samples : 1;
   if (this->Window && this->Window != window)
   {
     vtkOpenGLRenderWindow* previous = this->Window;
@@ -189,11 +197,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& view, FieldT
   const int ofTexels = view.IsEyeInside
     ? 1
     : CountSamples(field.GetField().Grid.GetResolution(), FindEdge(view, viewport), area);
-  const bool isSearched =
-    view.Lookup == DepthLookup && field.GetField().FindChannel(DepthName) != nullptr;
-  const int ofView = isSearched ? view.Samples : 1;
   const int wantedSamples =
-    std::clamp(std::min(std::max(ofTexels, ofView), fitting), 1, mostSamples);
+    std::clamp(std::min(std::max(ofTexels, view.Samples), fitting), 1, mostSamples);
   // While the view moves, all passes of a picture share what the first has looked up.
   const bool isComplete = this->Share == 1.0 && this->Samples == wantedSamples;
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&

@@ -30,7 +30,7 @@ namespace cslf
 {
 class FieldTexture;
 
-/// A texture of colours and one of depths (z of DC), of the size of the viewport. VTK draws an
+/// A texture of colours and one of depths (z of DC) for the viewport. VTK draws an
 /// actor several times, an opaque one with parts that cover their pixels in part twice at least;
 /// lookups cost more than reading their results. Belongs to one render window's context at a time.
 class LookupPicture
@@ -57,8 +57,8 @@ public:
 
   /// Looks the view up for the current viewport, unless the picture is that of it, and binds the
   /// textures until Deactivate. Where the field has more texels than the viewport has pixels for
-  /// them, the picture has several for each; where all would take longer than `seconds`, fewer. The
-  /// field must be uploaded to this window.
+  /// them, and by depth in still views, the picture has several for each; where all would take
+  /// longer than `seconds`, fewer. The field must be uploaded to this window.
   void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds);
 
   /// Has the programs for such pictures compiled.
@@ -94,7 +94,7 @@ private:
     void Release(vtkWindow* window);
   };
 
-  void Look(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds,
+  void Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field, double seconds,
     int mostSamples);
   void ChooseSize(int lookup, int wantedSamples, double seconds);
   void Allocate(const FieldTexture& field);

@@ -216,7 +216,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
   // What is not complete will be drawn anew.
   this->View.Samples = this->IsComplete() ? this->PixelSamples : 1;
-  this->Picture.Draw(window, this->View, this->Texture, this->LookupSeconds);
+  this->Picture.Draw(window, this->View, this->Texture, this->DrawSeconds);
   const std::string options = this->MakeOptions();
   if (options != this->Options)
   {

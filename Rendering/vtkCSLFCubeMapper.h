@@ -53,8 +53,8 @@ public:
   /// The least rays along each side of a pixel, by depth in still views that are complete.
   void SetPixelSamples(int samples) { this->PixelSamples = samples; }
 
-  /// The seconds that drawing may take; with less fewer rays are looked up.
-  void SetLookupSeconds(double seconds) { this->LookupSeconds = seconds; }
+  /// The seconds that drawing may take: where all rays would take longer, fewer are looked up.
+  void SetDrawSeconds(double seconds) { this->DrawSeconds = seconds; }
 
   /// The focal lookup's point, for the rays that enter by each face.
   void SetFocalPointsCC(const std::array<glm::dvec3, cslf::FaceCount>& pointsCC)
@@ -127,8 +127,8 @@ private:
   std::int64_t TextureMemoryLimit = 0;
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
   bool TextureFailed = false;
-  int PixelSamples = 1;
-  double LookupSeconds = 0.0;
+  int PixelSamples = 2;
+  double DrawSeconds = 0.0;
   std::vector<glm::dvec4> ClippingPlanesCC;
   cslf::ToneMapping ToneMapping;
   std::string Options; ///< the shader's, for the picture being drawn

@@ -268,7 +268,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
   cubeMapper->SetPixelSamples(this->PixelSamples);
-  cubeMapper->SetLookupSeconds(
+  cubeMapper->SetDrawSeconds(
     this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
   cubeMapper->SetFocalPointsCC(internals.GetFocalPointsCC(this));
   cubeMapper->SetClippingPlanesCC(internals.GetClippingPlanesCC(this, actor));

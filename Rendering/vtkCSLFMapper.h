@@ -9,8 +9,9 @@
  * the field decoded as a whole: it asks for the viewpoints that the camera can use, and no other
  * memory than the decoder's CacheSize holds them on their way. The mapper draws the field's cube
  * and looks up, for each pixel, the light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021,
- * section 3.4 and algorithm 1); where the cube is so far away that texels are smaller than pixels,
- * the mean of several. The cost of a picture does not depend on the scene that was sampled.
+ * section 3.4 and algorithm 1); in the depth lookup the mean of four, for smooth silhouettes, and
+ * where the cube is so far away that texels are smaller than pixels the mean of more. The cost of a
+ * picture does not depend on the scene that was sampled.
  *
  * The field takes part in the scene like any other opaque object: its coverage becomes opacity, so
  * that what lies behind it shows around its silhouettes, and where the field has a depth channel

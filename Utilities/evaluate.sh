@@ -15,7 +15,11 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-cslf_install "${cslf_packages[@]}" python3-matplotlib python3-numpy python3-openimageio blender
+packages=(python3-matplotlib)
+case " $* " in
+  *" cycles "* | "  " | " --quick ") packages+=(python3-numpy python3-openimageio blender) ;;
+esac
+cslf_install "${cslf_packages[@]}" "${packages[@]}"
 cslf_build cslf vtkCSLFPython
 exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   /usr/bin/python3 "$source/Utilities/evaluation/evaluate.py" --source "$source" \

@@ -76,9 +76,10 @@ std::vector<vtkSmartPointer<vtkCamera>> MakePath(const Options& options, const C
                                        : MakeOrbit(start, options.Frames);
 }
 
-/// Draws the field along the path twice: while its viewpoints come, and when all that the cameras
-/// can use has been there. The mesh, if there is one, is drawn after each frame of the second time,
-/// so that whatever else the machine does slows both.
+/// Draws the field along the path with one ray a pixel: while its viewpoints come, and when all
+/// that the cameras can use has been there; then once more as still views. The mesh, if there is
+/// one, is drawn after each frame of the second time, so that whatever else the machine does slows
+/// both.
 void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& renderer,
   MeshRenderer* mesh, Score& score)
 {
@@ -142,8 +143,11 @@ std::unique_ptr<FieldRenderer> Open(
   auto renderer = std::make_unique<FieldRenderer>(
     file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
   renderer->SetStreaming(isStreaming);
+  const int stillSamples = renderer->GetPixelSamples();
+  renderer->SetPixelSamples(1);
   renderer->Draw(CameraOptions().MakeCamera(file.Field.Box), lookup);
   seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  renderer->SetPixelSamples(stillSamples);
   return renderer;
 }
 
@@ -259,7 +263,10 @@ std::string MakeText(const Options& options, const FieldFile& file, const Findin
     ", M = " + std::to_string(file.Field.Grid.GetViewpoints()) +
     ", N = " + std::to_string(file.Field.Grid.GetResolution()) + ": medians of " +
     std::to_string(options.Frames) + " frames of " + size + " x " + size + " along the " +
-    findings.Path + ", drawn by " + findings.Device + ".\n";
+    findings.Path + ", drawn by " + findings.Device +
+    ". One ray a pixel; still: as when nothing moves; moving: with as many rays as there is time "
+    "for at " +
+    Format(options.Rate, 1) + " pictures a second. PSNR is that of still views.\n";
   if (findings.Triangles > 0)
   {
     text += "\nThe mesh has " + std::to_string(findings.Triangles) + " triangles.\n";
@@ -294,7 +301,8 @@ void WriteCharts(const Options& options, const Findings& findings)
     if (!options.Scene.IsEmpty())
     {
       qualities.Curves.push_back(
-        { score.Lookup.Name, { FrameRate(score.Seconds) }, { Mean(score.Quality.PSNR) } });
+        { score.Lookup.Name, { FrameRate(score.StillSeconds), FrameRate(score.MovingSeconds) },
+          { Mean(score.Quality.PSNR), Mean(score.MovingQuality.PSNR) } });
     }
   }
   if (findings.Triangles > 0)

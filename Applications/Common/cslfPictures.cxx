@@ -131,8 +131,7 @@ void AddPixelSamples(CLI::App& command, int& samples)
 {
   command
     .add_option("--pixel-samples", samples,
-      "rays along each side of a pixel that the depth lookup draws with; 1 leaves silhouettes "
-      "jagged")
+      "rays along each side of a pixel, at least, in the depth lookup; 1 leaves silhouettes jagged")
     ->check(CLI::Range(1, 4))
     ->capture_default_str();
 }

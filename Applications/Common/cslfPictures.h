@@ -92,7 +92,7 @@ public:
   int GetPixelSamples() const;
   void SetPixelSamples(int samples);
 
-  /// As vtkRenderWindow::DesiredUpdateRate: above 1, as if the view moved.
+  /// As vtkRenderWindow::DesiredUpdateRate: above 1 the view counts as moving.
   void SetDesiredUpdateRate(double rate) { this->Window.SetDesiredUpdateRate(rate); }
 
   /// Draws the view and returns the seconds that it took. Throws a Failure.

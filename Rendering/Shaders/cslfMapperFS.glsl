@@ -89,14 +89,19 @@ vec4 ReadPicture(out float z)
     }
   }
   return sum / float(PictureSamples * PictureSamples);
-#else
+#elif defined(PICTURE_COARSE)
   vec2 inPicture = position * PictureScale;
-  z = texelFetch(PictureDepth, ivec2(inPicture), 0).r;
-#ifdef PICTURE_COARSE
-  return textureLod(PictureColor, inPicture / vec2(textureSize(PictureColor, 0)), 0.0);
+  ivec2 last = textureSize(PictureColor, 0) - 1;
+  ivec2 low = max(ivec2(inPicture - 0.5), 0);
+  ivec2 high = min(low + 1, last);
+  z = min(min(texelFetch(PictureDepth, low, 0).r, texelFetch(PictureDepth, high, 0).r),
+    min(texelFetch(PictureDepth, ivec2(high.x, low.y), 0).r,
+      texelFetch(PictureDepth, ivec2(low.x, high.y), 0).r));
+  return textureLod(PictureColor, inPicture / vec2(last + 1), 0.0);
 #else
-  return texelFetch(PictureColor, ivec2(inPicture), 0);
-#endif
+  ivec2 texel = ivec2(position * PictureScale);
+  z = texelFetch(PictureDepth, texel, 0).r;
+  return texelFetch(PictureColor, texel, 0);
 #endif
 }
 

@@ -32,6 +32,39 @@ Pixels Render(vtkRenderWindow* window)
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
+/// How many pixels differ from the left one of their block.
+int CountChanges(const Pixels& pixels, int block)
+{
+  int changes = 0;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const int left = x / block * block;
+        changes += pixels[3 * (y * Size + x) + c] != pixels[3 * (y * Size + left) + c];
+      }
+    }
+  }
+  return changes;
+}
+
+/// One pixel of each block in the place of all.
+Pixels Coarsen(const Pixels& pixels, int block)
+{
+  Pixels coarse;
+  for (int y = 0; y < Size; ++y)
+  {
+    for (int x = 0; x < Size; ++x)
+    {
+      const int middle = (y / block * block + block / 2) * Size + x / block * block + block / 2;
+      coarse.insert(coarse.end(), &pixels[3 * middle], &pixels[3 * middle] + 3);
+    }
+  }
+  return coarse;
+}
+
 double CountDifference(const Pixels& a, const Pixels& b)
 {
   double sum = 0.0;
@@ -63,19 +96,26 @@ int TestCSLFMapperResolution(int, char*[])
   renderer->ResetCamera();
   constexpr double turn = 10.0;
   const Pixels whole = Render(window);
+  CSLF_CHECK(CountChanges(whole, 2) > 0);
   camera->Azimuth(turn);
   const Pixels turned = Render(window);
 
-  // Far more than any machine can: the first picture is coarse by guess, the next by measure.
+  // Far more than any machine can: the first picture is coarse by guess, with half of the pixels
+  // along each side, the next by measure, with a quarter. Between them it is interpolated.
   window->SetDesiredUpdateRate(1.0e9);
   camera->Azimuth(-turn);
   const double byGuess = CountDifference(Render(window), whole);
   camera->Azimuth(turn);
-  const double byMeasure = CountDifference(Render(window), turned);
-  std::cout << "differences: " << byGuess << ", " << byMeasure << "\n";
-  CSLF_CHECK(byGuess > 0.5);
-  CSLF_CHECK(byMeasure > byGuess + 0.5);
-  CSLF_CHECK(byMeasure < 10.0);
+  const Pixels coarse = Render(window);
+  const double byMeasure = CountDifference(coarse, turned);
+  const double ofHalf = CountDifference(Coarsen(whole, 2), whole);
+  const double ofQuarter = CountDifference(Coarsen(turned, 4), turned);
+  std::cout << "differences: " << byGuess << " of " << ofHalf << " by guess, " << byMeasure
+            << " of " << ofQuarter << " by measure\n";
+  CSLF_CHECK(byGuess > 0.25 * ofHalf && byGuess < ofHalf);
+  CSLF_CHECK(byMeasure > 0.5 * ofQuarter && byMeasure < ofQuarter);
+  CSLF_CHECK(byMeasure > byGuess);
+  CSLF_CHECK(CountChanges(coarse, 4) > 0);
 
   window->SetDesiredUpdateRate(1.0e-4);
   CSLF_CHECK(CountDifference(Render(window), turned) < 0.1);

@@ -43,6 +43,7 @@ struct Streamed
   {
     this->Decoder->SetFileName(fileName.c_str());
     this->Mapper->SetInputConnection(this->Decoder->GetOutputPort());
+    this->Mapper->SetPixelSamples(1);
   }
 };
 
@@ -50,6 +51,7 @@ vtkSmartPointer<vtkCSLFMapper> MakeMapper(vtkImageData* field)
 {
   auto mapper = vtkSmartPointer<vtkCSLFMapper>::New();
   mapper->SetInputData(field);
+  mapper->SetPixelSamples(1);
   return mapper;
 }
 

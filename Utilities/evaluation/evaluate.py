@@ -26,7 +26,7 @@ def describe_machine(cslf):
                       Path("/proc/cpuinfo").read_text().splitlines()
                       if line.startswith("model name")), platform.machine())
     versions = say("dpkg-query", "--show", "--showformat=${Package} ${Version}, ", "libvtk9.1",
-                   "libembree3-3", "libavcodec59", "libx265-199", "libgl1-mesa-dri", "blender")
+                   "libembree3-3", "libavcodec59", "libx265-199", "libgl1-mesa-dri")
     return {"date": datetime.date.today().isoformat(), "processor": processor,
             "cores": len(os.sched_getaffinity(0)), "cslf": say(cslf, "--version"),
             "system": platform.freedesktop_os_release()["PRETTY_NAME"],
@@ -65,8 +65,8 @@ def write_page(folder, machine):
     """All parts that there are."""
     head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `parts`. "
             f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
-            f"{machine['system']}, {machine['cslf']}, {machine['packages']}. All that was "
-            f"measured took {machine['seconds'] / 60:.0f} minutes.\n")
+            f"{machine['system']}, {machine['cslf']}, {machine['packages']}. The "
+            f"measurements took {machine['seconds'] / 60:.0f} minutes together.\n")
     parts = [folder / "parts" / f"{name}.md" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)

@@ -71,6 +71,7 @@ class OneView:
             "size": self.size, "camera": CAMERA, "reflections": REFLECTIONS,
             "blocks": self.describe_blocks(), "pictures": pictures}))
         found = self.tool.work / "one-view-found.json"
+        found.unlink(missing_ok=True)
         run_program("blender", "--background", "--factory-startup", "--python-exit-code", 1,
                     "--python", SCRIPT, "--", job, found)
         found = json.loads(found.read_text())

@@ -38,4 +38,4 @@ def make_linear(shown):
 
 def psnr(shown, truth):
     """Of red, green and blue together."""
-    return -10 * math.log10(numpy.square(shown - truth).mean())
+    return -10 * math.log10(max(numpy.square(shown - truth).mean(), 1e-10))

@@ -232,8 +232,8 @@ class Report:
                 "4 x 4, as its light from large triangles is too dark close to their plane. PSNR "
                 "of colours as displayed, against the mean of two pictures of "
                 f"{found['reference'] // 2} samples by the same renderer; cached radiance, which "
-                "has a bias, against that of path tracing. Seconds are medians of three, of a "
-                "scene that has been built before; Cycles' are those of Blender's render call. "
+                "has a bias, against that of path tracing. Seconds are medians of three, ours "
+                "of a scene that has been built before, Cycles' of Blender's render call. "
                 "The cache serves all views.\n\n" +
                 table(["renderer", "samples", "cache (s)", "picture (s)", "PSNR (dB)"], rows) +
                 "\n" + self.plot("cycles", curves, "seconds, with the cache", "PSNR (dB)",

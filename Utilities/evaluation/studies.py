@@ -62,7 +62,7 @@ class Studies:
 
     def sample(self, scene, viewpoints, resolution, inputs=None, integrator="cache"):
         """The field's file and what its sampling took."""
-        name = f"{scene}-{viewpoints}x{resolution}"
+        name = f"{scene}-{viewpoints}x{resolution}" + ("" if integrator == "cache" else "-path")
         file = self.tool.work / f"{name}.vti"
         return file, self.tool.measure(
             f"sample-{name}", "sample", *(inputs or self.scenes[scene]), "-M", viewpoints, "-N",
@@ -88,7 +88,8 @@ class Studies:
             file = self.tool.work / f"scaling-{m}x{n}.mp4"
             row = self.tool.measure(
                 f"scaling-{m}x{n}", "sample", *self.scenes["cornell-box"], "-M", m, "-N", n,
-                "--spp", 1, "--key-views", step, "--preset", "ultrafast", "-o", file)
+                "--spp", 1, "--key-views", step, "--preset", "ultrafast", "--no-restart",
+                "-o", file)
             rows.append({**row, "viewpoints": m})
             file.unlink(missing_ok=True)
         return rows
@@ -213,9 +214,9 @@ class Studies:
         wires = self.tool.work / "wires.vtp"
         make_wires(wires)
         wires = (wires, "--environment", "white")
-        # A cache pays for each of a wire's points, most of which few texels see.
+        # A cache of points on wires takes longer than tracing all paths.
         cases = (("mirror", "a dragon of roughness 0.05", 9, self.mirror, "cache"),
-                 ("wires", "tubes thinner than a texel before a wall", 9, wires, "path"),
+                 ("wires", "tubes thinner than a texel before a wall, path-traced", 9, wires, "path"),
                  ("few", "the Cornell box from 3 x 3 viewpoints", 3, None, "cache"))
         rows = []
         for name, title, m, inputs, integrator in cases:

@@ -36,11 +36,13 @@ class Tool:
         begin = time.monotonic()
         found = strip_paths(measure())
         found["seconds_of_run"] = time.monotonic() - begin
-        kept.write_text(json.dumps(found, indent=1) + "\n")
+        whole = kept.with_suffix(".new")
+        whole.write_text(json.dumps(found, indent=1) + "\n")
+        whole.replace(kept)
         return found
 
     def get_seconds(self):
-        """What all that was measured took together."""
+        """What the measurements that are kept took together."""
         parts = [json.loads(kept.read_text()) for kept in (self.folder / "parts").glob("*.json")]
         return sum(part.get("seconds_of_run", 0.0) for part in parts)
 
