@@ -34,7 +34,8 @@ class Report:
 
     def plot(self, name, curves, x, y, log=(False, False)):
         """Curves are (label, xs, ys)."""
-        figure, axes = plt.subplots(figsize=(6, 4), dpi=100)
+        beside = len(curves) > 4  # the legend, which would hide curves
+        figure, axes = plt.subplots(figsize=(8.5 if beside else 6, 4), dpi=100)
         for label, xs, ys in curves:
             axes.plot(xs, ys, "o-", markersize=4, label=label)
         axes.set_xlabel(x)
@@ -42,7 +43,10 @@ class Report:
         axes.set_xscale("log" if log[0] else "linear")
         axes.set_yscale("log" if log[1] else "linear")
         axes.grid(alpha=0.3)
-        axes.legend(fontsize="x-small")
+        if beside:
+            axes.legend(fontsize="x-small", loc="upper left", bbox_to_anchor=(1.01, 1))
+        else:
+            axes.legend(fontsize="x-small")
         figure.tight_layout()
         figure.savefig(self.tool.folder / f"{name}.png")
         plt.close(figure)
