@@ -21,7 +21,6 @@ for example in "$@"; do
   case "$example" in
     hello_light_field | notebook) arguments=(7 64 16) ;;
     timed_bake) arguments=(5 64 200) ;;
-    molecule | live_actors) arguments=(9 96 16) ;;
     regression_fixture) arguments=(--bake) ;;
     *) arguments=() ;;
   esac
