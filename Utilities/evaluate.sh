@@ -8,14 +8,14 @@
 # for that. Nothing else should run meanwhile.
 #
 # usage: evaluate.sh [--quick] [STUDY...]
-#   --quick   small fields, within 10 minutes, into build/evaluation-quick; without it hours, into
-#             Documentation/evaluation
+#   --quick   small fields, within 10 minutes, into build/evaluation-quick; without it some 80
+#             minutes, into Documentation/evaluation
 #   STUDY     some of: sampling scaling sizes novel-views key-views frame-rates integrators cycles
 #             limits
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-packages=(python3-matplotlib)
+packages=(python3-matplotlib python3-pil)
 case " $* " in
   *" cycles "* | "  " | " --quick ") packages+=(python3-numpy python3-openimageio blender) ;;
 esac

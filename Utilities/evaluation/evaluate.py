@@ -54,7 +54,7 @@ def main():
     for name in options.studies or NAMES:
         method = name.replace("-", "_")
         part = getattr(report, method)(getattr(studies, method)())
-        (folder / "parts" / f"{name}.md").write_text(part)
+        (folder / "parts" / f"{name}.txt").write_text(part)
     machine["seconds"] = round(tool.get_seconds())
     (folder / "parts" / "machine.json").write_text(json.dumps(machine, indent=1) + "\n")
     write_page(folder, machine)
@@ -67,7 +67,7 @@ def write_page(folder, machine):
             f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
             f"{machine['system']}, {machine['cslf']}, {machine['packages']}. The "
             f"measurements took {machine['seconds'] / 60:.0f} minutes together.\n")
-    parts = [folder / "parts" / f"{name}.md" for name in NAMES]
+    parts = [folder / "parts" / f"{name}.txt" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)
 

@@ -4,6 +4,7 @@
 import dataclasses
 import shutil
 
+from PIL import Image
 import vtkmodules.vtkFiltersCore as filters
 import vtkmodules.vtkFiltersModeling as modeling
 import vtkmodules.vtkIOPLY as ply
@@ -12,6 +13,7 @@ import vtkmodules.vtkCommonCore as core
 import vtkmodules.vtkFiltersSources as sources
 
 LOOKUPS = ("nearest", "linear", "bilinear", "focal", "depth")
+LONGEST_SIDE = 1800     # of the sheet of novel views, in pixels
 QUALITY = ("--spp", 16, "--noise", 0.004)
 
 
@@ -134,8 +136,9 @@ class Studies:
                 pictures.append(folder / f"view-0-{lookup}.png")
                 labels += ["--label",
                            f"{m} x {n} {lookup} {found['lookups'][lookup]['psnr']:.1f} dB"]
-        self.tool.run("sheet", *pictures, "-o", self.tool.folder / "novel-views.png", "--columns",
-                      1 + len(LOOKUPS), *labels)
+        sheet = self.tool.work / "novel-views.png"
+        self.tool.run("sheet", *pictures, "-o", sheet, "--columns", 1 + len(LOOKUPS), *labels)
+        shrink(sheet, self.tool.folder / "novel-views.png")
         return rows
 
     # Novel views against size: the paper's way and ours.
@@ -216,7 +219,8 @@ class Studies:
         wires = (wires, "--environment", "white")
         # A cache of points on wires takes longer than tracing all paths.
         cases = (("mirror", "a dragon of roughness 0.05", 9, self.mirror, "cache"),
-                 ("wires", "tubes thinner than a texel before a wall, path-traced", 9, wires, "path"),
+                 ("wires", "tubes thinner than a texel before a wall, path-traced", 9, wires,
+                  "path"),
                  ("few", "the Cornell box from 3 x 3 viewpoints", 3, None, "cache"))
         rows = []
         for name, title, m, inputs, integrator in cases:
@@ -229,6 +233,14 @@ class Studies:
             rows.append({"name": name, "title": title, "viewpoints": m, "resolution": n,
                          "found": found})
         return rows
+
+
+def shrink(sheet, file):
+    """A sheet for the page: with less than a megabyte, and labels that can still be read."""
+    with Image.open(sheet) as picture:
+        small = picture.convert("RGB")
+    small.thumbnail((LONGEST_SIDE, LONGEST_SIDE), Image.LANCZOS)
+    small.save(file, optimize=True)
 
 
 def make_wires(file):
