@@ -8,6 +8,7 @@ list(APPEND sources
   ../Rendering/cslfFaceSpace.cxx
   ../Rendering/cslfFaceUniforms.cxx
   ../Rendering/cslfFieldTexture.cxx
+  ../Rendering/cslfFlatUniforms.cxx
   ../Rendering/cslfFocus.cxx
   ../Rendering/cslfLookup.cxx
   ../Rendering/cslfLookupPicture.cxx
@@ -23,6 +24,7 @@ list(APPEND private_headers
   ../Rendering/cslfFaceSpace.h
   ../Rendering/cslfFaceUniforms.h
   ../Rendering/cslfFieldTexture.h
+  ../Rendering/cslfFlatUniforms.h
   ../Rendering/cslfFocus.h
   ../Rendering/cslfLookup.h
   ../Rendering/cslfLookupPicture.h

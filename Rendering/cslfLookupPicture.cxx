@@ -7,6 +7,7 @@
 #include "cslfFaceUniforms.h"
 #include "cslfFieldGLSL.h"
 #include "cslfFieldTexture.h"
+#include "cslfFlatUniforms.h"
 #include "cslfLookupGLSL.h"
 #include "cslfOpenGL.h"
 #include "cslfPictureFS.h"
@@ -305,14 +306,20 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
   const auto build = [&](const std::string& lookup)
   {
     std::string source = fragment;
+    std::string vertex = cslfPictureVS;
     vtkShaderProgram::Substitute(source, "//CSLF::Lookup::Impl", lookup);
-    return std::make_unique<vtkOpenGLQuadHelper>(this->Window, cslfPictureVS, source.c_str(), "");
+    if (ReadsUniformsByLane())
+    {
+      HandUniformsOn(vertex, source);
+    }
+    return std::make_unique<vtkOpenGLQuadHelper>(this->Window, vertex.c_str(), source.c_str(), "");
   };
   if (this->IsSearched)
   {
-    this->Check = build(
-      "vec4 plane; "
-      "if (!GuessPlane(FCDCMatrix, plane) || !LookupGuessed(ray, plane, result)) { discard; }");
+    this->Check =
+      build("vec4 plane; "
+            "if (!GuessPlane(plane) || !LookupGuessed(ray, plane, result)) { discard; }");
+    this->GuessSearch = build("if (!LookupGuess(ray, result)) { discard; }");
     this->Search = build("if (!LookupSeen(ray, result)) { discard; }");
     this->Rest = build("result = LookupUnseen(ray);");
   }
@@ -320,6 +327,7 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
   {
     this->Search = build(std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
     this->Check.reset();
+    this->GuessSearch.reset();
     this->Rest.reset();
   }
 }
@@ -399,7 +407,7 @@ void LookupPicture::DrawPicture(FieldTexture& field)
     if (hasGuess)
     {
       this->Begin(this->Guess, false);
-      this->DrawFaces(field, *this->Search, SearchMark);
+      this->DrawFaces(field, *this->GuessSearch, SearchMark);
       this->Guess.Depths->Activate();
     }
     this->Begin(this->Picture, true);
@@ -498,6 +506,7 @@ void LookupPicture::Release(vtkWindow* window)
   {
     this->Search.reset();
     this->Check.reset();
+    this->GuessSearch.reset();
     this->Rest.reset();
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Picture.Release(window);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFCubeMapper.h"
 
+#include "cslfFlatUniforms.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
@@ -24,6 +25,8 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkProp.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
@@ -48,6 +51,10 @@ constexpr double MostUpload = 0.05;
 /// Pixels along each side of a picture that is drawn to have programs compiled: as many as it takes
 /// for all programs of a large one.
 constexpr int CompilingSize = 16;
+/// CoveragePass of cslfMapperFS.glsl.
+constexpr int AllCoverage = 0;
+constexpr int FullCoverage = 1;
+constexpr int PartialCoverage = 2;
 
 // The cube as six quads, with each point's face as a vertex attribute.
 vtkSmartPointer<vtkPolyData> MakeCube(const cslf::Cube& box)
@@ -118,6 +125,11 @@ void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Window = renderer->GetRenderWindow();
+  if (!actor->IsRenderingTranslucentPolygonalGeometry())
+  {
+    this->DrawnAtOnce =
+      this->ChooseCoveragePass(renderer, actor) == FullCoverage && IsLastProp(renderer, actor);
+  }
   this->UpdateCamera(renderer, actor);
   this->UpdateTexture(renderer, actor);
   this->Superclass::RenderPieceStart(renderer, actor);
@@ -137,7 +149,7 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   pace.Limit = this->TextureMemoryLimit;
   pace.Waits = !this->Streaming;
   pace.Seconds = std::clamp(UploadShare * actor->GetAllocatedRenderTime(), LeastUpload, MostUpload);
-  pace.Keeps = this->ChooseCoveragePass(renderer, actor) == 2;
+  pace.Keeps = this->ChooseCoveragePass(renderer, actor) == PartialCoverage;
   std::string error;
   const auto update = [&]
   { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
@@ -228,6 +240,26 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
+  this->DrawFaces(renderer, actor, this->ChooseCoveragePass(renderer, actor));
+  if (this->DrawnAtOnce && !actor->IsRenderingTranslucentPolygonalGeometry())
+  {
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    this->DrawFaces(renderer, actor, PartialCoverage);
+  }
+  if (!clampsDepth)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  this->Picture.Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor, int coveragePass)
+{
+  this->CoveragePass = coveragePass;
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
@@ -241,11 +273,6 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
       triangles.IBO->Release();
     }
   }
-  if (!clampsDepth)
-  {
-    glDisable(GL_DEPTH_CLAMP);
-  }
-  this->Picture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -297,13 +324,16 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
 void vtkCSLFCubeMapper::GetShaderTemplate(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor* actor)
 {
-  vtkInformation* keys = actor->GetPropertyKeys();
-  const bool inPass = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
   std::string fragment = cslfMapperFS;
-  vtkShaderProgram::Substitute(
-    fragment, "//CSLF::Options::Dec", this->Options + (inPass ? "#define RENDER_PASS\n" : ""));
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
+    this->Options + (IsInRenderPass(actor) ? "#define RENDER_PASS\n" : ""));
   vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
-  shaders[vtkShader::Vertex]->SetSource(cslfMapperVS);
+  std::string vertex = cslfMapperVS;
+  if (cslf::ReadsUniformsByLane())
+  {
+    cslf::HandUniformsOn(vertex, fragment);
+  }
+  shaders[vtkShader::Vertex]->SetSource(vertex);
   shaders[vtkShader::Fragment]->SetSource(fragment);
   shaders[vtkShader::Geometry]->SetSource("");
 }
@@ -325,17 +355,52 @@ void vtkCSLFCubeMapper::ReplaceShaderPicking(
 }
 
 //------------------------------------------------------------------------------
-// An opaque actor draws twice: what covers its pixels, then, with the translucent geometry, what
-// covers them in part. An actor that is drawn once only draws all.
+bool vtkCSLFCubeMapper::IsInRenderPass(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+}
+
+//------------------------------------------------------------------------------
+// Whether an actor is the last prop of a renderer that draws by itself, and no other may be
+// translucent: then nothing can come behind its pixels any more.
+bool vtkCSLFCubeMapper::IsLastProp(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (renderer->GetPass() || IsInRenderPass(actor))
+  {
+    return false;
+  }
+  vtkProp* last = nullptr;
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
+  {
+    if (!prop->GetVisibility() || prop->IsA("vtkActor2D"))
+    {
+      continue;
+    }
+    const bool isSurface = vtkActor::SafeDownCast(prop) != nullptr;
+    if (prop != actor && (!isSurface || prop->HasTranslucentPolygonalGeometry()))
+    {
+      return false;
+    }
+    last = prop;
+  }
+  return last == actor;
+}
+
+//------------------------------------------------------------------------------
+// An opaque actor draws twice: what covers its pixels, then, at once or with the translucent
+// geometry, what covers them in part. An actor that is drawn once only draws all.
 int vtkCSLFCubeMapper::ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const
 {
   const bool once = actor->GetProperty()->GetOpacity() < 1.0 || actor->GetForceOpaque() ||
     actor->GetForceTranslucent() || renderer->GetSelector();
   if (once)
   {
-    return 0;
+    return AllCoverage;
   }
-  return actor->IsRenderingTranslucentPolygonalGeometry() ? 2 : 1;
+  return actor->IsRenderingTranslucentPolygonalGeometry() ? PartialCoverage : FullCoverage;
 }
 
 //------------------------------------------------------------------------------
@@ -354,7 +419,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
     program->SetUniformMatrix("DCVCMatrix", dcvc);
   }
   program->SetUniformf("Opacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
-  program->SetUniformi("CoveragePass", this->ChooseCoveragePass(renderer, actor));
+  program->SetUniformi("CoveragePass", this->CoveragePass);
   if (!this->ToneMapping.IsIdentity())
   {
     program->SetUniformf("Exposure", static_cast<float>(this->ToneMapping.Exposure));

@@ -74,6 +74,9 @@ public:
   /// What the last picture's camera saw of the cube.
   const cslf::Sight& GetSight() const { return this->Sight; }
 
+  /// Whether the opaque pass that was drawn last left nothing for the translucent one.
+  bool IsDrawnAtOnce() const { return this->DrawnAtOnce; }
+
   /// Whether nothing was missing from the last picture, as far as it fits.
   bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
 
@@ -117,7 +120,10 @@ private:
   void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
   std::string MakeOptions() const;
   void SetClippingUniforms(vtkShaderProgram* program);
+  void DrawFaces(vtkRenderer* renderer, vtkActor* actor, int coveragePass);
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
+  static bool IsLastProp(vtkRenderer* renderer, vtkActor* actor);
+  static bool IsInRenderPass(vtkActor* actor);
 
   std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;
@@ -134,7 +140,9 @@ private:
   std::string Options; ///< the shader's, for the picture being drawn
 
   // For the picture being drawn.
-  int Face = 0; ///< of the cube, in turn
+  int Face = 0;             ///< of the cube, in turn
+  int CoveragePass = 0;     ///< of cslfMapperFS.glsl
+  bool DrawnAtOnce = false; ///< what covers its pixels in part follows in the opaque pass
   cslf::Sight Sight;
   cslf::LookupPicture::View View;
   vtkNew<vtkMatrix4x4> VCDCMatrix;

@@ -275,6 +275,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   cubeMapper->SetToneMapping({ this->Exposure, this->ToneMapping });
   cubeMapper->SetStreaming(this->Streaming, this->TextureMemoryLimit);
   cubeMapper->Render(renderer, actor);
+  this->HasTranslucentPart = !cubeMapper->IsDrawnAtOnce();
   this->TimeToDraw = cubeMapper->GetTimeToDraw();
   this->ReportDamage(
     cubeMapper->GetNumberOfDamagedViewpoints(), cubeMapper->GetNumberOfViewpoints());

@@ -17,7 +17,8 @@
  * that what lies behind it shows around its silhouettes, and where the field has a depth channel
  * the surfaces' depth is written, so that other actors pierce it and are hidden by it correctly.
  * Pixels that the field covers in part are drawn in the translucent pass, with depth peeling or
- * without.
+ * without; where the field is the last of a renderer's props, and the others are opaque, with the
+ * rest of it, which is faster.
  *
  * The actor's transform (with a rotation, or a scale of its own along each axis), its opacity and
  * its ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no meaning
@@ -228,10 +229,11 @@ public:
 
   ///@{
   /**
-   * The field covers some pixels wholly and some in part.
+   * The field covers some pixels wholly and some in part. The latter need no pass of their own
+   * where nothing that is drawn after them can show behind them.
    */
   bool HasOpaqueGeometry() override { return true; }
-  bool HasTranslucentPolygonalGeometry() override { return true; }
+  bool HasTranslucentPolygonalGeometry() override { return this->HasTranslucentPart; }
   ///@}
 
   ///@{
@@ -279,6 +281,7 @@ private:
   int ToneMapping = CLAMP;
   bool Streaming = false;
   vtkTypeInt64 TextureMemoryLimit = vtkTypeInt64(2) << 30;
+  bool HasTranslucentPart = true; // after the opaque pass that was drawn last
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

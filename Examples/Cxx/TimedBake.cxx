@@ -87,6 +87,7 @@ int main(int argc, char* argv[])
             << " s: " << estimator->GetBytes() / 1e3 << " kB\n";
 
   // Aborted, as by a user who pressed a button: neither the file nor its parts are left.
+  std::filesystem::remove("TimedBake.mp4");
   if (Bake(encoder, 0.3) || std::filesystem::exists("TimedBake.mp4"))
   {
     std::cerr << "The bake was not aborted.\n";

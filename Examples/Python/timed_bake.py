@@ -65,6 +65,8 @@ def bake(abort_at):
 
 
 # Aborted, as by a user who pressed a button: neither the file nor its parts are left.
+if os.path.exists("TimedBake.mp4"):
+    os.remove("TimedBake.mp4")
 if bake(abort_at=0.3) or os.path.exists("TimedBake.mp4"):
     sys.exit("The bake was not aborted.")
 print("aborted")

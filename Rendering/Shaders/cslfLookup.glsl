@@ -416,17 +416,37 @@ vec2 FindRange(GridRay gridRay)
 }
 
 // By the three nearest views. False where none of the four sees the surface.
-bool LookupSeen(Ray ray, out LookupResult result)
+bool FindSeen(Ray ray, ViewCell views, out Surface surface)
 {
   GridRay gridRay = CastGridRay(ray);
+  surface = FindSurface(ray, views, gridRay, FindRange(gridRay), false);
+  return surface.W == 0.0 || surface.Sight != vec4(0.0);
+}
+
+bool LookupSeen(Ray ray, out LookupResult result)
+{
   ViewCell views = FindViews(ray.Entry);
-  Surface surface = FindSurface(ray, views, gridRay, FindRange(gridRay), false);
+  Surface surface;
+  bool isSeen = FindSeen(ray, views, surface);
   result = LookupResult(vec4(0.0), 1.0);
   if (surface.W > 0.0)
   {
     result = LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
   }
-  return surface.W == 0.0 || surface.Sight != vec4(0.0);
+  return isSeen;
+}
+
+// The same without colour, which is 1 where there is a surface.
+bool LookupGuess(Ray ray, out LookupResult result)
+{
+  Surface surface;
+  bool isSeen = FindSeen(ray, FindViews(ray.Entry), surface);
+  result = LookupResult(vec4(0.0), 1.0);
+  if (surface.W > 0.0)
+  {
+    result = LookupResult(vec4(1.0), 1.0 / surface.W);
+  }
+  return isSeen;
 }
 
 // Where LookupSeen is false: by all four views and those around them.

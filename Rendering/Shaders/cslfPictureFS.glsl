@@ -7,12 +7,10 @@
 
 //VTK::Output::Dec
 
-in vec2 positionVSOutput;
+in vec4 pointVSOutput;
 
 uniform vec4 EyeFC; // w = 1: the eye; w = 0: the direction of parallel projection
 uniform mat4 FCDCMatrix;
-uniform mat4 DCFCMatrix;
-uniform bool IsEyeInside;
 uniform vec3 FocalPointFC;
 uniform sampler2D GuessDepth; // of a small picture of the same view: z of DC
 uniform vec2 PictureSize;     // of the picture that is drawn, in pixels
@@ -26,16 +24,20 @@ const float NothingDC = 1.0e30; // where nothing is seen; greater where nothing 
 
 // What the guess has around the fragment: a plane of FC. False where it does not know. Where it says
 // that there is nothing, the plane is 0.
-bool GuessPlane(mat4 matrix, out vec4 plane)
+bool GuessPlane(out vec4 plane)
 {
   vec2 size = vec2(textureSize(GuessDepth, 0));
   vec2 position = gl_FragCoord.xy / PictureSize * size - 0.5;
   vec2 base = clamp(floor(position), vec2(0.0), max(size - 2.0, 0.0));
+#ifdef GL_ARB_texture_gather
+  vec4 z = textureGather(GuessDepth, (base + 1.0) / size).wzxy;
+#else
   ivec2 low = ivec2(base);
   ivec2 high = min(low + 1, ivec2(size) - 1);
   vec4 z = vec4(texelFetch(GuessDepth, low, 0).r,
     texelFetch(GuessDepth, ivec2(high.x, low.y), 0).r,
     texelFetch(GuessDepth, ivec2(low.x, high.y), 0).r, texelFetch(GuessDepth, high, 0).r);
+#endif
   vec2 offset = position - base;
   vec2 row = mix(z.xz, z.yw, offset.x);
   float here = mix(row.x, row.y, offset.y);
@@ -43,18 +45,13 @@ bool GuessPlane(mat4 matrix, out vec4 plane)
   vec2 fragmentDC = 2.0 * gl_FragCoord.xy / PictureSize - 1.0;
   bool isNothing = z == vec4(NothingDC);
   plane =
-    isNothing ? vec4(0.0) : vec4(slope, -1.0, here - dot(slope, fragmentDC)) * matrix;
+    isNothing ? vec4(0.0) : vec4(slope, -1.0, here - dot(slope, fragmentDC)) * FCDCMatrix;
   return isNothing || all(lessThan(z, vec4(NothingDC)));
 }
 
 void main()
 {
-  vec3 point = vec3(positionVSOutput, 0.0);
-  if (IsEyeInside)
-  {
-    vec4 displayed = DCFCMatrix * vec4(positionVSOutput, 0.0, 1.0);
-    point = displayed.xyz / displayed.w;
-  }
+  vec3 point = pointVSOutput.xyz / pointVSOutput.w;
   vec3 direction = EyeFC.w > 0.0 ? point - EyeFC.xyz : EyeFC.xyz;
   vec2 entry = point.xy - direction.xy * (point.z / direction.z);
   if (direction.z <= 0.0 || any(greaterThan(abs(entry), vec2(1.0))))

@@ -77,6 +77,45 @@ void TestTwoFields()
   CSLF_CHECK(fromBoth[0] > 1000 && fromBoth[1] > 1000);
 }
 
+// What the field covers in part is drawn at once where it is the last of all props and the others
+// are opaque. Neither that nor the order of the props changes the picture.
+void TestSilhouettes()
+{
+  View last;
+  AddSheet(last, -2.5, 4.0, 1.0);
+  const auto lastMapper = cslf::testing::MakeTestMapper();
+  const auto field = last.Add(lastMapper);
+  const Picture expected = last.Render();
+  CSLF_CHECK(!lastMapper->HasTranslucentPolygonalGeometry());
+  const auto check = [&](const char* what, const Picture& picture)
+  {
+    CSLF_CHECK(picture.Depths == expected.Depths);
+    const double same = ComparePictures(picture, expected);
+    std::cout << what << ": " << same << " dB\n";
+    CSLF_CHECK(same > 50.0);
+  };
+
+  View first;
+  const auto firstMapper = cslf::testing::MakeTestMapper();
+  first.Add(firstMapper);
+  AddSheet(first, -2.5, 4.0, 1.0);
+  check("before an opaque actor", first.Render());
+  CSLF_CHECK(firstMapper->HasTranslucentPolygonalGeometry());
+
+  const auto outside = AddSheet(last, -20.0, 0.1, 0.5);
+  outside->SetPosition(30.0, 0.0, 0.0);
+  check("with a translucent actor", last.Render());
+  CSLF_CHECK(lastMapper->HasTranslucentPolygonalGeometry());
+  outside->VisibilityOff();
+  check("with a hidden one", last.Render());
+  CSLF_CHECK(!lastMapper->HasTranslucentPolygonalGeometry());
+
+  // As translucent as it is, it is drawn once.
+  field->GetProperty()->SetOpacity(0.5);
+  CSLF_CHECK(field->HasTranslucentPolygonalGeometry());
+  CSLF_CHECK(last.Render().Depths != expected.Depths);
+}
+
 // What is drawn lies on the positive side of the plane, and is as without.
 void TestClippingPlanes()
 {
@@ -296,6 +335,7 @@ void TestShadows()
 int TestCSLFMapperScene(int, char*[])
 {
   TestTwoFields();
+  TestSilhouettes();
   TestClippingPlanes();
   TestBlending(false);
   TestBlending(true);
