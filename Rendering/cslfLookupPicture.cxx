@@ -46,8 +46,10 @@ constexpr double ShareSteps = 16.0;
 constexpr int MostSamples = 16;
 /// Whoever has as many seconds for a picture is not moving it.
 constexpr double StillSeconds = 1.0;
-/// The depth lookup's guesses come from a picture with one pixel for so many along each side.
-constexpr int GuessDivisor = 3;
+/// The depth lookup's guesses come from a picture with one pixel for so many along each side as
+/// make about a texel, in the middle of the cube, but for no fewer and no more than these.
+constexpr int LeastGuessDivisor = 3;
+constexpr int MostGuessDivisor = 12;
 /// In the order of vtkCSLFMapper::LookupType.
 constexpr int DepthLookup = 4;
 /// What the passes of the depth lookup mark their pixels with, as z of DC: each leaves alone those
@@ -278,9 +280,12 @@ void LookupPicture::Allocate(const FieldTexture& field)
   this->Picture.Allocate(this->Window, this->Size, colorType, this->IsSearched);
   if (this->IsSearched)
   {
+    const double edge = FindEdge(this->Current, this->Viewport) * this->Samples * this->Share;
+    const int divisor =
+      std::clamp(static_cast<int>(std::ceil(edge / field.GetField().Grid.GetResolution())),
+        LeastGuessDivisor, MostGuessDivisor);
     this->Guess.Allocate(this->Window,
-      { (this->Size[0] + GuessDivisor - 1) / GuessDivisor,
-        (this->Size[1] + GuessDivisor - 1) / GuessDivisor },
+      { (this->Size[0] + divisor - 1) / divisor, (this->Size[1] + divisor - 1) / divisor },
       colorType, false);
   }
 }
