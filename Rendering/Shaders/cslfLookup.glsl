@@ -350,6 +350,12 @@ bool FindStep(
   return false;
 }
 
+// How well views see a point that they have clearances of, in [0,1].
+vec4 Nearness(vec4 clearances, float w)
+{
+  return max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
+}
+
 // Steps by all four views, or by the three nearest.
 Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all)
 {
@@ -359,6 +365,9 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
   step.FirstHidden = 0.0;
   Surface doubtful = Surface(0.0, vec4(0.0), 0.0);
   float least = DoubtTexels / Resolution;
+  float w = 0.0;
+  vec4 clearances = vec4(0.0);
+  bool isFound = false;
   for (int i = 0; i < MostCandidates; ++i)
   {
     if (!FindStep(ray, views, gridRay, range, all, step))
@@ -366,24 +375,21 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
       break;
     }
     vec4 chosen = ChooseCrossing(step.ClearancesBefore, step.ClearancesBehind);
-    float w = RefineCrossing(ray, ChooseView(views, chosen), step.Before, step.Behind,
+    w = RefineCrossing(ray, ChooseView(views, chosen), step.Before, step.Behind,
       dot(step.ClearancesBefore, chosen), dot(step.ClearancesBehind, chosen));
-    vec4 clearances = Clearances(ray, views, w, true);
+    clearances = Clearances(ray, views, w, true);
     float most = max(max(clearances.x, clearances.y), max(clearances.z, clearances.w)) / w;
     bool isSeenThrough = most > ClearanceTolerance;
     bool isSurface = abs(dot(clearances, chosen)) < EdgeStep * w;
-    vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
     if (isSurface && most < least)
     {
       least = most;
-      doubtful = Surface(w, near, 0.0);
+      doubtful = Surface(w, Nearness(clearances, w), 0.0);
     }
-    if (!isSeenThrough && isSurface)
+    isFound = !isSeenThrough && isSurface;
+    if (isFound)
     {
-      float before = all ? step.ClearancesBefore.w
-                         : Clearance(views.View11, ray.Entry + ray.Chord / step.Before);
-      vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
-      return Surface(w, near * fromFront, step.FirstHidden);
+      break;
     }
     bool isKnown = any(greaterThan(clearances, vec4(-Unknown)));
     if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
@@ -391,6 +397,13 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
       step.FirstHidden = w;
     }
     step.Behind = w - RestartShare * views.Stride;
+  }
+  if (isFound)
+  {
+    float before = all ? step.ClearancesBefore.w
+                       : Clearance(views.View11, ray.Entry + ray.Chord / step.Before);
+    vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
+    return Surface(w, Nearness(clearances, w) * fromFront, step.FirstHidden);
   }
   if (step.FirstHidden == 0.0)
   {
@@ -516,7 +529,7 @@ bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
   float shift = min(min(shifts.x, shifts.y), min(shifts.z, shifts.w));
   w -= shift;
   clearances -= shift * slopes;
-  vec4 near = max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
-  result = LookupResult(BlendVisible(ray, views, Surface(w, near * fromFront, 0.0)), 1.0 / w);
+  Surface surface = Surface(w, Nearness(clearances, w) * fromFront, 0.0);
+  result = LookupResult(BlendVisible(ray, views, surface), 1.0 / w);
   return true;
 }
