@@ -19,6 +19,11 @@ void HandUniformsOn(std::string& vertex, std::string& fragment)
   static const std::regex uniform(
     R"((^|\n)uniform (float|int|vec[234]|mat[34]) (\w+);)", std::regex::optimize);
   static const std::string begin = "void main()\n{\n";
+  const std::size_t main = vertex.find(begin);
+  if (main == std::string::npos)
+  {
+    return;
+  }
   std::string declarations;
   std::string assignments;
   for (std::sregex_iterator found(fragment.begin(), fragment.end(), uniform), end; found != end;
@@ -33,7 +38,6 @@ void HandUniformsOn(std::string& vertex, std::string& fragment)
     declarations += "flat out " + type + " " + name + "Flat;\n";
     assignments += "  " + name + "Flat = " + name + ";\n";
   }
-  const std::size_t main = vertex.find(begin);
   vertex.replace(main, begin.size(), declarations + begin + assignments);
   fragment = std::regex_replace(fragment, uniform, "$1flat in $2 $3Flat;\n#define $3 $3Flat");
 }

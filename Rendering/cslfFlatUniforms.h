@@ -9,6 +9,8 @@
 #ifndef cslfFlatUniforms_h
 #define cslfFlatUniforms_h
 
+#include "vtkCSLFModule.h"
+
 #include <string>
 
 namespace cslf
@@ -18,9 +20,11 @@ namespace cslf
 bool ReadsUniformsByLane();
 
 /// Has the vertex shader of a program hand the uniforms of its fragment shader on as flat outputs,
-/// so that fragments read these in their place. Their names, and how they are set, stay. Uniforms
-/// are found where each is declared on a line of its own; samplers and booleans stay as they are.
-void HandUniformsOn(std::string& vertex, std::string& fragment);
+/// so that fragments read these in their place. Their names, and how they are set, stay. Numbers,
+/// vectors of floats and square matrices are found where a line begins with their declaration; all
+/// else stays as it is, arrays among it, and all of it where the vertex shader has no line
+/// `void main()` followed by one with its brace.
+void VTKCSLF_EXPORT HandUniformsOn(std::string& vertex, std::string& fragment);
 }
 
 #endif

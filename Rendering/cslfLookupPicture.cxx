@@ -48,8 +48,8 @@ constexpr int MostSamples = 16;
 constexpr double StillSeconds = 1.0;
 /// The depth lookup's guesses come from a picture with one pixel for so many along each side as
 /// make about a texel, in the middle of the cube, but for no fewer and no more than these.
-constexpr int LeastGuessDivisor = 3;
-constexpr int MostGuessDivisor = 12;
+constexpr double LeastGuessDivisor = 3.0;
+constexpr double MostGuessDivisor = 12.0;
 /// In the order of vtkCSLFMapper::LookupType.
 constexpr int DepthLookup = 4;
 /// What the passes of the depth lookup mark their pixels with, as z of DC: each leaves alone those
@@ -282,8 +282,8 @@ void LookupPicture::Allocate(const FieldTexture& field)
   {
     const double edge = FindEdge(this->Current, this->Viewport) * this->Samples * this->Share;
     const int divisor =
-      std::clamp(static_cast<int>(std::ceil(edge / field.GetField().Grid.GetResolution())),
-        LeastGuessDivisor, MostGuessDivisor);
+      static_cast<int>(std::clamp(std::ceil(edge / field.GetField().Grid.GetResolution()),
+        LeastGuessDivisor, MostGuessDivisor));
     this->Guess.Allocate(this->Window,
       { (this->Size[0] + divisor - 1) / divisor, (this->Size[1] + divisor - 1) / divisor },
       colorType, false);

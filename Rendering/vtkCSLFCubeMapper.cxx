@@ -11,7 +11,10 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCuller.h>
+#include <vtkCullerCollection.h>
 #include <vtkFloatArray.h>
+#include <vtkFrustumCoverageCuller.h>
 #include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
@@ -244,8 +247,11 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   if (this->DrawnAtOnce && !actor->IsRenderingTranslucentPolygonalGeometry())
   {
     vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
     vtkOpenGLState::ScopedglDepthMask depthMask(state);
     state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     state->vtkglDepthMask(GL_FALSE);
     this->DrawFaces(renderer, actor, PartialCoverage);
   }
@@ -362,11 +368,29 @@ bool vtkCSLFCubeMapper::IsInRenderPass(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-// Whether an actor is the last prop of a renderer that draws by itself, and no other may be
-// translucent: then nothing can come behind its pixels any more.
+// Whether a renderer's props are drawn in another order than theirs.
+bool vtkCSLFCubeMapper::IsSorted(vtkRenderer* renderer)
+{
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetCullers()->InitTraversal(cookie);
+  while (vtkCuller* culler = renderer->GetCullers()->GetNextCuller(cookie))
+  {
+    auto* byCoverage = vtkFrustumCoverageCuller::SafeDownCast(culler);
+    if (!byCoverage || byCoverage->GetSortingStyle() != VTK_CULLER_SORT_NONE)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Whether an actor is the last prop that a renderer draws, in the order of its props, and all
+// others are opaque actors: then nothing can come behind its pixels any more.
 bool vtkCSLFCubeMapper::IsLastProp(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (renderer->GetPass() || IsInRenderPass(actor))
+  if (renderer->GetPass() || IsInRenderPass(actor) || renderer->GetUseHiddenLineRemoval() ||
+    IsSorted(renderer))
   {
     return false;
   }

@@ -123,6 +123,7 @@ private:
   void DrawFaces(vtkRenderer* renderer, vtkActor* actor, int coveragePass);
   int ChooseCoveragePass(vtkRenderer* renderer, vtkActor* actor) const;
   static bool IsLastProp(vtkRenderer* renderer, vtkActor* actor);
+  static bool IsSorted(vtkRenderer* renderer);
   static bool IsInRenderPass(vtkActor* actor);
 
   std::shared_ptr<cslf::ViewpointSource> Source;

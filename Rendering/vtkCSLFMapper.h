@@ -17,8 +17,8 @@
  * that what lies behind it shows around its silhouettes, and where the field has a depth channel
  * the surfaces' depth is written, so that other actors pierce it and are hidden by it correctly.
  * Pixels that the field covers in part are drawn in the translucent pass, with depth peeling or
- * without; where the field is the last of a renderer's props, and the others are opaque, with the
- * rest of it, which is faster.
+ * without. Where the field is the last of a renderer's visible props, and the others are opaque
+ * actors, it is drawn at once, which is faster.
  *
  * The actor's transform (with a rotation, or a scale of its own along each axis), its opacity and
  * its ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no meaning
@@ -229,8 +229,9 @@ public:
 
   ///@{
   /**
-   * The field covers some pixels wholly and some in part. The latter need no pass of their own
-   * where nothing that is drawn after them can show behind them.
+   * The field covers some pixels wholly and some in part, with the translucent geometry. The latter
+   * are left out where the opaque pass that was drawn last has drawn them; before the first they
+   * are not.
    */
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return this->HasTranslucentPart; }

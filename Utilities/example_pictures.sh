@@ -20,6 +20,7 @@ fi
 for example in "$@"; do
   case "$example" in
     hello_light_field | notebook) arguments=(7 64 16) ;;
+    isosurface | molecule | gltf_scene | live_actors) arguments=(9 128 16) ;;
     timed_bake) arguments=(5 64 200) ;;
     regression_fixture) arguments=(--bake) ;;
     *) arguments=() ;;

@@ -7,7 +7,9 @@
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 
+#include <vtkAssembly.h>
 #include <vtkCameraPass.h>
+#include <vtkFrustumCoverageCuller.h>
 #include <vtkLight.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkPlane.h>
@@ -83,6 +85,12 @@ void TestSilhouettes()
 {
   View last;
   AddSheet(last, -2.5, 4.0, 1.0);
+  const auto outside = AddSheet(last, -20.0, 0.1, 0.5);
+  outside->SetPosition(30.0, 0.0, 0.0);
+  outside->VisibilityOff();
+  vtkNew<vtkAssembly> assembly;
+  assembly->VisibilityOff();
+  last.Renderer->AddViewProp(assembly);
   const auto lastMapper = cslf::testing::MakeTestMapper();
   const auto field = last.Add(lastMapper);
   const Picture expected = last.Render();
@@ -102,12 +110,29 @@ void TestSilhouettes()
   check("before an opaque actor", first.Render());
   CSLF_CHECK(firstMapper->HasTranslucentPolygonalGeometry());
 
-  const auto outside = AddSheet(last, -20.0, 0.1, 0.5);
-  outside->SetPosition(30.0, 0.0, 0.0);
+  outside->VisibilityOn();
   check("with a translucent actor", last.Render());
   CSLF_CHECK(lastMapper->HasTranslucentPolygonalGeometry());
   outside->VisibilityOff();
   check("with a hidden one", last.Render());
+  CSLF_CHECK(!lastMapper->HasTranslucentPolygonalGeometry());
+  assembly->VisibilityOn();
+  check("with an assembly", last.Render());
+  CSLF_CHECK(lastMapper->HasTranslucentPolygonalGeometry());
+  assembly->VisibilityOff();
+
+  // Other orders of drawing than that of the props.
+  last.Renderer->UseHiddenLineRemovalOn();
+  last.Render();
+  CSLF_CHECK(lastMapper->HasTranslucentPolygonalGeometry());
+  last.Renderer->UseHiddenLineRemovalOff();
+  vtkNew<vtkFrustumCoverageCuller> culler;
+  culler->SetSortingStyleToFrontToBack();
+  last.Renderer->AddCuller(culler);
+  check("front to back", last.Render());
+  CSLF_CHECK(lastMapper->HasTranslucentPolygonalGeometry());
+  last.Renderer->RemoveCuller(culler);
+  check("with nothing of these", last.Render());
   CSLF_CHECK(!lastMapper->HasTranslucentPolygonalGeometry());
 
   // As translucent as it is, it is drawn once.
