@@ -428,7 +428,7 @@ vec2 FindRange(GridRay gridRay)
   return 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
 }
 
-// By the three nearest views. False where none of the four sees the surface.
+// The surface that the three nearest views find. False where none of the four sees it.
 bool FindSeen(Ray ray, ViewCell views, out Surface surface)
 {
   GridRay gridRay = CastGridRay(ray);
@@ -436,6 +436,7 @@ bool FindSeen(Ray ray, ViewCell views, out Surface surface)
   return surface.W == 0.0 || surface.Sight != vec4(0.0);
 }
 
+// By the three nearest views. False where none of the four sees the surface.
 bool LookupSeen(Ray ray, out LookupResult result)
 {
   ViewCell views = FindViews(ray.Entry);
@@ -449,7 +450,7 @@ bool LookupSeen(Ray ray, out LookupResult result)
   return isSeen;
 }
 
-// The same without colour, which is 1 where there is a surface.
+// As LookupSeen without colour, which is 1 where there is a surface.
 bool LookupGuess(Ray ray, out LookupResult result)
 {
   Surface surface;
