@@ -243,8 +243,9 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
-  this->DrawFaces(renderer, actor, this->ChooseCoveragePass(renderer, actor));
-  if (this->DrawnAtOnce && !actor->IsRenderingTranslucentPolygonalGeometry())
+  const int coveragePass = this->ChooseCoveragePass(renderer, actor);
+  this->DrawFaces(renderer, actor, coveragePass);
+  if (this->DrawnAtOnce && coveragePass == FullCoverage)
   {
     vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);

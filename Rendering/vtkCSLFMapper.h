@@ -229,9 +229,8 @@ public:
 
   ///@{
   /**
-   * The field covers some pixels wholly and some in part, with the translucent geometry. The latter
-   * are left out where the opaque pass that was drawn last has drawn them; before the first they
-   * are not.
+   * The field covers some pixels wholly and some in part. The second is false where the opaque pass
+   * that was drawn last has drawn these, too; it is true before the first Render.
    */
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return this->HasTranslucentPart; }
