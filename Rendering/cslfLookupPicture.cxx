@@ -54,7 +54,8 @@ constexpr double MostGuessDivisor = 12.0;
 constexpr int DepthLookup = 4;
 /// What the passes of the depth lookup mark their pixels with, as z of DC: each leaves alone those
 /// that an earlier one has marked.
-constexpr float CheckMark = -1.0F;
+constexpr float NothingMark = -1.0F;
+constexpr float CheckMark = -0.5F;
 constexpr float SearchMark = 0.0F;
 constexpr float RestMark = 0.5F;
 /// The depths of pixels where nothing is seen, and of those that no pass has drawn, as in
@@ -324,6 +325,7 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
     this->Check =
       build("vec4 plane; "
             "if (!GuessPlane(plane) || !LookupGuessed(ray, plane, result)) { discard; }");
+    this->Nothing = build("if (!GuessNothing() || !LookupNothing(ray, result)) { discard; }");
     this->GuessSearch = build("if (!LookupGuess(ray, result)) { discard; }");
     this->Search = build("if (!LookupSeen(ray, result)) { discard; }");
     this->Rest = build("result = LookupUnseen(ray);");
@@ -331,6 +333,7 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
   else
   {
     this->Search = build(std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
+    this->Nothing.reset();
     this->Check.reset();
     this->GuessSearch.reset();
     this->Rest.reset();
@@ -380,7 +383,7 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   fcdc->Transpose();
   program->SetUniformMatrix("FCDCMatrix", fcdc);
   program->SetUniformMatrix("DCFCMatrix", dcfc);
-  if (this->Check && program == this->Check->Program)
+  if (this->Check && (program == this->Check->Program || program == this->Nothing->Program))
   {
     const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
     program->SetUniformi("GuessDepth", this->Guess.Depths->GetTextureUnit());
@@ -420,6 +423,7 @@ void LookupPicture::DrawPicture(FieldTexture& field)
     state->vtkglEnable(GL_DEPTH_TEST);
     if (hasGuess)
     {
+      this->DrawFaces(field, *this->Nothing, NothingMark);
       this->DrawFaces(field, *this->Check, CheckMark);
       this->Guess.Depths->Deactivate();
     }
@@ -510,6 +514,7 @@ void LookupPicture::Release(vtkWindow* window)
   if (this->Window && this->Window == window)
   {
     this->Search.reset();
+    this->Nothing.reset();
     this->Check.reset();
     this->GuessSearch.reset();
     this->Rest.reset();

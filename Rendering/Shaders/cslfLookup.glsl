@@ -500,17 +500,20 @@ vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
   return atEntry / (plane.x * x + plane.y * y + plane.w);
 }
 
+// As LookupSeen, where nothing is thought to be on the ray. False where the grid does not confirm it.
+bool LookupNothing(Ray ray, out LookupResult result)
+{
+  result = LookupResult(vec4(0.0), 1.0);
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = FindRange(gridRay);
+  return SkipEmpty(gridRay, range.x, range.y) == 0.0;
+}
+
 // As LookupSeen, where the ray's surface is thought to be near a plane. False where the views do not
-// confirm it. A plane of 0 stands for nothing, which the grid must confirm.
+// confirm it.
 bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);
-  if (plane == vec4(0.0))
-  {
-    GridRay gridRay = CastGridRay(ray);
-    vec2 range = FindRange(gridRay);
-    return SkipEmpty(gridRay, range.x, range.y) == 0.0;
-  }
   ViewCell views = FindViews(ray.Entry);
   float atEntry = dot(plane.xyz, ray.Entry) + plane.w;
   float w = -dot(plane.xyz, ray.Chord) / (atEntry == 0.0 ? 1.0 : atEntry);

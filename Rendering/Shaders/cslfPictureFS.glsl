@@ -22,31 +22,52 @@ const float NothingDC = 1.0e30; // where nothing is seen; greater where nothing 
 //CSLF::SceneGrid::Dec
 //CSLF::Lookup::Dec
 
-// What the guess has around the fragment: a plane of FC. False where it does not know. Where it says
-// that there is nothing, the plane is 0.
-bool GuessPlane(out vec4 plane)
+// What the guess has around a fragment: z of DC of four of its pixels, in the order of Z: at the lower
+// corner, at upper x, at upper y, at both.
+struct Guess
 {
-  vec2 size = vec2(textureSize(GuessDepth, 0));
-  vec2 position = gl_FragCoord.xy / PictureSize * size - 0.5;
-  vec2 base = clamp(floor(position), vec2(0.0), max(size - 2.0, 0.0));
+  vec4 Z;
+  vec2 Offset; // of the fragment from the lower corner, in the guess's pixels
+  vec2 Size;   // of the guess
+};
+
+Guess FindGuess()
+{
+  Guess guess;
+  guess.Size = vec2(textureSize(GuessDepth, 0));
+  vec2 position = gl_FragCoord.xy / PictureSize * guess.Size - 0.5;
+  vec2 base = clamp(floor(position), vec2(0.0), max(guess.Size - 2.0, 0.0));
+  guess.Offset = position - base;
 #ifdef GL_ARB_texture_gather
-  vec4 z = textureGather(GuessDepth, (base + 1.0) / size).wzxy;
+  guess.Z = textureGather(GuessDepth, (base + 1.0) / guess.Size).wzxy;
 #else
   ivec2 low = ivec2(base);
-  ivec2 high = min(low + 1, ivec2(size) - 1);
-  vec4 z = vec4(texelFetch(GuessDepth, low, 0).r,
+  ivec2 high = min(low + 1, ivec2(guess.Size) - 1);
+  guess.Z = vec4(texelFetch(GuessDepth, low, 0).r,
     texelFetch(GuessDepth, ivec2(high.x, low.y), 0).r,
     texelFetch(GuessDepth, ivec2(low.x, high.y), 0).r, texelFetch(GuessDepth, high, 0).r);
 #endif
-  vec2 offset = position - base;
-  vec2 row = mix(z.xz, z.yw, offset.x);
-  float here = mix(row.x, row.y, offset.y);
-  vec2 slope = 0.5 * size * vec2(mix(z.y - z.x, z.w - z.z, offset.y), row.y - row.x);
+  return guess;
+}
+
+// Whether the guess has nothing around the fragment.
+bool GuessNothing()
+{
+  return FindGuess().Z == vec4(NothingDC);
+}
+
+// The plane of FC through the guess around the fragment. False where that is not known everywhere.
+bool GuessPlane(out vec4 plane)
+{
+  Guess guess = FindGuess();
+  vec4 z = guess.Z;
+  vec2 row = mix(z.xz, z.yw, guess.Offset.x);
+  float here = mix(row.x, row.y, guess.Offset.y);
+  vec2 slope =
+    0.5 * guess.Size * vec2(mix(z.y - z.x, z.w - z.z, guess.Offset.y), row.y - row.x);
   vec2 fragmentDC = 2.0 * gl_FragCoord.xy / PictureSize - 1.0;
-  bool isNothing = z == vec4(NothingDC);
-  plane =
-    isNothing ? vec4(0.0) : vec4(slope, -1.0, here - dot(slope, fragmentDC)) * FCDCMatrix;
-  return isNothing || all(lessThan(z, vec4(NothingDC)));
+  plane = vec4(slope, -1.0, here - dot(slope, fragmentDC)) * FCDCMatrix;
+  return all(lessThan(z, vec4(NothingDC)));
 }
 
 void main()
