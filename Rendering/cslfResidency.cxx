@@ -136,20 +136,43 @@ void Residency::FreeBlock(int block)
   }
 }
 
-// Whether a line of sight enters by a cell of a level or by one of its neighbours: lookups that do
-// not know the surface show up to that far around the scene what they mistake for it.
-bool Residency::IsSeen(int face, int level, int a, int b) const
+bool Residency::IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
 {
-  const std::vector<int>& nodes = this->Levels.GetNodes(level);
-  const int last = static_cast<int>(nodes.size()) - 1;
-  const auto lower = [&](int k) { return this->Grid.NodeCoordinate(nodes[std::max(k - 1, 0)]); };
-  const auto upper = [&](int k) { return this->Grid.NodeCoordinate(nodes[std::min(k + 2, last)]); };
-  return std::any_of(this->Sights.begin(), this->Sights.end(),
-    [&](const Sight& sight)
+  return std::any_of(this->Sights.begin(), this->Sights.end(), [&](const Sight& sight)
+    { return sight.CanEnter(face) && sight.PassesThrough(face, minimum, maximum); });
+}
+
+// The viewpoints of the cells by which a line of sight enters, or by whose neighbours: lookups that
+// do not know the surface show up to that far around the scene what they mistake for it.
+std::vector<bool> Residency::FindSeen(int face) const
+{
+  const int side = this->Grid.GetViewpoints();
+  std::vector<bool> isSeen(side * side, false);
+  for (int level = 0; level < this->Levels.GetCount(); ++level)
+  {
+    const std::vector<int>& nodes = this->Levels.GetNodes(level);
+    const int cells = static_cast<int>(nodes.size()) - 1;
+    std::vector<glm::dvec2> ranges; // of a cell and its neighbours, along either side
+    for (int cell = 0; cell < cells; ++cell)
     {
-      return sight.CanEnter(face) &&
-        sight.PassesThrough(face, { lower(a), lower(b) }, { upper(a), upper(b) });
-    });
+      ranges.emplace_back(this->Grid.NodeCoordinate(nodes[std::max(cell - 1, 0)]),
+        this->Grid.NodeCoordinate(nodes[std::min(cell + 2, cells)]));
+    }
+    for (int b = 0; b < cells; ++b)
+    {
+      for (int a = 0; a < cells; ++a)
+      {
+        if (this->IsSeen(face, { ranges[a].x, ranges[b].x }, { ranges[a].y, ranges[b].y }))
+        {
+          for (int corner = 0; corner < 4; ++corner)
+          {
+            isSeen[nodes[b + corner / 2] * side + nodes[a + corner % 2]] = true;
+          }
+        }
+      }
+    }
+  }
+  return isSeen;
 }
 
 double Residency::DistanceToGaze(int slice) const
@@ -166,42 +189,38 @@ double Residency::DistanceToGaze(int slice) const
 void Residency::FindViewpoints(int face)
 {
   FaceState& state = this->Faces[face];
-  const int side = this->Grid.GetViewpoints();
-  std::vector<bool> isWanted(state.Slots.size(), false);
-  for (int level = 0; level < this->Levels.GetCount() && state.Wanted != 0; ++level)
-  {
-    const std::vector<int>& nodes = this->Levels.GetNodes(level);
-    const int cells = static_cast<int>(nodes.size()) - 1;
-    for (int b = 0; b < cells; ++b)
-    {
-      for (int a = 0; a < cells; ++a)
-      {
-        if (this->IsSeen(face, level, a, b))
-        {
-          for (int corner = 0; corner < 4; ++corner)
-          {
-            isWanted[nodes[b + corner / 2] * side + nodes[a + corner % 2]] = true;
-          }
-        }
-      }
-    }
-  }
-  std::vector<std::pair<std::pair<int, double>, int>> wanted;
-  for (int viewpoint = 0; viewpoint < side * side; ++viewpoint)
-  {
-    if (isWanted[viewpoint])
-    {
-      const int level = this->Levels.LevelOf(viewpoint % side, viewpoint / side);
-      const double distance = this->DistanceToGaze(face * side * side + viewpoint);
-      wanted.push_back({ { level, distance }, viewpoint });
-    }
-  }
-  std::sort(wanted.begin(), wanted.end());
   state.Order.clear();
-  for (const auto& entry : wanted)
+  if (state.Wanted == 0)
   {
-    state.Order.push_back(entry.second);
+    return;
   }
+  const std::vector<bool> isSeen = this->FindSeen(face);
+  for (int viewpoint = 0; viewpoint < static_cast<int>(isSeen.size()); ++viewpoint)
+  {
+    if (isSeen[viewpoint])
+    {
+      state.Order.push_back(viewpoint);
+    }
+  }
+  if (static_cast<int>(state.Order.size()) > this->Slots)
+  {
+    this->SortByImportance(face, state.Order);
+  }
+}
+
+void Residency::SortByImportance(int face, std::vector<int>& viewpoints) const
+{
+  const int side = this->Grid.GetViewpoints();
+  std::vector<std::pair<std::pair<int, double>, int>> keys;
+  for (int viewpoint : viewpoints)
+  {
+    const int level = this->Levels.LevelOf(viewpoint % side, viewpoint / side);
+    const double distance = this->DistanceToGaze(face * side * side + viewpoint);
+    keys.push_back({ { level, distance }, viewpoint });
+  }
+  std::sort(keys.begin(), keys.end());
+  std::transform(
+    keys.begin(), keys.end(), viewpoints.begin(), [](const auto& key) { return key.second; });
 }
 
 void Residency::AssignSlots(FaceState& face) const

@@ -90,7 +90,7 @@ private:
     std::vector<int> Viewpoints;  ///< of each slot, or -1; unused where all viewpoints fit
     std::vector<TileSet> Present; ///< of each viewpoint
     std::vector<bool> Damaged;    ///< of each viewpoint
-    std::vector<int> Order;       ///< the viewpoints wanted, the most important first
+    std::vector<int> Order;       ///< viewpoints wanted, by importance where not all have room
     TileSet Wanted = 0;           ///< lines of sight may leave by these
     TileSet Required = 0;         ///< and some that may meet the scene do
   };
@@ -114,7 +114,9 @@ private:
   void FreeBlock(int block);
   void FindViewpoints(int face);
   void AssignSlots(FaceState& face) const;
-  bool IsSeen(int face, int level, int a, int b) const;
+  std::vector<bool> FindSeen(int face) const;
+  bool IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const;
+  void SortByImportance(int face, std::vector<int>& viewpoints) const;
   double DistanceToGaze(int slice) const;
   Corners FindCorners(int level, int i, int j) const;
   bool IsUsable(const FaceState& face, int viewpoint) const;

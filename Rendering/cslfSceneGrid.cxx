@@ -89,6 +89,7 @@ SceneGrid::SceneGrid(const Description& description)
   , Minimum(description.GetSceneMinimumCC() - SceneMargin)
   , Maximum(description.GetSceneMaximumCC() + SceneMargin)
   , Rings(CountCells(), description.FindChannel(DepthName) ? NoRing : 0)
+  , Known(description.Grid.GetSlices(), 0)
 {
 }
 
@@ -109,10 +110,12 @@ SceneGrid::SceneGrid(
 
 void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
 {
-  if (!samples.Depth)
+  tiles &= ~this->Known[slice];
+  if (!samples.Depth || tiles == 0)
   {
     return;
   }
+  this->Known[slice] |= tiles;
   const Viewpoint viewpoint = this->Field.ViewpointOf(slice);
   const glm::dvec3 scale = static_cast<double>(Cells) / (this->Maximum - this->Minimum);
   const auto see = [&](const glm::dvec3& pointCC, double reach)

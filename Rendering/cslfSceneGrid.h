@@ -28,14 +28,17 @@ public:
   /// Along each side.
   static constexpr int Cells = 64;
 
+  /// Of a viewpoint: a bit for each.
+  static constexpr int AllTiles = (1 << TileCount) - 1;
+
   SceneGrid() = default;
 
   /// Of a field of which nothing was looked at yet: all cells are empty. Without depth none is.
   explicit SceneGrid(const Description& description);
 
-  /// Marks what a viewpoint sees by these tiles, a bit for each. The rings follow with Spread,
-  /// which says whether anything is new.
-  void Add(int slice, const ViewpointSamples& samples, int tiles = ~0);
+  /// Marks what a viewpoint sees by these tiles, a bit for each, unless that is known. The rings
+  /// follow with Spread, which says whether anything is new.
+  void Add(int slice, const ViewpointSamples& samples, int tiles = AllTiles);
   bool Spread();
 
   /// `image` holds these slices of the field, in that order, with colour and perhaps depth; without
@@ -76,6 +79,7 @@ private:
   glm::dvec3 Minimum{ -1.0 };
   glm::dvec3 Maximum{ 1.0 };
   std::vector<std::uint8_t> Rings;
+  std::vector<int> Known;      ///< the tiles of each slice that were added
   std::vector<glm::ivec3> New; ///< marks that the rings do not know of
 };
 }

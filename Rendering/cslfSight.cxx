@@ -120,18 +120,13 @@ bool Sight::CanLeave(int entryFace, int exitFace) const
 
 bool Sight::PassesThrough(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
 {
-  const glm::dvec2 least = glm::max(minimum, -1.0);
-  const glm::dvec2 most = glm::min(maximum, 1.0);
-  const std::array<glm::dvec4, 4> corners{ glm::dvec4(FaceToCube(face, least), 1.0),
-    glm::dvec4(FaceToCube(face, { most.x, least.y }), 1.0),
-    glm::dvec4(FaceToCube(face, { least.x, most.y }), 1.0),
-    glm::dvec4(FaceToCube(face, most), 1.0) };
+  const glm::dvec3 least = FaceToCube(face, glm::max(minimum, -1.0));
+  const glm::dvec3 most = FaceToCube(face, glm::min(maximum, 1.0));
+  const glm::dvec4 middle(0.5 * (least + most), 1.0);
+  const glm::dvec3 reach = 0.5 * glm::abs(most - least);
   return std::none_of(this->Sides.begin(), this->Sides.end(),
     [&](const glm::dvec4& side)
-    {
-      return std::all_of(corners.begin(), corners.end(),
-        [&](const glm::dvec4& corner) { return glm::dot(side, corner) < 0.0; });
-    });
+    { return glm::dot(side, middle) + glm::dot(glm::abs(glm::dvec3(side)), reach) < 0.0; });
 }
 
 bool Sight::operator==(const Sight& other) const
