@@ -37,12 +37,6 @@ namespace tool
 {
 namespace
 {
-/// The rate factor of coverage lies above that of depth by this, as in the encoder's defaults.
-constexpr double CoverageRise = 12.0;
-
-/// The strongest coding there is.
-constexpr double MostCRF = 51.0;
-
 /// Video needs as many texels along each side.
 constexpr int LeastResolution = 16;
 
@@ -51,7 +45,8 @@ struct Options : BenchmarkOptions
   std::vector<int> Steps{ 2, 4 };
   std::vector<int> Divisors{ 1 };
   std::vector<double> CRFs{ 16, 22, 28, 34, 40 };
-  std::vector<double> DepthCRFs{ 12, 20 };
+  std::vector<double> DepthCRFs{ 4, 10 };
+  double CoverageCRF = 24.0;
   std::string Preset = "slow";
 };
 
@@ -140,7 +135,7 @@ Series Measure(const Options& options, const std::string& name, vtkImageData* im
       CodingOptions coding;
       coding.CRF = crf;
       coding.DepthCRF = depthCRF;
-      coding.CoverageCRF = std::min(depthCRF + CoverageRise, MostCRF);
+      coding.CoverageCRF = options.CoverageCRF;
       coding.Preset = options.Preset;
       series.Points.push_back(sweep.Measure(coding, name));
       series.DepthCRFs.push_back(depthCRF);
@@ -362,8 +357,8 @@ Result Run(Options options)
 
   Result result;
   result.JSON = { { "field", options.Field }, { "preset", options.Preset },
-    { "views", options.DescribeViews(views.NoiseFloor) }, { "series", nlohmann::json::array() },
-    { "comparisons", nlohmann::json::array() } };
+    { "coverage_crf", options.CoverageCRF }, { "views", options.DescribeViews(views.NoiseFloor) },
+    { "series", nlohmann::json::array() }, { "comparisons", nlohmann::json::array() } };
   for (const Series& series : all)
   {
     result.JSON["series"].push_back(ToJSON(series));
@@ -388,8 +383,7 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     "as colour over black, without coverage and depth, in the bilinear lookup; the other is every "
     "STEP-th viewpoint with coverage and depth, perhaps of fewer texels, in the depth-corrected "
     "lookup, which draws still views with four rays a pixel. Both are coded by the same encoder "
-    "with the same preset and rate factors of colour; "
-    "that of coverage lies 12 above that of depth. PSNR is that of novel views, as in cslf "
+    "with the same preset and rate factors of colour. PSNR is that of novel views, as in cslf "
     "evaluate. At equal PSNR and at equal bytes, each of the paper's files is compared with those "
     "of key views than which none is both smaller and better: between these the logarithm of bytes "
     "is linear in dB.");
@@ -411,6 +405,9 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     ->capture_default_str();
   command->add_option("--depth-crfs", options->DepthCRFs, "likewise, of key views' depth")
     ->delimiter(',')
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str();
+  command->add_option("--coverage-crf", options->CoverageCRF, "of key views' coverage")
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str();
   command->add_option("--preset", options->Preset, "x265's preset, for both ways")
