@@ -53,6 +53,9 @@ constexpr double EdgeStep = 0.03;
 constexpr double ClearanceTolerance = 0.05;
 /// A view colours points within this share of w of the surface that it sees.
 constexpr double SightTolerance = 0.1;
+/// Viewpoints farther away than the four around a ray must see a surface as well as this, of 1:
+/// what they are mistaken about, nobody else corrects.
+constexpr double OuterSight = 0.97;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
 
@@ -264,17 +267,21 @@ Lookup::ViewCell Lookup::FindViews(const Ray& ray) const
   return this->MakeCell(ray, grid.FindNodes(ray.Entry.x), grid.FindNodes(ray.Entry.y));
 }
 
-// The viewpoints around those: what the inner ones do not see, these may.
-Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray) const
+// The viewpoints at the corners of so many rings of cells around those: what the inner ones do not
+// see, these may.
+Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray, int rings) const
 {
-  const auto widen = [this](double coordinate)
+  const auto widen = [this, rings](double coordinate)
   {
     const Layout& grid = this->Field.Grid;
     NodeBracket nodes = grid.FindNodes(coordinate);
-    nodes.Lower = std::max(nodes.Lower - 1, 0);
-    nodes.Upper = std::min(nodes.Upper + 1, grid.GetViewpoints() - 1);
     const double lower = grid.NodeCoordinate(nodes.Lower);
-    nodes.Weight = (coordinate - lower) / (grid.NodeCoordinate(nodes.Upper) - lower);
+    const double upper = grid.NodeCoordinate(nodes.Upper);
+    const double reach = (rings - 0.5) * (upper - lower);
+    nodes.Lower = grid.FindNodes(lower - reach).Lower;
+    nodes.Upper = grid.FindNodes(upper + reach).Upper;
+    const double first = grid.NodeCoordinate(nodes.Lower);
+    nodes.Weight = (coordinate - first) / (grid.NodeCoordinate(nodes.Upper) - first);
     return nodes;
   };
   return this->MakeCell(ray, widen(ray.Entry.x), widen(ray.Entry.y));
@@ -519,7 +526,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
     if (isSurface && most < least)
     {
       least = most;
-      doubtful = { w, near, 0.0 };
+      doubtful = { w, near };
     }
     if (!isSeenThrough && isSurface)
     {
@@ -529,7 +536,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
       {
         before.w = this->Clearance(views.Views[3], ray.Entry + ray.Chord / step.Before);
       }
-      return { w, near * glm::dvec4(glm::lessThan(clearances, before)), step.FirstHidden };
+      return { w, near * glm::dvec4(glm::lessThan(clearances, before)) };
     }
     const bool isKnown = glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
     if (!isSeenThrough && isKnown && step.FirstHidden == 0.0)
@@ -542,7 +549,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   {
     return doubtful;
   }
-  return { step.FirstHidden, glm::dvec4(0.0), step.FirstHidden };
+  return { step.FirstHidden, glm::dvec4(0.0) };
 }
 
 // The views that see the surface from the ray's side share its colour; where none does, all.
@@ -577,16 +584,17 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   {
     return {};
   }
-  if (surface.Sight == glm::dvec4(0.0))
+  // From a step before on, where the outer ones may see the surface at once. What they find beside
+  // what the inner ones hide is a silhouette, which those show better.
+  const double stride = std::max(views.Stride, StepShare * surface.W);
+  range.Nearest = std::min(surface.W + stride, range.Nearest);
+  const double behind = (1.0 - EdgeStep) * surface.W;
+  for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < this->Field.Grid.GetBaseNodes();
+       rings = 2 * rings + 1)
   {
-    // From a step before on, where the outer ones may see the surface at once.
-    const double stride = std::max(views.Stride, StepShare * surface.W);
-    range.Nearest = std::min(surface.W + stride, range.Nearest);
-    const ViewCell outer = this->FindOuterViews(rayFC);
+    const ViewCell outer = this->FindOuterViews(rayFC, rings);
     const Surface seen = this->FindSurface(rayFC, outer, gridRay, range, true);
-    // Where it is not behind what the inner ones hide, they show a silhouette better.
-    const bool isBehind = seen.W < (1.0 - EdgeStep) * surface.W && seen.Hidden == 0.0;
-    if (isBehind && seen.Sight != glm::dvec4(0.0))
+    if (seen.W < behind && glm::any(glm::greaterThan(seen.Sight, glm::dvec4(OuterSight))))
     {
       surface = seen;
       views = outer;

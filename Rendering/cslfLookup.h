@@ -127,7 +127,6 @@ private:
   {
     double W = 0.0;          ///< 0: nothing
     glm::dvec4 Sight{ 0.0 }; ///< how well the four views see it, in [0,1]
-    double Hidden = 0.0;     ///< where no view sees the ray's points before it; 0: nowhere
   };
 
   /// A range of w.
@@ -158,7 +157,7 @@ private:
   View MakeView(int face, int i, int j, double weight) const;
   ViewCell MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const;
   ViewCell FindViews(const Ray& ray) const;
-  ViewCell FindOuterViews(const Ray& ray) const;
+  ViewCell FindOuterViews(const Ray& ray, int rings) const;
   static Projection Project(const View& view, const glm::dvec3& point);
   double GuessSurface(const Ray& ray, double fraction) const;
   glm::dvec4 ReadColorOf(const View& view, const glm::dvec3& point) const;

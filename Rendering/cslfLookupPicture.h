@@ -123,9 +123,9 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> GuessSearch; ///< a small picture's depths
   std::unique_ptr<vtkOpenGLQuadHelper> Nothing; ///< where they have nothing, and there is nothing
-  std::unique_ptr<vtkOpenGLQuadHelper> Check;  ///< looks up what a small picture's depths hold for
-  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< what is not known; without depth, all
-  std::unique_ptr<vtkOpenGLQuadHelper> Rest;   ///< what the search has not found to be seen
+  std::unique_ptr<vtkOpenGLQuadHelper> Check;   ///< looks up what a small picture's depths hold for
+  std::unique_ptr<vtkOpenGLQuadHelper> Search;  ///< what is not known; without depth, all
+  std::unique_ptr<vtkOpenGLQuadHelper> Rest;    ///< what the search has not found to be seen
 };
 }
 

@@ -138,7 +138,8 @@ void Residency::FreeBlock(int block)
 
 bool Residency::IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
 {
-  return std::any_of(this->Sights.begin(), this->Sights.end(), [&](const Sight& sight)
+  return std::any_of(this->Sights.begin(), this->Sights.end(),
+    [&](const Sight& sight)
     { return sight.CanEnter(face) && sight.PassesThrough(face, minimum, maximum); });
 }
 

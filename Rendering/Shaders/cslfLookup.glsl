@@ -17,6 +17,7 @@ const float RestartShare = 0.02;
 const float EdgeStep = 0.03;
 const float ClearanceTolerance = 0.05;
 const float SightTolerance = 0.1;
+const float OuterSight = 0.97;
 const float LeastWeight = 0.0001;
 const float DoubtTexels = 8.0;
 const float Unknown = 2000.0;
@@ -67,9 +68,8 @@ struct Step
 // What a ray meets.
 struct Surface
 {
-  float W;      // 0: nothing
-  vec4 Sight;   // how well the four views see it, in [0,1]
-  float Hidden; // where no view sees the ray's points before it; 0: nowhere
+  float W;    // 0: nothing
+  vec4 Sight; // how well the four views see it, in [0,1]
 };
 
 View MakeView(float slot, vec2 position, vec2 weight)
@@ -109,13 +109,14 @@ ViewCell FindViews(vec3 entry)
   return MakeCell(entry, cell.Slots, cell.Lower, cell.Upper);
 }
 
-// The viewpoints around those: what the inner ones do not see, these may.
-ViewCell FindOuterViews(vec3 entry)
+// The viewpoints at the corners of so many rings of cells around those: what the inner ones do not
+// see, these may.
+ViewCell FindOuterViews(vec3 entry, float rings)
 {
   Cell inner = FindCell(entry.xy);
-  vec2 halfSize = 0.5 * (inner.Upper - inner.Lower);
-  vec2 low = max(inner.Lower - halfSize, -1.0);
-  vec2 high = min(inner.Upper + halfSize, 1.0);
+  vec2 reach = (rings - 0.5) * (inner.Upper - inner.Lower);
+  vec2 low = max(inner.Lower - reach, -1.0);
+  vec2 high = min(inner.Upper + reach, 1.0);
   Cell cell00 = FindCell(low);
   Cell cell10 = FindCell(vec2(high.x, low.y));
   Cell cell01 = FindCell(vec2(low.x, high.y));
@@ -363,7 +364,7 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
   step.Behind = range.x;
   step.Count = 0;
   step.FirstHidden = 0.0;
-  Surface doubtful = Surface(0.0, vec4(0.0), 0.0);
+  Surface doubtful = Surface(0.0, vec4(0.0));
   float least = DoubtTexels / Resolution;
   float w = 0.0;
   vec4 clearances = vec4(0.0);
@@ -384,7 +385,7 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
     if (isSurface && most < least)
     {
       least = most;
-      doubtful = Surface(w, Nearness(clearances, w), 0.0);
+      doubtful = Surface(w, Nearness(clearances, w));
     }
     isFound = !isSeenThrough && isSurface;
     if (isFound)
@@ -403,13 +404,13 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
     float before = all ? step.ClearancesBefore.w
                        : Clearance(views.View11, ray.Entry + ray.Chord / step.Before);
     vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
-    return Surface(w, Nearness(clearances, w) * fromFront, step.FirstHidden);
+    return Surface(w, Nearness(clearances, w) * fromFront);
   }
   if (step.FirstHidden == 0.0)
   {
     return doubtful;
   }
-  return Surface(step.FirstHidden, vec4(0.0), step.FirstHidden);
+  return Surface(step.FirstHidden, vec4(0.0));
 }
 
 // The views that see the surface from the ray's side share its colour; where none does, all.
@@ -463,7 +464,7 @@ bool LookupGuess(Ray ray, out LookupResult result)
   return isSeen;
 }
 
-// Where LookupSeen is false: by all four views and those around them.
+// Where LookupSeen is false: by all four views, then by those farther and farther around them.
 LookupResult LookupUnseen(Ray ray)
 {
   GridRay gridRay = CastGridRay(ray);
@@ -474,13 +475,14 @@ LookupResult LookupUnseen(Ray ray)
   {
     return LookupResult(vec4(0.0), 1.0);
   }
-  if (surface.Sight == vec4(0.0))
+  range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
+  float behind = (1.0 - EdgeStep) * surface.W;
+  for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < BaseNodes;
+       rings = 2.0 * rings + 1.0)
   {
-    range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
-    ViewCell outer = FindOuterViews(ray.Entry);
+    ViewCell outer = FindOuterViews(ray.Entry, rings);
     Surface seen = FindSurface(ray, outer, gridRay, range, true);
-    bool isBehind = seen.W < (1.0 - EdgeStep) * surface.W && seen.Hidden == 0.0;
-    if (isBehind && seen.Sight != vec4(0.0))
+    if (seen.W < behind && any(greaterThan(seen.Sight, vec4(OuterSight))))
     {
       surface = seen;
       views = outer;
@@ -533,7 +535,7 @@ bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
   float shift = min(min(shifts.x, shifts.y), min(shifts.z, shifts.w));
   w -= shift;
   clearances -= shift * slopes;
-  Surface surface = Surface(w, Nearness(clearances, w) * fromFront, 0.0);
+  Surface surface = Surface(w, Nearness(clearances, w) * fromFront);
   result = LookupResult(BlendVisible(ray, views, surface), 1.0 / w);
   return true;
 }
