@@ -584,17 +584,17 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   {
     return {};
   }
-  // From a step before on, where the outer ones may see the surface at once. What they find beside
-  // what the inner ones hide is a silhouette, which those show better.
+  // From a step before on, where the outer ones may see the surface at once. What they find before
+  // what is hidden is a silhouette, which the inner ones show better.
   const double stride = std::max(views.Stride, StepShare * surface.W);
   range.Nearest = std::min(surface.W + stride, range.Nearest);
-  const double behind = (1.0 - EdgeStep) * surface.W;
+  const double hidden = surface.W;
   for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < this->Field.Grid.GetBaseNodes();
        rings = 2 * rings + 1)
   {
     const ViewCell outer = this->FindOuterViews(rayFC, rings);
     const Surface seen = this->FindSurface(rayFC, outer, gridRay, range, true);
-    if (seen.W < behind && glm::any(glm::greaterThan(seen.Sight, glm::dvec4(OuterSight))))
+    if (seen.W < hidden && glm::any(glm::greaterThan(seen.Sight, glm::dvec4(OuterSight))))
     {
       surface = seen;
       views = outer;

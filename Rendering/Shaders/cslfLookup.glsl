@@ -476,13 +476,13 @@ LookupResult LookupUnseen(Ray ray)
     return LookupResult(vec4(0.0), 1.0);
   }
   range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
-  float behind = (1.0 - EdgeStep) * surface.W;
+  float hidden = surface.W;
   for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < BaseNodes;
        rings = 2.0 * rings + 1.0)
   {
     ViewCell outer = FindOuterViews(ray.Entry, rings);
     Surface seen = FindSurface(ray, outer, gridRay, range, true);
-    if (seen.W < behind && any(greaterThan(seen.Sight, vec4(OuterSight))))
+    if (seen.W < hidden && any(greaterThan(seen.Sight, vec4(OuterSight))))
     {
       surface = seen;
       views = outer;
