@@ -72,7 +72,7 @@ public:
   LookupResult Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const;
 
   /// The four viewpoints around the entry, each looked up where it sees the surface that the ray
-  /// meets first, if it sees it. Where none does, the four around those. Without a depth channel:
+  /// meets first, if it sees it. Where none does, four farther around. Without a depth channel:
   /// as Focal about the cube's centre.
   LookupResult DepthCorrected(const RayCoordinates& ray) const;
 
