@@ -287,6 +287,19 @@ Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray, int rings) const
   return this->MakeCell(ray, widen(ray.Entry.x), widen(ray.Entry.y));
 }
 
+// How many cells as wide as the one around a ray's entry a side of the face has.
+int Lookup::CountCells(const Ray& ray) const
+{
+  const Layout& grid = this->Field.Grid;
+  const auto sizeAround = [&grid](double coordinate)
+  {
+    const NodeBracket nodes = grid.FindNodes(coordinate);
+    return grid.NodeCoordinate(nodes.Upper) - grid.NodeCoordinate(nodes.Lower);
+  };
+  const double size = std::min(sizeAround(ray.Entry.x), sizeAround(ray.Entry.y));
+  return static_cast<int>(std::lround(2.0 / size));
+}
+
 Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
 {
   const glm::dvec3 direction = point - glm::dvec3(view.Position, 0.0);
@@ -589,8 +602,8 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   const double stride = std::max(views.Stride, StepShare * surface.W);
   range.Nearest = std::min(surface.W + stride, range.Nearest);
   const double hidden = surface.W;
-  for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < this->Field.Grid.GetBaseNodes();
-       rings = 2 * rings + 1)
+  const int cells = this->CountCells(rayFC);
+  for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < cells; rings = 2 * rings + 1)
   {
     const ViewCell outer = this->FindOuterViews(rayFC, rings);
     const Surface seen = this->FindSurface(rayFC, outer, gridRay, range, true);

@@ -158,6 +158,7 @@ private:
   ViewCell MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const;
   ViewCell FindViews(const Ray& ray) const;
   ViewCell FindOuterViews(const Ray& ray, int rings) const;
+  int CountCells(const Ray& ray) const;
   static Projection Project(const View& view, const glm::dvec3& point);
   double GuessSurface(const Ray& ray, double fraction) const;
   glm::dvec4 ReadColorOf(const View& view, const glm::dvec3& point) const;

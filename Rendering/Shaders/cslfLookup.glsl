@@ -121,8 +121,23 @@ ViewCell FindOuterViews(vec3 entry, float rings)
   Cell cell10 = FindCell(vec2(high.x, low.y));
   Cell cell01 = FindCell(vec2(low.x, high.y));
   Cell cell11 = FindCell(high);
-  vec4 slots = vec4(cell00.Slots.x, cell10.Slots.y, cell01.Slots.z, cell11.Slots.w);
-  return MakeCell(entry, slots, cell00.Lower, cell11.Upper);
+  vec2 lower = cell00.Lower;
+  vec2 upper = cell11.Upper;
+  // Cells of several levels do not meet in the corners of a rectangle.
+  bool is10 = cell10.Upper.x == upper.x && cell10.Lower.y == lower.y;
+  bool is01 = cell01.Lower.x == lower.x && cell01.Upper.y == upper.y;
+  return MakeCell(entry,
+    vec4(cell00.Slots.x, is10 ? cell10.Slots.y : Absent, is01 ? cell01.Slots.z : Absent,
+      cell11.Slots.w),
+    lower, upper);
+}
+
+// How many cells as wide as the one around a ray's entry a side of the face has.
+float CountCells(vec3 entry)
+{
+  Cell cell = FindCell(entry.xy);
+  vec2 size = cell.Upper - cell.Lower;
+  return floor(2.0 / min(size.x, size.y) + 0.5);
 }
 
 Projection Project(View view, vec3 point)
@@ -477,8 +492,8 @@ LookupResult LookupUnseen(Ray ray)
   }
   range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
   float hidden = surface.W;
-  for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < BaseNodes;
-       rings = 2.0 * rings + 1.0)
+  float cells = CountCells(ray.Entry);
+  for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < cells; rings = 2.0 * rings + 1.0)
   {
     ViewCell outer = FindOuterViews(ray.Entry, rings);
     Surface seen = FindSurface(ray, outer, gridRay, range, true);
@@ -502,7 +517,8 @@ vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
   return atEntry / (plane.x * x + plane.y * y + plane.w);
 }
 
-// As LookupSeen, where nothing is thought to be on the ray. False where the grid does not confirm it.
+// As LookupSeen, where nothing is thought to be on the ray. False where the grid does not confirm
+// that.
 bool LookupNothing(Ray ray, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);
@@ -511,8 +527,8 @@ bool LookupNothing(Ray ray, out LookupResult result)
   return SkipEmpty(gridRay, range.x, range.y) == 0.0;
 }
 
-// As LookupSeen, where the ray's surface is thought to be near a plane. False where the views do not
-// confirm it.
+// As LookupSeen, where the ray's surface is thought to be near a plane. False where the views do
+// not confirm it.
 bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Through a slit between a block and a panel, one sees a wall that no viewpoint near to the line of
-// sight sees, but others do that look over the block.
+// Through a slit between a block and a panel, one sees a stripe on a wall that no viewpoint near to
+// the line of sight sees, but others do that look over the block.
 #include "cslfLookup.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -40,7 +40,9 @@ void AddBox(
 int TestCSLFMapperUnseen(int, char*[])
 {
   vtkNew<vtkMultiBlockDataSet> scene;
-  AddBox(scene, { -0.95, 0.95, -0.95, 0.95, -0.95, -0.9 }, 1.0, 1.0, 1.0);
+  AddBox(scene, { -0.95, 0.95, -0.4, -0.2, -0.95, -0.9 }, 1.0, 1.0, 1.0);
+  AddBox(scene, { -0.95, 0.95, -0.95, -0.4, -0.95, -0.9 }, 0.0, 1.0, 0.0);
+  AddBox(scene, { -0.95, 0.95, -0.2, 0.95, -0.95, -0.9 }, 0.0, 1.0, 0.0);
   AddBox(scene, { -0.95, 0.37, -0.95, 0.0, 0.08, 0.1 }, 1.0, 0.0, 0.0);
   AddBox(scene, { 0.69, 0.95, -0.95, 0.95, 0.85, 0.9 }, 0.0, 0.0, 1.0);
   vtkNew<vtkCSLFSampler> sampler;
