@@ -56,6 +56,9 @@ constexpr double SightTolerance = 0.1;
 /// Viewpoints farther away than the four around a ray must see a surface as well as this, of 1:
 /// what they are mistaken about, nobody else corrects.
 constexpr double OuterSight = 0.97;
+/// They are asked where those of the four that know what lies at the hidden point have more than
+/// this share of the weights. The others lack its tile, and might see the surface.
+constexpr double KnownShare = 0.7;
 /// Keeps a ray through a viewpoint from depending on that viewpoint alone.
 constexpr double LeastWeight = 0.0001;
 
@@ -602,7 +605,10 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   const double stride = std::max(views.Stride, StepShare * surface.W);
   range.Nearest = std::min(surface.W + stride, range.Nearest);
   const double hidden = surface.W;
-  const int cells = this->CountCells(rayFC);
+  const glm::bvec4 isKnown =
+    glm::greaterThan(this->Clearances(rayFC, views, hidden, true), glm::dvec4(-Unknown));
+  const double known = glm::dot(glm::dvec4(isKnown), ListWeights(views));
+  const int cells = known > KnownShare ? this->CountCells(rayFC) : 0;
   for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < cells; rings = 2 * rings + 1)
   {
     const ViewCell outer = this->FindOuterViews(rayFC, rings);

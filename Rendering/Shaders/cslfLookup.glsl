@@ -18,6 +18,7 @@ const float EdgeStep = 0.03;
 const float ClearanceTolerance = 0.05;
 const float SightTolerance = 0.1;
 const float OuterSight = 0.97;
+const float KnownShare = 0.7;
 const float LeastWeight = 0.0001;
 const float DoubtTexels = 8.0;
 const float Unknown = 2000.0;
@@ -492,7 +493,9 @@ LookupResult LookupUnseen(Ray ray)
   }
   range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
   float hidden = surface.W;
-  float cells = CountCells(ray.Entry);
+  float known =
+    dot(vec4(greaterThan(Clearances(ray, views, hidden, true), vec4(-Unknown))), ListWeights(views));
+  float cells = known > KnownShare ? CountCells(ray.Entry) : 0.0;
   for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < cells; rings = 2.0 * rings + 1.0)
   {
     ViewCell outer = FindOuterViews(ray.Entry, rings);
@@ -506,7 +509,8 @@ LookupResult LookupUnseen(Ray ray)
   return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
 }
 
-// How far the clearances of the four views grow with w before a plane; below 0 for those behind it.
+// How far the clearances of the four views grow with w before a plane; below 0 for those behind
+// it.
 // For a view at a ray's entry it is 1, and it goes with the view's nearness to the plane.
 vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
 {

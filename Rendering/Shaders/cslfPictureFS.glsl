@@ -22,8 +22,8 @@ const float NothingDC = 1.0e30; // where nothing is seen; greater where nothing 
 //CSLF::SceneGrid::Dec
 //CSLF::Lookup::Dec
 
-// What the guess has around a fragment: z of DC of four of its pixels, at the lower corner, at upper
-// x, at upper y and at both.
+// What the guess has around a fragment: z of DC of four of its pixels, at the lower corner, at
+// upper x, at upper y and at both.
 struct Guess
 {
   vec4 Z;
