@@ -493,8 +493,8 @@ LookupResult LookupUnseen(Ray ray)
   }
   range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
   float hidden = surface.W;
-  float known =
-    dot(vec4(greaterThan(Clearances(ray, views, hidden, true), vec4(-Unknown))), ListWeights(views));
+  vec4 clearances = Clearances(ray, views, hidden, true);
+  float known = dot(vec4(greaterThan(clearances, vec4(-Unknown))), ListWeights(views));
   float cells = known > KnownShare ? CountCells(ray.Entry) : 0.0;
   for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < cells; rings = 2.0 * rings + 1.0)
   {
