@@ -1,21 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which samples a camera can use, and which of them are kept.
+// Which samples a camera can use, which of them are kept, and where they say that surfaces may be.
 #include "cslfResidency.h"
+#include "cslfSceneGrid.h"
 #include "cslfSight.h"
+#include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "cslfViewpointLevels.h"
 
 #include <vtkCamera.h>
+#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <optional>
 #include <random>
+#include <string>
 
 using cslf::Residency;
 using cslf::Sight;
@@ -259,6 +264,33 @@ void TestDamage()
   const float* far = &table.Cells[8 * (8 * 2 + 5)];
   CSLF_CHECK(*std::min_element(far, far + 4) >= 0.0F && far[6] - far[4] == 0.25F);
 }
+
+// Each tile is looked at once.
+void TestSceneGrid()
+{
+  const auto image = cslf::testing::MakeTestField(
+    cslf::Layout(2, 16), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  std::string error;
+  const auto field = cslf::Description::ReadFrom(image, error);
+  CSLF_CHECK(field.has_value());
+  if (!field)
+  {
+    return;
+  }
+  cslf::SceneGrid grid(*field);
+  cslf::ViewpointSamples samples;
+  samples.Color = image->GetPointData()->GetArray(cslf::ColorName);
+  samples.Depth = image->GetPointData()->GetArray(cslf::DepthName);
+  grid.Add(0, samples, 1);
+  CSLF_CHECK(grid.Spread());
+  const auto rings = grid.GetRings();
+  grid.Add(0, samples, 1);
+  CSLF_CHECK(!grid.Spread());
+  CSLF_CHECK(grid.GetRings() == rings);
+  grid.Add(0, samples);
+  CSLF_CHECK(grid.Spread());
+  CSLF_CHECK(grid.GetRings() != rings);
+}
 }
 
 int TestCSLFResidency(int, char*[])
@@ -269,5 +301,6 @@ int TestCSLFResidency(int, char*[])
   TestRefinement();
   TestBudget();
   TestDamage();
+  TestSceneGrid();
   return cslf::testing::Result();
 }
