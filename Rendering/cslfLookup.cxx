@@ -290,19 +290,6 @@ Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray, int rings) const
   return this->MakeCell(ray, widen(ray.Entry.x), widen(ray.Entry.y));
 }
 
-// How many cells as wide as the one around a ray's entry a side of the face has.
-int Lookup::CountCells(const Ray& ray) const
-{
-  const Layout& grid = this->Field.Grid;
-  const auto sizeAround = [&grid](double coordinate)
-  {
-    const NodeBracket nodes = grid.FindNodes(coordinate);
-    return grid.NodeCoordinate(nodes.Upper) - grid.NodeCoordinate(nodes.Lower);
-  };
-  const double size = std::min(sizeAround(ray.Entry.x), sizeAround(ray.Entry.y));
-  return static_cast<int>(std::lround(2.0 / size));
-}
-
 Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
 {
   const glm::dvec3 direction = point - glm::dvec3(view.Position, 0.0);
@@ -578,6 +565,33 @@ glm::dvec4 Lookup::BlendVisible(const Ray& ray, const ViewCell& views, const Sur
   return this->BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
 }
 
+// What the four views do not see may be seen by viewpoints farther and farther around them.
+void Lookup::SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, const Range& whole,
+  ViewCell& views, Surface& surface) const
+{
+  // From a step before on, where the outer ones may see the surface at once. What they find before
+  // what is hidden is a silhouette, which the inner ones show better.
+  const double hidden = surface.W;
+  const double stride = std::max(views.Stride, StepShare * hidden);
+  const Range range = { std::min(hidden + stride, whole.Nearest), whole.Farthest };
+  const glm::bvec4 isKnown =
+    glm::greaterThan(this->Clearances(ray, views, hidden, true), glm::dvec4(-Unknown));
+  const double known = glm::dot(glm::dvec4(isKnown), ListWeights(views));
+  const glm::dvec2 size = glm::abs(views.Views[3].Position - views.Views[0].Position);
+  const int cells =
+    known > KnownShare ? static_cast<int>(std::lround(2.0 / std::min(size.x, size.y))) : 0;
+  for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < cells; rings = 2 * rings + 1)
+  {
+    const ViewCell outer = this->FindOuterViews(ray, rings);
+    const Surface seen = this->FindSurface(ray, outer, gridRay, range, true);
+    if (seen.W < hidden && glm::any(glm::greaterThan(seen.Sight, glm::dvec4(OuterSight))))
+    {
+      surface = seen;
+      views = outer;
+    }
+  }
+}
+
 LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
 {
   if (!this->Depths)
@@ -600,24 +614,9 @@ LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
   {
     return {};
   }
-  // From a step before on, where the outer ones may see the surface at once. What they find before
-  // what is hidden is a silhouette, which the inner ones show better.
-  const double stride = std::max(views.Stride, StepShare * surface.W);
-  range.Nearest = std::min(surface.W + stride, range.Nearest);
-  const double hidden = surface.W;
-  const glm::bvec4 isKnown =
-    glm::greaterThan(this->Clearances(rayFC, views, hidden, true), glm::dvec4(-Unknown));
-  const double known = glm::dot(glm::dvec4(isKnown), ListWeights(views));
-  const int cells = known > KnownShare ? this->CountCells(rayFC) : 0;
-  for (int rings = 1; surface.Sight == glm::dvec4(0.0) && rings < cells; rings = 2 * rings + 1)
+  if (surface.Sight == glm::dvec4(0.0))
   {
-    const ViewCell outer = this->FindOuterViews(rayFC, rings);
-    const Surface seen = this->FindSurface(rayFC, outer, gridRay, range, true);
-    if (seen.W < hidden && glm::any(glm::greaterThan(seen.Sight, glm::dvec4(OuterSight))))
-    {
-      surface = seen;
-      views = outer;
-    }
+    this->SearchAround(rayFC, gridRay, range, views, surface);
   }
   return { this->BlendVisible(rayFC, views, surface), 1.0 / surface.W };
 }

@@ -158,7 +158,6 @@ private:
   ViewCell MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const;
   ViewCell FindViews(const Ray& ray) const;
   ViewCell FindOuterViews(const Ray& ray, int rings) const;
-  int CountCells(const Ray& ray) const;
   static Projection Project(const View& view, const glm::dvec3& point);
   double GuessSurface(const Ray& ray, double fraction) const;
   glm::dvec4 ReadColorOf(const View& view, const glm::dvec3& point) const;
@@ -176,6 +175,8 @@ private:
     const Range& range, bool all, Step& step) const;
   Surface FindSurface(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
     const Range& range, bool all) const;
+  void SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, const Range& whole,
+    ViewCell& views, Surface& surface) const;
   glm::dvec4 BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
 
   Description Field;

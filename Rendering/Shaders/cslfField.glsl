@@ -17,7 +17,7 @@ uniform float OppositeBlock;
 uniform vec2 SideXBlocks;
 uniform vec2 SideYBlocks;
 
-const float Absent = -1.0e6; // the slot of a viewpoint that is not there
+const float Absent = -1.0e6; // Residency::Absent: the slot of a viewpoint that is not there
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
 

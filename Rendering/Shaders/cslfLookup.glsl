@@ -133,14 +133,6 @@ ViewCell FindOuterViews(vec3 entry, float rings)
     lower, upper);
 }
 
-// How many cells as wide as the one around a ray's entry a side of the face has.
-float CountCells(vec3 entry)
-{
-  Cell cell = FindCell(entry.xy);
-  vec2 size = cell.Upper - cell.Lower;
-  return floor(2.0 / min(size.x, size.y) + 0.5);
-}
-
 Projection Project(View view, vec3 point)
 {
   vec3 direction = vec3(point.xy - view.Position, point.z);
@@ -480,22 +472,16 @@ bool LookupGuess(Ray ray, out LookupResult result)
   return isSeen;
 }
 
-// Where LookupSeen is false: by all four views, then by those farther and farther around them.
-LookupResult LookupUnseen(Ray ray)
+// What the four views do not see may be seen by viewpoints farther and farther around them.
+void SearchAround(
+  Ray ray, GridRay gridRay, vec2 range, inout ViewCell views, inout Surface surface)
 {
-  GridRay gridRay = CastGridRay(ray);
-  vec2 range = FindRange(gridRay);
-  ViewCell views = FindViews(ray.Entry);
-  Surface surface = FindSurface(ray, views, gridRay, range, true);
-  if (surface.W == 0.0)
-  {
-    return LookupResult(vec4(0.0), 1.0);
-  }
-  range.x = min(surface.W + max(views.Stride, StepShare * surface.W), range.x);
   float hidden = surface.W;
+  range.x = min(hidden + max(views.Stride, StepShare * hidden), range.x);
   vec4 clearances = Clearances(ray, views, hidden, true);
   float known = dot(vec4(greaterThan(clearances, vec4(-Unknown))), ListWeights(views));
-  float cells = known > KnownShare ? CountCells(ray.Entry) : 0.0;
+  vec2 size = abs(views.View11.Position - views.View00.Position);
+  float cells = known > KnownShare ? floor(2.0 / min(size.x, size.y) + 0.5) : 0.0;
   for (float rings = 1.0; surface.Sight == vec4(0.0) && rings < cells; rings = 2.0 * rings + 1.0)
   {
     ViewCell outer = FindOuterViews(ray.Entry, rings);
@@ -506,6 +492,20 @@ LookupResult LookupUnseen(Ray ray)
       views = outer;
     }
   }
+}
+
+// Where LookupSeen is false: by all four views, then by those farther around.
+LookupResult LookupUnseen(Ray ray)
+{
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = FindRange(gridRay);
+  ViewCell views = FindViews(ray.Entry);
+  Surface surface = FindSurface(ray, views, gridRay, range, true);
+  if (surface.W == 0.0)
+  {
+    return LookupResult(vec4(0.0), 1.0);
+  }
+  SearchAround(ray, gridRay, range, views, surface);
   return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
 }
 
