@@ -142,6 +142,7 @@ list(APPEND sources
   ../Filters/SceneImport/cslfGLTFBlocks.cxx
   ../Filters/SceneImport/cslfGLTFExtensions.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
+  ../Filters/SceneImport/cslfImportLimits.cxx
   ../Filters/SceneImport/cslfLightImporter.cxx
   ../Filters/SceneImport/cslfMappedScalars.cxx)
 list(APPEND private_headers
@@ -149,6 +150,7 @@ list(APPEND private_headers
   ../Filters/SceneImport/cslfGLTFBlocks.h
   ../Filters/SceneImport/cslfGLTFExtensions.h
   ../Filters/SceneImport/cslfGlyphImporter.h
+  ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h
   ../Filters/SceneImport/cslfLightImporter.h
   ../Filters/SceneImport/cslfMappedScalars.h)

@@ -53,23 +53,37 @@ void ForEachPart(vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*
   }
 }
 
-/// What a prop that is not imported is named by: an actor by its mapper, if it has one. Null where
-/// it shows nothing.
-const char* GetOmittedName(vtkProp* prop)
+/// Notes a prop that is not imported, unless it shows nothing: an actor by its mapper, if it has
+/// one.
+void Omit(vtkProp* prop, cslf::ImportedScene& scene)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!actor || actor->IsA("vtkSkybox"))
   {
-    return prop->GetClassName();
+    scene.Meet(cslf::ImportLimit::OtherProps, prop->GetClassName());
   }
-  if (actor->GetMapper())
+  else if (actor->GetMapper())
   {
-    const bool empty = actor->GetMapper()->GetNumberOfInputConnections(0) == 0;
-    return empty ? nullptr : actor->GetMapper()->GetClassName();
+    if (actor->GetMapper()->GetNumberOfInputConnections(0) > 0)
+    {
+      scene.Meet(cslf::ImportLimit::OtherMappers, actor->GetMapper()->GetClassName());
+    }
   }
-  // Actors that draw by themselves are of classes of their own.
-  return vtkSmartPointer<vtkActor>::New()->IsA(actor->GetClassName()) ? nullptr
-                                                                      : actor->GetClassName();
+  else if (!vtkSmartPointer<vtkActor>::New()->IsA(actor->GetClassName()))
+  {
+    // Actors that draw by themselves are of classes of their own.
+    scene.Meet(cslf::ImportLimit::OtherProps, actor->GetClassName());
+  }
+}
+
+bool HasLimit(int limit)
+{
+  return limit >= 0 && limit < vtkCSLFSceneImporter::GetNumberOfLimits();
+}
+
+const cslf::ImportLimitText& GetLimit(int limit)
+{
+  return cslf::GetText(static_cast<cslf::ImportLimit>(limit));
 }
 
 /// Takes widths in pixels for widths in the world.
@@ -166,9 +180,9 @@ int vtkCSLFSceneImporter::RequestData(
     {
       cslf::ImportActor(actor, matrix, scene);
     }
-    else if (const char* name = GetOmittedName(part))
+    else
     {
-      scene.Omitted.insert(name);
+      Omit(part, scene);
     }
   };
   vtkCollectionSimpleIterator cookie;
@@ -192,11 +206,36 @@ int vtkCSLFSceneImporter::RequestData(
   vtkNew<vtkPolyData> lights;
   lights->SetFieldData(scene.Lights->GetFieldData());
   output->SetBlock(index, lights);
-  if (!scene.Omitted.empty())
+  if (!scene.Limits.empty())
   {
-    vtkWarningMacro("Not represented of the renderer's scene: " << scene.ListOmitted() << ".");
+    vtkWarningMacro("Not baked as the window shows it: " << cslf::ToText(scene.Limits) << ".");
   }
   return 1;
+}
+
+int vtkCSLFSceneImporter::GetNumberOfLimits()
+{
+  return static_cast<int>(cslf::ImportLimit::Count);
+}
+
+const char* vtkCSLFSceneImporter::GetLimitName(int limit)
+{
+  return HasLimit(limit) ? GetLimit(limit).Name : nullptr;
+}
+
+const char* vtkCSLFSceneImporter::GetLimitInWindow(int limit)
+{
+  return HasLimit(limit) ? GetLimit(limit).Window : nullptr;
+}
+
+const char* vtkCSLFSceneImporter::GetLimitInBake(int limit)
+{
+  return HasLimit(limit) ? GetLimit(limit).Bake : nullptr;
+}
+
+bool vtkCSLFSceneImporter::GetLimitWarned(int limit)
+{
+  return HasLimit(limit) && GetLimit(limit).Warned;
 }
 
 bool vtkCSLFSceneImporter::IsOfScene(vtkProp* vtkNotUsed(prop))

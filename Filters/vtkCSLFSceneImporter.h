@@ -36,8 +36,8 @@
  *   renderer's EnvironmentUp and EnvironmentRight.
  * - The background does not light, as in VTK.
  *
- * What cannot be represented is named in one warning: other props than actors, coats, culling,
- * clipping planes and the like.
+ * What a window shows and what is baked differ in what GetLimitName lists, which is also the table
+ * of Documentation/WindowAndBake.md. One warning names what an import has met of it.
  *
  * @sa vtkCSLFMaterial vtkCSLFLight vtkCSLFPathTracer
  */
@@ -88,6 +88,20 @@ public:
    */
   vtkSetClampMacro(PixelSize, double, 1e-9, 1.0);
   vtkGetMacro(PixelSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * The list of what a light field shows differently from VTK's window: the name of each
+   * difference, what the window shows, what is baked, and whether the import of such a scene warns
+   * of it; what it does not warn of is so in every scene. The first limit has the number 0. Null or
+   * false for a number that is out of range.
+   */
+  static int GetNumberOfLimits();
+  static const char* GetLimitName(int limit);
+  static const char* GetLimitInWindow(int limit);
+  static const char* GetLimitInBake(int limit);
+  static bool GetLimitWarned(int limit);
   ///@}
 
 protected:

@@ -149,7 +149,7 @@ public:
 
   void Import()
   {
-    this->NameOmissions();
+    this->FindLimits();
     UpdateInputs(this->Mapper);
     if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(this->Mapper))
     {
@@ -164,26 +164,26 @@ public:
   }
 
 private:
-  void Omit(bool present, const char* what)
+  void MeetIf(bool present, ImportLimit limit)
   {
     if (present)
     {
-      this->Scene.Omitted.insert(what);
+      this->Scene.Meet(limit);
     }
   }
 
-  void NameOmissions()
+  void FindLimits()
   {
     const bool physical = this->Property->GetInterpolation() == VTK_PBR;
-    this->Omit(this->Actor->GetBackfaceProperty() != nullptr, "properties of back faces");
-    this->Omit(this->Property->GetBackfaceCulling() || this->Property->GetFrontfaceCulling(),
-      "culling of faces");
-    this->Omit(!this->Property->GetLighting(), "surfaces without lighting, which are lit");
-    this->Omit(physical && this->Property->GetCoatStrength() > 0.0, "coats");
-    this->Omit(physical && this->Property->GetAnisotropy() != 0.0, "anisotropy");
-    this->Omit(this->Mapper->GetNumberOfClippingPlanes() > 0, "clipping planes");
+    this->MeetIf(this->Actor->GetBackfaceProperty() != nullptr, ImportLimit::BackfaceProperties);
+    this->MeetIf(this->Property->GetBackfaceCulling() || this->Property->GetFrontfaceCulling(),
+      ImportLimit::Culling);
+    this->MeetIf(!this->Property->GetLighting(), ImportLimit::Unlit);
+    this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
+    this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
+    this->MeetIf(this->Mapper->GetNumberOfClippingPlanes() > 0, ImportLimit::ClippingPlanes);
     vtkTexture* texture = this->Actor->GetTexture();
-    this->Omit(texture && texture->GetTransform(), "transforms of textures");
+    this->MeetIf(texture && texture->GetTransform(), ImportLimit::TextureTransforms);
   }
 
   void ImportData(vtkDataObject* data, const BlockStyle& inherited)

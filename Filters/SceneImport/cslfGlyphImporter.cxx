@@ -235,7 +235,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ImportGlyphs(
   std::vector<vtkSmartPointer<vtkPolyData>> sources;
   if (mapper->GetUseSourceTableTree())
   {
-    scene.Omitted.insert("glyphs of a source table tree");
+    scene.Meet(ImportLimit::SourceTableTrees);
     return sources;
   }
   const int count = mapper->GetNumberOfInputConnections(1);

@@ -7,6 +7,8 @@
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
 
+#include "cslfImportLimits.h"
+
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -30,7 +32,18 @@ struct ImportedScene
 {
   std::vector<ImportedBlock> Blocks;
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
-  std::set<std::string> Omitted;       ///< what cannot be represented, in words
+  MetLimits Limits;                    ///< what a renderer shows in another way
+  std::set<std::string> Omitted;       ///< what else cannot be represented, in words
+
+  /// Notes a limit, perhaps with a detail such as the class of a prop.
+  void Meet(ImportLimit limit, const std::string& detail = std::string())
+  {
+    std::set<std::string>& details = this->Limits[limit];
+    if (!detail.empty())
+    {
+      details.insert(detail);
+    }
+  }
 
   /// What cannot be represented, with commas.
   std::string ListOmitted() const

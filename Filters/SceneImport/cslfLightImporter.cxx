@@ -77,14 +77,14 @@ void ImportEnvironment(vtkRenderer* renderer, ImportedScene& scene)
   }
   if (texture->GetCubeMap() || !texture->GetInputAlgorithm())
   {
-    scene.Omitted.insert("an environment texture that is a cube map, or without an image");
+    scene.Meet(ImportLimit::CubeMapEnvironments);
     return;
   }
   texture->GetInputAlgorithm()->Update();
   if (!vtkCSLFLight::SetEnvironmentImage(scene.Lights, texture->GetInput(),
         renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight()))
   {
-    scene.Omitted.insert("the environment texture");
+    scene.Meet(ImportLimit::EnvironmentImages);
   }
 }
 }

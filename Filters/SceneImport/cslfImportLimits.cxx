@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfImportLimits.h"
+
+#include <cstddef>
+#include <iterator>
+
+namespace cslf
+{
+namespace
+{
+// clang-format off
+constexpr ImportLimitText Texts[] = {
+  { ImportLimit::OtherProps,
+    "props other than actors",
+    "volumes, annotations, 2D actors, widgets",
+    "left out",
+    true },
+  { ImportLimit::OtherMappers,
+    "mappers of other than surfaces",
+    "what the mapper draws; a light field, say",
+    "left out",
+    true },
+  { ImportLimit::SourceTableTrees,
+    "glyphs of a source table tree",
+    "glyphs",
+    "left out",
+    true },
+  { ImportLimit::BackfaceProperties,
+    "properties of back faces",
+    "back faces by a property of their own",
+    "both sides by the front's property",
+    true },
+  { ImportLimit::Culling,
+    "culling of faces",
+    "one side of each face",
+    "both sides",
+    true },
+  { ImportLimit::ClippingPlanes,
+    "clipping planes",
+    "what the planes leave",
+    "the whole surface",
+    true },
+  { ImportLimit::Unlit,
+    "surfaces without lighting",
+    "their colours, without any light",
+    "their colours under the lights",
+    true },
+  { ImportLimit::Coats,
+    "coats",
+    "a clear coat over the PBR surface",
+    "the surface without its coat",
+    true },
+  { ImportLimit::Anisotropy,
+    "anisotropy",
+    "highlights that are longer in one direction",
+    "isotropic highlights",
+    true },
+  { ImportLimit::TextureTransforms,
+    "transforms of textures",
+    "the texture, moved by its transform",
+    "the texture where its coordinates put it",
+    true },
+  { ImportLimit::CubeMapEnvironments,
+    "an environment texture that is a cube map, or without an image",
+    "light from the cube map",
+    "no light from it",
+    true },
+  { ImportLimit::EnvironmentImages,
+    "an environment texture that is not two-dimensional, of floats or unsigned chars, "
+    "and of 3 or 4 components",
+    "light from the texture",
+    "no light from it",
+    true },
+  { ImportLimit::Shadows,
+    "shadows, light between surfaces",
+    "none, unless passes add some of them",
+    "both",
+    false },
+  { ImportLimit::Headlights,
+    "headlights",
+    "a light at the camera",
+    "the same light from all around, since a light field has cameras everywhere; "
+    "`HeadlightsAllAroundOff` leaves it where the camera is now",
+    false },
+};
+// clang-format on
+
+constexpr bool IsInOrder()
+{
+  for (std::size_t i = 0; i < std::size(Texts); ++i)
+  {
+    if (static_cast<std::size_t>(Texts[i].Limit) != i)
+    {
+      return false;
+    }
+  }
+  return std::size(Texts) == static_cast<std::size_t>(ImportLimit::Count);
+}
+static_assert(IsInOrder(), "each limit has a row, in the order of ImportLimit");
+}
+
+const ImportLimitText& GetText(ImportLimit limit)
+{
+  return Texts[static_cast<std::size_t>(limit)];
+}
+
+std::string ToText(const MetLimits& limits)
+{
+  std::string text;
+  for (const auto& [limit, details] : limits)
+  {
+    const ImportLimitText& row = GetText(limit);
+    text += (text.empty() ? "" : "; ") + std::string(row.Name);
+    const char* separator = ": ";
+    for (const std::string& detail : details)
+    {
+      text += separator + detail;
+      separator = ", ";
+    }
+    text += std::string(" (") + row.Bake + ")";
+  }
+  return text;
+}
+}

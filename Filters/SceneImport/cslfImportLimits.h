@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The one list of what a light field shows differently from VTK's window. Warnings of
+ * vtkCSLFSceneImporter and the table in Documentation/WindowAndBake.md take their words from it.
+ */
+#ifndef cslfImportLimits_h
+#define cslfImportLimits_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace cslf
+{
+/// What differs. The order is that of the table. A new one needs its row in cslfImportLimits.cxx;
+/// without it the file does not compile.
+enum class ImportLimit
+{
+  // Props.
+  OtherProps,
+  OtherMappers,
+  SourceTableTrees,
+  // Surfaces.
+  BackfaceProperties,
+  Culling,
+  ClippingPlanes,
+  Unlit,
+  Coats,
+  Anisotropy,
+  TextureTransforms,
+  // Lights.
+  CubeMapEnvironments,
+  EnvironmentImages,
+  Shadows,
+  Headlights,
+  Count
+};
+
+/// A row of the table.
+struct ImportLimitText
+{
+  ImportLimit Limit;
+  const char* Name;   ///< as the warning names it
+  const char* Window; ///< what VTK's window shows
+  const char* Bake;   ///< what the light field shows
+  bool Warned;        ///< whether the import of such a scene warns; else it is always so
+};
+
+/// The row of a limit.
+VTKCSLF_EXPORT const ImportLimitText& GetText(ImportLimit limit);
+
+/// The limits that an import has met, with details such as the classes of props, if there are any.
+using MetLimits = std::map<ImportLimit, std::set<std::string>>;
+
+/// The limits in the words of a warning.
+std::string ToText(const MetLimits& limits);
+}
+
+#endif
