@@ -9,6 +9,7 @@
 #include "vtkCSLFMaterial.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataDisplayAttributes.h>
@@ -323,6 +324,7 @@ private:
   {
     vtkNew<vtkExtractEdges> edges;
     edges->SetInputData(block);
+    edges->UseAllPointsOn(); // since points that it merges become floats
     edges->Update();
     vtkPolyData* lines = edges->GetOutput();
     lines->SetFieldData(block->GetFieldData());
@@ -451,6 +453,8 @@ vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matr
   vtkNew<vtkTransformPolyDataFilter> filter;
   filter->SetInputData(surface);
   filter->SetTransform(transform);
+  // Floats far from the origin would lose what they had about it.
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->Update();
   if (matrix->Determinant() > 0.0)
   {

@@ -27,7 +27,7 @@ vtkMTimeType GetImportTime(vtkActor* actor);
 /// Adds what an importable actor shows, placed by a matrix.
 void ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
 
-/// The surface of a data set, in the world.
+/// The surface of a data set, in the world. Points that a matrix moves become doubles.
 vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matrix);
 }
 
