@@ -40,6 +40,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfMeshJoin.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
+  ../Filters/PathTracing/cslfOldNames.cxx
   ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathBatch.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
@@ -81,6 +82,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfMesh.h
   ../Filters/PathTracing/cslfMeshJoin.h
   ../Filters/PathTracing/cslfMeshMaker.h
+  ../Filters/PathTracing/cslfOldNames.h
   ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathBatch.h
   ../Filters/PathTracing/cslfPathIntegrator.h

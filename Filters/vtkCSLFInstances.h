@@ -8,10 +8,10 @@
  * lies; the path tracer keeps one copy of its geometry. Any VTK pipeline carries them along. This
  * class knows the arrays' names; each has one tuple an instance:
  *
- * - `InstanceMatrix`: 16 components, from the data's coordinates to the world, as vtkMatrix4x4 has
- *   it: row by row, the last 0, 0, 0, 1.
- * - `InstanceColor`: 3 or 4 components, unsigned char, optional. The base colour, sRGB, and the
- *   opacity, which multiplies that of the material.
+ * - `CSLF:InstanceMatrix`: 16 components, from the data's coordinates to the world, as vtkMatrix4x4
+ * has it: row by row, the last 0, 0, 0, 1.
+ * - `CSLF:InstanceColor`: 3 or 4 components, unsigned char, optional. The base colour, sRGB, and
+ * the opacity, which multiplies that of the material.
  *
  * Instances that are flat show nothing.
  *
@@ -37,8 +37,8 @@ public:
   /**
    * The arrays' names.
    */
-  static const char* InstanceMatrix() { return "InstanceMatrix"; }
-  static const char* InstanceColor() { return "InstanceColor"; }
+  static const char* InstanceMatrix() { return "CSLF:InstanceMatrix"; }
+  static const char* InstanceColor() { return "CSLF:InstanceColor"; }
   ///@}
 
   /**

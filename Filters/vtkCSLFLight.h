@@ -11,22 +11,22 @@
  *
  * | array | components | meaning |
  * |---|---|---|
- * | `DirectionalLightDirection` | 3 | in which the light travels, world; any length but 0 |
- * | `DirectionalLightIrradiance` | 3 | on a surface that faces the light, linear RGB |
- * | `PointLightPosition` | 3 | world |
- * | `PointLightIntensity` | 3 | irradiance times squared distance in world units, linear RGB |
- * | `SpotLightPosition` | 3 | world |
- * | `SpotLightIntensity` | 3 | as of a point light, along the axis |
- * | `SpotLightDirection` | 3 | the axis, away from the light, world; any length but 0 |
- * | `SpotLightCone` | 2 | between axis and cone, degrees; the exponent of the falloff |
+ * | `CSLF:DirectionalLightDirection` | 3 | in which the light travels, world; any length but 0 |
+ * | `CSLF:DirectionalLightIrradiance` | 3 | on a surface that faces the light, linear RGB |
+ * | `CSLF:PointLightPosition` | 3 | world |
+ * | `CSLF:PointLightIntensity` | 3 | irradiance times squared distance in world units, linear RGB |
+ * | `CSLF:SpotLightPosition` | 3 | world |
+ * | `CSLF:SpotLightIntensity` | 3 | as of a point light, along the axis |
+ * | `CSLF:SpotLightDirection` | 3 | the axis, away from the light, world; any length but 0 |
+ * | `CSLF:SpotLightCone` | 2 | between axis and cone, degrees; the exponent of the falloff |
  *
  * A spot light's intensity falls off with the cosine to its axis to the power of that exponent.
  *
  * The environment is light from infinitely far away; where there is one, it takes the place of the
- * filter's own. It is described by `EnvironmentRadiance`, 3 components, one tuple for the same
- * radiance all around (linear), two for those of bottom and top; `EnvironmentUp` and
- * `EnvironmentRight`, 3 components, its axes in the world; and `EnvironmentImage` with
- * `EnvironmentImageLayout`, a lat-long image that is added: 3 or 4 components a pixel, floats
+ * filter's own. It is described by `CSLF:EnvironmentRadiance`, 3 components, one tuple for the same
+ * radiance all around (linear), two for those of bottom and top; `CSLF:EnvironmentUp` and
+ * `CSLF:EnvironmentRight`, 3 components, its axes in the world; and `CSLF:EnvironmentImage` with
+ * `CSLF:EnvironmentImageLayout`, a lat-long image that is added: 3 or 4 components a pixel, floats
  * (linear) or unsigned chars (sRGB), the row of the bottom first, and its width and height.
  *
  * Lights with an extent are surfaces whose material has an emission (see vtkCSLFMaterial), or the
@@ -55,19 +55,19 @@ public:
   /**
    * The arrays' names.
    */
-  static const char* DirectionalLightDirection() { return "DirectionalLightDirection"; }
-  static const char* DirectionalLightIrradiance() { return "DirectionalLightIrradiance"; }
-  static const char* PointLightPosition() { return "PointLightPosition"; }
-  static const char* PointLightIntensity() { return "PointLightIntensity"; }
-  static const char* SpotLightPosition() { return "SpotLightPosition"; }
-  static const char* SpotLightIntensity() { return "SpotLightIntensity"; }
-  static const char* SpotLightDirection() { return "SpotLightDirection"; }
-  static const char* SpotLightCone() { return "SpotLightCone"; }
-  static const char* EnvironmentRadiance() { return "EnvironmentRadiance"; }
-  static const char* EnvironmentUp() { return "EnvironmentUp"; }
-  static const char* EnvironmentRight() { return "EnvironmentRight"; }
-  static const char* EnvironmentImage() { return "EnvironmentImage"; }
-  static const char* EnvironmentImageLayout() { return "EnvironmentImageLayout"; }
+  static const char* DirectionalLightDirection() { return "CSLF:DirectionalLightDirection"; }
+  static const char* DirectionalLightIrradiance() { return "CSLF:DirectionalLightIrradiance"; }
+  static const char* PointLightPosition() { return "CSLF:PointLightPosition"; }
+  static const char* PointLightIntensity() { return "CSLF:PointLightIntensity"; }
+  static const char* SpotLightPosition() { return "CSLF:SpotLightPosition"; }
+  static const char* SpotLightIntensity() { return "CSLF:SpotLightIntensity"; }
+  static const char* SpotLightDirection() { return "CSLF:SpotLightDirection"; }
+  static const char* SpotLightCone() { return "CSLF:SpotLightCone"; }
+  static const char* EnvironmentRadiance() { return "CSLF:EnvironmentRadiance"; }
+  static const char* EnvironmentUp() { return "CSLF:EnvironmentUp"; }
+  static const char* EnvironmentRight() { return "CSLF:EnvironmentRight"; }
+  static const char* EnvironmentImage() { return "CSLF:EnvironmentImage"; }
+  static const char* EnvironmentImageLayout() { return "CSLF:EnvironmentImageLayout"; }
   ///@}
 
   /**

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string>
 #include <utility>
 
 vtkStandardNewMacro(vtkCSLFMaterial);
@@ -38,27 +37,28 @@ struct Parameter
 
 // The tracer computes in floats.
 constexpr double Unlimited = 1e30;
-constexpr Parameter BaseColor = { "BaseColor", 3, 0.8, 0.0, 1.0 };
-constexpr Parameter Metallic = { "Metallic", 1, 0.0, 0.0, 1.0 };
-constexpr Parameter Roughness = { "Roughness", 1, 1.0, 0.0, 1.0 };
-constexpr Parameter Emission = { "Emission", 3, 0.0, 0.0, Unlimited };
-constexpr Parameter IndexOfRefraction = { "IndexOfRefraction", 1, 1.0, 1.0, Unlimited };
-constexpr Parameter Transmission = { "Transmission", 1, 0.0, 0.0, 1.0 };
-constexpr Parameter ThinWalled = { "ThinWalled", 1, 0.0, 0.0, 1.0 };
-constexpr Parameter Opacity = { "Opacity", 1, 1.0, 0.0, 1.0 };
-constexpr Parameter OpacityCutoff = { "OpacityCutoff", 1, 0.0, 0.0, 1.0 };
-constexpr Parameter NormalScale = { "NormalScale", 1, 1.0, -Unlimited, Unlimited };
-constexpr Parameter LineRadius = { "LineRadius", 1, 0.0, 0.0, Unlimited };
-constexpr Parameter PointRadius = { "PointRadius", 1, 0.0, 0.0, Unlimited };
-constexpr Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
+const Parameter BaseColor = { vtkCSLFMaterial::BaseColorName(), 3, 0.8, 0.0, 1.0 };
+const Parameter Metallic = { vtkCSLFMaterial::MetallicName(), 1, 0.0, 0.0, 1.0 };
+const Parameter Roughness = { vtkCSLFMaterial::RoughnessName(), 1, 1.0, 0.0, 1.0 };
+const Parameter Emission = { vtkCSLFMaterial::EmissionName(), 3, 0.0, 0.0, Unlimited };
+const Parameter IndexOfRefraction = { vtkCSLFMaterial::IndexOfRefractionName(), 1, 1.0, 1.0,
+  Unlimited };
+const Parameter Transmission = { vtkCSLFMaterial::TransmissionName(), 1, 0.0, 0.0, 1.0 };
+const Parameter ThinWalled = { vtkCSLFMaterial::ThinWalledName(), 1, 0.0, 0.0, 1.0 };
+const Parameter Opacity = { vtkCSLFMaterial::OpacityName(), 1, 1.0, 0.0, 1.0 };
+const Parameter OpacityCutoff = { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 0.0, 1.0 };
+const Parameter NormalScale = { vtkCSLFMaterial::NormalScaleName(), 1, 1.0, -Unlimited, Unlimited };
+const Parameter LineRadius = { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited };
+const Parameter PointRadius = { vtkCSLFMaterial::PointRadiusName(), 1, 0.0, 0.0, Unlimited };
+const Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
   Transmission, ThinWalled, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius };
 
 // By vtkCSLFMaterial::TextureSlots.
-constexpr const char* TextureNames[] = { "BaseColorTexture", "MetallicRoughnessTexture",
-  "NormalTexture", "EmissionTexture" };
+constexpr const char* TextureNames[] = { "CSLF:BaseColorTexture", "CSLF:MetallicRoughnessTexture",
+  "CSLF:NormalTexture", "CSLF:EmissionTexture" };
+constexpr const char* LayoutNames[] = { "CSLF:BaseColorTextureLayout",
+  "CSLF:MetallicRoughnessTextureLayout", "CSLF:NormalTextureLayout", "CSLF:EmissionTextureLayout" };
 
-// What follows the name of a texture in that of its layout, and the layout's components.
-constexpr const char* LayoutSuffix = "Layout";
 enum LayoutComponents
 {
   LayoutWidth,
@@ -76,15 +76,10 @@ bool IsSlot(int slot)
   return slot >= 0 && slot < static_cast<int>(std::size(TextureNames));
 }
 
-std::string GetLayoutName(int slot)
-{
-  return std::string(TextureNames[slot]) + LayoutSuffix;
-}
-
 void RemoveTexture(vtkDataObject* data, int slot)
 {
   data->GetFieldData()->RemoveArray(TextureNames[slot]);
-  data->GetFieldData()->RemoveArray(GetLayoutName(slot).c_str());
+  data->GetFieldData()->RemoveArray(LayoutNames[slot]);
 }
 
 /// The pixels and layout of a texture; null where there is none that can be used.
@@ -92,7 +87,7 @@ std::pair<vtkUnsignedCharArray*, vtkDataArray*> FindTexture(vtkDataObject* data,
 {
   vtkFieldData* fields = data->GetFieldData();
   auto* pixels = vtkUnsignedCharArray::SafeDownCast(fields->GetArray(TextureNames[slot]));
-  vtkDataArray* layout = fields->GetArray(GetLayoutName(slot).c_str());
+  vtkDataArray* layout = fields->GetArray(LayoutNames[slot]);
   if (!pixels || !layout || layout->GetNumberOfComponents() != LayoutSize ||
     layout->GetNumberOfTuples() < 1 || pixels->GetNumberOfComponents() > 4)
   {
@@ -349,6 +344,16 @@ double vtkCSLFMaterial::GetPointRadius(vtkDataObject* data)
   return Get(data, PointRadius);
 }
 
+const char* vtkCSLFMaterial::TextureName(int slot)
+{
+  return IsSlot(slot) ? TextureNames[slot] : nullptr;
+}
+
+const char* vtkCSLFMaterial::TextureLayoutName(int slot)
+{
+  return IsSlot(slot) ? LayoutNames[slot] : nullptr;
+}
+
 bool vtkCSLFMaterial::SetTexture(
   vtkDataObject* data, int slot, vtkImageData* image, bool repeat, bool interpolate)
 {
@@ -375,7 +380,7 @@ bool vtkCSLFMaterial::SetTexture(
   pixels->ShallowCopy(scalars);
   pixels->SetName(TextureNames[slot]);
   vtkNew<vtkIntArray> layout;
-  layout->SetName(GetLayoutName(slot).c_str());
+  layout->SetName(LayoutNames[slot]);
   layout->SetNumberOfComponents(LayoutSize);
   layout->InsertNextTuple4(dimensions[0], dimensions[1], repeat ? 1 : 0, interpolate ? 1 : 0);
   data->GetFieldData()->AddArray(pixels);

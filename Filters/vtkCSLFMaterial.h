@@ -8,21 +8,25 @@
  * vtkPolyData itself, or, for arrays that it lacks, of the composite data set it is a leaf of. Any
  * VTK pipeline carries them along. This class knows the arrays' names; each holds one tuple:
  *
- * - `BaseColor`: 3 components in [0,1], sRGB-encoded, by default 0.8, 0.8, 0.8. A dielectric's
+ * - `CSLF:BaseColor`: 3 components in [0,1], sRGB-encoded, by default 0.8, 0.8, 0.8. A dielectric's
  *   diffuse reflectance, a metal's reflectance at normal incidence, the tint of what glass lets
  *   through.
- * - `Metallic`: in [0,1], by default 0. 0 is a dielectric, 1 a metal, a blend between.
- * - `Roughness`: in [0,1], by default 1. Perceptual; its square is GGX's alpha; below 0.03 smooth.
- * - `Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both sides.
- * - `IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has none.
- * - `Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
- * - `ThinWalled`: 0 or 1, by default 0. Whether glass is a thin sheet, which does not bend light.
- * - `Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
+ * - `CSLF:Metallic`: in [0,1], by default 0. 0 is a dielectric, 1 a metal, a blend between.
+ * - `CSLF:Roughness`: in [0,1], by default 1. Perceptual; its square is GGX's alpha; below 0.03
+ * smooth.
+ * - `CSLF:Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both
+ * sides.
+ * - `CSLF:IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has
+ * none.
+ * - `CSLF:Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
+ * - `CSLF:ThinWalled`: 0 or 1, by default 0. Whether glass is a thin sheet, which does not bend
+ * light.
+ * - `CSLF:Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
  *   passes as if there were none.
- * - `OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
- * - `NormalScale`: any number, by default 1. How far the normal texture bends normals.
- * - `LineRadius`, `PointRadius`: not negative, world units, by default 0. Of the tubes and spheres
- *   that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
+ * - `CSLF:OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
+ * - `CSLF:NormalScale`: any number, by default 1. How far the normal texture bends normals.
+ * - `CSLF:LineRadius`, `CSLF:PointRadius`: not negative, world units, by default 0. Of the tubes
+ * and spheres that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
  * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
@@ -33,15 +37,18 @@
  * leaves.
  *
  * Textures are images that multiply these factors; they lie on the surface by its texture
- * coordinates. They travel as field data too, pixels in an array named `BaseColorTexture`,
- * `MetallicRoughnessTexture`, `NormalTexture` or `EmissionTexture`: unsigned char, 1 to 4
- * components (grey, grey and alpha, RGB, RGBA), one tuple a pixel, the row of v = 0 first. An array
- * of the same name and `Layout` has one tuple of 4 integers: width, height, whether the image
+ * coordinates. They travel as field data too, pixels in an array named `CSLF:BaseColorTexture`,
+ * `CSLF:MetallicRoughnessTexture`, `CSLF:NormalTexture` or `CSLF:EmissionTexture`: unsigned char, 1
+ * to 4 components (grey, grey and alpha, RGB, RGBA), one tuple a pixel, the row of v = 0 first. An
+ * array of the same name and `Layout` has one tuple of 4 integers: width, height, whether the image
  * repeats beyond [0,1] (else its edge goes on), and whether it is interpolated. Colours are sRGB;
  * the alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
  * normals are as in glTF.
  *
  * Values out of range are clamped when set.
+ *
+ * The prefix keeps these names apart from the arrays of simulations and other programs. Version 0.1
+ * used the names without it; Documentation/Materials.md says where those are still read.
  *
  * @sa vtkCSLFLight vtkCSLFPathTracer
  */
@@ -62,6 +69,24 @@ public:
   static vtkCSLFMaterial* New();
   vtkTypeMacro(vtkCSLFMaterial, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The arrays' names. Arrays of the radii's names in the point data give each point its own.
+   */
+  static const char* BaseColorName() { return "CSLF:BaseColor"; }
+  static const char* MetallicName() { return "CSLF:Metallic"; }
+  static const char* RoughnessName() { return "CSLF:Roughness"; }
+  static const char* EmissionName() { return "CSLF:Emission"; }
+  static const char* IndexOfRefractionName() { return "CSLF:IndexOfRefraction"; }
+  static const char* TransmissionName() { return "CSLF:Transmission"; }
+  static const char* ThinWalledName() { return "CSLF:ThinWalled"; }
+  static const char* OpacityName() { return "CSLF:Opacity"; }
+  static const char* OpacityCutoffName() { return "CSLF:OpacityCutoff"; }
+  static const char* NormalScaleName() { return "CSLF:NormalScale"; }
+  static const char* LineRadiusName() { return "CSLF:LineRadius"; }
+  static const char* PointRadiusName() { return "CSLF:PointRadius"; }
+  ///@}
 
   /**
    * Sets all arrays from a property.
@@ -191,6 +216,14 @@ public:
     NormalTexture,  ///< the normal's x, y, z along u, along v, outwards: [-1,1] as [0,255]
     EmissionTexture ///< sRGB colour times the emission
   };
+
+  ///@{
+  /**
+   * The names of the arrays that hold a texture's pixels and its layout; null for any other slot.
+   */
+  static const char* TextureName(int slot);
+  static const char* TextureLayoutName(int slot);
+  ///@}
 
   /**
    * Sets a texture: a two-dimensional image of unsigned chars of 1 to 4 components, whose pixels

@@ -11,9 +11,10 @@
  *
  * - Polygons and triangle strips are traced as triangles, vertex cells as spheres and lines as
  * tubes with round ends, of a radius that vtkCSLFMaterial tells, or for each point an array of
- * point data named `PointRadius` or `LineRadius`, in world units. Leaves of other types, and cells
- * with coordinates that are not finite, are left out, named in one warning. Triangles without area
- * show nothing and are left out silently. A scene without anything to trace is an error.
+ * point data named `CSLF:PointRadius` or `CSLF:LineRadius`, in world units. Leaves of other types,
+ * and cells with coordinates that are not finite, are left out, named in one warning. Triangles
+ * without area show nothing and are left out silently. A scene without anything to trace is an
+ * error.
  * - Data is shown at each of its instances, if it has any: see vtkCSLFInstances.
  * - Surfaces are two-sided. Point normals, where present, smooth the shading.
  * - Materials, textures and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.

@@ -210,6 +210,11 @@ int vtkCSLFSceneImporter::RequestData(
   {
     vtkWarningMacro("Not baked as the window shows it: " << cslf::ToText(scene.Limits) << ".");
   }
+  const std::string oldNames = scene.Old.ToText();
+  if (!oldNames.empty())
+  {
+    vtkWarningMacro(<< oldNames);
+  }
   return 1;
 }
 

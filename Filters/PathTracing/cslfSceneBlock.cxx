@@ -5,6 +5,7 @@
 #include "cslfColor.h"
 #include "cslfTriangles.h"
 #include "vtkCSLFInstances.h"
+#include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -31,7 +32,8 @@ constexpr double SmallestVolume = 1e-12;
 /// The array of points' own radii, or null.
 vtkDataArray* FindRadii(const SceneBlock& block)
 {
-  const char* name = block.Shape == Mesh::Shapes::Tubes ? "LineRadius" : "PointRadius";
+  const bool tubes = block.Shape == Mesh::Shapes::Tubes;
+  const char* name = tubes ? vtkCSLFMaterial::LineRadiusName() : vtkCSLFMaterial::PointRadiusName();
   vtkDataArray* radii = block.Data->GetPointData()->GetArray(name);
   return radii && radii->GetNumberOfComponents() == 1 ? radii : nullptr;
 }

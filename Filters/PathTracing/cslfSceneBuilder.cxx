@@ -8,6 +8,7 @@
 #include "cslfLightReader.h"
 #include "cslfMeshJoin.h"
 #include "cslfMeshMaker.h"
+#include "cslfOldNames.h"
 #include "cslfSceneBlock.h"
 #include "cslfSurfaceColors.h"
 #include "cslfTextureReader.h"
@@ -49,8 +50,17 @@ struct Omissions
   vtkIdType Environments = 0;
   vtkIdType Textures = 0;
   std::set<std::string> DataTypes;
+  OldNames Old;
 
   std::string ToText() const
+  {
+    std::string text = this->ListOmitted();
+    const std::string names = this->Old.ToText();
+    return text + (text.empty() || names.empty() ? "" : " ") + names;
+  }
+
+private:
+  std::string ListOmitted() const
   {
     std::string text;
     const auto add = [&text](bool present, const std::string& what)
@@ -132,8 +142,9 @@ private:
     }
   }
 
-  void AddInput(vtkDataObject* input)
+  void AddInput(vtkDataObject* data)
   {
+    const vtkSmartPointer<vtkDataObject> input = RenameOldArrays(data, this->Omitted.Old);
     this->AddLights(input);
     auto* composite = vtkCompositeDataSet::SafeDownCast(input);
     if (!composite)
@@ -144,8 +155,10 @@ private:
     auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
     for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
     {
-      this->AddLights(leaf->GetCurrentDataObject());
-      this->AddLeaf(leaf->GetCurrentDataObject(), input);
+      const vtkSmartPointer<vtkDataObject> part =
+        RenameOldArrays(leaf->GetCurrentDataObject(), this->Omitted.Old);
+      this->AddLights(part);
+      this->AddLeaf(part, input);
     }
   }
 

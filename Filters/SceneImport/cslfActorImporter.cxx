@@ -220,7 +220,7 @@ private:
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
     TransformTCoords(this->Actor, block);
     // What the data itself says of its material comes before the property.
-    vtkCSLFMaterial::Inherit(block, leaf);
+    vtkCSLFMaterial::Inherit(block, RenameOldArrays(leaf, this->Scene.Old));
     vtkNew<vtkPolyData> material;
     this->SetMaterial(material, style);
     vtkCSLFMaterial::Inherit(block, material);

@@ -7,6 +7,7 @@
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
 
+#include "PathTracing/cslfOldNames.h"
 #include "cslfImportLimits.h"
 
 #include <vtkMultiBlockDataSet.h>
@@ -34,6 +35,8 @@ struct ImportedScene
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
   MetLimits Limits;                    ///< what a renderer shows in another way
   std::set<std::string> Omitted;       ///< what else cannot be represented, in words
+
+  OldNames Old; ///< of materials that data brings along
 
   /// Notes a limit, perhaps with a detail such as the class of a prop.
   void Meet(ImportLimit limit, const std::string& detail = std::string())

@@ -153,7 +153,7 @@ void TestSpheres()
   CSLF_CHECK(!viewer.Messages->GetWarning());
 
   // Radii of points; without any, a small part of the scene's size; one that is broken.
-  SetRadii(data, "PointRadius", { 0.25f, 0.75f });
+  SetRadii(data, vtkCSLFMaterial::PointRadiusName(), { 0.25f, 0.75f });
   data->Modified();
   viewer.Look(data);
   CSLF_CHECK_NEAR(viewer.GetArea(), vtkMath::Pi() * (0.0625 + 0.5625), 0.02);
@@ -200,7 +200,7 @@ void TestTubes()
   // The colour of the cell; a radius that grows: two tangents to two circles.
   data->GetPointData()->SetScalars(nullptr);
   auto cone = MakePoints({ { -1, 0, 0 }, { 1, 0, 0 } }, true);
-  SetRadii(cone, "LineRadius", { 0.2f, 0.7f });
+  SetRadii(cone, vtkCSLFMaterial::LineRadiusName(), { 0.2f, 0.7f });
   vtkNew<vtkUnsignedCharArray> cell;
   cell->SetNumberOfComponents(3);
   cell->InsertNextTuple3(0, 0, 255);

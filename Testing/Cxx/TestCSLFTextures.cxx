@@ -93,9 +93,9 @@ void TestFieldData()
   auto image = MakeImage(2, 1, 3, { 255, 0, 0, 0, 255, 0 });
   const int slot = vtkCSLFMaterial::BaseColorTexture;
   CSLF_CHECK(vtkCSLFMaterial::SetTexture(data, slot, image, false, true));
-  CSLF_CHECK(data->GetFieldData()->GetArray("BaseColorTexture") != nullptr);
-  CSLF_CHECK(
-    image->GetPointData()->GetScalars() != data->GetFieldData()->GetArray("BaseColorTexture"));
+  CSLF_CHECK(data->GetFieldData()->GetArray(vtkCSLFMaterial::TextureName(slot)) != nullptr);
+  CSLF_CHECK(image->GetPointData()->GetScalars() !=
+    data->GetFieldData()->GetArray(vtkCSLFMaterial::TextureName(slot)));
 
   // It survives filters and files.
   vtkNew<vtkTransform> transform;

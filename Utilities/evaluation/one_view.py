@@ -162,13 +162,16 @@ class OneView:
             block = data.GetBlock(k)
             corners = vtk_to_numpy(block.GetPolys().GetConnectivityArray())
             ends = vtk_to_numpy(block.GetPolys().GetOffsetsArray())[1:-1]
-            material = block.GetFieldData()
-            reflectance = make_linear(numpy.array(material.GetArray("BaseColor").GetTuple3(0)))
+            color = [0.0, 0.0, 0.0]
+            emission = [0.0, 0.0, 0.0]
+            cslf.vtkCSLFMaterial.GetBaseColor(block, color)
+            cslf.vtkCSLFMaterial.GetEmission(block, emission)
+            reflectance = make_linear(numpy.array(color))
             blocks.append({"name": data.GetMetaData(k).Get(vtkCompositeDataSet.NAME()),
                            "points": vtk_to_numpy(block.GetPoints().GetData()).tolist(),
                            "polygons": [each.tolist() for each in numpy.split(corners, ends)],
                            "reflectance": reflectance.tolist(),
-                           "emission": material.GetArray("Emission").GetTuple3(0)})
+                           "emission": emission})
         return blocks
 
 
