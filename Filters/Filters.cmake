@@ -71,6 +71,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFacets.h
   ../Filters/PathTracing/cslfFieldRays.h
   ../Filters/PathTracing/cslfFingerprint.h
+  ../Filters/PathTracing/cslfDisplayCurve.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h

@@ -423,7 +423,7 @@ void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
   this->Internals->Keeper = keeper;
 }
 
-std::string vtkCSLFPathTracer::MakeCacheKey(double spacing)
+std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 {
   // What the texels depend on beyond the cache is left out.
   nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
@@ -432,17 +432,19 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing)
     key.erase(name);
   }
   key["cache"]["spacing"] = spacing;
+  key["cache"]["display_range"] = displayRange;
   key["cslf"] = CSLF_VERSION;
   return key.dump();
 }
 
-void vtkCSLFPathTracer::MakeCache(double spacing, cslf::CacheShare* ranks)
+void vtkCSLFPathTracer::MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks)
 {
   cslf::CacheSettings settings;
   settings.Tolerance = this->CacheTolerance;
   settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
   settings.Samples = this->CacheSamples;
   settings.Exposure = this->Exposure;
+  settings.DisplayRange = displayRange;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Paths.MaximumDepth = this->MaximumDepth;
   settings.ProbeSeconds = this->CacheProbeSeconds;
@@ -452,9 +454,9 @@ void vtkCSLFPathTracer::MakeCache(double spacing, cslf::CacheShare* ranks)
     std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
 }
 
-bool vtkCSLFPathTracer::ProbeCache(double spacing)
+bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
 {
-  const std::string key = this->MakeCacheKey(spacing);
+  const std::string key = this->MakeCacheKey(spacing, displayRange);
   this->ExpectedCacheSeconds = 0.0;
   if (this->Internals->CacheKey == key)
   {
@@ -464,7 +466,7 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing)
   if (!this->Internals->IsProbe)
   {
     const auto start = std::chrono::steady_clock::now();
-    this->MakeCache(spacing, nullptr);
+    this->MakeCache(spacing, displayRange, nullptr);
     this->Internals->IsProbe = this->FillCache(0.5);
     this->CacheSeconds += SecondsSince(start);
   }
@@ -472,14 +474,14 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing)
   return this->Internals->IsProbe;
 }
 
-bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
+bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double share)
 {
   if (this->CacheProbeSeconds > 0.0)
   {
-    return this->ProbeCache(spacing);
+    return this->ProbeCache(spacing, displayRange);
   }
   using Plan = cslf::CacheKeeper::Plan;
-  const std::string key = this->MakeCacheKey(spacing);
+  const std::string key = this->MakeCacheKey(spacing, displayRange);
   const bool isThere = this->Internals->CacheKey == key;
   cslf::CacheKeeper* keeper = this->Internals->Keeper;
   const Plan plan = keeper ? keeper->Join(key, isThere) : Plan::Alone;
@@ -490,7 +492,7 @@ bool vtkCSLFPathTracer::UpdateCache(double spacing, double share)
   const auto start = std::chrono::steady_clock::now();
   if (!isThere || (plan == Plan::Together && !keeper->IsEverywhere()))
   {
-    this->MakeCache(spacing, plan == Plan::Together ? keeper->GetShare() : nullptr);
+    this->MakeCache(spacing, displayRange, plan == Plan::Together ? keeper->GetShare() : nullptr);
     this->Internals->IsProbe = false;
   }
   const auto fill = [this, share] { return this->FillCache(share); };
@@ -531,12 +533,17 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
   }
   // The share of the cache in the progress is a guess.
   const double share = this->Integrator == RadianceCaching ? 0.5 : 0.0;
+  // A viewer may change the exposure of floats; bytes are clipped at white.
+  const double displayRange =
+    output.ColorFloats ? cslf::DisplayCurve::FloatRange : cslf::DisplayCurve::ByteRange;
   cslf::RenderSettings settings = this->GetRenderSettings();
+  settings.DisplayRange = displayRange;
   if (this->Integrator == RadianceCaching)
   {
     const double automatic =
       GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight));
-    if (!this->UpdateCache(this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, share))
+    if (!this->UpdateCache(
+          this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, displayRange, share))
     {
       return false;
     }

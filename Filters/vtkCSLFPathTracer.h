@@ -106,7 +106,9 @@ public:
    * in parts of white as it is displayed (sRGB-encoded, Exposure included), until they are as close
    * as CacheSpacing. Twice the standard error of each point is kept below it, too, where
    * CacheSamples allow, and so is the root mean square error of reflections that are looked up.
-   * Default: 1/128, two levels of 8 bits.
+   * Where the output is bytes, what is brighter than white is clipped and need not be right. Where
+   * it is floating point, a viewer may change the exposure: all this holds at any exposure from
+   * 1/16 to 16 times Exposure, which takes more paths. Default: 1/128, two levels of 8 bits.
    */
   vtkSetClampMacro(CacheTolerance, double, 1e-6, 1.0);
   vtkGetMacro(CacheTolerance, double);
@@ -379,11 +381,11 @@ private:
   std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
   bool BuildScene(const std::vector<vtkDataObject*>& inputs);
   cslf::RenderSettings GetRenderSettings();
-  std::string MakeCacheKey(double spacing);
-  bool UpdateCache(double spacing, double share);
+  std::string MakeCacheKey(double spacing, double displayRange);
+  bool UpdateCache(double spacing, double displayRange, double share);
   bool FillCache(double share);
-  bool ProbeCache(double spacing);
-  void MakeCache(double spacing, cslf::CacheShare* ranks);
+  bool ProbeCache(double spacing, double displayRange);
+  void MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks);
   bool MustGather();
 
   int Integrator = PathTracing;

@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "RadianceCache/cslfDiffuseLookUp.h"
+#include "cslfDisplayCurve.h"
 #include "cslfPathIntegrator.h"
 #include "cslfRayGrid.h"
 #include "cslfSamplePlaces.h"
@@ -49,6 +50,7 @@ struct RenderSettings
   double NoiseTarget = 0.0; ///< the displayed error at which sampling ends early; 0 for never
   std::uint32_t Seed = 0;
   double Exposure = 1.0;
+  double DisplayRange = DisplayCurve::ByteRange; ///< of the noise target: see DisplayCurve
   bool ShowEnvironment = false; ///< whether rays that miss see the environment, with alpha 1
   PathSettings Paths;
   const RadianceCache* Cache = nullptr; ///< of the scene; null where paths are traced to their end

@@ -102,8 +102,6 @@ void TestRefinement()
   settings.Spacing = 0.01f;
   settings.Tolerance = 0.01f;
   settings.FirstLevel = 1;
-  settings.Display = [](const glm::vec3& value, const glm::vec3&)
-  { return glm::min(value, glm::vec3(1.0f)); };
   const auto getPosition = [&scene](const cslf::Hit& place)
   {
     const cslf::Mesh& mesh = scene.GetMeshes()[place.Mesh];

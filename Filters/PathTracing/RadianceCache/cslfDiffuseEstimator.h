@@ -9,6 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfPathIntegrator.h"
 #include "cslfDiffuseLookUp.h"
 #include "cslfGatherDirections.h"
@@ -17,7 +18,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace cslf
@@ -32,7 +32,7 @@ public:
     float Noise = 0.004f;   ///< the standard error that is good enough, in the units of `Display`
     int Depth = 1;          ///< the reflections after which the point's light is seen, at least 1
     std::uint32_t Seed = 0;
-    std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
+    DisplayCurve Display;
     std::vector<GlossyLobe> Lobes; ///< of each mesh: what incident light is looked at for
   };
 

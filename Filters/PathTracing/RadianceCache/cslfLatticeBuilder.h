@@ -9,6 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfScene.h"
 #include "cslfCacheShare.h"
 #include "cslfIncidentLight.h"
@@ -60,7 +61,7 @@ struct LatticeSettings
   double Exposure = 1.0;
 
   /// What a viewer sees of a value on a surface of the given base colour.
-  std::function<glm::vec3(const glm::vec3& value, const glm::vec3& baseColor)> Display;
+  DisplayCurve Display;
 
   /// The ranks that estimate the points together; null for this one alone.
   CacheShare* Share = nullptr;

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRadianceCache.h"
 
-#include "cslfColor.h"
 #include "cslfDiffuseEstimator.h"
 #include "cslfLatticeBuilder.h"
 #include "cslfLatticeProbe.h"
 
 #include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -147,6 +145,7 @@ std::function<bool(double)> Within(
 RadianceCache::RadianceCache(const Scene& scene, const CacheSettings& settings)
   : World(scene)
   , Settings(settings)
+  , Display(settings.Exposure, settings.DisplayRange)
 {
   this->FindLobes();
 }
@@ -248,9 +247,8 @@ bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
 {
   const glm::vec3 radiance = light.Get(this->Lobes[hit.Mesh].GetMoments(normal, outgoing));
   reflected = albedo * glm::max(radiance, glm::vec3(0.0f));
-  const auto exposure = static_cast<float>(this->Settings.Exposure);
-  const glm::vec3 seen = exposure * (beside + reflected);
-  const glm::vec3 error = glm::sqrt(seen + exposure * albedo * light.Error) - glm::sqrt(seen);
+  const glm::vec3 seen = beside + reflected;
+  const glm::vec3 error = this->Display(seen + albedo * light.Error) - this->Display(seen);
   return std::max({ error.x, error.y, error.z }) <= tolerances * this->Settings.Tolerance;
 }
 
@@ -261,9 +259,7 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   lattice.Tolerance = static_cast<float>(this->Settings.Tolerance);
   lattice.Exposure = this->Settings.Exposure;
   lattice.Share = this->Settings.Share;
-  lattice.Display = [exposure = this->Settings.Exposure](
-                      const glm::vec3& value, const glm::vec3& baseColor)
-  { return glm::vec3(LinearToSRGB(exposure * glm::dvec3(value * baseColor))); };
+  lattice.Display = this->Display;
   return lattice;
 }
 

@@ -16,6 +16,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfPathIntegrator.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
@@ -32,7 +33,7 @@ namespace cslf
 struct CacheSettings
 {
   /// The largest error of interpolation between stored points that adds no further points, in parts
-  /// of white as it is displayed.
+  /// of white as it is displayed, on the scale of DisplayCurve.
   double Tolerance = 1.0 / 128;
 
   /// The smallest distance of stored points, in scene space.
@@ -42,6 +43,10 @@ struct CacheSettings
   int Samples = 1024;
 
   double Exposure = 1.0;
+
+  /// The exposures at which the light may be displayed, in both directions: see DisplayCurve.
+  double DisplayRange = DisplayCurve::ByteRange;
+
   std::uint32_t Seed = 0;
   PathSettings Paths;
 
@@ -141,6 +146,7 @@ private:
 
   const Scene& World;
   CacheSettings Settings;
+  DisplayCurve Display;
   OpenSides Sides;
   SurfaceLattice Values;
   IncidentField Incident;        // by the bricks of the values

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How bright radiance looks on a display: the scale on which errors of light are measured.
+ */
+#ifndef cslfDisplayCurve_h
+#define cslfDisplayCurve_h
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+/**
+ * Takes radiance to a scale on which 1 is the step from black to white of a display.
+ *
+ * With a range of 1 this is sRGB's transfer function (IEC 61966-2-1) of the exposed radiance,
+ * clamped at white: what is clipped looks alike. With a range R, a viewer may show the radiance at
+ * any exposure from 1/R to R times that one. Then a difference on this scale is at least what any
+ * of these exposures shows of it, and for small differences equal to what the most demanding of
+ * them shows. Up to the white of the brightest exposure, the scale is sRGB's function at that
+ * exposure. Beyond, a radiance shows most where the exposure makes it white. As that exposure is
+ * inverse to the radiance, the scale is a logarithm there, as steep as sRGB's function at white.
+ * From the white of the darkest exposure on, the scale is constant.
+ */
+class DisplayCurve
+{
+public:
+  ///@{
+  /// The range of a channel of bytes, and that of one of floating point.
+  static constexpr double ByteRange = 1.0;
+  static constexpr double FloatRange = 16.0;
+  ///@}
+
+  explicit DisplayCurve(double exposure = 1.0, double range = ByteRange)
+    : Brightest(static_cast<float>(exposure * range))
+    , White(static_cast<float>(range * range))
+  {
+  }
+
+  /// The place of a component of radiance on the scale. What is below 0 counts as 0.
+  float Get(float radiance) const
+  {
+    constexpr float slopeAtWhite = 1.055f / 2.4f;
+    const float bright = this->Brightest * radiance;
+    if (!(bright < 1.0f))
+    {
+      return 1.0f + slopeAtWhite * std::log(std::min(bright, this->White));
+    }
+    return bright > 0.0031308f ? 1.055f * std::pow(bright, 1.0f / 2.4f) - 0.055f
+                               : 12.92f * std::max(bright, 0.0f);
+  }
+
+  glm::vec3 operator()(const glm::vec3& radiance) const
+  {
+    return { this->Get(radiance.x), this->Get(radiance.y), this->Get(radiance.z) };
+  }
+
+  /// The place of what a surface of the given base colour makes of a white one's radiance.
+  glm::vec3 operator()(const glm::vec3& value, const glm::vec3& baseColor) const
+  {
+    return (*this)(value * baseColor);
+  }
+
+private:
+  float Brightest; // the largest exposure
+  float White;     // what the smallest exposure makes white, times the largest exposure
+};
+}
+
+#endif
