@@ -17,8 +17,9 @@
  *   texture. Material arrays in the field data of the geometry come before the property, so glass,
  *   say, which a vtkProperty does not know, can be set there.
  * - Scalars become colours as the mapper has it: visibility, mode, array, component, colour mode,
- *   lookup table and range. Where it interpolates scalars before mapping, and the table is linear
- *   and the actor without a texture, the table becomes a texture; else colours are of points.
+ *   lookup table and range. Where it interpolates scalars before mapping, the table becomes a
+ *   texture, as it does in the window; else, or where the actor has a texture, colours are of
+ *   points. The table itself is not changed.
  * - Wireframes, visible edges, points and visible vertices become lines and vertices. Their width
  * in pixels is taken for a width in the world by PixelSize.
  * - vtkGlyph3DMapper becomes instances, which share one copy of the geometry: scale mode and

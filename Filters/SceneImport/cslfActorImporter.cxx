@@ -216,6 +216,7 @@ private:
     if (!style.Color)
     {
       mapped = MapScalars(this->Mapper, surface, !this->IsTextured());
+      this->MeetIf(mapped.Colors && mapped.WantsTable, ImportLimit::TexturedTables);
     }
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
     TransformTCoords(this->Actor, block);
@@ -278,7 +279,7 @@ private:
     {
       vtkCSLFMaterial::SetBaseColor(block, coefficient, coefficient, coefficient);
       vtkCSLFMaterial::SetTexture(
-        block, vtkCSLFMaterial::BaseColorTexture, mapped.Table, false, true);
+        block, vtkCSLFMaterial::BaseColorTexture, mapped.Table, false, false);
       block->GetPointData()->SetTCoords(mapped.Coordinates);
     }
     if (mapped.Colors)

@@ -32,6 +32,7 @@ enum class ImportLimit
   Coats,
   Anisotropy,
   TextureTransforms,
+  TexturedTables,
   // Lights.
   CubeMapEnvironments,
   EnvironmentImages,

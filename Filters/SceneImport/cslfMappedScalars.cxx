@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
+#include <vtkCellData.h>
+#include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkDiscretizableColorTransferFunction.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkLookupTable.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -13,16 +17,10 @@
 #include <vtkScalarsToColors.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace cslf
 {
 namespace
 {
-// The pixels of a lookup table's texture.
-constexpr int TableSize = 4096;
-
 // What vtkMapper says of the place of scalars.
 constexpr int ScalarsOfCells = 1;
 constexpr int ScalarsOfFieldData = 2;
@@ -53,86 +51,106 @@ vtkSmartPointer<vtkUnsignedCharArray> Spread(
   return spread;
 }
 
-/// The scalars of points that numbers of a range are mapped from; null where colours are taken as
-/// they are, or values are categories.
-vtkDataArray* FindNumbers(vtkMapper* mapper, vtkDataSet* data)
+/// Copies what vtkLookupTable::DeepCopy leaves out, and takes the colours as they are, so that they
+/// are not built again from ranges of hues.
+void CopyRest(vtkLookupTable* table, vtkLookupTable* copy)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->DeepCopy(table->GetTable());
+  copy->SetTable(colors);
+  copy->SetNanColor(table->GetNanColor());
+  copy->SetBelowRangeColor(table->GetBelowRangeColor());
+  copy->SetUseBelowRangeColor(table->GetUseBelowRangeColor());
+  copy->SetAboveRangeColor(table->GetAboveRangeColor());
+  copy->SetUseAboveRangeColor(table->GetUseAboveRangeColor());
+}
+
+void CopyRest(
+  vtkDiscretizableColorTransferFunction* function, vtkDiscretizableColorTransferFunction* copy)
+{
+  copy->SetDiscretize(function->GetDiscretize());
+  copy->SetNumberOfValues(function->GetNumberOfValues());
+  copy->SetUseLogScale(function->GetUseLogScale());
+  copy->SetEnableOpacityMapping(function->GetEnableOpacityMapping());
+  copy->SetScalarOpacityFunction(function->GetScalarOpacityFunction());
+  copy->SetNumberOfIndexedColors(function->GetNumberOfIndexedColors());
+  for (unsigned int i = 0; i < function->GetNumberOfIndexedColors(); ++i)
+  {
+    double color[4];
+    function->GetIndexedColor(i, color);
+    copy->SetIndexedColorRGBA(i, color);
+  }
+}
+
+/// Copies what vtkColorTransferFunction::DeepCopy leaves out.
+void CopyRest(vtkColorTransferFunction* function, vtkColorTransferFunction* copy)
+{
+  copy->SetNanColor(function->GetNanColor());
+  copy->SetNanOpacity(function->GetNanOpacity());
+  copy->SetBelowRangeColor(function->GetBelowRangeColor());
+  copy->SetUseBelowRangeColor(function->GetUseBelowRangeColor());
+  copy->SetAboveRangeColor(function->GetAboveRangeColor());
+  copy->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
+  if (auto* steps = vtkDiscretizableColorTransferFunction::SafeDownCast(function))
+  {
+    CopyRest(steps, vtkDiscretizableColorTransferFunction::SafeDownCast(copy));
+  }
+}
+
+/// A table that maps as another one does. A mapper sets the range and alpha of its table, and the
+/// user's table is not to change.
+vtkSmartPointer<vtkScalarsToColors> CopyTable(vtkScalarsToColors* table)
+{
+  table->Build();
+  auto copy = vtk::TakeSmartPointer(table->NewInstance());
+  copy->DeepCopy(table);
+  if (auto* colors = vtkLookupTable::SafeDownCast(table))
+  {
+    CopyRest(colors, vtkLookupTable::SafeDownCast(copy));
+  }
+  if (auto* function = vtkColorTransferFunction::SafeDownCast(table))
+  {
+    CopyRest(function, vtkColorTransferFunction::SafeDownCast(copy));
+  }
+  copy->Build();
+  return copy;
+}
+
+/// Replaces an array, which may be the scalars, by another one of the same name.
+void Replace(vtkFieldData* fields, vtkDataArray* array, vtkDataArray* other)
+{
+  auto* attributes = vtkDataSetAttributes::SafeDownCast(fields);
+  if (attributes && attributes->GetScalars() == array)
+  {
+    attributes->SetScalars(other);
+  }
+  else if (array->GetName() && fields->GetArray(array->GetName()) == array)
+  {
+    fields->AddArray(other);
+  }
+}
+
+/// A table of the array itself comes before the mapper's. Where there is one, it is copied with its
+/// array, for the mapper to change.
+vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data)
 {
   int cellFlag = 0;
-  auto* scalars =
+  auto* array =
     vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
       mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag));
-  if (!scalars || cellFlag != 0 || scalars->GetNumberOfTuples() < 1)
+  if (!array || !array->GetLookupTable())
   {
-    return nullptr;
+    return data;
   }
-  const bool direct = mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (mapper->GetColorMode() == VTK_COLOR_MODE_DEFAULT &&
-      scalars->GetDataType() == VTK_UNSIGNED_CHAR);
-  vtkScalarsToColors* table = mapper->GetLookupTable();
-  return direct || table->GetIndexedLookup() ? nullptr : scalars;
-}
-
-/// The number of a tuple that is mapped: a component, or the magnitude.
-double GetNumber(vtkDataArray* scalars, vtkIdType tuple, vtkScalarsToColors* table)
-{
-  const int components = scalars->GetNumberOfComponents();
-  if (components > 1 && table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
-  {
-    double sum = 0.0;
-    for (int i = 0; i < components; ++i)
-    {
-      sum += scalars->GetComponent(tuple, i) * scalars->GetComponent(tuple, i);
-    }
-    return std::sqrt(sum);
-  }
-  const int component = table->GetVectorMode() == vtkScalarsToColors::COMPONENT
-    ? std::clamp(table->GetVectorComponent(), 0, components - 1)
-    : 0;
-  return scalars->GetComponent(tuple, component);
-}
-
-/// Lays the lookup table out as a texture, so that numbers are mapped after they are interpolated.
-bool MapThroughTable(vtkMapper* mapper, vtkDataSet* data, MappedScalars& mapped)
-{
-  vtkDataArray* scalars = FindNumbers(mapper, data);
-  if (!scalars)
-  {
-    return false;
-  }
-  vtkScalarsToColors* table = mapper->GetLookupTable();
-  table->SetAlpha(1.0);
-  table->Build();
-  double range[2];
-  const double* source =
-    mapper->GetUseLookupTableScalarRange() ? table->GetRange() : mapper->GetScalarRange();
-  std::copy_n(source, 2, range);
-  const double width = range[1] - range[0];
-  if (!std::isfinite(width) || !(width > 0.0) || table->UsingLogScale())
-  {
-    return false;
-  }
-
-  vtkNew<vtkFloatArray> samples;
-  samples->SetNumberOfTuples(TableSize);
-  for (int i = 0; i < TableSize; ++i)
-  {
-    samples->SetValue(i, static_cast<float>(range[0] + width * (i + 0.5) / TableSize));
-  }
-  vtkSmartPointer<vtkUnsignedCharArray> colors;
-  colors.TakeReference(table->MapScalars(samples, VTK_COLOR_MODE_MAP_SCALARS, 0));
-  mapped.Table = vtkSmartPointer<vtkImageData>::New();
-  mapped.Table->SetDimensions(TableSize, 1, 1);
-  mapped.Table->GetPointData()->SetScalars(colors);
-  mapped.Coordinates = vtkSmartPointer<vtkFloatArray>::New();
-  mapped.Coordinates->SetNumberOfComponents(2);
-  mapped.Coordinates->SetNumberOfTuples(scalars->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-  {
-    const double place = (GetNumber(scalars, i, table) - range[0]) / width;
-    mapped.Coordinates->SetTypedComponent(i, 0, static_cast<float>(place));
-    mapped.Coordinates->SetTypedComponent(i, 1, 0.5f);
-  }
-  return true;
+  auto other = vtk::TakeSmartPointer(array->NewInstance());
+  other->ShallowCopy(array);
+  other->SetLookupTable(vtkLookupTable::SafeDownCast(CopyTable(array->GetLookupTable())));
+  auto copy = vtk::TakeSmartPointer(data->NewInstance());
+  copy->ShallowCopy(data);
+  Replace(copy->GetPointData(), array, other);
+  Replace(copy->GetCellData(), array, other);
+  Replace(copy->GetFieldData(), array, other);
+  return copy;
 }
 }
 
@@ -146,14 +164,17 @@ MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable)
   vtkNew<ColorMapper> copy;
   copy->ShallowCopy(mapper);
   copy->ClearColorArrays();
-  const bool asTable = useTable && mapper->GetInterpolateScalarsBeforeMapping();
-  if (asTable && MapThroughTable(copy, data, mapped))
+  mapped.WantsTable = copy->CanUseTextureMapForColoring(data) != 0;
+  if (!useTable)
   {
-    return mapped;
+    copy->InterpolateScalarsBeforeMappingOff();
   }
-  copy->InterpolateScalarsBeforeMappingOff();
+  copy->SetLookupTable(CopyTable(mapper->GetLookupTable()));
+  const vtkSmartPointer<vtkDataSet> source = CopyTableOfArray(mapper, data);
   int cellFlag = 0;
-  vtkUnsignedCharArray* colors = copy->MapScalars(data, 1.0, cellFlag);
+  vtkUnsignedCharArray* colors = copy->MapScalars(source, 1.0, cellFlag);
+  mapped.Table = copy->GetColorTextureMap();
+  mapped.Coordinates = copy->GetColorCoordinates();
   if (!colors || colors->GetNumberOfTuples() < 1)
   {
     return mapped;

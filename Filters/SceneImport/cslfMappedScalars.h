@@ -18,17 +18,20 @@ class vtkUnsignedCharArray;
 namespace cslf
 {
 /// Either colours, of points or cells, or a texture of the lookup table and where the points lie on
-/// it; or neither, where the mapper shows no scalars.
+/// it; or neither, where the mapper shows no scalars. The texture has a colour a step of the table
+/// and is to be shown without interpolation, its edges going on, as VTK draws it: the first pixel
+/// is the colour below the range, the last one that above it, the second row that of NaN.
 struct MappedScalars
 {
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
   bool OfCells = false;
+  bool WantsTable = false; ///< whether the mapper would show the texture
   vtkSmartPointer<vtkImageData> Table;
   vtkSmartPointer<vtkFloatArray> Coordinates;
 };
 
-/// Maps scalars as the mapper would; neither it nor the data is changed. `useTable` allows for the
-/// texture, where the mapper interpolates before it maps.
+/// Maps scalars as the mapper would; neither it, its table nor the data is changed. `useTable`
+/// allows for the texture, where the mapper interpolates before it maps.
 MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable);
 }
 
