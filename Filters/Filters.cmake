@@ -19,7 +19,10 @@ list(APPEND classes
   ../Filters/vtkCSLFSampler
   ../Filters/vtkCSLFSceneImporter
   ../Filters/vtkCSLFViewTracer)
+list(APPEND sources
+  ../Filters/cslfSoundPolyData.cxx)
 list(APPEND private_headers
+  ../Filters/cslfSoundPolyData.h
   ../Filters/cslfUnfinished.h
   ../Filters/cslfVTKCompatibility.h)
 

@@ -303,14 +303,17 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     return false;
   }
   options.LookupTable = this->Internals->LookupTable;
-  options.FindScalars = [this](vtkPolyData* data, bool& ofCells) -> vtkDataArray*
+  bool hasTexts = false;
+  options.FindScalars = [this, &hasTexts](vtkPolyData* data, bool& ofCells) -> vtkDataArray*
   {
     if (!this->ScalarVisibility)
     {
       return nullptr;
     }
     int association = vtkDataObject::FIELD_ASSOCIATION_NONE;
-    vtkDataArray* array = this->GetInputArrayToProcess(0, data, association);
+    vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, data, association);
+    auto* array = vtkDataArray::SafeDownCast(found);
+    hasTexts = hasTexts || (found && !array);
     ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
@@ -336,6 +339,10 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   if (!this->Internals->Scene.Warning.empty())
   {
     vtkWarningMacro(<< this->Internals->Scene.Warning);
+  }
+  if (hasTexts)
+  {
+    vtkWarningMacro("The array to color by holds no numbers, and is not used.");
   }
   return true;
 }

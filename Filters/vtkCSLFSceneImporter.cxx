@@ -210,6 +210,10 @@ int vtkCSLFSceneImporter::RequestData(
   {
     vtkWarningMacro("Not baked as the window shows it: " << cslf::ToText(scene.Limits) << ".");
   }
+  if (!scene.Omitted.empty())
+  {
+    vtkWarningMacro("Left out of the scene: " << scene.ListOmitted() << ".");
+  }
   const std::string oldNames = scene.Old.ToText();
   if (!oldNames.empty())
   {

@@ -4,6 +4,7 @@
 
 #include "cslfMessages.h"
 
+#include "cslfSoundPolyData.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
@@ -29,6 +30,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace cslf
 {
@@ -67,6 +69,40 @@ const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders
     { ".glb", ReadWith<vtkCSLFGLTFReader> },
   };
   return readers;
+}
+
+/// Removes what would be read out of bounds, and warns of it.
+Part MakePartSound(vtkDataObject* part, const std::string& input)
+{
+  std::set<std::string> removed;
+  const auto makeSound = [&removed](vtkPolyData* polyData)
+  {
+    const SoundPolyData sound = MakeSound(polyData);
+    sound.AddRemoved(removed);
+    return sound.Data;
+  };
+  Part result = part;
+  if (auto* polyData = vtkPolyData::SafeDownCast(part))
+  {
+    result = makeSound(polyData);
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(part))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> leaf;
+    leaf.TakeReference(tree->NewTreeIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (auto* data = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
+      {
+        tree->SetDataSetFrom(leaf, makeSound(data));
+      }
+    }
+  }
+  for (const std::string& what : removed)
+  {
+    AddWarning("Left out of " + input + ": " + what + ".");
+  }
+  return result;
 }
 
 /// Calls `visit` for each polydata of a data object.
@@ -146,7 +182,7 @@ Part ReadScenePart(const std::string& input)
     throw Failure(
       input + " is no scene: known are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
   }
-  Part part = reader->second(input);
+  const Part part = MakePartSound(reader->second(input), input);
   const std::string error = GetFirstError();
   vtkIdType cells = 0;
   tool::ForEachPolyData(

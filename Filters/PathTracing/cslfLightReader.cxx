@@ -78,7 +78,7 @@ void LightReader::Read(vtkDataObject* data, const char* places, const char* powe
 {
   vtkDataArray* place = data->GetFieldData()->GetArray(places);
   vtkDataArray* power = data->GetFieldData()->GetArray(powers);
-  if (!place && !power)
+  if (!data->GetFieldData()->HasArray(places) && !data->GetFieldData()->HasArray(powers))
   {
     return;
   }

@@ -104,16 +104,19 @@ RoundSelection SelectRound(vtkPolyData* data, Mesh::Shapes shape)
 InstanceSelection SelectInstances(vtkPolyData* data)
 {
   InstanceSelection selection;
-  vtkDataArray* matrices = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
-  vtkDataArray* colors = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor());
-  selection.IsPresent = matrices != nullptr;
-  if (!matrices)
+  vtkFieldData* fields = data->GetFieldData();
+  selection.IsPresent = fields->HasArray(vtkCSLFInstances::InstanceMatrix()) != 0;
+  if (!selection.IsPresent)
   {
     return selection;
   }
-  selection.IsBroken = matrices->GetNumberOfComponents() != 16 ||
-    (colors &&
-      (colors->GetNumberOfTuples() != matrices->GetNumberOfTuples() ||
+  // Arrays of texts are present, and null here.
+  vtkDataArray* matrices = fields->GetArray(vtkCSLFInstances::InstanceMatrix());
+  vtkDataArray* colors = fields->GetArray(vtkCSLFInstances::InstanceColor());
+  const bool hasColors = fields->HasArray(vtkCSLFInstances::InstanceColor()) != 0;
+  selection.IsBroken = !matrices || matrices->GetNumberOfComponents() != 16 ||
+    (hasColors &&
+      (!colors || colors->GetNumberOfTuples() != matrices->GetNumberOfTuples() ||
         colors->GetDataType() != VTK_UNSIGNED_CHAR || colors->GetNumberOfComponents() < 3));
   for (vtkIdType i = 0; !selection.IsBroken && i < matrices->GetNumberOfTuples(); ++i)
   {

@@ -10,6 +10,7 @@
 #include "cslfMeshMaker.h"
 #include "cslfOldNames.h"
 #include "cslfSceneBlock.h"
+#include "cslfSoundPolyData.h"
 #include "cslfSurfaceColors.h"
 #include "cslfTextureReader.h"
 #include "cslfTriangles.h"
@@ -49,6 +50,7 @@ struct Omissions
   vtkIdType Lights = 0;
   vtkIdType Environments = 0;
   vtkIdType Textures = 0;
+  std::set<std::string> Unsound; ///< what would be read out of bounds
   std::set<std::string> DataTypes;
   OldNames Old;
 
@@ -79,6 +81,10 @@ private:
     count(this->Lights, "light(s) with arrays that do not match or are not finite");
     count(this->Environments, "environment(s) with arrays that do not match or are not finite");
     count(this->Textures, "block(s)' textures for want of texture coordinates");
+    for (const std::string& what : this->Unsound)
+    {
+      add(true, what);
+    }
     for (const std::string& type : this->DataTypes)
     {
       add(true, "data of type " + type);
@@ -164,15 +170,20 @@ private:
 
   void AddLeaf(vtkDataObject* leaf, vtkDataObject* root)
   {
-    auto* data = vtkPolyData::SafeDownCast(leaf);
-    if (!data)
+    if (auto* data = vtkPolyData::SafeDownCast(leaf))
     {
-      if (leaf)
-      {
-        this->Omitted.DataTypes.insert(leaf->GetClassName());
-      }
-      return;
+      const SoundPolyData sound = MakeSound(data);
+      sound.AddRemoved(this->Omitted.Unsound);
+      this->AddPolyData(sound.Data, root);
     }
+    else if (leaf)
+    {
+      this->Omitted.DataTypes.insert(leaf->GetClassName());
+    }
+  }
+
+  void AddPolyData(vtkPolyData* data, vtkDataObject* root)
+  {
     const InstanceSelection instances = SelectInstances(data);
     this->Omitted.Instances += instances.IsBroken ? 1 : 0;
     if (data->GetNumberOfCells() == 0 || instances.IsBroken ||

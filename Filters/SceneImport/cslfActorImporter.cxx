@@ -4,6 +4,7 @@
 
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
+#include "cslfSoundPolyData.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
@@ -203,10 +204,18 @@ private:
       return;
     }
     auto* leaf = vtkDataSet::SafeDownCast(data);
-    if (leaf && leaf->GetNumberOfPoints() > 0 && style.Visible)
+    if (!leaf || leaf->GetNumberOfPoints() == 0 || !style.Visible)
     {
-      this->ImportLeaf(leaf, style);
+      return;
     }
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+    {
+      const SoundPolyData sound = MakeSound(polyData);
+      sound.AddRemoved(this->Scene.Omitted);
+      this->ImportLeaf(sound.Data, style);
+      return;
+    }
+    this->ImportLeaf(leaf, style);
   }
 
   void ImportLeaf(vtkDataSet* leaf, const BlockStyle& style)

@@ -3,6 +3,7 @@
 #include "cslfGlyphImporter.h"
 
 #include "cslfMappedScalars.h"
+#include "cslfSoundPolyData.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkActor.h>
@@ -186,14 +187,16 @@ private:
 };
 
 /// The source's geometry, without its scalars, which the mapper does not show.
-vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source)
+vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source, ImportedScene& scene)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   if (source)
   {
-    copy->CopyStructure(source);
-    copy->GetPointData()->SetNormals(source->GetPointData()->GetNormals());
-    copy->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
+    const SoundPolyData sound = MakeSound(source);
+    sound.AddRemoved(scene.Omitted);
+    copy->CopyStructure(sound.Data);
+    copy->GetPointData()->SetNormals(sound.Data->GetPointData()->GetNormals());
+    copy->GetPointData()->SetTCoords(sound.Data->GetPointData()->GetTCoords());
   }
   return copy;
 }
@@ -241,7 +244,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ImportGlyphs(
   const int count = mapper->GetNumberOfInputConnections(1);
   for (int i = 0; i < count; ++i)
   {
-    sources.push_back(CopySource(mapper->GetSource(i)));
+    sources.push_back(CopySource(mapper->GetSource(i), scene));
   }
   if (sources.empty())
   {

@@ -13,8 +13,11 @@
 #include "vtkCSLFSampler.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -190,6 +193,31 @@ void TestTimeBudget()
   CSLF_CHECK(observer->CheckErrorMessage("a single sample") == 0);
 }
 
+/// Cells with ids of points that do not exist are left out.
+void TestBrokenInput()
+{
+  vtkNew<vtkPolyData> broken;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 2 });
+  polygons->InsertNextCell({ 0, 1, 1000000 });
+  broken->SetPoints(points);
+  broken->SetPolys(polygons);
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler);
+  sampler->SetInputData(broken);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  sampler->AddObserver(vtkCommand::WarningEvent, observer);
+  vtkNew<vtkCSLFBakeEstimator> estimator;
+  estimator->SetSampler(sampler);
+  estimator->SetProbeSeconds(0.1);
+  CSLF_CHECK(estimator->Estimate() == 1);
+  CSLF_CHECK(observer->GetWarningMessage().find("points that do not exist") != std::string::npos);
+}
+
 /// Copies a run's folder of parts, as a kill would leave it.
 struct Remains
 {
@@ -250,6 +278,7 @@ int TestCSLFBakeEstimator(int argc, char* argv[])
   TestLeastResolution(folder);
   TestImages(folder);
   TestTimeBudget();
+  TestBrokenInput();
   TestRecall(folder);
   return cslf::testing::Result();
 }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Polygonal data without the cells and arrays that would be read out of bounds.
+ */
+#ifndef cslfSoundPolyData_h
+#define cslfSoundPolyData_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <set>
+#include <string>
+
+namespace cslf
+{
+struct SoundPolyData
+{
+  vtkSmartPointer<vtkPolyData> Data;   ///< the given data itself if nothing is wrong with it
+  vtkIdType RemovedCells = 0;          ///< with ids of points that do not exist
+  vtkIdType RemovedCellLists = 0;      ///< whole vertices, lines, polygons or strips
+  std::set<std::string> RemovedArrays; ///< names of arrays with too few tuples
+
+  /// Adds to a list what was removed, in words.
+  VTKCSLF_EXPORT void AddRemoved(std::set<std::string>& list) const;
+};
+
+/// Checks polygonal data, which VTK itself never does, and removes
+/// - cells with ids of points that do not exist;
+/// - all vertices, lines, polygons or strips if their offsets do not ascend from 0 to the length of
+///   their connectivity;
+/// - arrays of points or cells with fewer tuples than there are points or cells.
+VTKCSLF_EXPORT SoundPolyData MakeSound(vtkPolyData* data);
+}
+
+#endif
