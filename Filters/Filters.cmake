@@ -239,10 +239,12 @@ list(APPEND private_headers
 
 # Several processes at work together.
 list(APPEND sources
+  ../Filters/Parallel/cslfBroadcast.cxx
   ../Filters/Parallel/cslfCacheKeeper.cxx
   ../Filters/Parallel/cslfRanks.cxx
   ../Filters/Parallel/cslfSceneGather.cxx)
 list(APPEND private_headers
+  ../Filters/Parallel/cslfBroadcast.h
   ../Filters/Parallel/cslfCacheKeeper.h
   ../Filters/Parallel/cslfRanks.h
   ../Filters/Parallel/cslfSceneGather.h)
@@ -250,10 +252,12 @@ list(APPEND private_headers
 # Pulling fields slab by slab.
 list(APPEND sources
   ../Filters/Pipeline/cslfPipelineWatch.cxx
+  ../Filters/Pipeline/cslfScenePipeline.cxx
   ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
   ../Filters/Pipeline/cslfKeptGroups.h
   ../Filters/Pipeline/cslfPipelineWatch.h
+  ../Filters/Pipeline/cslfScenePipeline.h
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
 

@@ -7,6 +7,7 @@
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
+#include "Pipeline/cslfScenePipeline.h"
 #include "cslfColor.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFSceneImporter.h"
@@ -154,6 +155,22 @@ vtkCSLFPathTracer::~vtkCSLFPathTracer()
   this->SetEnvironmentFileName(nullptr);
 }
 
+vtkExecutive* vtkCSLFPathTracer::CreateDefaultExecutive()
+{
+  if (vtkAlgorithm::DefaultExecutivePrototype)
+  {
+    return this->Superclass::CreateDefaultExecutive();
+  }
+  auto* executive = cslf::ScenePipeline::New();
+  executive->MustMeet = [this] { return this->MustGather(); };
+  executive->MeetAsFailed = [this]
+  {
+    std::string error = "its input has failed.";
+    cslf::ShareFault(this->Controller, error);
+  };
+  return executive;
+}
+
 vtkMTimeType vtkCSLFPathTracer::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -250,6 +267,10 @@ std::vector<vtkDataObject*> vtkCSLFPathTracer::GetSceneInputs(vtkInformationVect
 
 const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** inputVector)
 {
+  if (auto* executive = dynamic_cast<cslf::ScenePipeline*>(this->GetExecutive()))
+  {
+    executive->NoteMeeting();
+  }
   const std::vector<vtkDataObject*> inputs = this->GetSceneInputs(inputVector);
   const std::string key = this->MakeSceneKey(inputs);
   if (this->Internals->SceneKey != key)
@@ -267,13 +288,40 @@ const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** in
   return &this->Internals->Scene;
 }
 
+void vtkCSLFPathTracer::WritePipelineTimes(std::ostream& key)
+{
+  // All ranks must find a change together. Data may change on some ranks alone, as where the source
+  // cannot make pieces and the other ranks have no data; the pipeline changes on all.
+  for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
+  {
+    auto* executive = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputExecutive(0, i));
+    key << (executive ? executive->GetPipelineMTime() : 0) << ' ';
+    vtkInformation* info = this->GetInputInformation(0, i);
+    if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+    {
+      key << info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()) << ' ';
+    }
+  }
+  if (vtkCSLFSceneImporter* importer = this->Internals->Importer)
+  {
+    key << importer->GetMTime() << ' ';
+  }
+}
+
 std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& inputs)
 {
   std::ostringstream key;
   key << std::setprecision(17);
-  for (vtkDataObject* input : inputs)
+  if (this->MustGather())
   {
-    WriteTimes(input, key);
+    this->WritePipelineTimes(key);
+  }
+  else
+  {
+    for (vtkDataObject* input : inputs)
+    {
+      WriteTimes(input, key);
+    }
   }
   vtkScalarsToColors* table = this->Internals->LookupTable;
   key << this->DistributedScene << ' ' << this->MustGather() << ' ' << this->ScalarVisibility << ' '
@@ -290,14 +338,23 @@ std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& i
 
 bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
 {
-  if (inputs.empty())
-  {
-    vtkErrorMacro("There is neither an input nor a renderer.");
-    return false;
-  }
   cslf::SceneOptions options;
   std::string error;
-  if (!vtkInternals::MakeEnvironment(this, options.Surroundings, error))
+  if (inputs.empty())
+  {
+    error = "There is neither an input nor a renderer.";
+  }
+  else
+  {
+    vtkInternals::MakeEnvironment(this, options.Surroundings, error);
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> parts(inputs.begin(), inputs.end());
+  // Where one rank cannot take part, the others learn it here.
+  if (this->MustGather())
+  {
+    this->GatherScene(parts, options.Ranks, error);
+  }
+  if (!error.empty())
   {
     vtkErrorMacro(<< error);
     return false;
@@ -319,18 +376,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     return usable ? array : nullptr;
   };
   options.InPieces = this->DistributedScene;
-  std::vector<vtkDataObject*> parts = inputs;
-  std::vector<vtkSmartPointer<vtkDataObject>> gathered;
-  if (this->MustGather())
-  {
-    if (!cslf::GatherScene(this->Controller, parts, gathered, error))
-    {
-      vtkErrorMacro(<< error);
-      return false;
-    }
-    parts.assign(gathered.begin(), gathered.end());
-  }
-  this->Internals->Scene = cslf::BuildScene(parts, options);
+  this->Internals->Scene = cslf::BuildScene({ parts.begin(), parts.end() }, options);
   if (!this->Internals->Scene.World)
   {
     vtkErrorMacro(<< this->Internals->Scene.Error);
@@ -345,6 +391,29 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     vtkWarningMacro("The array to color by holds no numbers, and is not used.");
   }
   return true;
+}
+
+void vtkCSLFPathTracer::GatherScene(
+  std::vector<vtkSmartPointer<vtkDataObject>>& parts, std::vector<int>& ranks, std::string& error)
+{
+  this->GatheredBytes = 0;
+  cslf::SceneGather gather(this->Controller);
+  if (!gather.Begin({ parts.begin(), parts.end() }, error))
+  {
+    return;
+  }
+  this->GatheredBytes = gather.GetCost().Pieces;
+  vtkDebugMacro("Gathering a scene of " << this->GatheredBytes << " bytes.");
+  const std::string warning = gather.GetCost().FindWarning();
+  if (!warning.empty() && this->Controller->GetLocalProcessId() == 0)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (gather.Finish(error))
+  {
+    parts = gather.GetObjects();
+    ranks = gather.GetRanks();
+  }
 }
 
 bool vtkCSLFPathTracer::MustGather()
@@ -603,6 +672,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ScalarVisibility: " << this->ScalarVisibility << "\n";
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "DistributedScene: " << this->DistributedScene << "\n";
+  os << indent << "GatheredBytes: " << this->GatheredBytes << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "LookupTable: " << this->Internals->LookupTable.Get() << "\n";
 }

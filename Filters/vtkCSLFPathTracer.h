@@ -40,6 +40,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // for vtkSmartPointer
 
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
@@ -310,15 +311,25 @@ public:
   /**
    * Whether each rank of the controller holds a piece of the scene. If on, each rank asks its
    * inputs for its own piece, and every rank traces all, surfaces joined and sorted: the bytes are
-   * the same however the scene is cut, also for one rank. Lights, as field data perhaps on every
-   * piece, are taken from the first rank that has some on an input, or on a leaf of it. All ranks
-   * must update together whenever the scene changes. If off, each rank asks for the whole scene and
-   * traces what it gets: the choice where all ranks read the same files. Default: off.
+   * the same however the scene is cut, also for one rank. Field data describes the whole of a scene
+   * and may come with every piece, so equal lights of several ranks are one light; the environment
+   * is that of the first rank that has one. All ranks must update together whenever the scene
+   * changes, which they find by the times of their pipelines, not of the data. If the input of one
+   * rank fails, the update fails on all of them, and each tells why. (Not so where an application
+   * such as ParaView replaces the filter's executive.) If off, each rank asks for the whole scene
+   * and traces what it gets: the choice where all ranks read the same files. Default: off.
    */
   vtkSetMacro(DistributedScene, bool);
   vtkGetMacro(DistributedScene, bool);
   vtkBooleanMacro(DistributedScene, bool);
   ///@}
+
+  /**
+   * The bytes of the pieces of all ranks, all of which came to this rank when a distributed scene
+   * was last gathered; 0 if none was. Known before the pieces are sent: the first rank warns if the
+   * scenes of the ranks on its computer may not fit into its memory.
+   */
+  vtkGetMacro(GatheredBytes, vtkTypeUInt64);
 
   ///@{
   /**
@@ -346,6 +357,7 @@ protected:
   vtkCSLFPathTracer();
   ~vtkCSLFPathTracer() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -378,8 +390,11 @@ private:
   void SetCacheKeeper(cslf::CacheKeeper* keeper);
 
   std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
+  void WritePipelineTimes(std::ostream& key);
   std::string MakeSceneKey(const std::vector<vtkDataObject*>& inputs);
   bool BuildScene(const std::vector<vtkDataObject*>& inputs);
+  void GatherScene(std::vector<vtkSmartPointer<vtkDataObject>>& parts, std::vector<int>& ranks,
+    std::string& error);
   cslf::RenderSettings GetRenderSettings();
   std::string MakeCacheKey(double spacing, double displayRange);
   bool UpdateCache(double spacing, double displayRange, double share);
@@ -414,6 +429,7 @@ private:
   double ExpectedCacheSeconds = 0.0;
   vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
   bool DistributedScene = false;
+  vtkTypeUInt64 GatheredBytes = 0;
   vtkMultiProcessController* Controller = nullptr;
 
   struct vtkInternals;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parallel/cslfCacheKeeper.h"
 
+#include "Parallel/cslfBroadcast.h"
 #include "PathTracing/RadianceCache/cslfCacheFile.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>
-#include <vtkMultiProcessStream.h>
 
 #include <algorithm>
 #include <utility>
@@ -16,9 +16,6 @@ namespace cslf
 {
 namespace
 {
-/// What is sent at once, in bytes: communicators count in ints.
-constexpr std::size_t LargestMessage = std::size_t(1) << 28;
-
 /// Rank 0's values to all others.
 class Broadcaster
 {
@@ -44,15 +41,7 @@ public:
   }
 
 private:
-  void Send(void* bytes, std::size_t count)
-  {
-    for (std::size_t begin = 0; begin < count; begin += LargestMessage)
-    {
-      const std::size_t size = std::min(LargestMessage, count - begin);
-      this->Controller->Broadcast(
-        static_cast<char*>(bytes) + begin, static_cast<vtkIdType>(size), 0);
-    }
-  }
+  void Send(void* bytes, std::size_t count) { BroadcastBytes(this->Controller, bytes, count, 0); }
 
   vtkMultiProcessController* Controller;
 };
@@ -100,17 +89,16 @@ std::uint64_t CacheKeeper::Sum(std::uint64_t mine)
 
 void CacheKeeper::Gather(const void* mine, const std::vector<std::size_t>& sizes, void* all)
 {
-  std::vector<vtkIdType> lengths;
-  std::vector<vtkIdType> offsets;
-  vtkIdType offset = 0;
-  for (const std::size_t size : sizes)
+  char* place = static_cast<char*>(all);
+  for (int rank = 0; rank < static_cast<int>(sizes.size()); ++rank)
   {
-    offsets.push_back(offset);
-    lengths.push_back(static_cast<vtkIdType>(size));
-    offset += lengths.back();
+    if (rank == this->GetRank())
+    {
+      std::copy_n(static_cast<const char*>(mine), sizes[rank], place);
+    }
+    BroadcastBytes(this->Controller, place, sizes[rank], rank);
+    place += sizes[rank];
   }
-  this->Controller->AllGatherV(static_cast<const char*>(mine), static_cast<char*>(all),
-    lengths[this->GetRank()], lengths.data(), offsets.data());
 }
 
 CacheKeeper::Arrival CacheKeeper::Meet(Arrival mine)
@@ -132,17 +120,8 @@ bool CacheKeeper::IsOfAll(const std::string& text)
   {
     return true;
   }
-  vtkMultiProcessStream stream;
-  if (this->GetRank() == 0)
-  {
-    stream << text;
-  }
-  this->Controller->Broadcast(stream, 0);
   std::string first = text;
-  if (this->GetRank() != 0)
-  {
-    stream >> first;
-  }
+  BroadcastText(this->Controller, first, 0);
   return this->Agree(first == text);
 }
 

@@ -2,118 +2,174 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parallel/cslfSceneGather.h"
 
-#include "vtkCSLFLight.h"
-
-#include <vtkCharArray.h>
 #include <vtkCommunicator.h>
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkDataObject.h>
-#include <vtkFieldData.h>
 #include <vtkMultiProcessController.h>
-#include <vtkNew.h>
+
+#include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
-#include <set>
-#include <utility>
+#include <functional>
+#include <new>
+#include <numeric>
+#include <sstream>
 
 namespace cslf
 {
 namespace
 {
-/// What stands before the bytes of each object.
-struct Header
-{
-  std::int64_t Connection;
-  std::int64_t Size;
-};
+/// What a rank needs at most while its scene is built, for each byte of the pieces: these
+/// themselves, the meshes made of them and Embree's tree. Measured with spheres of triangles.
+constexpr double BytesPerByte = 6.0;
 
-/// One rank's objects, one after the other.
+/// What stands before the bytes of each object.
+using Size = std::uint64_t;
+
+/// Puts one object after the other. False where one cannot be sent.
 bool Pack(const std::vector<vtkDataObject*>& inputs, vtkCharArray* bytes)
 {
-  for (std::size_t connection = 0; connection < inputs.size(); ++connection)
+  for (vtkDataObject* input : inputs)
   {
     vtkNew<vtkCharArray> object;
-    if (!vtkCommunicator::MarshalDataObject(inputs[connection], object))
+    if (!vtkCommunicator::MarshalDataObject(input, object))
     {
       return false;
     }
-    const Header header{ static_cast<std::int64_t>(connection), object->GetNumberOfValues() };
-    const vtkIdType begin = bytes->GetNumberOfValues();
-    constexpr vtkIdType headerSize = sizeof(header);
-    char* target = bytes->WritePointer(begin, headerSize + header.Size);
-    std::memcpy(target, &header, headerSize);
-    std::copy_n(object->GetPointer(0), header.Size, target + headerSize);
+    const auto size = static_cast<Size>(object->GetNumberOfValues());
+    char* target =
+      bytes->WritePointer(bytes->GetNumberOfValues(), static_cast<vtkIdType>(sizeof(Size) + size));
+    std::memcpy(target, &size, sizeof(Size));
+    std::copy_n(object->GetPointer(0), size, target + sizeof(Size));
   }
   return true;
 }
 
-bool HasLights(vtkDataObject* data)
+std::string ToGiB(std::uint64_t bytes)
 {
-  vtkFieldData* fields = data->GetFieldData();
-  return fields &&
-    (fields->HasArray(vtkCSLFLight::DirectionalLightDirection()) ||
-      fields->HasArray(vtkCSLFLight::PointLightPosition()));
+  std::ostringstream text;
+  text.precision(3);
+  text << static_cast<double>(bytes) / (1024.0 * 1024.0 * 1024.0) << " GiB";
+  return text.str();
+}
 }
 
-/// The places where lights have been seen: a connection, and the index in a composite object.
-using Places = std::set<std::pair<std::int64_t, unsigned int>>;
-
-/// Removes the lights of places that lower ranks have lights at.
-void RemoveRepeatedLights(vtkDataObject* object, std::int64_t connection, Places& places)
+std::string GatherCost::FindWarning() const
 {
-  const auto visit = [&](vtkDataObject* data, unsigned int index)
+  if (this->Memory == 0 || this->Node <= this->Memory)
   {
-    if (HasLights(data) && !places.insert({ connection, index }).second)
+    return {};
+  }
+  return "The pieces of the scene have " + ToGiB(this->Pieces) +
+    ", which every rank gets. The ranks on one computer may need " + ToGiB(this->Node) +
+    " for their scenes, and it has " + ToGiB(this->Memory) +
+    " of memory. Fewer ranks with more threads each need less.";
+}
+
+SceneGather::SceneGather(vtkMultiProcessController* controller, std::size_t partSize)
+  : Controller(controller)
+  , PartSize(std::max<std::size_t>(partSize, 1))
+{
+}
+
+bool SceneGather::Begin(const std::vector<vtkDataObject*>& inputs, std::string& error)
+{
+  if (error.empty())
+  {
+    try
     {
-      vtkCSLFLight::RemoveLights(data);
+      error = Pack(inputs, this->Mine) ? "" : "A piece of the scene cannot be sent to other ranks.";
     }
-  };
-  visit(object, 0);
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
-  {
-    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
-    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    catch (const std::bad_alloc&)
     {
-      visit(leaf->GetCurrentDataObject(), leaf->GetCurrentFlatIndex());
+      error = "There is not enough memory to send a piece of the scene.";
     }
   }
-}
-}
-
-bool GatherScene(vtkMultiProcessController* controller, const std::vector<vtkDataObject*>& inputs,
-  std::vector<vtkSmartPointer<vtkDataObject>>& scene, std::string& error)
-{
-  vtkNew<vtkCharArray> mine;
-  vtkNew<vtkCharArray> all;
-  const int packed = Pack(inputs, mine) ? 1 : 0;
-  int allPacked = 0;
-  controller->AllReduce(&packed, &allPacked, 1, vtkCommunicator::MIN_OP);
-  if (!allPacked || !controller->AllGatherV(mine, all))
+  if (ShareFault(this->Controller, error) >= 0)
   {
-    error = "The pieces of the scene could not be sent to all ranks.";
     return false;
   }
-  Places places;
-  constexpr vtkIdType headerSize = sizeof(Header);
-  for (vtkIdType position = 0; position + headerSize <= all->GetNumberOfValues();)
+  const auto mine = static_cast<unsigned long long>(this->Mine->GetNumberOfValues());
+  std::vector<unsigned long long> sizes(this->Controller->GetNumberOfProcesses());
+  this->Controller->AllGather(&mine, sizes.data(), 1);
+  this->Sizes.assign(sizes.begin(), sizes.end());
+  this->FindCost();
+  return true;
+}
+
+void SceneGather::FindCost()
+{
+  vtksys::SystemInformation system;
+  system.RunOSCheck();
+  system.RunMemoryCheck();
+  const char* name = system.GetHostname();
+  const unsigned long long mine = std::hash<std::string>()(name ? name : "");
+  std::vector<unsigned long long> hosts(this->Sizes.size());
+  this->Controller->AllGather(&mine, hosts.data(), 1);
+  const auto neighbours = std::count(hosts.begin(), hosts.end(), mine);
+  this->Cost.Pieces = std::accumulate(this->Sizes.begin(), this->Sizes.end(), Size(0));
+  this->Cost.Node = static_cast<std::uint64_t>(
+    BytesPerByte * static_cast<double>(neighbours) * static_cast<double>(this->Cost.Pieces));
+  this->Cost.Memory = static_cast<std::uint64_t>(system.GetTotalPhysicalMemory()) << 20;
+}
+
+bool SceneGather::Finish(std::string& error)
+{
+  // One rank's bytes at a time: each rank holds the objects, and the largest piece once more.
+  std::vector<char> bytes;
+  try
   {
-    Header header;
-    std::memcpy(&header, all->GetPointer(position), headerSize);
-    position += headerSize;
-    vtkNew<vtkCharArray> bytes;
-    bytes->SetArray(all->GetPointer(position), header.Size, 1);
-    position += header.Size;
-    const auto object = vtkCommunicator::UnMarshalDataObject(bytes);
-    if (!object)
+    bytes.resize(*std::max_element(this->Sizes.begin(), this->Sizes.end()));
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "There is not enough memory for the scene.";
+  }
+  if (ShareFault(this->Controller, error) >= 0)
+  {
+    return false;
+  }
+  const int rank = this->Controller->GetLocalProcessId();
+  for (int sender = 0; sender < this->Controller->GetNumberOfProcesses(); ++sender)
+  {
+    if (sender == rank)
     {
-      error = "A piece of the scene that another rank sent could not be read.";
-      return false;
+      std::copy_n(this->Mine->GetPointer(0), this->Sizes[sender], bytes.data());
+      this->Mine->Initialize();
     }
-    RemoveRepeatedLights(object, header.Connection, places);
-    scene.push_back(object);
+    BroadcastBytes(this->Controller, bytes.data(), this->Sizes[sender], sender, this->PartSize);
+    if (error.empty() && !this->Unpack(bytes.data(), this->Sizes[sender], sender))
+    {
+      error = "A piece of the scene that rank " + std::to_string(sender) + " sent is unreadable.";
+    }
+  }
+  return ShareFault(this->Controller, error) < 0;
+}
+
+bool SceneGather::Unpack(char* bytes, std::uint64_t count, int rank)
+{
+  try
+  {
+    for (std::uint64_t position = 0; position < count;)
+    {
+      Size size = 0;
+      std::memcpy(&size, bytes + position, sizeof(Size));
+      position += sizeof(Size);
+      vtkNew<vtkCharArray> packed;
+      packed->SetArray(bytes + position, static_cast<vtkIdType>(size), 1);
+      position += size;
+      const auto object = vtkCommunicator::UnMarshalDataObject(packed);
+      if (!object)
+      {
+        return false;
+      }
+      this->Objects.push_back(object);
+      this->Ranks.push_back(rank);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
   }
   return true;
 }

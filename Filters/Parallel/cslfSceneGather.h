@@ -7,8 +7,15 @@
 #ifndef cslfSceneGather_h
 #define cslfSceneGather_h
 
+#include "vtkCSLFModule.h" // for export macro
+
+#include "Parallel/cslfBroadcast.h"
+
+#include <vtkCharArray.h>
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,12 +24,51 @@ class vtkMultiProcessController;
 
 namespace cslf
 {
-/// All ranks' inputs, in the order of the ranks. Field data describes the whole of an object, so
-/// pieces may repeat it: the lights of an object, or of one leaf of a composite one, are taken from
-/// the first rank that has some there. All ranks call it together. On failure returns false and
-/// says why, in a sentence.
-bool GatherScene(vtkMultiProcessController* controller, const std::vector<vtkDataObject*>& inputs,
-  std::vector<vtkSmartPointer<vtkDataObject>>& scene, std::string& error);
+/// What the ranks will hold, in bytes.
+struct GatherCost
+{
+  std::uint64_t Pieces = 0; ///< of all ranks together, which each rank gets
+  std::uint64_t Node = 0;   ///< what all ranks on this rank's computer need for their scenes
+  std::uint64_t Memory = 0; ///< of this rank's computer; 0 where it is not known
+
+  /// A warning where the memory may not be enough, or nothing.
+  std::string FindWarning() const;
+};
+
+/// All ranks make the same calls together. Where one rank fails, the call returns false on all of
+/// them, and the error says which and why.
+class VTKCSLF_EXPORT SceneGather
+{
+public:
+  /// Messages have `partSize` bytes at most.
+  explicit SceneGather(
+    vtkMultiProcessController* controller, std::size_t partSize = LargestMessage);
+
+  /// Prepares a rank's inputs for the others and tells how much all ranks have. If a rank has no
+  /// inputs to give, `error` says why.
+  bool Begin(const std::vector<vtkDataObject*>& inputs, std::string& error);
+
+  const GatherCost& GetCost() const { return this->Cost; }
+
+  /// Brings the inputs of all ranks here.
+  bool Finish(std::string& error);
+
+  /// All ranks' inputs in the order of the ranks, and the rank that each comes from.
+  const std::vector<vtkSmartPointer<vtkDataObject>>& GetObjects() const { return this->Objects; }
+  const std::vector<int>& GetRanks() const { return this->Ranks; }
+
+private:
+  void FindCost();
+  bool Unpack(char* bytes, std::uint64_t count, int rank);
+
+  vtkMultiProcessController* Controller;
+  std::size_t PartSize;
+  vtkNew<vtkCharArray> Mine;
+  std::vector<std::uint64_t> Sizes; // of what each rank sends
+  GatherCost Cost;
+  std::vector<vtkSmartPointer<vtkDataObject>> Objects;
+  std::vector<int> Ranks;
+};
 }
 
 #endif

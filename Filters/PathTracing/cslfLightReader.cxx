@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cslf
 {
@@ -33,10 +34,51 @@ void LightReader::Add(vtkDataObject* data)
   if (data)
   {
     this->Read(data, vtkCSLFLight::DirectionalLightDirection(),
-      vtkCSLFLight::DirectionalLightIrradiance(), true, this->Directional);
+      vtkCSLFLight::DirectionalLightIrradiance(), true, this->Directional.Lights);
     this->Read(data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity(), false,
-      this->Points);
+      this->Points.Lights);
     this->ReadSpots(data);
+  }
+}
+
+void LightReader::BeginRank()
+{
+  this->Directional.Begins.push_back(this->Directional.Lights.size());
+  this->Points.Begins.push_back(this->Points.Lights.size());
+}
+
+void LightReader::Join()
+{
+  this->Directional.Join();
+  this->Points.Join();
+}
+
+void LightReader::LightList::Join()
+{
+  const auto isLess = [](const Light& a, const Light& b)
+  { return a.GetNumbers() < b.GetNumbers(); };
+  using Counts = std::map<Light, int, decltype(isLess)>;
+  Counts most(isLess);
+  std::size_t first = 0;
+  this->Begins.push_back(this->Lights.size());
+  for (const std::size_t end : this->Begins)
+  {
+    Counts counts(isLess);
+    for (; first < end; ++first)
+    {
+      ++counts[this->Lights[first]];
+    }
+    for (const auto& [light, count] : counts)
+    {
+      int& known = most[light];
+      known = std::max(known, count);
+    }
+  }
+  this->Lights.clear();
+  this->Begins.clear();
+  for (const auto& [light, count] : most)
+  {
+    this->Lights.insert(this->Lights.end(), count, light);
   }
 }
 
@@ -64,7 +106,7 @@ void LightReader::ReadSpots(vtkDataObject* data)
     if (IsFinite(light.Axis) && glm::length(light.Axis) > 0.0 && light.ConeAngle >= 0.0 &&
       light.Exponent >= 0.0)
     {
-      this->Points.push_back(light);
+      this->Points.Lights.push_back(light);
     }
     else
     {
@@ -105,11 +147,11 @@ void LightReader::Read(vtkDataObject* data, const char* places, const char* powe
 
 void LightReader::MoveTo(LightSet& lights, const SceneFrame& frame) const
 {
-  for (const Light& light : this->Directional)
+  for (const Light& light : this->Directional.Lights)
   {
     lights.Directional.push_back({ glm::normalize(light.Place), light.Power });
   }
-  for (const Light& light : this->Points)
+  for (const Light& light : this->Points.Lights)
   {
     // Irradiance falls off with the squared distance, which shrinks with the scene.
     PointLight point{ frame.PointToScene(light.Place),

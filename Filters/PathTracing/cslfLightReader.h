@@ -11,6 +11,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 class vtkDataObject;
@@ -22,6 +24,14 @@ class LightReader
 public:
   /// Reads the field data of a data object, which may be null.
   void Add(vtkDataObject* data);
+
+  /// What is added from now on comes from another rank.
+  void BeginRank();
+
+  /// Makes the lights depend on nothing but what they are: sorts them, and takes lights that
+  /// several ranks have once, since field data comes with every piece of what it belongs to. A
+  /// light that one rank has several times is kept as often.
+  void Join();
 
   /// The lights or pairs of arrays that could not be used.
   int GetNumberOfRejected() const { return this->Rejected; }
@@ -37,14 +47,29 @@ private:
     glm::dvec3 Axis{ 0.0 };
     double ConeAngle = 0.0; // in degrees
     double Exponent = 0.0;
+
+    std::array<double, 11> GetNumbers() const
+    {
+      return { this->Place.x, this->Place.y, this->Place.z, this->Power.x, this->Power.y,
+        this->Power.z, this->Axis.x, this->Axis.y, this->Axis.z, this->ConeAngle, this->Exponent };
+    }
+  };
+
+  /// The lights of one kind, and where those of each rank but the first begin.
+  struct LightList
+  {
+    std::vector<Light> Lights;
+    std::vector<std::size_t> Begins;
+
+    void Join();
   };
 
   void ReadSpots(vtkDataObject* data);
   void Read(vtkDataObject* data, const char* places, const char* powers, bool directions,
     std::vector<Light>& lights);
 
-  std::vector<Light> Directional;
-  std::vector<Light> Points;
+  LightList Directional;
+  LightList Points;
   int Rejected = 0;
 };
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMeshJoin.h"
 
+#include "cslfFingerprint.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -16,12 +17,20 @@ namespace cslf
 {
 namespace
 {
-/// What meshes must share to be joined.
-using Kind = std::tuple<std::string, Mesh::Shapes, Mesh::ColorsOf, bool>;
+/// What meshes must share to be joined: the appearance and the places first.
+using Kind = std::tuple<std::string, std::string, Mesh::Shapes, Mesh::ColorsOf, bool, bool>;
 
 Kind GetKind(const Mesh& mesh)
 {
-  return { mesh.Appearance, mesh.Shape, mesh.Coloring, mesh.TexCoords.empty() };
+  std::string places;
+  if (!mesh.Instances.empty())
+  {
+    Fingerprint fingerprint;
+    fingerprint.Add(mesh.Instances);
+    places = fingerprint.Finish();
+  }
+  return { mesh.Appearance, places, mesh.Shape, mesh.Coloring, mesh.TexCoords.empty(),
+    mesh.HasInstanceColors };
 }
 
 template <typename Value>
@@ -246,14 +255,8 @@ private:
 std::vector<Mesh> JoinMeshes(std::vector<Mesh> pieces)
 {
   std::map<Kind, Mesh> joined;
-  std::vector<Mesh> instanced;
   for (Mesh& piece : pieces)
   {
-    if (!piece.Instances.empty())
-    {
-      instanced.push_back(std::move(piece));
-      continue;
-    }
     const auto [place, isFirst] = joined.try_emplace(GetKind(piece), std::move(piece));
     if (!isFirst)
     {
@@ -266,7 +269,6 @@ std::vector<Mesh> JoinMeshes(std::vector<Mesh> pieces)
     MeshSorter(mesh).Sort();
     meshes.push_back(std::move(mesh));
   }
-  std::move(instanced.begin(), instanced.end(), std::back_inserter(meshes));
   return meshes;
 }
 }

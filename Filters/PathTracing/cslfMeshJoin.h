@@ -13,9 +13,9 @@
 
 namespace cslf
 {
-/// Joins meshes of equal materials, and sorts meshes, shapes and vertices by what they are,
-/// vertices that are alike becoming one. So the result does not depend on how the surfaces were cut
-/// into pieces, nor on the order of these. Meshes with instances stay apart, and come last.
+/// Joins meshes of equal materials and equal instances, and sorts meshes, shapes and vertices by
+/// what they are, vertices that are alike becoming one. So the result does not depend on how the
+/// surfaces were cut into pieces, nor on the order of these.
 std::vector<Mesh> JoinMeshes(std::vector<Mesh> pieces);
 }
 

@@ -104,9 +104,18 @@ public:
 
   BuiltScene Build(const std::vector<vtkDataObject*>& inputs)
   {
-    for (vtkDataObject* input : inputs)
+    const std::vector<int>& ranks = this->Options.Ranks;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
     {
-      this->AddInput(input);
+      if (i > 0 && i < ranks.size() && ranks[i] != ranks[i - 1])
+      {
+        this->Lights.BeginRank();
+      }
+      this->AddInput(inputs[i]);
+    }
+    if (this->Options.InPieces)
+    {
+      this->Lights.Join();
     }
     this->Omitted.Lights = this->Lights.GetNumberOfRejected();
     this->SetRadii();

@@ -35,6 +35,9 @@ struct SceneOptions
 
   /// Whether the inputs are pieces, cut no matter how, of a scene that is to be the same always.
   bool InPieces = false;
+
+  /// Of each input, the rank that it comes from, in ascending order; empty if all come from one.
+  std::vector<int> Ranks;
 };
 
 struct BuiltScene

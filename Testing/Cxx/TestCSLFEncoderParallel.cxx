@@ -7,6 +7,7 @@
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFSampler.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -15,9 +16,13 @@
 #include <vtkImageData.h>
 #include <vtkMPIController.h>
 #include <vtkNew.h>
+#include <vtkSTLReader.h>
+#include <vtkSphereSource.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 namespace
 {
@@ -179,6 +184,39 @@ void TestFailures(const Setting& setting)
   }
 }
 
+/// A scene in pieces, of which one rank cannot read its own: before or while the data is made.
+void TestMissingPiece(const Setting& setting)
+{
+  vtkNew<vtkXMLPolyDataReader> early;
+  early->SetFileName("/no/such/piece.vtp");
+  vtkNew<vtkSTLReader> late;
+  late->SetFileName("/no/such/piece.stl");
+  vtkNew<vtkSphereSource> sphere;
+  const cslf::testing::Observed earlyObserved(early);
+  const cslf::testing::Observed lateObserved(late);
+  const int last = setting.Controller->GetNumberOfProcesses() - 1;
+  for (const auto& [failing, reader] : { std::pair<int, vtkAlgorithm*>(0, early),
+         std::pair<int, vtkAlgorithm*>(last, early), std::pair<int, vtkAlgorithm*>(0, late) })
+  {
+    vtkNew<vtkCSLFSampler> sampler;
+    sampler->SetController(setting.Controller);
+    sampler->DistributedSceneOn();
+    sampler->SetViewpoints(2);
+    sampler->SetResolution(16);
+    const bool fails = setting.GetRank() == failing;
+    sampler->SetInputConnection(fails ? reader->GetOutputPort() : sphere->GetOutputPort());
+    vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetInputConnection(sampler->GetOutputPort());
+    Set(setting, encoder);
+    const cslf::testing::Observed observed(encoder);
+    const cslf::testing::Observed samplerObserved(sampler);
+    CSLF_CHECK(encoder->Write() == 0);
+    CSLF_CHECK(encoder->GetErrorCode() != vtkErrorCode::NoError);
+    CSLF_CHECK(setting.Sum(observed.GetErrors()) == 1);
+    CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+  }
+}
+
 void TestAbort(const Setting& setting)
 {
   vtkNew<vtkCallbackCommand> abort;
@@ -208,6 +246,7 @@ int TestCSLFEncoderParallel(int argc, char* argv[])
   TestTarget(setting);
   TestOutOfReach(setting);
   TestFailures(setting);
+  TestMissingPiece(setting);
   TestAbort(setting);
   TestBytes(setting);
   const bool good = setting.Sum(cslf::testing::Failures()) == 0;

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The executive of filters that gather a scene from all ranks. Where the input of one rank fails,
+ * the pipeline does not execute the filter there, and the other ranks would wait for it in vain.
+ * This executive tells them.
+ */
+#ifndef cslfScenePipeline_h
+#define cslfScenePipeline_h
+
+#include <vtkCompositeDataPipeline.h>
+
+#include <functional>
+
+namespace cslf
+{
+class ScenePipeline : public vtkCompositeDataPipeline
+{
+public:
+  static ScenePipeline* New();
+  vtkTypeMacro(ScenePipeline, vtkCompositeDataPipeline);
+
+  /// Whether the filter gathers a scene when it executes; and how it meets the other ranks if its
+  /// input has failed.
+  std::function<bool()> MustMeet;
+  std::function<void()> MeetAsFailed;
+
+  /// The filter has met the other ranks, or found that it need not.
+  void NoteMeeting() { this->HasMet = true; }
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int UpdateInformation() override;
+  vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  using vtkCompositeDataPipeline::Update;
+
+protected:
+  ScenePipeline() = default;
+  ~ScenePipeline() override = default;
+
+private:
+  ScenePipeline(const ScenePipeline&) = delete;
+  void operator=(const ScenePipeline&) = delete;
+
+  bool Meets() const;
+  void EndUpdate(bool isWell);
+
+  bool HasMet = false;
+  bool IsBroken = false; ///< an earlier pass of this update has failed
+};
+}
+
+#endif
