@@ -11,7 +11,7 @@ set(cslf_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry
   ImagingCore ImagingGeneral
-  IOGeometry
+  IOCore
   ParallelCore
   RenderingCore RenderingOpenGL2 opengl vtksys)
 # The tool and the tests.
@@ -22,7 +22,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
     FiltersModeling FiltersSources
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
-    IOImage IOPLY IOXML
+    IOGeometry IOImage IOPLY IOXML
     RenderingAnnotation RenderingContextOpenGL2 RenderingFreeType RenderingUI
     ViewsContext2D)
 endif ()

@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 string(JOIN " " cslf_package_vtk_components
   CommonCore CommonDataModel CommonExecutionModel
   FiltersExtraction FiltersGeneral FiltersGeometry
-  ImagingCore IOGeometry ParallelCore
+  ImagingCore IOCore ParallelCore
   RenderingCore RenderingOpenGL2)
 if (TARGET VTK::ParallelMPI)
   string(APPEND cslf_package_vtk_components " ParallelMPI")

@@ -145,16 +145,12 @@ list(APPEND private_headers
 # From renderers and files to scenes.
 list(APPEND sources
   ../Filters/SceneImport/cslfActorImporter.cxx
-  ../Filters/SceneImport/cslfGLTFBlocks.cxx
-  ../Filters/SceneImport/cslfGLTFExtensions.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfImportLimits.cxx
   ../Filters/SceneImport/cslfLightImporter.cxx
   ../Filters/SceneImport/cslfMappedScalars.cxx)
 list(APPEND private_headers
   ../Filters/SceneImport/cslfActorImporter.h
-  ../Filters/SceneImport/cslfGLTFBlocks.h
-  ../Filters/SceneImport/cslfGLTFExtensions.h
   ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h
@@ -303,3 +299,22 @@ if (CSLF_ENABLE_ENCODER)
     ../Filters/Quality/cslfHeldOutViews.cxx
     ../Filters/Resampling/cslfKeyViews.cxx)
 endif ()
+
+# The reader of glTF files.
+list(APPEND sources
+  ../Filters/GLTF/cslfGLTFAccessor.cxx
+  ../Filters/GLTF/cslfGLTFBlocks.cxx
+  ../Filters/GLTF/cslfGLTFDocument.cxx
+  ../Filters/GLTF/cslfGLTFImages.cxx
+  ../Filters/GLTF/cslfGLTFMaterials.cxx
+  ../Filters/GLTF/cslfGLTFPrimitives.cxx
+  ../Filters/GLTF/cslfGLTFValue.cxx)
+list(APPEND private_headers
+  ../Filters/GLTF/cslfGLTFAccessor.h
+  ../Filters/GLTF/cslfGLTFBlocks.h
+  ../Filters/GLTF/cslfGLTFDocument.h
+  ../Filters/GLTF/cslfGLTFImages.h
+  ../Filters/GLTF/cslfGLTFMaterials.h
+  ../Filters/GLTF/cslfGLTFPrimitives.h
+  ../Filters/GLTF/cslfGLTFProblems.h
+  ../Filters/GLTF/cslfGLTFValue.h)

@@ -2,48 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFGLTFReader.h"
 
-#include "SceneImport/cslfGLTFBlocks.h"
-#include "SceneImport/cslfGLTFExtensions.h"
-#include "SceneImport/cslfImportedScene.h"
+#include "GLTF/cslfGLTFBlocks.h"
+#include "GLTF/cslfGLTFDocument.h"
+#include "GLTF/cslfGLTFProblems.h"
 
-#include <vtkCommand.h>
 #include <vtkErrorCode.h>
-#include <vtkEventForwarderCommand.h>
-#include <vtkGLTFDocumentLoader.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
-#include <vtksys/SystemTools.hxx>
-
+#include <cstddef>
+#include <exception>
 #include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFGLTFReader);
-
-namespace
-{
-/// Loads a file. What goes wrong is told by the loader's events.
-bool Load(vtkGLTFDocumentLoader* loader, const std::string& fileName)
-{
-  std::vector<char> binary;
-  const std::string extension =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
-  if (extension == ".glb" && !loader->LoadFileBuffer(fileName, binary))
-  {
-    return false;
-  }
-  if (!loader->LoadModelMetaDataFromFile(fileName) || !loader->LoadModelData(binary) ||
-    !loader->BuildModelVTKGeometry())
-  {
-    return false;
-  }
-  loader->BuildGlobalTransforms();
-  return true;
-}
-}
 
 vtkCSLFGLTFReader::vtkCSLFGLTFReader()
 {
@@ -65,31 +41,44 @@ int vtkCSLFGLTFReader::RequestData(
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     return 0;
   }
-  vtkNew<vtkGLTFDocumentLoader> loader;
-  // One error is enough, and the loader warns of extensions that are read here.
-  vtkNew<vtkEventForwarderCommand> silence;
-  loader->AddObserver(vtkCommand::ErrorEvent, silence);
-  loader->AddObserver(vtkCommand::WarningEvent, silence);
-  if (!Load(loader, this->FileName))
+  cslf::GLTFProblems problems;
+  std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+  std::string error;
+  try
   {
-    vtkErrorMacro("\"" << this->FileName << "\" cannot be read as glTF.");
+    cslf::GLTFDocument document(this->FileName);
+    blocks = cslf::MakeGLTFBlocks(document, problems);
+    error = blocks.empty() ? problems.ListErrors() : "";
+  }
+  catch (const std::exception& failure) // of the file, or of memory
+  {
+    error = failure.what();
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro("\"" << this->FileName << "\" cannot be read as glTF: " << error << ".");
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     return 0;
   }
 
-  cslf::ImportedScene scene;
-  cslf::BuildGLTFBlocks(
-    *loader->GetInternalModel(), cslf::ReadGLTFExtensions(this->FileName, scene.Omitted), scene);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
-  unsigned int index = 0;
-  for (const cslf::ImportedBlock& block : scene.Blocks)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    output->SetBlock(index++, block.Data);
+    output->SetBlock(static_cast<unsigned int>(i), blocks[i]);
   }
-  if (!scene.Omitted.empty())
+  const std::string errors = problems.ListErrors();
+  if (!errors.empty())
   {
-    vtkWarningMacro(
-      "Not represented of \"" << this->FileName << "\": " << scene.ListOmitted() << ".");
+    vtkWarningMacro("Left out of \"" << this->FileName << "\": " << errors << ".");
+  }
+  std::string omitted;
+  for (const std::string& name : problems.Omitted)
+  {
+    omitted += (omitted.empty() ? "" : ", ") + name;
+  }
+  if (!omitted.empty())
+  {
+    vtkWarningMacro("Not represented of \"" << this->FileName << "\": " << omitted << ".");
   }
   return 1;
 }

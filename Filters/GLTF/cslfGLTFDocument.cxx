@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGLTFDocument.h"
+
+#include <vtkBase64Utilities.h>
+
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace cslf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+// A binary file starts with a magic number, a version and a length. Chunks follow, each with a
+// length and a type before its bytes: glTF 2.0, section 4.4.
+constexpr std::uint32_t BinaryMagic = 0x46546c67u;
+constexpr std::uint32_t BinaryVersion = 2;
+constexpr std::uint32_t JSONChunk = 0x4e4f534au;
+constexpr std::uint32_t BytesChunk = 0x004e4942u;
+constexpr std::size_t BinaryHeader = 12;
+constexpr std::size_t ChunkHeader = 8;
+
+/// Extensions that hold meshes in a form that is not read.
+const std::set<std::string> Unreadable = { "KHR_draco_mesh_compression", "EXT_meshopt_compression",
+  "KHR_meshopt_compression" };
+
+std::uint32_t ReadNumber(const std::string& bytes, std::size_t offset)
+{
+  std::uint32_t number = 0;
+  for (int i = 3; i >= 0; --i)
+  {
+    number = (number << 8) | static_cast<unsigned char>(bytes[offset + i]);
+  }
+  return number;
+}
+
+std::string ReadFile(const fs::path& path, const std::string& name)
+{
+  // Of a device there might be no end.
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure))
+  {
+    throw GLTFError("there is no file " + name);
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (!file)
+  {
+    throw GLTFError("cannot read " + name);
+  }
+  return bytes;
+}
+
+int GetHexDigit(char digit)
+{
+  const int lower = std::tolower(static_cast<unsigned char>(digit));
+  return std::isdigit(lower) ? lower - '0' : lower - 'a' + 10;
+}
+
+/// Replaces %20 and the like.
+std::string DecodePercents(const std::string& text)
+{
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    if (text[i] == '%' && i + 2 < text.size() &&
+      std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
+      std::isxdigit(static_cast<unsigned char>(text[i + 2])))
+    {
+      decoded += static_cast<char>(16 * GetHexDigit(text[i + 1]) + GetHexDigit(text[i + 2]));
+      i += 2;
+    }
+    else
+    {
+      decoded += text[i];
+    }
+  }
+  return decoded;
+}
+
+/// The bytes of data:TYPE;base64,DIGITS.
+std::string DecodeDataAddress(const GLTFValue& uri, const std::string& text)
+{
+  const std::size_t comma = text.find(',');
+  const std::string mark = ";base64";
+  if (comma == std::string::npos || comma < mark.size() ||
+    text.compare(comma - mark.size(), mark.size(), mark) != 0)
+  {
+    uri.Fail("is data that is not coded as base64");
+  }
+  std::string digits = text.substr(comma + 1);
+  digits.resize((digits.size() + 3) / 4 * 4, '=');
+  std::string bytes(digits.size() / 4 * 3, '\0');
+  bytes.resize(
+    vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(digits.data()),
+      digits.size(), reinterpret_cast<unsigned char*>(&bytes[0]), bytes.size()));
+  return bytes;
+}
+}
+
+GLTFDocument::GLTFDocument(const std::string& fileName)
+  : FileName(fileName)
+{
+  const std::string bytes =
+    ReadFile(fs::u8path(fileName), fs::u8path(fileName).filename().u8string());
+  if (bytes.size() >= BinaryHeader && ReadNumber(bytes, 0) == BinaryMagic)
+  {
+    this->ReadBinary(bytes);
+  }
+  else
+  {
+    this->Parse(bytes);
+  }
+  this->CheckVersion();
+  this->CheckRequired();
+}
+
+void GLTFDocument::ReadBinary(const std::string& bytes)
+{
+  if (ReadNumber(bytes, 4) != BinaryVersion)
+  {
+    throw GLTFError("it is binary glTF of version " + std::to_string(ReadNumber(bytes, 4)) +
+      "; version 2 is read");
+  }
+  bool hasText = false;
+  for (std::size_t offset = BinaryHeader; offset + ChunkHeader <= bytes.size();)
+  {
+    const std::size_t length = ReadNumber(bytes, offset);
+    const std::uint32_t type = ReadNumber(bytes, offset + 4);
+    offset += ChunkHeader;
+    if (length > bytes.size() - offset)
+    {
+      throw GLTFError("it is cut short");
+    }
+    if (type == JSONChunk && !hasText)
+    {
+      this->Parse(bytes.substr(offset, length));
+      hasText = true;
+    }
+    else if (type == BytesChunk && !this->HasBinaryChunk)
+    {
+      this->BinaryChunk = bytes.substr(offset, length);
+      this->HasBinaryChunk = true;
+    }
+    offset += length;
+  }
+  if (!hasText)
+  {
+    throw GLTFError("it has no chunk of JSON");
+  }
+}
+
+void GLTFDocument::Parse(const std::string& text)
+{
+  this->Root = nlohmann::json::parse(text, nullptr, false);
+  if (!this->Root.is_object())
+  {
+    throw GLTFError("it is not a JSON object");
+  }
+}
+
+void GLTFDocument::CheckVersion() const
+{
+  const std::string version = this->GetRoot()["asset"]["version"].GetText("");
+  if (version.compare(0, 2, "2.") != 0)
+  {
+    throw GLTFError(version.empty() ? "asset.version is missing"
+                                    : "it is glTF " + version.substr(0, 8) + "; glTF 2.0 is read");
+  }
+}
+
+void GLTFDocument::CheckRequired() const
+{
+  const GLTFValue required = this->GetRoot()["extensionsRequired"];
+  for (std::size_t i = 0; i < required.GetCount(); ++i)
+  {
+    const std::string name = required.At(i).GetText("");
+    if (Unreadable.count(name) != 0)
+    {
+      throw GLTFError("its meshes are compressed by " + name + ", which is not supported");
+    }
+  }
+}
+
+GLTFValue GLTFDocument::GetElement(const char* array, std::size_t index) const
+{
+  return this->GetRoot()[array].At(index);
+}
+
+GLTFBytes GLTFDocument::GetBufferView(std::size_t index)
+{
+  const GLTFValue view = this->GetElement("bufferViews", index);
+  const std::optional<std::size_t> buffer = view["buffer"].GetIndex();
+  const std::optional<std::size_t> length = view["byteLength"].GetIndex();
+  if (!buffer || !length)
+  {
+    view.Fail("has no buffer or no byteLength");
+  }
+  const std::size_t offset = view["byteOffset"].GetIndex(0);
+  const std::string& bytes = this->GetBuffer(*buffer);
+  if (offset > bytes.size() || *length > bytes.size() - offset)
+  {
+    view.Fail("reaches beyond the " + std::to_string(bytes.size()) + " bytes of its buffer");
+  }
+  return { reinterpret_cast<const unsigned char*>(bytes.data()) + offset, *length,
+    view["byteStride"].GetIndex(0) };
+}
+
+const std::string& GLTFDocument::GetBuffer(std::size_t index)
+{
+  const auto found = this->Buffers.find(index);
+  if (found != this->Buffers.end())
+  {
+    return found->second;
+  }
+  const GLTFValue buffer = this->GetElement("buffers", index);
+  const GLTFValue uri = buffer["uri"];
+  if (!uri.IsPresent())
+  {
+    if (index != 0 || !this->HasBinaryChunk)
+    {
+      buffer.Fail("has no data");
+    }
+    return this->BinaryChunk;
+  }
+  return this->Buffers.emplace(index, this->ReadResource(uri)).first->second;
+}
+
+std::string GLTFDocument::ReadResource(const GLTFValue& uri) const
+{
+  const std::string text = uri.GetText("");
+  if (text.compare(0, 5, "data:") == 0)
+  {
+    return DecodeDataAddress(uri, text);
+  }
+  const std::string name = DecodePercents(text);
+  if (name.empty() || name.find('\0') != std::string::npos || name.find("://") != std::string::npos)
+  {
+    uri.Fail("is no address of a file beside the document");
+  }
+  try
+  {
+    return ReadFile(fs::u8path(this->FileName).parent_path() / fs::u8path(name), name);
+  }
+  catch (const GLTFError& error)
+  {
+    uri.Fail(std::string("cannot be read: ") + error.what());
+  }
+}
+}

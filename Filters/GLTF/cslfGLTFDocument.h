@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A glTF 2.0 file: its JSON and its bytes.
+ */
+#ifndef cslfGLTFDocument_h
+#define cslfGLTFDocument_h
+
+#include "cslfGLTFValue.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// Bytes of a buffer. They belong to the document.
+struct GLTFBytes
+{
+  const unsigned char* Data = nullptr;
+  std::size_t Size = 0;
+  std::size_t Stride = 0; ///< between elements; 0 where they follow each other
+};
+
+class GLTFDocument
+{
+public:
+  /// Reads a `.gltf` or `.glb` file. Throws a GLTFError where it is no glTF 2.0, or where it
+  /// requires an extension without which its meshes cannot be read.
+  explicit GLTFDocument(const std::string& fileName);
+
+  GLTFValue GetRoot() const { return { &this->Root, "" }; }
+
+  /// An element of an array of the document, which there must be.
+  GLTFValue GetElement(const char* array, std::size_t index) const;
+
+  /// Bytes of a buffer view, which all lie within its buffer.
+  GLTFBytes GetBufferView(std::size_t index);
+
+  /// What an address holds: a file beside the document, or data within the address.
+  std::string ReadResource(const GLTFValue& uri) const;
+
+private:
+  void ReadBinary(const std::string& bytes);
+  void Parse(const std::string& text);
+  void CheckVersion() const;
+  void CheckRequired() const;
+  const std::string& GetBuffer(std::size_t index);
+
+  std::string FileName;
+  nlohmann::json Root;
+  std::string BinaryChunk;
+  bool HasBinaryChunk = false;
+  std::map<std::size_t, std::string> Buffers; // that have been read
+};
+}
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGLTFMaterials.h"
+
+#include "cslfColor.h"
+#include "vtkCSLFMaterial.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// Numbers of OpenGL's: glTF 2.0, section 5.26.
+constexpr std::size_t Nearest = 9728;
+constexpr std::size_t ClampToEdge = 33071;
+constexpr std::size_t MirroredRepeat = 33648;
+constexpr std::size_t Repeat = 10497;
+}
+
+GLTFMaterials::GLTFMaterials(GLTFDocument& document, GLTFProblems& problems)
+  : Document(document)
+  , Problems(problems)
+  , Images(document)
+{
+}
+
+const GLTFMaterial& GLTFMaterials::Get(std::size_t index)
+{
+  const auto found = this->Known.find(index);
+  if (found != this->Known.end())
+  {
+    return found->second;
+  }
+  const GLTFValue source = this->Document.GetElement("materials", index);
+  GLTFMaterial& material = this->Known[index];
+  material.Arrays = vtkSmartPointer<vtkPolyData>::New();
+  // What is wrong in one place leaves the others as they are.
+  this->Problems.Attempt([&] { this->ReadFactors(source, material); });
+  this->Problems.Attempt([&] { this->ReadAlpha(source, material); });
+  this->Problems.Attempt([&] { this->ReadExtensions(source, material); });
+  this->Problems.Attempt([&] { this->ReadTextures(source, material); });
+  return material;
+}
+
+void GLTFMaterials::ReadFactors(const GLTFValue& source, GLTFMaterial& material)
+{
+  const GLTFValue base = source["pbrMetallicRoughness"];
+  vtkPolyData* arrays = material.Arrays;
+  vtkCSLFMaterial::SetMetallic(arrays, base["metallicFactor"].GetNumber(1.0));
+  vtkCSLFMaterial::SetRoughness(arrays, base["roughnessFactor"].GetNumber(1.0));
+  material.Color = base["baseColorFactor"].GetNumbers<4>({ 1.0, 1.0, 1.0, 1.0 });
+  const auto& color = material.Color;
+  vtkCSLFMaterial::SetBaseColor(
+    arrays, LinearToSRGB(color[0]), LinearToSRGB(color[1]), LinearToSRGB(color[2]));
+}
+
+void GLTFMaterials::ReadAlpha(const GLTFValue& source, GLTFMaterial& material)
+{
+  const std::string mode = source["alphaMode"].GetText("OPAQUE");
+  material.UsesAlpha = mode == "BLEND" || mode == "MASK";
+  vtkCSLFMaterial::SetOpacity(material.Arrays, material.UsesAlpha ? material.Color[3] : 1.0);
+  if (mode == "MASK")
+  {
+    const double cutoff = source["alphaCutoff"].GetNumber(0.5);
+    vtkCSLFMaterial::SetOpacityCutoff(material.Arrays, std::max(cutoff, 1e-6));
+  }
+  else if (!material.UsesAlpha && mode != "OPAQUE")
+  {
+    source["alphaMode"].Fail("is none of OPAQUE, MASK and BLEND");
+  }
+}
+
+void GLTFMaterials::ReadExtensions(const GLTFValue& source, GLTFMaterial& material)
+{
+  const GLTFValue extensions = source["extensions"];
+  const GLTFValue transmission = extensions["KHR_materials_transmission"];
+  vtkPolyData* arrays = material.Arrays;
+  vtkCSLFMaterial::SetIndexOfRefraction(
+    arrays, extensions["KHR_materials_ior"]["ior"].GetNumber(1.5));
+  vtkCSLFMaterial::SetTransmission(arrays, transmission["transmissionFactor"].GetNumber(0.0));
+  this->Problems.Omit(transmission["transmissionTexture"].IsPresent(), "textures of transmission");
+  vtkCSLFMaterial::SetThinWalled(
+    arrays, !(extensions["KHR_materials_volume"]["thicknessFactor"].GetNumber(0.0) > 0.0));
+  this->Problems.Omit(
+    extensions["KHR_materials_unlit"].IsPresent(), "unlit materials, which are lit");
+  const double strength =
+    extensions["KHR_materials_emissive_strength"]["emissiveStrength"].GetNumber(1.0);
+  const auto emission = source["emissiveFactor"].GetNumbers<3>({ 0.0, 0.0, 0.0 });
+  vtkCSLFMaterial::SetEmission(
+    arrays, strength * emission[0], strength * emission[1], strength * emission[2]);
+}
+
+void GLTFMaterials::ReadTextures(const GLTFValue& source, GLTFMaterial& material)
+{
+  const GLTFValue base = source["pbrMetallicRoughness"];
+  const GLTFValue normal = source["normalTexture"];
+  const std::pair<int, GLTFValue> slots[] = {
+    { vtkCSLFMaterial::BaseColorTexture, base["baseColorTexture"] },
+    { vtkCSLFMaterial::MetallicRoughnessTexture, base["metallicRoughnessTexture"] },
+    { vtkCSLFMaterial::NormalTexture, normal },
+    { vtkCSLFMaterial::EmissionTexture, source["emissiveTexture"] },
+  };
+  for (const auto& slot : slots)
+  {
+    if (slot.second.IsPresent())
+    {
+      this->Problems.Attempt([&] { this->ReadTexture(slot.first, slot.second, material); });
+    }
+  }
+  if (normal.IsPresent())
+  {
+    vtkCSLFMaterial::SetNormalScale(material.Arrays, normal["scale"].GetNumber(1.0));
+  }
+}
+
+void GLTFMaterials::ReadTexture(int slot, const GLTFValue& info, GLTFMaterial& material)
+{
+  const std::optional<std::size_t> index = info["index"].GetIndex();
+  if (!index)
+  {
+    info.Fail("has no index");
+  }
+  const GLTFValue texture = this->Document.GetElement("textures", *index);
+  const bool dropAlpha = !material.UsesAlpha && slot == vtkCSLFMaterial::BaseColorTexture;
+  const vtkSmartPointer<vtkImageData> image = this->Images.Get(this->FindImage(texture), dropAlpha);
+  std::size_t wrap[2] = { Repeat, Repeat };
+  std::size_t filter = 0;
+  if (const std::optional<std::size_t> found = texture["sampler"].GetIndex())
+  {
+    const GLTFValue sampler = this->Document.GetElement("samplers", *found);
+    wrap[0] = sampler["wrapS"].GetIndex(Repeat);
+    wrap[1] = sampler["wrapT"].GetIndex(Repeat);
+    filter = sampler["magFilter"].GetIndex(0);
+  }
+  if (this->TakeMapping(info, material))
+  {
+    this->Problems.Omit(
+      wrap[0] == MirroredRepeat || wrap[1] == MirroredRepeat, "mirrored repetition of textures");
+    vtkCSLFMaterial::SetTexture(material.Arrays, slot, image,
+      wrap[0] != ClampToEdge && wrap[1] != ClampToEdge, filter != Nearest);
+  }
+}
+
+/// Takes the first texture's coordinates for all. False where another one needs different ones.
+bool GLTFMaterials::TakeMapping(const GLTFValue& info, GLTFMaterial& material)
+{
+  GLTFTextureMapping mapping;
+  const GLTFValue transform = info["extensions"]["KHR_texture_transform"];
+  mapping.Set = transform["texCoord"].GetIndex(info["texCoord"].GetIndex(0));
+  mapping.Offset = transform["offset"].GetNumbers<2>(mapping.Offset);
+  mapping.Scale = transform["scale"].GetNumbers<2>(mapping.Scale);
+  mapping.Rotation = transform["rotation"].GetNumber(0.0);
+  if (!material.HasTextures)
+  {
+    material.HasTextures = true;
+    material.Mapping = mapping;
+  }
+  const bool fits = material.Mapping == mapping;
+  this->Problems.Omit(!fits, "textures with a second set of coordinates");
+  return fits;
+}
+
+std::size_t GLTFMaterials::FindImage(const GLTFValue& texture)
+{
+  const GLTFValue webp = texture["extensions"]["EXT_texture_webp"]["source"];
+  const GLTFValue source = texture["source"];
+  const std::optional<std::size_t> image = source.IsPresent() ? source.GetIndex() : webp.GetIndex();
+  if (!image)
+  {
+    texture.Fail("has no image that can be read");
+  }
+  return *image;
+}
+}

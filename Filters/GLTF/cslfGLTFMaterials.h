@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The materials of a glTF file.
+ */
+#ifndef cslfGLTFMaterials_h
+#define cslfGLTFMaterials_h
+
+#include "cslfGLTFDocument.h"
+#include "cslfGLTFImages.h"
+#include "cslfGLTFProblems.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+
+namespace cslf
+{
+/// Which texture coordinates a texture uses, and how it changes them (KHR_texture_transform).
+struct GLTFTextureMapping
+{
+  std::size_t Set = 0;
+  std::array<double, 2> Offset{ 0.0, 0.0 };
+  std::array<double, 2> Scale{ 1.0, 1.0 };
+  double Rotation = 0.0; ///< in radians
+
+  bool operator==(const GLTFTextureMapping& other) const
+  {
+    return this->Set == other.Set && this->Offset == other.Offset && this->Scale == other.Scale &&
+      this->Rotation == other.Rotation;
+  }
+};
+
+struct GLTFMaterial
+{
+  vtkSmartPointer<vtkPolyData> Arrays; ///< its field data holds the arrays of vtkCSLFMaterial
+  std::array<double, 4> Color{ 1.0, 1.0, 1.0, 1.0 }; ///< linear; a factor of vertex colours
+  bool UsesAlpha = false;
+  bool HasTextures = false;
+  GLTFTextureMapping Mapping;
+};
+
+class GLTFMaterials
+{
+public:
+  GLTFMaterials(GLTFDocument& document, GLTFProblems& problems);
+
+  /// A material, which is read once. Throws a GLTFError if there is none.
+  const GLTFMaterial& Get(std::size_t index);
+
+private:
+  void ReadFactors(const GLTFValue& source, GLTFMaterial& material);
+  void ReadAlpha(const GLTFValue& source, GLTFMaterial& material);
+  void ReadExtensions(const GLTFValue& source, GLTFMaterial& material);
+  void ReadTextures(const GLTFValue& source, GLTFMaterial& material);
+  void ReadTexture(int slot, const GLTFValue& info, GLTFMaterial& material);
+  bool TakeMapping(const GLTFValue& info, GLTFMaterial& material);
+  std::size_t FindImage(const GLTFValue& texture);
+
+  GLTFDocument& Document;
+  GLTFProblems& Problems;
+  GLTFImages Images;
+  std::map<std::size_t, GLTFMaterial> Known;
+};
+}
+
+#endif

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGLTFPrimitives.h"
+
+#include "cslfColor.h"
+#include "cslfGLTFAccessor.h"
+
+#include <vtkCellArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace cslf
+{
+namespace
+{
+// What the indices of a primitive make: glTF 2.0, section 5.24.
+enum Mode
+{
+  Points,
+  Lines,
+  LineLoop,
+  LineStrip,
+  Triangles,
+  TriangleStrip,
+  TriangleFan
+};
+
+using Indices = std::vector<std::uint32_t>;
+
+/// Makes cells of indices, and leaves those out that have indices of vertices that do not exist.
+class CellMaker
+{
+public:
+  CellMaker(const Indices& indices, vtkIdType vertices)
+    : Source(indices)
+    , Vertices(vertices)
+  {
+  }
+
+  void Make(std::size_t mode, vtkPolyData* data)
+  {
+    switch (mode)
+    {
+      case Points:
+        this->Step(1, 1);
+        data->SetVerts(this->Cells);
+        break;
+      case Lines:
+        this->Step(2, 2);
+        data->SetLines(this->Cells);
+        break;
+      case LineLoop:
+      case LineStrip:
+        this->Step(2, 1);
+        this->CloseLoop(mode == LineLoop);
+        data->SetLines(this->Cells);
+        break;
+      default:
+        this->MakeTriangles(mode);
+        data->SetPolys(this->Cells);
+    }
+  }
+
+  vtkIdType GetNumberOfCells() const { return this->Cells->GetNumberOfCells(); }
+  vtkIdType GetNumberOfBroken() const { return this->Broken; }
+
+private:
+  void Step(std::size_t size, std::size_t step)
+  {
+    for (std::size_t i = 0; i + size <= this->Source.size(); i += step)
+    {
+      this->Add({ i, i + 1, i + 2 }, size);
+    }
+  }
+
+  void CloseLoop(bool isLoop)
+  {
+    if (isLoop && this->Source.size() > 2)
+    {
+      this->Add({ this->Source.size() - 1, 0, 0 }, 2);
+    }
+  }
+
+  void MakeTriangles(std::size_t mode)
+  {
+    if (mode == Triangles)
+    {
+      this->Step(3, 3);
+      return;
+    }
+    for (std::size_t i = 0; i + 3 <= this->Source.size(); ++i)
+    {
+      if (mode == TriangleFan)
+      {
+        this->Add({ i + 1, i + 2, 0 }, 3);
+      }
+      else
+      {
+        // Every other triangle of a strip is turned round.
+        this->Add({ i, i + 1 + i % 2, i + 2 - i % 2 }, 3);
+      }
+    }
+  }
+
+  void Add(const std::array<std::size_t, 3>& places, std::size_t size)
+  {
+    vtkIdType ids[3];
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      ids[i] = this->Source[places[i]];
+      if (ids[i] >= this->Vertices)
+      {
+        ++this->Broken;
+        return;
+      }
+    }
+    this->Cells->InsertNextCell(static_cast<vtkIdType>(size), ids);
+  }
+
+  const Indices& Source;
+  vtkIdType Vertices;
+  vtkNew<vtkCellArray> Cells;
+  vtkIdType Broken = 0;
+};
+
+/// The positions as floats, which they are in files, or of whole numbers.
+vtkSmartPointer<vtkPoints> MakePoints(const GLTFNumbers& positions)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToFloat();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.GetCount()));
+  for (std::size_t i = 0; i < positions.GetCount(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), &positions.Values[3 * i]);
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/// Reads an attribute that there must be one of for each vertex.
+GLTFNumbers ReadAttribute(GLTFDocument& document, const GLTFValue& attribute, std::size_t accessor,
+  vtkIdType vertices, GLTFIntegers integers)
+{
+  GLTFNumbers numbers = ReadAccessor(document, accessor, integers);
+  if (static_cast<vtkIdType>(numbers.GetCount()) != vertices)
+  {
+    attribute.Fail("has " + std::to_string(numbers.GetCount()) + " elements for " +
+      std::to_string(vertices) + " positions");
+  }
+  return numbers;
+}
+}
+
+GLTFPrimitives::GLTFPrimitives(GLTFDocument& document, GLTFProblems& problems)
+  : Document(document)
+  , Problems(problems)
+  , Materials(document, problems)
+{
+}
+
+const std::vector<vtkSmartPointer<vtkPolyData>>& GLTFPrimitives::Get(std::size_t mesh)
+{
+  const auto found = this->Known.find(mesh);
+  if (found != this->Known.end())
+  {
+    return found->second;
+  }
+  std::vector<vtkSmartPointer<vtkPolyData>>& primitives = this->Known[mesh];
+  const GLTFValue source = this->Document.GetElement("meshes", mesh)["primitives"];
+  for (std::size_t i = 0; i < source.GetCount(); ++i)
+  {
+    this->Problems.Attempt(
+      [&]
+      {
+        if (const vtkSmartPointer<vtkPolyData> data = this->Read(source.At(i)))
+        {
+          primitives.push_back(data);
+        }
+      });
+  }
+  return primitives;
+}
+
+vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
+{
+  this->Problems.Omit(
+    primitive["targets"].GetCount() > 0, "morph targets, which are shown at rest");
+  const GLTFValue attributes = primitive["attributes"];
+  const std::optional<std::size_t> position = attributes["POSITION"].GetIndex();
+  if (!position)
+  {
+    primitive.Fail("has no positions");
+  }
+  const GLTFNumbers positions = ReadAccessor(this->Document, *position);
+  if (positions.Components != 3 || positions.GetCount() > std::numeric_limits<int>::max())
+  {
+    attributes["POSITION"].Fail("is no list of points in space");
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(MakePoints(positions));
+  Indices indices(positions.GetCount());
+  std::iota(indices.begin(), indices.end(), 0u);
+  if (const std::optional<std::size_t> accessor = primitive["indices"].GetIndex())
+  {
+    indices = ReadIndices(this->Document, *accessor);
+  }
+  const std::size_t mode = primitive["mode"].GetIndex(Triangles);
+  if (mode > TriangleFan)
+  {
+    primitive["mode"].Fail("is not known");
+  }
+  CellMaker maker(indices, data->GetNumberOfPoints());
+  maker.Make(mode, data);
+  if (maker.GetNumberOfBroken() > 0)
+  {
+    this->Problems.Add(primitive.GetPath() + " has " + std::to_string(maker.GetNumberOfBroken()) +
+      " cell(s) with indices of vertices that do not exist");
+  }
+  if (maker.GetNumberOfCells() == 0)
+  {
+    return nullptr;
+  }
+
+  const GLTFMaterial* material = nullptr;
+  this->Problems.Attempt(
+    [&]
+    {
+      if (const std::optional<std::size_t> index = primitive["material"].GetIndex())
+      {
+        material = &this->Materials.Get(*index);
+        data->GetFieldData()->ShallowCopy(material->Arrays->GetFieldData());
+      }
+    });
+  this->Problems.Attempt([&] { this->AddNormals(attributes, data); });
+  this->Problems.Attempt([&] { this->AddColors(attributes, material, data); });
+  if (material && material->HasTextures)
+  {
+    this->Problems.Attempt([&] { this->AddTexCoords(attributes, material->Mapping, data); });
+  }
+  return data;
+}
+
+void GLTFPrimitives::AddNormals(const GLTFValue& attributes, vtkPolyData* data)
+{
+  const GLTFValue attribute = attributes["NORMAL"];
+  const std::optional<std::size_t> accessor = attribute.GetIndex();
+  if (!accessor)
+  {
+    return;
+  }
+  const GLTFNumbers normals = ReadAttribute(
+    this->Document, attribute, *accessor, data->GetNumberOfPoints(), GLTFIntegers::AsDeclared);
+  if (normals.Components != 3)
+  {
+    attribute.Fail("is no list of directions in space");
+  }
+  const vtkSmartPointer<vtkFloatArray> array = MakeArray("Normals", 3, data->GetNumberOfPoints());
+  for (std::size_t i = 0; i < normals.Values.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<float>(normals.Values[i]));
+  }
+  data->GetPointData()->SetNormals(array);
+}
+
+/// glTF's v grows downwards from the image's upper edge.
+void GLTFPrimitives::AddTexCoords(
+  const GLTFValue& attributes, const GLTFTextureMapping& mapping, vtkPolyData* data)
+{
+  const std::string name = "TEXCOORD_" + std::to_string(mapping.Set);
+  const GLTFValue attribute = attributes[name.c_str()];
+  const std::optional<std::size_t> accessor = attribute.GetIndex();
+  if (!accessor)
+  {
+    return;
+  }
+  const GLTFNumbers coordinates = ReadAttribute(
+    this->Document, attribute, *accessor, data->GetNumberOfPoints(), GLTFIntegers::AsDeclared);
+  if (coordinates.Components != 2)
+  {
+    attribute.Fail("is no list of points in the plane");
+  }
+  const double sine = std::sin(mapping.Rotation);
+  const double cosine = std::cos(mapping.Rotation);
+  const vtkSmartPointer<vtkFloatArray> array =
+    MakeArray("TextureCoordinates", 2, data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double u = mapping.Scale[0] * coordinates.Values[2 * i];
+    const double v = mapping.Scale[1] * coordinates.Values[2 * i + 1];
+    array->SetTypedComponent(i, 0, static_cast<float>(mapping.Offset[0] + cosine * u + sine * v));
+    array->SetTypedComponent(
+      i, 1, static_cast<float>(1.0 - (mapping.Offset[1] - sine * u + cosine * v)));
+  }
+  data->GetPointData()->SetTCoords(array);
+}
+
+/// Linear colours times the linear factor of the material, as sRGB bytes; alpha if it counts.
+void GLTFPrimitives::AddColors(
+  const GLTFValue& attributes, const GLTFMaterial* material, vtkPolyData* data)
+{
+  const GLTFValue attribute = attributes["COLOR_0"];
+  const std::optional<std::size_t> accessor = attribute.GetIndex();
+  if (!accessor)
+  {
+    return;
+  }
+  const GLTFNumbers linear = ReadAttribute(
+    this->Document, attribute, *accessor, data->GetNumberOfPoints(), GLTFIntegers::Normalized);
+  if (linear.Components < 3)
+  {
+    attribute.Fail("is no list of colours");
+  }
+  const bool useAlpha = material && material->UsesAlpha && linear.Components == 4;
+  const int components = useAlpha ? 4 : 3;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(components);
+  colors->SetNumberOfTuples(data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      const double value = linear.Values[i * linear.Components + c];
+      const double factor = material ? material->Color[c] : 1.0;
+      colors->SetTypedComponent(i, c, ToByte(c < 3 ? LinearToSRGB(factor * value) : value));
+    }
+  }
+  data->GetPointData()->SetScalars(colors);
+}
+}

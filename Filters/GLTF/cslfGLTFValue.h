@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Values of a glTF file's JSON, of which nothing is taken for granted.
+ */
+#ifndef cslfGLTFValue_h
+#define cslfGLTFValue_h
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace cslf
+{
+/// Says in words what is wrong with a part of a file.
+struct GLTFError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// A value, or its absence, and where it is. Values of an unexpected type throw a GLTFError that
+/// names the place; absent ones do not. It refers to the document, which must outlive it.
+class GLTFValue
+{
+public:
+  GLTFValue(const nlohmann::json* value, std::string path);
+
+  bool IsPresent() const { return this->Value != nullptr; }
+  const std::string& GetPath() const { return this->Path; }
+
+  /// A member; absent where this is absent.
+  GLTFValue operator[](const char* name) const;
+
+  /// The number of elements; 0 where this is absent.
+  std::size_t GetCount() const;
+
+  /// An element, which there must be.
+  GLTFValue At(std::size_t index) const;
+
+  /// A whole number that is not negative.
+  std::optional<std::size_t> GetIndex() const;
+  std::size_t GetIndex(std::size_t fallback) const;
+
+  double GetNumber(double fallback) const;
+  bool GetBool(bool fallback) const;
+  std::string GetText(const std::string& fallback) const;
+
+  /// As many numbers as the fallback has.
+  template <std::size_t Size>
+  std::array<double, Size> GetNumbers(const std::array<double, Size>& fallback) const
+  {
+    std::array<double, Size> numbers = fallback;
+    if (this->IsPresent())
+    {
+      if (this->GetCount() != Size)
+      {
+        this->Fail("must have " + std::to_string(Size) + " numbers");
+      }
+      for (std::size_t i = 0; i < Size; ++i)
+      {
+        numbers[i] = this->At(i).GetNumber(0.0);
+      }
+    }
+    return numbers;
+  }
+
+  /// Throws a GLTFError: where, and what.
+  [[noreturn]] void Fail(const std::string& what) const;
+
+private:
+  const nlohmann::json* Value;
+  std::string Path;
+};
+}
+
+#endif
