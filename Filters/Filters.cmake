@@ -120,26 +120,33 @@ list(APPEND private_headers
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.cxx
+  ../Filters/PathTracing/RadianceCache/cslfChartMaker.cxx
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
   ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.cxx
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.cxx
   ../Filters/PathTracing/RadianceCache/cslfIncidentLight.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
+  ../Filters/PathTracing/RadianceCache/cslfLatticeLayout.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.cxx
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceChart.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
 list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.h
   ../Filters/PathTracing/RadianceCache/cslfCacheShare.h
+  ../Filters/PathTracing/RadianceCache/cslfChartMaker.h
+  ../Filters/PathTracing/RadianceCache/cslfChartNeighbours.h
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
   ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.h
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.h
   ../Filters/PathTracing/RadianceCache/cslfIncidentLight.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
+  ../Filters/PathTracing/RadianceCache/cslfLatticeLayout.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.h
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceChart.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
 
 # From renderers and files to scenes.

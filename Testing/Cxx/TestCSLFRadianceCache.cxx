@@ -92,14 +92,14 @@ void TestRefinement()
   const cslf::Scene scene({ MakeRectangle(glm::vec3(0.0f), { 1.0f, 0.0f, 0.0f },
                             { 0.0f, 1.0f, 0.0f }, MakeDiffuse(1.0f)) },
     cslf::LightSet());
-  const cslf::OpenSides sides(scene, cslf::PathIntegrator(scene, {}), 0);
+  const cslf::OpenSides sides(scene, cslf::PathIntegrator(scene, {}), 0, 0.01f);
+  const cslf::LatticeLayout layout(scene, sides, 0.01f);
   const auto getLight = [](const glm::vec3& point, float brightness)
   {
     const bool lit = point.x + 0.3f * point.y > 0.123f;
     return glm::vec3(lit ? brightness * (1.0f - 0.2f * point.y * point.y) : 0.0f);
   };
   cslf::LatticeSettings settings;
-  settings.Spacing = 0.01f;
   settings.Tolerance = 0.01f;
   settings.FirstLevel = 1;
   const auto getPosition = [&scene](const cslf::Hit& place)
@@ -110,7 +110,7 @@ void TestRefinement()
   for (const float brightness : { 1.0f, 20.0f })
   {
     std::atomic<int> calls{ 0 };
-    cslf::LatticeBuilder builder(scene, sides, settings,
+    cslf::LatticeBuilder builder(scene, sides, layout, settings,
       [&](const cslf::Hit& place, std::uint64_t)
       {
         ++calls;
@@ -149,7 +149,7 @@ void TestRefinement()
   }
 
   // Abort.
-  cslf::LatticeBuilder aborted(scene, sides, settings,
+  cslf::LatticeBuilder aborted(scene, sides, layout, settings,
     [](const cslf::Hit&, std::uint64_t) { return cslf::SurfaceEstimate(); });
   CSLF_CHECK(!aborted.Build([](double) { return false; }));
 }

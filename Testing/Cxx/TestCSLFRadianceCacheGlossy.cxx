@@ -150,7 +150,7 @@ void TestClosedBodies()
         { 0.0f, 0.1f, 0.0f }, cslf::testing::MakeDiffuse(0.5f, 1.0f)));
     }
     const cslf::Scene scene(std::move(meshes), cslf::testing::MakeUniformLight(1.0f));
-    const cslf::OpenSides sides(scene, cslf::PathIntegrator(scene, {}), 0);
+    const cslf::OpenSides sides(scene, cslf::PathIntegrator(scene, {}), 0, 0.01f);
     for (std::uint32_t i = 0; i < 12; ++i)
     {
       CSLF_CHECK(sides.Has(scene.GetTriangleIndex(0, i), false));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLatticeBuilder.h"
 
+#include "cslfChartNeighbours.h"
+
 #include <vtkSMPTools.h>
 
 #include <glm/common.hpp>
@@ -15,19 +17,12 @@ namespace cslf
 {
 namespace
 {
-// The size of a brick, as the binary logarithm of spacings.
-constexpr int BrickLevels = 4;
-
 // The finest lattice of one brick: beyond, it is split.
 constexpr int LeafLevel = 2;
 
 // How often the spacing is halved where something very bright ends: the error of a point's light is
 // carried far by all surfaces that it lights.
 constexpr int ExtraLevels = 5;
-
-// The finest spacings along a triangle's edges, as a binary logarithm: with the extra levels, what
-// a key has room for.
-constexpr int LargestDepth = 12;
 
 // How many spacings wide the interpolation between white and black may be; half as many between
 // twice as bright and black, and so on.
@@ -37,12 +32,6 @@ constexpr double BrightEdge = 2.0;
 // was asked for.
 constexpr float CoarseSpacings = 1.5f;
 
-// How the spacing grows where bricks are too many.
-constexpr float SpacingGrowth = 1.5f;
-
-// The most bricks of a scene; beyond, the spacing grows.
-constexpr std::size_t MaximumBricks = std::size_t(1) << 23;
-
 // Bricks that are worked on together: enough for all threads, and of bounded memory.
 constexpr std::size_t BatchBricks = std::size_t(1) << 13;
 
@@ -51,10 +40,11 @@ constexpr std::size_t BatchBricks = std::size_t(1) << 13;
 constexpr float Inset = 0.05f;
 constexpr float LargestInset = 0.1f;
 
-// Where the key's parts begin: which triangle and side, and the two coordinates.
-constexpr int RowShift = LargestDepth + ExtraLevels + 1;
+// Where the key's parts begin: which triangle or chart and side, and the two coordinates.
+constexpr int RowShift = LatticeLayout::LargestDepth + ExtraLevels + 1;
 constexpr int SideShift = 2 * RowShift;
 constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
+constexpr std::uint64_t MeanKey = std::uint64_t(1) << 62;
 
 float LongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
 {
@@ -62,6 +52,12 @@ float LongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
   const glm::vec3& b = mesh.Vertices[triangle.y];
   const glm::vec3& c = mesh.Vertices[triangle.z];
   return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+}
+
+std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row)
+{
+  return (std::uint64_t(2 * domain + (back ? 1 : 0)) << SideShift) |
+    (std::uint64_t(row) << RowShift) | std::uint64_t(column);
 }
 
 float Largest(const glm::vec3& difference)
@@ -76,17 +72,27 @@ struct LatticeBuilder::Point
   Hit Place;
   std::uint64_t Key;
   SurfaceEstimate Estimate;
+
+  // Where it lies between two other points that are close enough together, it is interpolated.
+  bool IsMean = false;
+  std::uint32_t Before = 0;
+  std::uint32_t After = 0;
+  float Weight = 0.0f; // of the point after it
 };
 
 /// A brick at work, and the points of its lattice, row by row.
 struct LatticeBuilder::Patch
 {
   std::size_t Brick;
+  std::size_t Domain; // the number of its triangle, or that of all triangles and of its chart
   std::uint32_t Mesh;
-  std::uint32_t Triangle;
+  std::uint32_t Triangle = 0;          // if it is one of a triangle
+  const SurfaceChart* Chart = nullptr; // if it is one of a chart
+  float RootEdge;                      // the longest of the brick that it is a part of
+  int RootSize;                        // of that brick, as below
   bool Back;
   bool Flipped;
-  int Column; // of its first corner among the triangle's finest points
+  int Column; // of its first corner among the finest points of the triangle or chart
   int Row;
   int Size; // of its edges, in finest points, as a binary logarithm
   int Level = 0;
@@ -100,89 +106,89 @@ struct LatticeBuilder::Patch
   }
 };
 
-LatticeBuilder::LatticeBuilder(
-  const Scene& scene, const OpenSides& sides, LatticeSettings settings, Estimator estimate)
+LatticeBuilder::LatticeBuilder(const Scene& scene, const OpenSides& sides,
+  const LatticeLayout& layout, LatticeSettings settings, Estimator estimate)
   : World(scene)
   , Sides(sides)
+  , Layout(layout)
   , Settings(std::move(settings))
   , Estimate(std::move(estimate))
+  , Lattice(layout.MakeLattice())
 {
-  this->ChooseSplits();
 }
 
 LatticeBuilder::~LatticeBuilder() = default;
 
-void LatticeBuilder::ChooseSplits()
-{
-  std::vector<std::uint8_t> splits;
-  std::size_t bricks = 0;
-  do
-  {
-    bricks = 0;
-    splits.clear();
-    this->Depths.clear();
-    for (const Mesh& mesh : this->World.GetMeshes())
-    {
-      for (std::size_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
-      {
-        const glm::uvec3& triangle = mesh.Triangles[i];
-        const float ratio = LongestEdge(mesh, triangle) / this->Settings.Spacing;
-        const int depth =
-          std::clamp(static_cast<int>(std::ceil(std::log2(ratio))), 0, LargestDepth);
-        const int split = std::max(0, depth - BrickLevels);
-        this->Depths.push_back(static_cast<std::uint8_t>(depth));
-        splits.push_back(static_cast<std::uint8_t>(split));
-        bricks += std::size_t(2) << (2 * split);
-      }
-    }
-    this->Settings.Spacing *= SpacingGrowth;
-  } while (bricks > MaximumBricks && bricks > 2 * splits.size());
-  this->Settings.Spacing /= SpacingGrowth;
-  this->Lattice = SurfaceLattice(splits);
-}
-
-bool LatticeBuilder::IsSmall(std::uint32_t mesh, std::uint32_t triangle) const
-{
-  const std::size_t index = this->World.GetTriangleIndex(mesh, triangle);
-  return this->Depths[index] <= this->Settings.SmallLevels &&
-    this->World.GetMeshes()[mesh].Normals.empty();
-}
-
 bool LatticeBuilder::Build(const std::function<bool(double)>& goOn)
 {
+  return this->AddAll(goOn, [this] { this->BuildBatch(); });
+}
+
+bool LatticeBuilder::AddAll(
+  const std::function<bool(double)>& goOn, const std::function<void()>& useBatch)
+{
   const std::vector<Mesh>& meshes = this->World.GetMeshes();
+  const std::size_t charts = this->Layout.GetCharts().size();
+  const auto all = static_cast<double>(this->Lattice.GetNumberOfTriangles() + charts);
   std::size_t done = 0;
+  const auto useFullBatch = [&]
+  {
+    ++done;
+    if (this->Patches.size() < BatchBricks)
+    {
+      return true;
+    }
+    const bool goesOn = goOn(static_cast<double>(done) / all);
+    if (goesOn)
+    {
+      useBatch();
+    }
+    return goesOn;
+  };
   for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
   {
     const std::size_t triangles = meshes[mesh].CanHoldLattice() ? meshes[mesh].Triangles.size() : 0;
-    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle, ++done)
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle)
     {
       this->AddTriangle(mesh, triangle);
-      if (this->Patches.size() >= BatchBricks)
+      if (!useFullBatch())
       {
-        if (!goOn(static_cast<double>(done) / this->Lattice.GetNumberOfTriangles()))
-        {
-          return false;
-        }
-        this->BuildBatch();
+        return false;
       }
     }
   }
-  this->BuildBatch();
+  for (std::size_t chart = 0; chart < charts; ++chart)
+  {
+    this->AddChart(chart);
+    if (!useFullBatch())
+    {
+      return false;
+    }
+  }
+  useBatch();
   return goOn(1.0);
 }
 
 void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
 {
   const std::size_t index = this->World.GetTriangleIndex(mesh, triangle);
+  if (this->Layout.IsOnChart(index))
+  {
+    return;
+  }
   const int splits = this->Lattice.GetSplits(index);
-  const int levels = std::min<int>(this->Depths[index], BrickLevels);
+  const int depth = this->Layout.GetDepth(index);
+  const int levels = std::min(depth, LatticeLayout::BrickLevels);
+  const Mesh& surface = this->World.GetMeshes()[mesh];
   Patch patch;
+  patch.Domain = index;
   patch.Mesh = mesh;
   patch.Triangle = triangle;
-  patch.Size = levels + ExtraLevels;
+  patch.RootEdge = LongestEdge(surface, surface.Triangles[triangle]) / static_cast<float>(splits);
+  patch.RootSize = levels + ExtraLevels;
+  patch.Size = patch.RootSize;
   patch.Level = std::min({ levels, this->Settings.FirstLevel, LeafLevel });
-  patch.IsConstant = this->IsSmall(mesh, triangle);
+  patch.IsConstant = depth <= this->Settings.SmallLevels && surface.Normals.empty();
   for (const bool back : { false, true })
   {
     patch.Back = back;
@@ -200,6 +206,48 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
           this->Patches.push_back(patch);
         }
       }
+    }
+  }
+}
+
+void LatticeBuilder::AddChart(std::size_t index)
+{
+  const SurfaceChart& chart = this->Layout.GetCharts()[index];
+  const int levels = this->Layout.GetCellDepth(chart);
+  Patch patch;
+  patch.Domain = this->Lattice.GetNumberOfTriangles() + index;
+  patch.Mesh = chart.GetMesh();
+  patch.Chart = &chart;
+  patch.RootEdge = std::max(chart.GetCellSize().x, chart.GetCellSize().y);
+  patch.RootSize = levels + ExtraLevels;
+  patch.Size = patch.RootSize;
+  patch.Level = std::min({ levels, this->Settings.FirstLevel, LeafLevel });
+  patch.IsConstant = levels == 0 && chart.GetBricksOfSide() == 2;
+  for (const bool back : { false, true })
+  {
+    patch.Back = back;
+    for (int row = 0; row < chart.GetRows(); ++row)
+    {
+      for (int column = 0; column < chart.GetColumns(); ++column)
+      {
+        this->AddChartCell(patch, index, column, row);
+      }
+    }
+  }
+}
+
+void LatticeBuilder::AddChartCell(Patch& patch, std::size_t index, int column, int row)
+{
+  for (const bool flipped : { false, true })
+  {
+    patch.Flipped = flipped;
+    patch.Column = (flipped ? column + 1 : column) << patch.Size;
+    patch.Row = (flipped ? row + 1 : row) << patch.Size;
+    const int cell = 2 * (row * patch.Chart->GetColumns() + column) + (flipped ? 1 : 0);
+    patch.Brick = this->Lattice.GetChartBrickIndex(index, patch.Back, cell);
+    if (!this->IsEmpty(patch) && (!this->IsChosen || this->IsChosen(patch.Brick)))
+    {
+      this->Patches.push_back(patch);
     }
   }
 }
@@ -233,29 +281,16 @@ std::size_t LatticeBuilder::CountFirstPoints(const Choice& choice)
 {
   std::size_t count = 0;
   this->IsChosen = choice;
-  const std::vector<Mesh>& meshes = this->World.GetMeshes();
-  const auto countBatch = [this, &count]
-  {
-    for (Patch& patch : this->Patches)
+  this->AddAll([](double) { return true; },
+    [this, &count]
     {
-      this->RequestAll(patch);
-    }
-    count += this->Points.size();
-    this->ClearBatch();
-  };
-  for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
-  {
-    const std::size_t triangles = meshes[mesh].CanHoldLattice() ? meshes[mesh].Triangles.size() : 0;
-    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle)
-    {
-      this->AddTriangle(mesh, triangle);
-      if (this->Patches.size() >= BatchBricks)
+      for (Patch& patch : this->Patches)
       {
-        countBatch();
+        this->RequestAll(patch);
       }
-    }
-  }
-  countBatch();
+      count += this->Points.size() - this->Means;
+      this->ClearBatch();
+    });
   this->IsChosen = nullptr;
   return count;
 }
@@ -273,7 +308,7 @@ void LatticeBuilder::BuildBatch()
         this->RequestAll(patch);
       }
     }
-    this->FirstEstimates += isFirst ? this->Points.size() : 0;
+    this->FirstEstimates += isFirst ? this->Points.size() - this->Means : 0;
     this->EvaluateRequests();
     for (std::size_t i = 0; isFirst && i < this->Patches.size(); ++i)
     {
@@ -288,12 +323,12 @@ void LatticeBuilder::BuildBatch()
   }
   for (const Point& point : this->Points)
   {
-    if (this->Tell)
+    if (this->Tell && !point.IsMean)
     {
       this->Tell(point.Place, point.Estimate);
     }
   }
-  this->Estimates += this->Points.size();
+  this->Estimates += this->Points.size() - this->Means;
   this->ClearBatch();
 }
 
@@ -303,6 +338,7 @@ void LatticeBuilder::ClearBatch()
   this->Points.clear();
   this->Index.clear();
   this->Evaluated = 0;
+  this->Means = 0;
 }
 
 void LatticeBuilder::Refine()
@@ -329,6 +365,7 @@ void LatticeBuilder::Split(std::size_t index)
   const Patch parent = this->Patches[index];
   const std::size_t first = this->Lattice.SplitBrick(parent.Brick);
   const int half = (parent.Flipped ? -1 : 1) * (1 << (parent.Size - 1));
+  bool hasReplaced = false;
   // The cells in their order: two on the first row and the flipped one between, one on the second.
   for (int cell = 0; cell < 4; ++cell)
   {
@@ -339,15 +376,32 @@ void LatticeBuilder::Split(std::size_t index)
     child.Column += cell == 1 || cell == 2 ? half : 0;
     child.Row += cell == 1 || cell == 3 ? half : 0;
     child.Points.clear();
-    if (cell == 0)
+    if (parent.Chart && this->IsEmpty(child) && (hasReplaced || cell < 3))
+    {
+      // No triangle is there.
+      this->Lattice.SetBrick(
+        child.Brick, SurfaceLattice::Constant, { this->Points[parent.Points[0]].Estimate.Value });
+    }
+    else if (!hasReplaced)
     {
       this->Patches[index] = child;
+      hasReplaced = true;
     }
     else
     {
       this->Patches.push_back(child);
     }
   }
+}
+
+bool LatticeBuilder::IsEmpty(const Patch& patch) const
+{
+  const float scale = 1.0f / static_cast<float>(1 << patch.RootSize);
+  const float size = (patch.Flipped ? -scale : scale) * static_cast<float>(1 << patch.Size);
+  const glm::vec2 corner = scale * glm::vec2(patch.Column, patch.Row);
+  const glm::vec2 corners[3] = { corner, corner + glm::vec2(size, 0.0f),
+    corner + glm::vec2(0.0f, size) };
+  return !patch.Chart->Overlaps(patch.Back, corners);
 }
 
 void LatticeBuilder::RequestAll(Patch& patch)
@@ -365,17 +419,20 @@ void LatticeBuilder::RequestAll(Patch& patch)
 
 std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
 {
-  // Where is the point among the triangle's finest ones?
-  const std::size_t triangle = this->World.GetTriangleIndex(patch.Mesh, patch.Triangle);
-  const int last = 1 << (this->Depths[triangle] + ExtraLevels);
+  // Where is the point among the finest ones?
   const int step = (patch.Flipped ? -1 : 1) * (1 << (patch.Size - patch.Level));
   const int column = patch.Column + i * step;
   const int row = patch.Row + j * step;
+  return patch.Chart ? this->RequestOnChart(patch, column, row)
+                     : this->RequestOnTriangle(patch, column, row);
+}
 
+std::uint32_t LatticeBuilder::RequestOnTriangle(const Patch& patch, int column, int row)
+{
   // The corners of smooth triangles are their neighbours', too.
+  const int last = 1 << (this->Layout.GetDepth(patch.Domain) + ExtraLevels);
   const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  std::uint64_t key = (std::uint64_t(2 * triangle + (patch.Back ? 1 : 0)) << SideShift) |
-    (std::uint64_t(row) << RowShift) | std::uint64_t(column);
+  std::uint64_t key = MakeKey(patch.Domain, patch.Back, column, row);
   const bool isCorner = (row == 0 && column == 0) || row == last || column == last;
   if (isCorner && !mesh.Normals.empty())
   {
@@ -384,31 +441,90 @@ std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
     key = VertexKey | (std::uint64_t(patch.Mesh) << 33) | (std::uint64_t(vertex) << 1) |
       (patch.Back ? 1 : 0);
   }
-  const auto [entry, isNew] =
-    this->Index.emplace(key, static_cast<std::uint32_t>(this->Points.size()));
-  if (!isNew)
+  const auto known = this->Index.find(key);
+  if (known != this->Index.end())
   {
-    return entry->second;
+    return known->second;
   }
-
   constexpr float third = 1.0f / 3.0f;
+  TrianglePoint place{ patch.Triangle, third, third };
+  if (!patch.IsConstant)
+  {
+    place.U = static_cast<float>(column) / static_cast<float>(last);
+    place.V = static_cast<float>(row) / static_cast<float>(last);
+  }
+  return this->AddPoint(patch, place, key);
+}
+
+std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int row)
+{
+  const SurfaceChart& chart = *patch.Chart;
+  const int cell = 1 << patch.RootSize;
+  // Along one side points may be much closer than along the other.
+  const float scale = 1.0f / static_cast<float>(1 << (patch.RootSize - patch.Size + patch.Level));
+  const glm::vec2 distance = scale * chart.GetCellSize();
+  const int step = 1 << (patch.Size - patch.Level);
+  const ChartNeighbours middle{ cell / 2, cell / 2, 0.0f };
+  const ChartNeighbours columns = patch.IsConstant
+    ? middle
+    : FindChartNeighbours(column, step, cell, chart.GetColumns() * cell, distance.y / distance.x);
+  const ChartNeighbours rows = patch.IsConstant
+    ? middle
+    : FindChartNeighbours(row, step, cell, chart.GetRows() * cell, distance.x / distance.y);
+  const float weight = std::max(columns.Weight, rows.Weight);
+  const std::uint64_t key = weight > 0.0f
+    ? MakeKey(patch.Domain, patch.Back, column, row) | MeanKey
+    : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low);
+  const auto known = this->Index.find(key);
+  if (known != this->Index.end())
+  {
+    return known->second;
+  }
+  if (weight > 0.0f)
+  {
+    return this->RequestMean(
+      patch, { columns.Low, rows.Low }, { columns.High, rows.High }, weight, key);
+  }
+  const glm::vec2 place = glm::vec2(columns.Low, rows.Low) / static_cast<float>(cell);
+  return this->AddPoint(patch, chart.Find(patch.Back, place), key);
+}
+
+std::uint32_t LatticeBuilder::RequestMean(const Patch& patch, const glm::ivec2& low,
+  const glm::ivec2& high, float weight, std::uint64_t key)
+{
+  Point point;
+  point.Key = key;
+  point.IsMean = true;
+  point.Before = this->RequestOnChart(patch, low.x, low.y);
+  point.After = this->RequestOnChart(patch, high.x, high.y);
+  point.Weight = weight;
+  point.Place = this->Points[weight < 0.5f ? point.Before : point.After].Place;
+  const auto index = static_cast<std::uint32_t>(this->Points.size());
+  this->Index.emplace(key, index);
+  this->Points.push_back(point);
+  ++this->Means;
+  return index;
+}
+
+std::uint32_t LatticeBuilder::AddPoint(
+  const Patch& patch, const TrianglePoint& place, std::uint64_t key)
+{
+  constexpr float third = 1.0f / 3.0f;
+  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
+  const float edge = LongestEdge(mesh, mesh.Triangles[place.Triangle]);
+  const float inset = Inset * this->Layout.GetSpacing() / (1 << ExtraLevels);
+  const float keep = 1.0f - std::min(LargestInset, inset / edge);
   Point point;
   point.Key = key;
   point.Place.Mesh = patch.Mesh;
-  point.Place.Triangle = patch.Triangle;
+  point.Place.Triangle = place.Triangle;
   point.Place.Back = patch.Back;
-  point.Place.U = third;
-  point.Place.V = third;
-  if (!patch.IsConstant)
-  {
-    const float edge = LongestEdge(mesh, mesh.Triangles[patch.Triangle]);
-    const float inset = Inset * this->Settings.Spacing / (1 << ExtraLevels);
-    const float keep = 1.0f - std::min(LargestInset, inset / edge);
-    point.Place.U += keep * (static_cast<float>(column) / static_cast<float>(last) - third);
-    point.Place.V += keep * (static_cast<float>(row) / static_cast<float>(last) - third);
-  }
+  point.Place.U = third + keep * (place.U - third);
+  point.Place.V = third + keep * (place.V - third);
+  const auto index = static_cast<std::uint32_t>(this->Points.size());
+  this->Index.emplace(key, index);
   this->Points.push_back(point);
-  return entry->second;
+  return index;
 }
 
 void LatticeBuilder::EvaluateRequests()
@@ -420,14 +536,23 @@ void LatticeBuilder::EvaluateRequests()
     {
       for (vtkIdType index = begin; index < end; ++index)
       {
-        if (!share || share->GetOwner(index) == share->GetRank())
+        Point& point = this->Points[index];
+        if (!point.IsMean && (!share || share->GetOwner(index) == share->GetRank()))
         {
-          Point& point = this->Points[index];
           point.Estimate = this->Estimate(point.Place, point.Key);
         }
       }
     });
   this->ExchangeEstimates();
+  for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
+  {
+    Point& point = this->Points[index];
+    if (point.IsMean)
+    {
+      point.Estimate = Interpolate(
+        this->Points[point.Before].Estimate, this->Points[point.After].Estimate, point.Weight);
+    }
+  }
   this->Evaluated = this->Points.size();
 }
 
@@ -451,10 +576,7 @@ void LatticeBuilder::ExchangeEstimates()
 
 float LatticeBuilder::GetDistance(const Patch& patch) const
 {
-  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  const std::size_t triangle = this->World.GetTriangleIndex(patch.Mesh, patch.Triangle);
-  const int points = 1 << (this->Depths[triangle] + ExtraLevels - patch.Size + patch.Level);
-  return LongestEdge(mesh, mesh.Triangles[patch.Triangle]) / static_cast<float>(points);
+  return patch.RootEdge / static_cast<float>(1 << (patch.RootSize - patch.Size + patch.Level));
 }
 
 bool LatticeBuilder::NeedsMore(const Patch& patch) const
@@ -522,13 +644,13 @@ bool LatticeBuilder::VariesWithin(const Patch& patch) const
 
 bool LatticeBuilder::IsCoarse(float distance) const
 {
-  return distance > CoarseSpacings * this->Settings.Spacing && !this->Settings.OnlyBright;
+  return distance > CoarseSpacings * this->Layout.GetSpacing() && !this->Settings.OnlyBright;
 }
 
 bool LatticeBuilder::IsBright(const glm::vec3& error, float distance) const
 {
   const double radiance = this->Settings.Exposure * Largest(error);
-  return radiance * distance > BrightEdge * this->Settings.Spacing;
+  return radiance * distance > BrightEdge * this->Layout.GetSpacing();
 }
 
 void LatticeBuilder::StoreIncident(const Patch& patch)
@@ -543,11 +665,19 @@ void LatticeBuilder::StoreIncident(const Patch& patch)
     }
     lights.push_back(light);
   }
+  constexpr float third = 1.0f / 3.0f;
+  TrianglePoint middle{ patch.Triangle, third, third };
+  if (patch.Chart)
+  {
+    const float size = patch.Flipped ? -third : third;
+    const auto cell = static_cast<float>(1 << patch.RootSize);
+    middle =
+      patch.Chart->Find(patch.Back, glm::vec2(patch.Column, patch.Row) / cell + glm::vec2(size));
+  }
   Hit center = this->Points[patch.Points[0]].Place;
-  center.Mesh = patch.Mesh;
-  center.Triangle = patch.Triangle;
-  center.U = 1.0f / 3.0f;
-  center.V = 1.0f / 3.0f;
+  center.Triangle = middle.Triangle;
+  center.U = middle.U;
+  center.V = middle.V;
   this->Incident.Resize(this->Lattice.GetNumberOfRoots());
   this->Incident.Set(patch.Brick, Average(lights, this->World.GetSurface(center).ShadingNormal));
 }

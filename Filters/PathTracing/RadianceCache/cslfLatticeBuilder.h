@@ -13,9 +13,13 @@
 #include "PathTracing/cslfScene.h"
 #include "cslfCacheShare.h"
 #include "cslfIncidentLight.h"
+#include "cslfLatticeLayout.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceLattice.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -39,12 +43,19 @@ struct SurfaceEstimate
   float Noise = 0.0f;
 };
 
+/// An estimate between two others.
+inline SurfaceEstimate Interpolate(
+  const SurfaceEstimate& before, const SurfaceEstimate& after, float weight)
+{
+  SurfaceEstimate result = weight < 0.5f ? before : after;
+  result.Value = glm::mix(before.Value, after.Value, weight);
+  result.Reach = std::min(before.Reach, after.Reach);
+  result.Noise = glm::mix(before.Noise, after.Noise, weight);
+  return result;
+}
+
 struct LatticeSettings
 {
-  /// The distance of points, in scene space, that is fine enough for edges between light and shadow
-  /// no brighter than white. Grows where the scene would need more than millions of bricks.
-  float Spacing = 0.01f;
-
   /// Points are added where interpolation errs by more than this, in the units of `Display`.
   float Tolerance = 0.004f;
 
@@ -55,7 +66,7 @@ struct LatticeSettings
   /// not missed: 0 is their corners, 16 spacings apart; each further level halves that.
   int FirstLevel = 0;
 
-  /// Flat triangles of at most this many spacings have one value, as a binary logarithm.
+  /// Flat triangles and charts of at most this many spacings have one value, as a binary logarithm.
   int SmallLevels = 0;
 
   double Exposure = 1.0;
@@ -78,8 +89,8 @@ public:
   using Choice = std::function<bool(std::size_t brick)>;
 
   /// Values stay 0 on sides that are not open.
-  LatticeBuilder(
-    const Scene& scene, const OpenSides& sides, LatticeSettings settings, Estimator estimate);
+  LatticeBuilder(const Scene& scene, const OpenSides& sides, const LatticeLayout& layout,
+    LatticeSettings settings, Estimator estimate);
   ~LatticeBuilder();
 
   /// Builds the lattice. `goOn` is told the progress, in [0,1]; false where it returned false.
@@ -106,13 +117,19 @@ private:
   struct Patch;
   struct Point;
 
-  void ChooseSplits();
-  bool IsSmall(std::uint32_t mesh, std::uint32_t triangle) const;
+  bool AddAll(const std::function<bool(double)>& goOn, const std::function<void()>& useBatch);
   void AddTriangle(std::uint32_t mesh, std::uint32_t triangle);
+  void AddChart(std::size_t index);
+  void AddChartCell(Patch& patch, std::size_t index, int column, int row);
   void BuildBatch();
   void ClearBatch();
   void RequestAll(Patch& patch);
   std::uint32_t Request(const Patch& patch, int i, int j);
+  std::uint32_t RequestOnTriangle(const Patch& patch, int column, int row);
+  std::uint32_t RequestOnChart(const Patch& patch, int column, int row);
+  std::uint32_t RequestMean(const Patch& patch, const glm::ivec2& low, const glm::ivec2& high,
+    float weight, std::uint64_t key);
+  std::uint32_t AddPoint(const Patch& patch, const TrianglePoint& place, std::uint64_t key);
   void EvaluateRequests();
   void ExchangeEstimates();
   void Refine();
@@ -123,16 +140,17 @@ private:
   bool IsBright(const glm::vec3& error, float distance) const;
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
   void Split(std::size_t index);
+  bool IsEmpty(const Patch& patch) const;
   void Store(const Patch& patch);
   void StoreIncident(const Patch& patch);
 
   const Scene& World;
   const OpenSides& Sides;
+  const LatticeLayout& Layout;
   LatticeSettings Settings;
   Estimator Estimate;
   SurfaceLattice Lattice;
   IncidentField Incident;
-  std::vector<std::uint8_t> Depths; // of each triangle: the binary logarithm of its finest splits
   std::size_t Estimates = 0;
   std::size_t FirstEstimates = 0;
   Choice IsChosen; // empty for all bricks
@@ -142,6 +160,7 @@ private:
   std::vector<Patch> Patches;
   std::vector<Point> Points;
   std::size_t Evaluated = 0;                              // of the points
+  std::size_t Means = 0;                                  // those of the points not estimated
   std::unordered_map<std::uint64_t, std::uint32_t> Index; // of points, by their keys
 };
 }

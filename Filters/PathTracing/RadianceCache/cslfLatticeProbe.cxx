@@ -123,36 +123,45 @@ private:
   std::vector<SurfaceEstimate> Estimates;
 };
 
-/// The number of points that the whole begins with.
-double CountAll(LatticeBuilder& builder, std::size_t bricks)
+/// What the whole begins with.
+struct FirstCounts
 {
-  const double share = std::min(1.0, static_cast<double>(MostCounted) / bricks);
+  double Bricks = 0.0;
+  double Points = 0.0;
+};
+
+FirstCounts CountAll(LatticeBuilder& builder)
+{
+  const double share =
+    std::min(1.0, static_cast<double>(MostCounted) / builder.GetLattice().GetNumberOfRoots());
+  std::size_t all = 0;
   std::size_t counted = 0;
   const std::size_t points = builder.CountFirstPoints(
     [&](std::size_t brick)
     {
       const bool isCounted = GetTurn(brick, CountedRun) < share;
+      ++all;
       counted += isCounted ? 1 : 0;
       return isCounted;
     });
-  return counted > 0 ? static_cast<double>(points) * bricks / counted : points;
+  const auto bricks = static_cast<double>(all);
+  return { bricks, counted > 0 ? static_cast<double>(points) * bricks / counted : points };
 }
 }
 
 double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
 {
-  const std::size_t bricks = builder.GetLattice().GetNumberOfRoots();
-  if (bricks == 0)
+  const FirstCounts all = CountAll(builder);
+  if (all.Bricks == 0.0)
   {
     return 0.0;
   }
-  const double allPoints = CountAll(builder, bricks);
   ScatteredEstimates estimates(scene);
   double expected = 0.0;
   double elapsed = 0.0;
   double done = 0.0;
   std::size_t built = 0;
-  const double least = static_cast<double>(FewestBricks) / bricks;
+  const double least = static_cast<double>(FewestBricks) / all.Bricks;
   for (double share = std::max(FirstShare, least); done < 1.0; share *= 2.0)
   {
     const auto start = Clock::now();
@@ -169,12 +178,12 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
     elapsed += SecondsSince(start);
     done = std::min(share, 1.0);
     // Points that several bricks share are fewer in the whole than in its parts.
-    const double parts = static_cast<double>(built) / bricks;
+    const double parts = static_cast<double>(built) / all.Bricks;
     const auto first = static_cast<double>(builder.GetNumberOfFirstEstimates());
     const double further = builder.GetNumberOfEstimates() - first;
     const double points = builder.GetNumberOfEstimates();
     expected =
-      points > 0.0 ? elapsed / points * (allPoints + further / std::max(parts, 1e-9)) : 0.0;
+      points > 0.0 ? elapsed / points * (all.Points + further / std::max(parts, 1e-9)) : 0.0;
     if (built > 0 && expected > MostTimes * seconds &&
       elapsed > std::min(seconds, EnoughShare * expected))
     {

@@ -7,8 +7,12 @@
 #include <vtkSMPTools.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <numeric>
+#include <unordered_map>
 
 namespace cslf
 {
@@ -20,6 +24,11 @@ constexpr std::uint32_t Walks = 16;
 
 // The surfaces that a walk comes to.
 constexpr int Steps = 4;
+
+// Triangles lower than this many spacings are taken together with their neighbours, if the spacing,
+// or this part of their lengths, is larger than the distance of their centres.
+constexpr float LowHeight = 0.5f;
+constexpr float LengthPart = 0.125f;
 
 /// A walk over surfaces that are white, so that it ends nowhere by chance.
 class Walk
@@ -78,13 +87,95 @@ private:
   SampleStream Stream;
 };
 
-bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, std::uint64_t hash,
-  std::uint64_t& rays)
+/// Triangles of a mesh that are taken as one.
+class Groups
 {
+public:
+  Groups(const Mesh& mesh, float spacing)
+    : Surface(mesh)
+    , Spacing(spacing)
+  {
+    const auto count = static_cast<std::uint32_t>(mesh.Triangles.size());
+    std::vector<std::uint32_t> groups; // of each triangle
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers;
+    for (std::uint32_t triangle = 0; triangle < count; ++triangle)
+    {
+      std::uint32_t group = this->GetCount();
+      std::uint64_t key = 0;
+      if (this->FindKey(triangle, key))
+      {
+        group = numbers.emplace(key, group).first->second;
+      }
+      groups.push_back(group);
+      this->Ends.resize(std::max<std::size_t>(this->Ends.size(), group + 1), 0);
+      ++this->Ends[group];
+    }
+    std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin());
+    std::vector<std::uint32_t> next(1, 0);
+    next.insert(next.end(), this->Ends.begin(), this->Ends.end());
+    this->Members.resize(count);
+    for (std::uint32_t triangle = 0; triangle < count; ++triangle)
+    {
+      this->Members[next[groups[triangle]]++] = triangle;
+    }
+  }
+
+  std::uint32_t GetCount() const { return static_cast<std::uint32_t>(this->Ends.size()); }
+  const std::uint32_t* Begin(std::size_t group) const
+  {
+    return this->Members.data() + (group > 0 ? this->Ends[group - 1] : 0);
+  }
+  const std::uint32_t* End(std::size_t group) const
+  {
+    return this->Members.data() + this->Ends[group];
+  }
+
+private:
+  /// What a low triangle has in common with its neighbours: where its centre is, as exactly as its
+  /// length and the spacing demand, and the axis that its normal is closest to. False for others.
+  bool FindKey(std::uint32_t triangle, std::uint64_t& key) const
+  {
+    const glm::uvec3& corners = this->Surface.Triangles[triangle];
+    const glm::vec3& a = this->Surface.Vertices[corners.x];
+    const glm::vec3& b = this->Surface.Vertices[corners.y];
+    const glm::vec3& c = this->Surface.Vertices[corners.z];
+    const float length =
+      std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    if (!(glm::length(normal) < LowHeight * this->Spacing * length))
+    {
+      return false;
+    }
+    int level = 0;
+    float side = this->Spacing;
+    for (; side < LengthPart * length; side *= 2.0f)
+    {
+      ++level;
+    }
+    const glm::ivec3 cell(glm::floor((a + b + c) / (3.0f * side)));
+    const glm::vec3 size = glm::abs(normal);
+    const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+    key = MixBits(MixBits(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y)),
+      MixBits(static_cast<std::uint32_t>(cell.z),
+        static_cast<std::uint64_t>(6 * level + 2 * axis + (normal[axis] < 0.0f ? 1 : 0))));
+    return true;
+  }
+
+  const Mesh& Surface;
+  float Spacing;
+  std::vector<std::uint32_t> Ends; // of the groups, in the list of their members
+  std::vector<std::uint32_t> Members;
+};
+
+bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, const Groups& groups,
+  std::size_t group, std::uint64_t hash, std::uint64_t& rays)
+{
+  const std::size_t count = groups.End(group) - groups.Begin(group);
   for (std::uint32_t i = 0; i < Walks; ++i)
   {
     const SampleStream stream(hash, i);
     const glm::vec2 point = SampleTriangle(stream.Get2D(Dimension::Pixel));
+    place.Triangle = groups.Begin(group)[count > 1 ? MixBits(hash, i) % count : 0];
     place.U = point.x;
     place.V = point.y;
     if (Walk(scene, paths, stream).Escapes(place, rays))
@@ -96,7 +187,8 @@ bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, std::uin
 }
 }
 
-OpenSides::OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed)
+OpenSides::OpenSides(
+  const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing)
 {
   std::atomic<std::uint64_t> allRays{ 0 };
   for (std::uint32_t index = 0; index < scene.GetMeshes().size(); ++index)
@@ -108,24 +200,29 @@ OpenSides::OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint3
     }
     const std::size_t first = this->Sides.size();
     this->Sides.resize(first + mesh.Triangles.size(), 0);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Triangles.size()),
+    const Groups groups(mesh, spacing);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(groups.GetCount()),
       [&](vtkIdType begin, vtkIdType end)
       {
         std::uint64_t rays = 0;
-        for (vtkIdType i = begin; i < end; ++i)
+        for (vtkIdType group = begin; group < end; ++group)
         {
+          std::uint8_t sides = 0;
           for (const bool back : { false, true })
           {
             Hit place;
             place.Mesh = index;
-            place.Triangle = static_cast<std::uint32_t>(i);
             place.Back = back;
-            const std::uint64_t hash = MixBits(2 * (first + i) + (back ? 1 : 0), seed);
-            if (IsOpen(scene, paths, place, hash, rays))
+            const std::size_t triangle = first + *groups.Begin(group);
+            const std::uint64_t hash = MixBits(2 * triangle + (back ? 1 : 0), seed);
+            if (IsOpen(scene, paths, place, groups, group, hash, rays))
             {
-              this->Sides[first + i] |= back ? Back : Front;
+              sides |= back ? Back : Front;
             }
           }
+          std::for_each(groups.Begin(group), groups.End(group),
+            [this, first, sides](std::uint32_t triangle)
+            { this->Sides[first + triangle] = sides; });
         }
         allRays += rays;
       });

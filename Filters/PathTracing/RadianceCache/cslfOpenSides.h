@@ -29,8 +29,9 @@ public:
   /// No side of any triangle.
   OpenSides() = default;
 
-  /// Walks at random from both sides of all triangles that can hold a lattice.
-  OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed);
+  /// Walks at random from both sides of all triangles that can hold a lattice. Neighbours that are
+  /// lower than half the spacing and face alike are taken as one. The spacing is in scene space.
+  OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing);
 
   /// Tells of a triangle, numbered by Scene::GetTriangleIndex.
   bool Has(std::size_t triangle, bool back) const

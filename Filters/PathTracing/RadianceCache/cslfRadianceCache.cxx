@@ -167,7 +167,8 @@ bool RadianceCache::Fill(const Progress& goOn)
   // Where is anything to be stored?
   const auto start = std::chrono::steady_clock::now();
   const PathIntegrator paths(this->World, this->Settings.Paths);
-  this->Sides = OpenSides(this->World, paths, this->Settings.Seed);
+  const auto spacing = static_cast<float>(this->Settings.Spacing);
+  this->Sides = OpenSides(this->World, paths, this->Settings.Seed, spacing);
   // All ranks do that, which counts once.
   CacheShare* share = this->Settings.Share;
   const bool isFirst = !share || share->GetRank() == 0;
@@ -176,6 +177,7 @@ bool RadianceCache::Fill(const Progress& goOn)
     this->Sides.Agree(*share);
   }
   this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
+  this->Layout = std::make_unique<LatticeLayout>(this->World, this->Sides, spacing);
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -255,7 +257,6 @@ bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
 LatticeSettings RadianceCache::GetLatticeSettings() const
 {
   LatticeSettings lattice;
-  lattice.Spacing = static_cast<float>(this->Settings.Spacing);
   lattice.Tolerance = static_cast<float>(this->Settings.Tolerance);
   lattice.Exposure = this->Settings.Exposure;
   lattice.Share = this->Settings.Share;
@@ -281,7 +282,7 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   DiffuseEstimator estimator(this->World, paths,
     { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples),
       NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display, {} });
-  LatticeBuilder builder(this->World, this->Sides, lattice,
+  LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
@@ -297,7 +298,7 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   DiffuseEstimator estimator(this->World, paths,
     { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance, depth,
       this->Settings.Seed, lattice.Display, this->Lobes });
-  LatticeBuilder builder(this->World, this->Sides, lattice,
+  LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice,
     [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace cslf
@@ -151,7 +152,8 @@ private:
   SurfaceLattice Values;
   IncidentField Incident;        // by the bricks of the values
   std::vector<GlossyLobe> Lobes; // of each mesh that reflects it
-  SurfaceLattice Second;         // while the cache is built: a second summand
+  std::unique_ptr<const LatticeLayout> Layout;
+  SurfaceLattice Second; // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
   std::uint64_t Rays = 0;

@@ -13,6 +13,9 @@ namespace cslf
 {
 namespace
 {
+// The bits that tell the depth of a triangle which is not on a chart.
+constexpr std::uint32_t DepthBits = 15;
+
 // What one instruction loads and scales at once, whatever loop it stands in.
 #if defined(__GNUC__)
 using Float4 = float __attribute__((vector_size(16)));
@@ -53,14 +56,39 @@ struct SurfaceLattice::PacketCorners
   alignas(64) float V[LatticePacket::Size];
 };
 
-SurfaceLattice::SurfaceLattice(const std::vector<std::uint8_t>& splits)
+SurfaceLattice::SurfaceLattice(
+  const std::vector<std::uint8_t>& splits, const std::vector<LatticeChart>& charts)
 {
-  this->Triangles.reserve(splits.size());
+  this->Triangles.resize(splits.size(), { 0, 0 });
   std::size_t bricks = 0;
-  for (std::uint8_t split : splits)
+  for (const LatticeChart& chart : charts)
   {
-    this->Triangles.push_back({ static_cast<std::uint32_t>(bricks), split });
-    bricks += std::size_t(2) << (2 * split);
+    for (const LatticeChart::Member& member : chart.Members)
+    {
+      this->Triangles[member.Triangle].Depth =
+        OnChart + static_cast<std::uint32_t>(this->Placements.size());
+      this->Placements.push_back(
+        { member.Corner, member.AlongU, member.AlongV, chart.Columns, chart.Rows });
+    }
+  }
+  for (std::size_t index = 0; index < splits.size(); ++index)
+  {
+    Triangle& triangle = this->Triangles[index];
+    if (triangle.Depth < OnChart)
+    {
+      triangle = { static_cast<std::uint32_t>(bricks), splits[index] };
+      bricks += std::size_t(2) << (2 * splits[index]);
+    }
+  }
+  for (const LatticeChart& chart : charts)
+  {
+    const std::uint32_t side = 2 * chart.Columns * chart.Rows;
+    this->Charts.push_back({ static_cast<std::uint32_t>(bricks), side });
+    for (const LatticeChart::Member& member : chart.Members)
+    {
+      this->Triangles[member.Triangle].FirstBrick = static_cast<std::uint32_t>(bricks);
+    }
+    bricks += std::size_t(2) * side;
   }
   this->NumberOfRoots = bricks;
   this->Bricks.resize(bricks);
@@ -71,6 +99,8 @@ SurfaceLattice SurfaceLattice::MakeEmpty() const
 {
   SurfaceLattice empty;
   empty.Triangles = this->Triangles;
+  empty.Placements = this->Placements;
+  empty.Charts = this->Charts;
   empty.NumberOfRoots = this->NumberOfRoots;
   empty.Bricks.resize(this->NumberOfRoots);
   empty.Values.resize(1 + Spare, glm::vec3(0.0f));
@@ -95,7 +125,8 @@ std::size_t SurfaceLattice::SplitBrick(std::size_t index)
 void SurfaceLattice::Get(LatticePacket& packet) const
 {
   PacketPlaces places;
-  int split = GoToBricks(this->Triangles.data(), this->Bricks.data(), packet, places);
+  int split = GoToBricks(
+    this->Triangles.data(), this->Placements.data(), this->Bricks.data(), packet, places);
   while (split)
   {
     split = GoToParts(this->Bricks.data(), places);
@@ -105,8 +136,9 @@ void SurfaceLattice::Get(LatticePacket& packet) const
   Interpolate(this->Values.data(), corners, packet);
 }
 
-CSLF_VECTORIZE int SurfaceLattice::GoToBricks(
-  const Triangle* triangles, const Brick* bricks, const LatticePacket& packet, PacketPlaces& places)
+CSLF_VECTORIZE int SurfaceLattice::GoToBricks(const Triangle* triangles,
+  const Placement* placements, const Brick* bricks, const LatticePacket& packet,
+  PacketPlaces& places)
 {
   alignas(64) std::uint32_t firstBrick[LatticePacket::Size];
   alignas(64) std::uint32_t depth[LatticePacket::Size];
@@ -115,28 +147,42 @@ CSLF_VECTORIZE int SurfaceLattice::GoToBricks(
   {
     differences |= packet.Triangle[lane] ^ packet.Triangle[0];
   }
+  std::uint32_t depths = 0;
   if (differences == 0)
   {
     const Triangle triangle = triangles[packet.Triangle[0]];
     std::fill_n(firstBrick, LatticePacket::Size, triangle.FirstBrick);
     std::fill_n(depth, LatticePacket::Size, triangle.Depth);
+    depths = triangle.Depth;
   }
   for (int lane = 0; differences != 0 && lane < LatticePacket::Size; ++lane)
   {
     firstBrick[lane] = triangles[packet.Triangle[lane]].FirstBrick;
     depth[lane] = triangles[packet.Triangle[lane]].Depth;
+    depths |= depth[lane];
   }
   alignas(64) int indices[LatticePacket::Size];
   CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
-    const int splits = 1 << depth[lane];
+    const int splits = 1 << (depth[lane] & DepthBits);
     const LatticeCell cell(packet.U[lane], packet.V[lane], splits);
     const int index =
       CellIndex(cell.I, cell.J, cell.Flipped, splits) + packet.Back[lane] * splits * splits;
     indices[lane] = static_cast<int>(firstBrick[lane]) + index;
     places.U[lane] = cell.U;
     places.V[lane] = cell.V;
+  }
+  for (int lane = 0; depths >= OnChart && lane < LatticePacket::Size; ++lane)
+  {
+    if (depth[lane] >= OnChart)
+    {
+      const Place place = FindOnChart({ firstBrick[lane], depth[lane] }, placements,
+        packet.Back[lane] != 0, packet.U[lane], packet.V[lane]);
+      indices[lane] = static_cast<int>(place.Root);
+      places.U[lane] = place.U;
+      places.V[lane] = place.V;
+    }
   }
   int split = 0;
   CSLF_LANE_LOOP

@@ -5,10 +5,11 @@
  * Values on the surface of triangles, as fine as each place needs.
  *
  * Every triangle has two sides. Each side is split into bricks, triangles of about the same size.
- * A brick holds values at the points of a small triangular lattice, between which they are
- * interpolated linearly (after Yuksel, Keyser and House, "Mesh Colors", ACM TOG 29(2), 2010), or is
- * split into four bricks. So no texture coordinates are needed, and a look-up descends only where
- * there is detail.
+ * Triangles that are too small or too thin for that share the bricks of a chart, a rectangle of
+ * cells onto which they are projected; each cell is two bricks. A brick holds values at the points
+ * of a small triangular lattice, between which they are interpolated linearly (after Yuksel, Keyser
+ * and House, "Mesh Colors", ACM TOG 29(2), 2010), or is split into four bricks. So no texture
+ * coordinates are needed, and a look-up descends only where there is detail.
  */
 #ifndef cslfSurfaceLattice_h
 #define cslfSurfaceLattice_h
@@ -55,6 +56,28 @@ struct LatticeCell
   }
 };
 
+/// One of the two triangles of a cell of a chart.
+struct ChartCell
+{
+  int I = 0;       ///< the cell's column
+  int J = 0;       ///< and row
+  int Flipped = 0; ///< 1 for the triangle of the corner that is farthest from the chart's first
+  float U = 0.0f;  ///< barycentric coordinates within
+  float V = 0.0f;
+
+  /// At a place given in cells.
+  ChartCell(const glm::vec2& place, int columns, int rows)
+  {
+    this->I = std::clamp(static_cast<int>(place.x), 0, columns - 1);
+    this->J = std::clamp(static_cast<int>(place.y), 0, rows - 1);
+    const float restU = place.x - static_cast<float>(this->I);
+    const float restV = place.y - static_cast<float>(this->J);
+    this->Flipped = restU + restV > 1.0f ? 1 : 0;
+    this->U = this->Flipped ? 1.0f - restU : restU;
+    this->V = this->Flipped ? 1.0f - restV : restV;
+  }
+};
+
 /// The number of a cell among those of its triangle.
 inline int CellIndex(int i, int j, int flipped, int splits)
 {
@@ -86,6 +109,22 @@ struct LatticePacket
   alignas(64) float Blue[Size];
 };
 
+/// A chart, and where its triangles are on it.
+struct LatticeChart
+{
+  struct Member
+  {
+    std::uint32_t Triangle;
+    glm::vec2 Corner; ///< of its first vertex, in cells
+    glm::vec2 AlongU; ///< from there to the second
+    glm::vec2 AlongV; ///< and the third
+  };
+
+  int Columns = 1;
+  int Rows = 1;
+  std::vector<Member> Members;
+};
+
 class VTKCSLF_EXPORT SurfaceLattice
 {
 public:
@@ -103,8 +142,9 @@ public:
   SurfaceLattice() = default;
 
   /// Bricks that are 0 everywhere. `splits` holds, for each triangle, the binary logarithm of the
-  /// number of bricks along its edges.
-  explicit SurfaceLattice(const std::vector<std::uint8_t>& splits);
+  /// number of bricks along its edges; it does not count for the members of charts.
+  explicit SurfaceLattice(
+    const std::vector<std::uint8_t>& splits, const std::vector<LatticeChart>& charts = {});
 
   /// The same bricks, 0 everywhere.
   SurfaceLattice MakeEmpty() const;
@@ -113,19 +153,27 @@ public:
   /// Bricks that are not parts of others come first.
   std::size_t GetNumberOfRoots() const { return this->NumberOfRoots; }
   std::size_t GetNumberOfValues() const { return this->Values.size() - Spare; }
+  /// The number of bricks along the edges of a triangle that is not on a chart.
   int GetSplits(std::size_t triangle) const { return 1 << this->Triangles[triangle].Depth; }
 
+  /// A brick of a triangle that is not on a chart.
   std::size_t GetBrickIndex(std::size_t triangle, bool back, int cell) const
   {
     const int splits = this->GetSplits(triangle);
     return this->Triangles[triangle].FirstBrick + (back ? splits * splits : 0) + cell;
   }
+
+  /// A brick of a chart, which are numbered row by row.
+  std::size_t GetChartBrickIndex(std::size_t chart, bool back, int cell) const
+  {
+    const ChartBricks& bricks = this->Charts[chart];
+    return bricks.First + (back ? bricks.CountOfSide : 0) + cell;
+  }
+
   /// The brick at a point that is not part of another.
   std::size_t FindRoot(std::size_t triangle, bool back, float u, float v) const
   {
-    const int splits = this->GetSplits(triangle);
-    const LatticeCell cell(u, v, splits);
-    return this->GetBrickIndex(triangle, back, CellIndex(cell.I, cell.J, cell.Flipped, splits));
+    return this->FindPlace(triangle, back, u, v).Root;
   }
   const Brick& GetBrick(std::size_t index) const { return this->Bricks[index]; }
 
@@ -139,15 +187,8 @@ public:
   /// The value at a point, given by barycentric coordinates.
   glm::vec3 Get(std::size_t triangle, bool back, float u, float v) const
   {
-    const Triangle& place = this->Triangles[triangle];
-    if (place.Depth == 0)
-    {
-      return this->GetInBrick(this->Bricks[place.FirstBrick + (back ? 1 : 0)], u, v);
-    }
-    const LatticeCell cell(u, v, 1 << place.Depth);
-    const int index = CellIndex(cell.I, cell.J, cell.Flipped, 1 << place.Depth);
-    return this->GetInBrick(
-      this->Bricks[this->GetBrickIndex(triangle, back, index)], cell.U, cell.V);
+    const Place place = this->FindPlace(triangle, back, u, v);
+    return this->GetInBrick(this->Bricks[place.Root], place.U, place.V);
   }
 
   /// The values at the points of a packet.
@@ -184,6 +225,7 @@ public:
   {
     archive.Value(this->NumberOfRoots);
     archive.Array(this->Triangles);
+    archive.Array(this->Placements);
     archive.Array(this->Bricks);
     archive.Array(this->Values);
   }
@@ -192,14 +234,65 @@ private:
   struct Triangle
   {
     std::uint32_t FirstBrick;
-    std::uint32_t Depth; // the binary logarithm of the bricks along its edges
+    std::uint32_t Depth; // the binary logarithm of the bricks along its edges, or OnChart and the
+                         // number of its placement
   };
+
+  static constexpr std::uint32_t OnChart = 0x80000000u;
+
+  // Where a triangle is on its chart, in cells.
+  struct Placement
+  {
+    glm::vec2 Corner;
+    glm::vec2 AlongU;
+    glm::vec2 AlongV;
+    std::int32_t Columns;
+    std::int32_t Rows;
+  };
+
+  struct ChartBricks
+  {
+    std::uint32_t First;
+    std::uint32_t CountOfSide;
+  };
+
+  // A point in a brick that is no part of another.
+  struct Place
+  {
+    std::size_t Root;
+    float U;
+    float V;
+  };
+
+  Place FindPlace(std::size_t triangle, bool back, float u, float v) const
+  {
+    const Triangle& place = this->Triangles[triangle];
+    if (place.Depth >= OnChart)
+    {
+      return FindOnChart(place, this->Placements.data(), back, u, v);
+    }
+    const int splits = 1 << place.Depth;
+    const LatticeCell cell(u, v, splits);
+    const int index = CellIndex(cell.I, cell.J, cell.Flipped, splits);
+    return { place.FirstBrick + std::size_t(back ? splits * splits : 0) + index, cell.U, cell.V };
+  }
+
+  static Place FindOnChart(
+    const Triangle& triangle, const Placement* placements, bool back, float u, float v)
+  {
+    const Placement& placement = placements[triangle.Depth - OnChart];
+    const ChartCell cell(placement.Corner + u * placement.AlongU + v * placement.AlongV,
+      placement.Columns, placement.Rows);
+    const int index = (back ? 2 * placement.Columns * placement.Rows : 0) +
+      2 * (cell.J * placement.Columns + cell.I) + cell.Flipped;
+    return { triangle.FirstBrick + std::size_t(index), cell.U, cell.V };
+  }
 
   struct PacketPlaces;
   struct PacketCorners;
 
-  static int GoToBricks(const Triangle* triangles, const Brick* bricks, const LatticePacket& packet,
-    PacketPlaces& places);
+  static int GoToBricks(const Triangle* triangles, const Placement* placements, const Brick* bricks,
+    const LatticePacket& packet, PacketPlaces& places);
   static int GoToParts(const Brick* bricks, PacketPlaces& places);
   static void FindCorners(const PacketPlaces& places, PacketCorners& corners);
   static void Interpolate(
@@ -210,6 +303,8 @@ private:
 
   std::size_t NumberOfRoots = 0;
   std::vector<Triangle> Triangles;
+  std::vector<Placement> Placements; // of the triangles on charts
+  std::vector<ChartBricks> Charts;   // needed until all bricks have their values
   std::vector<Brick> Bricks;
   std::vector<glm::vec3> Values = std::vector<glm::vec3>(Spare, glm::vec3(0.0f));
 };

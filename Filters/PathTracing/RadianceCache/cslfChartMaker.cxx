@@ -1,0 +1,472 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfChartMaker.h"
+
+#include "PathTracing/cslfFrame.h"
+#include "PathTracing/cslfSampleStream.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// Triangles lower than this many spacings are too small for a lattice of their own: the light
+// within them is not resolved.
+constexpr float SmallHeight = 0.5f;
+
+// Triangles this many times longer than high, and this many spacings long, are too thin: the
+// lattice of a triangle is finest across it.
+constexpr float ThinAspect = 4.0f;
+constexpr float ThinLength = 4.0f;
+
+// The least cosine between the normal of a chart and those of its triangles.
+constexpr float LeastCosine = 0.8f;
+
+// The least cosine between shading normals where two triangles meet. Those of small triangles are
+// not resolved.
+constexpr float SmoothCosine = 0.9998f; // 1 degree
+constexpr float SmallCosine = 0.97f;    // 14 degrees
+
+// A chart folds over itself where two of its triangles are this many spacings apart in height.
+constexpr float FoldHeight = 1.5f;
+
+// A chart has at most so many cells, and so many times those that its area would fill.
+constexpr float CellsOfChart = 64.0f;
+constexpr float CellsOfArea = 8.0f;
+
+constexpr std::uint32_t None = 0xffffffffu;
+
+struct Facet
+{
+  std::uint32_t Triangle;
+  std::uint8_t Sides;
+  bool IsSmall;
+  glm::vec3 Normal;
+  float Area;
+  std::uint32_t Corners[3]; // vertices of one position have one number
+};
+
+float Largest(float a, float b, float c)
+{
+  return std::max({ a, b, c });
+}
+
+/// Heights of a surface over a plane, in squares one spacing wide: tells where it would fold.
+class HeightMap
+{
+public:
+  explicit HeightMap(float side)
+    : Side(side)
+  {
+  }
+
+  void Clear() { this->Heights.clear(); }
+
+  /// Adds a triangle, unless it lies over or under what is there.
+  bool Add(const glm::vec3 corners[3])
+  {
+    this->Found.clear();
+    if (!this->Rasterize(corners))
+    {
+      return false;
+    }
+    for (const auto& [square, height] : this->Found)
+    {
+      this->Heights.emplace(square, height);
+    }
+    return true;
+  }
+
+private:
+  /// Collects the squares of a triangle. False where its height differs from what is there.
+  bool Rasterize(const glm::vec3 corners[3])
+  {
+    const float low = std::min({ corners[0].y, corners[1].y, corners[2].y });
+    const float high = Largest(corners[0].y, corners[1].y, corners[2].y);
+    const int last = static_cast<int>(std::floor(high / this->Side));
+    for (int row = static_cast<int>(std::floor(low / this->Side)); row <= last; ++row)
+    {
+      float left = 0.0f;
+      float right = 0.0f;
+      this->FindSpan(corners, row, left, right);
+      const int end = static_cast<int>(std::floor(right / this->Side));
+      for (int column = static_cast<int>(std::floor(left / this->Side)); column <= end; ++column)
+      {
+        const float height = this->GetHeight(corners, column, row);
+        const std::uint64_t square = (std::uint64_t(static_cast<std::uint32_t>(row)) << 32) |
+          static_cast<std::uint32_t>(column);
+        const auto there = this->Heights.find(square);
+        if (there != this->Heights.end() &&
+          std::abs(there->second - height) > FoldHeight * this->Side)
+        {
+          return false;
+        }
+        this->Found.emplace_back(square, height);
+      }
+    }
+    return true;
+  }
+
+  /// Where a triangle lies within a row of squares.
+  void FindSpan(const glm::vec3 corners[3], int row, float& left, float& right) const
+  {
+    const float bottom = static_cast<float>(row) * this->Side;
+    const float top = bottom + this->Side;
+    left = Largest(corners[0].x, corners[1].x, corners[2].x);
+    right = std::min({ corners[0].x, corners[1].x, corners[2].x });
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::vec3& a = corners[i];
+      const glm::vec3& b = corners[(i + 1) % 3];
+      const float begin = std::clamp(bottom, std::min(a.y, b.y), std::max(a.y, b.y));
+      const float end = std::clamp(top, std::min(a.y, b.y), std::max(a.y, b.y));
+      if (begin > top || end < bottom)
+      {
+        continue;
+      }
+      const float slope = a.y == b.y ? 0.0f : (b.x - a.x) / (b.y - a.y);
+      const float first = a.y == b.y ? a.x : a.x + slope * (begin - a.y);
+      const float second = a.y == b.y ? b.x : a.x + slope * (end - a.y);
+      left = std::min({ left, first, second });
+      right = Largest(right, first, second);
+    }
+  }
+
+  /// The height of the triangle nearest to a square's centre.
+  float GetHeight(const glm::vec3 corners[3], int column, int row) const
+  {
+    const float low = std::min({ corners[0].z, corners[1].z, corners[2].z });
+    const float high = Largest(corners[0].z, corners[1].z, corners[2].z);
+    const glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const float x = (static_cast<float>(column) + 0.5f) * this->Side - corners[0].x;
+    const float y = (static_cast<float>(row) + 0.5f) * this->Side - corners[0].y;
+    const float height = corners[0].z - (normal.x * x + normal.y * y) / normal.z;
+    return std::isfinite(height) ? std::clamp(height, low, high) : low;
+  }
+
+  float Side;
+  std::unordered_map<std::uint64_t, float> Heights; // by square
+  std::vector<std::pair<std::uint64_t, float>> Found;
+};
+
+/// Makes the charts of one mesh.
+class MeshCharter
+{
+public:
+  MeshCharter(
+    const Scene& scene, std::uint32_t mesh, const OpenSides& sides, const ChartSettings& settings)
+    : Surface(scene.GetMeshes()[mesh])
+    , Index(mesh)
+    , Settings(settings)
+    , Heights(settings.Spacing)
+  {
+    this->FindFacets(sides.GetData() + scene.GetTriangleIndex(mesh, 0));
+    this->JoinCorners();
+    this->JoinEdges();
+  }
+
+  void AddTo(std::vector<SurfaceChart>& charts)
+  {
+    for (std::uint32_t seed = 0; seed < this->Facets.size(); ++seed)
+    {
+      if (!this->IsTaken[seed])
+      {
+        this->Grow(seed);
+        charts.push_back(this->MakeChart());
+      }
+    }
+  }
+
+private:
+  struct Edge
+  {
+    std::uint64_t Key; // of its two corners
+    std::uint32_t Facet;
+  };
+
+  const glm::vec3& GetPosition(const Facet& facet, int corner) const
+  {
+    return this->Surface.Vertices[this->Surface.Triangles[facet.Triangle][corner]];
+  }
+
+  void FindFacets(const std::uint8_t* sides)
+  {
+    for (std::uint32_t triangle = 0; triangle < this->Surface.Triangles.size(); ++triangle)
+    {
+      Facet facet{};
+      facet.Triangle = triangle;
+      facet.Sides = sides[triangle];
+      const glm::vec3& a = this->GetPosition(facet, 0);
+      const glm::vec3& b = this->GetPosition(facet, 1);
+      const glm::vec3& c = this->GetPosition(facet, 2);
+      const float length = Largest(glm::distance(a, b), glm::distance(b, c), glm::distance(c, a));
+      const glm::vec3 normal = glm::cross(b - a, c - a);
+      const float twice = glm::length(normal);
+      const float height = twice / length;
+      facet.IsSmall = height < SmallHeight * this->Settings.Spacing;
+      const bool isThin =
+        length > ThinAspect * height && length > ThinLength * this->Settings.Spacing;
+      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || !(twice > 0.0f))
+      {
+        continue;
+      }
+      facet.Normal = normal / twice;
+      facet.Area = 0.5f * twice;
+      this->Facets.push_back(facet);
+    }
+    this->IsTaken.resize(this->Facets.size(), 0);
+  }
+
+  /// Vertices may differ in all but their position.
+  void JoinCorners()
+  {
+    const auto getPosition = [this](std::uint32_t corner) -> const glm::vec3&
+    { return this->GetPosition(this->Facets[corner / 3], static_cast<int>(corner % 3)); };
+    std::vector<std::uint32_t> corners(3 * this->Facets.size());
+    std::iota(corners.begin(), corners.end(), 0);
+    std::sort(corners.begin(), corners.end(),
+      [&getPosition](std::uint32_t a, std::uint32_t b)
+      {
+        const glm::vec3& p = getPosition(a);
+        const glm::vec3& q = getPosition(b);
+        return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+      });
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      number += i > 0 && getPosition(corners[i]) != getPosition(corners[i - 1]) ? 1 : 0;
+      this->Facets[corners[i] / 3].Corners[corners[i] % 3] = number;
+    }
+  }
+
+  static std::uint64_t GetKey(const Facet& facet, int edge)
+  {
+    const std::uint64_t a = facet.Corners[edge];
+    const std::uint64_t b = facet.Corners[(edge + 1) % 3];
+    return std::min(a, b) << 32 | std::max(a, b);
+  }
+
+  void JoinEdges()
+  {
+    this->Edges.reserve(3 * this->Facets.size());
+    for (std::uint32_t facet = 0; facet < this->Facets.size(); ++facet)
+    {
+      for (int edge = 0; edge < 3; ++edge)
+      {
+        this->Edges.push_back({ GetKey(this->Facets[facet], edge), facet });
+      }
+    }
+    std::sort(this->Edges.begin(), this->Edges.end(),
+      [](const Edge& a, const Edge& b)
+      { return a.Key != b.Key ? a.Key < b.Key : a.Facet < b.Facet; });
+  }
+
+  /// Collects the members of a chart around a facet.
+  void Grow(std::uint32_t seed)
+  {
+    this->Frontier.clear();
+    this->Axes = Frame(this->Facets[seed].Normal);
+    this->Origin = this->GetPosition(this->Facets[seed], 0);
+    this->Heights.Clear();
+    this->IsPlane = true;
+    this->Area = 0.0f;
+    this->Low = glm::vec2(0.0f);
+    this->High = glm::vec2(0.0f);
+    this->Take(seed);
+    for (std::size_t next = 0; next < this->Frontier.size(); ++next)
+    {
+      const std::uint32_t facet = this->Frontier[next];
+      for (int edge = 0; edge < 3; ++edge)
+      {
+        const std::uint64_t key = GetKey(this->Facets[facet], edge);
+        auto other = std::lower_bound(this->Edges.begin(), this->Edges.end(), key,
+          [](const Edge& candidate, std::uint64_t value) { return candidate.Key < value; });
+        for (; other != this->Edges.end() && other->Key == key; ++other)
+        {
+          if (!this->IsTaken[other->Facet] && this->IsSmooth(facet, edge, other->Facet))
+          {
+            this->Take(other->Facet);
+          }
+        }
+      }
+    }
+  }
+
+  /// A facet's normal at a corner, as it is shaded.
+  glm::vec3 GetNormal(const Facet& facet, int corner) const
+  {
+    if (this->Surface.Normals.empty())
+    {
+      return facet.Normal;
+    }
+    const glm::vec3 normal = this->Surface.Normals[this->Surface.Triangles[facet.Triangle][corner]];
+    const float length = glm::length(normal);
+    return length > 0.0f ? (glm::dot(normal, facet.Normal) < 0.0f ? -1.0f : 1.0f) / length * normal
+                         : facet.Normal;
+  }
+
+  glm::vec3 GetNormalAt(const Facet& facet, std::uint32_t corner) const
+  {
+    const int index = facet.Corners[0] == corner ? 0 : facet.Corners[1] == corner ? 1 : 2;
+    return this->GetNormal(facet, index);
+  }
+
+  /// Whether the light of two facets is the same, or hardly differs, along their edge.
+  bool IsSmooth(std::uint32_t first, int edge, std::uint32_t second) const
+  {
+    const Facet& a = this->Facets[first];
+    const Facet& b = this->Facets[second];
+    const float least = a.IsSmall && b.IsSmall ? SmallCosine : SmoothCosine;
+    for (const int corner : { edge, (edge + 1) % 3 })
+    {
+      if (glm::dot(this->GetNormal(a, corner), this->GetNormalAt(b, a.Corners[corner])) < least)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Makes a facet a member, if it fits.
+  void Take(std::uint32_t index)
+  {
+    const Facet& facet = this->Facets[index];
+    if (glm::dot(facet.Normal, this->Axes.Z) < LeastCosine)
+    {
+      return;
+    }
+    glm::vec3 corners[3];
+    this->GetLocal(facet, corners);
+    glm::vec2 low = this->Low;
+    glm::vec2 high = this->High;
+    for (const glm::vec3& corner : corners)
+    {
+      low = glm::min(low, glm::vec2(corner));
+      high = glm::max(high, glm::vec2(corner));
+    }
+    const glm::vec2 cells = glm::ceil((high - low) / this->Settings.BrickSize);
+    const float filled =
+      (this->Area + facet.Area) / (this->Settings.BrickSize * this->Settings.BrickSize);
+    const bool isFirst = this->Frontier.empty();
+    if ((!isFirst && cells.x * cells.y > CellsOfChart + CellsOfArea * filled) ||
+      !this->AddHeight(corners, isFirst))
+    {
+      return;
+    }
+    this->IsTaken[index] = 1;
+    this->Frontier.push_back(index);
+    this->Area += facet.Area;
+    this->Low = low;
+    this->High = high;
+  }
+
+  void GetLocal(const Facet& facet, glm::vec3 corners[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[i] = this->Axes.ToLocal(this->GetPosition(facet, i) - this->Origin);
+    }
+  }
+
+  /// Whether a facet does not fold the chart over itself. While all lie in a plane, none does that
+  /// would matter.
+  bool AddHeight(const glm::vec3 corners[3], bool isFirst)
+  {
+    const float flat = 0.25f * this->Settings.Spacing;
+    const bool isFlat =
+      Largest(std::abs(corners[0].z), std::abs(corners[1].z), std::abs(corners[2].z)) < flat;
+    if (this->IsPlane && (isFlat || isFirst))
+    {
+      return true;
+    }
+    if (this->IsPlane)
+    {
+      this->IsPlane = false;
+      for (const std::uint32_t member : this->Frontier)
+      {
+        glm::vec3 others[3];
+        this->GetLocal(this->Facets[member], others);
+        this->Heights.Add(others);
+      }
+    }
+    return this->Heights.Add(corners);
+  }
+
+  /// The chart of the members, turned so that its longest edge runs along a side.
+  SurfaceChart MakeChart()
+  {
+    glm::vec2 axis(1.0f, 0.0f);
+    float longest = 0.0f;
+    std::vector<SurfaceChart::Member> members;
+    for (const std::uint32_t index : this->Frontier)
+    {
+      const Facet& facet = this->Facets[index];
+      SurfaceChart::Member member{ facet.Triangle, facet.Sides, {} };
+      glm::vec3 corners[3];
+      this->GetLocal(facet, corners);
+      for (int i = 0; i < 3; ++i)
+      {
+        member.Corners[i] = glm::vec2(corners[i]);
+        const glm::vec2 edge(corners[(i + 1) % 3] - corners[i]);
+        const float length = glm::length(edge);
+        if (length > longest)
+        {
+          longest = length;
+          axis = edge / length;
+        }
+      }
+      members.push_back(member);
+    }
+    for (SurfaceChart::Member& member : members)
+    {
+      for (glm::vec2& corner : member.Corners)
+      {
+        corner = { corner.x * axis.x + corner.y * axis.y, corner.y * axis.x - corner.x * axis.y };
+      }
+    }
+    return SurfaceChart(this->Index, std::move(members), this->Settings.BrickSize);
+  }
+
+  const Mesh& Surface;
+  std::uint32_t Index;
+  ChartSettings Settings;
+  std::vector<Facet> Facets;
+  std::vector<Edge> Edges; // of the facets, sorted
+  std::vector<std::uint8_t> IsTaken;
+
+  // The chart that grows.
+  std::vector<std::uint32_t> Frontier; // its members, in their order
+  Frame Axes{ glm::vec3(0.0f, 0.0f, 1.0f) };
+  glm::vec3 Origin{ 0.0f };
+  HeightMap Heights;
+  bool IsPlane = true;
+  float Area = 0.0f;
+  glm::vec2 Low{ 0.0f };
+  glm::vec2 High{ 0.0f };
+};
+}
+
+std::vector<SurfaceChart> MakeCharts(
+  const Scene& scene, const OpenSides& sides, const ChartSettings& settings)
+{
+  std::vector<SurfaceChart> charts;
+  for (std::uint32_t mesh = 0; mesh < scene.GetMeshes().size(); ++mesh)
+  {
+    if (scene.GetMeshes()[mesh].CanHoldLattice())
+    {
+      MeshCharter(scene, mesh, sides, settings).AddTo(charts);
+    }
+  }
+  return charts;
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Between which points of a chart a point is interpolated: where cells are much longer than wide,
+ * points are needed along them, but hardly across.
+ */
+#ifndef cslfChartNeighbours_h
+#define cslfChartNeighbours_h
+
+namespace cslf
+{
+/// The points between which a point lies along one side of a chart.
+struct ChartNeighbours
+{
+  int Low;
+  int High;
+  float Weight; // of the high one
+};
+
+/// Points along one side of a chart, `step` finest ones apart, which are to be no closer than half
+/// the distance along the other side: `ratio` is that distance, in steps. A cell has `cell` finest
+/// points, and the whole side `last`.
+inline ChartNeighbours FindChartNeighbours(int index, int step, int cell, int last, float ratio)
+{
+  for (; step < cell && ratio >= 2.0f; ratio *= 0.5f)
+  {
+    step *= 2;
+  }
+  if (ratio >= 2.0f && last == cell)
+  {
+    return { cell / 2, cell / 2, 0.0f };
+  }
+  const int low = index / step * step;
+  return { low, low < index ? low + step : low, static_cast<float>(index - low) / step };
+}
+}
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfLatticeLayout.h"
+
+#include "cslfChartMaker.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+// The most bricks of a scene beside one for each triangle and chart; beyond, the spacing grows.
+constexpr std::size_t MaximumBricks = std::size_t(1) << 23;
+constexpr float SpacingGrowth = 1.5f;
+
+// The largest spacing, of a scene whose radius is 1.
+constexpr float LargestSpacing = 0.5f;
+
+/// How often a length must be halved to be at most the spacing.
+int FindDepth(float length, float spacing, int largest)
+{
+  return std::clamp(static_cast<int>(std::ceil(std::log2(length / spacing))), 0, largest);
+}
+
+float FindLongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  const glm::vec3& a = mesh.Vertices[triangle.x];
+  const glm::vec3& b = mesh.Vertices[triangle.y];
+  const glm::vec3& c = mesh.Vertices[triangle.z];
+  return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+}
+}
+
+LatticeLayout::LatticeLayout(const Scene& scene, const OpenSides& sides, float spacing)
+  : Spacing(spacing)
+{
+  for (std::uint32_t mesh = 0; mesh < scene.GetMeshes().size(); ++mesh)
+  {
+    this->FirstTriangles.push_back(scene.GetTriangleIndex(mesh, 0));
+  }
+  this->Divide(scene, sides);
+  while (this->CountFurtherBricks() > MaximumBricks && this->Spacing < LargestSpacing)
+  {
+    this->Spacing *= SpacingGrowth;
+    this->Divide(scene, sides);
+  }
+}
+
+void LatticeLayout::Divide(const Scene& scene, const OpenSides& sides)
+{
+  this->Depths.clear();
+  for (const Mesh& mesh : scene.GetMeshes())
+  {
+    for (std::size_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
+    {
+      this->Depths.push_back(static_cast<std::uint8_t>(
+        FindDepth(FindLongestEdge(mesh, mesh.Triangles[i]), this->Spacing, LargestDepth)));
+    }
+  }
+  ChartSettings settings;
+  settings.Spacing = this->Spacing;
+  settings.BrickSize = this->Spacing * static_cast<float>(1 << BrickLevels);
+  this->Charts = MakeCharts(scene, sides, settings);
+  this->OnChart.assign(this->Depths.size(), 0);
+  for (const SurfaceChart& chart : this->Charts)
+  {
+    for (const SurfaceChart::Member& member : chart.GetMembers())
+    {
+      this->OnChart[this->FirstTriangles[chart.GetMesh()] + member.Triangle] = 1;
+    }
+  }
+}
+
+int LatticeLayout::GetSplitDepth(std::size_t triangle) const
+{
+  return std::max(0, this->Depths[triangle] - BrickLevels);
+}
+
+int LatticeLayout::GetCellDepth(const SurfaceChart& chart) const
+{
+  const float size = std::max(chart.GetCellSize().x, chart.GetCellSize().y);
+  return FindDepth(size, this->Spacing, BrickLevels);
+}
+
+std::size_t LatticeLayout::CountFurtherBricks() const
+{
+  std::size_t count = 0;
+  for (std::size_t triangle = 0; triangle < this->Depths.size(); ++triangle)
+  {
+    const int depth = this->IsOnChart(triangle) ? 0 : this->GetSplitDepth(triangle);
+    count += (std::size_t(2) << (2 * depth)) - 2;
+  }
+  for (const SurfaceChart& chart : this->Charts)
+  {
+    count += 2 * (chart.GetBricksOfSide() - 2);
+  }
+  return count;
+}
+
+SurfaceLattice LatticeLayout::MakeLattice() const
+{
+  std::vector<std::uint8_t> splits;
+  for (std::size_t triangle = 0; triangle < this->Depths.size(); ++triangle)
+  {
+    splits.push_back(static_cast<std::uint8_t>(this->GetSplitDepth(triangle)));
+  }
+  std::vector<LatticeChart> charts;
+  for (const SurfaceChart& chart : this->Charts)
+  {
+    LatticeChart result{ chart.GetColumns(), chart.GetRows(), {} };
+    for (const SurfaceChart::Member& member : chart.GetMembers())
+    {
+      const std::size_t triangle = this->FirstTriangles[chart.GetMesh()] + member.Triangle;
+      const glm::vec2 first = chart.GetPlace(member, 0);
+      result.Members.push_back({ static_cast<std::uint32_t>(triangle), first,
+        chart.GetPlace(member, 1) - first, chart.GetPlace(member, 2) - first });
+    }
+    charts.push_back(result);
+  }
+  return SurfaceLattice(splits, charts);
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How the surface of a scene is divided into bricks: those of triangles that are large enough, and
+ * those of charts of all others.
+ */
+#ifndef cslfLatticeLayout_h
+#define cslfLatticeLayout_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/cslfScene.h"
+#include "cslfOpenSides.h"
+#include "cslfSurfaceChart.h"
+#include "cslfSurfaceLattice.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cslf
+{
+class VTKCSLF_EXPORT LatticeLayout
+{
+public:
+  /// The size of a brick, as the binary logarithm of spacings.
+  static constexpr int BrickLevels = 4;
+
+  /// The finest points along a triangle's or chart's edges, as a binary logarithm.
+  static constexpr int LargestDepth = 12;
+
+  /// The distance of points that is fine enough, in scene space: it grows where the scene would
+  /// need too many bricks.
+  LatticeLayout(const Scene& scene, const OpenSides& sides, float spacing);
+
+  float GetSpacing() const { return this->Spacing; }
+
+  /// The binary logarithm of the spacings along a triangle's longest edge, rounded up; triangles
+  /// are numbered by Scene::GetTriangleIndex.
+  int GetDepth(std::size_t triangle) const { return this->Depths[triangle]; }
+
+  bool IsOnChart(std::size_t triangle) const { return this->OnChart[triangle] != 0; }
+
+  const std::vector<SurfaceChart>& GetCharts() const { return this->Charts; }
+
+  /// The binary logarithm of the spacings along the longer side of a chart's cells, rounded up.
+  int GetCellDepth(const SurfaceChart& chart) const;
+
+  /// The lattice, 0 everywhere.
+  SurfaceLattice MakeLattice() const;
+
+private:
+  void Divide(const Scene& scene, const OpenSides& sides);
+  std::size_t CountFurtherBricks() const;
+  int GetSplitDepth(std::size_t triangle) const;
+
+  std::vector<std::size_t> FirstTriangles; // of the meshes
+  float Spacing;
+  std::vector<std::uint8_t> Depths;  // of the triangles
+  std::vector<std::uint8_t> OnChart; // of the triangles
+  std::vector<SurfaceChart> Charts;
+};
+}
+
+#endif

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSurfaceChart.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// Triangles that are this far apart, in cells, count as overlapping: look-ups round by less.
+constexpr float Touch = 1e-4f;
+
+// The least extent of a chart, in parts of the other: a chart must have an area.
+constexpr float LeastAspect = 1e-6f;
+
+struct Range
+{
+  float Low;
+  float High;
+};
+
+template <int Count>
+Range Project(const glm::vec2 (&points)[Count], const glm::vec2& axis)
+{
+  Range range{ std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest() };
+  for (const glm::vec2& point : points)
+  {
+    const float at = glm::dot(point, axis);
+    range.Low = std::min(range.Low, at);
+    range.High = std::max(range.High, at);
+  }
+  return range;
+}
+
+/// Whether a line along an edge of polygon `a` has polygon `b` on its other side.
+template <int CountA, int CountB>
+bool HasSeparatingEdge(const glm::vec2 (&a)[CountA], const glm::vec2 (&b)[CountB], float margin)
+{
+  for (int i = 0; i < CountA; ++i)
+  {
+    const glm::vec2 edge = a[(i + 1) % CountA] - a[i];
+    const glm::vec2 axis(-edge.y, edge.x);
+    const Range rangeA = Project(a, axis);
+    const Range rangeB = Project(b, axis);
+    const float gap = margin * glm::length(axis);
+    if (rangeA.High + gap < rangeB.Low || rangeB.High + gap < rangeA.Low)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether two convex polygons have a point in common, or nearly so.
+template <int CountA, int CountB>
+bool Meet(const glm::vec2 (&a)[CountA], const glm::vec2 (&b)[CountB], float margin)
+{
+  return !HasSeparatingEdge(a, b, margin) && !HasSeparatingEdge(b, a, margin);
+}
+
+float Cross(const glm::vec2& a, const glm::vec2& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The barycentric coordinates of the point of a triangle that is nearest to a place, and the
+/// square of the distance.
+struct NearestPoint
+{
+  float U = 0.0f;
+  float V = 0.0f;
+  float Distance2 = std::numeric_limits<float>::infinity();
+
+  NearestPoint(const glm::vec2 corners[3], const glm::vec2& place)
+  {
+    const glm::vec2 alongU = corners[1] - corners[0];
+    const glm::vec2 alongV = corners[2] - corners[0];
+    const glm::vec2 to = place - corners[0];
+    const float area = Cross(alongU, alongV);
+    const float u = Cross(to, alongV) / area;
+    const float v = Cross(alongU, to) / area;
+    if (u >= 0.0f && v >= 0.0f && u + v <= 1.0f) // false where there is no area
+    {
+      this->U = u;
+      this->V = v;
+      this->Distance2 = 0.0f;
+      return;
+    }
+    constexpr glm::vec2 barycentric[3] = { { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 0.0f, 1.0f } };
+    for (int i = 0; i < 3; ++i)
+    {
+      const int next = (i + 1) % 3;
+      const glm::vec2 edge = corners[next] - corners[i];
+      const float length2 = glm::dot(edge, edge);
+      const float along = length2 > 0.0f
+        ? glm::clamp(glm::dot(place - corners[i], edge) / length2, 0.0f, 1.0f)
+        : 0.0f;
+      const glm::vec2 way = place - corners[i] - along * edge;
+      const float distance2 = glm::dot(way, way);
+      if (distance2 < this->Distance2)
+      {
+        const glm::vec2 point = barycentric[i] + along * (barycentric[next] - barycentric[i]);
+        this->U = point.x;
+        this->V = point.y;
+        this->Distance2 = distance2;
+      }
+    }
+  }
+};
+}
+
+/// The nearest point so far.
+struct SurfaceChart::Nearest
+{
+  TrianglePoint Point;
+  float Distance2 = std::numeric_limits<float>::infinity();
+};
+
+SurfaceChart::SurfaceChart(std::uint32_t mesh, std::vector<Member> members, float cellSize)
+  : Mesh(mesh)
+  , Members(std::move(members))
+{
+  // Its rectangle is that of its triangles.
+  glm::vec2 low(std::numeric_limits<float>::max());
+  glm::vec2 high(std::numeric_limits<float>::lowest());
+  for (const Member& member : this->Members)
+  {
+    for (const glm::vec2& corner : member.Corners)
+    {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+  }
+  for (Member& member : this->Members)
+  {
+    for (glm::vec2& corner : member.Corners)
+    {
+      corner -= low;
+    }
+  }
+  this->Size = high - low;
+  const float least = LeastAspect * std::max({ this->Size.x, this->Size.y, 1e-6f });
+  this->Size = glm::max(this->Size, glm::vec2(least));
+  const auto countCells = [cellSize](float size)
+  { return std::clamp(static_cast<int>(std::ceil(size / cellSize)), 1, MostCells); };
+  this->Columns = countCells(this->Size.x);
+  this->Rows = countCells(this->Size.y);
+  this->CellSize = this->Size / glm::vec2(this->Columns, this->Rows);
+  this->MakeBins();
+}
+
+void SurfaceChart::MakeBins()
+{
+  // About as many bins as members, as square as that allows.
+  const int count = static_cast<int>(this->Members.size());
+  const float side = std::sqrt(this->Size.x * this->Size.y / static_cast<float>(count));
+  const auto countBins = [count, side](float size)
+  { return std::clamp(static_cast<int>(std::min(size / side, 4096.0f)), 1, count); };
+  this->Bins = { countBins(this->Size.x), countBins(this->Size.y) };
+  this->BinSize = this->Size / glm::vec2(this->Bins);
+
+  this->FirstOfBin.assign(std::size_t(this->Bins.x) * this->Bins.y + 1, 0);
+  for (const Member& member : this->Members)
+  {
+    this->VisitBins(member, [this](std::size_t bin) { ++this->FirstOfBin[bin + 1]; });
+  }
+  for (std::size_t bin = 1; bin < this->FirstOfBin.size(); ++bin)
+  {
+    this->FirstOfBin[bin] += this->FirstOfBin[bin - 1];
+  }
+  std::vector<std::uint32_t> next(this->FirstOfBin.begin(), this->FirstOfBin.end() - 1);
+  this->BinMembers.resize(this->FirstOfBin.back());
+  for (std::uint32_t index = 0; index < this->Members.size(); ++index)
+  {
+    this->VisitBins(this->Members[index],
+      [this, &next, index](std::size_t bin) { this->BinMembers[next[bin]++] = index; });
+  }
+}
+
+SurfaceChart::Box SurfaceChart::GetBins(const glm::vec2* points, int count) const
+{
+  glm::vec2 low = points[0];
+  glm::vec2 high = points[0];
+  for (int i = 1; i < count; ++i)
+  {
+    low = glm::min(low, points[i]);
+    high = glm::max(high, points[i]);
+  }
+  // Their borders may be met by rounding.
+  const glm::vec2 margin = Touch * this->CellSize;
+  const auto getBin = [this](const glm::vec2& point)
+  {
+    return glm::clamp(
+      glm::ivec2(glm::floor(point / this->BinSize)), glm::ivec2(0), this->Bins - glm::ivec2(1));
+  };
+  return { getBin(low - margin), getBin(high + margin) };
+}
+
+template <typename Visit>
+void SurfaceChart::VisitBins(const Member& member, const Visit& visit) const
+{
+  const Box box = this->GetBins(member.Corners, 3);
+  const bool isSmall = box.First == box.Last;
+  for (int j = box.First.y; j <= box.Last.y; ++j)
+  {
+    for (int i = box.First.x; i <= box.Last.x; ++i)
+    {
+      const glm::vec2 low = glm::vec2(i, j) * this->BinSize;
+      const glm::vec2 high = low + this->BinSize;
+      const glm::vec2 bin[4] = { low, { high.x, low.y }, high, { low.x, high.y } };
+      if (isSmall ||
+        Meet(member.Corners, bin, Touch * std::max(this->CellSize.x, this->CellSize.y)))
+      {
+        visit(this->GetBin(i, j));
+      }
+    }
+  }
+}
+
+void SurfaceChart::FindIn(int i, int j, bool back, const glm::vec2& place, Nearest& nearest) const
+{
+  const std::size_t bin = this->GetBin(i, j);
+  for (std::size_t k = this->FirstOfBin[bin]; k < this->FirstOfBin[bin + 1]; ++k)
+  {
+    const Member& member = this->Members[this->BinMembers[k]];
+    if ((member.Sides & (back ? 2 : 1)) == 0)
+    {
+      continue;
+    }
+    const NearestPoint point(member.Corners, place);
+    if (point.Distance2 < nearest.Distance2)
+    {
+      nearest.Point.Triangle = member.Triangle;
+      nearest.Point.U = point.U;
+      nearest.Point.V = point.V;
+      nearest.Distance2 = point.Distance2;
+    }
+  }
+}
+
+TrianglePoint SurfaceChart::Find(bool back, const glm::vec2& place) const
+{
+  const glm::vec2 point = place * this->CellSize;
+  const glm::ivec2 center = this->GetBins(&point, 1).First;
+  const float step = std::min(this->BinSize.x, this->BinSize.y);
+  Nearest nearest;
+  // Rings of bins around the place, until all further ones are farther away than what was found.
+  for (int ring = 0; ring < std::max(this->Bins.x, this->Bins.y); ++ring)
+  {
+    const float reach = static_cast<float>(std::max(ring - 1, 0)) * step;
+    if (nearest.Distance2 <= reach * reach)
+    {
+      break;
+    }
+    for (int j = std::max(center.y - ring, 0); j <= std::min(center.y + ring, this->Bins.y - 1);
+         ++j)
+    {
+      const bool isWhole = std::abs(j - center.y) == ring;
+      for (int i = center.x - ring; i <= center.x + ring; i += isWhole || ring == 0 ? 1 : 2 * ring)
+      {
+        if (i >= 0 && i < this->Bins.x)
+        {
+          this->FindIn(i, j, back, point, nearest);
+        }
+      }
+    }
+  }
+  return nearest.Point;
+}
+
+bool SurfaceChart::Overlaps(bool back, const glm::vec2 corners[3]) const
+{
+  const glm::vec2 triangle[3] = { corners[0] * this->CellSize, corners[1] * this->CellSize,
+    corners[2] * this->CellSize };
+  const float margin = Touch * std::max(this->CellSize.x, this->CellSize.y);
+  const Box box = this->GetBins(triangle, 3);
+  for (int j = box.First.y; j <= box.Last.y; ++j)
+  {
+    for (int i = box.First.x; i <= box.Last.x; ++i)
+    {
+      const std::size_t bin = this->GetBin(i, j);
+      for (std::size_t k = this->FirstOfBin[bin]; k < this->FirstOfBin[bin + 1]; ++k)
+      {
+        const Member& member = this->Members[this->BinMembers[k]];
+        if ((member.Sides & (back ? 2 : 1)) != 0 && Meet(triangle, member.Corners, margin))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+}
