@@ -9,7 +9,7 @@ if (CSLF_BUILD_PARAVIEW_PLUGIN)
 endif ()
 set(cslf_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonTransforms
-  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry
+  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources
   ImagingCore ImagingGeneral
   IOCore
   ParallelCore
@@ -19,7 +19,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components
     ChartsCore
     CommonColor CommonMisc
-    FiltersModeling FiltersSources
+    FiltersModeling
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
     IOGeometry IOImage IOPLY IOXML
@@ -35,8 +35,9 @@ if (CSLF_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${cslf_vtk_components}
-  # VTK's OpenGL loader: glew up to 9.3, glad since. MPI, for several processes at once.
-  OPTIONAL_COMPONENTS glew glad ParallelMPI)
+  # VTK's OpenGL loader: glew up to 9.3, glad since. MPI, for several processes at once. Chemistry,
+  # for molecules in a renderer's scene, and how they are drawn in the tests.
+  OPTIONAL_COMPONENTS glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2)
 
 find_package(embree 3 QUIET)
 if (NOT embree_FOUND)

@@ -6,11 +6,14 @@ include(CMakePackageConfigHelpers)
 # What the headers need, and those of the library's own modules that have dependencies to be found.
 string(JOIN " " cslf_package_vtk_components
   CommonCore CommonDataModel CommonExecutionModel
-  FiltersExtraction FiltersGeneral FiltersGeometry
+  FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources
   ImagingCore IOCore ParallelCore
   RenderingCore RenderingOpenGL2)
 if (TARGET VTK::ParallelMPI)
   string(APPEND cslf_package_vtk_components " ParallelMPI")
+endif ()
+if (TARGET VTK::DomainsChemistry)
+  string(APPEND cslf_package_vtk_components " DomainsChemistry")
 endif ()
 set(cslf_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/CSLF")
 set(cslf_cmake_build_directory "${CMAKE_BINARY_DIR}/${cslf_cmake_destination}")

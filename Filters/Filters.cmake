@@ -151,13 +151,20 @@ list(APPEND private_headers
 
 # From renderers and files to scenes.
 list(APPEND sources
+  ../Filters/SceneImport/cslfAMRSurface.cxx
   ../Filters/SceneImport/cslfActorImporter.cxx
+  ../Filters/SceneImport/cslfActorParts.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
+  ../Filters/SceneImport/cslfGraphParts.cxx
   ../Filters/SceneImport/cslfImportLimits.cxx
   ../Filters/SceneImport/cslfLightImporter.cxx
-  ../Filters/SceneImport/cslfMappedScalars.cxx)
+  ../Filters/SceneImport/cslfMappedScalars.cxx
+  ../Filters/SceneImport/cslfMoleculeParts.cxx
+  ../Filters/SceneImport/cslfPointParts.cxx)
 list(APPEND private_headers
+  ../Filters/SceneImport/cslfAMRSurface.h
   ../Filters/SceneImport/cslfActorImporter.h
+  ../Filters/SceneImport/cslfActorParts.h
   ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h

@@ -7,12 +7,15 @@
 #include "SceneImport/cslfLightImporter.h"
 #include "vtkCSLFMaterial.h"
 
+#include <vtkAbstractMapper3D.h>
 #include <vtkActor.h>
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
 #include <vtkBoundingBox.h>
+#include <vtkDataObject.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkLODProp3D.h>
 #include <vtkMapper.h>
 #include <vtkObjectFactory.h>
 #include <vtkPropCollection.h>
@@ -40,6 +43,45 @@ vtkProp* GetVisibleEnd(vtkAssemblyPath* path)
   return path->GetLastNode()->GetViewProp();
 }
 
+/// What is to be imported of a prop that has levels of detail: the actor that is selected, or else
+/// the one of most cells. The prop itself where that is no actor, or it has no levels.
+vtkProp* SelectLevel(vtkProp* prop)
+{
+  auto* levels = vtkLODProp3D::SafeDownCast(prop);
+  if (!levels)
+  {
+    return prop;
+  }
+  const bool isFixed = !levels->GetAutomaticLODSelection();
+  vtkAbstractMapper3D* fixed = isFixed ? levels->GetLODMapper(levels->GetSelectedLODID()) : nullptr;
+  vtkNew<vtkPropCollection> volumes;
+  levels->GetVolumes(volumes);
+  vtkNew<vtkPropCollection> actors;
+  levels->GetActors(actors);
+  vtkProp* selected = prop;
+  vtkIdType largest = -1;
+  vtkCollectionSimpleIterator cookie;
+  actors->InitTraversal(cookie);
+  while (auto* actor = vtkActor::SafeDownCast(actors->GetNextProp(cookie)))
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    vtkAlgorithm* source = mapper ? mapper->GetInputAlgorithm() : nullptr;
+    if (!source || (isFixed ? mapper != fixed : volumes->GetNumberOfItems() > 0))
+    {
+      continue;
+    }
+    source->Update();
+    vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+    const vtkIdType size = data ? data->GetNumberOfElements(vtkDataObject::CELL) : 0;
+    if (size > largest)
+    {
+      selected = actor;
+      largest = size;
+    }
+  }
+  return selected;
+}
+
 /// Calls `visit(prop, matrix)` for all visible props that a prop consists of.
 void ForEachPart(vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*)>& visit)
 {
@@ -48,7 +90,7 @@ void ForEachPart(vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*
   {
     if (vtkProp* end = GetVisibleEnd(path))
     {
-      visit(end, path->GetLastNode()->GetMatrix());
+      visit(SelectLevel(end), path->GetLastNode()->GetMatrix());
     }
   }
 }
@@ -178,6 +220,10 @@ int vtkCSLFSceneImporter::RequestData(
     auto* actor = vtkActor::SafeDownCast(part);
     if (actor && cslf::IsImportable(actor))
     {
+      if (actor->IsA("vtkFollower"))
+      {
+        scene.Meet(cslf::ImportLimit::Followers);
+      }
       cslf::ImportActor(actor, matrix, scene);
     }
     else

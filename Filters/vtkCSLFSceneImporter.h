@@ -22,6 +22,11 @@
  *   points. The table itself is not changed.
  * - Wireframes, visible edges, points and visible vertices become lines and vertices. Their width
  * in pixels is taken for a width in the world by PixelSize.
+ * - vtkMoleculeMapper becomes spheres and tubes of the atoms' and bonds' radii and colours in its
+ *   mode, vtkGraphMapper lines and vertices, vtkPointGaussianMapper, vtkOpenGLSphereMapper and
+ *   vtkOpenGLStickMapper spheres and tubes. Radii are not scaled by the actor, as in the window.
+ * - Grids of several levels (vtkUniformGridAMR) become the surface of their visible cells.
+ * - Of vtkLODProp3D the selected level is taken, or else the finest.
  * - vtkGlyph3DMapper becomes instances, which share one copy of the geometry: scale mode and
  * factor, range and clamping, orientation mode, masking, source indexing, and a colour for each
  * instance.

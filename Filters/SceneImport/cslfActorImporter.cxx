@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfActorImporter.h"
 
+#include "cslfAMRSurface.h"
+#include "cslfActorParts.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
 #include "cslfSoundPolyData.h"
@@ -24,6 +26,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMapper.h>
+#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMatrixToLinearTransform.h>
 #include <vtkPointData.h>
@@ -31,10 +34,13 @@
 #include <vtkReverseSense.h>
 #include <vtkTexture.h>
 #include <vtkTransformPolyDataFilter.h>
+#include <vtkUniformGridAMR.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 
 namespace cslf
@@ -97,13 +103,25 @@ void Dim(vtkUnsignedCharArray* colors, double factor)
   }
 }
 
-/// Keeps the geometry only: points, cells, normals and texture coordinates.
+// The radii that points may have. They are in the world, as those of materials are: VTK's mappers
+// of spheres and sticks do not scale theirs by the actor's matrix either.
+const char* const RadiusNames[] = { vtkCSLFMaterial::LineRadiusName(),
+  vtkCSLFMaterial::PointRadiusName() };
+
+/// Keeps the geometry only: points, cells, normals, texture coordinates and radii.
 vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->CopyStructure(source);
   copy->GetPointData()->SetNormals(source->GetPointData()->GetNormals());
   copy->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
+  for (const char* name : RadiusNames)
+  {
+    if (vtkDataArray* radii = source->GetPointData()->GetArray(name))
+    {
+      copy->GetPointData()->AddArray(radii);
+    }
+  }
   return copy;
 }
 
@@ -149,10 +167,10 @@ public:
   {
   }
 
-  void Import()
+  /// Returns whether geometry was found, or was named as broken.
+  bool Import()
   {
     this->FindLimits();
-    UpdateInputs(this->Mapper);
     if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(this->Mapper))
     {
       for (vtkPolyData* source : ImportGlyphs(this->Actor, glyphs, this->Matrix, this->Scene))
@@ -160,9 +178,10 @@ public:
         this->SetMaterial(source, BlockStyle());
         this->AddRepresentation(source);
       }
-      return;
+      return true; // sources without instances show nothing, and broken ones have been named
     }
     this->ImportData(this->Mapper->GetInputDataObject(0, 0), BlockStyle());
+    return this->Found;
   }
 
 private:
@@ -191,6 +210,12 @@ private:
   void ImportData(vtkDataObject* data, const BlockStyle& inherited)
   {
     const BlockStyle style = inherited.Of(this->Attributes, data);
+    // Grids of several levels are trees in newer versions of VTK.
+    if (auto* grids = vtkUniformGridAMR::SafeDownCast(data))
+    {
+      this->ImportData(ExtractAMRSurface(grids), style);
+      return;
+    }
     if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
     {
       vtkSmartPointer<vtkDataObjectTreeIterator> child;
@@ -204,7 +229,7 @@ private:
       return;
     }
     auto* leaf = vtkDataSet::SafeDownCast(data);
-    if (!leaf || leaf->GetNumberOfPoints() == 0 || !style.Visible)
+    if (!leaf || leaf->GetNumberOfPoints() == 0 || leaf->GetNumberOfCells() == 0 || !style.Visible)
     {
       return;
     }
@@ -212,6 +237,7 @@ private:
     {
       const SoundPolyData sound = MakeSound(polyData);
       sound.AddRemoved(this->Scene.Omitted);
+      this->Found = this->Found || sound.Data != polyData;
       this->ImportLeaf(sound.Data, style);
       return;
     }
@@ -309,8 +335,12 @@ private:
 
   void Add(vtkPolyData* block)
   {
-    this->Scene.Blocks.push_back(
-      { block, this->Property->GetLineWidth(), this->Property->GetPointSize() });
+    if (block->GetNumberOfCells() > 0)
+    {
+      this->Found = true;
+      this->Scene.Blocks.push_back(
+        { block, this->Property->GetLineWidth(), this->Property->GetPointSize() });
+    }
   }
 
   /// All points, as vertices.
@@ -374,6 +404,7 @@ private:
   vtkMatrix4x4* Matrix;
   ImportedScene& Scene;
   vtkCompositeDataDisplayAttributes* Attributes;
+  bool Found = false;
 };
 
 /// The time of a data object and all its leaves.
@@ -439,9 +470,28 @@ vtkMTimeType GetImportTime(vtkActor* actor)
   return time;
 }
 
-void ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
+bool ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
-  Importer(actor, matrix, scene).Import();
+  UpdateInputs(actor->GetMapper());
+  bool found = false;
+  if (const std::optional<ActorParts> parts = TakeApart(actor, matrix, scene))
+  {
+    for (const ActorPart& part : *parts)
+    {
+      found = ImportActor(part.Actor, part.Matrix, scene) || found;
+    }
+  }
+  else
+  {
+    found = Importer(actor, matrix, scene).Import();
+  }
+  // Whatever the kind of mapper: if there is something to be seen of it, something must come of it.
+  const double* bounds = found ? nullptr : actor->GetMapper()->GetBounds();
+  if (bounds && vtkMath::AreBoundsInitialized(bounds))
+  {
+    scene.Meet(ImportLimit::NoGeometry, actor->GetMapper()->GetClassName());
+  }
+  return found;
 }
 
 vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matrix)

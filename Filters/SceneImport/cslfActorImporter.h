@@ -24,8 +24,8 @@ bool IsImportable(vtkActor* actor);
 /// The time of the last change of what ImportActor reads. Updates the pipelines of its mapper.
 vtkMTimeType GetImportTime(vtkActor* actor);
 
-/// Adds what an importable actor shows, placed by a matrix.
-void ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
+/// Adds what an importable actor shows, placed by a matrix. Returns whether it found something.
+bool ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
 
 /// The surface of a data set, in the world. Points that a matrix moves become doubles.
 vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matrix);

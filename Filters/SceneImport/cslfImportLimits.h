@@ -23,7 +23,11 @@ enum class ImportLimit
   // Props.
   OtherProps,
   OtherMappers,
+  NoGeometry,
   SourceTableTrees,
+  GraphIcons,
+  Splats,
+  Followers,
   // Surfaces.
   BackfaceProperties,
   Culling,
@@ -33,6 +37,8 @@ enum class ImportLimit
   Anisotropy,
   TextureTransforms,
   TexturedTables,
+  Widths,
+  StickEnds,
   // Lights.
   CubeMapEnvironments,
   EnvironmentImages,

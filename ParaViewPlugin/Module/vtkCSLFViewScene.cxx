@@ -19,6 +19,7 @@
 #include <vtkSMProxySelectionModel.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMViewProxy.h>
+#include <vtkSmartPointer.h>
 
 #include <string>
 
@@ -66,7 +67,9 @@ void NameArrays(vtkMultiBlockDataSet* scene)
   }
 }
 
-/// Imports what representations show: a view's renderer has decorations, too.
+/// Imports what representations show: a view's renderer has decorations, too. Representations have
+/// actors of ParaView's own class, or plain ones (of molecules and point Gaussians); decorations
+/// are of classes of their own. Volumes and slices cannot be imported, and are named in a warning.
 class ViewImporter : public vtkCSLFSceneImporter
 {
 public:
@@ -77,7 +80,13 @@ protected:
   bool IsOfScene(vtkProp* prop) override
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    return actor && actor->IsA("vtkPVLODActor") && !vtkCSLFMapper::SafeDownCast(actor->GetMapper());
+    if (!actor)
+    {
+      return prop->IsA("vtkVolume") || prop->IsA("vtkImageSlice");
+    }
+    const std::string plain = vtkSmartPointer<vtkActor>::New()->GetClassName();
+    return (actor->IsA("vtkPVLODActor") || actor->GetClassName() == plain) &&
+      !vtkCSLFMapper::SafeDownCast(actor->GetMapper());
   }
 };
 

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Mappers that do not draw their input as it is, but shapes that they make of it: molecules,
+ * graphs, splats, spheres and sticks. Each is taken apart into actors whose mappers draw polygonal
+ * data.
+ */
+#ifndef cslfActorParts_h
+#define cslfActorParts_h
+
+#include "cslfImportedScene.h"
+
+#include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+
+#include <optional>
+
+class vtkDataArray;
+class vtkGraphMapper;
+class vtkMapper;
+class vtkPointGaussianMapper;
+class vtkPolyDataMapper;
+class vtkUnsignedCharArray;
+
+namespace cslf
+{
+/// A part of what an actor draws. Its vertices may have radii of their own, and so may its lines:
+/// see vtkCSLFMaterial::LineRadiusName and PointRadiusName.
+struct ActorPart
+{
+  vtkSmartPointer<vtkActor> Actor;
+  vtkSmartPointer<vtkMatrix4x4> Matrix; ///< from its data to the world
+};
+
+using ActorParts = std::vector<ActorPart>;
+
+/// The parts of an actor, placed by a matrix, whose mapper is up to date; none where the mapper
+/// draws the polygons, lines and vertices of its input, or something that is not known.
+std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
+
+/// A part of surface representation, with the property and texture of the whole.
+ActorPart MakePart(vtkPolyData* data, vtkActor* whole, vtkMatrix4x4* matrix);
+
+/// Spheres around points: radii of the points, and their colours or null.
+vtkSmartPointer<vtkPolyData> MakeSpheres(
+  vtkPoints* points, vtkDataArray* radii, vtkUnsignedCharArray* colors);
+
+/// Cylinders around points: of the points, the length and radius (the first two components of the
+/// scales), the direction of the axis, and the colours or null.
+vtkSmartPointer<vtkPolyData> MakeSticks(
+  vtkPoints* centers, vtkDataArray* scales, vtkDataArray* directions, vtkUnsignedCharArray* colors);
+
+/// The parts of one kind of mapper each.
+ActorParts TakeMoleculeApart(vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* matrix);
+ActorParts TakeGraphApart(vtkGraphMapper* mapper, ImportedScene& scene);
+ActorParts TakeSplatsApart(
+  vtkActor* actor, vtkPointGaussianMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
+ActorParts TakeSpheresApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix);
+ActorParts TakeSticksApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix);
+}
+
+#endif

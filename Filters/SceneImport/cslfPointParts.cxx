@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfActorParts.h"
+
+#include "cslfMappedScalars.h"
+#include "cslfSoundPolyData.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkOpenGLStickMapper.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+/// The names of arrays that these mappers let be set, but show to subclasses only.
+class SphereAccess : public vtkOpenGLSphereMapper
+{
+public:
+  static const char* GetScales(vtkOpenGLSphereMapper* mapper)
+  {
+    return mapper->*(&SphereAccess::ScaleArray);
+  }
+};
+
+class StickAccess : public vtkOpenGLStickMapper
+{
+public:
+  static const char* GetScales(vtkOpenGLStickMapper* mapper)
+  {
+    return mapper->*(&StickAccess::ScaleArray);
+  }
+  static const char* GetDirections(vtkOpenGLStickMapper* mapper)
+  {
+    return mapper->*(&StickAccess::OrientationArray);
+  }
+};
+
+vtkDataArray* FindArray(vtkPolyData* data, const char* name)
+{
+  return name ? data->GetPointData()->GetArray(name) : nullptr;
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeEqual(double value, vtkIdType count)
+{
+  auto values = vtkSmartPointer<vtkDoubleArray>::New();
+  values->SetNumberOfTuples(count);
+  values->Fill(value);
+  return values;
+}
+
+/// A component, or the magnitude where there is no such component.
+double GetValue(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  const int count = array->GetNumberOfComponents();
+  if (count == 1 || (component >= 0 && component < count))
+  {
+    return array->GetComponent(tuple, count == 1 ? 0 : component);
+  }
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    sum += array->GetComponent(tuple, i) * array->GetComponent(tuple, i);
+  }
+  return std::sqrt(sum);
+}
+
+/// The same, taken through a function, if there is one, which is constant beyond its range.
+double GetValue(vtkDataArray* array, vtkIdType tuple, int component, vtkPiecewiseFunction* function)
+{
+  const double value = GetValue(array, tuple, component);
+  if (!function || function->GetSize() == 0)
+  {
+    return value;
+  }
+  const double* range = function->GetRange();
+  return function->GetValue(std::clamp(value, range[0], std::max(range[0], range[1])));
+}
+
+/// The splats of one data object.
+class SplatReader
+{
+public:
+  SplatReader(vtkPointGaussianMapper* mapper, vtkPolyData* data)
+    : Mapper(mapper)
+    , Data(data)
+    , Sizes(FindArray(data, mapper->GetScaleArray()))
+    , Opacities(FindArray(data, mapper->GetOpacityArray()))
+    , Colors(MapScalars(mapper, data, false).Colors)
+  {
+  }
+
+  /// Spheres of the splats' radii; vertices without radii where splats are pixels.
+  vtkSmartPointer<vtkPolyData> MakeShapes()
+  {
+    this->AddPoints();
+    const vtkSmartPointer<vtkPolyData> shapes =
+      MakeSpheres(this->Points, this->Radii, this->Colors ? this->PointColors.Get() : nullptr);
+    if (this->Mapper->GetScaleFactor() == 0.0)
+    {
+      shapes->GetPointData()->RemoveArray(vtkCSLFMaterial::PointRadiusName());
+    }
+    return shapes;
+  }
+
+private:
+  /// All points that vertex cells have, or all points where there are no such cells.
+  void AddPoints()
+  {
+    this->Points->SetDataType(this->Data->GetPoints()->GetDataType());
+    this->PointColors->SetNumberOfComponents(4);
+    if (this->Data->GetNumberOfVerts() == 0)
+    {
+      for (vtkIdType i = 0; i < this->Data->GetNumberOfPoints(); ++i)
+      {
+        this->Add(i);
+      }
+      return;
+    }
+    auto cell = vtk::TakeSmartPointer(this->Data->GetVerts()->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    {
+      vtkIdType count;
+      const vtkIdType* ids;
+      cell->GetCurrentCell(count, ids);
+      std::for_each(ids, ids + count, [this](vtkIdType id) { this->Add(id); });
+    }
+  }
+
+  void Add(vtkIdType point)
+  {
+    this->Points->InsertNextPoint(this->Data->GetPoint(point));
+    const double size = this->Sizes
+      ? GetValue(this->Sizes, point, this->Mapper->GetScaleArrayComponent(),
+          this->Mapper->GetScaleFunction())
+      : 1.0;
+    this->Radii->InsertNextValue(this->Mapper->GetScaleFactor() * size);
+    if (this->Colors)
+    {
+      unsigned char color[4] = { 0, 0, 0, 255 };
+      const int components = std::min(this->Colors->GetNumberOfComponents(), 4);
+      std::copy_n(
+        this->Colors->GetPointer(point * this->Colors->GetNumberOfComponents()), components, color);
+      if (this->Opacities)
+      {
+        const double opacity = GetValue(this->Opacities, point,
+          this->Mapper->GetOpacityArrayComponent(), this->Mapper->GetScalarOpacityFunction());
+        color[3] = static_cast<unsigned char>(std::clamp(255.0 * opacity, 0.0, 255.0));
+      }
+      this->PointColors->InsertNextTypedTuple(color);
+    }
+  }
+
+  vtkPointGaussianMapper* Mapper;
+  vtkPolyData* Data;
+  vtkDataArray* Sizes;
+  vtkDataArray* Opacities;
+  vtkSmartPointer<vtkUnsignedCharArray> Colors; // of all points of the data
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Radii;
+  vtkNew<vtkUnsignedCharArray> PointColors;
+};
+
+/// Calls `visit` for each polygonal data object that has points, without its broken cells and
+/// arrays.
+template <typename Visit>
+void ForEachPolyData(vtkDataObject* input, Visit visit)
+{
+  const auto visitPoints = [&visit](vtkDataObject* leaf)
+  {
+    auto* data = vtkPolyData::SafeDownCast(leaf);
+    if (data && data->GetNumberOfPoints() > 0)
+    {
+      visit(MakeSound(data).Data.Get());
+    }
+  };
+  visitPoints(input);
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      visitPoints(leaf->GetCurrentDataObject());
+    }
+  }
+}
+}
+
+ActorParts TakeSplatsApart(
+  vtkActor* actor, vtkPointGaussianMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
+{
+  ActorParts parts;
+  ForEachPolyData(mapper->GetInputDataObject(0, 0),
+    [&](vtkPolyData* data)
+    {
+      parts.push_back(MakePart(SplatReader(mapper, data).MakeShapes(), actor, matrix));
+      // Splats show their colours, unless a shader of the user's computes something else.
+      const char* shader = mapper->GetSplatShaderCode();
+      const bool lit = shader && *shader && mapper->GetScaleFactor() != 0.0;
+      parts.back().Actor->GetProperty()->SetLighting(lit);
+    });
+  if (!parts.empty() && mapper->GetScaleFactor() != 0.0)
+  {
+    scene.Meet(ImportLimit::Splats);
+  }
+  return parts;
+}
+
+ActorParts TakeSpheresApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix)
+{
+  ActorParts parts;
+  auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(mapper);
+  ForEachPolyData(mapper->GetInputDataObject(0, 0),
+    [&](vtkPolyData* data)
+    {
+      vtkSmartPointer<vtkDataArray> radii = FindArray(data, SphereAccess::GetScales(spheres));
+      if (!radii)
+      {
+        radii = MakeEqual(spheres->GetRadius(), data->GetNumberOfPoints());
+      }
+      const MappedScalars colors = MapScalars(mapper, data, false);
+      parts.push_back(
+        MakePart(MakeSpheres(data->GetPoints(), radii, colors.Colors), actor, matrix));
+    });
+  return parts;
+}
+
+ActorParts TakeSticksApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix)
+{
+  ActorParts parts;
+  auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper);
+  ForEachPolyData(mapper->GetInputDataObject(0, 0),
+    [&](vtkPolyData* data)
+    {
+      vtkDataArray* scales = FindArray(data, StickAccess::GetScales(sticks));
+      vtkDataArray* directions = FindArray(data, StickAccess::GetDirections(sticks));
+      if (scales && directions && scales->GetNumberOfComponents() == 3 &&
+        directions->GetNumberOfComponents() == 3)
+      {
+        const MappedScalars colors = MapScalars(mapper, data, false);
+        parts.push_back(MakePart(
+          MakeSticks(data->GetPoints(), scales, directions, colors.Colors), actor, matrix));
+      }
+    });
+  return parts;
+}
+}
