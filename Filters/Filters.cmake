@@ -154,6 +154,7 @@ list(APPEND sources
   ../Filters/SceneImport/cslfAMRSurface.cxx
   ../Filters/SceneImport/cslfActorImporter.cxx
   ../Filters/SceneImport/cslfActorParts.cxx
+  ../Filters/SceneImport/cslfClippedBlock.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfGraphParts.cxx
   ../Filters/SceneImport/cslfImportLimits.cxx
@@ -165,6 +166,7 @@ list(APPEND private_headers
   ../Filters/SceneImport/cslfAMRSurface.h
   ../Filters/SceneImport/cslfActorImporter.h
   ../Filters/SceneImport/cslfActorParts.h
+  ../Filters/SceneImport/cslfClippedBlock.h
   ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h

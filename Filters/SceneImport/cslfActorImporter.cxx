@@ -4,6 +4,7 @@
 
 #include "cslfAMRSurface.h"
 #include "cslfActorParts.h"
+#include "cslfClippedBlock.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
 #include "cslfSoundPolyData.h"
@@ -29,6 +30,8 @@
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMatrixToLinearTransform.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkReverseSense.h>
@@ -202,7 +205,6 @@ private:
     this->MeetIf(!this->Property->GetLighting(), ImportLimit::Unlit);
     this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
     this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
-    this->MeetIf(this->Mapper->GetNumberOfClippingPlanes() > 0, ImportLimit::ClippingPlanes);
     vtkTexture* texture = this->Actor->GetTexture();
     this->MeetIf(texture && texture->GetTransform(), ImportLimit::TextureTransforms);
   }
@@ -333,13 +335,29 @@ private:
     }
   }
 
+  /// Adds what clipping planes leave of a block.
   void Add(vtkPolyData* block)
   {
-    if (block->GetNumberOfCells() > 0)
+    this->Found = this->Found || block->GetNumberOfCells() > 0;
+    if (this->Mapper->GetNumberOfClippingPlanes() == 0)
     {
-      this->Found = true;
+      this->AddPiece(block);
+      return;
+    }
+    this->MeetIf(
+      block->GetNumberOfLines() + block->GetNumberOfVerts() > 0, ImportLimit::ClippedLines);
+    for (const auto& piece : ClipBlock(block, this->Mapper->GetClippingPlanes()))
+    {
+      this->AddPiece(piece);
+    }
+  }
+
+  void AddPiece(vtkPolyData* piece)
+  {
+    if (piece->GetNumberOfCells() > 0)
+    {
       this->Scene.Blocks.push_back(
-        { block, this->Property->GetLineWidth(), this->Property->GetPointSize() });
+        { piece, this->Property->GetLineWidth(), this->Property->GetPointSize() });
     }
   }
 
@@ -453,6 +471,15 @@ vtkMTimeType GetImportTime(vtkActor* actor)
     for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
     {
       time = std::max(time, GetDataTime(mapper->GetInputDataObject(port, i)));
+    }
+  }
+  if (mapper->GetClippingPlanes())
+  {
+    vtkCollectionSimpleIterator cookie;
+    mapper->GetClippingPlanes()->InitTraversal(cookie);
+    while (vtkPlane* plane = mapper->GetClippingPlanes()->GetNextPlane(cookie))
+    {
+      time = std::max(time, plane->GetMTime());
     }
   }
   if (vtkCompositeDataDisplayAttributes* attributes = GetDisplayAttributes(mapper))

@@ -31,7 +31,7 @@ enum class ImportLimit
   // Surfaces.
   BackfaceProperties,
   Culling,
-  ClippingPlanes,
+  ClippedLines,
   Unlit,
   Coats,
   Anisotropy,

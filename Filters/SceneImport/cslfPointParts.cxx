@@ -175,6 +175,14 @@ private:
   vtkNew<vtkUnsignedCharArray> PointColors;
 };
 
+/// A part that the clipping planes of the whole cut, too.
+ActorPart MakeClippedPart(vtkPolyData* data, vtkActor* whole, vtkMatrix4x4* matrix)
+{
+  ActorPart part = MakePart(data, whole, matrix);
+  part.Actor->GetMapper()->SetClippingPlanes(whole->GetMapper()->GetClippingPlanes());
+  return part;
+}
+
 /// Calls `visit` for each polygonal data object that has points, without its broken cells and
 /// arrays.
 template <typename Visit>
@@ -207,7 +215,7 @@ ActorParts TakeSplatsApart(
   ForEachPolyData(mapper->GetInputDataObject(0, 0),
     [&](vtkPolyData* data)
     {
-      parts.push_back(MakePart(SplatReader(mapper, data).MakeShapes(), actor, matrix));
+      parts.push_back(MakeClippedPart(SplatReader(mapper, data).MakeShapes(), actor, matrix));
       // Splats show their colours, unless a shader of the user's computes something else.
       const char* shader = mapper->GetSplatShaderCode();
       const bool lit = shader && *shader && mapper->GetScaleFactor() != 0.0;
@@ -234,7 +242,7 @@ ActorParts TakeSpheresApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatri
       }
       const MappedScalars colors = MapScalars(mapper, data, false);
       parts.push_back(
-        MakePart(MakeSpheres(data->GetPoints(), radii, colors.Colors), actor, matrix));
+        MakeClippedPart(MakeSpheres(data->GetPoints(), radii, colors.Colors), actor, matrix));
     });
   return parts;
 }
@@ -252,7 +260,7 @@ ActorParts TakeSticksApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix
         directions->GetNumberOfComponents() == 3)
       {
         const MappedScalars colors = MapScalars(mapper, data, false);
-        parts.push_back(MakePart(
+        parts.push_back(MakeClippedPart(
           MakeSticks(data->GetPoints(), scales, directions, colors.Colors), actor, matrix));
       }
     });

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfClippedBlock.h"
+
+#include "cslfActorImporter.h"
+#include "vtkCSLFInstances.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkClipPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkNonMergingPointLocator.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+/// Calls `visit` for each plane.
+template <typename Visit>
+void ForEachPlane(vtkPlaneCollection* planes, Visit visit)
+{
+  vtkCollectionSimpleIterator cookie;
+  planes->InitTraversal(cookie);
+  while (vtkPlane* plane = planes->GetNextPlane(cookie))
+  {
+    visit(plane);
+  }
+}
+
+/// Vertices, lines and polygons (with strips), each with its own cell data: vtkClipPolyData
+/// confuses the data of cells of several kinds.
+Pieces SplitKinds(vtkPolyData* data)
+{
+  const vtkIdType counts[3] = { data->GetNumberOfVerts(), data->GetNumberOfLines(),
+    data->GetNumberOfPolys() + data->GetNumberOfStrips() };
+  Pieces kinds;
+  vtkIdType first = 0;
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    if (counts[kind] > 0)
+    {
+      auto piece = vtkSmartPointer<vtkPolyData>::New();
+      piece->SetPoints(data->GetPoints());
+      piece->GetPointData()->ShallowCopy(data->GetPointData());
+      piece->SetVerts(kind == 0 ? data->GetVerts() : nullptr);
+      piece->SetLines(kind == 1 ? data->GetLines() : nullptr);
+      piece->SetPolys(kind == 2 ? data->GetPolys() : nullptr);
+      piece->SetStrips(kind == 2 ? data->GetStrips() : nullptr);
+      vtkNew<vtkIdList> cells;
+      for (vtkIdType i = 0; i < counts[kind]; ++i)
+      {
+        cells->InsertNextId(first + i);
+      }
+      piece->GetCellData()->CopyAllocate(data->GetCellData(), counts[kind]);
+      for (vtkIdType i = 0; i < counts[kind]; ++i)
+      {
+        piece->GetCellData()->CopyData(data->GetCellData(), first + i, i);
+      }
+      kinds.push_back(piece);
+    }
+    first += counts[kind];
+  }
+  return kinds;
+}
+
+/// Cuts geometry where it lies.
+Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
+{
+  Pieces clipped;
+  for (vtkSmartPointer<vtkPolyData> piece : SplitKinds(data))
+  {
+    ForEachPlane(planes,
+      [&piece](vtkPlane* plane)
+      {
+        vtkNew<vtkClipPolyData> clip;
+        clip->SetInputData(piece);
+        clip->SetClipFunction(plane);
+        // Points of one place may have normals or texture coordinates of their own.
+        vtkNew<vtkNonMergingPointLocator> locator;
+        clip->SetLocator(locator);
+        clip->Update();
+        piece = clip->GetOutput();
+      });
+    if (piece->GetNumberOfCells() > 0)
+    {
+      piece->SetFieldData(data->GetFieldData());
+      clipped.push_back(piece);
+    }
+  }
+  return clipped;
+}
+
+/// How a box lies to planes.
+enum class Sides
+{
+  Kept,
+  Cut,
+  Removed
+};
+
+Sides FindSides(vtkPolyData* data, vtkMatrix4x4* matrix, vtkPlaneCollection* planes)
+{
+  const vtkBoundingBox box(data->GetBounds());
+  Sides sides = Sides::Kept;
+  ForEachPlane(planes,
+    [&](vtkPlane* plane)
+    {
+      int kept = 0;
+      for (int i = 0; i < 8; ++i)
+      {
+        double corner[4];
+        box.GetCorner(i, corner);
+        corner[3] = 1.0;
+        matrix->MultiplyPoint(corner, corner);
+        kept += plane->EvaluateFunction(corner) >= 0.0 ? 1 : 0;
+      }
+      if (kept == 0)
+      {
+        sides = Sides::Removed;
+      }
+      else if (kept < 8 && sides == Sides::Kept)
+      {
+        sides = Sides::Cut;
+      }
+    });
+  return sides;
+}
+
+/// Sorts the instances of a block: those that stay, and the geometry of those that are cut.
+class InstanceClipper
+{
+public:
+  InstanceClipper(vtkPolyData* block, vtkPlaneCollection* planes)
+    : Block(block)
+    , Planes(planes)
+    , Matrices(block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix()))
+    , Colors(vtkUnsignedCharArray::SafeDownCast(
+        block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor())))
+  {
+  }
+
+  Pieces Clip()
+  {
+    vtkNew<vtkPolyData> kept;
+    kept->ShallowCopy(this->Block);
+    vtkCSLFInstances::RemoveInstances(kept);
+    vtkNew<vtkMatrix4x4> matrix;
+    for (vtkIdType i = 0; i < this->Matrices->GetNumberOfTuples(); ++i)
+    {
+      this->Matrices->GetTuple(i, matrix->GetData());
+      const Sides sides = FindSides(this->Block, matrix, this->Planes);
+      if (sides == Sides::Kept)
+      {
+        this->Keep(kept, matrix, i);
+      }
+      else if (sides == Sides::Cut)
+      {
+        this->Cut(matrix, i);
+      }
+    }
+    Pieces pieces;
+    if (this->CutCount > 0)
+    {
+      this->CutPieces->Update();
+      vtkNew<vtkPolyData> cut;
+      cut->ShallowCopy(this->CutPieces->GetOutput());
+      cut->GetFieldData()->ShallowCopy(this->Block->GetFieldData());
+      vtkCSLFInstances::RemoveInstances(cut);
+      pieces = ClipGeometry(cut, this->Planes);
+    }
+    if (kept->GetFieldData()->HasArray(vtkCSLFInstances::InstanceMatrix()))
+    {
+      pieces.insert(pieces.begin(), kept.Get());
+    }
+    return pieces;
+  }
+
+private:
+  void Keep(vtkPolyData* kept, vtkMatrix4x4* matrix, vtkIdType instance)
+  {
+    if (!this->Colors)
+    {
+      vtkCSLFInstances::AddInstance(kept, matrix);
+      return;
+    }
+    double color[4] = { 0.0, 0.0, 0.0, 1.0 };
+    for (int i = 0; i < std::min(this->Colors->GetNumberOfComponents(), 4); ++i)
+    {
+      color[i] = this->Colors->GetTypedComponent(instance, i) / 255.0;
+    }
+    vtkCSLFInstances::AddInstance(kept, matrix, color);
+  }
+
+  void Cut(vtkMatrix4x4* matrix, vtkIdType instance)
+  {
+    vtkNew<vtkPolyData> source;
+    source->CopyStructure(this->Block);
+    source->GetPointData()->ShallowCopy(this->Block->GetPointData());
+    vtkNew<vtkPolyData> piece;
+    piece->ShallowCopy(ExtractSurface(source, matrix));
+    if (this->Colors)
+    {
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetName("Colors");
+      colors->SetNumberOfComponents(this->Colors->GetNumberOfComponents());
+      colors->SetNumberOfTuples(piece->GetNumberOfPoints());
+      for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+      {
+        colors->SetTuple(i, instance, this->Colors);
+      }
+      piece->GetPointData()->SetScalars(colors);
+    }
+    this->CutPieces->AddInputData(piece);
+    this->CutPieces->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    ++this->CutCount;
+  }
+
+  vtkPolyData* Block;
+  vtkPlaneCollection* Planes;
+  vtkDataArray* Matrices;
+  vtkUnsignedCharArray* Colors;
+  vtkNew<vtkAppendPolyData> CutPieces; // what is cut, in the world
+  vtkIdType CutCount = 0;
+};
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> ClipBlock(vtkPolyData* block, vtkPlaneCollection* planes)
+{
+  return block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix())
+    ? InstanceClipper(block, planes).Clip()
+    : ClipGeometry(block, planes);
+}
+}
