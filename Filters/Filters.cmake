@@ -28,18 +28,21 @@ list(APPEND private_headers
 
 # The path tracer behind the sampler and the view tracer.
 list(APPEND sources
-  ../Filters/PathTracing/cslfAreaLights.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDirectLight.cxx
   ../Filters/PathTracing/cslfDirectLightLanes.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
+  ../Filters/PathTracing/cslfEmitter.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
   ../Filters/PathTracing/cslfFacets.cxx
   ../Filters/PathTracing/cslfFieldRays.cxx
   ../Filters/PathTracing/cslfFingerprint.cxx
   ../Filters/PathTracing/cslfHitGeometry.cxx
+  ../Filters/PathTracing/cslfLightBounds.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
+  ../Filters/PathTracing/cslfLightTree.cxx
+  ../Filters/PathTracing/cslfLocalLights.cxx
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfMeshJoin.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
@@ -49,6 +52,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfPathStep.cxx
   ../Filters/PathTracing/cslfRayGrid.cxx
+  ../Filters/PathTracing/cslfRoundView.cxx
   ../Filters/PathTracing/cslfSamplePlaces.cxx
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBlock.cxx
@@ -63,12 +67,12 @@ list(APPEND sources
   ../Filters/PathTracing/cslfTextureReader.cxx
   ../Filters/PathTracing/cslfTriangles.cxx)
 list(APPEND private_headers
-  ../Filters/PathTracing/cslfAreaLights.h
   ../Filters/PathTracing/cslfBSDF.h
   ../Filters/PathTracing/cslfDirectLight.h
   ../Filters/PathTracing/cslfDirectionalLight.h
   ../Filters/PathTracing/cslfDistribution.h
   ../Filters/PathTracing/cslfEmbree.h
+  ../Filters/PathTracing/cslfEmitter.h
   ../Filters/PathTracing/cslfEnvironment.h
   ../Filters/PathTracing/cslfEnvironmentReader.h
   ../Filters/PathTracing/cslfFacets.h
@@ -81,8 +85,11 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfHitGeometry.h
   ../Filters/PathTracing/cslfLanes.h
   ../Filters/PathTracing/cslfLambert.h
+  ../Filters/PathTracing/cslfLightBounds.h
   ../Filters/PathTracing/cslfLightReader.h
   ../Filters/PathTracing/cslfLightSample.h
+  ../Filters/PathTracing/cslfLightTree.h
+  ../Filters/PathTracing/cslfLocalLights.h
   ../Filters/PathTracing/cslfMesh.h
   ../Filters/PathTracing/cslfMeshJoin.h
   ../Filters/PathTracing/cslfMeshMaker.h
@@ -98,6 +105,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfRayBin.h
   ../Filters/PathTracing/cslfRayLanes.h
   ../Filters/PathTracing/cslfRoulette.h
+  ../Filters/PathTracing/cslfRoundView.h
   ../Filters/PathTracing/cslfSamplePlaces.h
   ../Filters/PathTracing/cslfSampleStream.h
   ../Filters/PathTracing/cslfSampling.h
@@ -114,6 +122,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTexture.h
   ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangleGeometry.h
+  ../Filters/PathTracing/cslfTube.h
   ../Filters/PathTracing/cslfTriangles.h
   ../Filters/PathTracing/cslfVectorize.h)
 

@@ -26,7 +26,7 @@
  * all inputs' arrays. Colours of points are interpolated after they are made linear; their alpha
  * multiplies the opacity.
  *
- * Light transport: path tracing, where light from emissive triangles and environment images
+ * Light transport: path tracing, where light from surfaces that emit and from environment images
  * is sampled at its source as well as by the surface, combined by the power heuristic; from the
  * fourth reflection on, paths end by Russian roulette. The estimate has no bias but MaximumDepth.
  *

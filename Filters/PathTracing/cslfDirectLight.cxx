@@ -19,21 +19,19 @@ glm::vec3 DirectLight::GetEnvironment(const glm::vec3& direction, float pdf) con
   return weight * environment.GetRadiance(direction);
 }
 
-glm::vec3 DirectLight::GetEmission(
-  const Ray& ray, const Hit& hit, const SurfaceHit& surface, float pdf) const
+glm::vec3 DirectLight::GetEmission(const Ray& ray, const glm::vec3& normal, const Hit& hit,
+  const SurfaceHit& surface, float pdf) const
 {
   if (!surface.Material->IsEmissive())
   {
     return glm::vec3(0.0f);
   }
   float weight = 1.0f;
-  if (this->LightSampling && !std::isinf(pdf) && surface.EmissionImportance > 0.0f)
+  if (this->LightSampling && !std::isinf(pdf))
   {
-    const float cosine = -glm::dot(ray.Direction, surface.GeometricNormal);
-    weight = this->BSDFSampling
-      ? PowerHeuristic(
-          pdf, this->World.GetAreaLights().Pdf(surface.EmissionImportance, hit.Distance, cosine))
-      : 0.0f;
+    const float sampled =
+      this->World.GetLocalLights().GetPdf({ ray.Origin, normal }, ray.Direction, hit);
+    weight = this->BSDFSampling ? PowerHeuristic(pdf, sampled) : (sampled > 0.0f ? 0.0f : 1.0f);
   }
   return weight * surface.Emission;
 }
@@ -41,35 +39,44 @@ glm::vec3 DirectLight::GetEmission(
 bool DirectLight::CanSample() const
 {
   const bool extended = this->LightSampling &&
-    (!this->World.GetAreaLights().IsEmpty() || this->World.GetEnvironment().CanSample());
+    (this->World.GetLocalLights().HasSurfaces() || this->World.GetEnvironment().CanSample());
   return extended || !this->World.GetDirectionalLights().empty() ||
     !this->World.GetPointLights().empty();
+}
+
+bool DirectLight::CanSampleOne() const
+{
+  const LocalLights& lights = this->World.GetLocalLights();
+  return (this->LightSampling && lights.HasSurfaces()) || lights.HasPoints();
+}
+
+LightSample DirectLight::SampleOne(const LightReceiver& receiver, const glm::vec2& u) const
+{
+  // Light without extent is sampled even where light sampling is off.
+  LightSample sample = this->World.GetLocalLights().Sample(receiver, u);
+  sample.Pdf = this->LightSampling || std::isinf(sample.Pdf) ? sample.Pdf : 0.0f;
+  return sample;
 }
 
 glm::vec3 DirectLight::Sample(
   const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const
 {
   glm::vec3 radiance(0.0f);
-  if (this->LightSampling)
+  if (this->CanSampleOne())
   {
-    const AreaLights& areas = this->World.GetAreaLights();
-    if (!areas.IsEmpty())
-    {
-      radiance += this->Arrive(
-        point, areas.Sample(point.Surface.LeavePosition, stream.Get2D(Dimension::AreaLight)), rays);
-    }
-    const Environment& environment = this->World.GetEnvironment();
-    if (environment.CanSample())
-    {
-      radiance +=
-        this->Arrive(point, environment.Sample(stream.Get2D(Dimension::Environment)), rays);
-    }
+    const glm::vec2 u = stream.Get2D(Dimension::LocalLight);
+    radiance += this->Arrive(point, this->SampleOne(point.Surface.GetReceiver(), u), rays);
+  }
+  const Environment& environment = this->World.GetEnvironment();
+  if (this->LightSampling && environment.CanSample())
+  {
+    radiance += this->Arrive(point, environment.Sample(stream.Get2D(Dimension::Environment)), rays);
   }
   for (const DirectionalLight& light : this->World.GetDirectionalLights())
   {
     radiance += this->Arrive(point, light.Sample(), rays);
   }
-  for (const PointLight& light : this->World.GetPointLights())
+  for (const PointLight& light : this->World.GetLocalLights().GetFewPoints())
   {
     radiance += this->Arrive(point, light.Sample(point.Surface.LeavePosition), rays);
   }

@@ -48,8 +48,10 @@ public:
   /// infinite for a ray that was given.
   glm::vec3 GetEnvironment(const glm::vec3& direction, float pdf) const;
 
-  /// What a ray's first hit adds by its own emission.
-  glm::vec3 GetEmission(const Ray& ray, const Hit& hit, const SurfaceHit& surface, float pdf) const;
+  /// What a ray's first hit adds by its own emission. The normal is that of the LightReceiver which
+  /// the ray starts from; it does not count where the density is infinite.
+  glm::vec3 GetEmission(const Ray& ray, const glm::vec3& normal, const Hit& hit,
+    const SurfaceHit& surface, float pdf) const;
 
   /// The reflected light of the sources that are sampled. Counts the rays it traces.
   glm::vec3 Sample(
@@ -64,6 +66,10 @@ public:
   bool CanSample() const;
 
 private:
+  /// Whether one of the lights at a finite distance is to be sampled, and its sample.
+  bool CanSampleOne() const;
+  LightSample SampleOne(const LightReceiver& receiver, const glm::vec2& u) const;
+
   glm::vec3 Arrive(
     const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const;
   std::uint64_t Arrive(

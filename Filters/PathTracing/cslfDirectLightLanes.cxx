@@ -116,13 +116,12 @@ std::uint64_t DirectLight::Sample(const ScatterLanes& points, const StreamLanes&
   };
   Lanes<float> x;
   Lanes<float> y;
-  const AreaLights& areas = this->World.GetAreaLights();
-  if (this->LightSampling && !areas.IsEmpty())
+  if (this->CanSampleOne())
   {
-    streams.Get2D(vertex, Dimension::AreaLight, x, y);
+    streams.Get2D(vertex, Dimension::LocalLight, x, y);
     sample(
       [&](int lane) {
-        return areas.Sample(points.Surfaces.LeavePosition.Get(lane), { x[lane], y[lane] });
+        return this->SampleOne(points.Surfaces.GetReceiver(lane), { x[lane], y[lane] });
       });
   }
   const Environment& environment = this->World.GetEnvironment();
@@ -135,7 +134,7 @@ std::uint64_t DirectLight::Sample(const ScatterLanes& points, const StreamLanes&
   {
     sample([&](int) { return source.Sample(); });
   }
-  for (const PointLight& source : this->World.GetPointLights())
+  for (const PointLight& source : this->World.GetLocalLights().GetFewPoints())
   {
     sample([&](int lane) { return source.Sample(points.Surfaces.LeavePosition.Get(lane)); });
   }

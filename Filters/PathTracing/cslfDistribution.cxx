@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDistribution.h"
 
+#include "cslfSampling.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +11,6 @@ namespace cslf
 {
 namespace
 {
-// The largest float below 1.
-constexpr float BelowOne = 0x1.fffffep-1f;
-
 std::size_t ToCell(float coordinate, std::size_t count)
 {
   const float cell = std::floor(coordinate * static_cast<float>(count));

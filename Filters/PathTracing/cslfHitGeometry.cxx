@@ -105,22 +105,13 @@ void LocateOnTriangle(
 }
 
 /// The centre and radius of the sphere that touches a tube's surface at a point, and how far along
-/// the tube it is, in [0,1]. A tube is what a sphere passes over whose radius grows evenly; its
-/// surface leans by the slope of the radius.
-glm::vec4 FindTubeSphere(const Mesh& mesh, std::uint32_t tube, const glm::vec3& point, float& along)
+/// the tube it is, in [0,1].
+glm::vec4 FindTubeSphere(
+  const Mesh& mesh, std::uint32_t index, const glm::vec3& point, float& along)
 {
-  const glm::vec3& start = mesh.Vertices[2 * tube];
-  const glm::vec3 path = mesh.Vertices[2 * tube + 1] - start;
-  const float length = glm::length(path);
-  const float radius = mesh.Radii[2 * tube];
-  const float slope = length > 0.0f ? (mesh.Radii[2 * tube + 1] - radius) / length : 0.0f;
-  along = 0.0f;
-  if (length > 0.0f && slope * slope < 1.0f)
-  {
-    const float height = glm::dot(point - start, path) / length;
-    along = std::clamp((height + slope * radius) / ((1.0f - slope * slope) * length), 0.0f, 1.0f);
-  }
-  return { start + along * path, radius + along * slope * length };
+  const Tube tube = GetTube(mesh, index);
+  along = std::clamp(tube.FindAlong(point), 0.0f, 1.0f);
+  return { tube.GetCenter(along), tube.GetRadius(along) };
 }
 
 void LocateOnRound(
@@ -153,6 +144,12 @@ void LocateOnRound(
   surface.LeavePosition = position + SurfaceOffset * surface.GeometricNormal;
   surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
 }
+}
+
+Tube GetTube(const Mesh& mesh, std::uint32_t tube)
+{
+  return { mesh.Vertices[2 * tube], mesh.Vertices[2 * tube + 1], mesh.Radii[2 * tube],
+    mesh.Radii[2 * tube + 1] };
 }
 
 glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point)

@@ -8,11 +8,15 @@
 #define cslfHitGeometry_h
 
 #include "cslfScene.h"
+#include "cslfTube.h"
 
 namespace cslf
 {
 /// A point of a mesh in the scene, in one of its instances or where it lies.
 glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point);
+
+/// One of a mesh's tubes, where the mesh lies.
+Tube GetTube(const Mesh& mesh, std::uint32_t tube);
 
 /// Finds a hit's normals and positions. On tubes, `place` is moved to where the surface belongs to.
 void Locate(

@@ -14,7 +14,8 @@ namespace cslf
 {
 namespace
 {
-// The points of a triangle that its emission is estimated from, along each side of a square.
+// The points of a triangle that its emission is estimated from, along each side of a square; and
+// those along a tube.
 constexpr int EmissionSamples = 8;
 }
 
@@ -106,39 +107,37 @@ glm::vec3 Mesh::GetEmission(const TrianglePoint& point) const
 void Mesh::PrepareEmission()
 {
   this->EmissionImportances.clear();
-  if (this->Shape == Shapes::Triangles && this->Material.IsEmissive() &&
-    (this->Textures.Emission || this->IsTranslucent()))
+  if (this->Material.IsEmissive() && (this->Textures.Emission || this->IsTranslucent()))
   {
-    this->EmissionImportances.reserve(this->Triangles.size());
-    for (std::uint32_t i = 0; i < this->Triangles.size(); ++i)
+    const std::uint32_t count = this->GetNumberOfShapes();
+    this->EmissionImportances.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i)
     {
       this->EmissionImportances.push_back(this->EstimateEmission(i));
     }
   }
 }
 
-float Mesh::GetEmissionImportance(std::uint32_t triangle) const
+float Mesh::GetEmissionImportance(std::uint32_t shape) const
 {
-  if (this->Shape != Shapes::Triangles)
-  {
-    return 0.0f;
-  }
   return this->EmissionImportances.empty() ? Luminance(this->Material.Emission)
-                                           : this->EmissionImportances[triangle];
+                                           : this->EmissionImportances[shape];
 }
 
-float Mesh::EstimateEmission(std::uint32_t triangle) const
+float Mesh::EstimateEmission(std::uint32_t shape) const
 {
+  const int rows = this->Shape == Shapes::Triangles ? EmissionSamples : 1;
+  const int columns = this->Shape == Shapes::Spheres ? 1 : EmissionSamples;
   float sum = 0.0f;
-  for (int i = 0; i < EmissionSamples * EmissionSamples; ++i)
+  for (int i = 0; i < rows * columns; ++i)
   {
-    const glm::vec2 u =
-      (glm::vec2(i % EmissionSamples, i / EmissionSamples) + 0.5f) / float(EmissionSamples);
-    const glm::vec2 place = SampleTriangle(u);
-    const TrianglePoint point{ triangle, place.x, place.y };
+    glm::vec2 place =
+      (glm::vec2(i % columns, i / columns) + 0.5f) / glm::vec2(float(columns), float(rows));
+    place = this->Shape == Shapes::Triangles ? SampleTriangle(place) : place;
+    const TrianglePoint point{ shape, place.x, place.y };
     sum += this->GetOpacity(point) * Luminance(this->GetEmission(point));
   }
-  return sum / (EmissionSamples * EmissionSamples);
+  return sum / static_cast<float>(rows * columns);
 }
 
 glm::vec3 Mesh::BendNormal(

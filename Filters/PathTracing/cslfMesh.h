@@ -139,12 +139,12 @@ struct VTKCSLF_EXPORT Mesh
   /// The radiance of the surface where light meets it.
   glm::vec3 GetEmission(const TrianglePoint& point) const;
 
-  /// Works out what the light of each triangle is worth; once, when all else is known.
+  /// Works out what the light of each shape is worth; once, when all else is known.
   void PrepareEmission();
 
-  /// About the mean luminance of a triangle's emission, thinned by its opacity: what its light is
-  /// worth to a sampler. That of spheres and tubes is not sampled: 0.
-  float GetEmissionImportance(std::uint32_t triangle) const;
+  /// About the mean luminance of a shape's emission, thinned by its opacity, that of instances
+  /// apart: what its light is worth to a sampler.
+  float GetEmissionImportance(std::uint32_t shape) const;
 
   /// A normal on the front side, bent by the normal texture, which there must be. The edges are
   /// those from the triangle's first corner. Lengths of normals do not matter.
@@ -155,9 +155,9 @@ private:
   template <typename Value>
   Value GetColoring(
     const std::vector<Value>& values, const Value& none, const TrianglePoint& point) const;
-  float EstimateEmission(std::uint32_t triangle) const;
+  float EstimateEmission(std::uint32_t shape) const;
 
-  std::vector<float> EmissionImportances; // one a triangle where it varies, or none at all
+  std::vector<float> EmissionImportances; // one a shape where it varies, or none at all
 };
 }
 

@@ -39,6 +39,7 @@ void PathBatch::Add(const Start& start)
   packet.Rays.Direction.Set(lane, start.First.Direction);
   packet.Beta.Set(lane, glm::vec3(1.0f));
   packet.Pdf[lane] = start.Pdf;
+  packet.Normal.Set(lane, start.Normal);
   packet.Compression[lane] = 1.0f;
   packet.Streams.Hash[lane] = start.Hash;
   packet.Streams.Index[lane] = start.Index;

@@ -41,6 +41,7 @@ public:
     std::uint32_t Index = 0; ///< of the texel's samples
     float Pdf =
       std::numeric_limits<float>::infinity(); ///< of the first direction; infinite if given
+    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver that it starts from, unless it is given
   };
 
   /// Paths begin after `depth` reflections.

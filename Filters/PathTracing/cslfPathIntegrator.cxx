@@ -84,7 +84,10 @@ bool PathIntegrator::LookUpRough(
 glm::vec3 PathIntegrator::GetRadiance(
   const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const
 {
-  return this->GetRadiance({ ray, hit, 0, std::numeric_limits<float>::infinity() }, stream, rays);
+  Start start;
+  start.First = ray;
+  start.Seen = hit;
+  return this->GetRadiance(start, stream, rays);
 }
 
 glm::vec3 PathIntegrator::GetRadiance(
@@ -93,6 +96,7 @@ glm::vec3 PathIntegrator::GetRadiance(
   Ray ray = start.First;
   Hit hit = start.Seen;
   float pdf = start.Pdf;
+  glm::vec3 normal = start.Normal;
   glm::vec3 radiance(0.0f);
   glm::vec3 beta(1.0f);
   float compression = 1.0f;
@@ -115,7 +119,7 @@ glm::vec3 PathIntegrator::GetRadiance(
 
     // Add what the surface emits.
     const SurfaceHit surface = this->World.GetSurface(ray, hit);
-    radiance += beta * this->Light.GetEmission(ray, hit, surface, pdf);
+    radiance += beta * this->Light.GetEmission(ray, normal, hit, surface, pdf);
     if (depth >= this->Settings.MaximumDepth)
     {
       return radiance;
@@ -158,6 +162,7 @@ glm::vec3 PathIntegrator::GetRadiance(
     beta *= sample.Weight / openProbability;
     compression *= sample.Compression;
     pdf = sample.Pdf;
+    normal = surface.GetReceiver().Normal;
 
     // End paths that carry little.
     if ((depth >= RouletteDepth || start.IsOneOfMany) &&

@@ -15,6 +15,7 @@
 #include "cslfPathBatch.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace cslf
@@ -44,8 +45,10 @@ public:
   {
     Ray First;
     Hit Seen;
-    int Depth = 0;            ///< reflections before
-    float Pdf;                ///< of the ray's direction, per solid angle; infinite if given
+    int Depth = 0;                                      ///< reflections before
+    float Pdf = std::numeric_limits<float>::infinity(); ///< of the direction, per solid angle;
+                                                        ///< infinite if given
+    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver that it starts from, unless it is given
     bool IsOneOfMany = false; ///< whether its own error hardly counts, as it is averaged with many
   };
 

@@ -17,6 +17,7 @@ struct PathPacket
   RayLanes Rays;            ///< active where the path goes on
   Vec3Lanes Beta;           ///< the weight of what it finds
   Lanes<float> Pdf;         ///< of the ray's direction, per solid angle; infinite for a given ray
+  Vec3Lanes Normal;         ///< of the LightReceiver that the ray starts from
   Lanes<float> Compression; ///< the factor of the weight that leaving glass undoes
   StreamLanes Streams;
   Lanes<std::int32_t> Path;  ///< its number in the batch
@@ -30,6 +31,7 @@ struct PathPacket
     this->Rays.Direction.Set(lane, from.Rays.Direction.Get(fromLane));
     this->Beta.Set(lane, from.Beta.Get(fromLane));
     this->Pdf[lane] = from.Pdf[fromLane];
+    this->Normal.Set(lane, from.Normal.Get(fromLane));
     this->Compression[lane] = from.Compression[fromLane];
     this->Streams.Hash[lane] = from.Streams.Hash[fromLane];
     this->Streams.Index[lane] = from.Streams.Index[fromLane];

@@ -80,6 +80,7 @@ CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, 
       Choose(direction.z < 0.0f, surfaces.PassPosition.Get(i), surfaces.LeavePosition.Get(i));
     paths.Rays.Origin.Set(i, origin);
     paths.Rays.Direction.Set(i, world);
+    paths.Normal.Set(i, surfaces.ShadingNormal.Get(i));
     paths.Bin[i] = GetRayBin(origin, world);
   }
 }
@@ -133,6 +134,8 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
         this->EndByChance(paths);
       }
       Leave(this->Points.Surfaces, this->Local, paths);
+      ForEachLane(this->Points.Surfaces.Scattering,
+        [&](int lane) { paths.Normal.Set(lane, this->Points.Surfaces.GetReceiverNormal(lane)); });
     }
     else
     {
@@ -184,8 +187,8 @@ void PathStep::AddEmission(const PathPacket& paths, const HitLanes& hits)
   ForEachLane(this->Points.Surfaces.Shining,
     [&](int lane)
     {
-      const glm::vec3 emission = this->Light.GetEmission(
-        paths.Rays.Get(lane), hits.Get(lane), this->Points.Surfaces.Get(lane), paths.Pdf[lane]);
+      const glm::vec3 emission = this->Light.GetEmission(paths.Rays.Get(lane),
+        paths.Normal.Get(lane), hits.Get(lane), this->Points.Surfaces.Get(lane), paths.Pdf[lane]);
       this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * emission);
     });
 }

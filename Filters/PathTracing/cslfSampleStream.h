@@ -20,7 +20,7 @@ enum class Dimension : std::uint32_t
   Pixel,       ///< the position in the texel; once a path
   Lobe,        ///< which part of the BSDF
   Direction,   ///< the direction of the BSDF's sample
-  AreaLight,   ///< the point on an emissive triangle
+  LocalLight,  ///< the choice of a light at a finite distance, and of its point
   Environment, ///< the direction to the environment
   Roulette,    ///< whether the path goes on
   Count

@@ -18,6 +18,9 @@ namespace cslf
 constexpr float Pi = 3.14159265358979f;
 constexpr float InversePi = 0.318309886183791f;
 
+// The largest float below 1.
+constexpr float BelowOne = 0x1.fffffep-1f;
+
 /// The luminance of a linear colour with sRGB's primaries (Rec. 709).
 inline float Luminance(const glm::vec3& color)
 {

@@ -256,53 +256,14 @@ void AddInstance(
   rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
-/// The triangles of a mesh that emit light, in each of its instances.
-std::vector<TrianglePoint> ListEmissive(const Mesh& mesh)
+/// Makes the lights of meshes, which must stay where they are.
+LocalLights MakeLights(std::vector<Mesh>& meshes, const std::vector<PointLight>& points)
 {
-  std::vector<TrianglePoint> places;
-  const auto add = [&mesh, &places](std::uint32_t instance)
-  {
-    for (std::uint32_t i = 0; i < mesh.Triangles.size(); ++i)
-    {
-      if (mesh.GetEmissionImportance(i) > 0.0f)
-      {
-        places.push_back({ i, 0.0f, 0.0f, instance });
-      }
-    }
-  };
-  for (std::uint32_t i = 0; i < mesh.Instances.size(); ++i)
-  {
-    add(i);
-  }
-  if (mesh.Instances.empty())
-  {
-    add(TrianglePoint::None);
-  }
-  return places;
-}
-
-/// The meshes must stay where they are.
-std::vector<EmissiveTriangle> CollectEmitters(std::vector<Mesh>& meshes)
-{
-  std::vector<EmissiveTriangle> emitters;
   for (Mesh& mesh : meshes)
   {
     mesh.PrepareEmission();
-    if (!mesh.Material.IsEmissive())
-    {
-      continue;
-    }
-    for (const TrianglePoint& place : ListEmissive(mesh))
-    {
-      const glm::uvec3& corners = mesh.Triangles[place.Triangle];
-      const auto get = [&mesh, &place](std::uint32_t vertex)
-      { return ToScene(mesh, place.Instance, mesh.Vertices[vertex]); };
-      const glm::vec3 corner = get(corners.x);
-      emitters.push_back({ corner, get(corners.y) - corner, get(corners.z) - corner,
-        mesh.GetEmissionImportance(place.Triangle), &mesh, place.Triangle, place.Instance });
-    }
   }
-  return emitters;
+  return { meshes, points };
 }
 }
 
@@ -317,7 +278,7 @@ struct Scene::Acceleration
 Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   : Meshes(std::move(meshes))
   , Lights(std::move(lights))
-  , Emitters(CollectEmitters(this->Meshes))
+  , Locals(MakeLights(this->Meshes, this->Lights.Points))
   , Tree(std::make_unique<Acceleration>())
 {
   std::size_t triangles = 0;
@@ -512,11 +473,9 @@ SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
   surface.Metallic = point.Metallic;
   surface.Alpha = point.Alpha;
   surface.Emission = glm::vec3(0.0f);
-  surface.EmissionImportance = 0.0f;
   if (mesh.Material.IsEmissive())
   {
     surface.Emission = mesh.GetEmission(place);
-    surface.EmissionImportance = mesh.GetEmissionImportance(hit.Triangle);
   }
   return surface;
 }

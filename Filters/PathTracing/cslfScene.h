@@ -10,9 +10,9 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfAreaLights.h"
 #include "cslfDirectionalLight.h"
 #include "cslfEnvironment.h"
+#include "cslfLocalLights.h"
 #include "cslfMesh.h"
 #include "cslfPointLight.h"
 #include "cslfRayPacket.h"
@@ -42,13 +42,19 @@ struct SurfaceHit
   float Metallic;
   float Alpha;
   glm::vec3 Emission;
-  float EmissionImportance; ///< of the triangle to the light sampler; 0 where nothing is emitted
   const SurfaceMaterial* Material;
 
   /// Where rays start that leave at a cosine to the shading normal.
   const glm::vec3& GetStart(float cosine) const
   {
     return cosine < 0.0f ? this->PassPosition : this->LeavePosition;
+  }
+
+  /// What light is sampled for: both sides of a surface that lets it through.
+  LightReceiver GetReceiver() const
+  {
+    return { this->LeavePosition,
+      this->Material->Transmission > 0.0f ? glm::vec3(0.0f) : this->ShadingNormal };
   }
 
   MaterialPoint GetMaterialPoint() const
@@ -70,7 +76,7 @@ struct SceneFrame
   glm::dvec3 VectorToScene(const glm::dvec3& vectorWC) const { return vectorWC / this->Radius; }
 };
 
-/// The lights besides emissive triangles.
+/// The lights besides surfaces that shine.
 struct LightSet
 {
   Environment Surroundings;
@@ -125,7 +131,7 @@ public:
     return this->Lights.Directional;
   }
   const std::vector<PointLight>& GetPointLights() const { return this->Lights.Points; }
-  const AreaLights& GetAreaLights() const { return this->Emitters; }
+  const LocalLights& GetLocalLights() const { return this->Locals; }
 
 private:
   struct Acceleration;
@@ -136,7 +142,7 @@ private:
   std::vector<Mesh> Meshes;
   std::vector<std::size_t> FirstTriangles; // of each mesh
   LightSet Lights;
-  AreaLights Emitters;
+  LocalLights Locals;
   std::string Error;
   std::unique_ptr<Acceleration> Tree;
   bool Small = false; // rays to the same octant are best traced together, wherever they start

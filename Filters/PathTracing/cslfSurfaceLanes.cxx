@@ -94,7 +94,6 @@ void FetchMaterial(const MeshTraits& traits, const HitLanes& hits, int lane, Sur
   if (traits.IsEmissive)
   {
     surfaces.Emission.Set(lane, traits.Surface->GetEmission(hits.Get(lane).GetPlace()));
-    surfaces.EmissionImportance[lane] = traits.Surface->GetEmissionImportance(hits.Triangle[lane]);
   }
 }
 
@@ -158,7 +157,6 @@ SurfaceHit SurfaceLanes::Get(int lane) const
   surface.Alpha = this->Alpha[lane];
   const bool shines = (this->Shining >> lane & 1) != 0;
   surface.Emission = shines ? this->Emission.Get(lane) : glm::vec3(0.0f);
-  surface.EmissionImportance = shines ? this->EmissionImportance[lane] : 0.0f;
   surface.Material = this->Material[lane];
   return surface;
 }
@@ -174,7 +172,6 @@ void SurfaceLanes::Set(int lane, const SurfaceHit& surface)
   this->Metallic[lane] = surface.Metallic;
   this->Alpha[lane] = surface.Alpha;
   this->Emission.Set(lane, surface.Emission);
-  this->EmissionImportance[lane] = surface.EmissionImportance;
   this->Material[lane] = surface.Material;
 }
 

@@ -22,12 +22,22 @@ struct SurfaceLanes
   Vec3Lanes BaseColor;
   Lanes<float> Metallic;
   Lanes<float> Alpha;
-  Vec3Lanes Emission;              ///< of the lanes that shine
-  Lanes<float> EmissionImportance; ///< of those, too
+  Vec3Lanes Emission; ///< of the lanes that shine
   const SurfaceMaterial* Material[LaneCount];
 
   std::uint32_t Shining = 0;    ///< a bit for each lane that shines
   std::uint32_t Scattering = 0; ///< a bit for each lane that is not matte
+
+  /// As SurfaceHit::GetReceiver.
+  LightReceiver GetReceiver(int lane) const
+  {
+    return { this->LeavePosition.Get(lane), this->GetReceiverNormal(lane) };
+  }
+  glm::vec3 GetReceiverNormal(int lane) const
+  {
+    return this->Material[lane]->Transmission > 0.0f ? glm::vec3(0.0f)
+                                                     : this->ShadingNormal.Get(lane);
+  }
 
   SurfaceHit Get(int lane) const;
   void Set(int lane, const SurfaceHit& surface);

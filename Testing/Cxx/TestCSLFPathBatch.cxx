@@ -42,13 +42,13 @@ std::vector<cslf::Mesh> MakeRoom(const cslf::SurfaceMaterial& floor)
   sphere.Shape = cslf::Mesh::Shapes::Spheres;
   sphere.Vertices = { { 0.4f, 0.4f, 0.2f } };
   sphere.Radii = { 0.2f };
-  sphere.Material = MakeDiffuse(0.7f);
+  sphere.Material = MakeDiffuse(0.7f, 0.3f);
   meshes.push_back(sphere);
   cslf::Mesh tube;
   tube.Shape = cslf::Mesh::Shapes::Tubes;
   tube.Vertices = { { -0.7f, -0.6f, 0.1f }, { 0.2f, -0.7f, 0.4f } };
   tube.Radii = { 0.1f, 0.05f };
-  tube.Material = cslf::SurfaceMaterial(glm::vec3(0.5f), 0.0f, 0.5f, 1.5f, Dark);
+  tube.Material = cslf::SurfaceMaterial(glm::vec3(0.5f), 0.0f, 0.5f, 1.5f, glm::vec3(0.5f));
   meshes.push_back(tube);
   meshes.push_back(
     MakeRectangle({ 0, 0, 0 }, { 0.2f, 0, 0 }, { 0, 0.1f, 0.1f }, MakeDiffuse(0.5f)));

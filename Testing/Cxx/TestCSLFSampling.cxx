@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The random numbers, the tables they choose from, and the lights' samples against their density.
-#include "PathTracing/cslfAreaLights.h"
 #include "PathTracing/cslfDistribution.h"
 #include "PathTracing/cslfEnvironment.h"
 #include "PathTracing/cslfFrame.h"
+#include "PathTracing/cslfLocalLights.h"
 #include "PathTracing/cslfMesh.h"
 #include "PathTracing/cslfSampleStream.h"
 #include "PathTracing/cslfSampling.h"
@@ -125,17 +125,18 @@ void TestFrame()
 void TestLights()
 {
   // An area light's samples know their density.
-  cslf::Mesh source;
-  source.Material.Emission = glm::vec3(1.0f);
-  const cslf::AreaLights lights(
-    { { { 0, 0, 2 }, { 1, 0, 0 }, { 0, 1, 0 }, 1.0f, &source, 0, cslf::TrianglePoint::None },
-      { { 3, 0, 1 }, { 0, 1, 0 }, { 0, 0, 2 }, 4.0f, &source, 1, cslf::TrianglePoint::None } });
+  std::vector<cslf::Mesh> meshes(1);
+  meshes[0].Vertices = { { 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 }, { 3, 0, 1 }, { 3, 1, 1 },
+    { 3, 0, 3 } };
+  meshes[0].Triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
+  meshes[0].Material.Emission = glm::vec3(1.0f);
+  const cslf::LocalLights lights(meshes, {});
   double solidAngle = 0.0;
   for (std::uint32_t i = 0; i < 4096; ++i)
   {
     const glm::vec2 u =
       SampleStream(SampleStream::HashTexel(2, 0, 0, 0), i).Get2D(Dimension::Pixel);
-    const cslf::LightSample sample = lights.Sample(glm::vec3(0.0f), u);
+    const cslf::LightSample sample = lights.Sample({}, u);
     CSLF_CHECK(sample.Pdf > 0.0f);
     solidAngle += 1.0 / sample.Pdf / 4096.0;
   }

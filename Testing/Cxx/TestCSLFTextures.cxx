@@ -320,7 +320,7 @@ void TestDarkEmission()
   cslf::Mesh mesh = MakeTextured({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.5f, 3.0f));
   mesh.Textures.Emission = MakeUniform(0, 0, 0, cslf::TextureKind::Colors);
   const cslf::Scene scene({ mesh }, MakeUniformLight(1.0f));
-  CSLF_CHECK(scene.GetAreaLights().IsEmpty());
+  CSLF_CHECK(!scene.GetLocalLights().HasSurfaces());
   CSLF_CHECK_NEAR(
     Trace(scene, LookAt({ 0.1f, 0.2f, 1 }, { 0.1f, 0.2f, 0 }), {}, 64).Mean, 0.5, 1e-4);
 }

@@ -186,6 +186,7 @@ void DiffuseEstimator::LookAround(
       {
         light.Set(lane,
           this->Follow(packet, lane, local.Z[lane] * InversePi,
+            receiver.Surface.GetReceiver().Normal,
             SampleStream(hash, static_cast<std::uint32_t>(index)), samples.Rays));
       }
       if (packet.IsHit(lane))
@@ -208,9 +209,10 @@ void DiffuseEstimator::LookAround(
 }
 
 glm::vec3 DiffuseEstimator::Follow(const RayPacket& packet, int lane, float pdf,
-  const SampleStream& stream, std::uint64_t& rays) const
+  const glm::vec3& normal, const SampleStream& stream, std::uint64_t& rays) const
 {
   return this->Paths.GetRadiance(
-    { packet.GetRay(lane), packet.GetHit(lane), this->Limits.Depth, pdf, true }, stream, rays);
+    { packet.GetRay(lane), packet.GetHit(lane), this->Limits.Depth, pdf, normal, true }, stream,
+    rays);
 }
 }

@@ -62,8 +62,8 @@ private:
   SurfaceEstimate Average(const Hit& place, std::uint64_t key, Add add);
   void LookAround(
     const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples) const;
-  glm::vec3 Follow(const RayPacket& packet, int lane, float pdf, const SampleStream& stream,
-    std::uint64_t& rays) const;
+  glm::vec3 Follow(const RayPacket& packet, int lane, float pdf, const glm::vec3& normal,
+    const SampleStream& stream, std::uint64_t& rays) const;
 
   const Scene& World;
   const PathIntegrator& Paths;

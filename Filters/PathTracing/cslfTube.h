@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The shape of a tube: all that a sphere covers whose radius changes evenly along a line.
+ */
+#ifndef cslfTube_h
+#define cslfTube_h
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+struct Tube
+{
+  glm::vec3 Start;
+  glm::vec3 Axis{ 0.0f, 0.0f, 1.0f }; ///< of unit length
+  float Length = 0.0f;                ///< between the centres of the two ends; 0 for a sphere
+  float Radius;                       ///< at the start
+  float Slope = 0.0f;                 ///< change of the radius per length, in (-1,1)
+  float OnlyEnd = 0.0f;               ///< of a sphere: which end it is, 0 or 1
+
+  /// Where one end holds the other, the tube is the larger sphere.
+  Tube(const glm::vec3& start, const glm::vec3& end, float startRadius, float endRadius)
+    : Start(start)
+    , Radius(startRadius)
+  {
+    const glm::vec3 path = end - start;
+    const float length = glm::length(path);
+    const float growth = endRadius - startRadius;
+    if (length > std::abs(growth))
+    {
+      this->Axis = path / length;
+      this->Length = length;
+      this->Slope = growth / length;
+    }
+    else if (growth > 0.0f)
+    {
+      this->Start = end;
+      this->Radius = endRadius;
+      this->OnlyEnd = 1.0f;
+    }
+  }
+
+  bool IsSphere() const { return this->Length == 0.0f; }
+
+  glm::vec3 GetCenter(float along) const
+  {
+    return this->IsSphere() ? this->Start : this->Start + along * this->Length * this->Axis;
+  }
+
+  float GetRadius(float along) const { return this->Radius + along * this->Slope * this->Length; }
+
+  /// Which of the spheres, counted from 0 at the start to 1 at the end, touches the surface at one
+  /// of its points. Below 0 and above 1 the point is on a round end.
+  float FindAlong(const glm::vec3& point) const
+  {
+    if (this->IsSphere())
+    {
+      return this->OnlyEnd;
+    }
+    const float height = glm::dot(point - this->Start, this->Axis);
+    return (height + this->Slope * this->Radius) /
+      ((1.0f - this->Slope * this->Slope) * this->Length);
+  }
+};
+}
+
+#endif
