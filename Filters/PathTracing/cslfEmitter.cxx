@@ -20,6 +20,15 @@ namespace
 // What is added to the cone of a spot light, in radians, so that rounding leaves none of it out.
 constexpr double SpotSlack = 1e-3;
 
+/// How much denser directions are in the scene than in an instance's mesh, where they are stretched
+/// by a factor.
+float GetCrowding(const MeshInstance& instance, float stretch)
+{
+  const float size = GetSize(instance);
+  const float part = stretch / size;
+  return part * part * part / std::abs(glm::determinant(instance.Linear / size));
+}
+
 SphereView GetSphere(const Mesh& mesh, std::uint32_t sphere, const glm::vec3& from)
 {
   return { from, mesh.Vertices[sphere], mesh.Radii[sphere] };
@@ -163,8 +172,7 @@ LightSample Emitter::SampleRound(const glm::vec3& from, const glm::vec2& u) cons
   // An instance is sampled as its mesh is, which is seen from where the instance sees the point.
   const Mesh& mesh = *this->Source;
   const MeshInstance* instance = this->GetInstance();
-  const glm::vec3 place =
-    instance ? glm::inverse(instance->Linear) * (from - instance->Offset) : from;
+  const glm::vec3 place = instance ? InvertLinear(*instance) * (from - instance->Offset) : from;
   RoundSample round = mesh.Shape == Mesh::Shapes::Tubes
     ? TubeView(place, GetTube(mesh, this->Place.Triangle)).Sample(u)
     : GetSphere(mesh, this->Place.Triangle, place).Sample(u);
@@ -182,7 +190,7 @@ LightSample Emitter::SampleRound(const glm::vec3& from, const glm::vec2& u) cons
     const float stretch = glm::length(path);
     sample.Direction = path / stretch;
     sample.Distance *= stretch;
-    sample.Pdf *= stretch * stretch * stretch / std::abs(glm::determinant(instance->Linear));
+    sample.Pdf *= GetCrowding(*instance, stretch);
   }
   const TrianglePoint point{ this->Place.Triangle, round.Along, 0.0f, this->Place.Instance };
   sample.Radiance = mesh.GetOpacity(point) * mesh.GetEmission(point);
@@ -201,11 +209,10 @@ float Emitter::GetPdf(const glm::vec3& from, const glm::vec3& direction, float d
   float scale = 1.0f;
   if (const MeshInstance* instance = this->GetInstance())
   {
-    const glm::mat3 inverse = glm::inverse(instance->Linear);
+    const glm::mat3 inverse = InvertLinear(*instance);
     place = inverse * (from - instance->Offset);
     path = inverse * path;
-    const float stretch = distance / glm::length(path);
-    scale = stretch * stretch * stretch / std::abs(glm::determinant(instance->Linear));
+    scale = GetCrowding(*instance, distance / glm::length(path));
   }
   return scale *
     (mesh.Shape == Mesh::Shapes::Tubes ? TubeView(place, GetTube(mesh, this->Place.Triangle))

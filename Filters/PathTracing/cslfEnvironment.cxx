@@ -48,6 +48,12 @@ std::vector<double> MakeImportance(const EnvironmentImage& image)
   return weights;
 }
 
+/// Whether all components are numbers.
+bool IsDirection(const glm::vec3& direction)
+{
+  return std::isfinite(direction.x + direction.y + direction.z);
+}
+
 /// Formats of whole numbers hold sRGB unless they say otherwise.
 bool IsEncoded(const OIIO::ImageSpec& spec)
 {
@@ -149,6 +155,10 @@ glm::vec3 Environment::Interpolate(const glm::vec2& point) const
 
 glm::vec3 Environment::GetRadiance(const glm::vec3& direction) const
 {
+  if (!IsDirection(direction))
+  {
+    return glm::vec3(0.0f);
+  }
   if (this->Image.Pixels.empty())
   {
     return this->Gradient.Get(direction);
@@ -175,6 +185,10 @@ LightSample Environment::Sample(const glm::vec2& u) const
 
 float Environment::Pdf(const glm::vec3& direction) const
 {
+  if (!IsDirection(direction))
+  {
+    return 0.0f;
+  }
   const glm::vec2 point = this->ToImage(direction);
   const float sine = std::sin(Pi * point.y);
   return sine > 0.0f ? this->Importance.GetPdf(point) / (2.0f * Pi * Pi * sine) : 0.0f;

@@ -9,11 +9,20 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace cslf
 {
 namespace
 {
+/// A vector at unit length, or another where it has no length that a float can hold.
+glm::vec3 NormalizeOr(const glm::vec3& vector, const glm::vec3& other)
+{
+  const float length = glm::length(vector);
+  return length > 0.0f && std::isfinite(length) ? vector / length : other;
+}
+
 /// A triangle in the scene.
 struct HitTriangle
 {
@@ -23,10 +32,10 @@ struct HitTriangle
   bool IsSmooth;        // whether all corners have a normal
 };
 
-/// What takes a mesh's normals to the scene.
-glm::mat3 GetNormalMatrix(const MeshInstance& instance)
+/// Takes a mesh's normal to the scene, at unit length.
+glm::vec3 PlaceNormal(const MeshInstance& instance, const glm::vec3& normal)
 {
-  return glm::transpose(glm::inverse(instance.Linear));
+  return NormalizeOr(glm::transpose(InvertLinear(instance)) * normal, normal);
 }
 
 HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
@@ -43,22 +52,28 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
       triangle.IsSmooth = triangle.Normals[i] != glm::vec3(0.0f);
     }
   }
-  float side = 1.0f;
   if (place.Instance != TrianglePoint::None)
   {
     const MeshInstance& instance = mesh.Instances[place.Instance];
-    const glm::mat3 normals = GetNormalMatrix(instance);
+    // The offset's digits would swallow the edges of small instances.
+    const glm::vec3 edges[3] = { glm::vec3(0.0f),
+      instance.Linear * (triangle.Corners[1] - triangle.Corners[0]),
+      instance.Linear * (triangle.Corners[2] - triangle.Corners[0]) };
+    triangle.Front = FindFront(edges);
     for (int i = 0; i < 3; ++i)
     {
       triangle.Corners[i] = instance.Linear * triangle.Corners[i] + instance.Offset;
       if (triangle.IsSmooth)
       {
-        triangle.Normals[i] = glm::normalize(normals * triangle.Normals[i]);
+        triangle.Normals[i] = PlaceNormal(instance, triangle.Normals[i]);
       }
     }
-    side = glm::determinant(instance.Linear) < 0.0f ? -1.0f : 1.0f;
+    triangle.Front *= glm::determinant(instance.Linear / GetSize(instance)) < 0.0f ? -1.0f : 1.0f;
   }
-  triangle.Front = side * FindFront(triangle.Corners);
+  else
+  {
+    triangle.Front = FindFront(triangle.Corners);
+  }
   return triangle;
 }
 
@@ -123,19 +138,17 @@ void LocateOnRound(
   if (instanced)
   {
     const MeshInstance& instance = mesh.Instances[place.Instance];
-    point = glm::inverse(instance.Linear) * (point - instance.Offset);
+    point = InvertLinear(instance) * (point - instance.Offset);
   }
   const glm::vec4 sphere = mesh.Shape == Mesh::Shapes::Tubes
     ? FindTubeSphere(mesh, place.Triangle, point, place.U)
     : glm::vec4(mesh.Vertices[place.Triangle], mesh.Radii[place.Triangle]);
   const glm::vec3 center(sphere);
-  glm::vec3 normal = point - center;
-  const float length = glm::length(normal);
-  normal = length > 0.0f ? normal / length : -ray.Direction;
+  glm::vec3 normal = NormalizeOr(point - center, -ray.Direction);
   const glm::vec3 position = ToScene(mesh, place.Instance, center + sphere.w * normal);
   if (instanced)
   {
-    normal = glm::normalize(GetNormalMatrix(mesh.Instances[place.Instance]) * normal);
+    normal = PlaceNormal(mesh.Instances[place.Instance], normal);
   }
 
   surface.GeometricNormal = TurnTo(normal, -ray.Direction);
@@ -150,6 +163,23 @@ Tube GetTube(const Mesh& mesh, std::uint32_t tube)
 {
   return { mesh.Vertices[2 * tube], mesh.Vertices[2 * tube + 1], mesh.Radii[2 * tube],
     mesh.Radii[2 * tube + 1] };
+}
+
+float GetSize(const MeshInstance& instance)
+{
+  float size = std::numeric_limits<float>::min();
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::vec3 column = glm::abs(instance.Linear[i]);
+    size = std::max(size, std::max(column.x, std::max(column.y, column.z)));
+  }
+  return size;
+}
+
+glm::mat3 InvertLinear(const MeshInstance& instance)
+{
+  const float size = GetSize(instance);
+  return glm::inverse(instance.Linear / size) / size;
 }
 
 glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point)

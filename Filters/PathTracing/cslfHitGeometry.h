@@ -12,6 +12,12 @@
 
 namespace cslf
 {
+/// The largest element of an instance's matrix: about its size.
+float GetSize(const MeshInstance& instance);
+
+/// The inverse of its matrix, also of instances so small that the determinant is 0 as a float.
+glm::mat3 InvertLinear(const MeshInstance& instance);
+
 /// A point of a mesh in the scene, in one of its instances or where it lies.
 glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point);
 

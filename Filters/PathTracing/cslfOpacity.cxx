@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfOpacity.h"
 
+#include "cslfHitGeometry.h"
 #include "cslfMesh.h"
 #include "cslfSampleStream.h"
+
+#include <glm/geometric.hpp>
 
 #include <cstring>
 
@@ -37,6 +40,33 @@ float GetChance(const RTCFilterFunctionNArguments* query, unsigned int lane)
   return static_cast<float>(hash >> 40) * 0x1p-24f;
 }
 
+/// Whether a ray leaves a sphere or a tube that it has entered. These are one surface, where they
+/// are met first: no ray meets the other side as well.
+bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, const Mesh& mesh)
+{
+  if (mesh.Shape == Mesh::Shapes::Triangles)
+  {
+    return false;
+  }
+  // Both are in the space of the mesh, also of instances.
+  RTCRayN* ray = query->ray;
+  const unsigned int size = query->N;
+  const glm::vec3 origin(
+    RTCRayN_org_x(ray, size, lane), RTCRayN_org_y(ray, size, lane), RTCRayN_org_z(ray, size, lane));
+  const glm::vec3 direction(
+    RTCRayN_dir_x(ray, size, lane), RTCRayN_dir_y(ray, size, lane), RTCRayN_dir_z(ray, size, lane));
+  const glm::vec3 normal(RTCHitN_Ng_x(query->hit, size, lane), RTCHitN_Ng_y(query->hit, size, lane),
+    RTCHitN_Ng_z(query->hit, size, lane));
+  if (!(glm::dot(direction, normal) > 0.0f))
+  {
+    return false;
+  }
+  const unsigned int shape = RTCHitN_primID(query->hit, size, lane);
+  return mesh.Shape == Mesh::Shapes::Tubes
+    ? !GetTube(mesh, shape).Contains(origin)
+    : glm::distance(origin, mesh.Vertices[shape]) > mesh.Radii[shape];
+}
+
 /// Refuses the hits that rays pass.
 void RefuseHits(const RTCFilterFunctionNArguments* query)
 {
@@ -46,6 +76,11 @@ void RefuseHits(const RTCFilterFunctionNArguments* query)
   {
     if (query->valid[lane] == 0)
     {
+      continue;
+    }
+    if (IsFarSide(query, lane, mesh))
+    {
+      query->valid[lane] = 0;
       continue;
     }
     const unsigned int instance = RTCHitN_instID(query->hit, query->N, lane, 0);

@@ -78,11 +78,11 @@ TubeView::TubeView(const glm::vec3& from, const Tube& tube)
     this->Shares[0] = 1.0f;
     return;
   }
-  this->LookAtSide();
-  if (this->IsInside())
+  if (tube.Contains(from))
   {
     return;
   }
+  this->LookAtSide();
   this->Shares[0] = this->EstimateEnd(0);
   this->Shares[1] = this->EstimateEnd(1);
   this->Shares[2] = this->EstimateSide();
@@ -107,7 +107,6 @@ void TubeView::LookAtSide()
   const float reach = this->CosSlant * this->AxisDistance;
   const float least = tube.Radius + tube.Slope * height;
   this->LineHeight = reach - least;
-  this->Height = height;
   if (!(this->LineHeight > 0.0f))
   {
     return;
@@ -119,15 +118,6 @@ void TubeView::LookAtSide()
   this->LinePlace = glm::dot(path - tube.Radius * normal, line);
   this->LineAngle = std::atan2(length * this->LineHeight,
     this->LineHeight * this->LineHeight - this->LinePlace * (length - this->LinePlace));
-}
-
-/// Whether one of the spheres that make the tube holds the point.
-bool TubeView::IsInside() const
-{
-  const Tube& tube = this->Shape;
-  const float nearest = this->Height + tube.Slope * this->AxisDistance / this->CosSlant;
-  const float along = std::clamp(nearest / tube.Length, 0.0f, 1.0f);
-  return glm::distance(this->From, tube.GetCenter(along)) <= tube.GetRadius(along);
 }
 
 /// About the solid angle of an end's part of its sphere.

@@ -66,7 +66,6 @@ public:
 
 private:
   void LookAtSide();
-  bool IsInside() const;
   float EstimateEnd(int end) const;
   float EstimateSide() const;
   RoundSample SampleEnd(int end, const glm::vec2& u) const;
@@ -82,7 +81,6 @@ private:
   // is nearest to the point.
   glm::vec3 Towards{ 0.0f }; // from the axis to the point, of unit length
   float AxisDistance = 0.0f; // of the point
-  float Height = 0.0f;       // of the point along the axis
   float CosSlant = 1.0f;     // of the angle between the surface and the axis
   float Azimuth = 0.0f;      // half of the visible range
   float LineHeight = 0.0f;   // of the point above the line's tangent plane

@@ -7,6 +7,7 @@
 #ifndef cslfTriangleGeometry_h
 #define cslfTriangleGeometry_h
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -43,10 +44,16 @@ inline glm::vec3 InterpolateCorners(const glm::vec3 values[3], float u, float v)
   return (1.0f - u - v) * values[0] + u * values[1] + v * values[2];
 }
 
-/// The normal of the side from which the corners run counterclockwise.
+/// The normal of the side from which the corners run counterclockwise: of unit length, also where
+/// the triangle is so small that its area is 0 as a float.
 inline glm::vec3 FindFront(const glm::vec3 corners[3])
 {
-  return glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const glm::vec3 edges[2] = { corners[1] - corners[0], corners[2] - corners[0] };
+  const glm::vec3 sizes = glm::max(glm::abs(edges[0]), glm::abs(edges[1]));
+  const float size = std::max(std::max(sizes.x, sizes.y), sizes.z);
+  const glm::vec3 normal = glm::cross(edges[0] / size, edges[1] / size);
+  const float length = glm::length(normal);
+  return length > 0.0f ? normal / length : glm::vec3(0.0f, 0.0f, 1.0f);
 }
 
 /// The interpolated normal, on the front.

@@ -55,6 +55,18 @@ struct Tube
 
   float GetRadius(float along) const { return this->Radius + along * this->Slope * this->Length; }
 
+  /// Whether one of the spheres that make the tube holds a point.
+  bool Contains(const glm::vec3& point) const
+  {
+    const glm::vec3 path = point - this->Start;
+    const float height = glm::dot(path, this->Axis);
+    const float across = glm::length(path - height * this->Axis);
+    const float lean = this->Slope / std::sqrt(1.0f - this->Slope * this->Slope);
+    const float along =
+      this->IsSphere() ? 0.0f : std::clamp((height + lean * across) / this->Length, 0.0f, 1.0f);
+    return glm::distance(point, this->GetCenter(along)) <= this->GetRadius(along);
+  }
+
   /// Which of the spheres, counted from 0 at the start to 1 at the end, touches the surface at one
   /// of its points. Below 0 and above 1 the point is on a round end.
   float FindAlong(const glm::vec3& point) const

@@ -158,6 +158,105 @@ void TestShadows()
   CSLF_CHECK(trace(MakeGlass(1.5f, 0.0f)).Mean == 0.0);
 }
 
+cslf::Mesh MakeRound(bool isTube, const cslf::SurfaceMaterial& material)
+{
+  cslf::Mesh mesh;
+  mesh.Shape = isTube ? cslf::Mesh::Shapes::Tubes : cslf::Mesh::Shapes::Spheres;
+  mesh.Vertices = { { 0, 0, 1 } };
+  mesh.Radii = { 0.4f };
+  if (isTube)
+  {
+    mesh.Vertices.emplace_back(0.2f, 0.9f, 1.0f);
+    mesh.Radii.push_back(0.3f);
+  }
+  mesh.Material = material;
+  return mesh;
+}
+
+void TestRoundShapes()
+{
+  // A sphere or a tube is one surface: as much light passes it as the alpha tells that is seen
+  // through it, in all its instances. A lamp within is behind one surface, too.
+  for (const bool isTube : { false, true })
+  {
+    for (const bool isInstance : { false, true })
+    {
+      for (const float opacity : { 0.25f, 0.6f, 1.0f })
+      {
+        cslf::SurfaceMaterial material = MakeDiffuse(0.0f);
+        material.Opacity = opacity;
+        cslf::Mesh round = MakeRound(isTube, material);
+        if (isInstance)
+        {
+          cslf::MeshInstance instance;
+          instance.Linear = { { 0.8f, 0.1f, 0 }, { 0, 1.1f, 0 }, { 0, 0.2f, 0.7f } };
+          instance.Offset = { 0.02f, -0.2f, 0.3f };
+          round.Instances = { instance };
+        }
+        std::vector<cslf::Mesh> meshes;
+        meshes.push_back(MakeRectangle({ 0, 0, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, MakeDiffuse(0.5f)));
+        meshes.push_back(round);
+        for (const float height : { 3.0f, 1.0f })
+        {
+          cslf::LightSet lights;
+          lights.Points.push_back({ { 0, 0, height }, glm::vec3(height * height) });
+          const cslf::Scene scene(meshes, lights);
+          cslf::PathSettings direct;
+          direct.MaximumDepth = 1;
+          const Estimate lit = Trace(scene, LookAt({ 0.9f, 0, 0.1f }, Dark), direct, 16);
+          CSLF_CHECK_NEAR(lit.Mean, 0.5 / cslf::Pi * (1.0 - opacity), 1e-4);
+        }
+        const cslf::Scene alone({ round }, {});
+        constexpr int samples = 1 << 12;
+        CSLF_CHECK_NEAR(Render(alone, samples).Color[3], opacity, 4.0 * 0.5 / std::sqrt(samples));
+      }
+    }
+  }
+}
+
+/// Instances too small for floats to tell their corners apart, under an image of the environment:
+/// no direction that is not a number.
+void TestTinyInstances()
+{
+  cslf::EnvironmentImage pixels{ 16, 8, std::vector<glm::vec3>(128, glm::vec3(0.5f)) };
+  cslf::LightSet lights;
+  lights.Surroundings = { pixels, 1.0f, cslf::EnvironmentAxes() };
+  for (const float size : { 1e-6f, 1e-9f, 1e-14f, 1e-20f, 1e-30f })
+  {
+    std::vector<cslf::Mesh> meshes;
+    meshes.push_back(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.5f, 1.0f)));
+    meshes.push_back(MakeRound(false, MakeDiffuse(0.5f, 1.0f)));
+    meshes.push_back(MakeRound(true, MakeDiffuse(0.5f, 1.0f)));
+    for (cslf::Mesh& mesh : meshes)
+    {
+      cslf::MeshInstance instance;
+      instance.Linear = glm::mat3(size);
+      instance.Offset = { 0.3f, 0.2f, 0.1f };
+      mesh.Instances = { instance };
+    }
+    meshes.push_back(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(1.0f)));
+    const cslf::Scene scene(std::move(meshes), lights);
+    const Estimate floor = Trace(scene, LookAt({ 0.1f, 0.1f, 1 }, { 0.1f, 0.1f, 0 }), {}, 1 << 10);
+    CSLF_CHECK_NEAR(floor.Mean, 0.5, 0.05);
+    // Surfaces as hits tell them have directions, whatever the size.
+    for (std::uint32_t mesh = 0; mesh < 3; ++mesh)
+    {
+      cslf::Hit hit;
+      hit.Distance = 0.9f;
+      hit.Mesh = mesh;
+      hit.Triangle = 0;
+      hit.Instance = 0;
+      const cslf::SurfaceHit surface =
+        scene.GetSurface({ { 0.3f, 0.2f, 1.0f }, { 0, 0, -1 } }, hit);
+      CSLF_CHECK_NEAR(glm::length(surface.ShadingNormal), 1.0, 1e-3);
+      CSLF_CHECK(std::isfinite(surface.LeavePosition.x + surface.PassPosition.z));
+    }
+  }
+  const glm::vec3 none(std::nanf(""));
+  CSLF_CHECK(lights.Surroundings.GetRadiance(none) == glm::vec3(0.0f));
+  CSLF_CHECK(lights.Surroundings.Pdf(none) == 0.0f);
+}
+
 void TestTranslucentLamp()
 {
   // A lamp of opacity 0.4 lights a floor as one of 0.4 times the radiance does, by each estimator.
@@ -271,6 +370,8 @@ int TestCSLFTransparency(int, char*[])
 {
   TestCoverage();
   TestShadows();
+  TestRoundShapes();
+  TestTinyInstances();
   TestTranslucentLamp();
   TestGlassSphere();
   TestRefraction();
