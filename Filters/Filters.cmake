@@ -57,6 +57,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfScene.cxx
   ../Filters/PathTracing/cslfSceneBlock.cxx
   ../Filters/PathTracing/cslfSceneBuilder.cxx
+  ../Filters/PathTracing/cslfStoppingRule.cxx
   ../Filters/PathTracing/cslfStreamLanes.cxx
   ../Filters/PathTracing/cslfSurfaceColors.cxx
   ../Filters/PathTracing/cslfSurfaceLanes.cxx
@@ -113,6 +114,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfScene.h
   ../Filters/PathTracing/cslfSceneBlock.h
   ../Filters/PathTracing/cslfSceneBuilder.h
+  ../Filters/PathTracing/cslfStoppingRule.h
   ../Filters/PathTracing/cslfStreamLanes.h
   ../Filters/PathTracing/cslfSurfaceColors.h
   ../Filters/PathTracing/cslfSurfaceLanes.h

@@ -152,10 +152,11 @@ public:
   ///@{
   /**
    * Where above 0, sampling of a square of 4 x 4 texels ends early, at a power of two of samples,
-   * when the standard error of all their colours is at most this, in parts of displayed white:
-   * 1/256 is one level of 8 bits. Texels without noise, which see only what radiance caching knows,
-   * may do with one sample; all others have at least 4 of the Samples. Default: 0, take all
-   * Samples.
+   * when the standard error of their colours is at most this, in parts of displayed white: 1/256 is
+   * one level of 8 bits. Where the output is floating point, this holds at any exposure from 1/16
+   * to 16 times Exposure. Texels that see only what radiance caching knows, or nothing, may do with
+   * one sample; all others have at least 4 of the Samples. The mean of a texel is not biased: only
+   * the other texels of its square decide how many samples it takes. Default: 0, take all Samples.
    */
   vtkSetClampMacro(NoiseTarget, double, 0.0, 1.0);
   vtkGetMacro(NoiseTarget, double);

@@ -47,6 +47,7 @@ struct EmbreeQuery
   RTCIntersectContext Context; // first, since that is what filters get a pointer to
   Passing Rule;
   float* Transmittance = nullptr; // of the rays by their id, where they are attenuated
+  bool* MeetsVeils = nullptr;     // set where an opacity is neither 0 nor 1
 
   explicit EmbreeQuery(Passing rule)
     : Rule(rule)
@@ -116,6 +117,7 @@ struct EmbreeQuery
   RTCRayQueryContext Context;
   Passing Rule;
   float* Transmittance = nullptr;
+  bool* MeetsVeils = nullptr;
 
   explicit EmbreeQuery(Passing rule)
     : Rule(rule)

@@ -87,6 +87,10 @@ void RefuseHits(const RTCFilterFunctionNArguments* query)
     const float opacity = mesh.GetOpacity({ RTCHitN_primID(query->hit, query->N, lane),
       RTCHitN_u(query->hit, query->N, lane), RTCHitN_v(query->hit, query->N, lane),
       instance == RTC_INVALID_GEOMETRY_ID ? TrianglePoint::None : instance - mesh.FirstInstance });
+    if (rule.MeetsVeils && opacity > 0.0f && opacity < 1.0f)
+    {
+      *rule.MeetsVeils = true;
+    }
     bool met = false;
     switch (rule.Rule)
     {

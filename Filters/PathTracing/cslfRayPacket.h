@@ -54,6 +54,9 @@ struct RayPacket
   /// are found by, so that they do not depend on chance.
   bool PassByHalf = false;
 
+  /// Whether Scene::Intersect met a surface that rays pass by chance.
+  bool MeetsVeils = false;
+
   Ray GetRay(int lane) const
   {
     const RTCRay16& ray = this->Query.ray;

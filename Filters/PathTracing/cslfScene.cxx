@@ -371,7 +371,9 @@ void Scene::Intersect(RayPacket& packet) const
 {
   alignas(64) int valid[RayPacket::Size];
   PrepareQuery(packet.Query, packet.Active, valid);
-  const EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
+  EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
+  packet.MeetsVeils = false;
+  rule.MeetsVeils = &packet.MeetsVeils;
   EmbreeIntersect16(
     this->Tree->World.get(), this->Tree->PacketWidth, rule, true, valid, packet.Query);
   if (!this->Tree->Parts.empty())

@@ -21,29 +21,28 @@ namespace
 constexpr std::int64_t BatchSamples = 1 << 20;
 constexpr std::int64_t SmallestBatch = 16;
 
-// The fewest samples whose differences are taken for their noise.
-constexpr int FewestSamples = 4;
-
 // The most blocks whose paths are followed together.
 constexpr int MostBlocks = 64;
 
-// Across the 4 texels of a block's side a colour may change by this many noise targets, for one
-// sample to do: between its texel's centre and itself there is a quarter of a texel on average.
-constexpr double RangeOfTarget = 8.0;
-
-/// Sequences are best at powers of two.
-bool IsPowerOfTwo(int count)
+/// Whether rays of two packets, all of which meet the scene, see the same mesh or all miss.
+bool ShowOneMesh(const RayPacket& a, const RayPacket& b)
 {
-  return (count & (count - 1)) == 0;
+  std::uint32_t differences = 0;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    differences |= a.Query.hit.geomID[lane] ^ a.Query.hit.geomID[0];
+    differences |= b.Query.hit.geomID[lane] ^ a.Query.hit.geomID[0];
+  }
+  return differences == 0;
 }
 
-/// Leaves out the rays of a group's texels that are not inside. Returns the number of those left.
-int KeepInside(const TexelGroup& group, const int* inside, RayPacket& packet)
+/// Leaves out the rays that are not inside. Returns the number of those left.
+int KeepInside(const int* inside, RayPacket& packet)
 {
   int rays = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    packet.Active[lane] &= inside[group.GetTexel(lane)];
+    packet.Active[lane] &= inside[lane];
     rays -= packet.Active[lane];
   }
   return rays;
@@ -63,8 +62,11 @@ struct TexelRenderer::Block
   std::uint64_t Hashes[RayPacket::Size];   // of the texels, for their random numbers
   TexelPlaces Texels;
   TexelSums Sums;
-  bool IsExact = true;      // whether all samples are without noise
+  TexelMeans Means;
+  ColorBounds Expected;     // what rays see that no texel averages
+  bool MayEndSoon = false;  // whether a single sample may do
   bool LacksDepths = false; // whether a depth is to be found by the samples
+  PathVariance Variance;    // of the first samples
 };
 
 /// Paths that wait to be followed together, those of a run of blocks: which they are depends on the
@@ -93,6 +95,7 @@ TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
   , Output(output)
   , Integrator(scene, settings.Paths, settings.Cache)
   , Known(scene, settings.Cache)
+  , Rule(DisplayCurve(settings.Exposure, settings.DisplayRange), settings.NoiseTarget)
 {
 }
 
@@ -148,7 +151,7 @@ void TexelRenderer::RenderRun(std::int64_t index, PathQueue& queue) const
     this->SetTexels(blocks[i], (begin + i) * BlockSide);
   }
   queue.Rays = 0;
-  this->RenderBlocks(blocks.data(), count, queue);
+  this->RenderBlocks(blocks, queue);
   this->Rays.fetch_add(queue.Rays, std::memory_order_relaxed);
 }
 
@@ -161,7 +164,7 @@ int TexelRenderer::GetBlocksOfRun() const
 {
   // As many as fill a batch of paths before it must be followed.
   const int samples =
-    this->Settings.NoiseTarget > 0.0 ? FewestSamples : std::max(this->Settings.Samples, 1);
+    this->IsAdaptive() ? StoppingRule::FewestSamples : std::max(this->Settings.Samples, 1);
   const int filling = PathBatch::Capacity / (RayPacket::Size * samples);
   return std::clamp(filling, 1, std::min(this->GetBlocksOfRow(), MostBlocks));
 }
@@ -194,94 +197,94 @@ void TexelRenderer::SetTexels(Block& block, int column) const
   }
 }
 
-int TexelRenderer::GetSamplesAtOnce(int samples) const
+bool TexelRenderer::IsAdaptive() const
 {
-  // With a target, it is asked at powers of two whether to go on.
-  int left = this->Settings.Samples - samples;
-  if (this->Settings.NoiseTarget > 0.0)
-  {
-    int next = 1;
-    while (next <= samples)
-    {
-      next *= 2;
-    }
-    left = std::min(left, next - samples);
-  }
-  return left >= 16 ? 16 : left >= 4 ? 4 : 1;
+  return this->Settings.NoiseTarget > 0.0 && this->Settings.Samples > 1;
 }
 
-void TexelRenderer::RenderBlocks(Block* blocks, int count, PathQueue& queue) const
+void TexelRenderer::RenderBlocks(std::vector<Block>& blocks, PathQueue& queue) const
 {
-  std::vector<Block*> unfinished;
-  for (int i = 0; i < count; ++i)
+  for (Block& block : blocks)
   {
-    unfinished.push_back(blocks + i);
-    if (this->Output.Depth)
-    {
-      this->FindDepths(blocks[i]);
-    }
+    this->LookAhead(block, queue.Rays);
   }
-  for (int samples = 0; samples < this->Settings.Samples && !unfinished.empty();)
+  if (this->IsAdaptive())
   {
-    const int added = this->GetSamplesAtOnce(samples);
-    samples += added;
-    for (Block* block : unfinished)
+    this->TakeSingles(blocks, queue);
+    this->TakeEnough(blocks, queue);
+  }
+  this->AddUpTo(this->Settings.Samples, blocks, queue);
+  for (Block& block : blocks)
+  {
+    block.Means.TakeAll(block.Sums);
+    this->Write(block);
+  }
+}
+
+void TexelRenderer::TakeSingles(std::vector<Block>& blocks, PathQueue& queue) const
+{
+  for (Block& block : blocks)
+  {
+    if (block.MayEndSoon)
     {
-      this->AddSamples(*block, added, queue);
-    }
-    if (this->Settings.NoiseTarget > 0.0 && IsPowerOfTwo(samples))
-    {
-      this->FollowPaths(queue);
-      const auto isGood = [this, &queue](const Block* block)
-      { return this->IsGoodEnough(*block, queue.Rays); };
-      unfinished.erase(
-        std::remove_if(unfinished.begin(), unfinished.end(), isGood), unfinished.end());
+      this->AddUpTo(1, block, queue);
     }
   }
   this->FollowPaths(queue);
-  for (int i = 0; i < count; ++i)
+  for (Block& block : blocks)
   {
-    this->Write(blocks[i]);
+    if (block.MayEndSoon)
+    {
+      this->Rule.TakeSingle(block.Expected, block.Inside, block.Sums, block.Means);
+    }
   }
 }
 
-bool TexelRenderer::IsGoodEnough(const Block& block, std::uint64_t& rays) const
+void TexelRenderer::TakeEnough(std::vector<Block>& blocks, PathQueue& queue) const
 {
-  // A few samples tell of noise only where there is none: then where in its texel a sample lies
-  // matters as much as texels differ from their neighbours.
-  const auto exposure = static_cast<float>(this->Settings.Exposure);
-  if (block.Sums.Samples < FewestSamples)
+  PathVariance all; // of the first samples, which every block here takes
+  for (std::int64_t samples = StoppingRule::FewestSamples; samples < this->Settings.Samples;
+       samples *= 2)
   {
-    return block.IsExact &&
-      block.Sums.GetRange(exposure, block.Inside) < RangeOfTarget * this->Settings.NoiseTarget &&
-      this->IsInOnePiece(block, rays);
+    this->AddUpTo(static_cast<int>(samples), blocks, queue);
+    for (Block& block : blocks)
+    {
+      if (samples == StoppingRule::FewestSamples && !block.Means.AreTaken())
+      {
+        block.Variance = StoppingRule::GetVariance(block.Sums);
+        all.Add(block.Variance);
+      }
+    }
+    for (Block& block : blocks)
+    {
+      if (!block.Means.AreTaken())
+      {
+        this->Rule.Take(block.Expected, all.GetMeanWithout(block.Variance), block.Inside,
+          block.Sums, block.Means);
+      }
+    }
   }
-  return block.Sums.GetNoise(exposure) <= this->Settings.NoiseTarget;
 }
 
-bool TexelRenderer::IsInOnePiece(const Block& block, std::uint64_t& rays) const
+void TexelRenderer::AddUpTo(int samples, std::vector<Block>& blocks, PathQueue& queue) const
 {
-  // An outline that runs along the block's border is missed by samples within the texels.
-  constexpr float step = static_cast<float>(BlockSide) / (BlockSide - 1);
-  float x[RayPacket::Size];
-  float y[RayPacket::Size];
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  for (Block& block : blocks)
   {
-    x[lane] = static_cast<float>(block.X) + step * static_cast<float>(TexelPlaces::GetColumn(lane));
-    y[lane] = static_cast<float>(block.Y) + step * static_cast<float>(TexelPlaces::GetRow(lane));
+    if (!block.Means.AreTaken())
+    {
+      this->AddUpTo(samples, block, queue);
+    }
   }
-  RayPacket packet;
-  PacketScale scale;
-  SetRays(block.Grid, x, y, packet, scale);
-  rays += RayPacket::Size;
-  this->World.Intersect(packet);
-  const bool covered = this->Settings.ShowEnvironment ? packet.IsHit(0) : block.Sums.Covered[0] > 0;
-  int same = 0;
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  this->FollowPaths(queue);
+}
+
+void TexelRenderer::AddUpTo(int samples, Block& block, PathQueue& queue) const
+{
+  while (block.Sums.Samples < samples)
   {
-    same += packet.IsHit(lane) == covered ? 1 : 0;
+    const int left = samples - block.Sums.Samples;
+    this->AddSamples(block, left >= 16 ? 16 : left >= 4 ? 4 : 1, queue);
   }
-  return same == RayPacket::Size;
 }
 
 void TexelRenderer::AddSamples(Block& block, int count, PathQueue& queue) const
@@ -303,25 +306,26 @@ void TexelRenderer::AddSamples(Block& block, int count, PathQueue& queue) const
 void TexelRenderer::AddPacket(
   Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const
 {
+  alignas(64) int inside[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    inside[lane] = block.Inside[group.GetTexel(lane)];
+  }
   RayPacket packet;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
-  queue.Rays += KeepInside(group, block.Inside, packet);
+  queue.Rays += KeepInside(inside, packet);
   this->World.Intersect(packet);
 
   // Find what they see.
   PacketRadiance radiance;
   alignas(64) int covered[RayPacket::Size];
-  if (!this->Known.Get(packet, radiance, covered))
+  if (!this->LookUp(packet, inside, radiance, covered))
   {
-    this->Follow(packet, block, group, queue, radiance, covered);
-  }
-  if (this->Settings.ShowEnvironment)
-  {
-    this->AddEnvironment(packet, block, group, radiance, covered);
+    this->Follow(packet, block, group, covered, queue);
   }
   block.Sums.Add(group, radiance, covered);
-  if (this->Settings.NoiseTarget > 0.0)
+  if (this->IsAdaptive())
   {
     block.Sums.AddSquares(group, radiance);
   }
@@ -331,30 +335,54 @@ void TexelRenderer::AddPacket(
   }
 }
 
+bool TexelRenderer::LookUp(
+  const RayPacket& packet, const int inside[], PacketRadiance& radiance, int covered[]) const
+{
+  bool isKnown = this->Known.Get(packet, radiance, covered);
+  if (!isKnown)
+  {
+    isKnown = true;
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      glm::vec3 known;
+      if (!packet.IsHit(lane) || covered[lane])
+      {
+        continue;
+      }
+      if (this->Settings.Cache &&
+        this->Integrator.LookUp(packet.GetRay(lane), packet.GetHit(lane), known))
+      {
+        radiance.Set(lane, known);
+        covered[lane] = -1;
+      }
+      else
+      {
+        isKnown = false;
+      }
+    }
+  }
+  for (int lane = 0; lane < RayPacket::Size && this->Settings.ShowEnvironment; ++lane)
+  {
+    if (inside[lane] && !packet.IsHit(lane))
+    {
+      radiance.Set(lane, this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
+      covered[lane] = -1;
+    }
+  }
+  return isKnown;
+}
+
 void TexelRenderer::Follow(const RayPacket& packet, Block& block, const TexelGroup& group,
-  PathQueue& queue, PacketRadiance& radiance, int covered[]) const
+  const int covered[], PathQueue& queue) const
 {
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
-    if (!packet.IsHit(lane) || covered[lane])
-    {
-      continue;
-    }
-    const Ray ray = packet.GetRay(lane);
-    const Hit hit = packet.GetHit(lane);
-    glm::vec3 known;
-    if (this->Settings.Cache && this->Integrator.LookUp(ray, hit, known))
-    {
-      radiance.Set(lane, known);
-      covered[lane] = -1;
-    }
-    else
+    if (packet.IsHit(lane) && !covered[lane])
     {
       const int texel = group.GetTexel(lane);
       const auto sample = static_cast<std::uint32_t>(block.Sums.Samples + group.GetSample(lane));
-      queue.Batch.Add({ ray, block.Hashes[texel], sample }, hit);
+      queue.Batch.Add({ packet.GetRay(lane), block.Hashes[texel], sample }, packet.GetHit(lane));
       queue.Sources.push_back({ &block.Sums, texel });
-      block.IsExact = false;
     }
   }
 }
@@ -375,22 +403,12 @@ void TexelRenderer::FollowPaths(PathQueue& queue) const
   queue.Sources.clear();
 }
 
-void TexelRenderer::AddEnvironment(const RayPacket& packet, const Block& block,
-  const TexelGroup& group, PacketRadiance& radiance, int covered[]) const
+void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
 {
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  if (!this->Output.Depth && !this->IsAdaptive())
   {
-    if (block.Inside[group.GetTexel(lane)] && !packet.IsHit(lane))
-    {
-      radiance.Set(lane, this->World.GetEnvironment().GetRadiance(packet.GetRay(lane).Direction));
-      covered[lane] = -1;
-    }
+    return;
   }
-}
-
-void TexelRenderer::FindDepths(Block& block) const
-{
-  // Where the ray to the centre sees nothing, the samples may.
   SamplePlaces places;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
@@ -403,20 +421,80 @@ void TexelRenderer::FindDepths(Block& block) const
   packet.PassByHalf = true;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
-  const TexelGroup all(RayPacket::Size);
-  KeepInside(all, block.Inside, packet);
+  const int centers = KeepInside(block.Inside, packet);
   this->World.Intersect(packet);
-  block.Sums.AddDepths(all, packet, scale, places.X, places.Y);
-  for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
+  if (this->Output.Depth)
   {
-    block.LacksDepths |= block.Inside[lane] && !packet.IsHit(lane);
+    // Where the ray to the centre sees nothing, the samples may.
+    block.Sums.AddDepths(TexelGroup(RayPacket::Size), packet, scale, places.X, places.Y);
+    for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
+    {
+      block.LacksDepths |= block.Inside[lane] && !packet.IsHit(lane);
+    }
   }
+  else
+  {
+    rays += centers;
+  }
+  if (this->IsAdaptive())
+  {
+    block.MayEndSoon = this->IsPlain(packet, block, rays);
+  }
+}
+
+bool TexelRenderer::IsPlain(const RayPacket& centers, Block& block, std::uint64_t& rays) const
+{
+  if (!this->AddSeen(centers, block.Inside, block.Expected))
+  {
+    return false;
+  }
+  // What lies along the block's border is missed by the rays to the centres.
+  constexpr float around = 0.5f;
+  constexpr float step = (BlockSide + 2.0f * around) / (BlockSide - 1);
+  alignas(64) int all[RayPacket::Size];
+  float x[RayPacket::Size];
+  float y[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    const auto column = static_cast<float>(TexelPlaces::GetColumn(lane));
+    const auto row = static_cast<float>(TexelPlaces::GetRow(lane));
+    all[lane] = -1;
+    x[lane] = static_cast<float>(block.X) - around + step * column;
+    y[lane] = static_cast<float>(block.Y) - around + step * row;
+  }
+  RayPacket packet;
+  PacketScale scale;
+  SetRays(block.Grid, x, y, packet, scale);
+  rays += RayPacket::Size;
+  this->World.Intersect(packet);
+  return (!packet.MeetsVeils && ShowOneMesh(centers, packet)) ||
+    this->AddSeen(packet, all, block.Expected);
+}
+
+bool TexelRenderer::AddSeen(const RayPacket& packet, const int inside[], ColorBounds& seen) const
+{
+  PacketRadiance radiance = {};
+  alignas(64) int covered[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    covered[lane] = packet.IsHit(lane) || this->Settings.ShowEnvironment ? -1 : 0;
+  }
+  ColorBounds coverage = seen;
+  coverage.Add(radiance, covered, inside);
+  if (coverage.AreMixed() || packet.MeetsVeils)
+  {
+    seen = coverage;
+    return false;
+  }
+  alignas(64) int known[RayPacket::Size];
+  const bool isKnown = this->LookUp(packet, inside, radiance, known);
+  seen.Add(radiance, covered, inside);
+  return isKnown && this->Rule.IsPlain(seen);
 }
 
 void TexelRenderer::Write(const Block& block) const
 {
-  const TexelSums& sums = block.Sums;
-  const double scale = this->Settings.Exposure / sums.Samples;
+  const TexelMeans& means = block.Means;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     if (!block.Inside[lane])
@@ -428,9 +506,10 @@ void TexelRenderer::Write(const Block& block) const
       TexelPlaces::GetRow(lane);
     const std::int64_t texel = row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth +
       block.X + TexelPlaces::GetColumn(lane);
+    const double scale = this->Settings.Exposure / means.Samples[lane];
     const glm::dvec3 radiance =
-      scale * glm::dvec3(sums.Red[lane], sums.Green[lane], sums.Blue[lane]);
-    const double alpha = static_cast<double>(sums.Covered[lane]) / sums.Samples;
+      scale * glm::dvec3(means.Red[lane], means.Green[lane], means.Blue[lane]);
+    const double alpha = static_cast<double>(means.Covered[lane]) / means.Samples[lane];
     if (this->Output.ColorBytes)
     {
       EncodeColor(radiance, alpha, this->Output.ColorBytes + 4 * texel);
@@ -445,7 +524,8 @@ void TexelRenderer::Write(const Block& block) const
     }
     if (this->Output.Depth)
     {
-      const float depth = sums.Covered[lane] > 0 ? std::clamp(sums.Depth[lane], 0.0f, 1.0f) : 1.0f;
+      const float depth =
+        means.Covered[lane] > 0 ? std::clamp(block.Sums.Depth[lane], 0.0f, 1.0f) : 1.0f;
       this->Output.Depth[texel] = static_cast<unsigned short>(65535.0f * depth + 0.5f);
     }
   }

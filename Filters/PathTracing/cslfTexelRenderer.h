@@ -14,6 +14,7 @@
 #include "cslfPathIntegrator.h"
 #include "cslfRayGrid.h"
 #include "cslfSamplePlaces.h"
+#include "cslfStoppingRule.h"
 #include "cslfTexelSums.h"
 
 #include <atomic>
@@ -83,19 +84,23 @@ private:
   int GetRunsOfRow() const;
   void RenderRun(std::int64_t index, PathQueue& queue) const;
   void SetTexels(Block& block, int column) const;
-  void RenderBlocks(Block* blocks, int count, PathQueue& queue) const;
-  int GetSamplesAtOnce(int samples) const;
+  bool IsAdaptive() const;
+  void RenderBlocks(std::vector<Block>& blocks, PathQueue& queue) const;
+  void TakeSingles(std::vector<Block>& blocks, PathQueue& queue) const;
+  void TakeEnough(std::vector<Block>& blocks, PathQueue& queue) const;
+  void AddUpTo(int samples, std::vector<Block>& blocks, PathQueue& queue) const;
+  void AddUpTo(int samples, Block& block, PathQueue& queue) const;
   void AddSamples(Block& block, int count, PathQueue& queue) const;
   void AddPacket(
     Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const;
-  void Follow(const RayPacket& packet, Block& block, const TexelGroup& group, PathQueue& queue,
-    PacketRadiance& radiance, int covered[]) const;
-  void AddEnvironment(const RayPacket& packet, const Block& block, const TexelGroup& group,
-    PacketRadiance& radiance, int covered[]) const;
+  bool LookUp(
+    const RayPacket& packet, const int inside[], PacketRadiance& radiance, int covered[]) const;
+  void Follow(const RayPacket& packet, Block& block, const TexelGroup& group, const int covered[],
+    PathQueue& queue) const;
   void FollowPaths(PathQueue& queue) const;
-  bool IsGoodEnough(const Block& block, std::uint64_t& rays) const;
-  bool IsInOnePiece(const Block& block, std::uint64_t& rays) const;
-  void FindDepths(Block& block) const;
+  void LookAhead(Block& block, std::uint64_t& rays) const;
+  bool IsPlain(const RayPacket& centers, Block& block, std::uint64_t& rays) const;
+  bool AddSeen(const RayPacket& packet, const int inside[], ColorBounds& seen) const;
   void Write(const Block& block) const;
 
   const Scene& World;
@@ -105,6 +110,7 @@ private:
   TexelOutput Output;
   PathIntegrator Integrator;
   DiffuseLookUp Known;
+  StoppingRule Rule;
   mutable std::atomic<std::uint64_t> Rays{ 0 };
 };
 }

@@ -5,7 +5,6 @@
 #include "cslfVectorize.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace cslf
@@ -13,13 +12,6 @@ namespace cslf
 namespace
 {
 constexpr int Size = TexelSums::Size;
-
-/// About what a viewer sees of radiance, in [0,1].
-inline float Display(float radiance, float exposure)
-{
-  const float exposed = radiance * exposure;
-  return std::sqrt(exposed < 1.0f ? exposed : 1.0f);
-}
 
 template <int Texels, typename Value>
 inline void AddSamples(Value* __restrict sums, const Value* __restrict values)
@@ -74,34 +66,6 @@ CSLF_VECTORIZE void AddSquaredColors(
   AddTo(sums.GreenSquares, group, squares.Green);
   AddTo(sums.BlueSquares, group, squares.Blue);
 }
-
-/// The largest displayed standard error of a colour's component.
-CSLF_VECTORIZE float FindError(const float* sums, const float* squares, float count, float exposure)
-{
-  float errors[Size];
-  for (int lane = 0; lane < Size; ++lane)
-  {
-    const float mean = sums[lane] / count;
-    const float spread = squares[lane] / count - mean * mean;
-    const float variance = (spread > 0.0f ? spread : 0.0f) / (count - 1.0f);
-    errors[lane] = Display(mean + std::sqrt(variance), exposure) - Display(mean, exposure);
-  }
-  return *std::max_element(errors, errors + Size);
-}
-
-/// How far a displayed component lies apart.
-CSLF_VECTORIZE float FindRange(const float* sums, const int* inside, float count, float exposure)
-{
-  float lows[Size];
-  float highs[Size];
-  for (int lane = 0; lane < Size; ++lane)
-  {
-    const float shown = Display(sums[lane] / count, exposure);
-    lows[lane] = inside[lane] ? shown : 1.0f;
-    highs[lane] = inside[lane] ? shown : 0.0f;
-  }
-  return *std::max_element(highs, highs + Size) - *std::min_element(lows, lows + Size);
-}
 }
 
 TexelSums::TexelSums()
@@ -130,6 +94,7 @@ void TexelSums::AddPath(int texel, const glm::vec3& radiance)
   this->GreenSquares[texel] += radiance.y * radiance.y;
   this->BlueSquares[texel] += radiance.z * radiance.z;
   ++this->Covered[texel];
+  ++this->Paths[texel];
 }
 
 void TexelSums::AddSquares(const TexelGroup& group, const PacketRadiance& radiance)
@@ -165,32 +130,33 @@ CSLF_VECTORIZE void TexelSums::AddDepths(const TexelGroup& group, const RayPacke
   }
 }
 
-float TexelSums::GetNoise(float exposure) const
+void TexelMeans::Take(int texel, const TexelSums& sums)
 {
-  const auto count = static_cast<float>(this->Samples);
-  float noise = std::max({ FindError(this->Red, this->RedSquares, count, exposure),
-    FindError(this->Green, this->GreenSquares, count, exposure),
-    FindError(this->Blue, this->BlueSquares, count, exposure) });
-  for (int covered : this->Covered)
+  if (this->Samples[texel] == 0)
   {
-    const float alpha = static_cast<float>(covered) / count;
-    noise = std::max(noise, std::sqrt(alpha * (1.0f - alpha) / (count - 1.0f)));
+    this->Samples[texel] = sums.Samples;
+    this->Covered[texel] = sums.Covered[texel];
+    this->Red[texel] = sums.Red[texel];
+    this->Green[texel] = sums.Green[texel];
+    this->Blue[texel] = sums.Blue[texel];
+    ++this->Taken;
   }
-  return noise;
 }
 
-float TexelSums::GetRange(float exposure, const int inside[Size]) const
+void TexelMeans::TakeAll(const TexelSums& sums)
 {
-  for (int lane = 0; lane < Size; ++lane)
+  if (this->Taken == 0)
   {
-    if (inside[lane] && this->Covered[lane] != this->Covered[0])
-    {
-      return std::numeric_limits<float>::infinity();
-    }
+    std::fill_n(this->Samples, Size, sums.Samples);
+    std::copy_n(sums.Covered, Size, this->Covered);
+    std::copy_n(sums.Red, Size, this->Red);
+    std::copy_n(sums.Green, Size, this->Green);
+    std::copy_n(sums.Blue, Size, this->Blue);
+    this->Taken = Size;
   }
-  const auto count = static_cast<float>(this->Samples);
-  return std::max({ FindRange(this->Red, inside, count, exposure),
-    FindRange(this->Green, inside, count, exposure),
-    FindRange(this->Blue, inside, count, exposure) });
+  for (int texel = 0; texel < Size && this->Taken < Size; ++texel)
+  {
+    this->Take(texel, sums);
+  }
 }
 }

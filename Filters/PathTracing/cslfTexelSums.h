@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the samples of texels add up to, and whether they are enough.
+ * What the samples of texels add up to.
  */
 #ifndef cslfTexelSums_h
 #define cslfTexelSums_h
@@ -27,6 +27,7 @@ struct VTKCSLF_EXPORT TexelSums
   alignas(64) float GreenSquares[Size] = {};
   alignas(64) float BlueSquares[Size] = {};
   alignas(64) int Covered[Size] = {};  ///< samples that see something
+  alignas(64) int Paths[Size] = {};    ///< samples whose paths were followed
   alignas(64) float Depth[Size];       ///< the grid's parameter of the sample nearest to the centre
   alignas(64) float DepthOffset[Size]; ///< squared, from the centre to that sample
   int Samples = 0;                     ///< of each texel
@@ -40,20 +41,38 @@ struct VTKCSLF_EXPORT TexelSums
   /// Adds to a sample what was left out of it: what a path in one of the texels saw.
   void AddPath(int texel, const glm::vec3& radiance);
 
-  /// Adds the squares of the samples, which GetNoise needs.
+  /// Adds the squares of the samples.
   void AddSquares(const TexelGroup& group, const PacketRadiance& radiance);
 
   /// Sets the depth where a hit is the nearest to its texel's centre so far. Places are in the
   /// texel, in [0,1].
   void AddDepths(const TexelGroup& group, const RayPacket& packet, const PacketScale& scale,
     const float x[Size], const float y[Size]);
+};
 
-  /// The largest standard error of a texel's displayed colour or coverage, in parts of white.
-  float GetNoise(float exposure) const;
+/// What texels store: the means of their samples, of each texel so many as it needs.
+class VTKCSLF_EXPORT TexelMeans
+{
+public:
+  static constexpr int Size = TexelSums::Size;
 
-  /// How far the displayed colours of the texels that are inside lie apart, in parts of white;
-  /// infinitely far where only some are covered.
-  float GetRange(float exposure, const int inside[Size]) const;
+  int Samples[Size] = {}; ///< 0 where the mean is not taken yet
+  int Covered[Size];      ///< samples that see something
+  float Red[Size];        ///< sums over the samples
+  float Green[Size];
+  float Blue[Size];
+
+  /// Takes the mean of a texel's samples so far, unless it was taken before.
+  void Take(int texel, const TexelSums& sums);
+
+  /// Takes those of all texels.
+  void TakeAll(const TexelSums& sums);
+
+  /// Whether all have theirs.
+  bool AreTaken() const { return this->Taken == Size; }
+
+private:
+  int Taken = 0;
 };
 }
 

@@ -34,7 +34,7 @@ void TestOneExposure()
   {
     const double radiance = 0.003 * i;
     CSLF_CHECK_NEAR(
-      curve.Get(static_cast<float>(radiance)), cslf::LinearToSRGB(0.5 * radiance), 1e-5);
+      curve.Get(static_cast<float>(radiance)), cslf::LinearToSRGB(0.5 * radiance), 6e-4);
   }
   CSLF_CHECK(curve.Get(std::numeric_limits<float>::infinity()) == 1.0f);
   CSLF_CHECK(curve.Get(-1.0f) == 0.0f);
@@ -53,7 +53,8 @@ void TestRange()
     for (int j = 0; j < 60; ++j)
     {
       const double b = 1e-5 * std::pow(1.3, j);
-      CSLF_CHECK(measure(a, b) >= GetShown(a, b, exposure, range) - 1e-5);
+      // Both places may be off.
+      CSLF_CHECK(measure(a, b) >= GetShown(a, b, exposure, range) - 1.2e-3);
     }
     const double near = 1.01 * a;
     CSLF_CHECK(measure(a, near) <= 1.05 * GetShown(a, near, exposure, range) + 1e-5);

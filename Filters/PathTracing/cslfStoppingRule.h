@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * When a texel has enough samples.
+ *
+ * A mean is biased if the number of its samples depends on the samples themselves: where a first
+ * few miss a small light, sampling would end, and where they find it, sampling would go on until
+ * the light's share is right. So the samples of a texel never decide about that texel. They only
+ * decide about the other texels of its square, whose random numbers are independent of its own.
+ * (Kirk and Arvo, "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991, describe the
+ * bias, and a remedy that discards the samples that decide.)
+ */
+#ifndef cslfStoppingRule_h
+#define cslfStoppingRule_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfDisplayCurve.h"
+#include "cslfTexelSums.h"
+
+#include <glm/vec3.hpp>
+
+#include <limits>
+
+namespace cslf
+{
+/// How far the colours of some rays lie apart.
+class VTKCSLF_EXPORT ColorBounds
+{
+public:
+  /// Adds the rays that are inside: what they see, and whether it is anything.
+  void Add(const PacketRadiance& radiance, const int covered[RayPacket::Size],
+    const int inside[RayPacket::Size])
+  {
+    this->Add(radiance.Red, radiance.Green, radiance.Blue, covered, inside);
+  }
+
+  /// Adds the only samples of the texels that are inside.
+  void Add(const TexelSums& sums, const int inside[RayPacket::Size])
+  {
+    this->Add(sums.Red, sums.Green, sums.Blue, sums.Covered, inside);
+  }
+
+  /// The largest difference of a component, in the units of the curve.
+  float GetRange(const DisplayCurve& display) const;
+
+  /// Whether some rays see something and others do not.
+  bool AreMixed() const { return this->SomeCovered && this->SomeEmpty; }
+
+private:
+  void Add(
+    const float* red, const float* green, const float* blue, const int* covered, const int* inside);
+
+  glm::vec3 Low{ std::numeric_limits<float>::max() };
+  glm::vec3 High{ 0.0f };
+  bool SomeCovered = false;
+  bool SomeEmpty = false;
+};
+
+/// The mean variance of samples whose paths were followed, of many texels.
+struct PathVariance
+{
+  glm::dvec3 Sum{ 0.0 };
+  int Texels = 0;
+
+  void Add(const PathVariance& other)
+  {
+    this->Sum += other.Sum;
+    this->Texels += other.Texels;
+  }
+
+  /// The mean without some that were added; 0 where there are no others.
+  glm::vec3 GetMeanWithout(const PathVariance& some) const
+  {
+    const int texels = this->Texels - some.Texels;
+    return texels > 0 ? glm::vec3((this->Sum - some.Sum) / double(texels)) : glm::vec3(0.0f);
+  }
+};
+
+class VTKCSLF_EXPORT StoppingRule
+{
+public:
+  /// The fewest samples whose differences are taken for their noise.
+  static constexpr int FewestSamples = 4;
+
+  /// The target is a standard error in the units of the curve.
+  StoppingRule(const DisplayCurve& display, double target)
+    : Display(display)
+    , Target(static_cast<float>(target))
+  {
+  }
+
+  /// Whether a single sample of each texel may do where rays see such colours.
+  bool IsPlain(const ColorBounds& seen) const;
+
+  /// Takes the means of the texels that have enough samples. With a single sample each, that is
+  /// where all others of the square see what is expected.
+  void TakeSingle(const ColorBounds& expected, const int inside[TexelSums::Size],
+    const TexelSums& sums, TexelMeans& means) const;
+
+  /// With more samples, it is where the standard error of all others is at most the target. Where
+  /// an outline is expected, it must be for a texel of which half is covered, too. The variance of
+  /// followed paths elsewhere counts like one sample.
+  void Take(const ColorBounds& expected, const glm::vec3& elsewhere,
+    const int inside[TexelSums::Size], const TexelSums& sums, TexelMeans& means) const;
+
+  /// The variance of the texels of which paths were followed.
+  static PathVariance GetVariance(const TexelSums& sums);
+
+private:
+  static void TakeByOthers(const bool needs[TexelSums::Size], const int inside[TexelSums::Size],
+    const TexelSums& sums, TexelMeans& means);
+  bool IsNoisyOutline(float alpha, int samples) const;
+  bool IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const;
+
+  DisplayCurve Display;
+  float Target;
+};
+}
+
+#endif
