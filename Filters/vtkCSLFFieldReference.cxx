@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFFieldReference.h"
 
+#include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfFieldRays.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
@@ -25,6 +26,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -49,6 +51,11 @@ constexpr vtkIdType ChunkTexels = 8192;
 constexpr double ReadingShare = 0.1;
 
 constexpr double BestNoiseFloor = 100.0;
+
+/// The exposures at which floats are compared, as factors of the baked one: all that the sampler
+/// controls the noise of.
+constexpr double ViewExposures[] = { 1.0 / cslf::DisplayCurve::FloatRange, 0.25, 1.0, 4.0,
+  cslf::DisplayCurve::FloatRange };
 
 /// Sets the reference's random numbers apart from those of a field of the same seed.
 constexpr std::uint64_t ReferenceSalt = 0x5265666572656e63u;
@@ -144,6 +151,17 @@ public:
       vtkErrorWithObjectMacro(this->Self, << stream.GetError());
     }
     this->Description = stream.GetDescription();
+    if (this->Radiance.empty())
+    {
+      this->Sums.push_back({ 1.0 });
+    }
+    for (double exposure : ViewExposures)
+    {
+      if (!this->Radiance.empty())
+      {
+        this->Sums.push_back({ exposure });
+      }
+    }
     return isRead;
   }
 
@@ -161,14 +179,16 @@ public:
     return true;
   }
 
-  double GetPSNR(double cap) const
+  std::vector<Figures> GetFigures(double cap) const
   {
-    return cslf::PSNR(this->Errors / (3.0 * this->GetCount()), 255.0, cap);
-  }
-
-  double GetNoiseFloor() const
-  {
-    return cslf::PSNR(this->Noise / (3.0 * this->GetCount()), 1.0, BestNoiseFloor);
+    const double values = 3.0 * static_cast<double>(this->GetCount());
+    std::vector<Figures> figures;
+    for (const ErrorSum& sum : this->Sums)
+    {
+      figures.push_back({ sum.ViewExposure, cslf::PSNR(sum.Errors / values, 255.0, cap),
+        cslf::PSNR(sum.Noise / values, 1.0, BestNoiseFloor) });
+    }
+    return figures;
   }
 
   void Write(vtkImageData* output) const
@@ -218,6 +238,8 @@ private:
     if (channel.Type == VTK_FLOAT)
     {
       const auto* values = reinterpret_cast<const float*>(texel);
+      this->Radiance.resize(this->GetCount());
+      this->Radiance[k] = { values[0], values[1], values[2], values[3] };
       cslf::EncodeColor({ values[0], values[1], values[2] }, values[3], color);
       texel = color;
     }
@@ -287,22 +309,46 @@ private:
 
   void Compare(vtkIdType k, const Half& first, const Half& second)
   {
-    unsigned char reference[4];
-    cslf::EncodeColor(
-      0.5 * (first.Radiance + second.Radiance), 0.5 * (first.Alpha + second.Alpha), reference);
-    this->Reference->SetTypedTuple(k, reference);
-    unsigned char field[3];
-    this->Field->GetTypedTuple(k, field);
-    for (int i = 0; i < 3; ++i)
+    const glm::dvec3 mean = 0.5 * (first.Radiance + second.Radiance);
+    const double alpha = 0.5 * (first.Alpha + second.Alpha);
+    for (ErrorSum& sum : this->Sums)
     {
-      const double error = static_cast<double>(field[i]) - reference[i];
-      this->Errors += error * error;
+      const double exposure = sum.ViewExposure;
+      unsigned char reference[4];
+      cslf::EncodeColor(exposure * mean, alpha, reference);
+      unsigned char field[4];
+      if (this->Radiance.empty())
+      {
+        this->Field->GetTypedTuple(k, field);
+      }
+      else
+      {
+        const glm::dvec4& radiance = this->Radiance[k];
+        cslf::EncodeColor(exposure * glm::dvec3(radiance), radiance.w, field);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        const double error = static_cast<double>(field[i]) - reference[i];
+        sum.Errors += error * error;
+      }
+      const glm::dvec3 noise = 0.5 *
+        (cslf::EncodeRadiance(exposure * first.Radiance, first.Alpha) -
+          cslf::EncodeRadiance(exposure * second.Radiance, second.Alpha));
+      sum.Noise += glm::dot(noise, noise);
+      if (exposure == 1.0)
+      {
+        this->Reference->SetTypedTuple(k, reference);
+      }
     }
-    const glm::dvec3 noise = 0.5 *
-      (cslf::EncodeRadiance(first.Radiance, first.Alpha) -
-        cslf::EncodeRadiance(second.Radiance, second.Alpha));
-    this->Noise += glm::dot(noise, noise);
   }
+
+  /// Errors at one exposure.
+  struct ErrorSum
+  {
+    double ViewExposure;
+    double Errors = 0.0; ///< sum of squares, of 255 levels
+    double Noise = 0.0;  ///< sum of squares, of the encoded mean
+  };
 
   vtkCSLFFieldReference* Self;
   int First; ///< slice that the field offers
@@ -312,8 +358,8 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Field;
   vtkNew<vtkIdTypeArray> Indices;
   cslf::Description Description;
-  double Errors = 0.0; ///< sum of squares, of 255 levels
-  double Noise = 0.0;  ///< sum of squares, of the encoded mean
+  std::vector<glm::dvec4> Radiance; ///< of the field's chosen texels, where it is of floats
+  std::vector<ErrorSum> Sums;
 };
 
 vtkCSLFFieldReference::vtkCSLFFieldReference()
@@ -385,11 +431,41 @@ int vtkCSLFFieldReference::RequestData(
   {
     return 1;
   }
-  this->PSNR = measurement.GetPSNR(this->MaximumPSNR);
-  this->NoiseFloor = measurement.GetNoiseFloor();
+  this->AllFigures = measurement.GetFigures(this->MaximumPSNR);
+  for (const Figures& figures : this->AllFigures)
+  {
+    if (figures.ViewExposure == 1.0)
+    {
+      this->PSNR = figures.PSNR;
+      this->NoiseFloor = figures.NoiseFloor;
+    }
+  }
   this->NumberOfTexels = measurement.GetCount();
   measurement.Write(vtkImageData::GetData(outputVector));
   return 1;
+}
+
+int vtkCSLFFieldReference::GetNumberOfViewExposures()
+{
+  return static_cast<int>(this->AllFigures.size());
+}
+
+double vtkCSLFFieldReference::GetViewExposure(int index)
+{
+  const bool isThere = index >= 0 && index < this->GetNumberOfViewExposures();
+  return isThere ? this->AllFigures[index].ViewExposure : 0.0;
+}
+
+double vtkCSLFFieldReference::GetPSNR(int index)
+{
+  const bool isThere = index >= 0 && index < this->GetNumberOfViewExposures();
+  return isThere ? this->AllFigures[index].PSNR : 0.0;
+}
+
+double vtkCSLFFieldReference::GetNoiseFloor(int index)
+{
+  const bool isThere = index >= 0 && index < this->GetNumberOfViewExposures();
+  return isThere ? this->AllFigures[index].NoiseFloor : 0.0;
 }
 
 void vtkCSLFFieldReference::PrintSelf(ostream& os, vtkIndent indent)

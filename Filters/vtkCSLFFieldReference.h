@@ -31,6 +31,8 @@
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkCSLFPathTracer.h"
 
+#include <vector> // for std::vector
+
 class VTKCSLF_EXPORT vtkCSLFFieldReference : public vtkCSLFPathTracer
 {
 public:
@@ -68,6 +70,19 @@ public:
    */
   vtkGetMacro(NoiseFloor, double);
 
+  ///@{
+  /**
+   * A viewer may show a floating-point field at another exposure than the one that it was sampled
+   * with. These are both figures at several exposures, as factors of Exposure: 1/16, 1/4, 1, 4 and
+   * 16 for floating-point fields, 1 alone for fields of bytes. They are in the range where
+   * vtkCSLFPathTracer controls noise. An index that is out of range returns 0.
+   */
+  int GetNumberOfViewExposures();
+  double GetViewExposure(int index);
+  double GetPSNR(int index);
+  double GetNoiseFloor(int index);
+  ///@}
+
   /**
    * The number of texels that were measured.
    */
@@ -91,11 +106,20 @@ private:
 
   class Measurement;
 
+  /// The figures at one exposure.
+  struct Figures
+  {
+    double ViewExposure;
+    double PSNR;
+    double NoiseFloor;
+  };
+
   int Texels = 100000;
   double MaximumPSNR = 60.0;
   double PSNR = 0.0;
   double NoiseFloor = 0.0;
   vtkIdType NumberOfTexels = 0;
+  std::vector<Figures> AllFigures;
 };
 
 #endif

@@ -58,6 +58,15 @@ Result Run(Options options)
     std::to_string(reference->GetNumberOfTexels()) +
     " texels\nnoise floor of the reference: " + Format(reference->GetNoiseFloor(), 2) + " dB (" +
     std::to_string(options.Samples) + " samples per texel)\n";
+  for (int i = 0;
+       reference->GetNumberOfViewExposures() > 1 && i < reference->GetNumberOfViewExposures(); ++i)
+  {
+    const double exposure = reference->GetViewExposure(i);
+    result.JSON["view_exposures"].push_back({ { "exposure", exposure },
+      { "psnr", reference->GetPSNR(i) }, { "noise_floor", reference->GetNoiseFloor(i) } });
+    result.Text += "shown at " + Format(exposure, 4) + " times the exposure: PSNR " +
+      Format(reference->GetPSNR(i), 2) + " dB\n";
+  }
   WarnOfNoise(reference->GetNoiseFloor(), reference->GetPSNR(), "the field", "--reference-spp");
   return result;
 }
@@ -68,7 +77,10 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand(
     "evaluate-texels", "Measure texels of a light field against path-traced ones");
   command->footer(
-    "PSNR (at most 60 dB) of red, green and blue as 8 bits over black. The texels are chosen at "
+    "PSNR (at most 60 dB) of red, green and blue as 8 bits over black; of floating-point fields "
+    "also "
+    "at 1/16, 1/4, 4 and 16 times the exposure, at which a viewer may show them. The texels are "
+    "chosen at "
     "random, evenly over all viewpoints, and path-traced in two halves with different random "
     "numbers; the noise floor is the PSNR of one half against the other plus 6.02 dB, as their "
     "mean has a quarter of their difference's variance. Give the scene, light and material that "

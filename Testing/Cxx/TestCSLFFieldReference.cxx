@@ -129,6 +129,17 @@ void TestNoise()
   floats->Update();
   CSLF_CHECK_NEAR(floats->GetPSNR(), some->GetPSNR(), 1e-9);
 
+  // It may be shown at other exposures: noise is seen most where little is clipped.
+  CSLF_CHECK(some->GetNumberOfViewExposures() == 1 && some->GetViewExposure(0) == 1.0);
+  CSLF_CHECK(some->GetPSNR(0) == some->GetPSNR());
+  CSLF_CHECK(floats->GetNumberOfViewExposures() == 5);
+  CSLF_CHECK(floats->GetViewExposure(2) == 1.0 && floats->GetPSNR(2) == floats->GetPSNR());
+  CSLF_CHECK(floats->GetNoiseFloor(2) == floats->GetNoiseFloor());
+  CSLF_CHECK(floats->GetViewExposure(0) == 1.0 / 16 && floats->GetViewExposure(4) == 16.0);
+  CSLF_CHECK(floats->GetPSNR(0) > floats->GetPSNR() + 6.0);
+  CSLF_CHECK(floats->GetNoiseFloor(0) > floats->GetNoiseFloor() + 6.0);
+  CSLF_CHECK(floats->GetPSNR(5) == 0.0 && floats->GetViewExposure(-1) == 0.0);
+
   // A reference of few samples tells how noisy it is: two of them differ by just that.
   const auto first = MakeReference(field, 32, VTK_INT_MAX);
   const auto second = MakeReference(field, 32, VTK_INT_MAX);
