@@ -172,7 +172,8 @@ list(APPEND sources
   ../Filters/SceneImport/cslfLightImporter.cxx
   ../Filters/SceneImport/cslfMappedScalars.cxx
   ../Filters/SceneImport/cslfMoleculeParts.cxx
-  ../Filters/SceneImport/cslfPointParts.cxx)
+  ../Filters/SceneImport/cslfPointParts.cxx
+  ../Filters/SceneImport/cslfTextureImage.cxx)
 list(APPEND private_headers
   ../Filters/SceneImport/cslfAMRSurface.h
   ../Filters/SceneImport/cslfActorImporter.h
@@ -182,7 +183,8 @@ list(APPEND private_headers
   ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h
   ../Filters/SceneImport/cslfLightImporter.h
-  ../Filters/SceneImport/cslfMappedScalars.h)
+  ../Filters/SceneImport/cslfMappedScalars.h
+  ../Filters/SceneImport/cslfTextureImage.h)
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterial.h"
 
+#include "SceneImport/cslfTextureImage.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
@@ -400,8 +402,12 @@ bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* 
     return SetTexture(data, slot, nullptr);
   }
   texture->GetInputAlgorithm()->Update();
-  return SetTexture(
-    data, slot, texture->GetInput(), texture->GetRepeat() != 0, texture->GetInterpolate() != 0);
+  const vtkSmartPointer<vtkImageData> image = cslf::MakeTextureImage(texture);
+  if (!image)
+  {
+    vtkGenericWarningMacro("A texture is left out: it has no two-dimensional image.");
+  }
+  return SetTexture(data, slot, image, texture->GetRepeat() != 0, texture->GetInterpolate() != 0);
 }
 
 bool vtkCSLFMaterial::GetTexture(

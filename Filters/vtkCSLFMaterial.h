@@ -236,8 +236,10 @@ public:
 
   /**
    * Sets a texture from the input image of a vtkTexture, and its way to repeat and interpolate.
-   * Cube maps are no such textures; a transform of the texture is not represented. Returns false,
-   * with a warning, where it cannot be used; null removes the texture.
+   * Scalars of any type become colours as in VTK's window, by the texture's colour mode and lookup
+   * table; direct colours of floats are clamped to [0,1]. Cube maps are no such textures; the
+   * texture's transform is one of texture coordinates, which vtkCSLFSceneImporter applies. Returns
+   * false, with a warning, where it cannot be used; null removes the texture.
    */
   static bool SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* texture);
 

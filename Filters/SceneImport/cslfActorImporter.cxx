@@ -35,7 +35,9 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkReverseSense.h>
+#include <vtkScalarsToColors.h>
 #include <vtkTexture.h>
+#include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkUniformGridAMR.h>
 #include <vtkUnsignedCharArray.h>
@@ -128,17 +130,28 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
   return copy;
 }
 
-/// Applies the transform of texture coordinates that an actor may have among its property keys.
+/// The matrix of texture coordinates: that of the actor's texture, which VTK sets before it draws,
+/// or one that the actor has among its property keys. Null where there is none.
+const double* FindTextureTransform(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  if (texture && texture->GetTransform())
+  {
+    return texture->GetTransform()->GetMatrix()->GetData();
+  }
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return keys ? keys->Get(vtkProp::GeneralTextureTransform()) : nullptr;
+}
+
+/// Applies the transform of texture coordinates that an actor may have.
 void TransformTCoords(vtkActor* actor, vtkPolyData* block)
 {
-  vtkInformation* keys = actor->GetPropertyKeys();
   vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
-  if (!keys || !keys->Has(vtkProp::GeneralTextureTransform()) || !coordinates ||
-    coordinates->GetNumberOfComponents() < 2)
+  const double* matrix = FindTextureTransform(actor);
+  if (!matrix || !coordinates || coordinates->GetNumberOfComponents() < 2)
   {
     return;
   }
-  const double* matrix = keys->Get(vtkProp::GeneralTextureTransform());
   vtkNew<vtkFloatArray> moved;
   moved->SetName(coordinates->GetName());
   moved->SetNumberOfComponents(2);
@@ -206,7 +219,10 @@ private:
     this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
     this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
     vtkTexture* texture = this->Actor->GetTexture();
-    this->MeetIf(texture && texture->GetTransform(), ImportLimit::TextureTransforms);
+    this->MeetIf(texture &&
+        (texture->GetWrap() == vtkTexture::MirroredRepeat ||
+          texture->GetWrap() == vtkTexture::ClampToBorder),
+      ImportLimit::TextureWraps);
   }
 
   void ImportData(vtkDataObject* data, const BlockStyle& inherited)
@@ -443,6 +459,14 @@ vtkMTimeType GetDataTime(vtkDataObject* data)
 vtkMTimeType GetTextureTime(vtkTexture* texture)
 {
   vtkMTimeType time = texture->GetMTime();
+  if (texture->GetTransform())
+  {
+    time = std::max(time, texture->GetTransform()->GetMTime());
+  }
+  if (texture->GetLookupTable())
+  {
+    time = std::max(time, texture->GetLookupTable()->GetMTime());
+  }
   if (texture->GetInputAlgorithm())
   {
     texture->GetInputAlgorithm()->Update();

@@ -35,7 +35,7 @@ enum class ImportLimit
   Unlit,
   Coats,
   Anisotropy,
-  TextureTransforms,
+  TextureWraps,
   TexturedTables,
   Widths,
   StickEnds,

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Textures of any type of scalars, by their tables and transforms, beside what VTK draws.
+#include "cslfTestShapes.h"
+#include "cslfTesting.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFSceneImporter.h"
+
+#include <vtkActor.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkTexture.h>
+#include <vtkTransform.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <iostream>
+#include <string>
+
+namespace
+{
+using cslf::testing::ShapeComparison;
+
+constexpr int Width = 4;
+constexpr int Height = 2;
+
+/// A square with a texture.
+struct Scene
+{
+  explicit Scene(ShapeComparison& window)
+    : Window(window)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-0.8, -0.8, 0.0);
+    plane->SetPoint1(0.8, -0.8, 0.0);
+    plane->SetPoint2(-0.8, 0.8, 0.0);
+    this->Mapper->SetInputConnection(plane->GetOutputPort());
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetTexture(this->Texture);
+    this->Texture->SetInputData(this->Image);
+    window.Renderer->RemoveAllViewProps();
+    window.Renderer->AddActor(this->Actor);
+  }
+
+  void SetScalars(vtkDataArray* scalars, bool ofCells = false)
+  {
+    this->Image->Initialize();
+    this->Image->SetDimensions(Width + (ofCells ? 1 : 0), Height + (ofCells ? 1 : 0), 1);
+    if (ofCells)
+    {
+      this->Image->GetCellData()->SetScalars(scalars);
+    }
+    else
+    {
+      this->Image->GetPointData()->SetScalars(scalars);
+    }
+    this->Texture->Modified();
+  }
+
+  void Check(const char* name)
+  {
+    const double share = this->Window.Compare();
+    std::cout << name << ": " << 100.0 * share << " % of " << this->Window.Covered
+              << " pixels differ\n";
+    CSLF_CHECK(this->Window.Covered > 1000 && share < 0.1); // pixels on edges between hues
+  }
+
+  ShapeComparison& Window;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkTexture> Texture;
+  vtkNew<vtkImageData> Image;
+};
+
+template <typename Array>
+vtkSmartPointer<Array> MakeNumbers(double step)
+{
+  auto numbers = vtkSmartPointer<Array>::New();
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    numbers->InsertNextTuple1(step * (i * 3 % (Width * Height)));
+  }
+  return numbers;
+}
+
+/// Red, green, blue and yellow pixels of a type whose white is `unit`.
+template <typename Array>
+vtkSmartPointer<Array> MakeColors(double unit)
+{
+  auto colors = vtkSmartPointer<Array>::New();
+  colors->SetNumberOfComponents(3);
+  for (int i = 0; i < Width * Height; ++i)
+  {
+    const int hue = (i + i / Width) % 4;
+    colors->InsertNextTuple3(
+      hue == 0 || hue == 3 ? unit : 0.0, hue == 1 || hue == 3 ? unit : 0.0, hue == 2 ? unit : 0.0);
+  }
+  return colors;
+}
+
+void TestTypes(ShapeComparison& window)
+{
+  Scene scene(window);
+  scene.SetScalars(MakeColors<vtkUnsignedCharArray>(255.0));
+  scene.Check("Bytes");
+  scene.SetScalars(MakeColors<vtkUnsignedCharArray>(255.0), true);
+  scene.Check("Bytes of cells");
+
+  scene.SetScalars(MakeNumbers<vtkDoubleArray>(0.125));
+  scene.Check("Doubles without a table");
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(4);
+  table->SetRange(0.0, 7.0);
+  table->SetTableValue(0, 1.0, 0.0, 0.0);
+  table->SetTableValue(1, 0.0, 1.0, 0.0);
+  table->SetTableValue(2, 0.0, 0.0, 1.0);
+  table->SetTableValue(3, 1.0, 1.0, 0.0);
+  scene.Texture->SetLookupTable(table);
+  scene.SetScalars(MakeNumbers<vtkFloatArray>(1.0));
+  scene.Check("Floats by a table");
+  scene.SetScalars(MakeNumbers<vtkUnsignedShortArray>(1.0));
+  scene.Check("Numbers of 16 bits by a table");
+  scene.SetScalars(MakeNumbers<vtkUnsignedCharArray>(1.0));
+  scene.Texture->SetColorModeToMapScalars();
+  scene.Check("Bytes by a table");
+
+  // A change of the table is noticed.
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(window.Renderer);
+  const vtkMTimeType time = importer->GetMTime();
+  table->SetTableValue(0, 0.0, 1.0, 1.0);
+  CSLF_CHECK(importer->GetMTime() > time);
+  scene.Check("Another table");
+
+  scene.Texture->SetColorModeToDirectScalars();
+  scene.SetScalars(MakeColors<vtkFloatArray>(1.0));
+  scene.Check("Floats as colours");
+  scene.SetScalars(MakeColors<vtkUnsignedShortArray>(65535.0));
+  scene.Check("16 bits as colours");
+}
+
+void TestTransform(ShapeComparison& window)
+{
+  Scene scene(window);
+  scene.SetScalars(MakeColors<vtkUnsignedCharArray>(255.0));
+  vtkNew<vtkTransform> transform;
+  transform->Translate(0.3, 0.1, 0.0);
+  transform->RotateZ(30.0);
+  transform->Scale(1.0, 0.7, 1.0);
+  scene.Texture->SetTransform(transform);
+  scene.Check("Transformed");
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(window.Renderer);
+  const vtkMTimeType time = importer->GetMTime();
+  transform->RotateZ(-10.0);
+  CSLF_CHECK(importer->GetMTime() > time);
+  scene.Texture->RepeatOff();
+  scene.Check("Transformed, with edges");
+}
+
+void TestWarnings(ShapeComparison& window)
+{
+  Scene scene(window);
+  scene.SetScalars(MakeColors<vtkUnsignedCharArray>(255.0));
+  scene.Texture->SetWrap(vtkTexture::MirroredRepeat);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  vtkNew<vtkTest::ErrorObserver> messages;
+  importer->AddObserver(vtkCommand::WarningEvent, messages);
+  importer->SetRenderer(window.Renderer);
+  importer->Update();
+  CSLF_CHECK(messages->GetWarningMessage().find("mirrored") != std::string::npos);
+}
+}
+
+int TestCSLFSceneImporterTextures(int, char*[])
+{
+  ShapeComparison window;
+  TestTypes(window);
+  TestTransform(window);
+  TestWarnings(window);
+  return cslf::testing::Result();
+}
