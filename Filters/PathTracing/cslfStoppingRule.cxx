@@ -21,6 +21,17 @@ constexpr float RangeOfTarget = 8.0f;
 
 constexpr int Size = TexelSums::Size;
 
+/// Takes the bounds of two halves together.
+template <int Half>
+inline void Fold(float* lows, float* highs)
+{
+  for (int lane = 0; lane < Half; ++lane)
+  {
+    lows[lane] = lows[lane + Half] < lows[lane] ? lows[lane + Half] : lows[lane];
+    highs[lane] = highs[lane + Half] > highs[lane] ? highs[lane + Half] : highs[lane];
+  }
+}
+
 /// Makes bounds hold the values that are inside.
 CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& low, float& high)
 {
@@ -33,14 +44,10 @@ CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& 
     lows[lane] = forLow < low ? forLow : low;
     highs[lane] = forHigh > high ? forHigh : high;
   }
-  for (int half = Size / 2; half > 0; half /= 2)
-  {
-    for (int lane = 0; lane < half; ++lane)
-    {
-      lows[lane] = lows[lane + half] < lows[lane] ? lows[lane + half] : lows[lane];
-      highs[lane] = highs[lane + half] > highs[lane] ? highs[lane + half] : highs[lane];
-    }
-  }
+  Fold<Size / 2>(lows, highs);
+  Fold<Size / 4>(lows, highs);
+  Fold<Size / 8>(lows, highs);
+  Fold<Size / 16>(lows, highs);
   low = lows[0];
   high = highs[0];
 }
@@ -64,14 +71,27 @@ glm::vec3 FindMean(const TexelSums& sums, int texel)
 void ColorBounds::Add(
   const float* red, const float* green, const float* blue, const int* covered, const int* inside)
 {
-  ExtendBounds(red, inside, this->Low.x, this->High.x);
-  ExtendBounds(green, inside, this->Low.y, this->High.y);
-  ExtendBounds(blue, inside, this->Low.z, this->High.z);
+  this->AddCoverage(covered, inside);
+  if (this->SomeCovered)
+  {
+    ExtendBounds(red, inside, this->Low.x, this->High.x);
+    ExtendBounds(green, inside, this->Low.y, this->High.y);
+    ExtendBounds(blue, inside, this->Low.z, this->High.z);
+  }
+}
+
+void ColorBounds::AddCoverage(const int* covered, const int* inside)
+{
+  int someCovered = 0;
+  int someEmpty = 0;
   for (int lane = 0; lane < Size; ++lane)
   {
-    this->SomeCovered |= inside[lane] != 0 && covered[lane] != 0;
-    this->SomeEmpty |= inside[lane] != 0 && covered[lane] == 0;
+    const int isCovered = covered[lane] != 0 ? -1 : 0;
+    someCovered |= inside[lane] & isCovered;
+    someEmpty |= inside[lane] & ~isCovered;
   }
+  this->SomeCovered |= someCovered != 0;
+  this->SomeEmpty |= someEmpty != 0;
 }
 
 float ColorBounds::GetRange(const DisplayCurve& display) const

@@ -42,6 +42,9 @@ public:
     this->Add(sums.Red, sums.Green, sums.Blue, sums.Covered, inside);
   }
 
+  /// Adds only whether the rays that are inside see anything.
+  void AddCoverage(const int covered[RayPacket::Size], const int inside[RayPacket::Size]);
+
   /// The largest difference of a component, in the units of the curve.
   float GetRange(const DisplayCurve& display) const;
 

@@ -473,19 +473,17 @@ bool TexelRenderer::IsPlain(const RayPacket& centers, Block& block, std::uint64_
 
 bool TexelRenderer::AddSeen(const RayPacket& packet, const int inside[], ColorBounds& seen) const
 {
-  PacketRadiance radiance = {};
   alignas(64) int covered[RayPacket::Size];
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     covered[lane] = packet.IsHit(lane) || this->Settings.ShowEnvironment ? -1 : 0;
   }
-  ColorBounds coverage = seen;
-  coverage.Add(radiance, covered, inside);
-  if (coverage.AreMixed() || packet.MeetsVeils)
+  seen.AddCoverage(covered, inside);
+  if (seen.AreMixed() || packet.MeetsVeils)
   {
-    seen = coverage;
     return false;
   }
+  PacketRadiance radiance;
   alignas(64) int known[RayPacket::Size];
   const bool isKnown = this->LookUp(packet, inside, radiance, known);
   seen.Add(radiance, covered, inside);
