@@ -22,7 +22,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
     FiltersModeling
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
-    IOGeometry IOImage IOPLY IOXML
+    IOGeometry IOImage IOPLY IOXML IOXMLParser
     RenderingAnnotation RenderingContextOpenGL2 RenderingFreeType RenderingUI
     ViewsContext2D)
 endif ()

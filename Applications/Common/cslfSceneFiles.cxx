@@ -3,6 +3,8 @@
 #include "cslfSceneFiles.h"
 
 #include "cslfMessages.h"
+#include "cslfPLYReader.h"
+#include "cslfSceneChecks.h"
 
 #include "cslfSoundPolyData.h"
 #include "vtkCSLFCornellBoxSource.h"
@@ -16,7 +18,6 @@
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -30,6 +31,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <new>
 #include <set>
 
 namespace cslf
@@ -57,14 +59,21 @@ Part ReadWith(const std::string& fileName)
   return reader->GetOutputDataObject(0);
 }
 
+template <typename Reader, void (*Check)(const std::string&)>
+Part ReadChecked(const std::string& fileName)
+{
+  Check(fileName);
+  return ReadWith<Reader>(fileName);
+}
+
 const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders()
 {
   static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
-    { ".ply", ReadWith<vtkPLYReader> },
+    { ".ply", ReadPLY },
     { ".stl", ReadWith<vtkSTLReader> },
-    { ".obj", ReadWith<vtkOBJReader> },
-    { ".vtp", ReadWith<vtkXMLPolyDataReader> },
-    { ".vtm", ReadWith<vtkXMLMultiBlockDataReader> },
+    { ".obj", ReadChecked<vtkOBJReader, CheckOBJ> },
+    { ".vtp", ReadChecked<vtkXMLPolyDataReader, CheckVTKXML> },
+    { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader, CheckVTKXML> },
     { ".gltf", ReadWith<vtkCSLFGLTFReader> },
     { ".glb", ReadWith<vtkCSLFGLTFReader> },
   };
@@ -182,7 +191,19 @@ Part ReadScenePart(const std::string& input)
     throw Failure(
       input + " is no scene: known are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
   }
-  const Part part = MakePartSound(reader->second(input), input);
+  Part part;
+  try
+  {
+    part = MakePartSound(reader->second(input), input);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("Cannot read " + input + ": " + failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure("Cannot read " + input + ": the memory does not suffice.");
+  }
   const std::string error = GetFirstError();
   vtkIdType cells = 0;
   tool::ForEachPolyData(

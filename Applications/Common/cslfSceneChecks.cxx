@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSceneChecks.h"
+
+#include "cslfMessages.h"
+
+#include <vtkNew.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLDataParser.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+// How many values a byte of a file may hold: zlib compresses zeros by 1000, to eighths of bytes
+// more. Small files may announce some more.
+constexpr double ValuesPerByte = 1100.0;
+constexpr double SmallestLimit = 65536.0;
+
+// Blocks of a composite data set take memory, whether there is data in them or not.
+constexpr double MostBlocks = 1048576.0;
+
+/// The number of a text, all of which must be one.
+template <typename Number>
+bool Parse(const std::string& text, Number& number)
+{
+  const char* end = text.data() + text.size();
+  const char* begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+  const auto result = std::from_chars(begin, end, number);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+/// The lines of an OBJ file with an index each.
+class OBJChecker
+{
+public:
+  explicit OBJChecker(const std::string& fileName)
+    : File(fileName, std::ios::binary)
+  {
+  }
+
+  void Check()
+  {
+    this->ForEachLine([this](const std::string& command, std::istringstream&)
+      { this->Count(command, this->Totals); });
+    this->File.clear();
+    this->File.seekg(0);
+    this->ForEachLine(
+      [this](const std::string& command, std::istringstream& words)
+      {
+        this->Count(command, this->Counts);
+        if (command == "f" || command == "l" || command == "p")
+        {
+          std::string word;
+          while (words >> word)
+          {
+            this->CheckCorner(word);
+          }
+        }
+      });
+  }
+
+private:
+  /// Vertices, texture coordinates and normals.
+  using Numbers = std::array<std::int64_t, 3>;
+
+  template <typename Visit>
+  void ForEachLine(Visit visit)
+  {
+    this->Line = 0;
+    std::string line;
+    while (std::getline(this->File, line))
+    {
+      ++this->Line;
+      this->Continue(line);
+      std::istringstream words(line);
+      std::string command;
+      words >> command;
+      visit(command, words);
+    }
+  }
+
+  /// Adds the next lines where a line ends with a backslash.
+  void Continue(std::string& line)
+  {
+    std::string next;
+    for (std::size_t last = line.find_last_not_of("\r");
+         last != std::string::npos && line[last] == '\\' && std::getline(this->File, next);
+         last = line.find_last_not_of("\r"))
+    {
+      ++this->Line;
+      line.replace(last, std::string::npos, " " + next);
+    }
+  }
+
+  static void Count(const std::string& command, Numbers& counts)
+  {
+    const char* const commands[] = { "v", "vt", "vn" };
+    for (int i = 0; i < 3; ++i)
+    {
+      counts[i] += command == commands[i] ? 1 : 0;
+    }
+  }
+
+  /// A corner is v, v/vt, v//vn or v/vt/vn, each from 1 on, or from -1 on backwards.
+  void CheckCorner(const std::string& word) const
+  {
+    std::size_t begin = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::size_t end = std::min(word.find('/', begin), word.size());
+      const std::string text = word.substr(begin, end - begin);
+      const bool isLeftOut = text.empty() && i == 1 && end < word.size();
+      if (!isLeftOut)
+      {
+        this->CheckIndex(text, i);
+      }
+      if (end == word.size())
+      {
+        return;
+      }
+      begin = end + 1;
+    }
+    this->Fail("has something that is not understood");
+  }
+
+  void CheckIndex(const std::string& text, int kind) const
+  {
+    int index = 0;
+    if (!Parse(text, index))
+    {
+      this->Fail("has something that is not understood");
+    }
+    if (index == 0 || index > this->Totals[kind] || index < -this->Counts[kind])
+    {
+      const char* const kinds[] = { "vertex", "texture coordinate", "normal" };
+      this->Fail(std::string("has an index of a ") + kinds[kind] + " that does not exist");
+    }
+  }
+
+  [[noreturn]] void Fail(const std::string& what) const
+  {
+    throw Failure("line " + std::to_string(this->Line) + " " + what + ".");
+  }
+
+  std::ifstream File;
+  std::size_t Line = 0;
+  Numbers Totals{};
+  Numbers Counts{}; // up to this line
+};
+
+/// The elements of an XML file.
+class XMLChecker
+{
+public:
+  explicit XMLChecker(const fs::path& path)
+    : Path(path)
+  {
+    std::error_code failure;
+    const double bytes = static_cast<double>(fs::file_size(path, failure));
+    this->Limit = std::max(ValuesPerByte * (failure ? 0.0 : bytes), SmallestLimit);
+  }
+
+  void Check()
+  {
+    vtkNew<vtkXMLDataParser> parser;
+    parser->SetFileName(this->Path.string().c_str());
+    if (parser->Parse() && parser->GetRootElement())
+    {
+      this->CheckElements(parser->GetRootElement());
+    }
+  }
+
+private:
+  void CheckElements(vtkXMLDataElement* root)
+  {
+    std::vector<vtkXMLDataElement*> pending = { root };
+    while (!pending.empty())
+    {
+      vtkXMLDataElement* element = pending.back();
+      pending.pop_back();
+      for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+      {
+        pending.push_back(element->GetNestedElement(i));
+      }
+      this->CheckElement(element);
+    }
+    if (this->LargestCount * this->MostComponents > this->Limit)
+    {
+      this->Fail(
+        "an array of " + std::to_string(static_cast<std::int64_t>(this->LargestCount)) + " tuples");
+    }
+  }
+
+  void CheckElement(vtkXMLDataElement* element)
+  {
+    for (int i = 0; i < element->GetNumberOfAttributes(); ++i)
+    {
+      const std::string name = element->GetAttributeName(i);
+      const std::string text = element->GetAttributeValue(i);
+      if (name == "NumberOfComponents")
+      {
+        this->MostComponents = std::max(this->MostComponents, this->CheckNumber(name, text));
+      }
+      else if (name.compare(0, 8, "NumberOf") == 0)
+      {
+        this->LargestCount = std::max(this->LargestCount, this->CheckNumber(name, text));
+      }
+      else if (name == "index" && !(this->CheckNumber(name, text) < MostBlocks))
+      {
+        this->Fail(name + " " + text);
+      }
+      else if (name == "WholeExtent" || name == "Extent")
+      {
+        this->CheckExtent(name, text);
+      }
+      else if (name == "file")
+      {
+        this->CheckFile(text);
+      }
+    }
+  }
+
+  /// A number of things, for which there must be bytes.
+  double CheckNumber(const std::string& name, const std::string& text) const
+  {
+    std::int64_t number = 0;
+    std::istringstream words(text);
+    std::string word;
+    words >> word;
+    if (!Parse(word, number) || number < 0 || static_cast<double>(number) > this->Limit)
+    {
+      this->Fail(name + " " + text.substr(0, 40));
+    }
+    return static_cast<double>(number);
+  }
+
+  void CheckExtent(const std::string& name, const std::string& text) const
+  {
+    std::istringstream words(text);
+    double size = 1.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      double lower = 0.0;
+      double upper = 0.0;
+      words >> lower >> upper;
+      size *= std::max(upper - lower + 1.0, 1.0);
+    }
+    if (!(size <= this->Limit))
+    {
+      this->Fail(name + " " + text.substr(0, 60));
+    }
+  }
+
+  /// A file that this one names. VTK reads no trees within trees.
+  void CheckFile(const std::string& name) const
+  {
+    const fs::path path = this->Path.parent_path() / name;
+    std::error_code failure;
+    if (path.extension() != this->Path.extension() && fs::is_regular_file(path, failure))
+    {
+      XMLChecker(path).Check();
+    }
+  }
+
+  [[noreturn]] void Fail(const std::string& what) const
+  {
+    throw Failure(this->Path.filename().string() + " announces " + what + ", which cannot be.");
+  }
+
+  fs::path Path;
+  double Limit = 0.0;
+  double LargestCount = 0.0;
+  double MostComponents = 1.0;
+};
+}
+
+void CheckOBJ(const std::string& fileName)
+{
+  OBJChecker(fileName).Check();
+}
+
+void CheckVTKXML(const std::string& fileName)
+{
+  XMLChecker(fileName).Check();
+}
+}
+}
