@@ -30,6 +30,8 @@ struct HitTriangle
   glm::vec3 Normals[3]; // of any length; where it is smooth
   glm::vec3 Front;      // the normal of the side from which the corners run counterclockwise
   bool IsSmooth;        // whether all corners have a normal
+  glm::vec3 Reach;      // as FindOffset takes it, of the first corner
+  float Length;         // of its rounding
 };
 
 /// Takes a mesh's normal to the scene, at unit length.
@@ -52,9 +54,16 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
       triangle.IsSmooth = triangle.Normals[i] != glm::vec3(0.0f);
     }
   }
+  triangle.Reach = glm::abs(triangle.Corners[0]);
+  triangle.Length = mesh.LengthsOfRounding[place.Triangle];
   if (place.Instance != TrianglePoint::None)
   {
     const MeshInstance& instance = mesh.Instances[place.Instance];
+    // Rays are taken to the instance's mesh, which rounds, too.
+    const glm::mat3 sizes(
+      glm::abs(instance.Linear[0]), glm::abs(instance.Linear[1]), glm::abs(instance.Linear[2]));
+    triangle.Length *= GetSize(instance);
+    triangle.Reach = 2.0f * (sizes * triangle.Reach + glm::abs(instance.Offset));
     // The offset's digits would swallow the edges of small instances.
     const glm::vec3 edges[3] = { glm::vec3(0.0f),
       instance.Linear * (triangle.Corners[1] - triangle.Corners[0]),
@@ -110,13 +119,19 @@ void LocateOnTriangle(
     ? FindShadingNormal(mesh, triangle, place, surface, outgoing)
     : surface.GeometricNormal;
   const glm::vec3 onTriangle = InterpolateCorners(triangle.Corners, place.U, place.V);
-  const glm::vec3 position = isFound ? ray.Origin + hit.Distance * ray.Direction : onTriangle;
-  surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
+  const glm::vec3 position = isFound
+    ? MoveToPlane(ray.Origin + hit.Distance * ray.Direction, triangle.Corners[0], triangle.Front)
+    : onTriangle;
+  surface.PassPosition = position -
+    FindOffset(triangle.Front, glm::abs(position) + triangle.Reach, triangle.Length) *
+      surface.GeometricNormal;
   surface.LeavePosition = triangle.IsSmooth
     ? RaiseToSmoothSurface(
         triangle.Corners, triangle.Normals, place.U, place.V, surface.GeometricNormal, onTriangle)
     : position;
-  surface.LeavePosition += SurfaceOffset * surface.GeometricNormal;
+  surface.LeavePosition +=
+    FindOffset(triangle.Front, glm::abs(surface.LeavePosition) + triangle.Reach, triangle.Length) *
+    surface.GeometricNormal;
 }
 
 /// The centre and radius of the sphere that touches a tube's surface at a point, and how far along
@@ -154,8 +169,8 @@ void LocateOnRound(
   surface.GeometricNormal = TurnTo(normal, -ray.Direction);
   surface.Inside = surface.GeometricNormal != normal;
   surface.ShadingNormal = surface.GeometricNormal;
-  surface.LeavePosition = position + SurfaceOffset * surface.GeometricNormal;
-  surface.PassPosition = position - SurfaceOffset * surface.GeometricNormal;
+  surface.LeavePosition = position + RoundOffset * surface.GeometricNormal;
+  surface.PassPosition = position - RoundOffset * surface.GeometricNormal;
 }
 }
 

@@ -3,6 +3,7 @@
 #include "cslfMesh.h"
 
 #include "cslfSampling.h"
+#include "cslfTriangleGeometry.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -102,6 +103,18 @@ glm::vec3 Mesh::GetEmission(const TrianglePoint& point) const
   return this->Textures.Emission
     ? emission * glm::vec3(this->Textures.Emission->Get(this->Interpolate(this->TexCoords, point)))
     : emission;
+}
+
+void Mesh::PrepareRounding()
+{
+  this->LengthsOfRounding.clear();
+  this->LengthsOfRounding.reserve(this->Triangles.size());
+  for (const glm::uvec3& triangle : this->Triangles)
+  {
+    const glm::vec3 corners[3] = { this->Vertices[triangle.x], this->Vertices[triangle.y],
+      this->Vertices[triangle.z] };
+    this->LengthsOfRounding.push_back(FindLengthOfRounding(corners));
+  }
 }
 
 void Mesh::PrepareEmission()

@@ -139,6 +139,11 @@ struct VTKCSLF_EXPORT Mesh
   /// The radiance of the surface where light meets it.
   glm::vec3 GetEmission(const TrianglePoint& point) const;
 
+  /// Of each triangle, FindLengthOfRounding: how exactly its plane is known. Set by
+  /// PrepareRounding, once its corners are known.
+  std::vector<float> LengthsOfRounding;
+  void PrepareRounding();
+
   /// Works out what the light of each shape is worth; once, when all else is known.
   void PrepareEmission();
 

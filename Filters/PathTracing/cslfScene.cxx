@@ -256,11 +256,12 @@ void AddInstance(
   rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
-/// Makes the lights of meshes, which must stay where they are.
-LocalLights MakeLights(std::vector<Mesh>& meshes, const std::vector<PointLight>& points)
+/// Prepares meshes, which must stay where they are, and makes their lights.
+LocalLights PrepareMeshes(std::vector<Mesh>& meshes, const std::vector<PointLight>& points)
 {
   for (Mesh& mesh : meshes)
   {
+    mesh.PrepareRounding();
     mesh.PrepareEmission();
   }
   return { meshes, points };
@@ -278,7 +279,7 @@ struct Scene::Acceleration
 Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   : Meshes(std::move(meshes))
   , Lights(std::move(lights))
-  , Locals(MakeLights(this->Meshes, this->Lights.Points))
+  , Locals(PrepareMeshes(this->Meshes, this->Lights.Points))
   , Tree(std::make_unique<Acceleration>())
 {
   std::size_t triangles = 0;

@@ -14,7 +14,8 @@ struct TriangleLanes
 {
   Vec3Lanes Front; // of any length
   LaneMask Smooth;
-  Vec3Lanes Corners[3]; // of the smooth ones
+  Lanes<float> Length;  // of its rounding
+  Vec3Lanes Corners[3]; // the last two of the smooth ones only
   Vec3Lanes Normals[3];
   bool AnySmooth = false;
 };
@@ -22,11 +23,13 @@ struct TriangleLanes
 void FetchTriangle(const Mesh& mesh, const HitLanes& hits, int lane, TriangleLanes& triangles)
 {
   const bool isKnown = hits.Front.Get(lane) != glm::vec3(0.0f);
+  const glm::uvec3& indices = mesh.Triangles[hits.Triangle[lane]];
+  triangles.Length[lane] = mesh.LengthsOfRounding[hits.Triangle[lane]];
   if (isKnown && mesh.Normals.empty())
   {
+    triangles.Corners[0].Set(lane, mesh.Vertices[indices.x]);
     return;
   }
-  const glm::uvec3& indices = mesh.Triangles[hits.Triangle[lane]];
   glm::vec3 corners[3];
   for (int i = 0; i < 3; ++i)
   {
@@ -108,12 +111,16 @@ CSLF_VECTORIZE void LocateFlat(const RayLanes& rays, const HitLanes& hits,
     const glm::vec3 front = glm::normalize(triangles.Front.Get(i));
     const float away = glm::dot(front, direction);
     const glm::vec3 normal = (away > 0.0f ? -1.0f : 1.0f) * front;
-    const glm::vec3 position = rays.Origin.Get(i) + hits.Distance[i] * direction;
+    const glm::vec3 corner = triangles.Corners[0].Get(i);
+    const glm::vec3 position =
+      MoveToPlane(rays.Origin.Get(i) + hits.Distance[i] * direction, corner, front);
+    const float offset =
+      FindOffset(front, glm::abs(position) + glm::abs(corner), triangles.Length[i]);
     surfaces.Inside[i] = away > 0.0f ? -1 : 0;
     surfaces.GeometricNormal.Set(i, normal);
     surfaces.ShadingNormal.Set(i, normal);
-    surfaces.LeavePosition.Set(i, position + SurfaceOffset * normal);
-    surfaces.PassPosition.Set(i, position - SurfaceOffset * normal);
+    surfaces.LeavePosition.Set(i, position + offset * normal);
+    surfaces.PassPosition.Set(i, position - offset * normal);
   }
 }
 
@@ -137,9 +144,11 @@ CSLF_VECTORIZE void Smooth(const RayLanes& rays, const HitLanes& hits,
       FaceOutgoing(InterpolateNormals(normals, u, v, front), geometric, -rays.Direction.Get(i));
     const glm::vec3 position =
       RaiseToSmoothSurface(corners, normals, u, v, geometric, InterpolateCorners(corners, u, v));
+    const float offset =
+      FindOffset(geometric, glm::abs(position) + glm::abs(corners[0]), triangles.Length[i]);
     surfaces.ShadingNormal.Set(i, Choose(smooth, normal, surfaces.ShadingNormal.Get(i)));
     surfaces.LeavePosition.Set(
-      i, Choose(smooth, position + SurfaceOffset * geometric, surfaces.LeavePosition.Get(i)));
+      i, Choose(smooth, position + offset * geometric, surfaces.LeavePosition.Get(i)));
   }
 }
 }

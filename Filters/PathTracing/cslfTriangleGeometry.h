@@ -16,9 +16,18 @@
 
 namespace cslf
 {
-// How far rays start off a surface, in radii of the scene: a hundred times the rounding of a
-// vertex.
-constexpr float SurfaceOffset = 1e-5f;
+// How far rays start off a sphere or a tube, in radii of the scene: Embree meets long tubes less
+// exactly than triangles.
+constexpr float RoundOffset = 1e-5f;
+
+// How far rays start off a triangle, as a part of the coordinates that rounding can change: 16
+// roundings of a float.
+constexpr float OffsetRoundings = 16.0f * 0x1p-24f;
+
+// And at least and at most, in radii of the scene. The planes of the thinnest triangles are too
+// uncertain for any offset.
+constexpr float LeastOffset = 1e-9f;
+constexpr float LargestOffset = 1e-5f;
 
 // The least cosine between a shading normal and the direction it is seen from.
 constexpr float SmallestCosine = 1e-3f;
@@ -42,6 +51,41 @@ inline glm::vec3 Choose(bool first, const glm::vec3& a, const glm::vec3& b)
 inline glm::vec3 InterpolateCorners(const glm::vec3 values[3], float u, float v)
 {
   return (1.0f - u - v) * values[0] + u * values[1] + v * values[2];
+}
+
+/// How far off a triangle a ray can start so that it does not meet the triangle again: a bound of
+/// the rounding, along the normal, of the point, of the triangle's plane and of the ray's query.
+/// `reach` holds the absolute coordinates that they are worked out from, added up, `length` what
+/// FindLengthOfRounding tells of the triangle. After Waechter
+/// and Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019,
+/// and Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8.
+inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float length)
+{
+  const float offset =
+    OffsetRoundings * (glm::dot(glm::abs(normal), reach) + 0.125f * length) + LeastOffset;
+  return std::min(offset, LargestOffset);
+}
+
+/// What the rounding of a triangle's normal moves its plane by, in roundings: about the longest
+/// edge, and more for slivers, whose edges are nearly parallel.
+inline float FindLengthOfRounding(const glm::vec3 corners[3])
+{
+  const glm::vec3 edges[3] = { corners[1] - corners[0], corners[2] - corners[0],
+    corners[2] - corners[1] };
+  float square = 0.0f;
+  for (const glm::vec3& edge : edges)
+  {
+    square = std::max(square, glm::dot(edge, edge));
+  }
+  const float area = glm::length(glm::cross(edges[0], edges[1]));
+  return area > 0.0f ? square * std::sqrt(square) / area : 0.0f;
+}
+
+/// The point of a plane that is nearest to a point almost in it.
+inline glm::vec3 MoveToPlane(
+  const glm::vec3& point, const glm::vec3& corner, const glm::vec3& normal)
+{
+  return point - glm::dot(point - corner, normal) * normal;
 }
 
 /// The normal of the side from which the corners run counterclockwise: of unit length, also where

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Where rays start off surfaces: near enough that a sheet close above is met, and far enough that a
+// surface does not shadow itself.
+#include "PathTracing/cslfSampling.h"
+#include "cslfTestTransport.h"
+#include "cslfTesting.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using namespace cslf::testing;
+
+/// Light passes each of two sheets that are a millionth of the scene apart, wherever they are and
+/// however they lie.
+void TestSheets()
+{
+  const float gap = 2e-6f; // the scene's diameter is 2
+  for (const glm::vec3& center :
+    { glm::vec3(0.0f), glm::vec3(0, 0, 0.3f), glm::vec3(-0.2f, 0.1f, -0.5f) })
+  {
+    for (const glm::vec3& tilt : { glm::vec3(0, 0, 1), glm::vec3(0.3f, -0.2f, 1.0f) })
+    {
+      const cslf::Frame frame(glm::normalize(tilt));
+      cslf::SurfaceMaterial upper = MakeDiffuse(0.0f);
+      upper.Opacity = 0.5f;
+      std::vector<cslf::Mesh> meshes;
+      meshes.push_back(MakeRectangle(center, 0.5f * frame.X, 0.5f * frame.Y, MakeDiffuse(0.8f)));
+      meshes.push_back(
+        MakeRectangle(center + gap * frame.Z, 0.5f * frame.X, 0.5f * frame.Y, upper));
+      cslf::LightSet lights;
+      lights.Directional.push_back({ -frame.Z, glm::vec3(cslf::Pi) });
+      const cslf::Scene scene(std::move(meshes), lights);
+      cslf::PathSettings settings;
+      settings.MaximumDepth = 1;
+      const cslf::PathIntegrator integrator(scene, settings);
+      // The chances to pass the upper sheet are a ray's own, so many rays are needed.
+      cslf::PathBatch batch;
+      double single = 0.0;
+      std::uint64_t rays = 0;
+      for (int i = 0; i < cslf::PathBatch::Capacity; ++i)
+      {
+        const float x = 0.4f * (static_cast<float>(i % 64) / 32.0f - 1.0f);
+        const float y = 0.4f * (static_cast<float>(i / 64) / 32.0f - 1.0f);
+        cslf::PathBatch::Start start;
+        start.First =
+          LookAt(center + 0.9f * frame.Z + 0.1f * frame.X, center + x * frame.X + y * frame.Y);
+        start.Hash = cslf::SampleStream::HashTexel(1, 0, i, 0);
+        batch.Add(start);
+        single += integrator
+                    .GetRadiance(start.First, scene.Intersect(start.First),
+                      cslf::SampleStream(start.Hash, 0), rays)
+                    .x /
+          cslf::PathBatch::Capacity;
+      }
+      integrator.Follow(batch, rays);
+      double mean = 0.0;
+      for (int i = 0; i < batch.GetSize(); ++i)
+      {
+        mean += batch.GetRadiance(i).x / batch.GetSize();
+      }
+      CSLF_CHECK_NEAR(mean, 0.8 * 0.25, 0.01);
+      CSLF_CHECK_NEAR(single, 0.8 * 0.25, 0.01);
+    }
+  }
+}
+
+/// Triangles of all sizes and shapes in a uniform sky show it as it is: no ray that leaves one
+/// meets it again.
+void TestFurnace()
+{
+  std::mt19937 engine(7);
+  const auto get = [&engine](float lower, float upper)
+  { return lower + (upper - lower) * static_cast<float>(engine() >> 8) * 0x1p-24f; };
+  const auto getVector = [&get]() { return glm::vec3(get(-1, 1), get(-1, 1), get(-1, 1)); };
+  cslf::PathSettings settings;
+  settings.MaximumDepth = 1;
+  std::uint64_t rays = 0;
+  int shadowed = 0;
+  int tested = 0;
+  for (const bool isInstance : { false, true })
+  {
+    for (const float size : { 1e-4f, 1e-2f, 0.3f, 1.0f })
+    {
+      for (const float thickness : { 3e-3f, 1e-2f, 1.0f })
+      {
+        for (int i = 0; i < 10; ++i)
+        {
+          // In a scene of this size, so that Embree's triangle has its neighbours' numbers.
+          cslf::Mesh mesh;
+          const glm::vec3 place = getVector() * 0.5f;
+          const glm::vec3 along = glm::normalize(getVector()) * size;
+          const glm::vec3 across =
+            thickness * size * glm::normalize(glm::cross(along, getVector()));
+          const glm::vec3 local = isInstance ? glm::vec3(0.0f) : place;
+          const float middle = get(-0.5f, 1.5f);
+          mesh.Vertices = { local, local + along, local + middle * along + across };
+          mesh.Triangles = { { 0, 1, 2 } };
+          mesh.Material = MakeDiffuse(1.0f);
+          if (isInstance)
+          {
+            cslf::MeshInstance instance;
+            instance.Offset = place;
+            mesh.Instances = { instance };
+          }
+          const cslf::Scene scene({ mesh }, MakeUniformLight(1.0f));
+          const cslf::PathIntegrator integrator(scene, settings);
+          const glm::vec3 target = place + 0.3f * along + 0.3f * middle * along + 0.3f * across;
+          cslf::PathBatch batch;
+          for (int j = 0; j < 256; ++j)
+          {
+            cslf::PathBatch::Start start;
+            start.First = LookAt(glm::normalize(getVector()), target);
+            start.Hash = cslf::SampleStream::HashTexel(1, 0, j, 0);
+            const cslf::Hit hit = scene.Intersect(start.First);
+            if (hit.IsValid())
+            {
+              batch.Add(start, hit);
+              const glm::vec3 radiance =
+                integrator.GetRadiance(start.First, hit, cslf::SampleStream(start.Hash, 0), rays);
+              shadowed += radiance.x > 0.5f ? 0 : 1;
+              ++tested;
+            }
+          }
+          integrator.Follow(batch, rays);
+          for (int path = 0; path < batch.GetSize(); ++path)
+          {
+            shadowed += batch.GetRadiance(path).x > 0.5f ? 0 : 1;
+            ++tested;
+          }
+        }
+      }
+    }
+  }
+  CSLF_CHECK(tested > 50000);
+  CSLF_CHECK(shadowed <= tested / 50000);
+}
+}
+
+int TestCSLFSelfIntersection(int, char*[])
+{
+  TestSheets();
+  TestFurnace();
+  return cslf::testing::Result();
+}
