@@ -139,8 +139,10 @@ list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeLayout.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.cxx
+  ../Filters/PathTracing/RadianceCache/cslfLatticeSum.cxx
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
+  ../Filters/PathTracing/RadianceCache/cslfSampleNoise.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceChart.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
 list(APPEND private_headers
@@ -151,13 +153,17 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.h
   ../Filters/PathTracing/RadianceCache/cslfDiffuseLookUp.h
   ../Filters/PathTracing/RadianceCache/cslfGatherDirections.h
+  ../Filters/PathTracing/RadianceCache/cslfHalfSamples.h
   ../Filters/PathTracing/RadianceCache/cslfIncidentLight.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeLayout.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.h
+  ../Filters/PathTracing/RadianceCache/cslfLatticeSum.h
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.h
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.h
+  ../Filters/PathTracing/RadianceCache/cslfSampleNoise.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceChart.h
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceEstimate.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
 
 # From renderers and files to scenes.

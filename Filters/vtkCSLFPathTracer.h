@@ -105,7 +105,7 @@ public:
   /**
    * The bias of radiance caching: points are added where interpolation would err by more than this,
    * in parts of white as it is displayed (sRGB-encoded, Exposure included), until they are as close
-   * as CacheSpacing. Twice the standard error of each point is kept below it, too, where
+   * as CacheSpacing. One and a half standard errors of each point are kept below it, too, where
    * CacheSamples allow, and so is the root mean square error of reflections that are looked up.
    * Where the output is bytes, what is brighter than white is clipped and need not be right. Where
    * it is floating point, a viewer may change the exposure: all this holds at any exposure from

@@ -70,14 +70,12 @@ bool PathIntegrator::LookUpRough(
   const glm::vec3 outgoing = -ray.Direction;
   const float albedo =
     mesh.Material.DielectricSpecular.Get(glm::dot(normal, outgoing), mesh.Material.Alpha);
-  const glm::vec3 diffuse = (1.0f - albedo) * this->LookUp(hit);
   glm::vec3 reflected;
-  if (!this->Cache->GetReflected(
-        hit, *light, normal, outgoing, albedo, diffuse, tolerances, reflected))
+  if (!this->Cache->GetReflected(hit, *light, normal, outgoing, albedo, tolerances, reflected))
   {
     return false;
   }
-  radiance = diffuse + reflected;
+  radiance = (1.0f - albedo) * this->LookUp(hit) + reflected;
   return true;
 }
 

@@ -23,7 +23,9 @@
 #include <vtkSMPTools.h>
 #include <vtkSphereSource.h>
 
-#include <atomic>
+#include <functional>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -86,6 +88,29 @@ void TestLattice()
   CSLF_CHECK(worst < 1e-5f);
 }
 
+/// Estimates of a function that is known.
+class ExactEstimator : public cslf::SurfaceEstimator
+{
+public:
+  explicit ExactEstimator(std::function<glm::vec3(const cslf::Hit&)> value)
+    : Value(std::move(value))
+  {
+  }
+
+  std::vector<cslf::SurfaceEstimate> Estimate(const Request& request) override
+  {
+    std::vector<cslf::SurfaceEstimate> estimates;
+    for (const cslf::SurfacePoint& point : request.Points)
+    {
+      estimates.emplace_back(this->Value(point.Place));
+    }
+    return estimates;
+  }
+
+private:
+  std::function<glm::vec3(const cslf::Hit&)> Value;
+};
+
 /// A lattice of an edge between light and shadow: right beside the edge, and with few points.
 void TestRefinement()
 {
@@ -109,21 +134,20 @@ void TestRefinement()
   };
   for (const float brightness : { 1.0f, 20.0f })
   {
-    std::atomic<int> calls{ 0 };
-    cslf::LatticeBuilder builder(scene, sides, layout, settings,
-      [&](const cslf::Hit& place, std::uint64_t)
+    int calls = 0;
+    ExactEstimator estimator(
+      [&](const cslf::Hit& place)
       {
         ++calls;
-        cslf::SurfaceEstimate estimate;
-        estimate.Reach = 10.0f;
-        estimate.Value = place.Back ? glm::vec3(0.5f) : getLight(getPosition(place), brightness);
-        return estimate;
+        return place.Back ? glm::vec3(0.5f) : getLight(getPosition(place), brightness);
       });
+    cslf::LatticeBuilder builder(scene, sides, layout, settings, estimator);
     CSLF_CHECK(builder.Build([](double) { return true; }));
     CSLF_CHECK(builder.GetNumberOfEstimates() == static_cast<std::size_t>(calls));
     // A grid of this spacing would have 80000 points on two sides. Bright light needs finer edges.
     CSLF_CHECK(calls < (brightness > 1.0f ? 60000 : 12000));
 
+    const cslf::SurfaceLattice lattice = builder.TakeLattice();
     double farError = 0.0;
     double bleeding = 0.0;
     vtkNew<vtkMinimalStandardRandomSequence> random;
@@ -136,12 +160,12 @@ void TestRefinement()
       place.U = static_cast<float>(random->GetNextRangeValue(0.0, 0.5));
       place.V = static_cast<float>(random->GetNextRangeValue(0.0, 0.5));
       const glm::vec3 point = getPosition(place);
-      const float error = builder.GetLattice().Get(place.Triangle, false, place.U, place.V).x -
-        getLight(point, brightness).x;
+      const float error =
+        lattice.Get(place.Triangle, false, place.U, place.V).x - getLight(point, brightness).x;
       const float toEdge = std::abs(point.x + 0.3f * point.y - 0.123f);
       farError = std::max<double>(farError, toEdge > 0.02f ? std::abs(error) : 0.0);
       bleeding += std::abs(error) / count;
-      CSLF_CHECK(builder.GetLattice().Get(place.Triangle, true, place.U, place.V).x == 0.5f);
+      CSLF_CHECK(lattice.Get(place.Triangle, true, place.U, place.V).x == 0.5f);
     }
     CSLF_CHECK(farError < 0.01 * brightness);
     // The width of the edge shrinks as the light grows.
@@ -149,8 +173,8 @@ void TestRefinement()
   }
 
   // Abort.
-  cslf::LatticeBuilder aborted(scene, sides, layout, settings,
-    [](const cslf::Hit&, std::uint64_t) { return cslf::SurfaceEstimate(); });
+  ExactEstimator dark([](const cslf::Hit&) { return glm::vec3(0.0f); });
+  cslf::LatticeBuilder aborted(scene, sides, layout, settings, dark);
   CSLF_CHECK(!aborted.Build([](double) { return false; }));
 }
 

@@ -86,7 +86,7 @@ void TestIncidentLight()
   // Points that disagree are told by the error.
   cslf::IncidentLight brighter = light;
   brighter.Terms[0] += glm::vec3(1.0f);
-  CSLF_CHECK_NEAR(cslf::Average({ light, brighter }, normal).Error, 0.5, 0.05);
+  CSLF_CHECK_NEAR(cslf::Average({ light, light }, { light, brighter }, normal).Error, 0.5, 0.05);
 }
 
 vtkSmartPointer<vtkMultiBlockDataSet> MakeStillLife(double metallic)

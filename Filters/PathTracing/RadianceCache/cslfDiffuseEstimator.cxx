@@ -3,6 +3,10 @@
 #include "cslfDiffuseEstimator.h"
 
 #include "PathTracing/cslfSampling.h"
+#include "cslfHalfSamples.h"
+#include "cslfSampleNoise.h"
+
+#include <vtkSMPTools.h>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -10,19 +14,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
+#include <memory>
 
 namespace cslf
 {
 namespace
 {
-// Samples that are added up before anything is asked; a power of two.
-constexpr int BlockSize = 8;
-
-// The parts of a sequence whose means tell its noise. Each is a low-discrepancy sequence itself;
-// all together are better than their differences tell.
-constexpr int Parts = 8;
-
 // The part of what a point sees that may be nearer than its reach: where a flat angle is seen from
 // its edge, little of it, and of what it adds to the light.
 constexpr float NearShare = 1.0f / 32.0f;
@@ -32,28 +29,6 @@ MaterialPoint MakeWhite(const SurfaceHit& surface)
   MaterialPoint point = surface.GetMaterialPoint();
   point.BaseColor = glm::vec3(1.0f);
   return point;
-}
-
-/// The mean of `count` samples, and its standard error.
-glm::dvec3 Mean(const std::vector<glm::dvec3>& sums, int count, glm::dvec3& error)
-{
-  const std::size_t length = sums.size() / Parts;
-  glm::dvec3 total(0.0);
-  glm::dvec3 squares(0.0);
-  for (std::size_t part = 0; part < Parts; ++part)
-  {
-    glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i < length; ++i)
-    {
-      sum += sums[part * length + i];
-    }
-    total += sum;
-    squares += sum * sum;
-  }
-  const glm::dvec3 variance =
-    glm::max(squares - total * total / double(Parts), 0.0) / (Parts - 1.0);
-  error = glm::sqrt(variance * double(Parts)) / double(count);
-  return total / double(count);
 }
 }
 
@@ -73,98 +48,226 @@ struct DiffuseEstimator::Receiver
   }
 };
 
-/// What is known of a point so far.
-struct DiffuseEstimator::Samples
+/// Samples that are taken together.
+struct DiffuseEstimator::Batch
 {
-  std::vector<glm::dvec3> Sums; // of BlockSize samples each
-  IncidentFit Incident;
-  bool FitsIncident = false;
-  std::vector<float> Distances; // of what was seen, in any order
-  std::uint64_t Rays = 0;
+  const Receiver& From;
+  std::uint64_t Hash;
+  int Begin;
+  int End;
 };
 
-template <typename Add>
-SurfaceEstimate DiffuseEstimator::Average(const Hit& place, std::uint64_t key, Add add)
+/// What one half of a point's samples has told so far.
+struct DiffuseEstimator::Progress
 {
-  SurfaceEstimate estimate;
-  estimate.Reach = std::numeric_limits<float>::infinity();
-  const Receiver receiver(this->World, place);
-  if (!receiver.Reflection.HasDiffuse())
+  HalfSamples Samples;
+  std::unique_ptr<IncidentFit> Fit; // null where it is not asked for, or not any more
+  std::vector<float> Distances;     // of what the first samples see, in any order
+
+  /// The distance that nearly all of the first samples reach.
+  float TakeReach(int samples)
   {
-    return estimate;
-  }
-  const std::uint64_t hash = MixBits(key, this->Limits.Seed);
-  Samples samples;
-  const GlossyLobe* lobe = this->Limits.Lobes.empty() ? nullptr : &this->Limits.Lobes[place.Mesh];
-  samples.FitsIncident = lobe && lobe->IsKnown();
-  int count = 0;
-  for (int end = this->Limits.FirstSamples; end <= this->Limits.LastSamples; end *= 2)
-  {
-    samples.Sums.resize(end / BlockSize, glm::dvec3(0.0));
-    add(receiver, hash, count, end, samples);
-    count = end;
-    glm::dvec3 error;
-    estimate.Value = Mean(samples.Sums, count, error);
-    const glm::vec3 noise =
-      this->Limits.Display(glm::dvec3(estimate.Value) + error, receiver.Surface.BaseColor) -
-      this->Limits.Display(estimate.Value, receiver.Surface.BaseColor);
-    estimate.Noise = std::max({ noise.x, noise.y, noise.z });
-    if (estimate.Noise < this->Limits.Noise)
+    const auto near = static_cast<std::size_t>(NearShare * static_cast<float>(samples));
+    float distance = std::numeric_limits<float>::infinity();
+    if (near < this->Distances.size())
     {
-      break;
+      const auto reach = this->Distances.begin() + static_cast<std::ptrdiff_t>(near);
+      std::nth_element(this->Distances.begin(), reach, this->Distances.end());
+      distance = *reach;
     }
+    this->Distances = {};
+    return distance;
   }
-  const auto near = static_cast<std::size_t>(NearShare * static_cast<float>(count));
-  if (near < samples.Distances.size())
+};
+
+/// A point at work. Only the rank that owns it takes its samples.
+struct DiffuseEstimator::Work
+{
+  SurfaceEstimate Estimate;
+  Progress Halves[2];
+  bool IsOpen[2] = { true, true }; // whether a half, as a pilot, asks for more samples
+  glm::vec3 Variances[2] = {};     // of one sample each, as the pilots have told
+
+  bool IsAnyOpen() const { return this->IsOpen[0] || this->IsOpen[1]; }
+};
+
+std::vector<SurfaceEstimate> DiffuseEstimator::Estimate(const Request& request)
+{
+  std::vector<Work> works(request.Points.size());
+  Means means(works.size());
+  int samples = this->Limits.FirstSamples / 2;
+  this->TakeSamples(request, samples, works, means);
+  while (this->Decide(request, samples, means, works))
   {
-    const auto reach = samples.Distances.begin() + static_cast<std::ptrdiff_t>(near);
-    std::nth_element(samples.Distances.begin(), reach, samples.Distances.end());
-    estimate.Reach = *reach;
+    samples *= 2;
+    this->TakeSamples(request, samples, works, means);
   }
-  if (samples.FitsIncident)
+  std::vector<SurfaceEstimate> estimates;
+  estimates.reserve(works.size());
+  for (const Work& work : works)
   {
-    estimate.Incident = samples.Incident.Solve(receiver.Local, lobe->GetSize());
+    estimates.push_back(work.Estimate);
   }
-  this->Rays.fetch_add(samples.Rays, std::memory_order_relaxed);
-  return estimate;
+  if (this->Limits.Share)
+  {
+    this->Limits.Share->Complete(estimates, 0);
+  }
+  return estimates;
 }
 
-SurfaceEstimate DiffuseEstimator::SampleLights(const Hit& place, std::uint64_t key)
+void DiffuseEstimator::TakeSamples(
+  const Request& request, int end, std::vector<Work>& works, Means& means)
 {
-  return this->Average(place, key,
-    [this](const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples)
+  CacheShare* share = this->Limits.Share;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(works.size()), 1,
+    [&](vtkIdType first, vtkIdType last)
     {
-      const glm::dvec3 albedo = receiver.Reflection.DiffuseAlbedo();
-      const ScatteringPoint point{ receiver.Surface, receiver.Local, receiver.Reflection,
-        Lobes::Diffuse };
-      for (int i = begin; i < end; ++i)
+      for (vtkIdType index = first; index < last; ++index)
       {
-        const SampleStream stream(hash, static_cast<std::uint32_t>(i));
-        samples.Sums[i / BlockSize] +=
-          glm::dvec3(this->Paths.GetLight().Sample(point, stream, samples.Rays)) / albedo;
+        const bool isMine = !share || share->GetOwner(index) == share->GetRank();
+        if (isMine && works[index].IsAnyOpen())
+        {
+          this->TakeSamples(
+            request.Points[index], end, request.WantsIncident, works[index], means[index]);
+        }
       }
     });
+  if (share)
+  {
+    share->Complete(means, 0);
+  }
 }
 
-SurfaceEstimate DiffuseEstimator::Gather(const Hit& place, std::uint64_t key)
+void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool wantsIncident,
+  Work& work, std::array<SampleMean, 2>& means)
 {
-  return this->Average(place, key,
-    [this](const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples)
-    { this->LookAround(receiver, hash, begin, end, samples); });
+  const Receiver receiver(this->World, point.Place);
+  if (!receiver.Reflection.HasDiffuse())
+  {
+    return;
+  }
+  const std::uint64_t hash = MixBits(MixBits(point.Key, this->Limits.Seed), this->Limits.Depth);
+  const int begin = end == this->Limits.FirstSamples / 2 ? 0 : end / 2;
+  const GlossyLobe* lobe =
+    this->Limits.Lobes.empty() ? nullptr : &this->Limits.Lobes[point.Place.Mesh];
+  std::uint64_t rays = 0;
+  for (std::uint32_t half = 0; half < 2; ++half)
+  {
+    Progress& progress = work.Halves[half];
+    // Of the light that arrives, the first half is stored, and the second is its pilot.
+    if (begin == 0 && wantsIncident && lobe && lobe->IsKnown())
+    {
+      progress.Fit = std::make_unique<IncidentFit>();
+    }
+    else if (!work.IsOpen[1])
+    {
+      progress.Fit.reset();
+    }
+    progress.Samples.Extend(end);
+    const Batch batch{ receiver, MixBits(hash, half), begin, end };
+    rays += this->Limits.Kind == Light::Sampled ? this->SampleLights(batch, progress)
+                                                : this->LookAround(batch, progress);
+    means[half] = progress.Samples.GetMean();
+    if (begin == 0)
+    {
+      work.Estimate.Halves[half].Reach = progress.TakeReach(end);
+    }
+    if (progress.Fit)
+    {
+      (half == 0 ? work.Estimate.Incident : work.Estimate.IncidentPilot) =
+        progress.Fit->Solve(receiver.Local, lobe->GetSize());
+    }
+  }
+  this->Rays.fetch_add(rays, std::memory_order_relaxed);
 }
 
-void DiffuseEstimator::LookAround(
-  const Receiver& receiver, std::uint64_t hash, int begin, int end, Samples& samples) const
+bool DiffuseEstimator::Decide(
+  const Request& request, int samples, const Means& means, std::vector<Work>& works) const
 {
+  // What do the neighbours tell?
+  std::vector<glm::vec3> pooled[2];
+  for (int half = 0; half < 2; ++half)
+  {
+    std::vector<glm::vec3> variances;
+    variances.reserve(works.size());
+    for (std::size_t point = 0; point < works.size(); ++point)
+    {
+      Work& work = works[point];
+      if (work.IsOpen[half])
+      {
+        work.Variances[half] = means[point][half].Variance * static_cast<float>(samples);
+      }
+      variances.push_back(work.Variances[half] / static_cast<float>(samples));
+    }
+    pooled[half] = PoolVariances(variances, request.Groups[half]);
+  }
+
+  // Which points need more samples?
+  const bool canGoOn = 4 * samples <= this->Limits.LastSamples;
+  std::atomic<bool> goesOn{ false };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(works.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType point = first; point < last; ++point)
+      {
+        Work& work = works[point];
+        for (int half = 0; half < 2; ++half)
+        {
+          if (work.IsOpen[half])
+          {
+            HalfEstimate& pilot = work.Estimate.Halves[half];
+            pilot.Pilot = means[point][half].Mean;
+            pilot.Variance = pooled[half][point];
+            work.Estimate.Halves[1 - half].Value = means[point][1 - half].Mean;
+            work.IsOpen[half] = canGoOn && !this->IsEnough(request.Points[point], pilot);
+          }
+        }
+        if (work.IsAnyOpen())
+        {
+          goesOn = true;
+        }
+      }
+    });
+  return goesOn;
+}
+
+bool DiffuseEstimator::IsEnough(const SurfacePoint& point, const HalfEstimate& pilot) const
+{
+  // Both halves together have half of the variance.
+  const glm::vec3 color = this->World.GetBaseColor(point.Place);
+  const glm::vec3 error = glm::sqrt(0.5f * pilot.Variance);
+  return GetDisplayedError(this->Limits.Display, pilot.Pilot, error, color) < this->Limits.Noise;
+}
+
+std::uint64_t DiffuseEstimator::SampleLights(const Batch& batch, Progress& progress) const
+{
+  const Receiver& receiver = batch.From;
+  const glm::vec3 albedo = receiver.Reflection.DiffuseAlbedo();
+  const ScatteringPoint point{ receiver.Surface, receiver.Local, receiver.Reflection,
+    Lobes::Diffuse };
+  std::uint64_t rays = 0;
+  for (int i = batch.Begin; i < batch.End; ++i)
+  {
+    const SampleStream stream(batch.Hash, static_cast<std::uint32_t>(i));
+    progress.Samples.Add(i, this->Paths.GetLight().Sample(point, stream, rays) / albedo);
+  }
+  return rays;
+}
+
+std::uint64_t DiffuseEstimator::LookAround(const Batch& batch, Progress& progress) const
+{
+  const Receiver& receiver = batch.From;
+  const Frame& frame = receiver.Local;
+  std::uint64_t rays = 0;
+  GatherDirections::Packet local;
   RayPacket packet;
   std::fill_n(packet.Active, RayPacket::Size, -1);
   std::fill_n(packet.Query.ray.org_x, RayPacket::Size, receiver.Surface.LeavePosition.x);
   std::fill_n(packet.Query.ray.org_y, RayPacket::Size, receiver.Surface.LeavePosition.y);
   std::fill_n(packet.Query.ray.org_z, RayPacket::Size, receiver.Surface.LeavePosition.z);
-  for (int i = begin; i < end; i += RayPacket::Size)
+  for (int i = batch.Begin; i < batch.End; i += RayPacket::Size)
   {
-    const Frame frame = GatherDirections::Turn(receiver.Local, hash, i);
-    const GatherDirections::Packet& local = this->Directions.Get(hash, i);
+    this->Directions.Get(batch.Hash, i, local);
     for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
       const float x = local.X[lane];
@@ -175,7 +278,7 @@ void DiffuseEstimator::LookAround(
       packet.Query.ray.dir_z[lane] = x * frame.X.z + y * frame.Y.z + z * frame.Z.z;
     }
     this->World.Intersect(packet);
-    samples.Rays += RayPacket::Size;
+    rays += RayPacket::Size;
     PacketRadiance light;
     alignas(64) int known[RayPacket::Size];
     this->Known.Get(packet, light, known);
@@ -187,25 +290,22 @@ void DiffuseEstimator::LookAround(
         light.Set(lane,
           this->Follow(packet, lane, local.Z[lane] * InversePi,
             receiver.Surface.GetReceiver().Normal,
-            SampleStream(hash, static_cast<std::uint32_t>(index)), samples.Rays));
+            SampleStream(batch.Hash, static_cast<std::uint32_t>(index)), rays));
       }
-      if (packet.IsHit(lane))
+      if (batch.Begin == 0 && packet.IsHit(lane))
       {
-        samples.Distances.push_back(packet.Query.ray.tfar[lane]);
+        progress.Distances.push_back(packet.Query.ray.tfar[lane]);
       }
       const glm::vec3 radiance(light.Red[lane], light.Green[lane], light.Blue[lane]);
-      if (samples.FitsIncident &&
-        samples.Incident.GetNumberOfSamples() < std::size_t(GatherDirections::Length))
+      if (progress.Fit)
       {
-        const glm::vec3 direction = packet.GetRay(lane).Direction;
-        samples.Incident.Add(
-          { glm::dot(direction, receiver.Local.X), glm::dot(direction, receiver.Local.Y) },
-          radiance);
+        progress.Fit->Add({ local.X[lane], local.Y[lane] }, radiance);
       }
-      const float weight = receiver.Reflection.DiffuseTransmission(local.Z[lane]);
-      samples.Sums[index / BlockSize] += glm::dvec3(weight * radiance);
+      progress.Samples.Add(
+        index, receiver.Reflection.DiffuseTransmission(local.Z[lane]) * radiance);
     }
   }
+  return rays;
 }
 
 glm::vec3 DiffuseEstimator::Follow(const RayPacket& packet, int lane, float pdf,

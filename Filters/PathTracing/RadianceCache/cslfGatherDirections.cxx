@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGatherDirections.h"
 
-#include "PathTracing/cslfLambert.h"
 #include "PathTracing/cslfSampleStream.h"
+#include "PathTracing/cslfSampling.h"
+#include "PathTracing/cslfVectorize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,79 +13,94 @@ namespace cslf
 {
 namespace
 {
-struct Direction
+constexpr int Bits = 24;
+
+struct Pair
 {
-  glm::vec3 Local;
+  std::uint32_t Angle;
+  std::uint32_t Azimuth;
   std::uint16_t Index;
 };
 
-/// Halves directions, along x and y in turn, until each part is a packet.
-void Sort(std::vector<Direction>::iterator begin, std::vector<Direction>::iterator end, int axis)
+/// The interval of a pair, where the azimuth is split into a power of two of parts, and the angle
+/// into another.
+std::uint32_t GetInterval(const Pair& pair, int azimuthBits, int angleBits)
 {
-  const auto count = end - begin;
-  if (count <= RayPacket::Size)
-  {
-    return;
-  }
-  const auto middle = begin + count / 2;
-  std::nth_element(begin, middle, end,
-    [axis](const Direction& a, const Direction& b)
-    { return a.Local[axis] != b.Local[axis] ? a.Local[axis] < b.Local[axis] : a.Index < b.Index; });
-  Sort(begin, middle, 1 - axis);
-  Sort(middle, end, 1 - axis);
+  const std::uint32_t azimuth = azimuthBits > 0 ? pair.Azimuth >> (Bits - azimuthBits) : 0;
+  const std::uint32_t angle = angleBits > 0 ? pair.Angle >> (Bits - angleBits) : 0;
+  return azimuth << angleBits | angle;
 }
 
-std::uint64_t HashSequence(std::uint64_t key, int count)
+/// Sorts pairs into intervals of 16: a block of the sequence has as many in each. The hemisphere
+/// is cut into quarters first, then by the angle and the azimuth in turn.
+void Sort(std::vector<Pair>::iterator begin, std::vector<Pair>::iterator end)
 {
-  return MixBits(key, static_cast<std::uint64_t>(count / GatherDirections::Length));
+  int azimuthBits = 0;
+  int angleBits = 0;
+  for (auto size = end - begin; size > RayPacket::Size; size /= 2)
+  {
+    ++(azimuthBits < 2 || azimuthBits - 2 < angleBits ? azimuthBits : angleBits);
+  }
+  std::stable_sort(begin, end,
+    [azimuthBits, angleBits](const Pair& a, const Pair& b)
+    { return GetInterval(a, azimuthBits, angleBits) < GetInterval(b, azimuthBits, angleBits); });
 }
 }
 
 GatherDirections::GatherDirections(int first)
 {
-  for (int sequence = 0; sequence < Sequences; ++sequence)
+  std::vector<Pair> pairs;
+  for (int i = 0; i < Length; ++i)
   {
-    std::vector<Direction> directions;
-    for (int i = 0; i < Length; ++i)
+    const glm::vec2 numbers =
+      SampleStream(0, static_cast<std::uint32_t>(i)).Get2D(Dimension::Direction);
+    pairs.push_back({ static_cast<std::uint32_t>(numbers.x * (1 << Bits)),
+      static_cast<std::uint32_t>(numbers.y * (1 << Bits)), static_cast<std::uint16_t>(i) });
+  }
+  for (int end = std::min(first, Length); end <= Length; end *= 2)
+  {
+    Sort(pairs.begin() + (end > first ? end / 2 : 0), pairs.begin() + end);
+  }
+  for (int i = 0; i < Length; i += RayPacket::Size)
+  {
+    Numbers numbers;
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
-      const SampleStream stream(MixBits(0, sequence), static_cast<std::uint32_t>(i));
-      directions.push_back(
-        { Lambert::Sample(stream.Get2D(Dimension::Direction)), static_cast<std::uint16_t>(i) });
+      numbers.Angle[lane] = pairs[i + lane].Angle;
+      numbers.Azimuth[lane] = pairs[i + lane].Azimuth;
+      numbers.Index[lane] = pairs[i + lane].Index;
     }
-    for (int end = std::min(first, Length); end <= Length; end *= 2)
-    {
-      Sort(directions.begin() + (end > first ? end / 2 : 0), directions.begin() + end, 0);
-    }
-    for (int i = 0; i < Length; i += RayPacket::Size)
-    {
-      Packet packet;
-      for (int lane = 0; lane < RayPacket::Size; ++lane)
-      {
-        const Direction& direction = directions[i + lane];
-        packet.X[lane] = direction.Local.x;
-        packet.Y[lane] = direction.Local.y;
-        packet.Z[lane] = direction.Local.z;
-        packet.Index[lane] = direction.Index;
-      }
-      this->Packets.push_back(packet);
-    }
+    this->Packets.push_back(numbers);
   }
 }
 
-const GatherDirections::Packet& GatherDirections::Get(std::uint64_t key, int count) const
+void GatherDirections::Get(std::uint64_t key, int count, Packet& packet) const
 {
-  const std::size_t sequence = HashSequence(key, count) % Sequences;
-  return this->Packets[(sequence * Length + count % Length) / RayPacket::Size];
+  const std::uint64_t shift = MixBits(key, static_cast<std::uint64_t>(count / Length));
+  const Numbers& numbers = this->Packets[count % Length / RayPacket::Size];
+  constexpr std::uint64_t mask = (1u << Bits) - 1;
+  Shift(numbers, static_cast<std::uint32_t>(shift & mask),
+    static_cast<std::uint32_t>(shift >> Bits & mask), packet);
 }
 
-Frame GatherDirections::Turn(const Frame& frame, std::uint64_t key, int count)
+CSLF_VECTORIZE void GatherDirections::Shift(
+  const Numbers& numbers, std::uint32_t angle, std::uint32_t azimuth, Packet& packet)
 {
-  const float angle = static_cast<float>(HashSequence(key, count) >> 40) * 0x1p-24f * 2.0f * Pi;
-  const float cosine = std::cos(angle);
-  const float sine = std::sin(angle);
-  Frame turned = frame;
-  turned.X = cosine * frame.X + sine * frame.Y;
-  turned.Y = cosine * frame.Y - sine * frame.X;
-  return turned;
+  constexpr float scale = 1.0f / (1 << Bits);
+  packet.Index = numbers.Index;
+  CSLF_LANE_LOOP
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    const float square = static_cast<float>(static_cast<int>(numbers.Angle[lane] ^ angle)) * scale;
+    const float turn =
+      static_cast<float>(static_cast<int>(numbers.Azimuth[lane] ^ azimuth)) * scale;
+    float sine = 0.0f;
+    float cosine = 0.0f;
+    SinCosOfTurn(turn, sine, cosine);
+    const float radius = std::sqrt(square);
+    packet.X[lane] = radius * cosine;
+    packet.Y[lane] = radius * sine;
+    packet.Z[lane] = std::sqrt(1.0f - square);
+  }
 }
 }

@@ -16,15 +16,14 @@ namespace cslf
 namespace
 {
 // Samples that tell of one part of the hemisphere.
-constexpr std::size_t CellSize = 16;
+constexpr int CellSize = 16;
 
 // Zernike's polynomials of the unit disc, on which directions spread by the cosine lie evenly: the
 // mean of the product of any two is 0, that of a square is 1. Noll, JOSA 66(3), 1976.
-constexpr std::size_t Polynomials = 6;
 const float Root3 = std::sqrt(3.0f);
 const float Root6 = std::sqrt(6.0f);
 
-std::array<float, Polynomials> EvaluateZernike(const glm::vec2& place)
+std::array<float, 6> EvaluateZernike(const glm::vec2& place)
 {
   const float x2 = place.x * place.x;
   const float y2 = place.y * place.y;
@@ -127,60 +126,82 @@ DirectionMoments GlossyLobe::GetMoments(const glm::vec3& normal, const glm::vec3
     product(0, 2), product(1, 2) };
 }
 
+void IncidentFit::Moments::Add(const float z[Polynomials], const glm::vec3& l)
+{
+  int product = 0;
+  for (int k = 0; k < Polynomials; ++k)
+  {
+    this->LZ[k] += glm::dvec3(z[k] * l);
+    for (int j = 0; j <= k; ++j)
+    {
+      this->ZZ[product++] += z[j] * z[k];
+    }
+  }
+  this->LL += glm::dvec3(l * l);
+}
+
+glm::dvec3 IncidentFit::Moments::GetSquares(const glm::dvec3 factors[Polynomials]) const
+{
+  glm::dvec3 squares = this->LL;
+  int product = 0;
+  for (int k = 0; k < Polynomials; ++k)
+  {
+    squares -= 2.0 * factors[k] * this->LZ[k];
+    for (int j = 0; j <= k; ++j)
+    {
+      squares += (j < k ? 2.0 : 1.0) * this->ZZ[product++] * factors[j] * factors[k];
+    }
+  }
+  return glm::max(squares, 0.0);
+}
+
+void IncidentFit::Add(const glm::vec2& place, const glm::vec3& radiance)
+{
+  const auto values = EvaluateZernike(place);
+  this->Samples.Add(values.data(), radiance);
+  for (int k = 0; k < Polynomials; ++k)
+  {
+    this->Sums[k] += glm::dvec3(values[k] * radiance);
+    this->CellZ[k] += values[k] / float(CellSize);
+  }
+  this->CellL += radiance / float(CellSize);
+  if (++this->Count % CellSize == 0)
+  {
+    this->Cells.Add(this->CellZ, this->CellL);
+    std::fill_n(this->CellZ, Polynomials, 0.0f);
+    this->CellL = glm::vec3(0.0f);
+  }
+}
+
+float IncidentFit::GetError(const glm::dvec3 factors[Polynomials], float lobeSize) const
+{
+  // What is left in each part of the hemisphere, and how much it varies within: lobes that are
+  // smaller than such a part see that, too.
+  const int cells = std::max(this->Count / CellSize, 1);
+  const glm::dvec3 means = this->Cells.GetSquares(factors);
+  const glm::dvec3 squares = this->Samples.GetSquares(factors) / double(CellSize);
+  const glm::dvec3 within = glm::max(squares - means, 0.0) * (CellSize / (CellSize - 1.0));
+  const glm::dvec3 left = glm::max(means - within / double(CellSize), 0.0);
+  const double seen = std::max(0.0, 1.0 - lobeSize * cells);
+  return std::sqrt(Largest((left + seen * within) / double(cells)));
+}
+
 IncidentLight IncidentFit::Solve(const Frame& frame, float lobeSize) const
 {
   IncidentLight light;
-  if (this->Samples.empty())
+  if (this->Count == 0)
   {
     return light;
   }
-  // Project the samples to the polynomials.
-  glm::vec3 factors[Polynomials] = {};
-  for (const Sample& sample : this->Samples)
+  glm::dvec3 exact[Polynomials];
+  glm::vec3 factors[Polynomials];
+  for (int k = 0; k < Polynomials; ++k)
   {
-    const auto values = EvaluateZernike(sample.Place);
-    for (std::size_t k = 0; k < Polynomials; ++k)
-    {
-      factors[k] += values[k] * sample.Radiance;
-    }
+    exact[k] = this->Sums[k] / double(this->Count);
+    factors[k] = exact[k];
   }
-  const auto count = static_cast<float>(this->Samples.size());
-  for (glm::vec3& factor : factors)
-  {
-    factor /= count;
-  }
-
-  // What is left in each part of the hemisphere, and how much it varies within: lobes that are
-  // smaller than such a part see that, too.
-  glm::vec3 left(0.0f);
-  glm::vec3 within(0.0f);
-  const std::size_t cells = this->Samples.size() / CellSize;
-  for (std::size_t cell = 0; cell < cells; ++cell)
-  {
-    glm::vec3 sum(0.0f);
-    glm::vec3 squares(0.0f);
-    for (std::size_t i = cell * CellSize; i < (cell + 1) * CellSize; ++i)
-    {
-      const auto values = EvaluateZernike(this->Samples[i].Place);
-      glm::vec3 residual = this->Samples[i].Radiance;
-      for (std::size_t k = 0; k < Polynomials; ++k)
-      {
-        residual -= values[k] * factors[k];
-      }
-      sum += residual;
-      squares += residual * residual;
-    }
-    const glm::vec3 mean = sum / float(CellSize);
-    const glm::vec3 variance = glm::max(squares / float(CellSize) - mean * mean, glm::vec3(0.0f)) *
-      (float(CellSize) / float(CellSize - 1));
-    left += mean * mean - variance / float(CellSize);
-    within += variance;
-  }
-  const float cellSize = static_cast<float>(CellSize) / count;
-  const float seen = std::max(0.0f, 1.0f - lobeSize / cellSize);
-  const glm::vec3 error2 = (glm::max(left, glm::vec3(0.0f)) + seen * within) /
-    static_cast<float>(std::max<std::size_t>(cells, 1));
-  light.Error = std::sqrt(Largest(error2));
+  light.Mean = factors[0];
+  light.Error = this->GetError(exact, lobeSize);
 
   // Expand the polynomials.
   light.Normal = frame.Z;
@@ -195,18 +216,23 @@ IncidentLight IncidentFit::Solve(const Frame& frame, float lobeSize) const
   return light;
 }
 
-IncidentLight Average(const std::vector<IncidentLight>& lights, const glm::vec3& normal)
+IncidentLight Average(const std::vector<IncidentLight>& lights,
+  const std::vector<IncidentLight>& pilots, const glm::vec3& normal)
 {
   IncidentLight mean;
+  IncidentLight pilot;
   mean.Normal = normal;
+  const float weight = 1.0f / static_cast<float>(lights.size());
   float squares = 0.0f;
-  for (const IncidentLight& light : lights)
+  for (std::size_t light = 0; light < lights.size(); ++light)
   {
     for (std::size_t i = 0; i < DirectionMoments().size(); ++i)
     {
-      mean.Terms[i] += light.Terms[i] / static_cast<float>(lights.size());
+      mean.Terms[i] += weight * lights[light].Terms[i];
+      pilot.Terms[i] += weight * pilots[light].Terms[i];
     }
-    squares += light.Error * light.Error;
+    mean.Mean += weight * pilots[light].Mean;
+    squares += pilots[light].Error * pilots[light].Error;
   }
   // How far they differ, in a few directions.
   const Frame frame(normal);
@@ -217,14 +243,14 @@ IncidentLight Average(const std::vector<IncidentLight>& lights, const glm::vec3&
     const float radius = k % 2 == 0 ? 0.4f : 0.8f;
     const DirectionMoments products = GetProducts(frame.ToWorld(
       { radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - radius * radius) }));
-    const glm::vec3 center = mean.Get(products);
-    for (const IncidentLight& light : lights)
+    const glm::vec3 center = pilot.Get(products);
+    for (const IncidentLight& light : pilots)
     {
       const float difference = Largest(glm::abs(light.Get(products) - center));
       squares += difference * difference / directions;
     }
   }
-  mean.Error = std::sqrt(squares / static_cast<float>(lights.size()));
+  mean.Error = std::sqrt(weight * squares);
   return mean;
 }
 }

@@ -31,6 +31,7 @@ struct IncidentLight
 {
   glm::vec3 Terms[10] = {};                             ///< the factors of DirectionMoments
   glm::vec3 Normal{ 0.0f };                             ///< of the surface that it arrives at
+  glm::vec3 Mean{ 0.0f };                               ///< of directions spread by the cosine
   float Error = std::numeric_limits<float>::infinity(); ///< about what a lobe's mean errs by
 
   bool IsKnown() const { return this->Error < std::numeric_limits<float>::infinity(); }
@@ -86,34 +87,50 @@ private:
   float Size = 0.0f;
 };
 
-/// Finds the light that arrives at a point from samples of it.
+/// Fits the light that arrives at a point to samples of it, of which it keeps sums only.
 class IncidentFit
 {
 public:
   /// Adds the radiance from a direction. Directions are spread by the cosine; each 16 in a row are
   /// close to each other.
-  void Add(const glm::vec2& place, const glm::vec3& radiance)
-  {
-    this->Samples.push_back({ place, radiance });
-  }
+  void Add(const glm::vec2& place, const glm::vec3& radiance);
 
-  std::size_t GetNumberOfSamples() const { return this->Samples.size(); }
-
-  /// The polynomial, for lobes of some size. Places are coordinates in the frame.
+  /// The polynomial, its error for lobes of some size, and the mean. Places are coordinates in the
+  /// frame.
   IncidentLight Solve(const Frame& frame, float lobeSize) const;
 
 private:
-  struct Sample
+  static constexpr int Polynomials = 6;
+  static constexpr int Products = Polynomials * (Polynomials + 1) / 2;
+
+  /// Sums over values of the polynomials, z, and radiances, l.
+  struct Moments
   {
-    glm::vec2 Place;
-    glm::vec3 Radiance;
+    double ZZ[Products] = {};
+    glm::dvec3 LZ[Polynomials] = {};
+    glm::dvec3 LL{ 0.0 };
+
+    void Add(const float z[Polynomials], const glm::vec3& l);
+
+    /// The sum of the squares of what a polynomial of these factors leaves.
+    glm::dvec3 GetSquares(const glm::dvec3 factors[Polynomials]) const;
   };
 
-  std::vector<Sample> Samples;
+  float GetError(const glm::dvec3 factors[Polynomials], float lobeSize) const;
+
+  int Count = 0;
+  glm::dvec3 Sums[Polynomials] = {}; // of the radiances times the polynomials
+  Moments Samples;                   // of the samples
+  Moments Cells;                     // of the means of each 16 in a row
+  float CellZ[Polynomials] = {};     // the sums of those that are not 16 yet
+  glm::vec3 CellL{ 0.0f };
 };
 
-/// The light that arrives at a surface: the mean of some of its points, whose normals are given.
-IncidentLight Average(const std::vector<IncidentLight>& lights, const glm::vec3& normal);
+/// The light that arrives at a surface: the mean of some of its points. Its error is that of other
+/// samples, the pilots, and how much these differ: were it that of the same samples, light that is
+/// too dark by chance would be thought better than it is.
+IncidentLight Average(const std::vector<IncidentLight>& lights,
+  const std::vector<IncidentLight>& pilots, const glm::vec3& normal);
 
 /// The light that arrives at each brick of a lattice that is not part of another.
 class IncidentField

@@ -3,10 +3,11 @@
 #include "cslfLatticeBuilder.h"
 
 #include "cslfChartNeighbours.h"
-
-#include <vtkSMPTools.h>
+#include "cslfLatticeSum.h"
+#include "cslfSampleNoise.h"
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -31,6 +32,9 @@ constexpr double BrightEdge = 2.0;
 // Points of this distance, in spacings, or less are close enough: half of it would be closer than
 // was asked for.
 constexpr float CoarseSpacings = 1.5f;
+
+// How many standard errors a difference must have, beyond what is wrong anyway, to be no noise.
+constexpr float SureErrors = 3.0f;
 
 // Bricks that are worked on together: enough for all threads, and of bounded memory.
 constexpr std::size_t BatchBricks = std::size_t(1) << 13;
@@ -60,6 +64,9 @@ std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row)
     (std::uint64_t(row) << RowShift) | std::uint64_t(column);
 }
 
+// Stands for the number of a point that is interpolated.
+constexpr std::uint32_t NotEstimated = 0xffffffffu;
+
 float Largest(const glm::vec3& difference)
 {
   const glm::vec3 size = glm::abs(difference);
@@ -83,6 +90,7 @@ struct LatticeBuilder::Point
 /// A brick at work, and the points of its lattice, row by row.
 struct LatticeBuilder::Patch
 {
+  int Half; // which of the lattices it is of, and whose values decide
   std::size_t Brick;
   std::size_t Domain; // the number of its triangle, or that of all triangles and of its chart
   std::uint32_t Mesh;
@@ -107,13 +115,13 @@ struct LatticeBuilder::Patch
 };
 
 LatticeBuilder::LatticeBuilder(const Scene& scene, const OpenSides& sides,
-  const LatticeLayout& layout, LatticeSettings settings, Estimator estimate)
+  const LatticeLayout& layout, LatticeSettings settings, SurfaceEstimator& estimator)
   : World(scene)
   , Sides(sides)
   , Layout(layout)
   , Settings(std::move(settings))
-  , Estimate(std::move(estimate))
-  , Lattice(layout.MakeLattice())
+  , Estimator(&estimator)
+  , Lattices{ layout.MakeLattice(), layout.MakeLattice() }
 {
 }
 
@@ -129,7 +137,7 @@ bool LatticeBuilder::AddAll(
 {
   const std::vector<Mesh>& meshes = this->World.GetMeshes();
   const std::size_t charts = this->Layout.GetCharts().size();
-  const auto all = static_cast<double>(this->Lattice.GetNumberOfTriangles() + charts);
+  const auto all = static_cast<double>(this->Lattices[0].GetNumberOfTriangles() + charts);
   std::size_t done = 0;
   const auto useFullBatch = [&]
   {
@@ -176,7 +184,7 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
   {
     return;
   }
-  const int splits = this->Lattice.GetSplits(index);
+  const int splits = this->Lattices[0].GetSplits(index);
   const int depth = this->Layout.GetDepth(index);
   const int levels = std::min(depth, LatticeLayout::BrickLevels);
   const Mesh& surface = this->World.GetMeshes()[mesh];
@@ -200,10 +208,10 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
         patch.Column = (i + 1) / 2 << patch.Size;
         patch.Row = (patch.Flipped ? j + 1 : j) << patch.Size;
         patch.Brick =
-          this->Lattice.GetBrickIndex(index, back, CellIndex(i / 2, j, patch.Flipped, splits));
+          this->Lattices[0].GetBrickIndex(index, back, CellIndex(i / 2, j, patch.Flipped, splits));
         if (!this->IsChosen || this->IsChosen(patch.Brick))
         {
-          this->Patches.push_back(patch);
+          this->AddPatch(patch);
         }
       }
     }
@@ -215,7 +223,7 @@ void LatticeBuilder::AddChart(std::size_t index)
   const SurfaceChart& chart = this->Layout.GetCharts()[index];
   const int levels = this->Layout.GetCellDepth(chart);
   Patch patch;
-  patch.Domain = this->Lattice.GetNumberOfTriangles() + index;
+  patch.Domain = this->Lattices[0].GetNumberOfTriangles() + index;
   patch.Mesh = chart.GetMesh();
   patch.Chart = &chart;
   patch.RootEdge = std::max(chart.GetCellSize().x, chart.GetCellSize().y);
@@ -244,11 +252,20 @@ void LatticeBuilder::AddChartCell(Patch& patch, std::size_t index, int column, i
     patch.Column = (flipped ? column + 1 : column) << patch.Size;
     patch.Row = (flipped ? row + 1 : row) << patch.Size;
     const int cell = 2 * (row * patch.Chart->GetColumns() + column) + (flipped ? 1 : 0);
-    patch.Brick = this->Lattice.GetChartBrickIndex(index, patch.Back, cell);
+    patch.Brick = this->Lattices[0].GetChartBrickIndex(index, patch.Back, cell);
     if (!this->IsEmpty(patch) && (!this->IsChosen || this->IsChosen(patch.Brick)))
     {
-      this->Patches.push_back(patch);
+      this->AddPatch(patch);
     }
+  }
+}
+
+void LatticeBuilder::AddPatch(Patch patch)
+{
+  for (const int half : { 0, 1 })
+  {
+    patch.Half = half;
+    this->Patches.push_back(patch);
   }
 }
 
@@ -262,18 +279,17 @@ void LatticeBuilder::BuildPart(const Choice& choice,
   this->Tell = nullptr;
 }
 
-void LatticeBuilder::FillPart(const Choice& choice, const Estimator& estimate)
+void LatticeBuilder::FillPart(const Choice& choice, SurfaceEstimator& estimator)
 {
   LatticeSettings settings = this->Settings;
   settings.Tolerance = std::numeric_limits<float>::infinity();
   settings.FirstLevel = 0;
   settings.Exposure = 0.0;
-  settings.Share = nullptr;
-  Estimator filling = estimate;
+  SurfaceEstimator* filling = &estimator;
   std::swap(settings, this->Settings);
-  std::swap(filling, this->Estimate);
+  std::swap(filling, this->Estimator);
   this->BuildPart(choice, nullptr);
-  std::swap(filling, this->Estimate);
+  std::swap(filling, this->Estimator);
   std::swap(settings, this->Settings);
 }
 
@@ -309,10 +325,13 @@ void LatticeBuilder::BuildBatch()
       }
     }
     this->FirstEstimates += isFirst ? this->Points.size() - this->Means : 0;
-    this->EvaluateRequests();
+    this->EvaluateRequests(isFirst);
     for (std::size_t i = 0; isFirst && i < this->Patches.size(); ++i)
     {
-      this->StoreIncident(this->Patches[i]);
+      if (this->Patches[i].Half == 0)
+      {
+        this->StoreIncident(this->Patches[i]);
+      }
     }
     isFirst = false;
     this->Refine();
@@ -363,7 +382,7 @@ void LatticeBuilder::Refine()
 void LatticeBuilder::Split(std::size_t index)
 {
   const Patch parent = this->Patches[index];
-  const std::size_t first = this->Lattice.SplitBrick(parent.Brick);
+  const std::size_t first = this->Lattices[parent.Half].SplitBrick(parent.Brick);
   const int half = (parent.Flipped ? -1 : 1) * (1 << (parent.Size - 1));
   bool hasReplaced = false;
   // The cells in their order: two on the first row and the flipped one between, one on the second.
@@ -379,8 +398,9 @@ void LatticeBuilder::Split(std::size_t index)
     if (parent.Chart && this->IsEmpty(child) && (hasReplaced || cell < 3))
     {
       // No triangle is there.
-      this->Lattice.SetBrick(
-        child.Brick, SurfaceLattice::Constant, { this->Points[parent.Points[0]].Estimate.Value });
+      const HalfEstimate& value = this->Points[parent.Points[0]].Estimate.Halves[1 - parent.Half];
+      this->Lattices[parent.Half].SetBrick(
+        child.Brick, SurfaceLattice::Constant, { 0.5f * value.Value });
     }
     else if (!hasReplaced)
     {
@@ -527,23 +547,33 @@ std::uint32_t LatticeBuilder::AddPoint(
   return index;
 }
 
-void LatticeBuilder::EvaluateRequests()
+void LatticeBuilder::EvaluateRequests(bool isFirst)
 {
-  const CacheShare* share = this->Settings.Share;
-  vtkSMPTools::For(static_cast<vtkIdType>(this->Evaluated),
-    static_cast<vtkIdType>(this->Points.size()), 1,
-    [this, share](vtkIdType begin, vtkIdType end)
+  SurfaceEstimator::Request request;
+  request.WantsIncident = isFirst;
+  std::vector<std::uint32_t> numbers; // of new points in the request
+  for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
+  {
+    const Point& point = this->Points[index];
+    numbers.push_back(
+      point.IsMean ? NotEstimated : static_cast<std::uint32_t>(request.Points.size()));
+    if (!point.IsMean)
     {
-      for (vtkIdType index = begin; index < end; ++index)
-      {
-        Point& point = this->Points[index];
-        if (!point.IsMean && (!share || share->GetOwner(index) == share->GetRank()))
-        {
-          point.Estimate = this->Estimate(point.Place, point.Key);
-        }
-      }
-    });
-  this->ExchangeEstimates();
+      request.Points.push_back({ point.Place, point.Key });
+    }
+  }
+  for (const int half : { 0, 1 })
+  {
+    request.Groups[half] = this->MakeGroups(half, numbers);
+  }
+  const std::vector<SurfaceEstimate> estimates = this->Estimator->Estimate(request);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (numbers[i] != NotEstimated)
+    {
+      this->Points[this->Evaluated + i].Estimate = estimates[numbers[i]];
+    }
+  }
   for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
   {
     Point& point = this->Points[index];
@@ -556,22 +586,30 @@ void LatticeBuilder::EvaluateRequests()
   this->Evaluated = this->Points.size();
 }
 
-void LatticeBuilder::ExchangeEstimates()
+std::vector<PointGroup> LatticeBuilder::MakeGroups(
+  int half, const std::vector<std::uint32_t>& numbers) const
 {
-  if (!this->Settings.Share)
+  std::vector<PointGroup> groups;
+  for (const Patch& patch : this->Patches)
   {
-    return;
+    if (!patch.IsOpen || patch.IsConstant || patch.Half != half)
+    {
+      continue;
+    }
+    PointGroup group;
+    for (const std::uint32_t point : patch.Points)
+    {
+      if (point >= this->Evaluated && numbers[point - this->Evaluated] != NotEstimated)
+      {
+        group.push_back(numbers[point - this->Evaluated]);
+      }
+    }
+    if (group.size() > 1)
+    {
+      groups.push_back(std::move(group));
+    }
   }
-  std::vector<SurfaceEstimate> estimates;
-  for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
-  {
-    estimates.push_back(this->Points[index].Estimate);
-  }
-  this->Settings.Share->Complete(estimates, this->Evaluated);
-  for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
-  {
-    this->Points[index].Estimate = estimates[index - this->Evaluated];
-  }
+  return groups;
 }
 
 float LatticeBuilder::GetDistance(const Patch& patch) const
@@ -602,16 +640,22 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
   return false;
 }
 
+const HalfEstimate& LatticeBuilder::GetPilot(const Patch& patch, std::uint32_t point) const
+{
+  return this->Points[point].Estimate.Halves[patch.Half];
+}
+
 bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const
 {
-  const Point& point = this->Points[patch.GetPoint(i, j)];
-  const SurfaceEstimate& here = point.Estimate;
-  const SurfaceEstimate& before = this->Points[patch.GetPoint(i - sideI, j - sideJ)].Estimate;
-  const SurfaceEstimate& after = this->Points[patch.GetPoint(i + sideI, j + sideJ)].Estimate;
-  const glm::vec3 interpolated = 0.5f * (before.Value + after.Value);
+  const std::uint32_t point = patch.GetPoint(i, j);
+  const HalfEstimate& here = this->GetPilot(patch, point);
+  const HalfEstimate& before = this->GetPilot(patch, patch.GetPoint(i - sideI, j - sideJ));
+  const HalfEstimate& after = this->GetPilot(patch, patch.GetPoint(i + sideI, j + sideJ));
+  const glm::vec3 interpolated = 0.5f * (before.Pilot + after.Pilot);
+  const glm::vec3 variance = here.Variance + 0.25f * (before.Variance + after.Variance);
   // What is brighter than white lights other places, however narrow it is.
   const float distance = this->GetDistance(patch);
-  if (this->IsBright(here.Value - interpolated, distance))
+  if (this->IsBright(here.Pilot - interpolated, variance, distance))
   {
     return true;
   }
@@ -619,26 +663,33 @@ bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int s
   {
     return false;
   }
-  const glm::vec3 color = this->World.GetBaseColor(point.Place);
-  const float error = Largest(
-    this->Settings.Display(here.Value, color) - this->Settings.Display(interpolated, color));
-  return error > this->Settings.Tolerance + here.Noise + 0.5f * (before.Noise + after.Noise);
+  const glm::vec3 color = this->World.GetBaseColor(this->Points[point].Place);
+  const glm::vec3 seen = this->Settings.Display(interpolated, color);
+  const float error = Largest(this->Settings.Display(here.Pilot, color) - seen);
+  if (error <= this->Settings.Tolerance)
+  {
+    return false;
+  }
+  const float noise = GetDisplayedError(
+    this->Settings.Display, interpolated, SureErrors * glm::sqrt(variance), color);
+  return error > this->Settings.Tolerance + noise;
 }
 
 bool LatticeBuilder::VariesWithin(const Patch& patch) const
 {
-  const Point& first = this->Points[patch.Points[0]];
-  const glm::vec3 color = this->World.GetBaseColor(first.Place);
-  const glm::vec3 seen = this->Settings.Display(first.Estimate.Value, color);
+  const HalfEstimate& first = this->GetPilot(patch, patch.Points[0]);
+  const glm::vec3 color = this->World.GetBaseColor(this->Points[patch.Points[0]].Place);
+  const glm::vec3 seen = this->Settings.Display(first.Pilot, color);
   const float size = this->GetDistance(patch);
   const bool isCoarse = this->IsCoarse(size);
   return std::any_of(patch.Points.begin(), patch.Points.end(),
     [&](std::uint32_t index)
     {
-      const SurfaceEstimate& estimate = this->Points[index].Estimate;
-      const bool varies = estimate.Reach < size ||
-        Largest(this->Settings.Display(estimate.Value, color) - seen) > this->Settings.Tolerance;
-      return (isCoarse && varies) || this->IsBright(estimate.Value - first.Estimate.Value, size);
+      const HalfEstimate& pilot = this->GetPilot(patch, index);
+      const bool varies = pilot.Reach < size ||
+        Largest(this->Settings.Display(pilot.Pilot, color) - seen) > this->Settings.Tolerance;
+      return (isCoarse && varies) ||
+        this->IsBright(pilot.Pilot - first.Pilot, pilot.Variance + first.Variance, size);
     });
 }
 
@@ -647,23 +698,27 @@ bool LatticeBuilder::IsCoarse(float distance) const
   return distance > CoarseSpacings * this->Layout.GetSpacing() && !this->Settings.OnlyBright;
 }
 
-bool LatticeBuilder::IsBright(const glm::vec3& error, float distance) const
+bool LatticeBuilder::IsBright(
+  const glm::vec3& error, const glm::vec3& variance, float distance) const
 {
-  const double radiance = this->Settings.Exposure * Largest(error);
+  const glm::vec3 sure = glm::abs(error) - SureErrors * glm::sqrt(variance);
+  const double radiance = this->Settings.Exposure * std::max({ sure.x, sure.y, sure.z, 0.0f });
   return radiance * distance > BrightEdge * this->Layout.GetSpacing();
 }
 
 void LatticeBuilder::StoreIncident(const Patch& patch)
 {
   std::vector<IncidentLight> lights;
+  std::vector<IncidentLight> pilots;
   for (std::uint32_t index : patch.Points)
   {
-    const IncidentLight& light = this->Points[index].Estimate.Incident;
-    if (!light.IsKnown())
+    const SurfaceEstimate& estimate = this->Points[index].Estimate;
+    if (!estimate.Incident.IsKnown())
     {
       return;
     }
-    lights.push_back(light);
+    lights.push_back(estimate.Incident);
+    pilots.push_back(estimate.IncidentPilot);
   }
   constexpr float third = 1.0f / 3.0f;
   TrianglePoint middle{ patch.Triangle, third, third };
@@ -678,8 +733,9 @@ void LatticeBuilder::StoreIncident(const Patch& patch)
   center.Triangle = middle.Triangle;
   center.U = middle.U;
   center.V = middle.V;
-  this->Incident.Resize(this->Lattice.GetNumberOfRoots());
-  this->Incident.Set(patch.Brick, Average(lights, this->World.GetSurface(center).ShadingNormal));
+  this->Incident.Resize(this->Lattices[0].GetNumberOfRoots());
+  this->Incident.Set(
+    patch.Brick, Average(lights, pilots, this->World.GetSurface(center).ShadingNormal));
 }
 
 void LatticeBuilder::Store(const Patch& patch)
@@ -687,12 +743,22 @@ void LatticeBuilder::Store(const Patch& patch)
   std::vector<glm::vec3> values;
   for (std::uint32_t index : patch.Points)
   {
-    values.push_back(this->Points[index].Estimate.Value);
+    values.push_back(0.5f * this->Points[index].Estimate.Halves[1 - patch.Half].Value);
   }
   const bool varies = std::any_of(values.begin(), values.end(),
     [&values](const glm::vec3& value) { return value != values.front(); });
   values.resize(varies ? values.size() : 1);
-  this->Lattice.SetBrick(patch.Brick,
+  this->Lattices[patch.Half].SetBrick(patch.Brick,
     varies ? static_cast<std::uint32_t>(patch.Level) : SurfaceLattice::Constant, values);
+}
+
+SurfaceLattice LatticeBuilder::TakeLattice()
+{
+  SurfaceLattice sum = AddLattices(this->Lattices[0], this->Lattices[1]);
+  for (SurfaceLattice& lattice : this->Lattices)
+  {
+    lattice = SurfaceLattice();
+  }
+  return sum;
 }
 }

@@ -11,15 +11,12 @@
 
 #include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfScene.h"
-#include "cslfCacheShare.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeLayout.h"
 #include "cslfOpenSides.h"
+#include "cslfSurfaceEstimate.h"
 #include "cslfSurfaceLattice.h"
 
-#include <glm/common.hpp>
-
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -27,33 +24,6 @@
 
 namespace cslf
 {
-/// What is known of a point of the surface.
-struct SurfaceEstimate
-{
-  glm::vec3 Value{ 0.0f };
-
-  /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
-  /// value may change although the estimates around do not.
-  float Reach = 0.0f;
-
-  /// The light that arrives, if it was asked for.
-  IncidentLight Incident;
-
-  /// The standard error, in the units of `LatticeSettings::Display`.
-  float Noise = 0.0f;
-};
-
-/// An estimate between two others.
-inline SurfaceEstimate Interpolate(
-  const SurfaceEstimate& before, const SurfaceEstimate& after, float weight)
-{
-  SurfaceEstimate result = weight < 0.5f ? before : after;
-  result.Value = glm::mix(before.Value, after.Value, weight);
-  result.Reach = std::min(before.Reach, after.Reach);
-  result.Noise = glm::mix(before.Noise, after.Noise, weight);
-  return result;
-}
-
 struct LatticeSettings
 {
   /// Points are added where interpolation errs by more than this, in the units of `Display`.
@@ -73,24 +43,21 @@ struct LatticeSettings
 
   /// What a viewer sees of a value on a surface of the given base colour.
   DisplayCurve Display;
-
-  /// The ranks that estimate the points together; null for this one alone.
-  CacheShare* Share = nullptr;
 };
 
+/**
+ * Builds a lattice twice, once for each half of the points' samples: where it is refined is decided
+ * by the one half, what it holds are the values of the other. The lattice is the mean of both.
+ */
 class VTKCSLF_EXPORT LatticeBuilder
 {
 public:
-  /// Estimates the value at a point of the surface: called from several threads at once. The key
-  /// tells points apart; it depends on the scene only.
-  using Estimator = std::function<SurfaceEstimate(const Hit& place, std::uint64_t key)>;
-
   /// Whether a brick that is no part of another is built, by its index.
   using Choice = std::function<bool(std::size_t brick)>;
 
   /// Values stay 0 on sides that are not open.
   LatticeBuilder(const Scene& scene, const OpenSides& sides, const LatticeLayout& layout,
-    LatticeSettings settings, Estimator estimate);
+    LatticeSettings settings, SurfaceEstimator& estimator);
   ~LatticeBuilder();
 
   /// Builds the lattice. `goOn` is told the progress, in [0,1]; false where it returned false.
@@ -102,12 +69,14 @@ public:
     const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& tell);
 
   /// Gives the bricks of a part values at their corners, whose estimates nobody doubts.
-  void FillPart(const Choice& choice, const Estimator& estimate);
+  void FillPart(const Choice& choice, SurfaceEstimator& estimator);
 
   /// The number of points that building a part begins with.
   std::size_t CountFirstPoints(const Choice& choice);
 
-  SurfaceLattice& GetLattice() { return this->Lattice; }
+  /// The lattice; to be called once, at the end.
+  SurfaceLattice TakeLattice();
+  std::size_t GetNumberOfBricks() const { return this->Lattices[0].GetNumberOfRoots(); }
   IncidentField& GetIncident() { return this->Incident; }
   std::size_t GetNumberOfEstimates() const { return this->Estimates; }
   /// Those of them that no other asked for.
@@ -120,6 +89,7 @@ private:
   bool AddAll(const std::function<bool(double)>& goOn, const std::function<void()>& useBatch);
   void AddTriangle(std::uint32_t mesh, std::uint32_t triangle);
   void AddChart(std::size_t index);
+  void AddPatch(Patch patch);
   void AddChartCell(Patch& patch, std::size_t index, int column, int row);
   void BuildBatch();
   void ClearBatch();
@@ -130,14 +100,15 @@ private:
   std::uint32_t RequestMean(const Patch& patch, const glm::ivec2& low, const glm::ivec2& high,
     float weight, std::uint64_t key);
   std::uint32_t AddPoint(const Patch& patch, const TrianglePoint& place, std::uint64_t key);
-  void EvaluateRequests();
-  void ExchangeEstimates();
+  void EvaluateRequests(bool isFirst);
+  std::vector<PointGroup> MakeGroups(int half, const std::vector<std::uint32_t>& numbers) const;
   void Refine();
   float GetDistance(const Patch& patch) const;
   bool NeedsMore(const Patch& patch) const;
   bool VariesWithin(const Patch& patch) const;
   bool IsCoarse(float distance) const;
-  bool IsBright(const glm::vec3& error, float distance) const;
+  bool IsBright(const glm::vec3& error, const glm::vec3& variance, float distance) const;
+  const HalfEstimate& GetPilot(const Patch& patch, std::uint32_t point) const;
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
   void Split(std::size_t index);
   bool IsEmpty(const Patch& patch) const;
@@ -148,8 +119,8 @@ private:
   const OpenSides& Sides;
   const LatticeLayout& Layout;
   LatticeSettings Settings;
-  Estimator Estimate;
-  SurfaceLattice Lattice;
+  SurfaceEstimator* Estimator;
+  SurfaceLattice Lattices[2]; // of half of the values each
   IncidentField Incident;
   std::size_t Estimates = 0;
   std::size_t FirstEstimates = 0;

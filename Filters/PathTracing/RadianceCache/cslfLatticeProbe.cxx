@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkStaticPointLocator.h>
 
 #include <glm/common.hpp>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <vector>
 
 namespace cslf
@@ -58,7 +58,7 @@ double GetTurn(std::size_t brick, std::size_t run)
 }
 
 /// Estimates from those at points in space, of surfaces that look the same way.
-class ScatteredEstimates
+class ScatteredEstimates : public SurfaceEstimator
 {
 public:
   explicit ScatteredEstimates(const Scene& scene)
@@ -82,6 +82,21 @@ public:
     this->Locator->BuildLocator();
   }
 
+  std::vector<SurfaceEstimate> Estimate(const Request& request) override
+  {
+    std::vector<SurfaceEstimate> estimates(request.Points.size());
+    vtkSMPTools::For(0, static_cast<vtkIdType>(estimates.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType point = begin; point < end; ++point)
+        {
+          estimates[point] = this->Get(request.Points[point].Place);
+        }
+      });
+    return estimates;
+  }
+
+private:
   /// The value is interpolated; the light that arrives is that of the point that counts most.
   SurfaceEstimate Get(const Hit& place) const
   {
@@ -93,8 +108,7 @@ public:
     glm::dvec3 sum(0.0);
     double weights = 0.0;
     double most = 0.0;
-    SurfaceEstimate result;
-    result.Reach = std::numeric_limits<float>::infinity();
+    const SurfaceEstimate* first = nullptr;
     for (const vtkIdType id : *nearest)
     {
       double other[3];
@@ -102,19 +116,23 @@ public:
       const glm::dvec3 way(other[0] - point[0], other[1] - point[1], other[2] - point[2]);
       const double facing = std::max(glm::dot(this->Normals[id], surface.GeometricNormal), 1e-3f);
       const double weight = facing * facing / (glm::dot(way, way) + 1e-12);
-      sum += weight * glm::dvec3(this->Estimates[id].Value);
+      sum += weight * glm::dvec3(this->Estimates[id].GetValue());
       weights += weight;
       if (weight > most)
       {
         most = weight;
-        result.Incident = this->Estimates[id].Incident;
+        first = &this->Estimates[id];
       }
     }
-    result.Value = weights > 0.0 ? glm::vec3(sum / weights) : glm::vec3(0.0f);
+    SurfaceEstimate result(weights > 0.0 ? glm::vec3(sum / weights) : glm::vec3(0.0f));
+    if (first)
+    {
+      result.Incident = first->Incident;
+      result.IncidentPilot = first->IncidentPilot;
+    }
     return result;
   }
 
-private:
   const Scene& World;
   vtkNew<vtkPoints> Places;
   vtkNew<vtkPolyData> Data;
@@ -133,7 +151,7 @@ struct FirstCounts
 FirstCounts CountAll(LatticeBuilder& builder)
 {
   const double share =
-    std::min(1.0, static_cast<double>(MostCounted) / builder.GetLattice().GetNumberOfRoots());
+    std::min(1.0, static_cast<double>(MostCounted) / builder.GetNumberOfBricks());
   std::size_t all = 0;
   std::size_t counted = 0;
   const std::size_t points = builder.CountFirstPoints(
@@ -193,8 +211,8 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
   if (done < 1.0)
   {
     estimates.Finish();
-    builder.FillPart([done](std::size_t brick) { return GetTurn(brick, RunLength) >= done; },
-      [&estimates](const Hit& place, std::uint64_t) { return estimates.Get(place); });
+    builder.FillPart(
+      [done](std::size_t brick) { return GetTurn(brick, RunLength) >= done; }, estimates);
   }
   return expected;
 }

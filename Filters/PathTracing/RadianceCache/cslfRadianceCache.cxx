@@ -5,6 +5,7 @@
 #include "cslfDiffuseEstimator.h"
 #include "cslfLatticeBuilder.h"
 #include "cslfLatticeProbe.h"
+#include "cslfLatticeSum.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -33,98 +34,13 @@ constexpr int FineSmallLevels = 1;
 constexpr int FirstLightSamples = 64;
 constexpr int FirstGatherSamples = 128;
 
-// The standard error of a point, in parts of the tolerance.
-constexpr float NoiseShare = 0.5f;
+// The standard error of a point, in parts of the tolerance, as the differences between parts of its
+// samples tell it. All parts together are better than that where the light is smooth.
+constexpr float NoiseShare = 2.0f / 3.0f;
 
 // The parts of the work, for the progress.
 constexpr double LightShare = 0.2;
 constexpr double RoughShare = 0.1;
-
-/// Adds two lattices that have the same roots.
-class LatticeSum
-{
-public:
-  LatticeSum(const SurfaceLattice& a, const SurfaceLattice& b)
-    : A(a)
-    , B(b)
-    , Sum(a.MakeEmpty())
-  {
-    for (std::size_t root = 0; root < this->Sum.GetNumberOfRoots(); ++root)
-    {
-      this->Root = root;
-      this->Add(root, a.GetBrick(root), b.GetBrick(root), {});
-    }
-  }
-
-  SurfaceLattice& Get() { return this->Sum; }
-
-private:
-  using Brick = SurfaceLattice::Brick;
-
-  /// Takes barycentric coordinates of a brick to those of its root.
-  struct Place
-  {
-    glm::vec2 Corner{ 0.0f };
-    float Scale = 1.0f;
-
-    Place GetPart(int cell) const
-    {
-      const float half = 0.5f * this->Scale;
-      const glm::vec2 corner(
-        cell == 1 || cell == 2 ? half : 0.0f, cell == 1 || cell == 3 ? half : 0.0f);
-      return { this->Corner + corner, cell == 1 ? -half : half };
-    }
-  };
-
-  static bool IsLattice(const Brick& brick)
-  {
-    return brick.Level != SurfaceLattice::Constant && brick.Level != SurfaceLattice::Split;
-  }
-
-  void Add(std::size_t index, const Brick& a, const Brick& b, const Place& place)
-  {
-    const bool isSplitA = a.Level == SurfaceLattice::Split;
-    const bool isSplitB = b.Level == SurfaceLattice::Split;
-    if (!isSplitA && !isSplitB)
-    {
-      this->SetValues(index, a, b, place);
-      return;
-    }
-    const std::size_t first = this->Sum.SplitBrick(index);
-    for (int cell = 0; cell < 4; ++cell)
-    {
-      this->Add(first + cell, isSplitA ? this->A.GetBrick(a.First + cell) : a,
-        isSplitB ? this->B.GetBrick(b.First + cell) : b, place.GetPart(cell));
-    }
-  }
-
-  void SetValues(std::size_t index, const Brick& a, const Brick& b, const Place& place)
-  {
-    std::uint32_t level = SurfaceLattice::Constant;
-    if (IsLattice(a) || IsLattice(b))
-    {
-      level = std::max(IsLattice(a) ? a.Level : 0, IsLattice(b) ? b.Level : 0);
-    }
-    const int splits = level == SurfaceLattice::Constant ? 0 : 1 << level;
-    std::vector<glm::vec3> values;
-    for (int j = 0; j <= splits; ++j)
-    {
-      for (int i = 0; i <= splits - j; ++i)
-      {
-        const glm::vec2 local = glm::vec2(i, j) / static_cast<float>(std::max(splits, 1));
-        const glm::vec2 point = place.Corner + place.Scale * local;
-        values.push_back(this->A.GetInBrick(this->A.GetBrick(this->Root), point.x, point.y) +
-          this->B.GetInBrick(this->B.GetBrick(this->Root), point.x, point.y));
-      }
-    }
-    this->Sum.SetBrick(index, level, values);
-  }
-
-  const SurfaceLattice& A;
-  const SurfaceLattice& B;
-  SurfaceLattice Sum;
-  std::size_t Root = 0;
-};
 
 /// Whether what a mesh reflects besides diffuse light is all blurred alike.
 bool IsRough(const Mesh& mesh)
@@ -209,7 +125,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   {
     return false;
   }
-  this->Values = std::move(LatticeSum(this->Values, fine).Get());
+  this->Values = AddLattices(this->Values, fine);
   this->Incident = std::move(incident);
   this->Second = SurfaceLattice();
   this->HasSecond = false;
@@ -244,14 +160,19 @@ void RadianceCache::Get(LatticePacket& packet) const
 }
 
 bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
-  const glm::vec3& normal, const glm::vec3& outgoing, float albedo, const glm::vec3& beside,
-  float tolerances, glm::vec3& reflected) const
+  const glm::vec3& normal, const glm::vec3& outgoing, float albedo, float tolerances,
+  glm::vec3& reflected) const
 {
+  // Whether it is good enough must not depend on what is looked up.
+  const glm::vec3 seen = ((1.0f - albedo) * this->World.GetBaseColor(hit) + albedo) * light.Mean;
+  const glm::vec3 error = this->Display(seen + albedo * light.Error) - this->Display(seen);
+  if (std::max({ error.x, error.y, error.z }) > tolerances * this->Settings.Tolerance)
+  {
+    return false;
+  }
   const glm::vec3 radiance = light.Get(this->Lobes[hit.Mesh].GetMoments(normal, outgoing));
   reflected = albedo * glm::max(radiance, glm::vec3(0.0f));
-  const glm::vec3 seen = beside + reflected;
-  const glm::vec3 error = this->Display(seen + albedo * light.Error) - this->Display(seen);
-  return std::max({ error.x, error.y, error.z }) <= tolerances * this->Settings.Tolerance;
+  return true;
 }
 
 LatticeSettings RadianceCache::GetLatticeSettings() const
@@ -259,7 +180,6 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   LatticeSettings lattice;
   lattice.Tolerance = static_cast<float>(this->Settings.Tolerance);
   lattice.Exposure = this->Settings.Exposure;
-  lattice.Share = this->Settings.Share;
   lattice.Display = this->Display;
   return lattice;
 }
@@ -280,13 +200,13 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   lattice.FirstLevel = FirstLightLevel;
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   DiffuseEstimator estimator(this->World, paths,
-    { FirstLightSamples, std::max(this->Settings.Samples, FirstLightSamples),
-      NoiseShare * lattice.Tolerance, 1, this->Settings.Seed, lattice.Display, {} });
-  LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice,
-    [&](const Hit& place, std::uint64_t key) { return estimator.SampleLights(place, key); });
+    { DiffuseEstimator::Light::Sampled, FirstLightSamples,
+      std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance, 0,
+      this->Settings.Seed, lattice.Display, {}, this->Settings.Share });
+  LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
-  this->Values = std::move(builder.GetLattice());
+  this->Values = builder.TakeLattice();
   this->Rays += estimator.GetNumberOfRays();
   return done;
 }
@@ -296,14 +216,14 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
 {
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   DiffuseEstimator estimator(this->World, paths,
-    { firstSamples, std::max(firstSamples, lastSamples), NoiseShare * lattice.Tolerance, depth,
-      this->Settings.Seed, lattice.Display, this->Lobes });
-  LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice,
-    [&](const Hit& place, std::uint64_t key) { return estimator.Gather(place, key); });
+    { DiffuseEstimator::Light::Gathered, firstSamples, std::max(firstSamples, lastSamples),
+      NoiseShare * lattice.Tolerance, depth, this->Settings.Seed, lattice.Display, this->Lobes,
+      this->Settings.Share });
+  LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;
   const bool done = !isLit || this->BuildLattice(builder, part, goOn);
-  values = std::move(builder.GetLattice());
+  values = builder.TakeLattice();
   incident = std::move(builder.GetIncident());
   this->Rays += estimator.GetNumberOfRays();
   return done;

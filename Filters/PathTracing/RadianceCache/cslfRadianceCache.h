@@ -97,10 +97,9 @@ public:
   }
 
   /// What the specular lobe of a dielectric reflects, given its albedo. False where its error,
-  /// beside other light, may be seen as more than this many tolerances.
+  /// beside diffuse light, may be seen as more than this many tolerances.
   bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
-    const glm::vec3& outgoing, float albedo, const glm::vec3& beside, float tolerances,
-    glm::vec3& reflected) const;
+    const glm::vec3& outgoing, float albedo, float tolerances, glm::vec3& reflected) const;
 
   const OpenSides& GetSides() const { return this->Sides; }
 

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sum of two lattices.
+ */
+#ifndef cslfLatticeSum_h
+#define cslfLatticeSum_h
+
+#include "cslfSurfaceLattice.h"
+
+namespace cslf
+{
+/// Adds two lattices of the same roots: as fine everywhere as the finer one.
+SurfaceLattice AddLattices(const SurfaceLattice& a, const SurfaceLattice& b);
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSampleNoise.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace cslf
+{
+namespace
+{
+// How much the neighbours' mean error counts beside that of a point itself, and that of all.
+constexpr double ShareOfNeighbours = 0.07;
+constexpr double ShareOfAll = 0.03;
+}
+
+std::vector<glm::vec3> PoolVariances(
+  const std::vector<glm::vec3>& variances, const std::vector<PointGroup>& groups)
+{
+  std::vector<glm::dvec3> errors;
+  errors.reserve(variances.size());
+  glm::dvec3 all(0.0);
+  for (const glm::vec3& variance : variances)
+  {
+    errors.push_back(glm::sqrt(glm::dvec3(variance)));
+    all += errors.back() / double(variances.size());
+  }
+  std::vector<glm::dvec3> sums(variances.size(), glm::dvec3(0.0));
+  std::vector<int> counts(variances.size(), 0);
+  for (const PointGroup& group : groups)
+  {
+    glm::dvec3 mean(0.0);
+    for (const std::uint32_t point : group)
+    {
+      mean += errors[point] / double(group.size());
+    }
+    for (const std::uint32_t point : group)
+    {
+      sums[point] += mean;
+      ++counts[point];
+    }
+  }
+  std::vector<glm::vec3> pooled;
+  pooled.reserve(variances.size());
+  for (std::size_t point = 0; point < variances.size(); ++point)
+  {
+    const glm::dvec3 near = counts[point] > 0 ? sums[point] / double(counts[point]) : errors[point];
+    const glm::dvec3 error = (1.0 - ShareOfNeighbours - ShareOfAll) * errors[point] +
+      ShareOfNeighbours * near + ShareOfAll * all;
+    pooled.emplace_back(error * error);
+  }
+  return pooled;
+}
+
+float GetDisplayedError(const DisplayCurve& display, const glm::vec3& value, const glm::vec3& error,
+  const glm::vec3& baseColor)
+{
+  const glm::vec3 seen = display(value, baseColor);
+  const glm::vec3 upwards = display(value + error, baseColor) - seen;
+  const glm::vec3 downwards = seen - display(value - error, baseColor);
+  const glm::vec3 larger = glm::max(upwards, downwards);
+  return std::max({ larger.x, larger.y, larger.z });
+}
+}

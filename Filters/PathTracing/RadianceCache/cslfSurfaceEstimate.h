@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What samples tell of points of the surface, and what estimates it.
+ *
+ * The samples of a point are two independent halves. What one half tells decides how many samples
+ * the other half takes and where the other half's values are stored, and the reverse; both are then
+ * averaged. So no value is selected by its own noise, and the mean of the stored values is right
+ * however rarely a sample finds light. Such halves are known from adaptive rendering (Rousselle,
+ * Knaus and Zwicker, ACM TOG 31(6), 2012) and as cross-fitting in statistics.
+ */
+#ifndef cslfSurfaceEstimate_h
+#define cslfSurfaceEstimate_h
+
+#include "PathTracing/cslfScene.h"
+#include "cslfIncidentLight.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace cslf
+{
+/// A point of the surface. The key tells points apart; it depends on the scene only.
+struct SurfacePoint
+{
+  Hit Place;
+  std::uint64_t Key = 0;
+};
+
+/// One half of what is known of a point.
+struct HalfEstimate
+{
+  /// The value that decides: it is never stored.
+  glm::vec3 Pilot{ 0.0f };
+
+  /// The variance of the pilot's mean, of which neighbouring points told, too.
+  glm::vec3 Variance{ 0.0f };
+
+  /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
+  /// value may change although the estimates around do not.
+  float Reach = std::numeric_limits<float>::infinity();
+
+  /// The value to be stored where the other half has decided.
+  glm::vec3 Value{ 0.0f };
+};
+
+/// What is known of a point of the surface.
+struct SurfaceEstimate
+{
+  HalfEstimate Halves[2];
+
+  /// The light that arrives, if it was asked for, as the first half tells it: to be stored.
+  IncidentLight Incident;
+
+  /// The same as the second half tells it: to decide where the first is looked up.
+  IncidentLight IncidentPilot;
+
+  SurfaceEstimate() = default;
+
+  /// Of a value without noise.
+  explicit SurfaceEstimate(const glm::vec3& value)
+  {
+    for (HalfEstimate& half : this->Halves)
+    {
+      half.Pilot = value;
+      half.Value = value;
+    }
+  }
+
+  glm::vec3 GetValue() const { return 0.5f * (this->Halves[0].Value + this->Halves[1].Value); }
+};
+
+/// An estimate between two others.
+inline SurfaceEstimate Interpolate(
+  const SurfaceEstimate& before, const SurfaceEstimate& after, float weight)
+{
+  SurfaceEstimate result = weight < 0.5f ? before : after;
+  for (int half = 0; half < 2; ++half)
+  {
+    const HalfEstimate& a = before.Halves[half];
+    const HalfEstimate& b = after.Halves[half];
+    result.Halves[half] = { glm::mix(a.Pilot, b.Pilot, weight),
+      glm::mix(a.Variance, b.Variance, weight), std::min(a.Reach, b.Reach),
+      glm::mix(a.Value, b.Value, weight) };
+  }
+  return result;
+}
+
+/// Points that are next to each other, as indices.
+using PointGroup = std::vector<std::uint32_t>;
+
+class SurfaceEstimator
+{
+public:
+  virtual ~SurfaceEstimator() = default;
+
+  struct Request
+  {
+    std::vector<SurfacePoint> Points;
+    std::vector<PointGroup> Groups[2]; ///< for each half; points may be in several groups
+    bool WantsIncident = false;        ///< whether the light that arrives is asked for
+  };
+
+  /// Estimates all points of a request.
+  virtual std::vector<SurfaceEstimate> Estimate(const Request& request) = 0;
+};
+}
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Radiance caching where few samples find light: the mean over a crop and over 32 seeds is that of
+// path tracing, so neither the number of samples nor the places of points select by their values.
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "PathTracing/cslfSampling.h"
+#include "cslfTestTransport.h"
+
+#include <iostream>
+#include <vector>
+
+namespace
+{
+using cslf::testing::Estimate;
+using cslf::testing::MakeDiffuse;
+using cslf::testing::MakeRectangle;
+
+constexpr int Seeds = 32;
+constexpr int Side = 8; // of the grid of places in a crop
+
+/// The part of a floor at z = 0 that is looked at, from above.
+struct Crop
+{
+  glm::vec2 Center{ 0.0f };
+  float Size = 0.2f;
+
+  cslf::Ray GetRay(int i, int j) const
+  {
+    const glm::vec2 place =
+      this->Center + this->Size * (glm::vec2(i + 0.5f, j + 0.5f) / static_cast<float>(Side) - 0.5f);
+    return { glm::vec3(place, 0.01f), glm::vec3(0.0f, 0.0f, -1.0f) };
+  }
+};
+
+/// What path tracing sees.
+Estimate TracePaths(const cslf::Scene& scene, const Crop& crop, int samples)
+{
+  Estimate mean;
+  for (int i = 0; i < Side * Side; ++i)
+  {
+    const Estimate estimate =
+      cslf::testing::Trace(scene, crop.GetRay(i % Side, i / Side), {}, samples);
+    mean.Mean += estimate.Mean / (Side * Side);
+    mean.Error += estimate.Error * estimate.Error / std::pow(Side, 4);
+  }
+  mean.Error = std::sqrt(mean.Error);
+  return mean;
+}
+
+/// What the caches of many seeds hold.
+Estimate Cache(const cslf::Scene& scene, const Crop& crop, const cslf::CacheSettings& settings)
+{
+  Estimate mean;
+  double squares = 0.0;
+  for (int seed = 0; seed < Seeds; ++seed)
+  {
+    cslf::CacheSettings own = settings;
+    own.Seed = seed;
+    cslf::RadianceCache cache(scene, own);
+    CSLF_CHECK(cache.Build([](double) { return true; }));
+    double sum = 0.0;
+    for (int i = 0; i < Side * Side; ++i)
+    {
+      const cslf::Hit hit = scene.Intersect(crop.GetRay(i % Side, i / Side));
+      CSLF_CHECK(cache.Covers(hit));
+      sum += scene.GetBaseColor(hit).x * cache.Get(hit).x / (Side * Side);
+    }
+    mean.Mean += sum / Seeds;
+    squares += sum * sum / Seeds;
+  }
+  mean.Error = std::sqrt(std::max(0.0, squares - mean.Mean * mean.Mean) / (Seeds - 1));
+  return mean;
+}
+
+void Compare(const char* name, const cslf::Scene& scene, const Crop& crop,
+  const cslf::CacheSettings& settings, int samples)
+{
+  const Estimate paths = TracePaths(scene, crop, samples);
+  const Estimate cache = Cache(scene, crop, settings);
+  std::cout << name << ": " << paths.Mean << " +- " << paths.Error << " by path tracing, "
+            << cache.Mean << " +- " << cache.Error << " by radiance caching\n";
+  CSLF_CHECK(paths.Error < 0.005 * paths.Mean);
+  // A mean over seeds has noise, and interpolation errs a little.
+  CSLF_CHECK_NEAR(
+    cache.Mean, paths.Mean, 3.0 * std::hypot(cache.Error, paths.Error) + 0.002 * paths.Mean);
+  CSLF_CHECK_NEAR(cache.Mean, paths.Mean, 0.02 * paths.Mean);
+}
+
+cslf::Mesh MakeFloor(float size = 0.3f)
+{
+  return MakeRectangle(
+    glm::vec3(0.0f), { size, 0.0f, 0.0f }, { 0.0f, size, 0.0f }, MakeDiffuse(0.5f));
+}
+
+cslf::Mesh MakeSphere(const glm::vec3& center, float radius, const cslf::SurfaceMaterial& material)
+{
+  constexpr int rows = 24;
+  constexpr int columns = 48;
+  cslf::Mesh mesh;
+  for (int j = 0; j <= rows; ++j)
+  {
+    for (int i = 0; i <= columns; ++i)
+    {
+      const float theta = cslf::Pi * static_cast<float>(j) / rows;
+      const float phi = 2.0f * cslf::Pi * static_cast<float>(i % columns) / columns;
+      const glm::vec3 normal(
+        std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      mesh.Vertices.push_back(center + radius * normal);
+      mesh.Normals.push_back(normal);
+    }
+  }
+  for (std::uint32_t j = 0; j < rows; ++j)
+  {
+    for (std::uint32_t i = 0; i < columns; ++i)
+    {
+      const std::uint32_t first = j * (columns + 1) + i;
+      const std::uint32_t next = first + columns + 1;
+      if (j + 1 < rows)
+      {
+        mesh.Triangles.push_back({ first, next, next + 1 });
+      }
+      if (j > 0)
+      {
+        mesh.Triangles.push_back({ first, next + 1, first + 1 });
+      }
+    }
+  }
+  mesh.Material = material;
+  return mesh;
+}
+
+cslf::SurfaceMaterial MakeGlass()
+{
+  cslf::SurfaceMaterial material(glm::vec3(1.0f), 0.0f, 0.0f, 1.5f, glm::vec3(0.0f));
+  material.Transmission = 1.0f;
+  return material;
+}
+
+/// A small lamp that shines on a floor, sampled as a light or found by chance. It covers a
+/// hundredth or a thousandth of what the floor sees, weighted by the cosine.
+void TestSmallLamp()
+{
+  for (const float part : { 0.01f, 0.001f })
+  {
+    for (const bool isSampled : { true, false })
+    {
+      const float side = std::sqrt(part * cslf::Pi);
+      const cslf::Scene scene({ MakeFloor(0.15f),
+                                MakeRectangle({ 0.0f, 0.0f, 1.0f }, { 0.5f * side, 0.0f, 0.0f },
+                                  { 0.0f, 0.5f * side, 0.0f }, MakeDiffuse(0.0f, 1.0f / part)) },
+        cslf::LightSet());
+      cslf::CacheSettings settings;
+      settings.Spacing = isSampled ? 0.01 : 0.0025;
+      settings.Paths.LightSampling = isSampled;
+      Compare(isSampled ? "small lamp, sampled" : "small lamp, found", scene, {}, settings, 1024);
+    }
+  }
+}
+
+/// A lamp in a box that has a hole in its bottom.
+void TestHole()
+{
+  std::vector<cslf::Mesh> meshes{ MakeFloor() };
+  const cslf::SurfaceMaterial white = MakeDiffuse(0.7f);
+  const glm::vec3 x(0.3f, 0.0f, 0.0f);
+  const glm::vec3 y(0.0f, 0.3f, 0.0f);
+  const glm::vec3 z(0.0f, 0.0f, 0.2f);
+  meshes.push_back(MakeRectangle({ 0.0f, 0.0f, 0.9f }, x, y, white));
+  meshes.push_back(MakeRectangle({ 0.3f, 0.0f, 0.7f }, y, z, white));
+  meshes.push_back(MakeRectangle({ -0.3f, 0.0f, 0.7f }, y, z, white));
+  meshes.push_back(MakeRectangle({ 0.0f, 0.3f, 0.7f }, x, z, white));
+  meshes.push_back(MakeRectangle({ 0.0f, -0.3f, 0.7f }, x, z, white));
+  constexpr float hole = 0.03f;
+  const float half = 0.5f * (0.3f - hole);
+  for (const float sign : { -1.0f, 1.0f })
+  {
+    meshes.push_back(
+      MakeRectangle({ sign * (hole + half), 0.0f, 0.5f }, { half, 0.0f, 0.0f }, y, white));
+    meshes.push_back(MakeRectangle(
+      { 0.0f, sign * (hole + half), 0.5f }, { hole, 0.0f, 0.0f }, { 0.0f, half, 0.0f }, white));
+  }
+  meshes.push_back(MakeRectangle(
+    { 0.0f, 0.0f, 0.85f }, { 0.2f, 0.0f, 0.0f }, { 0.0f, 0.2f, 0.0f }, MakeDiffuse(0.0f, 50.0f)));
+  const cslf::Scene scene(std::move(meshes), cslf::LightSet());
+  cslf::CacheSettings settings;
+  settings.Spacing = 0.02;
+  Compare("hole", scene, {}, settings, 4096);
+}
+
+/// Light that a ball of glass focuses on the floor.
+void TestCaustic()
+{
+  const cslf::Scene scene({ MakeFloor(), MakeSphere({ 0.0f, 0.0f, 0.3f }, 0.2f, MakeGlass()),
+                            MakeRectangle({ 0.0f, 0.0f, 1.0f }, { 0.1f, 0.0f, 0.0f },
+                              { 0.0f, 0.1f, 0.0f }, MakeDiffuse(0.0f, 4.0f)) },
+    cslf::LightSet());
+  cslf::CacheSettings settings;
+  settings.Spacing = 0.01;
+  Compare("caustic", scene, { glm::vec2(0.0f), 0.4f }, settings, 16384);
+}
+}
+
+int TestCSLFRadianceCacheRareLight(int, char*[])
+{
+  TestSmallLamp();
+  TestHole();
+  TestCaustic();
+  return cslf::testing::Result();
+}
