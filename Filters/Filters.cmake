@@ -130,6 +130,7 @@ list(APPEND private_headers
 
 # The light that surfaces diffuse, worked out once.
 list(APPEND sources
+  ../Filters/PathTracing/RadianceCache/cslfCacheCheck.cxx
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.cxx
   ../Filters/PathTracing/RadianceCache/cslfChartMaker.cxx
   ../Filters/PathTracing/RadianceCache/cslfDiffuseEstimator.cxx
@@ -144,8 +145,10 @@ list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
   ../Filters/PathTracing/RadianceCache/cslfSampleNoise.cxx
   ../Filters/PathTracing/RadianceCache/cslfSurfaceChart.cxx
-  ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx)
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.cxx
+  ../Filters/vtkCSLFPathTracerCache.cxx)
 list(APPEND private_headers
+  ../Filters/PathTracing/RadianceCache/cslfCacheCheck.h
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.h
   ../Filters/PathTracing/RadianceCache/cslfCacheShare.h
   ../Filters/PathTracing/RadianceCache/cslfChartMaker.h
@@ -164,7 +167,8 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfSampleNoise.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceChart.h
   ../Filters/PathTracing/RadianceCache/cslfSurfaceEstimate.h
-  ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h)
+  ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h
+  ../Filters/vtkCSLFPathTracerInternals.h)
 
 # From renderers and files to scenes.
 list(APPEND sources

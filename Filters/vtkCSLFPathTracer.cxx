@@ -10,7 +10,7 @@
 #include "Pipeline/cslfScenePipeline.h"
 #include "cslfColor.h"
 #include "cslfVTKCompatibility.h"
-#include "vtkCSLFSceneImporter.h"
+#include "vtkCSLFPathTracerInternals.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
@@ -85,22 +85,6 @@ void WriteTimes(vtkDataObject* data, std::ostream& key)
   }
 }
 }
-
-struct vtkCSLFPathTracer::vtkInternals
-{
-  vtkSmartPointer<vtkCSLFSceneImporter> Importer; // if there is a renderer
-  vtkSmartPointer<vtkScalarsToColors> LookupTable;
-  cslf::BuiltScene Scene;
-  std::string SceneKey; // what the scene was built from; empty if there is none
-  std::unique_ptr<cslf::RadianceCache> Cache;
-  std::string CacheKey; // what the cache was built for; empty if there is none
-  bool IsProbe = false; // the cache is only roughly right
-  cslf::CacheKeeper* Keeper = nullptr;
-
-  /// On failure returns false and says why.
-  static bool MakeEnvironment(
-    vtkCSLFPathTracer* self, cslf::Environment& environment, std::string& error);
-};
 
 bool vtkCSLFPathTracer::vtkInternals::MakeEnvironment(
   vtkCSLFPathTracer* self, cslf::Environment& environment, std::string& error)
@@ -469,134 +453,22 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   {
     sampling["cache"] = { { "tolerance", this->CacheTolerance }, { "spacing", this->CacheSpacing },
       { "samples", this->CacheSamples } };
+    const cslf::RadianceCache* cache = this->Internals->Cache.get();
+    if (cache && !this->Internals->CacheKey.empty() && cache->IsCoarsened())
+    {
+      sampling["cache"]["used_spacing"] = 0.5 * cache->GetSpacing();
+    }
+    if (cache && !this->Internals->CacheKey.empty() && cache->GetCheck().Texels > 0)
+    {
+      const cslf::CacheCheck& check = cache->GetCheck();
+      sampling["cache"]["check"] = { { "texels", check.Texels }, { "mean", check.Mean },
+        { "mean_error", check.MeanError }, { "rms", check.RMS }, { "rms_error", check.RMSError } };
+    }
   }
   return sampling.dump();
 }
 
-double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
-{
-  return 0.3 / std::max(size, 1);
-}
-
-void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
-{
-  seconds = std::max(seconds, 0.0);
-  if (this->CacheProbeSeconds != seconds)
-  {
-    this->CacheProbeSeconds = seconds;
-    this->Internals->IsProbe = false;
-    this->Modified();
-  }
-}
-
-void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
-{
-  if (keeper && this->Internals->Keeper != keeper)
-  {
-    // The keeper waits for every rank to execute.
-    this->Modified();
-  }
-  this->Internals->Keeper = keeper;
-}
-
-std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
-{
-  // What the texels depend on beyond the cache is left out.
-  nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
-  for (const char* name : { "samples", "noise_target", "show_environment" })
-  {
-    key.erase(name);
-  }
-  key["cache"]["spacing"] = spacing;
-  key["cache"]["display_range"] = displayRange;
-  key["cslf"] = CSLF_VERSION;
-  return key.dump();
-}
-
-void vtkCSLFPathTracer::MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks)
-{
-  cslf::CacheSettings settings;
-  settings.Tolerance = this->CacheTolerance;
-  settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
-  settings.Samples = this->CacheSamples;
-  settings.Exposure = this->Exposure;
-  settings.DisplayRange = displayRange;
-  settings.Seed = static_cast<std::uint32_t>(this->Seed);
-  settings.Paths.MaximumDepth = this->MaximumDepth;
-  settings.ProbeSeconds = this->CacheProbeSeconds;
-  settings.Share = ranks;
-  this->Internals->CacheKey.clear();
-  this->Internals->Cache =
-    std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
-}
-
-bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
-{
-  const std::string key = this->MakeCacheKey(spacing, displayRange);
-  this->ExpectedCacheSeconds = 0.0;
-  if (this->Internals->CacheKey == key)
-  {
-    return true;
-  }
-  // A probe is good for any spacing: coarse as it is, it does not depend on it much.
-  if (!this->Internals->IsProbe)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    this->MakeCache(spacing, displayRange, nullptr);
-    this->Internals->IsProbe = this->FillCache(0.5);
-    this->CacheSeconds += SecondsSince(start);
-  }
-  this->ExpectedCacheSeconds = this->Internals->Cache->GetExpectedSeconds();
-  return this->Internals->IsProbe;
-}
-
-bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double share)
-{
-  if (this->CacheProbeSeconds > 0.0)
-  {
-    return this->ProbeCache(spacing, displayRange);
-  }
-  using Plan = cslf::CacheKeeper::Plan;
-  const std::string key = this->MakeCacheKey(spacing, displayRange);
-  const bool isThere = this->Internals->CacheKey == key;
-  cslf::CacheKeeper* keeper = this->Internals->Keeper;
-  const Plan plan = keeper ? keeper->Join(key, isThere) : Plan::Alone;
-  if (plan == Plan::Break || (plan == Plan::Alone && isThere))
-  {
-    return plan != Plan::Break;
-  }
-  const auto start = std::chrono::steady_clock::now();
-  if (!isThere || (plan == Plan::Together && !keeper->IsEverywhere()))
-  {
-    this->MakeCache(spacing, displayRange, plan == Plan::Together ? keeper->GetShare() : nullptr);
-    this->Internals->IsProbe = false;
-  }
-  const auto fill = [this, share] { return this->FillCache(share); };
-  const bool done =
-    plan == Plan::Together ? keeper->Make(*this->Internals->Cache, fill) : this->FillCache(share);
-  this->NumberOfCachePoints = this->Internals->Cache->GetNumberOfValues();
-  this->CacheSeconds += SecondsSince(start);
-  if (done)
-  {
-    this->Internals->CacheKey = key;
-  }
-  return done;
-}
-
-bool vtkCSLFPathTracer::FillCache(double share)
-{
-  cslf::RadianceCache& cache = *this->Internals->Cache;
-  const bool done = cache.Build(
-    [this, share](double progress)
-    {
-      this->UpdateProgress(share * progress);
-      return !cslf::IsAborted(this);
-    });
-  this->NumberOfCacheRays += cache.GetNumberOfRays();
-  return done;
-}
-
-bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
+bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlices,
   const std::function<cslf::RayGrid(int slice, int tile)>& grids, const cslf::TexelOutput& output)
 {
   if (this->CostTime != this->GetMTime())
@@ -606,6 +478,12 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
     this->RenderSeconds = 0.0;
     this->NumberOfCacheRays = 0;
     this->CacheSeconds = 0.0;
+    this->CheckedTexels = 0;
+    this->CacheMeanDifference = 0.0;
+    this->CacheMeanDifferenceError = 0.0;
+    this->CacheRMSDifference = 0.0;
+    this->CacheRMSDifferenceError = 0.0;
+    this->UsedCacheSpacing = 0.0;
   }
   // The share of the cache in the progress is a guess.
   const double share = this->Integrator == RadianceCaching ? 0.5 : 0.0;
@@ -618,12 +496,30 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout,
   {
     const double automatic =
       GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight));
+    const cslf::CheckedPicture whole{ layout.TileWidth, layout.TileHeight, layout.Tiles,
+      wholeSlices, grids };
+    const auto check = [this, &whole](cslf::CacheShare* ranks)
+    {
+      if (this->CheckCache)
+      {
+        this->MeasureCache(whole, ranks);
+      }
+    };
     if (!this->UpdateCache(
-          this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, displayRange, share))
+          this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, displayRange, share, check))
     {
       return false;
     }
     settings.Cache = this->Internals->Cache.get();
+    if (!this->Internals->IsProbe)
+    {
+      // It may have been made without.
+      if (!settings.Cache->GetCheck().IsMade())
+      {
+        check(nullptr);
+      }
+      this->TellCache();
+    }
   }
   const auto start = std::chrono::steady_clock::now();
   const cslf::TexelRenderer renderer(
@@ -646,6 +542,13 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CacheTolerance: " << this->CacheTolerance << "\n";
   os << indent << "CacheSpacing: " << this->CacheSpacing << "\n";
   os << indent << "CacheSamples: " << this->CacheSamples << "\n";
+  os << indent << "CheckCache: " << this->CheckCache << "\n";
+  os << indent << "CheckedTexels: " << this->CheckedTexels << "\n";
+  os << indent << "CacheMeanDifference: " << this->CacheMeanDifference << " +- "
+     << this->CacheMeanDifferenceError << "\n";
+  os << indent << "CacheRMSDifference: " << this->CacheRMSDifference << " +- "
+     << this->CacheRMSDifferenceError << "\n";
+  os << indent << "UsedCacheSpacing: " << this->UsedCacheSpacing << "\n";
   os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
   os << indent << "NumberOfCacheRays: " << this->NumberOfCacheRays << "\n";
   os << indent << "NumberOfCachePoints: " << this->NumberOfCachePoints << "\n";

@@ -58,6 +58,7 @@ namespace cslf
 class CacheKeeper;
 class CacheShare;
 struct BuiltScene;
+struct CheckedPicture;
 struct PictureLayout;
 struct RayGrid;
 struct RenderSettings;
@@ -139,6 +140,41 @@ public:
   vtkSetClampMacro(CacheSamples, int, 64, VTK_INT_MAX);
   vtkGetMacro(CacheSamples, int);
   ///@}
+
+  ///@{
+  /**
+   * Whether each new cache is compared with path tracing: at up to 1024 random points of the texels
+   * or pixels that the update will render, by 64 paths each, fewer where little is to be rendered.
+   * A warning tells where the cache differs by more than the bounds: 2 % of the mean radiance, or
+   * three times CacheTolerance as a root mean square of displayed colours, each exceeded by more
+   * than three standard errors. Default: on.
+   */
+  vtkSetMacro(CheckCache, bool);
+  vtkGetMacro(CheckCache, bool);
+  vtkBooleanMacro(CheckCache, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the check of the cache has found. CheckedTexels: how many texels or pixels were compared;
+   * 0 where there was no check or nothing to see. CacheMeanDifference: the mean radiance by the
+   * cache minus that by path tracing, in parts of the latter. CacheRMSDifference: the root mean
+   * square difference of the displayed colours, in parts of white, without the noise of the paths.
+   * The errors are their standard errors.
+   */
+  vtkGetMacro(CheckedTexels, int);
+  vtkGetMacro(CacheMeanDifference, double);
+  vtkGetMacro(CacheMeanDifferenceError, double);
+  vtkGetMacro(CacheRMSDifference, double);
+  vtkGetMacro(CacheRMSDifferenceError, double);
+  ///@}
+
+  /**
+   * The spacing of the cache's points that was used, in parts of the diagonal of the scene's
+   * bounds: larger than CacheSpacing, with a warning, where the scene would need too many bricks. 0
+   * without a cache.
+   */
+  vtkGetMacro(UsedCacheSpacing, double);
 
   ///@{
   /**
@@ -370,14 +406,16 @@ protected:
 
   /**
    * The sampling and scene parameters as a JSON object, for the record: everything that the
-   * texels depend on, and a hash of the scene. Call it after UpdateScene.
+   * texels depend on, a hash of the scene, and what the check of the cache has found, if that is
+   * known. Call it after UpdateScene.
    */
   std::string DescribeSampling();
 
   /**
    * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
+   * The layout may be a part of the slices that the whole picture has.
    */
-  bool Render(const cslf::PictureLayout& layout,
+  bool Render(const cslf::PictureLayout& layout, int wholeSlices,
     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
     const cslf::TexelOutput& output);
 
@@ -398,8 +436,11 @@ private:
     std::string& error);
   cslf::RenderSettings GetRenderSettings();
   std::string MakeCacheKey(double spacing, double displayRange);
-  bool UpdateCache(double spacing, double displayRange, double share);
+  bool UpdateCache(double spacing, double displayRange, double share,
+    const std::function<void(cslf::CacheShare*)>& check);
   bool FillCache(double share);
+  void MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks);
+  void TellCache();
   bool ProbeCache(double spacing, double displayRange);
   void MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks);
   bool MustGather();
@@ -411,6 +452,13 @@ private:
   double CacheTolerance = 1.0 / 128;
   double CacheSpacing = 0.0;
   int CacheSamples = 1024;
+  bool CheckCache = true;
+  int CheckedTexels = 0;
+  double CacheMeanDifference = 0.0;
+  double CacheMeanDifferenceError = 0.0;
+  double CacheRMSDifference = 0.0;
+  double CacheRMSDifferenceError = 0.0;
+  double UsedCacheSpacing = 0.0;
   int Seed = 0;
   double Exposure = 1.0;
   bool ShowEnvironment = false;

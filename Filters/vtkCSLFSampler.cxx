@@ -144,20 +144,19 @@ int vtkCSLFSampler::RequestData(
   {
     description.Channels.push_back(cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT));
   }
-  description.Sampling = this->DescribeSampling();
 
   // Allocate the slices asked for.
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   const int slices[2] = { extent[4], extent[5] };
   description.Grid.GetWholeExtent(extent);
+  const int wholeSlices = extent[5] - extent[4] + 1;
   extent[4] = slices[0];
   extent[5] = slices[1];
   output->SetExtent(extent);
   output->SetSpacing(1.0, 1.0, 1.0);
   output->SetOrigin(0.0, 0.0, 0.0);
   const cslf::TexelOutput texels = Allocate(description, output);
-  description.WriteTo(output->GetFieldData());
 
   // Render them.
   const int side = this->Resolution;
@@ -165,10 +164,13 @@ int vtkCSLFSampler::RequestData(
     extent[5] - extent[4] + 1 };
   const auto makeRays = [&](int slice, int tile)
   { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); };
-  if (!this->Render(layout, makeRays, texels))
+  if (!this->Render(layout, wholeSlices, makeRays, texels))
   {
     output->Initialize();
+    return 1;
   }
+  description.Sampling = this->DescribeSampling();
+  description.WriteTo(output->GetFieldData());
   return 1;
 }
 

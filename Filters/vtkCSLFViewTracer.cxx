@@ -174,7 +174,7 @@ int vtkCSLFViewTracer::RequestData(
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::PictureLayout layout{ this->Size[0], this->Size[1], 1, 0, 1 };
   if (!this->Render(
-        layout, [&rays](int, int) { return rays; }, pixels))
+        layout, 1, [&rays](int, int) { return rays; }, pixels))
   {
     output->Initialize();
     return 1;

@@ -58,6 +58,10 @@ void IntegratorOptions::AddTo(CLI::App& command)
     ->check(CLI::Range(64, 1 << 20))
     ->capture_default_str()
     ->group(group);
+  command
+    .add_flag("--cache-check,--no-cache-check{false}", this->CacheCheck,
+      "compare the cache with path tracing at random texels (default), or not")
+    ->group(group);
 }
 
 void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
@@ -70,14 +74,29 @@ void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
   tracer->SetCacheTolerance(this->CacheTolerance);
   tracer->SetCacheSpacing(this->CacheSpacing);
   tracer->SetCacheSamples(this->CacheSamples);
+  tracer->SetCheckCache(this->CacheCheck);
 }
 
 nlohmann::json IntegratorOptions::GetCost(vtkCSLFPathTracer* tracer)
 {
-  return { { "rays", tracer->GetNumberOfRays() }, { "render_seconds", tracer->GetRenderSeconds() },
+  nlohmann::json cost = { { "rays", tracer->GetNumberOfRays() },
+    { "render_seconds", tracer->GetRenderSeconds() },
     { "cache_rays", tracer->GetNumberOfCacheRays() },
     { "cache_points", tracer->GetNumberOfCachePoints() },
     { "cache_seconds", tracer->GetCacheSeconds() } };
+  if (tracer->GetUsedCacheSpacing() > 0.0)
+  {
+    cost["cache_spacing"] = tracer->GetUsedCacheSpacing();
+  }
+  if (tracer->GetCheckedTexels() > 0)
+  {
+    cost["cache_check"] = { { "texels", tracer->GetCheckedTexels() },
+      { "mean", tracer->GetCacheMeanDifference() },
+      { "mean_error", tracer->GetCacheMeanDifferenceError() },
+      { "rms", tracer->GetCacheRMSDifference() },
+      { "rms_error", tracer->GetCacheRMSDifferenceError() } };
+  }
+  return cost;
 }
 }
 }

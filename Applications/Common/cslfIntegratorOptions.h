@@ -45,6 +45,7 @@ private:
   double CacheTolerance = 1.0 / 128;
   double CacheSpacing = 0.0;
   int CacheSamples = 1024;
+  bool CacheCheck = true;
 };
 }
 }

@@ -94,6 +94,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   }
   this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
   this->Layout = std::make_unique<LatticeLayout>(this->World, this->Sides, spacing);
+  this->Spacing = this->Layout->GetSpacing();
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

@@ -18,6 +18,7 @@
 
 #include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfPathIntegrator.h"
+#include "cslfCacheCheck.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
 #include "cslfOpenSides.h"
@@ -114,12 +115,24 @@ public:
   /// The rays traced to fill it, by all ranks.
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
+  /// The smallest distance of stored points, in scene space: that of the settings, or more where
+  /// the scene would need too many bricks.
+  double GetSpacing() const { return this->Spacing; }
+
+  bool IsCoarsened() const { return this->Spacing > 1.001 * this->Settings.Spacing; }
+
+  /// How far it differs from path tracing, if that was measured.
+  const CacheCheck& GetCheck() const { return this->Check; }
+  void SetCheck(const CacheCheck& check) { this->Check = check; }
+
   /// Hands over all that a finished cache knows, to be kept, or taken back where the settings are
   /// the same.
   template <typename Archive>
   void Exchange(Archive& archive)
   {
     archive.Value(this->Complete);
+    archive.Value(this->Spacing);
+    archive.Value(this->Check);
     this->Sides.Exchange(archive);
     this->Values.Exchange(archive);
     this->Incident.Exchange(archive);
@@ -155,6 +168,8 @@ private:
   SurfaceLattice Second; // while the cache is built: a second summand
   bool HasSecond = false;
   bool Complete = false;
+  double Spacing = 0.0;
+  CacheCheck Check;
   std::uint64_t Rays = 0;
   double ExpectedSeconds = 0.0;
 };

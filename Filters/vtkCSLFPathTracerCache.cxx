@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The radiance cache of vtkCSLFPathTracer: when it is made, and how far it can be trusted.
+#include "vtkCSLFPathTracer.h"
+
+#include "Parallel/cslfCacheKeeper.h"
+#include "cslfVTKCompatibility.h"
+#include "vtkCSLFPathTracerInternals.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace
+{
+double SecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+}
+
+double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
+{
+  return 0.3 / std::max(size, 1);
+}
+
+void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
+{
+  seconds = std::max(seconds, 0.0);
+  if (this->CacheProbeSeconds != seconds)
+  {
+    this->CacheProbeSeconds = seconds;
+    this->Internals->IsProbe = false;
+    this->Modified();
+  }
+}
+
+void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
+{
+  if (keeper && this->Internals->Keeper != keeper)
+  {
+    // The keeper waits for every rank to execute.
+    this->Modified();
+  }
+  this->Internals->Keeper = keeper;
+}
+
+std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
+{
+  // What the texels depend on beyond the cache is left out.
+  nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
+  for (const char* name : { "samples", "noise_target", "show_environment" })
+  {
+    key.erase(name);
+  }
+  key["cache"].erase("check");
+  key["cache"].erase("used_spacing");
+  key["cache"]["spacing"] = spacing;
+  key["cache"]["display_range"] = displayRange;
+  key["cslf"] = CSLF_VERSION;
+  return key.dump();
+}
+
+void vtkCSLFPathTracer::MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks)
+{
+  cslf::CacheSettings settings;
+  settings.Tolerance = this->CacheTolerance;
+  settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
+  settings.Samples = this->CacheSamples;
+  settings.Exposure = this->Exposure;
+  settings.DisplayRange = displayRange;
+  settings.Seed = static_cast<std::uint32_t>(this->Seed);
+  settings.Paths.MaximumDepth = this->MaximumDepth;
+  settings.ProbeSeconds = this->CacheProbeSeconds;
+  settings.Share = ranks;
+  this->Internals->CacheKey.clear();
+  this->Internals->Cache =
+    std::make_unique<cslf::RadianceCache>(*this->Internals->Scene.World, settings);
+}
+
+bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
+{
+  const std::string key = this->MakeCacheKey(spacing, displayRange);
+  this->ExpectedCacheSeconds = 0.0;
+  if (this->Internals->CacheKey == key)
+  {
+    return true;
+  }
+  // A probe is good for any spacing: coarse as it is, it does not depend on it much.
+  if (!this->Internals->IsProbe)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->MakeCache(spacing, displayRange, nullptr);
+    this->Internals->IsProbe = this->FillCache(0.5);
+    this->CacheSeconds += SecondsSince(start);
+  }
+  this->ExpectedCacheSeconds = this->Internals->Cache->GetExpectedSeconds();
+  return this->Internals->IsProbe;
+}
+
+bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double share,
+  const std::function<void(cslf::CacheShare*)>& check)
+{
+  if (this->CacheProbeSeconds > 0.0)
+  {
+    return this->ProbeCache(spacing, displayRange);
+  }
+  using Plan = cslf::CacheKeeper::Plan;
+  const std::string key = this->MakeCacheKey(spacing, displayRange);
+  const bool isThere = this->Internals->CacheKey == key;
+  cslf::CacheKeeper* keeper = this->Internals->Keeper;
+  const Plan plan = keeper ? keeper->Join(key, isThere) : Plan::Alone;
+  if (plan == Plan::Break || (plan == Plan::Alone && isThere))
+  {
+    return plan != Plan::Break;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  if (!isThere || (plan == Plan::Together && !keeper->IsEverywhere()))
+  {
+    this->MakeCache(spacing, displayRange, plan == Plan::Together ? keeper->GetShare() : nullptr);
+    this->Internals->IsProbe = false;
+  }
+  cslf::CacheShare* ranks = plan == Plan::Together ? keeper->GetShare() : nullptr;
+  const auto fill = [this, share, ranks, &check]
+  {
+    const bool isFilled = this->FillCache(share);
+    if (isFilled)
+    {
+      check(ranks);
+    }
+    return isFilled;
+  };
+  const bool done = plan == Plan::Together ? keeper->Make(*this->Internals->Cache, fill) : fill();
+  this->NumberOfCachePoints = this->Internals->Cache->GetNumberOfValues();
+  this->CacheSeconds += SecondsSince(start);
+  if (done)
+  {
+    this->Internals->CacheKey = key;
+    this->Internals->IsToldOf = ranks && ranks->GetRank() > 0;
+  }
+  return done;
+}
+
+void vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks)
+{
+  // Of few texels, few are enough: the check shall not take longer than all else.
+  constexpr std::int64_t most = 1024;
+  constexpr std::int64_t least = 16;
+  const std::int64_t samples = std::int64_t(this->Samples) * picture.TileWidth *
+    picture.TileHeight * picture.Tiles * picture.Slices;
+  cslf::CheckSettings settings;
+  settings.Texels = static_cast<int>(std::clamp(samples / 1024, least, most));
+  settings.Exposure = this->Exposure;
+  settings.Seed = static_cast<std::uint32_t>(this->Seed);
+  settings.Paths.MaximumDepth = this->MaximumDepth;
+  settings.Share = ranks;
+  cslf::RadianceCache& cache = *this->Internals->Cache;
+  cache.SetCheck(cslf::CheckCache(*this->Internals->Scene.World, cache, picture, settings));
+}
+
+void vtkCSLFPathTracer::TellCache()
+{
+  const cslf::RadianceCache& cache = *this->Internals->Cache;
+  const cslf::CacheCheck& check = cache.GetCheck();
+  this->CheckedTexels = std::max(check.Texels, 0);
+  this->CacheMeanDifference = check.Mean;
+  this->CacheMeanDifferenceError = check.MeanError;
+  this->CacheRMSDifference = check.RMS;
+  this->CacheRMSDifferenceError = check.RMSError;
+  this->UsedCacheSpacing = 0.5 * cache.GetSpacing();
+  if (this->Internals->IsToldOf)
+  {
+    return;
+  }
+  this->Internals->IsToldOf = true;
+  if (cache.IsCoarsened())
+  {
+    vtkWarningMacro("The radiance cache of this scene would need too many points: their spacing is "
+      << this->UsedCacheSpacing << " of the scene's diagonal, not what was asked for.");
+  }
+  if (check.IsExceeded(this->CacheTolerance))
+  {
+    vtkWarningMacro("The radiance cache differs from path tracing by more than it should: at "
+      << check.Texels << " texels, its mean radiance differs by " << 100.0 * check.Mean << " % (+- "
+      << 100.0 * check.MeanError << " %; bound 2 %), and its displayed colours by " << check.RMS
+      << " of white in the root mean square (+- " << check.RMSError << "; bound "
+      << cslf::CacheCheck::GetRMSBound(this->CacheTolerance)
+      << "). A smaller CacheTolerance or CacheSpacing or more CacheSamples may help; path tracing "
+         "does.");
+  }
+}
+
+bool vtkCSLFPathTracer::FillCache(double share)
+{
+  cslf::RadianceCache& cache = *this->Internals->Cache;
+  const bool done = cache.Build(
+    [this, share](double progress)
+    {
+      this->UpdateProgress(share * progress);
+      return !cslf::IsAborted(this);
+    });
+  this->NumberOfCacheRays += cache.GetNumberOfRays();
+  return done;
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What vtkCSLFPathTracer keeps between updates.
+ */
+#ifndef vtkCSLFPathTracerInternals_h
+#define vtkCSLFPathTracerInternals_h
+
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "PathTracing/cslfSceneBuilder.h"
+#include "vtkCSLFPathTracer.h"
+#include "vtkCSLFSceneImporter.h"
+
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+
+struct vtkCSLFPathTracer::vtkInternals
+{
+  vtkSmartPointer<vtkCSLFSceneImporter> Importer; // if there is a renderer
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  cslf::BuiltScene Scene;
+  std::string SceneKey; // what the scene was built from; empty if there is none
+  std::unique_ptr<cslf::RadianceCache> Cache;
+  std::string CacheKey; // what the cache was built for; empty if there is none
+  bool IsProbe = false; // the cache is only roughly right
+  bool IsToldOf = true; // whether what the user should know of the cache has been told
+  cslf::CacheKeeper* Keeper = nullptr;
+
+  /// On failure returns false and says why.
+  static bool MakeEnvironment(
+    vtkCSLFPathTracer* self, cslf::Environment& environment, std::string& error);
+};
+
+#endif
