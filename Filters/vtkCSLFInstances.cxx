@@ -58,12 +58,25 @@ void vtkCSLFInstances::AddInstance(vtkDataObject* data, vtkMatrix4x4* matrix, co
   }
 }
 
+void vtkCSLFInstances::AddInstance(
+  vtkDataObject* data, vtkMatrix4x4* matrix, const double color[4], const double emission[3])
+{
+  AddInstance(data, matrix, color);
+  if (data && matrix)
+  {
+    auto* emissions = GetOrMake<vtkDoubleArray>(data, InstanceEmission(), 3);
+    emissions->InsertNextTuple(emission);
+    emissions->Modified();
+  }
+}
+
 void vtkCSLFInstances::RemoveInstances(vtkDataObject* data)
 {
   if (data)
   {
     data->GetFieldData()->RemoveArray(InstanceMatrix());
     data->GetFieldData()->RemoveArray(InstanceColor());
+    data->GetFieldData()->RemoveArray(InstanceEmission());
   }
 }
 

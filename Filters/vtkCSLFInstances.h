@@ -12,6 +12,8 @@
  * has it: row by row, the last 0, 0, 0, 1.
  * - `CSLF:InstanceColor`: 3 or 4 components, unsigned char, optional. The base colour, sRGB, and
  * the opacity, which multiplies that of the material.
+ * - `CSLF:InstanceEmission`: 3 components, optional. The emission, linear radiance, in place of
+ * that of the material.
  *
  * Instances that are flat show nothing.
  *
@@ -39,6 +41,7 @@ public:
    */
   static const char* InstanceMatrix() { return "CSLF:InstanceMatrix"; }
   static const char* InstanceColor() { return "CSLF:InstanceColor"; }
+  static const char* InstanceEmission() { return "CSLF:InstanceEmission"; }
   ///@}
 
   /**
@@ -50,6 +53,13 @@ public:
    * Adds an instance of a colour: red, green, blue and opacity in [0,1], sRGB.
    */
   static void AddInstance(vtkDataObject* data, vtkMatrix4x4* matrix, const double color[4]);
+
+  /**
+   * Adds an instance of a colour that emits a radiance: linear, not negative. All instances of a
+   * block have emissions, or none.
+   */
+  static void AddInstance(
+    vtkDataObject* data, vtkMatrix4x4* matrix, const double color[4], const double emission[3]);
 
   /**
    * Removes all instances from the field data.

@@ -85,10 +85,12 @@ void Fingerprint::Add(const Mesh& mesh)
   this->Add(mesh.TexCoords);
   this->Add(mesh.Colors);
   this->Add(mesh.Opacities);
+  this->Add(mesh.Emissions);
   this->Add(mesh.Radii);
   this->Add(mesh.Instances);
   this->Add(std::vector<char>(mesh.Appearance.begin(), mesh.Appearance.end()));
-  this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring), static_cast<int>(mesh.Shape) });
+  this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring), static_cast<int>(mesh.Shape),
+    static_cast<int>(mesh.EmissionsOf) });
 }
 
 void Fingerprint::Add(const LightSet& lights)

@@ -97,9 +97,26 @@ float Mesh::GetOpacity(const TrianglePoint& point) const
   return cutoff > 0.0f ? (opacity < cutoff ? 0.0f : 1.0f) : opacity;
 }
 
+glm::vec3 Mesh::GetEmissionFactor(const TrianglePoint& point) const
+{
+  if (this->HasInstanceEmissions && point.Instance != TrianglePoint::None)
+  {
+    return this->Instances[point.Instance].Emission;
+  }
+  switch (this->EmissionsOf)
+  {
+    case ColorsOf::Vertices:
+      return this->Interpolate(this->Emissions, point);
+    case ColorsOf::Triangles:
+      return this->Emissions[point.Triangle];
+    default:
+      return this->Material.Emission;
+  }
+}
+
 glm::vec3 Mesh::GetEmission(const TrianglePoint& point) const
 {
-  const glm::vec3& emission = this->Material.Emission;
+  const glm::vec3 emission = this->GetEmissionFactor(point);
   return this->Textures.Emission
     ? emission * glm::vec3(this->Textures.Emission->Get(this->Interpolate(this->TexCoords, point)))
     : emission;
@@ -120,7 +137,8 @@ void Mesh::PrepareRounding()
 void Mesh::PrepareEmission()
 {
   this->EmissionImportances.clear();
-  if (this->Material.IsEmissive() && (this->Textures.Emission || this->IsTranslucent()))
+  if (this->Material.IsEmissive() &&
+    (this->Textures.Emission || this->IsTranslucent() || this->EmissionsOf != ColorsOf::None))
   {
     const std::uint32_t count = this->GetNumberOfShapes();
     this->EmissionImportances.reserve(count);
@@ -139,6 +157,12 @@ float Mesh::GetEmissionImportance(std::uint32_t shape) const
 
 float Mesh::EstimateEmission(std::uint32_t shape) const
 {
+  if (!this->Textures.Emission && !this->IsTranslucent())
+  {
+    // The mean of what is linear is that of the middle.
+    const float middle = this->Shape == Shapes::Triangles ? 1.0f / 3.0f : 0.5f;
+    return Luminance(this->GetEmission({ shape, middle, middle }));
+  }
   const int rows = this->Shape == Shapes::Triangles ? EmissionSamples : 1;
   const int columns = this->Shape == Shapes::Spheres ? 1 : EmissionSamples;
   float sum = 0.0f;

@@ -41,6 +41,7 @@ struct MeshInstance
   glm::vec3 Offset{ 0.0f };
   glm::vec3 Color{ 1.0f }; ///< linear; counts if the mesh has colours of instances
   float Opacity = 1.0f;
+  glm::vec3 Emission{ 0.0f }; ///< radiance; counts if the mesh has emissions of instances
 };
 
 /// Images that factors of the material are multiplied by; null where there is none.
@@ -77,6 +78,8 @@ struct VTKCSLF_EXPORT Mesh
   std::vector<glm::vec3> Colors;    ///< linear, replacing the material's base colour
   std::vector<float> Opacities;     ///< those of the colours, or none at all
   ColorsOf Coloring = ColorsOf::None;
+  std::vector<glm::vec3> Emissions; ///< radiance, replacing the material's, which is their maximum
+  ColorsOf EmissionsOf = ColorsOf::None;
   SurfaceMaterial Material;
   MaterialTextures Textures;
   std::string Appearance; ///< tells the material and the textures from others
@@ -85,6 +88,7 @@ struct VTKCSLF_EXPORT Mesh
   /// own.
   std::vector<MeshInstance> Instances;
   bool HasInstanceColors = false;
+  bool HasInstanceEmissions = false;
   std::uint32_t FirstInstance = 0; ///< among those of the scene
 
   std::uint32_t GetNumberOfShapes() const;
@@ -160,6 +164,7 @@ private:
   template <typename Value>
   Value GetColoring(
     const std::vector<Value>& values, const Value& none, const TrianglePoint& point) const;
+  glm::vec3 GetEmissionFactor(const TrianglePoint& point) const;
   float EstimateEmission(std::uint32_t shape) const;
 
   std::vector<float> EmissionImportances; // one a shape where it varies, or none at all

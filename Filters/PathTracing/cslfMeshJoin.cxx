@@ -4,6 +4,8 @@
 
 #include "cslfFingerprint.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -18,7 +20,8 @@ namespace cslf
 namespace
 {
 /// What meshes must share to be joined: the appearance and the places first.
-using Kind = std::tuple<std::string, std::string, Mesh::Shapes, Mesh::ColorsOf, bool, bool>;
+using Kind = std::tuple<std::string, std::string, Mesh::Shapes, Mesh::ColorsOf, Mesh::ColorsOf,
+  bool, bool, bool>;
 
 Kind GetKind(const Mesh& mesh)
 {
@@ -29,8 +32,8 @@ Kind GetKind(const Mesh& mesh)
     fingerprint.Add(mesh.Instances);
     places = fingerprint.Finish();
   }
-  return { mesh.Appearance, places, mesh.Shape, mesh.Coloring, mesh.TexCoords.empty(),
-    mesh.HasInstanceColors };
+  return { mesh.Appearance, places, mesh.Shape, mesh.Coloring, mesh.EmissionsOf,
+    mesh.TexCoords.empty(), mesh.HasInstanceColors, mesh.HasInstanceEmissions };
 }
 
 template <typename Value>
@@ -58,6 +61,8 @@ void Append(Mesh& whole, const Mesh& piece)
   AppendOptional(whole.Normals, first, piece.Normals, piece.Vertices.size(), glm::vec3(0.0f));
   AppendOptional(whole.Opacities, whole.Colors.size(), piece.Opacities, piece.Colors.size(), 1.0f);
   Append(whole.Colors, piece.Colors);
+  Append(whole.Emissions, piece.Emissions);
+  whole.Material.Emission = glm::max(whole.Material.Emission, piece.Material.Emission);
   Append(whole.Vertices, piece.Vertices);
   Append(whole.Radii, piece.Radii);
   Append(whole.TexCoords, piece.TexCoords);
@@ -159,13 +164,17 @@ public:
       Take(this->Sorted.Colors, order);
       Take(this->Sorted.Opacities, order);
     }
+    if (this->Sorted.EmissionsOf == Mesh::ColorsOf::Triangles)
+    {
+      Take(this->Sorted.Emissions, order);
+    }
   }
 
 private:
   /// Finds the distinct vertices, in order, and the place of each vertex among them.
   void RankVertices()
   {
-    std::vector<Words<13>> vertices(this->Sorted.Vertices.size());
+    std::vector<Words<16>> vertices(this->Sorted.Vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       vertices[i].Add(this->Sorted.Vertices[i]);
@@ -176,6 +185,10 @@ private:
       {
         vertices[i].AddFrom(this->Sorted.Colors, i);
         vertices[i].AddFrom(this->Sorted.Opacities, i);
+      }
+      if (this->Sorted.EmissionsOf == Mesh::ColorsOf::Vertices)
+      {
+        vertices[i].AddFrom(this->Sorted.Emissions, i);
       }
     }
     this->Ranks.resize(vertices.size());
@@ -191,7 +204,7 @@ private:
 
   Indices OrderShapes() const
   {
-    std::vector<Words<7>> shapes(this->Sorted.GetNumberOfShapes());
+    std::vector<Words<10>> shapes(this->Sorted.GetNumberOfShapes());
     for (std::size_t i = 0; i < shapes.size(); ++i)
     {
       for (std::uint32_t corner : this->GetCorners(static_cast<std::uint32_t>(i)))
@@ -202,6 +215,10 @@ private:
       {
         shapes[i].AddFrom(this->Sorted.Colors, i);
         shapes[i].AddFrom(this->Sorted.Opacities, i);
+      }
+      if (this->Sorted.EmissionsOf == Mesh::ColorsOf::Triangles)
+      {
+        shapes[i].AddFrom(this->Sorted.Emissions, i);
       }
     }
     return FindOrder(shapes);
@@ -243,6 +260,10 @@ private:
     {
       Take(this->Sorted.Colors, indices);
       Take(this->Sorted.Opacities, indices);
+    }
+    if (this->Sorted.EmissionsOf == Mesh::ColorsOf::Vertices)
+    {
+      Take(this->Sorted.Emissions, indices);
     }
   }
 

@@ -3,8 +3,10 @@
 #include "cslfMeshMaker.h"
 
 #include "cslfTriangles.h"
+#include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -68,8 +70,9 @@ public:
     this->AddNormals();
     this->AddTexCoords();
     this->AddColors(colors);
-    this->AddInstances();
     this->Result.Material = this->Source.Material;
+    this->AddEmissions();
+    this->AddInstances();
     this->Result.Textures = this->Source.Textures;
     this->Result.Appearance = this->Source.Appearance;
     return std::move(this->Result);
@@ -188,6 +191,40 @@ private:
     }
   }
 
+  /// Emissions of points come before those of cells, and both before the material's.
+  void AddEmissions()
+  {
+    for (const Mesh::ColorsOf place : { Mesh::ColorsOf::Vertices, Mesh::ColorsOf::Triangles })
+    {
+      const bool ofCells = place == Mesh::ColorsOf::Triangles;
+      vtkDataSetAttributes* attributes = this->Source.Data->GetPointData();
+      if (ofCells)
+      {
+        attributes = this->Source.Data->GetCellData();
+      }
+      vtkDataArray* emissions = attributes->GetArray(vtkCSLFMaterial::EmissionName());
+      if (this->Result.EmissionsOf == Mesh::ColorsOf::None && emissions &&
+        emissions->GetNumberOfComponents() == 3)
+      {
+        this->Result.EmissionsOf = place;
+        this->AddEmissions(emissions, ofCells ? this->Cells : this->Points);
+      }
+    }
+  }
+
+  void AddEmissions(vtkDataArray* emissions, const std::vector<vtkIdType>& used)
+  {
+    glm::vec3& most = this->Result.Material.Emission;
+    most = glm::vec3(0.0f);
+    this->Result.Emissions.reserve(used.size());
+    for (vtkIdType index : used)
+    {
+      const glm::vec3 emission = GetRadiance(emissions, index);
+      this->Result.Emissions.push_back(emission);
+      most = glm::max(most, emission);
+    }
+  }
+
   void AddInstances()
   {
     const glm::dmat3 scale(this->Frame.Radius / this->World.Radius);
@@ -199,8 +236,20 @@ private:
         glm::dvec3(instance.ToWorld * glm::dvec4(this->Frame.Center, 1.0)));
       placed.Color = instance.Color;
       placed.Opacity = instance.Opacity;
+      placed.Emission = instance.Emission;
       this->Result.HasInstanceColors = instance.HasColor;
       this->Result.Instances.push_back(placed);
+    }
+    this->Result.HasInstanceEmissions =
+      !this->Source.Instances.empty() && this->Source.Instances.front().HasEmission;
+    if (this->Result.HasInstanceEmissions)
+    {
+      glm::vec3& most = this->Result.Material.Emission;
+      most = glm::vec3(0.0f);
+      for (const MeshInstance& instance : this->Result.Instances)
+      {
+        most = glm::max(most, instance.Emission);
+      }
     }
   }
 

@@ -29,6 +29,9 @@ namespace
 // An instance of a smaller volume than this, to its extent cubed, is flat.
 constexpr double SmallestVolume = 1e-12;
 
+// The tracer computes in floats.
+constexpr double LargestRadiance = 1e30;
+
 /// The array of points' own radii, or null.
 vtkDataArray* FindRadii(const SceneBlock& block)
 {
@@ -68,6 +71,17 @@ void ReadColor(vtkDataArray* colors, vtkIdType index, BlockInstance& instance)
   instance.Opacity = colors->GetNumberOfComponents() > 3 ? static_cast<float>(get(3)) : 1.0f;
   instance.HasColor = true;
 }
+}
+
+glm::vec3 GetRadiance(vtkDataArray* array, vtkIdType tuple)
+{
+  glm::vec3 radiance(0.0f);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double value = array->GetComponent(tuple, i);
+    radiance[i] = value > 0.0 && value < LargestRadiance ? static_cast<float>(value) : 0.0f;
+  }
+  return radiance;
 }
 
 RoundSelection SelectRound(vtkPolyData* data, Mesh::Shapes shape)
@@ -114,10 +128,15 @@ InstanceSelection SelectInstances(vtkPolyData* data)
   vtkDataArray* matrices = fields->GetArray(vtkCSLFInstances::InstanceMatrix());
   vtkDataArray* colors = fields->GetArray(vtkCSLFInstances::InstanceColor());
   const bool hasColors = fields->HasArray(vtkCSLFInstances::InstanceColor()) != 0;
+  vtkDataArray* emissions = fields->GetArray(vtkCSLFInstances::InstanceEmission());
+  const bool hasEmissions = fields->HasArray(vtkCSLFInstances::InstanceEmission()) != 0;
   selection.IsBroken = !matrices || matrices->GetNumberOfComponents() != 16 ||
     (hasColors &&
       (!colors || colors->GetNumberOfTuples() != matrices->GetNumberOfTuples() ||
-        colors->GetDataType() != VTK_UNSIGNED_CHAR || colors->GetNumberOfComponents() < 3));
+        colors->GetDataType() != VTK_UNSIGNED_CHAR || colors->GetNumberOfComponents() < 3)) ||
+    (hasEmissions &&
+      (!emissions || emissions->GetNumberOfTuples() != matrices->GetNumberOfTuples() ||
+        emissions->GetNumberOfComponents() != 3));
   for (vtkIdType i = 0; !selection.IsBroken && i < matrices->GetNumberOfTuples(); ++i)
   {
     BlockInstance instance;
@@ -129,6 +148,11 @@ InstanceSelection SelectInstances(vtkPolyData* data)
     if (colors)
     {
       ReadColor(colors, i, instance);
+    }
+    if (emissions)
+    {
+      instance.Emission = GetRadiance(emissions, i);
+      instance.HasEmission = true;
     }
     selection.Places.push_back(instance);
   }

@@ -45,7 +45,12 @@ struct BlockInstance
   glm::vec3 Color{ 1.0f }; ///< linear
   float Opacity = 1.0f;
   bool HasColor = false;
+  glm::vec3 Emission{ 0.0f }; ///< radiance
+  bool HasEmission = false;
 };
+
+/// A tuple of radiance; what is negative or no finite number is 0.
+glm::vec3 GetRadiance(vtkDataArray* array, vtkIdType tuple);
 
 struct InstanceSelection
 {
