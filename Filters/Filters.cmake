@@ -176,6 +176,7 @@ list(APPEND sources
   ../Filters/SceneImport/cslfActorImporter.cxx
   ../Filters/SceneImport/cslfActorParts.cxx
   ../Filters/SceneImport/cslfClippedBlock.cxx
+  ../Filters/SceneImport/cslfBlockLooks.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfGraphParts.cxx
   ../Filters/SceneImport/cslfImportLimits.cxx
@@ -183,18 +184,23 @@ list(APPEND sources
   ../Filters/SceneImport/cslfMappedScalars.cxx
   ../Filters/SceneImport/cslfMoleculeParts.cxx
   ../Filters/SceneImport/cslfPointParts.cxx
-  ../Filters/SceneImport/cslfTextureImage.cxx)
+  ../Filters/SceneImport/cslfSurfaceLook.cxx
+  ../Filters/SceneImport/cslfTextureImage.cxx
+  ../Filters/SceneImport/cslfWindowLights.cxx)
 list(APPEND private_headers
   ../Filters/SceneImport/cslfAMRSurface.h
   ../Filters/SceneImport/cslfActorImporter.h
   ../Filters/SceneImport/cslfActorParts.h
   ../Filters/SceneImport/cslfClippedBlock.h
+  ../Filters/SceneImport/cslfBlockLooks.h
   ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h
   ../Filters/SceneImport/cslfLightImporter.h
   ../Filters/SceneImport/cslfMappedScalars.h
-  ../Filters/SceneImport/cslfTextureImage.h)
+  ../Filters/SceneImport/cslfSurfaceLook.h
+  ../Filters/SceneImport/cslfTextureImage.h
+  ../Filters/SceneImport/cslfWindowLights.h)
 
 # The video coding behind the encoder and the decoder.
 list(APPEND sources

@@ -52,6 +52,14 @@ inline void Abort(vtkAlgorithm* algorithm)
   algorithm->SetAbortExecute(1);
 #endif
 }
+
+/// Whether physically based shading takes the colours of scalars as sRGB; older versions take them
+/// as linear.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+constexpr bool PhysicalScalarsAreEncoded = true;
+#else
+constexpr bool PhysicalScalarsAreEncoded = false;
+#endif
 }
 
 #endif

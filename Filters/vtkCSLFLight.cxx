@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFLight.h"
 
+#include "SceneImport/cslfWindowLights.h"
 #include "cslfColor.h"
 
 #include <vtkDataObject.h>
@@ -15,6 +16,9 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkCSLFLight);
 
@@ -37,6 +41,26 @@ void Append(vtkDataObject* data, const char* name, const double* tuple, int comp
   array->InsertNextTuple(tuple);
   data->GetFieldData()->AddArray(array);
 }
+
+/// Appends an attenuation for a light that is about to be added, null for the default. There is no
+/// array as long as all lights have the default.
+void AppendAttenuation(
+  vtkDataObject* data, const char* name, const char* positions, const double* attenuation)
+{
+  if (!data || (!attenuation && !data->GetFieldData()->GetArray(name)))
+  {
+    return;
+  }
+  const double standard[4] = { 0.0, 0.0, 1.0, 1.0 };
+  vtkDataArray* lights = data->GetFieldData()->GetArray(positions);
+  const vtkIdType before = lights ? lights->GetNumberOfTuples() : 0;
+  vtkDataArray* present = data->GetFieldData()->GetArray(name);
+  for (vtkIdType i = present ? present->GetNumberOfTuples() : 0; i < before; ++i)
+  {
+    Append(data, name, standard, 4);
+  }
+  Append(data, name, attenuation ? attenuation : standard, 4);
+}
 }
 
 void vtkCSLFLight::AddDirectionalLight(
@@ -46,16 +70,19 @@ void vtkCSLFLight::AddDirectionalLight(
   Append(data, DirectionalLightIrradiance(), irradiance);
 }
 
-void vtkCSLFLight::AddPointLight(
-  vtkDataObject* data, const double position[3], const double intensity[3])
+void vtkCSLFLight::AddPointLight(vtkDataObject* data, const double position[3],
+  const double intensity[3], const double* attenuation)
 {
+  AppendAttenuation(data, PointLightAttenuation(), PointLightPosition(), attenuation);
   Append(data, PointLightPosition(), position);
   Append(data, PointLightIntensity(), intensity);
 }
 
 void vtkCSLFLight::AddSpotLight(vtkDataObject* data, const double position[3],
-  const double direction[3], const double intensity[3], double coneAngle, double exponent)
+  const double direction[3], const double intensity[3], double coneAngle, double exponent,
+  const double* attenuation)
 {
+  AppendAttenuation(data, SpotLightAttenuation(), SpotLightPosition(), attenuation);
   const double cone[2] = { coneAngle, exponent };
   Append(data, SpotLightPosition(), position);
   Append(data, SpotLightIntensity(), intensity);
@@ -123,28 +150,37 @@ void vtkCSLFLight::AddLight(vtkDataObject* data, vtkLight* light)
   light->GetTransformedPosition(position);
   light->GetTransformedFocalPoint(focalPoint);
   light->GetDiffuseColor(color);
-  // A diffuse surface of reflectance 1 in the irradiance E has the radiance E / pi.
-  double irradiance[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    irradiance[i] = vtkMath::Pi() * light->GetIntensity() * cslf::SRGBToLinear(color[i]);
-  }
   double direction[3];
   vtkMath::Subtract(focalPoint, position, direction);
+  const double distance = vtkMath::Norm(direction);
+  const double falloff = light->GetPositional() ? cslf::GetAttenuation(light, distance) : 1.0;
+  // A diffuse surface of reflectance 1 in the irradiance E has the radiance E / pi.
+  double irradiance[3];
+  double brightest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double displayed = light->GetIntensity() * falloff * color[i];
+    irradiance[i] = vtkMath::Pi() * cslf::SRGBToLinear(std::max(displayed, 0.0));
+    brightest = std::max(brightest, displayed);
+  }
   if (!light->GetPositional())
   {
     AddDirectionalLight(data, direction, irradiance);
     return;
   }
-  vtkMath::MultiplyScalar(irradiance, vtkMath::Dot(direction, direction));
+  const double exponent = cslf::GetDecodingExponent(brightest);
+  vtkMath::MultiplyScalar(irradiance, std::pow(falloff, -exponent));
+  const double* values = light->GetAttenuationValues();
+  const bool falls = values[0] + values[1] + values[2] > 0.0;
+  const double attenuation[4] = { falls ? values[0] : 1.0, values[1], values[2], exponent };
   if (light->GetConeAngle() < 90.0)
   {
-    AddSpotLight(
-      data, position, direction, irradiance, light->GetConeAngle(), light->GetExponent());
+    AddSpotLight(data, position, direction, irradiance, light->GetConeAngle(),
+      exponent * light->GetExponent(), attenuation);
   }
   else
   {
-    AddPointLight(data, position, irradiance);
+    AddPointLight(data, position, irradiance, attenuation);
   }
 }
 
@@ -154,10 +190,11 @@ void vtkCSLFLight::RemoveLights(vtkDataObject* data)
   {
     return;
   }
-  for (const char* name : { DirectionalLightDirection(), DirectionalLightIrradiance(),
-         PointLightPosition(), PointLightIntensity(), SpotLightPosition(), SpotLightIntensity(),
-         SpotLightDirection(), SpotLightCone(), EnvironmentRadiance(), EnvironmentUp(),
-         EnvironmentRight(), EnvironmentImage(), EnvironmentImageLayout() })
+  for (const char* name :
+    { DirectionalLightDirection(), DirectionalLightIrradiance(), PointLightPosition(),
+      PointLightIntensity(), PointLightAttenuation(), SpotLightPosition(), SpotLightIntensity(),
+      SpotLightDirection(), SpotLightCone(), SpotLightAttenuation(), EnvironmentRadiance(),
+      EnvironmentUp(), EnvironmentRight(), EnvironmentImage(), EnvironmentImageLayout() })
   {
     data->GetFieldData()->RemoveArray(name);
   }

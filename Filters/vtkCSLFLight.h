@@ -14,13 +14,18 @@
  * | `CSLF:DirectionalLightDirection` | 3 | in which the light travels, world; any length but 0 |
  * | `CSLF:DirectionalLightIrradiance` | 3 | on a surface that faces the light, linear RGB |
  * | `CSLF:PointLightPosition` | 3 | world |
- * | `CSLF:PointLightIntensity` | 3 | irradiance times squared distance in world units, linear RGB |
+ * | `CSLF:PointLightIntensity` | 3 | irradiance where the falloff is 1, linear RGB |
+ * | `CSLF:PointLightAttenuation` | 4 | optional: how light falls off with the distance |
  * | `CSLF:SpotLightPosition` | 3 | world |
  * | `CSLF:SpotLightIntensity` | 3 | as of a point light, along the axis |
  * | `CSLF:SpotLightDirection` | 3 | the axis, away from the light, world; any length but 0 |
  * | `CSLF:SpotLightCone` | 2 | between axis and cone, degrees; the exponent of the falloff |
+ * | `CSLF:SpotLightAttenuation` | 4 | optional: as of a point light |
  *
  * A spot light's intensity falls off with the cosine to its axis to the power of that exponent.
+ * With an attenuation of a, b, c, e the irradiance at the distance d, in world units, is the
+ * intensity over (a + b d + c d^2)^e; none of them may be negative, nor a, b and c all be 0. The
+ * default 0, 0, 1, 1 is the physical one: the intensity is irradiance times squared distance.
  *
  * The environment is light from infinitely far away; where there is one, it takes the place of the
  * filter's own. It is described by `CSLF:EnvironmentRadiance`, 3 components, one tuple for the same
@@ -59,10 +64,12 @@ public:
   static const char* DirectionalLightIrradiance() { return "CSLF:DirectionalLightIrradiance"; }
   static const char* PointLightPosition() { return "CSLF:PointLightPosition"; }
   static const char* PointLightIntensity() { return "CSLF:PointLightIntensity"; }
+  static const char* PointLightAttenuation() { return "CSLF:PointLightAttenuation"; }
   static const char* SpotLightPosition() { return "CSLF:SpotLightPosition"; }
   static const char* SpotLightIntensity() { return "CSLF:SpotLightIntensity"; }
   static const char* SpotLightDirection() { return "CSLF:SpotLightDirection"; }
   static const char* SpotLightCone() { return "CSLF:SpotLightCone"; }
+  static const char* SpotLightAttenuation() { return "CSLF:SpotLightAttenuation"; }
   static const char* EnvironmentRadiance() { return "CSLF:EnvironmentRadiance"; }
   static const char* EnvironmentUp() { return "CSLF:EnvironmentUp"; }
   static const char* EnvironmentRight() { return "CSLF:EnvironmentRight"; }
@@ -79,10 +86,11 @@ public:
 
   /**
    * Adds a point light at `position` (world) that gives `intensity` (linear RGB), divided by the
-   * squared distance in world units, to a surface that faces it.
+   * squared distance in world units or as the four numbers of `attenuation` say (see above; null
+   * for the default), to a surface that faces it.
    */
-  static void AddPointLight(
-    vtkDataObject* data, const double position[3], const double intensity[3]);
+  static void AddPointLight(vtkDataObject* data, const double position[3],
+    const double intensity[3], const double* attenuation = nullptr);
 
   /**
    * Adds a spot light: a point light whose intensity falls off with the cosine to the axis
@@ -90,7 +98,8 @@ public:
    * degrees from it.
    */
   static void AddSpotLight(vtkDataObject* data, const double position[3], const double direction[3],
-    const double intensity[3], double coneAngle, double exponent);
+    const double intensity[3], double coneAngle, double exponent,
+    const double* attenuation = nullptr);
 
   /**
    * Sets the environment: radiance (linear RGB) from `bottom` to `top`, linear in the height of the
@@ -110,10 +119,11 @@ public:
 
   /**
    * Adds a VTK light that is switched on: a positional one as a point light, or as a spot light if
-   * its cone is narrower than 90 degrees, any other as a directional one. Its diffuse colour (sRGB)
-   * times its intensity is what VTK multiplies a diffuse surface's colour by where the surface
-   * faces the light; the light added does the same, a point or spot light at its focal point, since
-   * light falls off with distance. Headlights and camera lights are taken where they stand now.
+   * its cone is narrower than 90 degrees, any other as a directional one. Its diffuse colour times
+   * its intensity is what VTK multiplies displayed colours by where a surface faces the light; the
+   * light added shows a white diffuse surface by the same colour, taken as sRGB. The attenuation is
+   * VTK's, to the power that sRGB's decoding has there; a point or spot light is exact at its focal
+   * point. Headlights and camera lights are taken where they stand now.
    */
   static void AddLight(vtkDataObject* data, vtkLight* light);
 

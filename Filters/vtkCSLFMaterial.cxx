@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterial.h"
 
+#include "SceneImport/cslfSurfaceLook.h"
 #include "SceneImport/cslfTextureImage.h"
+#include "cslfColor.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
@@ -70,9 +72,6 @@ enum LayoutComponents
   LayoutSize
 };
 
-// Boundaries reflect this much of light from straight above at a specular coefficient of 1.
-constexpr double LargestSpecular = 0.08;
-
 bool IsSlot(int slot)
 {
   return slot >= 0 && slot < static_cast<int>(std::size(TextureNames));
@@ -102,25 +101,26 @@ std::pair<vtkUnsignedCharArray*, vtkDataArray*> FindTexture(vtkDataObject* data,
   return fits ? std::make_pair(pixels, layout) : std::make_pair(nullptr, nullptr);
 }
 
-/// The index of refraction of a boundary that reflects this much of light from straight above.
-double ToIndexOfRefraction(double reflectance)
+void SetColors(vtkDataObject* data, const glm::dvec3& base, const glm::dvec3& emission)
 {
-  const double root = std::sqrt(reflectance);
-  return (1.0 + root) / (1.0 - root);
+  vtkCSLFMaterial::SetBaseColor(data, base.x, base.y, base.z);
+  vtkCSLFMaterial::SetEmission(data, emission.x, emission.y, emission.z);
 }
 
-/// The material of a property of VTK's classic model: see SetFromProperty.
+/// What the window shows without textures, in the light that shows colours as they are.
 void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
 {
-  const double* specular = property->GetSpecularColor();
-  const double luminance = 0.2126 * specular[0] + 0.7152 * specular[1] + 0.0722 * specular[2];
-  const double reflectance =
-    LargestSpecular * std::clamp(property->GetSpecular() * luminance, 0.0, 1.0);
-  const double alpha = std::sqrt(2.0 / (std::max(property->GetSpecularPower(), 0.0) + 2.0));
-  vtkCSLFMaterial::SetMetallic(data, Metallic.Default);
-  vtkCSLFMaterial::SetRoughness(data, reflectance > 0.0 ? std::sqrt(alpha) : Roughness.Default);
-  vtkCSLFMaterial::SetIndexOfRefraction(data, ToIndexOfRefraction(reflectance));
-  vtkCSLFMaterial::SetEmission(data, 0.0, 0.0, 0.0);
+  const double* color = property->GetDiffuseColor();
+  const glm::dvec3 diffuse(color[0], color[1], color[2]);
+  color = property->GetAmbientColor();
+  const glm::dvec3 ambient(color[0], color[1], color[2]);
+  const cslf::Drawing drawing =
+    property->GetLighting() ? cslf::Drawing::Lit : cslf::Drawing::Illuminating;
+  const cslf::SurfaceLook look(property, cslf::LightLevel(), drawing, diffuse);
+  SetColors(data, look.GetBaseColor(ambient, diffuse), look.GetEmission(ambient, diffuse));
+  vtkCSLFMaterial::SetMetallic(data, look.GetMetallic());
+  vtkCSLFMaterial::SetRoughness(data, look.GetRoughness());
+  vtkCSLFMaterial::SetIndexOfRefraction(data, look.GetIndexOfRefraction());
   vtkCSLFMaterial::SetNormalScale(data, NormalScale.Default);
   for (int slot = 0; IsSlot(slot); ++slot)
   {
@@ -130,6 +130,10 @@ void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
 
 void SetFromPhysicalProperty(vtkDataObject* data, vtkProperty* property)
 {
+  const double* color = property->GetDiffuseColor();
+  SetColors(data,
+    cslf::LinearToSRGB(property->GetDiffuse() * glm::dvec3(color[0], color[1], color[2])),
+    glm::dvec3(0.0));
   vtkCSLFMaterial::SetMetallic(data, property->GetMetallic());
   vtkCSLFMaterial::SetRoughness(data, property->GetRoughness());
   vtkCSLFMaterial::SetIndexOfRefraction(data, property->GetBaseIOR());
@@ -204,16 +208,11 @@ void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property
   {
     return;
   }
-  const bool physical = property->GetInterpolation() == VTK_PBR;
-  double color[3];
-  property->GetDiffuseColor(color);
-  const double coefficient = physical ? 1.0 : property->GetDiffuse();
-  SetBaseColor(data, coefficient * color[0], coefficient * color[1], coefficient * color[2]);
   SetTransmission(data, Transmission.Default);
   SetThinWalled(data, false);
   SetOpacity(data, property->GetOpacity());
   SetOpacityCutoff(data, OpacityCutoff.Default);
-  if (physical)
+  if (property->GetInterpolation() == VTK_PBR && property->GetLighting())
   {
     SetFromPhysicalProperty(data, property);
   }

@@ -15,7 +15,8 @@
  * - `CSLF:Roughness`: in [0,1], by default 1. Perceptual; its square is GGX's alpha; below 0.03
  * smooth.
  * - `CSLF:Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both
- * sides.
+ * sides. An array of this name in the point data, else in the cell data, gives each point or cell
+ * its own.
  * - `CSLF:IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has
  * none.
  * - `CSLF:Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
@@ -91,16 +92,18 @@ public:
   /**
    * Sets all arrays from a property.
    *
-   * With PBR interpolation: base colour, metallic, roughness, base index of refraction, opacity,
-   * normal scale, and the textures `albedoTex`, `materialTex`, `normalTex` and `emissiveTex`; the
-   * emission is the emissive factor where there is an emissive texture, since VTK multiplies the
-   * two, and else 0. Occlusion is left to light transport.
+   * With PBR interpolation: base colour, which VTK takes as linear, metallic, roughness, base index
+   * of refraction, opacity, normal scale, and the textures `albedoTex`, `materialTex`, `normalTex`
+   * and `emissiveTex`; the emission is the emissive factor where there is an emissive texture,
+   * since VTK multiplies the two, and else 0. Occlusion is left to light transport.
    *
-   * Any other interpolation gives a diffuse base of the diffuse colour times the diffuse
-   * coefficient, and the opacity. A specular coefficient adds a boundary of the reflectance 0.08
-   * times coefficient and the specular colour's luminance, so that 0.5 with white is glass's 0.04,
-   * whose facets have the exponent that is the specular power (alpha squared = 2 / (power + 2)).
-   * Ambient terms are no light transport and have no counterpart.
+   * Any other interpolation, and any property without lighting, gives the opacity and what VTK's
+   * window displays in light that shows colours as they are: the ambient term, or all without
+   * lighting, as emission; the diffuse term as a diffuse base. A specular coefficient adds
+   * highlights of the same height and width: white ones by a boundary, coloured ones by a part of
+   * metal. Where they would reflect more than a fifth, they brighten the base.
+   *
+   * vtkCSLFSceneImporter does the same for the lights that there are.
    *
    * Coats, anisotropy, edge tint and culling are not represented; vtkCSLFSceneImporter represents
    * edges, wireframes and points.

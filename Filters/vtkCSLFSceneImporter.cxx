@@ -3,8 +3,10 @@
 #include "vtkCSLFSceneImporter.h"
 
 #include "SceneImport/cslfActorImporter.h"
+#include "SceneImport/cslfBlockLooks.h"
 #include "SceneImport/cslfImportedScene.h"
 #include "SceneImport/cslfLightImporter.h"
+#include "SceneImport/cslfWindowLights.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkAbstractMapper3D.h>
@@ -240,7 +242,11 @@ int vtkCSLFSceneImporter::RequestData(
       ForEachPart(prop, import);
     }
   }
-  cslf::ImportLights(this->Renderer, this->HeadlightsAllAround, scene);
+  cslf::FindEnvironment(this->Renderer, scene);
+  cslf::WindowLights lights(this->Renderer, this->HeadlightsAllAround);
+  cslf::FinishLooks(scene, lights);
+  lights.AddTo(scene.Lights);
+  cslf::ImportEnvironment(this->Renderer, lights.GetEnvironmentFactor(), scene);
   SetRadii(scene.Blocks, this->PixelSize);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -249,9 +255,9 @@ int vtkCSLFSceneImporter::RequestData(
   {
     output->SetBlock(index++, block.Data);
   }
-  vtkNew<vtkPolyData> lights;
-  lights->SetFieldData(scene.Lights->GetFieldData());
-  output->SetBlock(index, lights);
+  vtkNew<vtkPolyData> lightData;
+  lightData->SetFieldData(scene.Lights->GetFieldData());
+  output->SetBlock(index, lightData);
   if (!scene.Limits.empty())
   {
     vtkWarningMacro("Not baked as the window shows it: " << cslf::ToText(scene.Limits) << ".");

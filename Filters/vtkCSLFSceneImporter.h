@@ -20,6 +20,8 @@
  *   lookup table and range. Where it interpolates scalars before mapping, the table becomes a
  *   texture, as it does in the window; else, or where the actor has a texture, colours are of
  *   points. The table itself is not changed.
+ * - Lights, reflectances and emissions are such that a surface which faces the light is traced as
+ *   the window shows it, plus the light that bounces: Documentation/Materials.md tells how.
  * - Wireframes, visible edges, points and visible vertices become lines and vertices. Their width
  * in pixels is taken for a width in the world by PixelSize.
  * - vtkMoleculeMapper becomes spheres and tubes of the atoms' and bonds' radii and colours in its
@@ -32,8 +34,8 @@
  * instance.
  *
  * Lights that are switched on:
- * - Scene lights and camera lights as vtkCSLFLight::AddLight has them, camera lights where they
- *   stand now.
+ * - Scene lights and camera lights become lights of a direction, point lights and spot lights,
+ *   camera lights where they stand now.
  * - A headlight shines from wherever the eye is, and a light field has eyes everywhere. With
  *   HeadlightsAllAround it becomes an even environment, in which a matte surface shows the same
  *   colour from everywhere as it does by the headlight straight ahead. A renderer without lights

@@ -27,6 +27,14 @@ glm::dvec3 GetTuple3(vtkDataArray* array, vtkIdType index)
   array->GetTuple(index, tuple);
   return { tuple[0], tuple[1], tuple[2] };
 }
+
+/// Whether irradiance is finite everywhere but at the light.
+bool IsAttenuation(const glm::dvec3& attenuation, double exponent)
+{
+  return IsFinite(attenuation) && std::isfinite(exponent) && exponent >= 0.0 &&
+    attenuation.x >= 0.0 && attenuation.y >= 0.0 && attenuation.z >= 0.0 &&
+    attenuation != glm::dvec3(0.0);
+}
 }
 
 void LightReader::Add(vtkDataObject* data)
@@ -35,8 +43,7 @@ void LightReader::Add(vtkDataObject* data)
   {
     this->Read(data, vtkCSLFLight::DirectionalLightDirection(),
       vtkCSLFLight::DirectionalLightIrradiance(), true, this->Directional.Lights);
-    this->Read(data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity(), false,
-      this->Points.Lights);
+    this->ReadPoints(data);
     this->ReadSpots(data);
   }
 }
@@ -82,6 +89,46 @@ void LightReader::LightList::Join()
   }
 }
 
+bool LightReader::ReadAttenuations(
+  vtkDataObject* data, const char* name, std::vector<Light>& lights)
+{
+  vtkDataArray* attenuations = data->GetFieldData()->GetArray(name);
+  if (!attenuations)
+  {
+    return true;
+  }
+  if (attenuations->GetNumberOfComponents() != 4 ||
+    attenuations->GetNumberOfTuples() != static_cast<vtkIdType>(lights.size()))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    double tuple[4];
+    attenuations->GetTuple(static_cast<vtkIdType>(i), tuple);
+    lights[i].Attenuation = { tuple[0], tuple[1], tuple[2] };
+    lights[i].AttenuationExponent = tuple[3];
+    if (!IsAttenuation(lights[i].Attenuation, tuple[3]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void LightReader::ReadPoints(vtkDataObject* data)
+{
+  std::vector<Light> points;
+  this->Read(
+    data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity(), false, points);
+  if (!this->ReadAttenuations(data, vtkCSLFLight::PointLightAttenuation(), points))
+  {
+    ++this->Rejected;
+    return;
+  }
+  this->Points.Lights.insert(this->Points.Lights.end(), points.begin(), points.end());
+}
+
 void LightReader::ReadSpots(vtkDataObject* data)
 {
   std::vector<Light> spots;
@@ -93,6 +140,11 @@ void LightReader::ReadSpots(vtkDataObject* data)
   if (count > 0 &&
     (!axes || !cones || axes->GetNumberOfComponents() != 3 || cones->GetNumberOfComponents() != 2 ||
       axes->GetNumberOfTuples() != count || cones->GetNumberOfTuples() != count))
+  {
+    ++this->Rejected;
+    return;
+  }
+  if (!this->ReadAttenuations(data, vtkCSLFLight::SpotLightAttenuation(), spots))
   {
     ++this->Rejected;
     return;
@@ -153,9 +205,15 @@ void LightReader::MoveTo(LightSet& lights, const SceneFrame& frame) const
   }
   for (const Light& light : this->Points.Lights)
   {
-    // Irradiance falls off with the squared distance, which shrinks with the scene.
+    // Distances are those of the scene, which is smaller by its radius. The polynomial is divided
+    // by its largest coefficient, so that floats hold it.
+    const glm::dvec3 inScene =
+      light.Attenuation * glm::dvec3(1.0, frame.Radius, frame.Radius * frame.Radius);
+    const double largest = std::max({ inScene.x, inScene.y, inScene.z });
     PointLight point{ frame.PointToScene(light.Place),
-      light.Power / (frame.Radius * frame.Radius) };
+      light.Power / std::pow(largest, light.AttenuationExponent) };
+    point.Attenuation = inScene / largest;
+    point.AttenuationExponent = static_cast<float>(light.AttenuationExponent);
     if (light.Axis != glm::dvec3(0.0))
     {
       point.Axis = glm::normalize(light.Axis);

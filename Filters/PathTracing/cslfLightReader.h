@@ -47,11 +47,14 @@ private:
     glm::dvec3 Axis{ 0.0 };
     double ConeAngle = 0.0; // in degrees
     double Exponent = 0.0;
+    glm::dvec3 Attenuation{ 0.0, 0.0, 1.0 };
+    double AttenuationExponent = 1.0;
 
-    std::array<double, 11> GetNumbers() const
+    std::array<double, 15> GetNumbers() const
     {
       return { this->Place.x, this->Place.y, this->Place.z, this->Power.x, this->Power.y,
-        this->Power.z, this->Axis.x, this->Axis.y, this->Axis.z, this->ConeAngle, this->Exponent };
+        this->Power.z, this->Axis.x, this->Axis.y, this->Axis.z, this->ConeAngle, this->Exponent,
+        this->Attenuation.x, this->Attenuation.y, this->Attenuation.z, this->AttenuationExponent };
     }
   };
 
@@ -64,7 +67,9 @@ private:
     void Join();
   };
 
+  void ReadPoints(vtkDataObject* data);
   void ReadSpots(vtkDataObject* data);
+  bool ReadAttenuations(vtkDataObject* data, const char* name, std::vector<Light>& lights);
   void Read(vtkDataObject* data, const char* places, const char* powers, bool directions,
     std::vector<Light>& lights);
 

@@ -19,10 +19,12 @@ namespace cslf
 struct PointLight
 {
   glm::vec3 Position{ 0.0f };
-  glm::vec3 Intensity{ 0.0f }; ///< radiant intensity: irradiance times squared distance
+  glm::vec3 Intensity{ 0.0f }; ///< irradiance where the falloff is 1
   glm::vec3 Axis{ 0.0f };      ///< of the cone, of unit length; 0 for light all around
   float ConeCosine = 0.0f;     ///< of the angle between the axis and the cone's surface
   float Exponent = 0.0f;       ///< of the cosine to the axis that the intensity falls off with
+  glm::vec3 Attenuation{ 0.0f, 0.0f, 1.0f }; ///< 1 over the falloff, by powers of the distance
+  float AttenuationExponent = 1.0f;          ///< of the falloff with the distance
 
   LightSample Sample(const glm::vec3& from) const
   {
@@ -33,13 +35,23 @@ struct PointLight
     {
       sample.Distance = std::sqrt(distance2);
       sample.Direction = path / sample.Distance;
-      sample.Radiance = this->GetFalloff(sample.Direction) / distance2 * this->Intensity;
+      sample.Radiance =
+        this->GetFalloff(sample.Direction) / this->GetDivisor(sample.Distance) * this->Intensity;
       sample.Pdf = std::numeric_limits<float>::infinity();
     }
     return sample;
   }
 
 private:
+  /// What the irradiance at a distance is divided by.
+  float GetDivisor(float distance) const
+  {
+    const float polynomial =
+      this->Attenuation.x + distance * (this->Attenuation.y + distance * this->Attenuation.z);
+    return this->AttenuationExponent == 1.0f ? polynomial
+                                             : std::pow(polynomial, this->AttenuationExponent);
+  }
+
   /// The part of the intensity that goes to a point from which the light is seen in a direction.
   float GetFalloff(const glm::vec3& direction) const
   {

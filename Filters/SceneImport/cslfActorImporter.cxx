@@ -95,25 +95,22 @@ void UpdateInputs(vtkMapper* mapper)
   }
 }
 
-/// Multiplies red, green and blue.
-void Dim(vtkUnsignedCharArray* colors, double factor)
-{
-  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
-  {
-    for (int c = 0; c < std::min(colors->GetNumberOfComponents(), 3); ++c)
-    {
-      const double value = std::clamp(factor * colors->GetTypedComponent(i, c), 0.0, 255.0);
-      colors->SetTypedComponent(i, c, static_cast<unsigned char>(value + 0.5));
-    }
-  }
-}
-
 // The radii that points may have. They are in the world, as those of materials are: VTK's mappers
 // of spheres and sticks do not scale theirs by the actor's matrix either.
 const char* const RadiusNames[] = { vtkCSLFMaterial::LineRadiusName(),
   vtkCSLFMaterial::PointRadiusName() };
 
-/// Keeps the geometry only: points, cells, normals, texture coordinates and radii.
+/// Whether points or lines are spheres and tubes in the window as well.
+bool HasRadii(vtkPolyData* data)
+{
+  return vtkCSLFMaterial::GetLineRadius(data) > 0.0 ||
+    vtkCSLFMaterial::GetPointRadius(data) > 0.0 ||
+    std::any_of(std::begin(RadiusNames), std::end(RadiusNames),
+      [data](const char* name) { return data->GetPointData()->HasArray(name) != 0; });
+}
+
+/// Keeps the geometry only: points, cells, normals, texture coordinates, radii, and emissions of
+/// points and cells.
 vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -126,6 +123,15 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
     {
       copy->GetPointData()->AddArray(radii);
     }
+  }
+  const char* emission = vtkCSLFMaterial::EmissionName();
+  if (vtkDataArray* radiance = source->GetPointData()->GetArray(emission))
+  {
+    copy->GetPointData()->AddArray(radiance);
+  }
+  if (vtkDataArray* radiance = source->GetCellData()->GetArray(emission))
+  {
+    copy->GetCellData()->AddArray(radiance);
   }
   return copy;
 }
@@ -187,11 +193,13 @@ public:
   bool Import()
   {
     this->FindLimits();
+    this->Look.Property = this->Property;
+    this->Look.Texture = this->Actor->GetTexture();
+    this->Look.Opacity = this->Property->GetOpacity();
     if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(this->Mapper))
     {
       for (vtkPolyData* source : ImportGlyphs(this->Actor, glyphs, this->Matrix, this->Scene))
       {
-        this->SetMaterial(source, BlockStyle());
         this->AddRepresentation(source);
       }
       return true; // sources without instances show nothing, and broken ones have been named
@@ -215,7 +223,6 @@ private:
     this->MeetIf(this->Actor->GetBackfaceProperty() != nullptr, ImportLimit::BackfaceProperties);
     this->MeetIf(this->Property->GetBackfaceCulling() || this->Property->GetFrontfaceCulling(),
       ImportLimit::Culling);
-    this->MeetIf(!this->Property->GetLighting(), ImportLimit::Unlit);
     this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
     this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
     vtkTexture* texture = this->Actor->GetTexture();
@@ -275,10 +282,10 @@ private:
     TransformTCoords(this->Actor, block);
     // What the data itself says of its material comes before the property.
     vtkCSLFMaterial::Inherit(block, RenameOldArrays(leaf, this->Scene.Old));
-    vtkNew<vtkPolyData> material;
-    this->SetMaterial(material, style);
-    vtkCSLFMaterial::Inherit(block, material);
-    this->SetColors(block, mapped);
+    this->Look.Color = style.Color;
+    this->Look.Opacity = style.Opacity.value_or(this->Property->GetOpacity());
+    this->Look.HasTable = mapped.Table != nullptr;
+    SetColors(block, mapped);
     this->AddRepresentation(block);
   }
 
@@ -288,6 +295,7 @@ private:
     {
       block->GetPointData()->SetNormals(nullptr);
     }
+    this->Look.IsUnlit = this->IsDrawnUnlit(block);
     switch (this->Property->GetRepresentation())
     {
       case VTK_POINTS:
@@ -302,35 +310,28 @@ private:
     }
   }
 
+  /// Whether the window leaves out the lights, as it does for lines and points without normals.
+  bool IsDrawnUnlit(vtkPolyData* block) const
+  {
+    const bool points = this->Property->GetRepresentation() == VTK_POINTS;
+    const bool hasFaces = block->GetNumberOfPolys() > 0 || block->GetNumberOfStrips() > 0;
+    const bool areRound =
+      points ? this->Property->GetRenderPointsAsSpheres() : this->Property->GetRenderLinesAsTubes();
+    return (points || !hasFaces) && !block->GetPointData()->GetNormals() && !areRound &&
+      !HasRadii(block);
+  }
+
+  /// The physically based model shows the property's textures, the others the actor's.
   bool IsTextured() const
   {
-    return this->Actor->GetTexture() ||
-      (this->Property->GetInterpolation() == VTK_PBR && this->Property->GetNumberOfTextures() > 0);
+    return this->Property->GetInterpolation() == VTK_PBR ? this->Property->GetNumberOfTextures() > 0
+                                                         : this->Actor->GetTexture() != nullptr;
   }
 
-  void SetMaterial(vtkPolyData* block, const BlockStyle& style)
+  static void SetColors(vtkPolyData* block, const MappedScalars& mapped)
   {
-    vtkCSLFMaterial::SetFromProperty(block, this->Property);
-    if (style.Color)
-    {
-      const auto& color = *style.Color;
-      vtkCSLFMaterial::SetBaseColor(block, color[0], color[1], color[2]);
-    }
-    vtkCSLFMaterial::SetOpacity(block, style.Opacity.value_or(this->Property->GetOpacity()));
-    if (this->Actor->GetTexture())
-    {
-      vtkCSLFMaterial::SetTextureFrom(
-        block, vtkCSLFMaterial::BaseColorTexture, this->Actor->GetTexture());
-    }
-  }
-
-  void SetColors(vtkPolyData* block, const MappedScalars& mapped)
-  {
-    const bool physical = this->Property->GetInterpolation() == VTK_PBR;
-    const double coefficient = physical ? 1.0 : this->Property->GetDiffuse();
     if (mapped.Table)
     {
-      vtkCSLFMaterial::SetBaseColor(block, coefficient, coefficient, coefficient);
       vtkCSLFMaterial::SetTexture(
         block, vtkCSLFMaterial::BaseColorTexture, mapped.Table, false, false);
       block->GetPointData()->SetTCoords(mapped.Coordinates);
@@ -338,10 +339,6 @@ private:
     if (mapped.Colors)
     {
       mapped.Colors->SetName("Colors");
-      if (coefficient != 1.0)
-      {
-        Dim(mapped.Colors, coefficient);
-      }
       vtkDataSetAttributes* attributes = block->GetPointData();
       if (mapped.OfCells)
       {
@@ -373,7 +370,7 @@ private:
     if (piece->GetNumberOfCells() > 0)
     {
       this->Scene.Blocks.push_back(
-        { piece, this->Property->GetLineWidth(), this->Property->GetPointSize() });
+        { piece, this->Property->GetLineWidth(), this->Property->GetPointSize(), this->Look });
     }
   }
 
@@ -408,23 +405,36 @@ private:
   /// Edges and vertices that are drawn on the surface, in colours of their own.
   void AddDecoration(vtkPolyData* block)
   {
+    const BlockLook look = this->Look;
     if (this->Property->GetEdgeVisibility())
     {
-      this->AddEdges(this->MakeBare(block, this->Property->GetEdgeColor()));
+      this->Look = this->MakeBareLook(this->Property->GetEdgeColor());
+      this->AddEdges(MakeBare(block));
     }
     if (this->Property->GetVertexVisibility())
     {
-      this->AddPoints(this->MakeBare(block, this->Property->GetVertexColor()));
+      this->Look = this->MakeBareLook(this->Property->GetVertexColor());
+      this->AddPoints(MakeBare(block));
     }
+    this->Look = look;
   }
 
-  /// A block's geometry in one colour, in the block's places.
-  vtkSmartPointer<vtkPolyData> MakeBare(vtkPolyData* block, const double* color) const
+  /// One colour, drawn without lights.
+  BlockLook MakeBareLook(const double* color) const
+  {
+    BlockLook look;
+    look.Property = vtkSmartPointer<vtkProperty>::New();
+    look.Property->SetColor(color[0], color[1], color[2]);
+    look.Opacity = this->Property->GetOpacity();
+    look.IsUnlit = true;
+    return look;
+  }
+
+  /// A block's geometry alone, in the block's places.
+  static vtkSmartPointer<vtkPolyData> MakeBare(vtkPolyData* block)
   {
     auto bare = vtkSmartPointer<vtkPolyData>::New();
     bare->CopyStructure(block);
-    vtkCSLFMaterial::SetBaseColor(bare, color[0], color[1], color[2]);
-    vtkCSLFMaterial::SetOpacity(bare, this->Property->GetOpacity());
     if (vtkDataArray* places = block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix()))
     {
       bare->GetFieldData()->AddArray(places);
@@ -439,6 +449,7 @@ private:
   ImportedScene& Scene;
   vtkCompositeDataDisplayAttributes* Attributes;
   bool Found = false;
+  BlockLook Look;
 };
 
 /// The time of a data object and all its leaves.

@@ -32,7 +32,6 @@ enum class ImportLimit
   BackfaceProperties,
   Culling,
   ClippedLines,
-  Unlit,
   Coats,
   Anisotropy,
   TextureWraps,
@@ -42,7 +41,11 @@ enum class ImportLimit
   // Lights.
   CubeMapEnvironments,
   EnvironmentImages,
+  ClassicEnvironments,
   Shadows,
+  Shading,
+  Highlights,
+  UnlitLines,
   Headlights,
   Count
 };

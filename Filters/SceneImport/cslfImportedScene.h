@@ -13,26 +13,43 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkSmartPointer.h>
+#include <vtkTexture.h>
 
+#include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace cslf
 {
+/// What the window draws a block by. FinishLooks makes its material of it.
+struct BlockLook
+{
+  vtkSmartPointer<vtkProperty> Property;      ///< null where the material is complete
+  vtkSmartPointer<vtkTexture> Texture;        ///< the actor's
+  std::optional<std::array<double, 3>> Color; ///< in place of the property's
+  double Opacity = 1.0;
+  bool HasTable = false; ///< whether the block's texture is that of a lookup table
+  bool IsUnlit = false;  ///< whether the window shows its colours alone
+};
+
 /// Polygonal data with its material, and how wide its lines and points are drawn.
 struct ImportedBlock
 {
   vtkSmartPointer<vtkPolyData> Data;
   double LineWidth = 1.0; ///< in pixels
   double PointSize = 1.0;
+  BlockLook Look;
 };
 
 struct ImportedScene
 {
   std::vector<ImportedBlock> Blocks;
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
+  bool HasEnvironment = false;         ///< whether an image lights it
   MetLimits Limits;                    ///< what a renderer shows in another way
   std::set<std::string> Omitted;       ///< what else cannot be represented, in words
 

@@ -8,11 +8,14 @@
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
 #include <vtkCollectionRange.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
-#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 
 #include <algorithm>
@@ -21,54 +24,32 @@ namespace cslf
 {
 namespace
 {
-bool IsOn(vtkLight* light)
-{
-  return light->GetSwitch() && light->GetIntensity() > 0.0;
-}
-
-/// A light where it stands now. What moves with the camera is placed as before the next drawing,
-/// but the renderer's own light is left alone.
-vtkSmartPointer<vtkLight> Place(vtkLight* light, vtkRenderer* renderer)
-{
-  auto placed = vtkSmartPointer<vtkLight>::New();
-  placed->DeepCopy(light);
-  placed->SetTransformMatrix(light->GetTransformMatrix());
-  if (!renderer->GetLightFollowCamera() || !renderer->IsActiveCameraCreated())
-  {
-    return placed;
-  }
-  vtkCamera* camera = renderer->GetActiveCamera();
-  if (light->LightTypeIsHeadlight())
-  {
-    placed->SetTransformMatrix(nullptr);
-    placed->SetPosition(camera->GetPosition());
-    placed->SetFocalPoint(camera->GetFocalPoint());
-  }
-  else if (light->LightTypeIsCameraLight())
-  {
-    placed->SetTransformMatrix(camera->GetCameraLightTransformMatrix());
-  }
-  return placed;
-}
-
-/// Adds the radiance that lights a surface from everywhere as a headlight does straight ahead.
-void AddAllAround(vtkLight* light, double radiance[3])
-{
-  double color[3];
-  light->GetDiffuseColor(color);
-  for (int i = 0; i < 3; ++i)
-  {
-    radiance[i] += light->GetIntensity() * SRGBToLinear(color[i]);
-  }
-}
-
 /// The renderer's environment texture, where it lights the scene.
 vtkTexture* FindEnvironment(vtkRenderer* renderer)
 {
   return renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
 }
 
-void ImportEnvironment(vtkRenderer* renderer, ImportedScene& scene)
+/// Radiance times a factor: bytes are sRGB-encoded.
+vtkSmartPointer<vtkDataArray> Scale(vtkDataArray* colors, double factor)
+{
+  const bool isEncoded = colors->GetDataType() == VTK_UNSIGNED_CHAR;
+  auto scaled = vtkSmartPointer<vtkFloatArray>::New();
+  scaled->SetNumberOfComponents(colors->GetNumberOfComponents());
+  scaled->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < colors->GetNumberOfComponents(); ++c)
+    {
+      const double value = colors->GetComponent(i, c);
+      scaled->SetComponent(i, c, factor * (isEncoded ? SRGBToLinear(value / 255.0) : value));
+    }
+  }
+  return scaled;
+}
+}
+
+void FindEnvironment(vtkRenderer* renderer, ImportedScene& scene)
 {
   vtkTexture* texture = FindEnvironment(renderer);
   if (!texture)
@@ -81,12 +62,13 @@ void ImportEnvironment(vtkRenderer* renderer, ImportedScene& scene)
     return;
   }
   texture->GetInputAlgorithm()->Update();
-  if (!vtkCSLFLight::SetEnvironmentImage(scene.Lights, texture->GetInput(),
-        renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight()))
+  vtkNew<vtkPolyData> trial;
+  scene.HasEnvironment = vtkCSLFLight::SetEnvironmentImage(
+    trial, texture->GetInput(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight());
+  if (!scene.HasEnvironment)
   {
     scene.Meet(ImportLimit::EnvironmentImages);
   }
-}
 }
 
 vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround)
@@ -115,38 +97,20 @@ vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround)
   return time;
 }
 
-void ImportLights(vtkRenderer* renderer, bool headlightsAllAround, ImportedScene& scene)
+void ImportEnvironment(vtkRenderer* renderer, double factor, ImportedScene& scene)
 {
-  double radiance[3] = { 0.0, 0.0, 0.0 };
-  for (vtkLight* light : vtk::Range(renderer->GetLights()))
+  vtkTexture* texture = FindEnvironment(renderer);
+  if (!scene.HasEnvironment || !texture)
   {
-    if (!IsOn(light))
-    {
-      continue;
-    }
-    if (headlightsAllAround && light->LightTypeIsHeadlight())
-    {
-      AddAllAround(light, radiance);
-      continue;
-    }
-    vtkCSLFLight::AddLight(scene.Lights, Place(light, renderer));
+    return;
   }
-  if (renderer->GetLights()->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(texture->GetInput());
+  if (factor != 1.0)
   {
-    // The renderer would make a headlight before it draws.
-    vtkNew<vtkLight> headlight;
-    headlight->SetLightTypeToHeadlight();
-    if (headlightsAllAround)
-    {
-      AddAllAround(headlight, radiance);
-    }
-    else
-    {
-      vtkCSLFLight::AddLight(scene.Lights, Place(headlight, renderer));
-    }
+    image->GetPointData()->SetScalars(Scale(image->GetPointData()->GetScalars(), factor));
   }
-  const double up[3] = { 0.0, 1.0, 0.0 };
-  vtkCSLFLight::SetEnvironment(scene.Lights, radiance, radiance, up);
-  ImportEnvironment(renderer, scene);
+  vtkCSLFLight::SetEnvironmentImage(
+    scene.Lights, image, renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight());
 }
 }

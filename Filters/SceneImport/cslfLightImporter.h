@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a renderer's lights and environment to those in field data.
+ * From a renderer's environment to that in field data, and when its lights changed.
  */
 #ifndef cslfLightImporter_h
 #define cslfLightImporter_h
@@ -18,8 +18,11 @@ namespace cslf
 /// The time of the last change of what ImportLights reads.
 vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround);
 
-/// Adds the lights that are switched on, and the environment: see vtkCSLFSceneImporter.
-void ImportLights(vtkRenderer* renderer, bool headlightsAllAround, ImportedScene& scene);
+/// Finds out whether an environment texture lights the scene, and notes what cannot be imported.
+void FindEnvironment(vtkRenderer* renderer, ImportedScene& scene);
+
+/// Adds that texture, its radiance times a factor.
+void ImportEnvironment(vtkRenderer* renderer, double factor, ImportedScene& scene);
 }
 
 #endif

@@ -91,22 +91,49 @@ void TestProperty()
   double tuple[3];
   vtkCSLFMaterial::SetFromProperty(data, property);
   vtkCSLFMaterial::GetBaseColor(data, tuple);
-  CSLF_CHECK(tuple[0] == 0.5 && tuple[1] == 0.25 && tuple[2] == 0.125);
-  CSLF_CHECK(vtkCSLFMaterial::GetMetallic(data) == 0.0);
-  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetIndexOfRefraction(data), 1.5, 1e-9);
-  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetRoughness(data), std::pow(2.0 / 32.0, 0.25), 1e-9);
+  // The boundary and the metal take a part of the light from the base.
+  CSLF_CHECK_NEAR(tuple[0], 0.55, 0.02);
+  CSLF_CHECK_NEAR(tuple[2], 0.14, 0.02);
+  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetMetallic(data), 0.15, 0.1);
+  // A highlight of cosine^30 is half as high at 12.3 degrees, where the facets' normals are at half
+  // that.
+  const double cosine = std::pow(0.5, 1.0 / 30.0);
+  const double alpha2 = (1.0 - cosine) / (1.0 + cosine) / (std::sqrt(2.0) - 1.0);
+  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetRoughness(data), std::pow(alpha2, 0.25), 1e-9);
+  CSLF_CHECK(vtkCSLFMaterial::GetIndexOfRefraction(data) > 1.2);
   CSLF_CHECK(vtkCSLFMaterial::GetOpacity(data) == 0.5);
   property->SetSpecular(0.0);
   vtkCSLFMaterial::SetFromProperty(data, property);
   CSLF_CHECK(vtkCSLFMaterial::GetIndexOfRefraction(data) == 1.0);
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(data) == 1.0);
+  vtkCSLFMaterial::GetBaseColor(data, tuple);
+  CSLF_CHECK(tuple[0] == 0.5 && tuple[1] == 0.25 && tuple[2] == 0.125);
 
+  // The ambient term shines; without lighting all does.
+  property->SetAmbient(0.5);
+  vtkCSLFMaterial::SetFromProperty(data, property);
+  vtkCSLFMaterial::GetEmission(data, tuple);
+  CSLF_CHECK_NEAR(tuple[1], cslf::SRGBToLinear(0.25), 1e-9);
+  vtkCSLFMaterial::GetBaseColor(data, tuple);
+  CSLF_CHECK_NEAR(
+    cslf::SRGBToLinear(tuple[1]), cslf::SRGBToLinear(0.5) - cslf::SRGBToLinear(0.25), 1e-9);
+  property->LightingOff();
+  vtkCSLFMaterial::SetFromProperty(data, property);
+  vtkCSLFMaterial::GetEmission(data, tuple);
+  CSLF_CHECK_NEAR(tuple[1], cslf::SRGBToLinear(0.5), 1e-9);
+  vtkCSLFMaterial::GetBaseColor(data, tuple);
+  CSLF_CHECK(tuple[1] == 0.0);
+  property->LightingOn();
+
+  // Colours of physically based shading are linear.
+  property->SetDiffuse(1.0);
   property->SetInterpolationToPBR();
   property->SetRoughness(0.3);
   property->SetBaseIOR(1.4);
   vtkCSLFMaterial::SetFromProperty(data, property);
   vtkCSLFMaterial::GetBaseColor(data, tuple);
-  CSLF_CHECK(tuple[0] == 1.0 && tuple[1] == 0.5);
+  CSLF_CHECK_NEAR(tuple[0], 1.0, 1e-9);
+  CSLF_CHECK_NEAR(tuple[1], cslf::LinearToSRGB(0.5), 1e-9);
   CSLF_CHECK(vtkCSLFMaterial::GetMetallic(data) == 1.0);
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(data) == 0.3);
   CSLF_CHECK(vtkCSLFMaterial::GetIndexOfRefraction(data) == 1.4);
@@ -138,10 +165,16 @@ void TestLights()
   CSLF_CHECK(directions && directions->GetNumberOfTuples() == 1);
   CSLF_CHECK(directions && directions->GetComponent(0, 2) < 0.0);
   CSLF_CHECK(irradiances && irradiances->GetNumberOfTuples() == 1);
-  CSLF_CHECK_NEAR(irradiances->GetComponent(0, 0), 2.0 * vtkMath::Pi(), 1e-9);
+  CSLF_CHECK_NEAR(irradiances->GetComponent(0, 0), vtkMath::Pi() * cslf::SRGBToLinear(2.0), 1e-9);
   CSLF_CHECK(intensities && intensities->GetNumberOfTuples() == 2);
   CSLF_CHECK_NEAR(
-    intensities->GetComponent(0, 1), 4.0 * 2.0 * vtkMath::Pi() * cslf::SRGBToLinear(0.5), 1e-9);
+    intensities->GetComponent(0, 1), vtkMath::Pi() * cslf::SRGBToLinear(2.0 * 0.5), 1e-9);
+  vtkDataArray* attenuations = array(vtkCSLFLight::PointLightAttenuation());
+  CSLF_CHECK(attenuations && attenuations->GetNumberOfTuples() == 2);
+  CSLF_CHECK(attenuations && attenuations->GetComponent(0, 0) == 1.0 &&
+    attenuations->GetComponent(0, 2) == 0.0);
+  CSLF_CHECK(attenuations && attenuations->GetComponent(1, 0) == 0.0 &&
+    attenuations->GetComponent(1, 2) == 1.0 && attenuations->GetComponent(1, 3) == 1.0);
   CSLF_CHECK(intensities->GetComponent(1, 2) == 3.0);
   vtkCSLFLight::RemoveLights(data);
   CSLF_CHECK(data->GetFieldData()->GetNumberOfArrays() == 0);

@@ -1,0 +1,410 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfBlockLooks.h"
+
+#include "cslfColor.h"
+#include "cslfSurfaceLook.h"
+#include "cslfVTKCompatibility.h"
+#include "vtkCSLFInstances.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <glm/common.hpp>
+
+#include <cstdlib>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// What a texture's levels may change by before the texture is worth a copy.
+constexpr int UnseenDifference = 1;
+
+/// Levels of red, green and blue, by those before.
+using LevelMap = std::array<std::array<unsigned char, 256>, 3>;
+
+/// Calls `get(value)` with grey values, which tells linear colours, for each of 256 levels.
+template <typename Get>
+LevelMap MakeLevelMap(const Get& get)
+{
+  LevelMap map;
+  for (int level = 0; level < 256; ++level)
+  {
+    const glm::dvec3 encoded = LinearToSRGB(get(level / 255.0));
+    for (int c = 0; c < 3; ++c)
+    {
+      map[c][level] = ToByte(encoded[c]);
+    }
+  }
+  return map;
+}
+
+bool IsSame(const LevelMap& map)
+{
+  for (const auto& channel : map)
+  {
+    for (int level = 0; level < 256; ++level)
+    {
+      if (std::abs(channel[level] - level) > UnseenDifference)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Colours, of 1 to 4 components, through a map: of 3 components, or 4 with alpha.
+vtkSmartPointer<vtkUnsignedCharArray> MapLevels(vtkUnsignedCharArray* colors, const LevelMap& map)
+{
+  const int components = colors->GetNumberOfComponents();
+  const bool isGrey = components < 3;
+  const bool hasAlpha = components == 2 || components == 4;
+  auto mapped = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  mapped->SetName(colors->GetName());
+  mapped->SetNumberOfComponents(hasAlpha ? 4 : 3);
+  mapped->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const unsigned char level = colors->GetTypedComponent(i, isGrey ? 0 : c);
+      mapped->SetTypedComponent(i, c, map[c][level]);
+    }
+    if (hasAlpha)
+    {
+      mapped->SetTypedComponent(i, 3, colors->GetTypedComponent(i, components - 1));
+    }
+  }
+  return mapped;
+}
+
+glm::dvec3 ToColor(const double* color)
+{
+  return { color[0], color[1], color[2] };
+}
+
+/// `a / b`, 0 where b is.
+glm::dvec3 Divide(const glm::dvec3& a, const glm::dvec3& b)
+{
+  glm::dvec3 result(0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    result[i] = b[i] > 0.0 ? a[i] / b[i] : 0.0;
+  }
+  return result;
+}
+
+/// Sets the looks of one block.
+class BlockFinisher
+{
+public:
+  BlockFinisher(const ImportedBlock& block, const LightLevel& level, bool isLit)
+    : Data(block.Data)
+    , Look(block.Look)
+    , Ambient(this->GetColor(block.Look.Property->GetAmbientColor()))
+    , Diffuse(this->GetColor(block.Look.Property->GetDiffuseColor()))
+    , Surface(block.Look.Property, level, GetDrawing(block.Look, isLit), this->GetTypicalColor())
+  {
+  }
+
+  void Finish()
+  {
+    // Pieces of one block share their field data.
+    vtkNew<vtkFieldData> fields;
+    fields->ShallowCopy(this->Data->GetFieldData());
+    this->Data->SetFieldData(fields);
+
+    vtkNew<vtkPolyData> material;
+    vtkCSLFMaterial::SetFromProperty(material, this->Look.Property);
+    vtkCSLFMaterial::SetOpacity(material, this->Look.Opacity);
+    vtkCSLFMaterial::SetMetallic(material, this->Surface.GetMetallic());
+    vtkCSLFMaterial::SetRoughness(material, this->Surface.GetRoughness());
+    vtkCSLFMaterial::SetIndexOfRefraction(material, this->Surface.GetIndexOfRefraction());
+    const glm::dvec3 base = this->Surface.GetBaseColor(this->Ambient, this->Diffuse);
+    vtkCSLFMaterial::SetBaseColor(material, base.x, base.y, base.z);
+    if (this->Surface.IsEmissive())
+    {
+      const glm::dvec3 emission = this->Surface.GetEmission(this->Ambient, this->Diffuse);
+      vtkCSLFMaterial::SetEmission(material, emission.x, emission.y, emission.z);
+    }
+    this->FinishTexture(material);
+    vtkCSLFMaterial::Inherit(this->Data, material);
+    this->FinishColors(this->Data->GetPointData());
+    this->FinishColors(this->Data->GetCellData());
+    this->FinishInstances();
+  }
+
+private:
+  static Drawing GetDrawing(const BlockLook& look, bool isLit)
+  {
+    const bool illuminates = !look.Property->GetLighting() || !isLit;
+    return look.IsUnlit ? Drawing::Unlit : illuminates ? Drawing::Illuminating : Drawing::Lit;
+  }
+
+  bool IsPhysical() const { return this->Look.Property->GetInterpolation() == VTK_PBR; }
+
+  glm::dvec3 GetColor(const double* color) const
+  {
+    return this->Look.HasTable ? glm::dvec3(1.0)
+      : this->Look.Color       ? ToColor(this->Look.Color->data())
+                               : ToColor(color);
+  }
+
+  /// That of the property; a middle grey where colours vary.
+  glm::dvec3 GetTypicalColor() const
+  {
+    const bool varies = this->Look.HasTable || this->Look.Texture ||
+      this->Data->GetPointData()->GetScalars() || this->Data->GetCellData()->GetScalars() ||
+      this->Data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor());
+    return varies ? glm::dvec3(0.5) : this->Diffuse;
+  }
+
+  /// The actor's texture, which only the classic models show, or that of a lookup table.
+  void FinishTexture(vtkDataObject* material)
+  {
+    constexpr int slot = vtkCSLFMaterial::BaseColorTexture;
+    if (!this->IsPhysical() && this->Look.Texture && !this->Look.HasTable)
+    {
+      vtkCSLFMaterial::SetTextureFrom(material, slot, this->Look.Texture);
+    }
+    vtkNew<vtkImageData> image;
+    bool repeat = false;
+    bool interpolate = false;
+    vtkDataObject* holder = material;
+    if (this->Look.HasTable)
+    {
+      holder = this->Data;
+    }
+    if (!vtkCSLFMaterial::GetTexture(holder, slot, image, repeat, interpolate))
+    {
+      return;
+    }
+    const bool isLinear = this->IsLinearTexture();
+    const auto decode = [isLinear](double value) { return isLinear ? SRGBToLinear(value) : value; };
+    const glm::dvec3 full = this->Surface.GetReflectance(this->Ambient, this->Diffuse);
+    const auto reflect = [&](double value)
+    {
+      const double factor = decode(value);
+      return Divide(
+        this->Surface.GetReflectance(factor * this->Ambient, factor * this->Diffuse), full);
+    };
+    const auto shine = [&](double value)
+    {
+      const double factor = decode(value);
+      return Divide(this->Surface.GetEmission(factor * this->Ambient, factor * this->Diffuse),
+        this->Surface.GetEmission(this->Ambient, this->Diffuse));
+    };
+    if (this->Surface.IsEmissive())
+    {
+      this->SetTexture(material, vtkCSLFMaterial::EmissionTexture, image, MakeLevelMap(shine),
+        repeat, interpolate);
+    }
+    this->SetTexture(holder, slot, image, MakeLevelMap(reflect), repeat, interpolate);
+  }
+
+  /// Whether the window makes the texture's colours linear.
+  bool IsLinearTexture() const
+  {
+    if (this->Look.HasTable)
+    {
+      return this->IsPhysical() && PhysicalScalarsAreEncoded;
+    }
+    vtkTexture* texture =
+      this->IsPhysical() ? this->Look.Property->GetTexture("albedoTex") : this->Look.Texture.Get();
+    return texture && texture->GetUseSRGBColorSpace();
+  }
+
+  static void SetTexture(vtkDataObject* holder, int slot, vtkImageData* image, const LevelMap& map,
+    bool repeat, bool interpolate)
+  {
+    auto* colors = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+    vtkNew<vtkImageData> mapped;
+    mapped->SetDimensions(image->GetDimensions());
+    vtkSmartPointer<vtkUnsignedCharArray> levels = colors;
+    if (!IsSame(map))
+    {
+      levels = MapLevels(colors, map);
+    }
+    mapped->GetPointData()->SetScalars(levels);
+    vtkCSLFMaterial::SetTexture(holder, slot, mapped, repeat, interpolate);
+  }
+
+  /// The colour that the window's shading takes for a scalar's level.
+  glm::dvec3 Decode(double value) const
+  {
+    return glm::dvec3(
+      this->IsPhysical() && PhysicalScalarsAreEncoded ? SRGBToLinear(value) : value);
+  }
+
+  vtkSmartPointer<vtkUnsignedCharArray> FinishLevels(vtkUnsignedCharArray* colors) const
+  {
+    return MapLevels(colors,
+      MakeLevelMap(
+        [this](double value) { return this->Surface.GetReflectance(this->Decode(value)); }));
+  }
+
+  template <typename Array>
+  vtkSmartPointer<Array> MakeEmissions(vtkUnsignedCharArray* colors, const char* name) const
+  {
+    std::array<glm::dvec3, 256> table;
+    for (int level = 0; level < 256; ++level)
+    {
+      table[level] = this->Surface.GetEmission(this->Decode(level / 255.0));
+    }
+    auto emissions = vtkSmartPointer<Array>::New();
+    emissions->SetName(name);
+    emissions->SetNumberOfComponents(3);
+    emissions->SetNumberOfTuples(colors->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        emissions->SetComponent(i, c, table[colors->GetTypedComponent(i, c)][c]);
+      }
+    }
+    return emissions;
+  }
+
+  /// Colours of points or cells.
+  void FinishColors(vtkDataSetAttributes* attributes)
+  {
+    auto* colors = vtkUnsignedCharArray::SafeDownCast(attributes->GetScalars());
+    if (!colors || colors->GetNumberOfComponents() < 3)
+    {
+      return;
+    }
+    if (this->Surface.IsEmissive() && !attributes->GetArray(vtkCSLFMaterial::EmissionName()))
+    {
+      attributes->AddArray(
+        this->MakeEmissions<vtkFloatArray>(colors, vtkCSLFMaterial::EmissionName()));
+    }
+    attributes->SetScalars(this->FinishLevels(colors));
+  }
+
+  void FinishInstances()
+  {
+    vtkFieldData* fields = this->Data->GetFieldData();
+    auto* colors =
+      vtkUnsignedCharArray::SafeDownCast(fields->GetArray(vtkCSLFInstances::InstanceColor()));
+    if (!colors || colors->GetNumberOfComponents() < 3)
+    {
+      return;
+    }
+    if (this->Surface.IsEmissive())
+    {
+      fields->AddArray(
+        this->MakeEmissions<vtkFloatArray>(colors, vtkCSLFInstances::InstanceEmission()));
+    }
+    fields->AddArray(this->FinishLevels(colors));
+  }
+
+  vtkPolyData* Data;
+  const BlockLook& Look;
+  glm::dvec3 Ambient;
+  glm::dvec3 Diffuse;
+  SurfaceLook Surface;
+};
+
+/// The bounds of a block, in all its instances.
+vtkBoundingBox GetBounds(vtkPolyData* data)
+{
+  double bounds[6];
+  data->GetCellsBounds(bounds);
+  const vtkBoundingBox own(bounds);
+  vtkDataArray* matrices = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+  if (!matrices || matrices->GetNumberOfComponents() != 16 || !own.IsValid())
+  {
+    return own;
+  }
+  vtkBoundingBox all;
+  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
+  {
+    double matrix[16];
+    matrices->GetTuple(i, matrix);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const double point[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+        bounds[4 + (corner >> 2)], 1.0 };
+      double moved[4];
+      vtkMatrix4x4::MultiplyPoint(matrix, point, moved);
+      all.AddPoint(moved);
+    }
+  }
+  return all;
+}
+
+/// The middle of a box and half its largest side; of an empty box, the origin and 1.
+std::pair<glm::dvec3, double> GetExtent(const vtkBoundingBox& box)
+{
+  if (!box.IsValid())
+  {
+    return { glm::dvec3(0.0), 1.0 };
+  }
+  double center[3];
+  box.GetCenter(center);
+  return { ToColor(center), 0.5 * box.GetMaxLength() };
+}
+
+void AddTo(ShadingModels& models, const BlockLook& look)
+{
+  if (!look.Property || (!look.Property->GetLighting() && !look.IsUnlit))
+  {
+    return;
+  }
+  if (look.IsUnlit)
+  {
+    models.Classic.emplace(0.0, 1.0);
+  }
+  else if (look.Property->GetInterpolation() == VTK_PBR)
+  {
+    models.Physical = true;
+  }
+  else
+  {
+    models.Classic.emplace(look.Property->GetAmbient(), look.Property->GetDiffuse());
+  }
+}
+}
+
+void FinishLooks(ImportedScene& scene, WindowLights& lights)
+{
+  ShadingModels models;
+  vtkBoundingBox bounds;
+  for (const ImportedBlock& block : scene.Blocks)
+  {
+    bounds.AddBox(GetBounds(block.Data));
+    AddTo(models, block.Look);
+  }
+  if (scene.HasEnvironment && !models.Classic.empty())
+  {
+    scene.Meet(ImportLimit::ClassicEnvironments);
+  }
+  if (models.Classic.empty() && !models.Physical)
+  {
+    models.Classic.emplace(0.0, 1.0);
+  }
+  const auto whole = GetExtent(bounds);
+  lights.Calibrate(whole.first, whole.second, models);
+  for (const ImportedBlock& block : scene.Blocks)
+  {
+    if (!block.Look.Property)
+    {
+      continue;
+    }
+    const auto extent = GetExtent(GetBounds(block.Data));
+    const bool physical = block.Look.Property->GetInterpolation() == VTK_PBR;
+    const bool isLit = lights.IsLit() || (physical && scene.HasEnvironment);
+    BlockFinisher(block, lights.GetLevel(extent.first, extent.second), isLit).Finish();
+  }
+}
+}

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSurfaceLook.h"
+
+#include "PathTracing/cslfSurfaceMaterial.h"
+#include "cslfColor.h"
+
+#include <vtkMath.h>
+#include <vtkProperty.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
+
+// What a boundary or a part of metal may take of a highlight's surface: broader highlights are
+// rather a brighter diffuse base.
+constexpr double LargestReflectance = 0.2;
+constexpr double LargestMetallic = 0.3;
+
+// VTK encodes physically based shading by this power.
+constexpr double PhysicalGamma = 2.2;
+
+glm::dvec3 ToColor(const double* color)
+{
+  return { color[0], color[1], color[2] };
+}
+
+/// The index of refraction of a boundary that reflects this much of light from straight above.
+double ToIndexOfRefraction(double reflectance)
+{
+  const double root = std::sqrt(reflectance);
+  return (1.0 + root) / (1.0 - root);
+}
+
+/// The factors of `color` and of white, not negative, whose sum is nearest to `target`.
+std::pair<double, double> FitColorAndWhite(const glm::dvec3& target, const glm::dvec3& color)
+{
+  const glm::dvec3 white(1.0);
+  const double colors = glm::dot(color, color);
+  const double both = glm::dot(color, white);
+  const double determinant = 3.0 * colors - both * both;
+  if (determinant > 1e-9 * colors)
+  {
+    const double ofColor =
+      (3.0 * glm::dot(target, color) - both * glm::dot(target, white)) / determinant;
+    const double ofWhite =
+      (colors * glm::dot(target, white) - both * glm::dot(target, color)) / determinant;
+    if (ofColor >= 0.0 && ofWhite >= 0.0)
+    {
+      return { ofColor, ofWhite };
+    }
+    if (ofColor > 0.0)
+    {
+      return { glm::dot(target, color) / colors, 0.0 };
+    }
+  }
+  return { 0.0, glm::dot(target, white) / 3.0 };
+}
+
+/// The squared alpha of GGX facets whose highlight is as wide, at half its height, as that of a
+/// cosine between reflection and view to a power, which is twice as far from the mirror's direction
+/// as the facet's normal: 1 + tan^2 / alpha^2 is then the square root of 2.
+double ToSquaredAlpha(double power)
+{
+  const double cosine = std::exp2(-1.0 / std::max(power, 1e-3));
+  const double squaredTangent = (1.0 - cosine) / (1.0 + cosine);
+  return std::clamp(squaredTangent / (std::sqrt(2.0) - 1.0), 1e-6, 1.0);
+}
+}
+
+SurfaceLook::SurfaceLook(
+  vtkProperty* property, const LightLevel& level, Drawing drawing, const glm::dvec3& typical)
+  : Property(property)
+  , Level(level)
+  , Kind(drawing)
+  , IsPhysical(property->GetInterpolation() == VTK_PBR)
+{
+  if (drawing != Drawing::Lit)
+  {
+    return;
+  }
+  if (this->IsPhysical)
+  {
+    this->Metallic = property->GetMetallic();
+    this->Roughness = property->GetRoughness();
+    const double ior = std::max(property->GetBaseIOR(), 1.0);
+    this->WindowReflectance = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
+    this->IndexOfRefraction =
+      ToIndexOfRefraction(std::min(this->GetPhysicalLevel() * this->WindowReflectance, 0.9));
+    this->UpdateResponse();
+  }
+  else if (property->GetSpecular() > 0.0)
+  {
+    this->FindHighlight(typical);
+  }
+}
+
+void SurfaceLook::UpdateResponse()
+{
+  const auto ior = static_cast<float>(this->IndexOfRefraction);
+  const float alpha = SurfaceMaterial::ToAlpha(static_cast<float>(this->Roughness));
+  const SpecularAlbedo albedo(ior, alpha);
+  const double above = albedo.Get(1.0f, alpha);
+  const double part = 1.0 - this->Metallic;
+  this->Reflects.Diffuse = part * (1.0 - above) * (1.0 - above) / (1.0 - albedo.GetAverage(alpha));
+  this->Reflects.Base = part * (1.0 - above) + this->Metallic;
+  this->Reflects.Boundary = part * above;
+}
+
+void SurfaceLook::FindHighlight(const glm::dvec3& typical)
+{
+  // The height above the rest, as far as it can be displayed.
+  const auto& window = this->Level.Window;
+  const glm::dvec3 base =
+    glm::min(typical * (this->Property->GetAmbient() + this->Property->GetDiffuse() * window), 1.0);
+  const glm::dvec3 top = glm::min(
+    base + this->Property->GetSpecular() * ToColor(this->Property->GetSpecularColor()) * window,
+    1.0);
+  const glm::dvec3 height = SRGBToLinear(top) - SRGBToLinear(base);
+  const double light = glm::dot(LuminanceWeights, this->Level.Direct + this->Level.Around);
+  if (!(light > 0.0))
+  {
+    return;
+  }
+
+  // A boundary reflects light from straight above by F0 / (4 alpha^2), relative to a white diffuse
+  // surface, and a metal by its base colour in place of F0.
+  const glm::dvec3 diffuse =
+    SRGBToLinear(base) - SRGBToLinear(this->Property->GetAmbient() * typical);
+  const auto [ofColor, ofWhite] = FitColorAndWhite(height, diffuse);
+  const double squaredAlpha = ToSquaredAlpha(this->Property->GetSpecularPower());
+  const double ratio = 4.0 * squaredAlpha * ofColor;
+  this->Metallic = std::min(ratio / (1.0 + ratio), LargestMetallic);
+  const double part = 1.0 - this->Metallic;
+  const double reflectance =
+    std::min(4.0 * squaredAlpha * ofWhite / (light * part), LargestReflectance);
+  this->Roughness = std::sqrt(std::sqrt(squaredAlpha));
+  this->IndexOfRefraction = ToIndexOfRefraction(reflectance);
+  this->UpdateResponse();
+
+  // What is missing of the height.
+  const double metal = this->Metallic / (part * 4.0 * squaredAlpha);
+  const double white = light * part * reflectance / (4.0 * squaredAlpha);
+  this->Rest = (ofColor - metal) * diffuse + ofWhite - white;
+}
+
+double SurfaceLook::GetClassicReflectance(int channel, double ambient, double diffuse) const
+{
+  const double emitted = this->Property->GetAmbient() * ambient;
+  const double reflected = this->Property->GetDiffuse() * diffuse;
+  const double direct = this->Level.Direct[channel];
+  const double around = this->Level.Around[channel];
+  if (!(direct + around > 0.0))
+  {
+    return SRGBToLinear(reflected);
+  }
+  if (this->Kind == Drawing::Unlit)
+  {
+    return SRGBToLinear(emitted + reflected) / (direct + around);
+  }
+  const double missing = SRGBToLinear(emitted + reflected * this->Level.Window[channel]) -
+    SRGBToLinear(emitted) + this->Rest[channel];
+  return (missing - around * this->Reflects.Boundary) /
+    (direct * this->Reflects.Diffuse + around * this->Reflects.Base);
+}
+
+double SurfaceLook::GetPhysicalLevel() const
+{
+  const double window = glm::dot(LuminanceWeights, this->Level.Window) / vtkMath::Pi();
+  const double traced = glm::dot(LuminanceWeights, this->Level.Direct + this->Level.Around);
+  return window > 0.0 && traced > 0.0 ? window / traced : 1.0;
+}
+
+double SurfaceLook::GetPhysicalReflectance(int channel, double color) const
+{
+  const double albedo = this->Property->GetDiffuse() * color;
+  const double window = this->Level.Window[channel] / vtkMath::Pi();
+  const double traced = this->Level.Direct[channel] + this->Level.Around[channel];
+  if (this->Kind == Drawing::Unlit)
+  {
+    const double displayed = this->Property->GetAmbient() * color + albedo;
+    return SRGBToLinear(displayed) / (traced > 0.0 ? traced : 1.0);
+  }
+  const double part = 1.0 - this->Metallic;
+  const double base = part * (1.0 - this->WindowReflectance);
+  const double factor = part > 0.0 ? base * part / this->Reflects.Diffuse + this->Metallic : 1.0;
+  const double level = traced > 0.0 && window > 0.0 ? window / traced : 1.0;
+  return factor * level * this->MakeUpForGamma(albedo, window > 0.0 ? window : 1.0);
+}
+
+double SurfaceLook::MakeUpForGamma(double albedo, double window) const
+{
+  // What the window shows from straight above: a diffuse base, a metal in its highlight, which
+  // there is F0 / (4 alpha^2) high, and the highlight of a rough boundary.
+  const double part = 1.0 - this->Metallic;
+  const double squaredAlpha = std::max(std::pow(this->Roughness, 4.0), 1e-6);
+  const double colored =
+    part * (1.0 - this->WindowReflectance) + this->Metallic / (4.0 * squaredAlpha);
+  const double white = 0.25 * part * this->WindowReflectance;
+  const double linear = window * (colored * albedo + white);
+  return linear < 1.0
+    ? (SRGBToLinear(std::pow(linear, 1.0 / PhysicalGamma)) / window - white) / colored
+    : albedo;
+}
+
+glm::dvec3 SurfaceLook::GetReflectance(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
+{
+  glm::dvec3 reflectance(0.0);
+  for (int i = 0; this->Kind != Drawing::Illuminating && i < 3; ++i)
+  {
+    const double value = this->IsPhysical ? this->GetPhysicalReflectance(i, diffuse[i])
+                                          : this->GetClassicReflectance(i, ambient[i], diffuse[i]);
+    reflectance[i] = std::clamp(value, 0.0, 1.0);
+  }
+  return reflectance;
+}
+
+glm::dvec3 SurfaceLook::GetBaseColor(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
+{
+  constexpr double precision = 1e12; // encoding and decoding err by less
+  const glm::dvec3 color = LinearToSRGB(this->GetReflectance(ambient, diffuse));
+  return glm::round(color * precision) / precision;
+}
+
+bool SurfaceLook::IsEmissive() const
+{
+  return this->Kind == Drawing::Illuminating ||
+    (this->Kind == Drawing::Lit && !this->IsPhysical && this->Property->GetAmbient() > 0.0);
+}
+
+glm::dvec3 SurfaceLook::GetEmission(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
+{
+  if (!this->IsEmissive())
+  {
+    return glm::dvec3(0.0);
+  }
+  const double reflected = this->Kind == Drawing::Illuminating ? this->Property->GetDiffuse() : 0.0;
+  return SRGBToLinear(this->Property->GetAmbient() * ambient + reflected * diffuse);
+}
+}
