@@ -28,6 +28,7 @@ list(APPEND private_headers
 
 # The path tracer behind the sampler and the view tracer.
 list(APPEND sources
+  ../Filters/PathTracing/cslfArithmetic.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDirectLight.cxx
   ../Filters/PathTracing/cslfDirectLightLanes.cxx
@@ -39,6 +40,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfFieldRays.cxx
   ../Filters/PathTracing/cslfFingerprint.cxx
   ../Filters/PathTracing/cslfHitGeometry.cxx
+  ../Filters/PathTracing/cslfImageCurve.cxx
   ../Filters/PathTracing/cslfLightBounds.cxx
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfLightTree.cxx
@@ -68,6 +70,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfTextureReader.cxx
   ../Filters/PathTracing/cslfTriangles.cxx)
 list(APPEND private_headers
+  ../Filters/PathTracing/cslfArithmetic.h
   ../Filters/PathTracing/cslfBSDF.h
   ../Filters/PathTracing/cslfDirectLight.h
   ../Filters/PathTracing/cslfDirectionalLight.h
@@ -84,6 +87,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
   ../Filters/PathTracing/cslfHitGeometry.h
+  ../Filters/PathTracing/cslfImageCurve.h
   ../Filters/PathTracing/cslfLanes.h
   ../Filters/PathTracing/cslfLambert.h
   ../Filters/PathTracing/cslfLightBounds.h

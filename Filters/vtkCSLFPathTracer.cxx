@@ -5,6 +5,7 @@
 #include "Parallel/cslfCacheKeeper.h"
 #include "Parallel/cslfSceneGather.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "PathTracing/cslfArithmetic.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
 #include "Pipeline/cslfScenePipeline.h"
@@ -393,6 +394,11 @@ void vtkCSLFPathTracer::GatherScene(
   {
     vtkWarningMacro(<< warning);
   }
+  if (!gather.AreAlike() && this->Controller->GetLocalProcessId() == 0)
+  {
+    vtkWarningMacro("The ranks have processors or libraries that compute differently: the last "
+                    "bits of a texel depend on the rank that makes it.");
+  }
   if (gather.Finish(error))
   {
     parts = gather.GetObjects();
@@ -441,6 +447,7 @@ std::string vtkCSLFPathTracer::DescribeSampling()
     environment["bottom_color"] = this->EnvironmentBottomColor;
   }
   nlohmann::json sampling = { { "scene", this->Internals->Scene.Fingerprint },
+    { "arithmetic", cslf::GetArithmetic() },
     { "integrator", this->Integrator == RadianceCaching ? "radiance-caching" : "path-tracing" },
     { "samples", this->Samples }, { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed },
     { "exposure", this->Exposure }, { "show_environment", this->ShowEnvironment },

@@ -30,10 +30,11 @@
  * is sampled at its source as well as by the surface, combined by the power heuristic; from the
  * fourth reflection on, paths end by Russian roulette. The estimate has no bias but MaximumDepth.
  *
- * Results depend on the parameters only, to the last bit: not on the number of threads, nor on the
- * part of the output that is asked for. The scene is built once, and again only when the inputs or
- * the parameters that make it change, so a downstream filter can pull the output piece by piece.
- * Aborting leaves the output empty.
+ * Results depend on the parameters only, to the last bit, on processors of one kind with the same
+ * libraries: not on the number of threads, nor on the part of the output that is asked for. The
+ * record of the sampling has a hash ("arithmetic") that tells processors apart. The scene is built
+ * once, and again only when the inputs or the parameters that make it change, so a downstream
+ * filter can pull the output piece by piece. Aborting leaves the output empty.
  */
 #ifndef vtkCSLFPathTracer_h
 #define vtkCSLFPathTracer_h

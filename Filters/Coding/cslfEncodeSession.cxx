@@ -127,8 +127,8 @@ bool EncodeSession::Agree(const std::string& shared, int* told)
   }
   if (verdict.Differs)
   {
-    this->FailWriting(
-      vtkErrorCode::UserError, "the ranks have different fields, settings or versions");
+    this->FailWriting(vtkErrorCode::UserError,
+      "the ranks have different fields, settings or versions, or compute differently");
   }
   if (verdict.Failed >= 0 && verdict.Failed != this->Crew.GetRank())
   {

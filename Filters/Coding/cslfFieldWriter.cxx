@@ -129,8 +129,8 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   }
   if (discarded)
   {
-    warning = "What an earlier run left of the file was made of another field or with other "
-              "settings: it is discarded.";
+    warning = "What an earlier run left of the file was made of another field, with other settings "
+              "or on another kind of processor: it is discarded.";
   }
   else if (damaged > 0)
   {

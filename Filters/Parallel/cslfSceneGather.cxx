@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parallel/cslfSceneGather.h"
 
+#include "PathTracing/cslfArithmetic.h"
+
 #include <vtkCommunicator.h>
 #include <vtkDataObject.h>
 #include <vtkMultiProcessController.h>
@@ -107,6 +109,11 @@ void SceneGather::FindCost()
   std::vector<unsigned long long> hosts(this->Sizes.size());
   this->Controller->AllGather(&mine, hosts.data(), 1);
   const auto neighbours = std::count(hosts.begin(), hosts.end(), mine);
+  const unsigned long long arithmetic = std::hash<std::string>()(GetArithmetic());
+  std::vector<unsigned long long> arithmetics(this->Sizes.size());
+  this->Controller->AllGather(&arithmetic, arithmetics.data(), 1);
+  this->Alike = std::count(arithmetics.begin(), arithmetics.end(), arithmetic) ==
+    static_cast<std::ptrdiff_t>(arithmetics.size());
   this->Cost.Pieces = std::accumulate(this->Sizes.begin(), this->Sizes.end(), Size(0));
   this->Cost.Node = static_cast<std::uint64_t>(
     BytesPerByte * static_cast<double>(neighbours) * static_cast<double>(this->Cost.Pieces));

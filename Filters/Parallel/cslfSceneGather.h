@@ -50,6 +50,9 @@ public:
 
   const GatherCost& GetCost() const { return this->Cost; }
 
+  /// Whether all ranks compute alike: see GetArithmetic.
+  bool AreAlike() const { return this->Alike; }
+
   /// Brings the inputs of all ranks here.
   bool Finish(std::string& error);
 
@@ -66,6 +69,7 @@ private:
   vtkNew<vtkCharArray> Mine;
   std::vector<std::uint64_t> Sizes; // of what each rank sends
   GatherCost Cost;
+  bool Alike = true;
   std::vector<vtkSmartPointer<vtkDataObject>> Objects;
   std::vector<int> Ranks;
 };

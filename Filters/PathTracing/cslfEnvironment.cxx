@@ -3,6 +3,7 @@
 #include "cslfEnvironment.h"
 
 #include "cslfColor.h"
+#include "cslfImageCurve.h"
 #include "cslfSampling.h"
 
 #include <OpenImageIO/imageio.h>
@@ -53,13 +54,6 @@ bool IsDirection(const glm::vec3& direction)
 {
   return std::isfinite(direction.x + direction.y + direction.z);
 }
-
-/// Formats of whole numbers hold sRGB unless they say otherwise.
-bool IsEncoded(const OIIO::ImageSpec& spec)
-{
-  const std::string space = spec.get_string_attribute("oiio:ColorSpace");
-  return space.empty() ? !spec.format.is_floating_point() : space.rfind("sRGB", 0) == 0;
-}
 }
 
 EnvironmentAxes EnvironmentAxes::FromUp(const glm::dvec3& up)
@@ -94,13 +88,14 @@ bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, 
   image.Width = spec.width;
   image.Height = spec.height;
   image.Pixels.resize(count);
-  const bool encoded = IsEncoded(spec);
+  const ImageCurve curve(
+    spec.get_string_attribute("oiio:ColorSpace"), spec.format.is_floating_point());
   for (std::size_t i = 0; i < count; ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
       const float value = values[i * spec.nchannels + (spec.nchannels >= 3 ? c : 0)];
-      const float linear = encoded ? static_cast<float>(SRGBToLinear(value)) : value;
+      const auto linear = static_cast<float>(curve.ToLinear(value));
       image.Pixels[i][c] = std::isfinite(linear) ? std::max(linear, 0.0f) : 0.0f;
     }
   }

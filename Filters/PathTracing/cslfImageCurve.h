@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How the values of an image file stand for light, by the name of the colour space that OpenImageIO
+ * tells. The names differ between its versions: "sRGB", "Linear", "Gamma2.2" up to 2.4; then
+ * "lin_srgb" and "lin_rec709" as well; since 3.1 "srgb_rec709_scene", "lin_rec709_scene",
+ * "g22_rec709_scene".
+ */
+#ifndef cslfImageCurve_h
+#define cslfImageCurve_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <string>
+
+namespace cslf
+{
+class VTKCSLF_EXPORT ImageCurve
+{
+public:
+  /// The curve of a colour space. If the name is empty or says nothing of the curve, floats are
+  /// linear and whole numbers are sRGB. Primaries are taken for those of sRGB.
+  ImageCurve(const std::string& colorSpace, bool isFloat);
+
+  double ToLinear(double value) const;
+
+private:
+  bool IsSRGB = false;
+  double Gamma = 1.0; // if it is not sRGB
+};
+}
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the values of image files stand for, by format and by the names of colour spaces of all
+// versions of OpenImageIO.
+#include "PathTracing/cslfEnvironment.h"
+#include "PathTracing/cslfImageCurve.h"
+#include "cslfTesting.h"
+
+#include <vtkTestUtilities.h>
+
+#include <OpenImageIO/imageio.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+// sRGB's 0.5, and this to the power of 2.2, linear.
+constexpr double HalfOfSRGB = 0.214041;
+const double HalfOfGamma = std::pow(0.5, 2.2);
+
+void TestNames()
+{
+  const auto half = [](const char* name, bool isFloat)
+  { return cslf::ImageCurve(name, isFloat).ToLinear(0.5); };
+  for (const bool isFloat : { false, true })
+  {
+    for (const char* name : { "sRGB", "srgb", "srgb_rec709_scene", "srgb_rec709_display", "srgb_tx",
+           "sRGB - Texture", "Rec709" })
+    {
+      CSLF_CHECK_NEAR(half(name, isFloat), HalfOfSRGB, 1e-5);
+    }
+    for (const char* name : { "Linear", "linear", "lin_srgb", "lin_rec709", "lin_rec709_scene",
+           "scene_linear", "lin_ap1_scene", "ACEScg", "raw", "data" })
+    {
+      CSLF_CHECK(half(name, isFloat) == 0.5);
+    }
+    for (const char* name : { "Gamma2.2", "GammaCorrected2.2", "g22_rec709_scene", "g22_rec709" })
+    {
+      const bool isTold = std::string(name) != "GammaCorrected2.2";
+      CSLF_CHECK_NEAR(
+        half(name, isFloat), isTold ? HalfOfGamma : (isFloat ? 0.5 : HalfOfSRGB), 1e-5);
+    }
+  }
+  CSLF_CHECK_NEAR(half("g18_rec709_scene", false), std::pow(0.5, 1.8), 1e-9);
+  CSLF_CHECK_NEAR(half("Gamma1.8", false), std::pow(0.5, 1.8), 1e-9);
+  for (const char* name : { "", "unknown", "green_space", "g2", "Gamma" })
+  {
+    CSLF_CHECK_NEAR(half(name, false), HalfOfSRGB, 1e-5);
+    CSLF_CHECK(half(name, true) == 0.5);
+  }
+}
+
+/// The linear value of an image of 0.5, in a file.
+double ReadHalf(const std::string& fileName, const char* colorSpace = nullptr)
+{
+  OIIO::ImageSpec spec(8, 4, 3, OIIO::TypeDesc::FLOAT);
+  if (colorSpace)
+  {
+    spec.attribute("oiio:ColorSpace", colorSpace);
+  }
+  const std::vector<float> pixels(96, 0.5f);
+  const auto output = OIIO::ImageOutput::create(fileName);
+  const bool isWritten = output && output->open(fileName, spec) &&
+    output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
+  CSLF_CHECK(isWritten);
+  cslf::EnvironmentImage image;
+  std::string error;
+  CSLF_CHECK(cslf::ReadEnvironmentImage(fileName, image, error));
+  CSLF_CHECK(image.Width == 8 && image.Height == 4);
+  return image.Pixels.empty() ? 0.0 : image.Pixels[13].y;
+}
+
+void TestFiles(const std::string& folder)
+{
+  const std::string name = folder + "/TestCSLFEnvironmentImage";
+  for (const char* format : { ".png", ".jpg", ".tif" })
+  {
+    // Of these, TIFF keeps floats.
+    const bool isFloat = std::string(format) == ".tif";
+    CSLF_CHECK_NEAR(ReadHalf(name + format), isFloat ? 0.5 : HalfOfSRGB, 0.005);
+  }
+  CSLF_CHECK_NEAR(ReadHalf(name + "SRGB.png", "sRGB"), HalfOfSRGB, 0.005);
+  for (const char* format : { ".exr", ".hdr" })
+  {
+    CSLF_CHECK_NEAR(ReadHalf(name + format), 0.5, 0.005);
+  }
+}
+}
+
+int TestCSLFEnvironmentImage(int argc, char* argv[])
+{
+  char* folder =
+    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
+  TestNames();
+  TestFiles(folder);
+  delete[] folder;
+  return cslf::testing::Result();
+}
