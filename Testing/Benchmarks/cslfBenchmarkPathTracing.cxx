@@ -3,18 +3,24 @@
 #include "cslfBenchmarks.h"
 
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
+#include <vtkPlaneSource.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace cslf
@@ -95,6 +101,47 @@ void TraceMesh(benchmark::State& state, const std::string& fileName)
   Trace(state, tracer, mesh->GetBounds());
 }
 
+/// A floor below 1000 small spheres of which so many shine.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeLamps(int count)
+{
+  constexpr int spheres = 1000;
+  vtkNew<vtkPlaneSource> floor;
+  floor->Update();
+  vtkNew<vtkPolyData> lamps[2]; // dark ones, and those that shine
+  for (vtkPolyData* part : { lamps[0].Get(), lamps[1].Get() })
+  {
+    vtkNew<vtkPoints> places;
+    vtkNew<vtkCellArray> vertices;
+    part->SetPoints(places);
+    part->SetVerts(vertices);
+    vtkCSLFMaterial::SetPointRadius(part, 0.002);
+  }
+  vtkCSLFMaterial::SetEmission(lamps[1], 50.0, 50.0, 50.0);
+  for (int i = 0; i < spheres; ++i)
+  {
+    // The sequence of R2 (Roberts, 2018) spreads them evenly.
+    const double place[3] = { std::fmod(0.7548776662 * i, 1.0) - 0.5,
+      std::fmod(0.5698402910 * i, 1.0) - 0.5, 0.1 };
+    vtkPolyData* part = lamps[i % (spheres / count) == 0 ? 1 : 0];
+    const vtkIdType point = part->GetPoints()->InsertNextPoint(place);
+    part->GetVerts()->InsertNextCell(1, &point);
+  }
+  auto scene = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  scene->SetBlock(0, floor->GetOutput());
+  scene->SetBlock(1, lamps[1]);
+  scene->SetBlock(2, lamps[0]);
+  return scene;
+}
+
+void TraceLamps(benchmark::State& state)
+{
+  vtkNew<vtkCSLFViewTracer> tracer;
+  tracer->SetInputData(MakeLamps(static_cast<int>(state.range(0))));
+  tracer->SetEnvironmentModeToNone();
+  const double bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.1, 0.1 };
+  Trace(state, tracer, bounds);
+}
+
 void Configure(benchmark::internal::Benchmark* added)
 {
   added->Unit(benchmark::kMillisecond)->UseManualTime();
@@ -104,6 +151,8 @@ void Configure(benchmark::internal::Benchmark* added)
 void AddPathTracing()
 {
   Configure(benchmark::RegisterBenchmark("path-tracing/cornell-box", TraceBox));
+  auto* lamps = benchmark::RegisterBenchmark("path-tracing/lamps", TraceLamps);
+  Configure(lamps->Arg(10)->Arg(100)->Arg(1000));
 }
 
 void AddPathTracing(const std::string& fileName)
