@@ -68,6 +68,18 @@ int RoundDown(double samples)
   return rounded / step * step;
 }
 
+/// Takes out of a manifest what a bake measures, so that what it is asked for is left.
+void EraseMeasured(nlohmann::json& manifest)
+{
+  manifest.erase("sample");
+  const nlohmann::json::json_pointer cache("/description/sampling/cache");
+  if (manifest.contains(cache))
+  {
+    manifest[cache].erase("check");
+    manifest[cache].erase("used_spacing");
+  }
+}
+
 cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
 {
   return { encoder->GetPreset(), encoder->GetPixelFormat(), encoder->GetCRF(),
@@ -291,8 +303,8 @@ int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
     }
     mine = nlohmann::json::parse(probe.GetManifest(), nullptr, false);
   }
-  manifest.erase("sample");
-  mine.erase("sample");
+  EraseMeasured(manifest);
+  EraseMeasured(mine);
   this->Sampler->SetSamples(manifest == mine ? samples : before);
   return manifest == mine ? 1 : 0;
 }
