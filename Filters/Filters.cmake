@@ -144,6 +144,7 @@ list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeLayout.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.cxx
+  ../Filters/PathTracing/RadianceCache/cslfLatticeRefinement.cxx
   ../Filters/PathTracing/RadianceCache/cslfLatticeSum.cxx
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.cxx
   ../Filters/PathTracing/RadianceCache/cslfRadianceCache.cxx
@@ -164,6 +165,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfIncidentLight.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeBuilder.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeLayout.h
+  ../Filters/PathTracing/RadianceCache/cslfLatticePatch.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeProbe.h
   ../Filters/PathTracing/RadianceCache/cslfLatticeSum.h
   ../Filters/PathTracing/RadianceCache/cslfOpenSides.h

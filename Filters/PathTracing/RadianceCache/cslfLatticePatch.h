@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The points and bricks that LatticeBuilder works on: for its own files only.
+ */
+#ifndef cslfLatticePatch_h
+#define cslfLatticePatch_h
+
+#include "cslfLatticeBuilder.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cslf
+{
+/// A point of the surface at which light is estimated, or interpolated.
+struct LatticeBuilder::Point
+{
+  Hit Place;
+  std::uint64_t Key;
+  SurfaceEstimate Estimate;
+
+  // Where it lies between two other points that are close enough together, it is interpolated.
+  bool IsMean = false;
+  std::uint32_t Before = 0;
+  std::uint32_t After = 0;
+  float Weight = 0.0f; // of the point after it
+};
+
+/// A brick at work, and the points of its lattice, row by row.
+struct LatticeBuilder::Patch
+{
+  int Half; // which of the lattices it is of, and whose values decide
+  std::size_t Brick;
+  std::size_t Domain; // the number of its triangle, or that of all triangles and of its chart
+  std::uint32_t Mesh;
+  std::uint32_t Triangle = 0;          // if it is one of a triangle
+  const SurfaceChart* Chart = nullptr; // if it is one of a chart
+  float RootEdge;                      // the longest of the brick that it is a part of
+  int RootSize;                        // of that brick, as below
+  bool Back;
+  bool Flipped;
+  int Column; // of its first corner among the finest points of the triangle or chart
+  int Row;
+  int Size; // of its edges, in finest points, as a binary logarithm
+  int Level = 0;
+  bool IsConstant;
+  bool IsOpen = true;
+  std::vector<std::uint32_t> Points;
+
+  std::uint32_t GetPoint(int i, int j) const
+  {
+    return this->Points[PointIndex(i, j, 1 << this->Level)];
+  }
+};
+}
+
+#endif
