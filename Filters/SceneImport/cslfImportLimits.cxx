@@ -72,6 +72,12 @@ constexpr ImportLimitText Texts[] = {
     "highlights that are longer in one direction",
     "isotropic highlights",
     true },
+  { ImportLimit::PartMetals,
+    "PBR surfaces of a metallic part between 0 and 1",
+    "a diffuse base that is duller than the metal and of another hue",
+    "one colour for base and metal, up to 5 levels of 255 off; 8 where a highlight is white in the "
+    "window",
+    false },
   { ImportLimit::TextureWraps,
     "textures that are mirrored or have a border beyond their image",
     "the image mirrored, or the border's colour",
@@ -88,7 +94,7 @@ constexpr ImportLimitText Texts[] = {
     "tubes and spheres of a size in the world, by `PixelSize`",
     false },
   { ImportLimit::StickEnds,
-    "ends of sticks and of molecules' bonds",
+    "ends of sticks, of molecules' bonds and of lines drawn as tubes",
     "flat",
     "round",
     false },
@@ -117,7 +123,9 @@ constexpr ImportLimitText Texts[] = {
     "surfaces that do not face the light",
     "displayed colours times the cosine to the light",
     "light times the cosine, so brighter once it is displayed: 0.73 in place of 0.5 at 60 degrees; "
-    "the same in PBR. Where a surface faces the light, both show the same",
+    "sums of several lights differ likewise. Where a surface faces the light, both show the same. In "
+    "PBR both multiply light, but by its own curve the window shows dark places up to 9 levels of "
+    "255 brighter",
     false },
   { ImportLimit::Highlights,
     "highlights of flat, Gouraud and Phong shading",

@@ -34,6 +34,7 @@ enum class ImportLimit
   ClippedLines,
   Coats,
   Anisotropy,
+  PartMetals,
   TextureWraps,
   TexturedTables,
   Widths,

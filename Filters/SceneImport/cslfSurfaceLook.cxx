@@ -90,18 +90,50 @@ SurfaceLook::SurfaceLook(
   }
   if (this->IsPhysical)
   {
-    this->Metallic = property->GetMetallic();
-    this->Roughness = property->GetRoughness();
-    const double ior = std::max(property->GetBaseIOR(), 1.0);
-    this->WindowReflectance = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
-    this->IndexOfRefraction =
-      ToIndexOfRefraction(std::min(this->GetPhysicalLevel() * this->WindowReflectance, 0.9));
-    this->UpdateResponse();
+    this->FindPhysical(typical);
   }
   else if (property->GetSpecular() > 0.0)
   {
     this->FindHighlight(typical);
   }
+}
+
+void SurfaceLook::FindPhysical(const glm::dvec3& typical)
+{
+  this->Roughness = this->Property->GetRoughness();
+  const double ior = std::max(this->Property->GetBaseIOR(), 1.0);
+  this->WindowReflectance = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
+
+  // Metal and diffuse base have one colour here, in the window they do not: the part of metal is
+  // the metal's share of what both reflect.
+  const double metallic = this->Property->GetMetallic();
+  const double metal = metallic * this->Property->GetDiffuse() * glm::length(typical);
+  const double base = glm::length(glm::dvec3(this->GetPhysicalDiffuse(typical.x),
+    this->GetPhysicalDiffuse(typical.y), this->GetPhysicalDiffuse(typical.z)));
+  this->Metallic = metallic;
+  double boundary = this->WindowReflectance;
+  if (metallic < 1.0 && base > 0.0 && !this->HasMetallicTexture())
+  {
+    this->Metallic = metal / (metal + base);
+    boundary *= (1.0 - metallic) / (1.0 - this->Metallic);
+  }
+  this->IndexOfRefraction = ToIndexOfRefraction(std::min(this->GetPhysicalLevel() * boundary, 0.9));
+  this->UpdateResponse();
+}
+
+bool SurfaceLook::HasMetallicTexture() const
+{
+  return this->Property->GetTexture("materialTex") != nullptr;
+}
+
+double SurfaceLook::GetPhysicalDiffuse(double color) const
+{
+  // VTK's diffuse base gets what neither the boundary nor the metal mirrors.
+  const double albedo = this->Property->GetDiffuse() * color;
+  const double metallic = this->Property->GetMetallic();
+  const double mirrored =
+    glm::mix(this->WindowReflectance, albedo, this->HasMetallicTexture() ? 0.0 : metallic);
+  return (1.0 - metallic) * (1.0 - mirrored) * albedo;
 }
 
 void SurfaceLook::UpdateResponse()
@@ -190,26 +222,33 @@ double SurfaceLook::GetPhysicalReflectance(int channel, double color) const
     const double displayed = this->Property->GetAmbient() * color + albedo;
     return SRGBToLinear(displayed) / (traced > 0.0 ? traced : 1.0);
   }
-  const double part = 1.0 - this->Metallic;
-  const double base = part * (1.0 - this->WindowReflectance);
-  const double factor = part > 0.0 ? base * part / this->Reflects.Diffuse + this->Metallic : 1.0;
+  // The colour with which both diffuse base and metal come nearest to the window's.
+  const double own = this->Reflects.Diffuse;
+  const double metal = this->Property->GetMetallic() * albedo;
+  const double base = (own * this->GetPhysicalDiffuse(color) + this->Metallic * metal) /
+    (own * own + this->Metallic * this->Metallic);
   const double level = traced > 0.0 && window > 0.0 ? window / traced : 1.0;
-  return factor * level * this->MakeUpForGamma(albedo, window > 0.0 ? window : 1.0);
+  return level * this->MakeUpForGamma(base, window > 0.0 ? window : 1.0);
 }
 
-double SurfaceLook::MakeUpForGamma(double albedo, double window) const
+double SurfaceLook::MakeUpForGamma(double base, double window) const
 {
-  // What the window shows from straight above: a diffuse base, a metal in its highlight, which
-  // there is F0 / (4 alpha^2) high, and the highlight of a rough boundary.
+  // What is seen from straight above: a diffuse base, a metal in its highlight, which there is
+  // F0 / (4 alpha^2) high, and the highlight of a rough boundary.
   const double part = 1.0 - this->Metallic;
   const double squaredAlpha = std::max(std::pow(this->Roughness, 4.0), 1e-6);
-  const double colored =
-    part * (1.0 - this->WindowReflectance) + this->Metallic / (4.0 * squaredAlpha);
-  const double white = 0.25 * part * this->WindowReflectance;
-  const double linear = window * (colored * albedo + white);
-  return linear < 1.0
+  double colored = this->Reflects.Diffuse + this->Metallic / (4.0 * squaredAlpha);
+  double white = 0.25 * part * this->WindowReflectance;
+  if (window * (colored * base + white) >= 1.0)
+  {
+    // The highlight is as bright as can be; its surroundings are seen by their base.
+    colored = this->Reflects.Diffuse;
+    white = 0.0;
+  }
+  const double linear = window * (colored * base + white);
+  return colored > 0.0 && linear < 1.0
     ? (SRGBToLinear(std::pow(linear, 1.0 / PhysicalGamma)) / window - white) / colored
-    : albedo;
+    : base;
 }
 
 glm::dvec3 SurfaceLook::GetReflectance(const glm::dvec3& ambient, const glm::dvec3& diffuse) const

@@ -32,8 +32,9 @@ enum class Drawing
  * Highlights, cosines to a power, become microfacets of the width at half the height, and of the
  * height: white ones by a dielectric boundary, coloured ones by a part of metal.
  *
- * Physically based shading is linear and encoded by a power of 2.2, in place of sRGB's curve, and
- * its diffuse base gets what one boundary leaves. Reflectances make up for both.
+ * Physically based shading is linear and encoded by a power of 2.2, in place of sRGB's curve. Its
+ * diffuse base gets what is left by one boundary and by the part of metal, which here takes none
+ * of it. Reflectances make up for these, and so does the part of metal where it is neither 0 nor 1.
  */
 class SurfaceLook
 {
@@ -72,14 +73,21 @@ private:
     double Boundary = 0.0; ///< of light from all around, by the boundary
   };
 
+  void FindPhysical(const glm::dvec3& typical);
   void FindHighlight(const glm::dvec3& typical);
   void UpdateResponse();
   double GetClassicReflectance(int channel, double ambient, double diffuse) const;
   double GetPhysicalLevel() const;
   double GetPhysicalReflectance(int channel, double color) const;
 
-  /// The albedo that sRGB's curve displays as VTK's power displays another one.
-  double MakeUpForGamma(double albedo, double window) const;
+  /// What the window's diffuse base reflects of a surface of a colour.
+  double GetPhysicalDiffuse(double color) const;
+
+  /// Whether the part of metal varies over the surface.
+  bool HasMetallicTexture() const;
+
+  /// The base colour that sRGB's curve displays as VTK's power displays another one.
+  double MakeUpForGamma(double base, double window) const;
 
   vtkProperty* Property;
   LightLevel Level;

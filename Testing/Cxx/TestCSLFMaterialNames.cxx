@@ -133,7 +133,7 @@ void TestRenderer()
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToPBR();
   actor->GetProperty()->SetRoughness(0.6);
-  actor->GetProperty()->SetMetallic(0.2);
+  actor->GetProperty()->SetMetallic(1.0);
   actor->GetProperty()->SetOpacity(0.9);
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
@@ -144,7 +144,7 @@ void TestRenderer()
   importer->Update();
   vtkDataObject* block = importer->GetOutput()->GetBlock(0);
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(block) == 0.6);
-  CSLF_CHECK(vtkCSLFMaterial::GetMetallic(block) == 0.2);
+  CSLF_CHECK(vtkCSLFMaterial::GetMetallic(block) == 1.0);
   CSLF_CHECK(vtkCSLFMaterial::GetOpacity(block) == 0.9);
   CSLF_CHECK(vtkCSLFMaterial::GetTransmission(block) == 0.0);
   CSLF_CHECK(Contains(messages->GetWarningMessage(), "CSLF:Opacity"));

@@ -255,14 +255,14 @@ void TestMaterials()
   vtkProperty* property = actor->GetProperty();
   property->SetInterpolationToPBR();
   property->SetColor(1.0, 0.5, 0.25);
-  property->SetMetallic(0.75);
+  property->SetMetallic(1.0);
   property->SetRoughness(0.25);
   property->SetOpacity(0.5);
   vtkPolyData* block = importer.GetBlock(0);
   double color[3];
   vtkCSLFMaterial::GetBaseColor(block, color);
   CSLF_CHECK_NEAR(color[1], cslf::LinearToSRGB(0.5), 0.02); // it is linear
-  CSLF_CHECK(vtkCSLFMaterial::GetMetallic(block) == 0.75);
+  CSLF_CHECK(vtkCSLFMaterial::GetMetallic(block) == 1.0);
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(block) == 0.25);
   CSLF_CHECK(vtkCSLFMaterial::GetOpacity(block) == 0.5);
 

@@ -308,6 +308,24 @@ void TestAllAround()
     } });
 }
 
+void TestPartMetals()
+{
+  // In the window the diffuse base of a part of metal is duller and of another hue than the metal.
+  const auto aside = [](vtkLight* light) { light->SetPosition(2.0, 0.0, 2.0); };
+  for (const double metallic : { 0.25, 0.5, 0.75 })
+  {
+    for (const double roughness : { 0.3, 0.6, 1.0 })
+    {
+      const std::string text =
+        "metal " + std::to_string(metallic) + ", roughness " + std::to_string(roughness);
+      const SetProperty surface = Physical(0.8, 0.5, 0.2, metallic, roughness);
+      // White highlights are clipped in the window.
+      Compare({ text + ", headlight", surface, Headlight(1.0) }, roughness < 0.5 ? 9 : 6);
+      Compare({ text + ", light from aside", surface, Scene(1.0, aside) }, 6);
+    }
+  }
+}
+
 void TestHighlights()
 {
   // A light that mirrors to the camera, so highlights are at their height.
@@ -339,6 +357,7 @@ int TestCSLFSceneImporterLooks(int, char*[])
   TestLightsAndModels();
   TestEmission();
   TestAllAround();
+  TestPartMetals();
   TestHighlights();
   return cslf::testing::Result();
 }
