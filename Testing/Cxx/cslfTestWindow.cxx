@@ -21,16 +21,14 @@ namespace cslf
 {
 namespace testing
 {
-namespace
-{
-std::vector<unsigned char> Draw(vtkRenderer* renderer, int size)
+std::vector<unsigned char> DrawWindow(vtkRenderer* renderer, int size, double background)
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetSize(size, size);
   window->AddRenderer(renderer);
-  renderer->SetBackground(0.0, 0.0, 0.0);
+  renderer->SetBackground(background, background, background);
   renderer->ResetCameraClippingRange();
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -39,11 +37,12 @@ std::vector<unsigned char> Draw(vtkRenderer* renderer, int size)
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
-std::vector<unsigned char> Trace(vtkRenderer* renderer, int size, const BakeOptions& options)
+std::vector<unsigned char> TraceBake(vtkRenderer* renderer, int size, const BakeOptions& options)
 {
   vtkNew<vtkCSLFSceneImporter> importer;
   importer->SetRenderer(renderer);
   importer->SetHeadlightsAllAround(options.HeadlightsAllAround);
+  importer->SetPixelSize(options.PixelSize);
   vtkNew<vtkCSLFViewTracer> tracer;
   tracer->SetInputConnection(importer->GetOutputPort());
   tracer->SetCamera(renderer->GetActiveCamera());
@@ -55,14 +54,16 @@ std::vector<unsigned char> Trace(vtkRenderer* renderer, int size, const BakeOpti
   std::vector<unsigned char> pixels;
   for (vtkIdType i = 0; colors && i < colors->GetNumberOfTuples(); ++i)
   {
+    // Colours are associated with alpha.
+    const double behind = options.Background * (255.0 - colors->GetComponent(i, 3));
     for (int c = 0; c < 3; ++c)
     {
-      pixels.push_back(static_cast<unsigned char>(colors->GetComponent(i, c)));
+      pixels.push_back(
+        static_cast<unsigned char>(std::min(colors->GetComponent(i, c) + behind + 0.5, 255.0)));
     }
   }
   pixels.resize(3 * static_cast<std::size_t>(size) * size);
   return pixels;
-}
 }
 
 int WindowAndBake::GetDifference(int column, int row) const
@@ -106,8 +107,8 @@ WindowAndBake DrawAndTrace(vtkRenderer* renderer, int size, const BakeOptions& o
 {
   WindowAndBake result;
   result.Size = size;
-  result.Window = Draw(renderer, size);
-  result.Bake = Trace(renderer, size, options);
+  result.Window = DrawWindow(renderer, size, options.Background);
+  result.Bake = TraceBake(renderer, size, options);
   return result;
 }
 }

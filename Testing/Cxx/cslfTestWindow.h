@@ -40,7 +40,16 @@ struct BakeOptions
   bool HeadlightsAllAround = false;
   int MaximumDepth = 1; ///< direct light only, as in the window
   int Samples = 16;
+  double PixelSize = 0.001; ///< of the scene importer
+  double Background = 0.0;  ///< grey, sRGB in [0,1], behind the scene
 };
+
+/// Draws the renderer in a window off the screen, without multisampling, over `background` (grey).
+/// Returns red, green and blue of `size` x `size` pixels, rows from the bottom up.
+std::vector<unsigned char> DrawWindow(vtkRenderer* renderer, int size, double background = 0.0);
+
+/// Traces what the renderer shows, with its camera. Returns pixels as DrawWindow does.
+std::vector<unsigned char> TraceBake(vtkRenderer* renderer, int size, const BakeOptions& options);
 
 /// Draws the renderer in a window off the screen, black behind it, and traces it with the same
 /// camera. The pictures are squares of `size` pixels.
