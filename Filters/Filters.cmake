@@ -32,6 +32,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDirectLight.cxx
   ../Filters/PathTracing/cslfDirectLightLanes.cxx
+  ../Filters/PathTracing/cslfDisplayedColor.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEmitter.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
@@ -83,6 +84,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFieldRays.h
   ../Filters/PathTracing/cslfFingerprint.h
   ../Filters/PathTracing/cslfDisplayCurve.h
+  ../Filters/PathTracing/cslfDisplayedColor.h
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h

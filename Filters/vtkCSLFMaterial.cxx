@@ -54,8 +54,10 @@ const Parameter OpacityCutoff = { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 
 const Parameter NormalScale = { vtkCSLFMaterial::NormalScaleName(), 1, 1.0, -Unlimited, Unlimited };
 const Parameter LineRadius = { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited };
 const Parameter PointRadius = { vtkCSLFMaterial::PointRadiusName(), 1, 0.0, 0.0, Unlimited };
+const Parameter DisplayedWhite = { vtkCSLFMaterial::DisplayedWhiteName(), 3, 0.0, 0.0, Unlimited };
 const Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, ThinWalled, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius };
+  Transmission, ThinWalled, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius,
+  DisplayedWhite };
 
 // By vtkCSLFMaterial::TextureSlots.
 constexpr const char* TextureNames[] = { "CSLF:BaseColorTexture", "CSLF:MetallicRoughnessTexture",
@@ -343,6 +345,17 @@ void vtkCSLFMaterial::SetPointRadius(vtkDataObject* data, double radius)
 double vtkCSLFMaterial::GetPointRadius(vtkDataObject* data)
 {
   return Get(data, PointRadius);
+}
+
+void vtkCSLFMaterial::SetDisplayedWhite(vtkDataObject* data, double red, double green, double blue)
+{
+  const double radiance[3] = { red, green, blue };
+  Set(data, DisplayedWhite, radiance);
+}
+
+void vtkCSLFMaterial::GetDisplayedWhite(vtkDataObject* data, double radiance[3])
+{
+  Get(data, DisplayedWhite, radiance);
 }
 
 const char* vtkCSLFMaterial::TextureName(int slot)

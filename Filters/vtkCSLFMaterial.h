@@ -28,6 +28,12 @@
  * - `CSLF:NormalScale`: any number, by default 1. How far the normal texture bends normals.
  * - `CSLF:LineRadius`, `CSLF:PointRadius`: not negative, world units, by default 0. Of the tubes
  * and spheres that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
+ * - `CSLF:DisplayedWhite`: 3 components, not negative, by default 0, 0, 0. How colours of points
+ * and in textures are interpolated in between. 0: as light, as glTF has it. Above 0: as the
+ * sRGB-encoded values that are displayed, as VTK's window does, in light that gives a white surface
+ * this radiance. The middle between blue and red is displayed as 188, 0, 188 by the first rule and,
+ * with a white of 1, as 128, 0, 128 by the second. Emissions are then interpolated as displayed,
+ * too.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
  * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
@@ -86,6 +92,7 @@ public:
   static const char* OpacityCutoffName() { return "CSLF:OpacityCutoff"; }
   static const char* NormalScaleName() { return "CSLF:NormalScale"; }
   static const char* LineRadiusName() { return "CSLF:LineRadius"; }
+  static const char* DisplayedWhiteName() { return "CSLF:DisplayedWhite"; }
   static const char* PointRadiusName() { return "CSLF:PointRadius"; }
   ///@}
 
@@ -207,6 +214,16 @@ public:
    */
   static void SetPointRadius(vtkDataObject* data, double radius);
   static double GetPointRadius(vtkDataObject* data);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the linear radiance of a white surface in the light for which colours of points and
+   * in textures are interpolated as displayed values; 0 where they are interpolated as light: see
+   * above. All components are above 0, or none counts. Default: 0, 0, 0.
+   */
+  static void SetDisplayedWhite(vtkDataObject* data, double red, double green, double blue);
+  static void GetDisplayedWhite(vtkDataObject* data, double radiance[3]);
   ///@}
 
   /**

@@ -244,6 +244,7 @@ std::vector<vtkDataObject*> vtkCSLFPathTracer::GetSceneInputs(vtkInformationVect
   std::vector<vtkDataObject*> inputs = GetInputs(inputVector[0]);
   if (vtkCSLFSceneImporter* importer = this->Internals->Importer)
   {
+    importer->SetInterpolateDisplayedColors(this->InterpolateDisplayedColors);
     importer->Update();
     inputs.push_back(importer->GetOutput());
   }
@@ -580,6 +581,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EnvironmentUp: " << this->EnvironmentUp[0] << " " << this->EnvironmentUp[1]
      << " " << this->EnvironmentUp[2] << "\n";
   os << indent << "ScalarVisibility: " << this->ScalarVisibility << "\n";
+  os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "DistributedScene: " << this->DistributedScene << "\n";
   os << indent << "GatheredBytes: " << this->GatheredBytes << "\n";

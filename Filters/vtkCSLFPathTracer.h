@@ -326,6 +326,17 @@ public:
 
   ///@{
   /**
+   * Whether colours in the renderer's scene are interpolated as its window does: see
+   * vtkCSLFSceneImporter. What comes from inputs is not affected: it is interpolated as its
+   * materials say, by default as light. Default: on.
+   */
+  vtkSetMacro(InterpolateDisplayedColors, bool);
+  vtkGetMacro(InterpolateDisplayedColors, bool);
+  vtkBooleanMacro(InterpolateDisplayedColors, bool);
+  ///@}
+
+  ///@{
+  /**
    * What maps scalars to colours, with its own range. Default: none, see above.
    */
   virtual void SetLookupTable(vtkScalarsToColors* lookupTable);
@@ -470,6 +481,7 @@ private:
   char* EnvironmentFileName = nullptr;
   double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
   bool ScalarVisibility = true;
+  bool InterpolateDisplayedColors = true;
   vtkTypeUInt64 NumberOfRays = 0;
   vtkTypeUInt64 NumberOfCacheRays = 0;
   vtkTypeUInt64 NumberOfCachePoints = 0;

@@ -244,7 +244,7 @@ int vtkCSLFSceneImporter::RequestData(
   }
   cslf::FindEnvironment(this->Renderer, scene);
   cslf::WindowLights lights(this->Renderer, this->HeadlightsAllAround);
-  cslf::FinishLooks(scene, lights);
+  cslf::FinishLooks(scene, lights, this->InterpolateDisplayedColors);
   lights.AddTo(scene.Lights);
   cslf::ImportEnvironment(this->Renderer, lights.GetEnvironmentFactor(), scene);
   SetRadii(scene.Blocks, this->PixelSize);
@@ -309,5 +309,6 @@ void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
+  os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";
 }

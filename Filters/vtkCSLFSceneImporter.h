@@ -91,6 +91,17 @@ public:
 
   ///@{
   /**
+   * Whether colours of points and in textures are interpolated as the window does: as displayed
+   * values, in classic shading. Off, they are interpolated as light, which is brighter in the
+   * middle between unlike colours. See vtkCSLFMaterial::SetDisplayedWhite. Default: on.
+   */
+  vtkSetMacro(InterpolateDisplayedColors, bool);
+  vtkGetMacro(InterpolateDisplayedColors, bool);
+  vtkBooleanMacro(InterpolateDisplayedColors, bool);
+  ///@}
+
+  ///@{
+  /**
    * What a pixel of a line's width or a point's size is in the world, as a part of the diagonal of
    * the scene's bounding box. Positive. Default: 0.001.
    */
@@ -130,6 +141,7 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   bool HeadlightsAllAround = true;
+  bool InterpolateDisplayedColors = true;
   double PixelSize = 0.001;
   bool FindingTime = false; // where the importer's own output is among what it looks at
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMesh.h"
 
+#include "cslfDisplayedColor.h"
 #include "cslfSampling.h"
 #include "cslfTriangleGeometry.h"
 
@@ -18,18 +19,6 @@ namespace
 // The points of a triangle that its emission is estimated from, along each side of a square; and
 // those along a tube.
 constexpr int EmissionSamples = 8;
-}
-
-template <typename Value>
-Value Mesh::GetColoring(
-  const std::vector<Value>& values, const Value& none, const TrianglePoint& point) const
-{
-  if (values.empty() || this->Coloring == ColorsOf::None)
-  {
-    return none;
-  }
-  return this->Coloring == ColorsOf::Vertices ? this->Interpolate(values, point)
-                                              : values[point.Triangle];
 }
 
 std::uint32_t Mesh::GetNumberOfShapes() const
@@ -51,11 +40,27 @@ bool Mesh::HasOneColor() const
     !this->Textures.BaseColor;
 }
 
+glm::vec3 Mesh::GetColor(const TrianglePoint& point) const
+{
+  if (this->HasInstanceColors)
+  {
+    return this->Instances[point.Instance].Color;
+  }
+  if (this->Colors.empty() || this->Coloring == ColorsOf::None)
+  {
+    return this->Material.BaseColor;
+  }
+  if (this->Coloring == ColorsOf::Triangles)
+  {
+    return this->Colors[point.Triangle];
+  }
+  const glm::vec3 color = this->Interpolate(this->Colors, point);
+  return this->HoldsDisplayed() ? FromDisplayed(color) / this->DisplayedWhite : color;
+}
+
 glm::vec3 Mesh::GetBaseColor(const TrianglePoint& point) const
 {
-  const glm::vec3 color = this->HasInstanceColors
-    ? this->Instances[point.Instance].Color
-    : this->GetColoring(this->Colors, this->Material.BaseColor, point);
+  const glm::vec3 color = this->GetColor(point);
   return this->Textures.BaseColor
     ? color * glm::vec3(this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)))
     : color;
@@ -84,7 +89,12 @@ bool Mesh::IsTranslucent() const
 
 float Mesh::GetOpacity(const TrianglePoint& point) const
 {
-  float opacity = this->Material.Opacity * this->GetColoring(this->Opacities, 1.0f, point);
+  float opacity = this->Material.Opacity;
+  if (!this->Opacities.empty() && this->Coloring != ColorsOf::None)
+  {
+    opacity *= this->Coloring == ColorsOf::Vertices ? this->Interpolate(this->Opacities, point)
+                                                    : this->Opacities[point.Triangle];
+  }
   if (this->Textures.BaseColor && this->Textures.BaseColor->IsTranslucent())
   {
     opacity *= this->Textures.BaseColor->Get(this->Interpolate(this->TexCoords, point)).w;
@@ -106,7 +116,10 @@ glm::vec3 Mesh::GetEmissionFactor(const TrianglePoint& point) const
   switch (this->EmissionsOf)
   {
     case ColorsOf::Vertices:
-      return this->Interpolate(this->Emissions, point);
+    {
+      const glm::vec3 emission = this->Interpolate(this->Emissions, point);
+      return this->HoldsDisplayed() ? FromDisplayed(emission) : emission;
+    }
     case ColorsOf::Triangles:
       return this->Emissions[point.Triangle];
     default:
@@ -157,11 +170,20 @@ float Mesh::GetEmissionImportance(std::uint32_t shape) const
 
 float Mesh::EstimateEmission(std::uint32_t shape) const
 {
-  if (!this->Textures.Emission && !this->IsTranslucent())
+  const bool isPlain = !this->Textures.Emission && !this->IsTranslucent();
+  const auto get = [&](float u, float v) { return Luminance(this->GetEmission({ shape, u, v })); };
+  if (isPlain && this->HoldsDisplayed() && this->EmissionsOf == ColorsOf::Vertices)
+  {
+    // Light is about the square of displayed values, which these rules integrate exactly.
+    return this->Shape == Shapes::Triangles
+      ? (get(0.5f, 0.0f) + get(0.0f, 0.5f) + get(0.5f, 0.5f)) / 3.0f
+      : (get(0.0f, 0.0f) + 4.0f * get(0.5f, 0.0f) + get(1.0f, 0.0f)) / 6.0f;
+  }
+  if (isPlain)
   {
     // The mean of what is linear is that of the middle.
     const float middle = this->Shape == Shapes::Triangles ? 1.0f / 3.0f : 0.5f;
-    return Luminance(this->GetEmission({ shape, middle, middle }));
+    return get(middle, middle);
   }
   const int rows = this->Shape == Shapes::Triangles ? EmissionSamples : 1;
   const int columns = this->Shape == Shapes::Spheres ? 1 : EmissionSamples;

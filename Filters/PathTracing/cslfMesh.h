@@ -80,6 +80,10 @@ struct VTKCSLF_EXPORT Mesh
   ColorsOf Coloring = ColorsOf::None;
   std::vector<glm::vec3> Emissions; ///< radiance, replacing the material's, which is their maximum
   ColorsOf EmissionsOf = ColorsOf::None;
+
+  /// Above 0 where colours and emissions of vertices are displayed (sRGB-encoded) values, and
+  /// interpolated as such: emissions as they are, colours times this radiance of a white surface.
+  glm::vec3 DisplayedWhite{ 0.0f };
   SurfaceMaterial Material;
   MaterialTextures Textures;
   std::string Appearance; ///< tells the material and the textures from others
@@ -161,9 +165,8 @@ struct VTKCSLF_EXPORT Mesh
     const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const;
 
 private:
-  template <typename Value>
-  Value GetColoring(
-    const std::vector<Value>& values, const Value& none, const TrianglePoint& point) const;
+  bool HoldsDisplayed() const { return this->DisplayedWhite.x > 0.0f; }
+  glm::vec3 GetColor(const TrianglePoint& point) const;
   glm::vec3 GetEmissionFactor(const TrianglePoint& point) const;
   float EstimateEmission(std::uint32_t shape) const;
 

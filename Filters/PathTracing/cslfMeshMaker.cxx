@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMeshMaker.h"
 
+#include "cslfDisplayedColor.h"
 #include "cslfTriangles.h"
 #include "vtkCSLFMaterial.h"
 
@@ -65,6 +66,11 @@ public:
   Mesh Make(SurfaceColors& colors)
   {
     this->Result.Shape = this->Source.Shape;
+    // Nothing is interpolated over a sphere.
+    if (this->Source.Shape != Mesh::Shapes::Spheres)
+    {
+      this->Result.DisplayedWhite = this->Source.DisplayedWhite;
+    }
     this->AddTriangles();
     this->AddRound();
     this->AddNormals();
@@ -170,6 +176,12 @@ private:
     }
   }
 
+  /// Whether the mesh holds displayed values of what is given at points or cells.
+  bool HoldsDisplayed(bool ofCells) const
+  {
+    return !ofCells && this->Result.DisplayedWhite != glm::vec3(0.0f);
+  }
+
   void AddColors(SurfaceColors& colors)
   {
     if (!this->Source.Scalars)
@@ -183,7 +195,9 @@ private:
     this->Result.Colors.reserve(used.size());
     for (vtkIdType index : used)
     {
-      this->Result.Colors.push_back(mapped.Colors[index]);
+      const glm::vec3& color = mapped.Colors[index];
+      this->Result.Colors.push_back(
+        this->HoldsDisplayed(ofCells) ? ToDisplayed(color * this->Result.DisplayedWhite) : color);
       if (!mapped.Opacities.empty())
       {
         this->Result.Opacities.push_back(mapped.Opacities[index]);
@@ -207,20 +221,22 @@ private:
         emissions->GetNumberOfComponents() == 3)
       {
         this->Result.EmissionsOf = place;
-        this->AddEmissions(emissions, ofCells ? this->Cells : this->Points);
+        this->AddEmissions(emissions, ofCells);
       }
     }
   }
 
-  void AddEmissions(vtkDataArray* emissions, const std::vector<vtkIdType>& used)
+  void AddEmissions(vtkDataArray* emissions, bool ofCells)
   {
+    const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
     glm::vec3& most = this->Result.Material.Emission;
     most = glm::vec3(0.0f);
     this->Result.Emissions.reserve(used.size());
     for (vtkIdType index : used)
     {
       const glm::vec3 emission = GetRadiance(emissions, index);
-      this->Result.Emissions.push_back(emission);
+      this->Result.Emissions.push_back(
+        this->HoldsDisplayed(ofCells) ? ToDisplayed(emission) : emission);
       most = glm::max(most, emission);
     }
   }

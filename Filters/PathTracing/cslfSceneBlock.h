@@ -73,6 +73,7 @@ struct SceneBlock
   double StandardRadius = 0.0; ///< of points without one of their own
   vtkSmartPointer<vtkDataArray> Scalars;
   bool ScalarsOfCells = false;
+  glm::vec3 DisplayedWhite{ 0.0f }; ///< see vtkCSLFMaterial
   SurfaceMaterial Material;
   MaterialTextures Textures;
   std::string Appearance; ///< tells the material and the textures from others

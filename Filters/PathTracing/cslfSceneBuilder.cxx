@@ -3,6 +3,7 @@
 #include "cslfSceneBuilder.h"
 
 #include "cslfColor.h"
+#include "cslfDisplayedColor.h"
 #include "cslfEnvironmentReader.h"
 #include "cslfFingerprint.h"
 #include "cslfLightReader.h"
@@ -293,6 +294,7 @@ private:
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
+    block.DisplayedWhite = GetDisplayedWhite(holder);
     block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);
     block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
     block.Textures = this->Textures.Read(holder);

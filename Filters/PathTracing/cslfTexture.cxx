@@ -3,11 +3,11 @@
 #include "cslfTexture.h"
 
 #include "cslfColor.h"
+#include "cslfDisplayedColor.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,26 +15,6 @@ namespace cslf
 {
 namespace
 {
-using Decoding = std::array<float, 256>;
-
-Decoding MakeDecoding(TextureKind kind)
-{
-  Decoding decoding{};
-  for (int i = 0; i < 256; ++i)
-  {
-    const double encoded = i / 255.0;
-    decoding[i] = static_cast<float>(kind == TextureKind::Colors ? SRGBToLinear(encoded) : encoded);
-  }
-  return decoding;
-}
-
-const Decoding& GetDecoding(TextureKind kind)
-{
-  static const Decoding colors = MakeDecoding(TextureKind::Colors);
-  static const Decoding numbers = MakeDecoding(TextureKind::Numbers);
-  return kind == TextureKind::Colors ? colors : numbers;
-}
-
 /// A pixel's place on one axis.
 int Wrap(int index, int size, bool repeat)
 {
@@ -55,13 +35,31 @@ float Reduce(float coordinate, bool repeat)
 
 Texture::Texture(TextureImage image, TextureKind kind)
   : Image(std::move(image))
-  , Kind(kind)
   , Translucent(false)
 {
+  if (kind != TextureKind::Colors || !this->Image.Interpolate)
+  {
+    this->Image.DisplayedWhite = glm::vec3(0.0f);
+  }
+  this->Levels = this->MakeDecoding(kind);
   for (std::size_t i = 3; i < this->Image.Pixels.size(); i += 4)
   {
     this->Translucent = this->Translucent || this->Image.Pixels[i] < 255;
   }
+}
+
+Texture::Decoding Texture::MakeDecoding(TextureKind kind) const
+{
+  const glm::vec3& white = this->Image.DisplayedWhite;
+  Decoding decoding;
+  for (int i = 0; i < 256; ++i)
+  {
+    const double encoded = i / 255.0;
+    decoding[i] =
+      glm::vec3(static_cast<float>(kind == TextureKind::Colors ? SRGBToLinear(encoded) : encoded));
+    decoding[i] = white.x > 0.0f ? ToDisplayed(white * decoding[i]) : decoding[i];
+  }
+  return decoding;
 }
 
 glm::vec4 Texture::GetPixel(int column, int row) const
@@ -69,8 +67,7 @@ glm::vec4 Texture::GetPixel(int column, int row) const
   const std::size_t x = Wrap(column, this->Image.Width, this->Image.Repeat);
   const std::size_t y = Wrap(row, this->Image.Height, this->Image.Repeat);
   const std::uint8_t* pixel = this->Image.Pixels.data() + 4 * (y * this->Image.Width + x);
-  const Decoding& decoding = GetDecoding(this->Kind);
-  return { decoding[pixel[0]], decoding[pixel[1]], decoding[pixel[2]],
+  return { this->Levels[pixel[0]].x, this->Levels[pixel[1]].y, this->Levels[pixel[2]].z,
     static_cast<float>(pixel[3]) / 255.0f };
 }
 
@@ -87,8 +84,11 @@ glm::vec4 Texture::Get(const glm::vec2& coordinates) const
   const glm::vec2 weight = place - 0.5f - corner;
   const int column = static_cast<int>(corner.x);
   const int row = static_cast<int>(corner.y);
-  return glm::mix(glm::mix(this->GetPixel(column, row), this->GetPixel(column + 1, row), weight.x),
-    glm::mix(this->GetPixel(column, row + 1), this->GetPixel(column + 1, row + 1), weight.x),
-    weight.y);
+  const glm::vec4 value =
+    glm::mix(glm::mix(this->GetPixel(column, row), this->GetPixel(column + 1, row), weight.x),
+      glm::mix(this->GetPixel(column, row + 1), this->GetPixel(column + 1, row + 1), weight.x),
+      weight.y);
+  const glm::vec3& white = this->Image.DisplayedWhite;
+  return white.x > 0.0f ? glm::vec4(FromDisplayed(glm::vec3(value)) / white, value.w) : value;
 }
 }

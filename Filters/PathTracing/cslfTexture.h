@@ -10,8 +10,10 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +33,10 @@ struct TextureImage
   bool Repeat = true;               ///< beyond [0,1]; else the edge goes on
   bool Interpolate = true;          ///< bilinear; else the nearest pixel
   std::vector<std::uint8_t> Pixels; ///< red, green, blue, alpha; the first row is v = 0
+
+  /// Above 0 where colours are interpolated as displayed (sRGB-encoded) values, in light that gives
+  /// a white surface this radiance; else they are made linear in each pixel.
+  glm::vec3 DisplayedWhite{ 0.0f };
 };
 
 class VTKCSLF_EXPORT Texture
@@ -38,17 +44,22 @@ class VTKCSLF_EXPORT Texture
 public:
   Texture(TextureImage image, TextureKind kind);
 
-  /// Linear red, green, blue and alpha in [0,1], interpolated as such.
+  /// Linear red, green, blue and alpha in [0,1].
   glm::vec4 Get(const glm::vec2& coordinates) const;
 
   /// Whether any alpha is below 1.
   bool IsTranslucent() const { return this->Translucent; }
 
 private:
+  using Decoding = std::array<glm::vec3, 256>;
+
+  /// What is interpolated, by the levels of pixels.
+  Decoding MakeDecoding(TextureKind kind) const;
+
   glm::vec4 GetPixel(int column, int row) const;
 
   TextureImage Image;
-  TextureKind Kind;
+  Decoding Levels;
   bool Translucent;
 };
 }

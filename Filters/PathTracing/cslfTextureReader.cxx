@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureReader.h"
 
+#include "cslfDisplayedColor.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkImageData.h>
@@ -51,10 +52,17 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
   }
   auto* pixels = vtkUnsignedCharArray::SafeDownCast(source->GetPointData()->GetScalars());
   const int components = pixels->GetNumberOfComponents();
+  const glm::vec3 white = GetDisplayedWhite(material);
+  if (kind == TextureKind::Colors && white != glm::vec3(0.0f))
+  {
+    // Emission is displayed as it is.
+    image.DisplayedWhite = slot == vtkCSLFMaterial::EmissionTexture ? glm::vec3(1.0f) : white;
+  }
   image.Width = source->GetDimensions()[0];
   image.Height = source->GetDimensions()[1];
   const Key key(pixels->GetPointer(0), image.Width, image.Height, components, image.Repeat,
-    image.Interpolate, kind);
+    image.Interpolate, kind, image.DisplayedWhite.x, image.DisplayedWhite.y,
+    image.DisplayedWhite.z);
   std::shared_ptr<const Texture>& known = this->Known[key];
   if (!known)
   {

@@ -24,7 +24,7 @@ public:
   MaterialTextures Read(vtkDataObject* material);
 
 private:
-  using Key = std::tuple<const void*, int, int, int, bool, bool, TextureKind>;
+  using Key = std::tuple<const void*, int, int, int, bool, bool, TextureKind, float, float, float>;
 
   std::shared_ptr<const Texture> ReadSlot(vtkDataObject* material, int slot, TextureKind kind);
 

@@ -18,6 +18,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <cstdlib>
 #include <utility>
@@ -113,11 +114,13 @@ public:
     , Look(block.Look)
     , Ambient(this->GetColor(block.Look.Property->GetAmbientColor()))
     , Diffuse(this->GetColor(block.Look.Property->GetDiffuseColor()))
-    , Surface(block.Look.Property, level, GetDrawing(block.Look, isLit), this->GetTypicalColor())
+    , Level(level)
+    , Kind(GetDrawing(block.Look, isLit))
+    , Surface(block.Look.Property, level, this->Kind, this->GetTypicalColor())
   {
   }
 
-  void Finish()
+  void Finish(bool interpolateDisplayed)
   {
     // Pieces of one block share their field data.
     vtkNew<vtkFieldData> fields;
@@ -137,6 +140,11 @@ public:
       const glm::dvec3 emission = this->Surface.GetEmission(this->Ambient, this->Diffuse);
       vtkCSLFMaterial::SetEmission(material, emission.x, emission.y, emission.z);
     }
+    if (interpolateDisplayed && this->IsInterpolatedAsDisplayed())
+    {
+      const glm::dvec3 white = this->GetDisplayedWhite();
+      vtkCSLFMaterial::SetDisplayedWhite(material, white.x, white.y, white.z);
+    }
     this->FinishTexture(material);
     vtkCSLFMaterial::Inherit(this->Data, material);
     this->FinishColors(this->Data->GetPointData());
@@ -152,6 +160,22 @@ private:
   }
 
   bool IsPhysical() const { return this->Look.Property->GetInterpolation() == VTK_PBR; }
+
+  /// Whether the window interpolates displayed values. Physically based shading takes textures, and
+  /// in older versions of VTK scalars as well, for light.
+  bool IsInterpolatedAsDisplayed() const
+  {
+    const bool hasTexture = this->Look.HasTable || this->Look.Property->GetNumberOfTextures() > 0;
+    return !this->IsPhysical() || this->Kind != Drawing::Lit ||
+      (PhysicalScalarsAreEncoded && !hasTexture);
+  }
+
+  /// The radiance of a white surface in the block's light; 1 where there is none.
+  glm::dvec3 GetDisplayedWhite() const
+  {
+    const glm::dvec3 light = this->Level.Direct + this->Level.Around;
+    return glm::mix(glm::dvec3(1.0), light, glm::greaterThan(light, glm::dvec3(0.0)));
+  }
 
   glm::dvec3 GetColor(const double* color) const
   {
@@ -312,6 +336,8 @@ private:
   const BlockLook& Look;
   glm::dvec3 Ambient;
   glm::dvec3 Diffuse;
+  LightLevel Level;
+  Drawing Kind;
   SurfaceLook Surface;
 };
 
@@ -376,7 +402,7 @@ void AddTo(ShadingModels& models, const BlockLook& look)
 }
 }
 
-void FinishLooks(ImportedScene& scene, WindowLights& lights)
+void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed)
 {
   ShadingModels models;
   vtkBoundingBox bounds;
@@ -404,7 +430,8 @@ void FinishLooks(ImportedScene& scene, WindowLights& lights)
     const auto extent = GetExtent(GetBounds(block.Data));
     const bool physical = block.Look.Property->GetInterpolation() == VTK_PBR;
     const bool isLit = lights.IsLit() || (physical && scene.HasEnvironment);
-    BlockFinisher(block, lights.GetLevel(extent.first, extent.second), isLit).Finish();
+    BlockFinisher finisher(block, lights.GetLevel(extent.first, extent.second), isLit);
+    finisher.Finish(interpolateDisplayed);
   }
 }
 }

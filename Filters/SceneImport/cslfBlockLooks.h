@@ -14,8 +14,9 @@ namespace cslf
 {
 /// Works the lights out for the blocks, and sets the blocks' materials,
 /// colours and textures so that they are traced as the window shows them: see cslfSurfaceLook.h.
-/// What the data says of its material itself is kept.
-void FinishLooks(ImportedScene& scene, WindowLights& lights);
+/// What the data says of its material itself is kept. `interpolateDisplayed` tells whether colours
+/// are interpolated as in the window where that does so as displayed values.
+void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed);
 }
 
 #endif

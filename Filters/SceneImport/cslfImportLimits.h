@@ -39,6 +39,7 @@ enum class ImportLimit
   TexturedTables,
   Widths,
   StickEnds,
+  Diagonals,
   // Lights.
   CubeMapEnvironments,
   EnvironmentImages,

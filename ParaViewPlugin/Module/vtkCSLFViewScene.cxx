@@ -135,6 +135,7 @@ bool vtkCSLFViewScene::CaptureNow()
   }
   vtkNew<ViewImporter> importer;
   importer->SetRenderer(view->GetRenderer());
+  importer->SetInterpolateDisplayedColors(this->InterpolateDisplayedColors);
   importer->Update();
   this->Scene->ShallowCopy(importer->GetOutput());
   NameArrays(this->Scene);
@@ -165,4 +166,6 @@ void vtkCSLFViewScene::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->View.Get() << "\n";
   os << indent << "CaptureLights: " << (this->CaptureLights ? "on" : "off") << "\n";
+  os << indent
+     << "InterpolateDisplayedColors: " << (this->InterpolateDisplayedColors ? "on" : "off") << "\n";
 }

@@ -50,6 +50,16 @@ public:
   vtkBooleanMacro(CaptureLights, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether colours between points are interpolated as the view does, or as light: see
+   * vtkCSLFSceneImporter. Default: on.
+   */
+  vtkSetMacro(InterpolateDisplayedColors, bool);
+  vtkGetMacro(InterpolateDisplayedColors, bool);
+  vtkBooleanMacro(InterpolateDisplayedColors, bool);
+  ///@}
+
   /**
    * Has the next update capture the view as it is then.
    */
@@ -70,6 +80,7 @@ private:
 
   vtkWeakPointer<vtkView> View;
   bool CaptureLights = true;
+  bool InterpolateDisplayedColors = true;
   vtkNew<vtkMultiBlockDataSet> Scene; // what was captured
   vtkTimeStamp CaptureTime;
 };

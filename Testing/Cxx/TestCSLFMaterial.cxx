@@ -35,6 +35,8 @@ void TestDefaultsAndRanges()
   CSLF_CHECK(tuple[0] == 0.8 && tuple[1] == 0.8 && tuple[2] == 0.8);
   vtkCSLFMaterial::GetEmission(data, tuple);
   CSLF_CHECK(tuple[0] == 0.0 && tuple[1] == 0.0 && tuple[2] == 0.0);
+  vtkCSLFMaterial::GetDisplayedWhite(data, tuple);
+  CSLF_CHECK(tuple[0] == 0.0 && tuple[1] == 0.0 && tuple[2] == 0.0);
   CSLF_CHECK(vtkCSLFMaterial::GetMetallic(data) == 0.0);
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(data) == 1.0);
   CSLF_CHECK(vtkCSLFMaterial::GetIndexOfRefraction(data) == 1.0);

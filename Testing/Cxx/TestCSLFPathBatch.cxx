@@ -34,6 +34,13 @@ std::vector<cslf::Mesh> MakeRoom(const cslf::SurfaceMaterial& floor)
   meshes.back().Colors = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
   meshes.back().Coloring = cslf::Mesh::ColorsOf::Vertices;
   meshes.push_back(
+    MakeRectangle({ -1, 0, 0.5f }, { 0, 1, 0 }, { 0, 0, 0.5f }, MakeDiffuse(0.6f, 0.2f)));
+  meshes.back().Colors = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
+  meshes.back().Emissions = { { 0.1f, 0, 0 }, { 0, 0.5f, 0 }, { 0, 0, 0.2f }, { 0.5f, 0, 0 } };
+  meshes.back().Coloring = cslf::Mesh::ColorsOf::Vertices;
+  meshes.back().EmissionsOf = cslf::Mesh::ColorsOf::Vertices;
+  meshes.back().DisplayedWhite = { 0.5f, 1.0f, 2.0f };
+  meshes.push_back(
     MakeRectangle({ -0.4f, 0.3f, 0.1f }, { 0.2f, 0, 0 }, { 0, 0.2f, 0 }, MakeDiffuse(0.8f)));
   meshes.back().Normals = { { -1, -1, 2 }, { 1, -1, 2 }, { 1, 1, 2 }, { -1, 1, 2 } };
   meshes.push_back(

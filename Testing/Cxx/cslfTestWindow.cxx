@@ -43,7 +43,9 @@ std::vector<unsigned char> TraceBake(vtkRenderer* renderer, int size, const Bake
   importer->SetRenderer(renderer);
   importer->SetHeadlightsAllAround(options.HeadlightsAllAround);
   importer->SetPixelSize(options.PixelSize);
+  importer->SetInterpolateDisplayedColors(options.InterpolateDisplayedColors);
   vtkNew<vtkCSLFViewTracer> tracer;
+  tracer->SetIntegrator(options.Integrator);
   tracer->SetInputConnection(importer->GetOutputPort());
   tracer->SetCamera(renderer->GetActiveCamera());
   tracer->SetSize(size, size);

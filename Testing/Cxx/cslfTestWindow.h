@@ -38,6 +38,8 @@ struct WindowAndBake
 struct BakeOptions
 {
   bool HeadlightsAllAround = false;
+  bool InterpolateDisplayedColors = true;
+  int Integrator = 0;   ///< of vtkCSLFPathTracer: by default path tracing
   int MaximumDepth = 1; ///< direct light only, as in the window
   int Samples = 16;
   double PixelSize = 0.001; ///< of the scene importer
