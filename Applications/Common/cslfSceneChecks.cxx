@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -72,6 +74,7 @@ public:
           }
         }
       });
+    this->CheckEnd();
   }
 
 private:
@@ -91,6 +94,28 @@ private:
       std::string command;
       words >> command;
       visit(command, words);
+    }
+  }
+
+  /// A file that was cut short may end within a line.
+  void CheckEnd()
+  {
+    this->File.clear();
+    this->File.seekg(0);
+    std::size_t words = 0;
+    std::string last;
+    this->ForEachLine(
+      [&](const std::string& command, std::istringstream& rest)
+      {
+        last = command;
+        words = std::distance(std::istream_iterator<std::string>(rest), {});
+      });
+    const std::map<std::string, std::size_t> fewest = { { "v", 3 }, { "vn", 3 }, { "vt", 1 },
+      { "f", 3 }, { "l", 2 }, { "p", 1 } };
+    const auto found = fewest.find(last);
+    if (found != fewest.end() && words < found->second)
+    {
+      this->Fail("ends too early");
     }
   }
 
@@ -161,6 +186,87 @@ private:
   std::size_t Line = 0;
   Numbers Totals{};
   Numbers Counts{}; // up to this line
+};
+
+/// Whether a file of STL is whole. VTK reads what there is of one that is not.
+class STLChecker
+{
+public:
+  explicit STLChecker(const std::string& fileName)
+    : File(fileName, std::ios::binary)
+  {
+    std::error_code failure;
+    this->Size = fs::file_size(fileName, failure);
+    this->Begin.resize(std::min<std::uintmax_t>(this->Size, BytesLookedAt));
+    this->File.read(this->Begin.data(), static_cast<std::streamsize>(this->Begin.size()));
+  }
+
+  void Check()
+  {
+    if (this->IsText())
+    {
+      this->CheckText();
+    }
+    else
+    {
+      this->CheckBinary();
+    }
+  }
+
+private:
+  static constexpr std::uintmax_t BytesLookedAt = 1024;
+  static constexpr std::uintmax_t HeaderSize = 84; // the last four bytes count the triangles
+  static constexpr std::uintmax_t TriangleSize = 50;
+
+  /// Headers of binary files may begin as texts do.
+  bool IsText() const
+  {
+    const std::size_t first = this->Begin.find_first_not_of(" \t\r\n");
+    return first != std::string::npos && this->Begin.compare(first, 5, "solid") == 0 &&
+      std::all_of(this->Begin.begin(), this->Begin.end(),
+        [](char letter) { return letter > 0 && letter < 127; });
+  }
+
+  void CheckText()
+  {
+    this->File.clear();
+    this->File.seekg(0);
+    std::string line;
+    bool isOpen = false;
+    while (std::getline(this->File, line))
+    {
+      std::string word;
+      std::istringstream(line) >> word;
+      isOpen = word == "solid" || (isOpen && word != "endsolid");
+    }
+    if (isOpen)
+    {
+      throw Failure("it is cut short: its last solid does not end.");
+    }
+  }
+
+  void CheckBinary() const
+  {
+    if (this->Size < HeaderSize)
+    {
+      throw Failure("it is too short for the header of a binary STL file.");
+    }
+    std::uintmax_t triangles = 0;
+    for (int i = 1; i <= 4; ++i)
+    {
+      triangles = triangles << 8 | static_cast<unsigned char>(this->Begin[HeaderSize - i]);
+    }
+    const std::uintmax_t present = (this->Size - HeaderSize) / TriangleSize;
+    if (present < triangles)
+    {
+      throw Failure("it is cut short: it holds " + std::to_string(present) + " of " +
+        std::to_string(triangles) + " triangles.");
+    }
+  }
+
+  std::ifstream File;
+  std::uintmax_t Size = 0;
+  std::string Begin;
 };
 
 /// The elements of an XML file.
@@ -292,6 +398,11 @@ private:
 void CheckOBJ(const std::string& fileName)
 {
   OBJChecker(fileName).Check();
+}
+
+void CheckSTL(const std::string& fileName)
+{
+  STLChecker(fileName).Check();
 }
 
 void CheckVTKXML(const std::string& fileName)

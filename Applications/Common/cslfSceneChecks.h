@@ -14,8 +14,12 @@ namespace cslf
 namespace tool
 {
 /// Throws a Failure where a face, line or point of an OBJ file has an index of a vertex, texture
-/// coordinate or normal that does not exist.
+/// coordinate or normal that does not exist, or the file ends within a line.
 void CheckOBJ(const std::string& fileName);
+
+/// Throws a Failure where a file of STL holds fewer triangles than it announces, or its last solid
+/// does not end.
+void CheckSTL(const std::string& fileName);
 
 /// Throws a Failure where an XML file of VTK, or a file that it names, announces more than there
 /// are bytes for.

@@ -70,7 +70,7 @@ const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders
 {
   static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
     { ".ply", ReadPLY },
-    { ".stl", ReadWith<vtkSTLReader> },
+    { ".stl", ReadChecked<vtkSTLReader, CheckSTL> },
     { ".obj", ReadChecked<vtkOBJReader, CheckOBJ> },
     { ".vtp", ReadChecked<vtkXMLPolyDataReader, CheckVTKXML> },
     { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader, CheckVTKXML> },

@@ -91,6 +91,38 @@ if (NOT result MATCHES "^[01]$" OR NOT error MATCHES "^cslf: [^\n]+\n$")
   message(FATAL_ERROR "cslf sample wild.vtp ended with ${result}: ${error}")
 endif ()
 
+# Meshes cut short: an error, wherever the cut is.
+file(WRITE "${DIRECTORY}/whole.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4")
+file(WRITE "${DIRECTORY}/whole.ply" "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x
+property float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header
+0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3")
+set(facet "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n")
+file(WRITE "${DIRECTORY}/whole.stl" "solid a\n${facet}${facet}endsolid")
+write_vtp(whole 0 "MAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAADAPwAAAAAAAAAA")
+# A binary STL file: a header, the number of triangles, and each with its normal and corners.
+string(REPEAT "h" 80 header)
+set(zero "\\000\\000\\000\\000")
+set(one "\\000\\000\\200\\077")
+set(triangle "${zero}${zero}${one}${zero}${zero}${zero}${one}${zero}${zero}${zero}${one}${zero}")
+string(REPEAT "${triangle}\\000\\000" 3 triangles)
+execute_process(
+  COMMAND sh -c "printf '${header}\\003\\000\\000\\000${triangles}'"
+  WORKING_DIRECTORY "${DIRECTORY}"
+  OUTPUT_FILE three.stl)
+foreach (mesh IN ITEMS whole.obj whole.ply whole.stl whole.vtp three.stl)
+  cslf_run(sample ${mesh} -o left.vti ${tiny})
+  file(SIZE "${DIRECTORY}/${mesh}" bytes)
+  get_filename_component(extension ${mesh} EXT)
+  foreach (lost IN ITEMS 2 3 17)
+    math(EXPR kept "${bytes} - ${lost}")
+    execute_process(
+      COMMAND head -c ${kept} ${mesh}
+      WORKING_DIRECTORY "${DIRECTORY}"
+      OUTPUT_FILE cut${extension})
+    cslf_fail("cut${extension}" "x" sample cut${extension} -o x.vti ${tiny})
+  endforeach ()
+endforeach ()
+
 # Videos cut short: an error, or a warning and what is left.
 cslf_run(sample cornell-box -o whole.mp4 ${tiny})
 file(SIZE "${DIRECTORY}/whole.mp4" bytes)
