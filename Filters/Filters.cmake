@@ -46,6 +46,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfLightReader.cxx
   ../Filters/PathTracing/cslfLightTree.cxx
   ../Filters/PathTracing/cslfLocalLights.cxx
+  ../Filters/PathTracing/cslfMaterialProblems.cxx
   ../Filters/PathTracing/cslfMesh.cxx
   ../Filters/PathTracing/cslfMeshJoin.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
@@ -97,6 +98,8 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfLightSample.h
   ../Filters/PathTracing/cslfLightTree.h
   ../Filters/PathTracing/cslfLocalLights.h
+  ../Filters/PathTracing/cslfMaterialParameters.h
+  ../Filters/PathTracing/cslfMaterialProblems.h
   ../Filters/PathTracing/cslfMesh.h
   ../Filters/PathTracing/cslfMeshJoin.h
   ../Filters/PathTracing/cslfMeshMaker.h

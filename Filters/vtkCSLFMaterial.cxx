@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterial.h"
 
+#include "PathTracing/cslfMaterialParameters.h"
 #include "SceneImport/cslfSurfaceLook.h"
 #include "SceneImport/cslfTextureImage.h"
 #include "cslfColor.h"
@@ -29,35 +30,7 @@ vtkStandardNewMacro(vtkCSLFMaterial);
 
 namespace
 {
-/// A row of the table in the class's documentation.
-struct Parameter
-{
-  const char* Name;
-  int Components;
-  double Default;
-  double Minimum;
-  double Maximum;
-};
-
-// The tracer computes in floats.
-constexpr double Unlimited = 1e30;
-const Parameter BaseColor = { vtkCSLFMaterial::BaseColorName(), 3, 0.8, 0.0, 1.0 };
-const Parameter Metallic = { vtkCSLFMaterial::MetallicName(), 1, 0.0, 0.0, 1.0 };
-const Parameter Roughness = { vtkCSLFMaterial::RoughnessName(), 1, 1.0, 0.0, 1.0 };
-const Parameter Emission = { vtkCSLFMaterial::EmissionName(), 3, 0.0, 0.0, Unlimited };
-const Parameter IndexOfRefraction = { vtkCSLFMaterial::IndexOfRefractionName(), 1, 1.0, 1.0,
-  Unlimited };
-const Parameter Transmission = { vtkCSLFMaterial::TransmissionName(), 1, 0.0, 0.0, 1.0 };
-const Parameter ThinWalled = { vtkCSLFMaterial::ThinWalledName(), 1, 0.0, 0.0, 1.0 };
-const Parameter Opacity = { vtkCSLFMaterial::OpacityName(), 1, 1.0, 0.0, 1.0 };
-const Parameter OpacityCutoff = { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 0.0, 1.0 };
-const Parameter NormalScale = { vtkCSLFMaterial::NormalScaleName(), 1, 1.0, -Unlimited, Unlimited };
-const Parameter LineRadius = { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited };
-const Parameter PointRadius = { vtkCSLFMaterial::PointRadiusName(), 1, 0.0, 0.0, Unlimited };
-const Parameter DisplayedWhite = { vtkCSLFMaterial::DisplayedWhiteName(), 3, 0.0, 0.0, Unlimited };
-const Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, ThinWalled, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius,
-  DisplayedWhite };
+using namespace cslf::material;
 
 // By vtkCSLFMaterial::TextureSlots.
 constexpr const char* TextureNames[] = { "CSLF:BaseColorTexture", "CSLF:MetallicRoughnessTexture",
@@ -151,14 +124,6 @@ void SetFromPhysicalProperty(vtkDataObject* data, vtkProperty* property)
   const double* factor = property->GetEmissiveFactor();
   vtkCSLFMaterial::SetEmission(
     data, emissive ? factor[0] : 0.0, emissive ? factor[1] : 0.0, emissive ? factor[2] : 0.0);
-}
-
-double Clamp(const Parameter& parameter, double value)
-{
-  // A value that is no number is replaced, too.
-  return value >= parameter.Minimum
-    ? std::min(value, parameter.Maximum)
-    : (value < parameter.Minimum ? parameter.Minimum : parameter.Default);
 }
 
 void Set(vtkDataObject* data, const Parameter& parameter, const double* values)

@@ -52,7 +52,8 @@
  * the alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
  * normals are as in glTF.
  *
- * Values out of range are clamped when set.
+ * Values out of range are clamped when they are set and when they are read; what is no number is the
+ * default. The path tracing filters warn of such values in arrays, and of arrays that do not match.
  *
  * The prefix keeps these names apart from the arrays of simulations and other programs. Version 0.1
  * used the names without it; Documentation/Materials.md says where those are still read.

@@ -266,10 +266,12 @@ int vtkCSLFSceneImporter::RequestData(
   {
     vtkWarningMacro("Left out of the scene: " << scene.ListOmitted() << ".");
   }
-  const std::string oldNames = scene.Old.ToText();
-  if (!oldNames.empty())
+  for (const std::string& text : { scene.Old.ToText(), scene.Materials.ToText() })
   {
-    vtkWarningMacro(<< oldNames);
+    if (!text.empty())
+    {
+      vtkWarningMacro(<< text);
+    }
   }
   return 1;
 }

@@ -7,6 +7,7 @@
 #include "cslfEnvironmentReader.h"
 #include "cslfFingerprint.h"
 #include "cslfLightReader.h"
+#include "cslfMaterialProblems.h"
 #include "cslfMeshJoin.h"
 #include "cslfMeshMaker.h"
 #include "cslfOldNames.h"
@@ -54,12 +55,16 @@ struct Omissions
   std::set<std::string> Unsound; ///< what would be read out of bounds
   std::set<std::string> DataTypes;
   OldNames Old;
+  MaterialProblems Materials;
 
   std::string ToText() const
   {
     std::string text = this->ListOmitted();
-    const std::string names = this->Old.ToText();
-    return text + (text.empty() || names.empty() ? "" : " ") + names;
+    for (const std::string& more : { this->Old.ToText(), this->Materials.ToText() })
+    {
+      text += (text.empty() || more.empty() ? "" : " ") + more;
+    }
+    return text;
   }
 
 private:
@@ -277,6 +282,11 @@ private:
 
   void ReadMaterial(vtkPolyData* data, vtkDataObject* root, SceneBlock& block)
   {
+    for (vtkDataObject* source : { static_cast<vtkDataObject*>(data), root })
+    {
+      this->Omitted.Materials.FindUnused(source);
+      this->Omitted.Materials.FindOutOfRange(source);
+    }
     vtkNew<vtkPolyData> holder;
     vtkCSLFMaterial::Inherit(holder, data);
     vtkCSLFMaterial::Inherit(holder, root);

@@ -281,7 +281,9 @@ private:
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
     TransformTCoords(this->Actor, block);
     // What the data itself says of its material comes before the property.
-    vtkCSLFMaterial::Inherit(block, RenameOldArrays(leaf, this->Scene.Old));
+    const vtkSmartPointer<vtkDataObject> named = RenameOldArrays(leaf, this->Scene.Old);
+    this->Scene.Materials.FindUnused(named);
+    vtkCSLFMaterial::Inherit(block, named);
     this->Look.Color = style.Color;
     this->Look.Opacity = style.Opacity.value_or(this->Property->GetOpacity());
     this->Look.HasTable = mapped.Table != nullptr;

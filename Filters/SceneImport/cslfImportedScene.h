@@ -7,6 +7,7 @@
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
 
+#include "PathTracing/cslfMaterialProblems.h"
 #include "PathTracing/cslfOldNames.h"
 #include "cslfImportLimits.h"
 
@@ -53,7 +54,8 @@ struct ImportedScene
   MetLimits Limits;                    ///< what a renderer shows in another way
   std::set<std::string> Omitted;       ///< what else cannot be represented, in words
 
-  OldNames Old; ///< of materials that data brings along
+  OldNames Old;               ///< of materials that data brings along
+  MaterialProblems Materials; ///< likewise; values are checked when the scene is traced
 
   /// Notes a limit, perhaps with a detail such as the class of a prop.
   void Meet(ImportLimit limit, const std::string& detail = std::string())
