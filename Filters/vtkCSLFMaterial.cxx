@@ -91,7 +91,7 @@ void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
   const glm::dvec3 ambient(color[0], color[1], color[2]);
   const cslf::Drawing drawing =
     property->GetLighting() ? cslf::Drawing::Lit : cslf::Drawing::Illuminating;
-  const cslf::SurfaceLook look(property, cslf::LightLevel(), drawing, diffuse);
+  const cslf::SurfaceLook look(property, cslf::LightLevel(), drawing, { diffuse });
   SetColors(data, look.GetBaseColor(ambient, diffuse), look.GetEmission(ambient, diffuse));
   vtkCSLFMaterial::SetMetallic(data, look.GetMetallic());
   vtkCSLFMaterial::SetRoughness(data, look.GetRoughness());

@@ -22,6 +22,7 @@
 
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace cslf
 {
@@ -116,7 +117,7 @@ public:
     , Diffuse(this->GetColor(block.Look.Property->GetDiffuseColor()))
     , Level(level)
     , Kind(GetDrawing(block.Look, isLit))
-    , Surface(block.Look.Property, level, this->Kind, this->GetTypicalColor())
+    , Surface(block.Look.Property, level, this->Kind, this->GetTypicalColors())
   {
   }
 
@@ -184,13 +185,18 @@ private:
                                : ToColor(color);
   }
 
-  /// That of the property; a middle grey where colours vary.
-  glm::dvec3 GetTypicalColor() const
+  /// That of the property; greys from black to white where colours vary. Those of the block itself
+  /// would make the pieces of one surface differ.
+  std::vector<glm::dvec3> GetTypicalColors() const
   {
     const bool varies = this->Look.HasTable || this->Look.Texture ||
       this->Data->GetPointData()->GetScalars() || this->Data->GetCellData()->GetScalars() ||
       this->Data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor());
-    return varies ? glm::dvec3(0.5) : this->Diffuse;
+    if (!varies)
+    {
+      return { this->Diffuse };
+    }
+    return { glm::dvec3(0.0), glm::dvec3(0.5), glm::dvec3(1.0) };
   }
 
   /// The actor's texture, which only the classic models show, or that of a lookup table.

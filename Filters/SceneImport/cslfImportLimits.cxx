@@ -78,6 +78,16 @@ constexpr ImportLimitText Texts[] = {
     "one colour for base and metal, up to 5 levels of 255 off; 8 where a highlight is white in the "
     "window",
     false },
+  { ImportLimit::OpposedNormals,
+    "normals that point to the backs of their faces",
+    "black; so are mirrored actors with normals, in some versions of VTK",
+    "lit as if the normals pointed to the front",
+    false },
+  { ImportLimit::Layers,
+    "translucent surfaces that overlap",
+    "displayed colours, mixed",
+    "light, mixed: brighter once it is displayed",
+    false },
   { ImportLimit::TextureWraps,
     "textures that are mirrored or have a border beyond their image",
     "the image mirrored, or the border's colour",
@@ -128,14 +138,16 @@ constexpr ImportLimitText Texts[] = {
     "surfaces that do not face the light",
     "displayed colours times the cosine to the light",
     "light times the cosine, so brighter once it is displayed: 0.73 in place of 0.5 at 60 degrees; "
-    "sums of several lights differ likewise. Where a surface faces the light, both show the same. In "
+    "sums of several lights differ likewise. Where a surface faces the light, both show the same; of "
+    "light kits and camera lights, where it faces the camera now. In "
     "PBR both multiply light, but by its own curve the window shows dark places up to 9 levels of "
     "255 brighter",
     false },
   { ImportLimit::Highlights,
     "highlights of flat, Gouraud and Phong shading",
     "the cosine to a power, added to the displayed colour",
-    "microfacets (GGX) as high and as wide, with a longer tail",
+    "microfacets (GGX) as high and as wide, with a longer tail. Where colours vary, highlights are "
+    "those of a middle colour: brighter than the window's on dark colours, fainter on bright ones",
     false },
   { ImportLimit::UnlitLines,
     "lines, points and edges",

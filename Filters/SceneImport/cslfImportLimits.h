@@ -35,6 +35,8 @@ enum class ImportLimit
   Coats,
   Anisotropy,
   PartMetals,
+  OpposedNormals,
+  Layers,
   TextureWraps,
   TexturedTables,
   Widths,

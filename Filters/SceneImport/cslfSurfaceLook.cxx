@@ -41,30 +41,49 @@ double ToIndexOfRefraction(double reflectance)
   return (1.0 + root) / (1.0 - root);
 }
 
-/// The factors of `color` and of white, not negative, whose sum is nearest to `target`.
-std::pair<double, double> FitColorAndWhite(const glm::dvec3& target, const glm::dvec3& color)
+/// The factors of a colour and of white, not negative, whose sum is nearest to a target for all of
+/// the colours that are added.
+class ColorAndWhite
 {
-  const glm::dvec3 white(1.0);
-  const double colors = glm::dot(color, color);
-  const double both = glm::dot(color, white);
-  const double determinant = 3.0 * colors - both * both;
-  if (determinant > 1e-9 * colors)
+public:
+  void Add(const glm::dvec3& target, const glm::dvec3& color)
   {
-    const double ofColor =
-      (3.0 * glm::dot(target, color) - both * glm::dot(target, white)) / determinant;
-    const double ofWhite =
-      (colors * glm::dot(target, white) - both * glm::dot(target, color)) / determinant;
-    if (ofColor >= 0.0 && ofWhite >= 0.0)
-    {
-      return { ofColor, ofWhite };
-    }
-    if (ofColor > 0.0)
-    {
-      return { glm::dot(target, color) / colors, 0.0 };
-    }
+    const glm::dvec3 white(1.0);
+    this->Count += 3.0;
+    this->Colors += glm::dot(color, color);
+    this->Both += glm::dot(color, white);
+    this->Target += glm::dot(target, white);
+    this->TargetColors += glm::dot(target, color);
   }
-  return { 0.0, glm::dot(target, white) / 3.0 };
-}
+
+  std::pair<double, double> Fit() const
+  {
+    const double determinant = this->Count * this->Colors - this->Both * this->Both;
+    if (determinant > 1e-9 * this->Colors)
+    {
+      const double ofColor =
+        (this->Count * this->TargetColors - this->Both * this->Target) / determinant;
+      const double ofWhite =
+        (this->Colors * this->Target - this->Both * this->TargetColors) / determinant;
+      if (ofColor >= 0.0 && ofWhite >= 0.0)
+      {
+        return { ofColor, ofWhite };
+      }
+      if (ofColor > 0.0)
+      {
+        return { this->TargetColors / this->Colors, 0.0 };
+      }
+    }
+    return { 0.0, this->Count > 0.0 ? this->Target / this->Count : 0.0 };
+  }
+
+private:
+  double Count = 0.0;
+  double Colors = 0.0;
+  double Both = 0.0;
+  double Target = 0.0;
+  double TargetColors = 0.0;
+};
 
 /// The squared alpha of GGX facets whose highlight is as wide, at half its height, as that of a
 /// cosine between reflection and view to a power, which is twice as far from the mirror's direction
@@ -77,8 +96,8 @@ double ToSquaredAlpha(double power)
 }
 }
 
-SurfaceLook::SurfaceLook(
-  vtkProperty* property, const LightLevel& level, Drawing drawing, const glm::dvec3& typical)
+SurfaceLook::SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing drawing,
+  const std::vector<glm::dvec3>& typical)
   : Property(property)
   , Level(level)
   , Kind(drawing)
@@ -98,7 +117,7 @@ SurfaceLook::SurfaceLook(
   }
 }
 
-void SurfaceLook::FindPhysical(const glm::dvec3& typical)
+void SurfaceLook::FindPhysical(const std::vector<glm::dvec3>& typical)
 {
   this->Roughness = this->Property->GetRoughness();
   const double ior = std::max(this->Property->GetBaseIOR(), 1.0);
@@ -107,9 +126,14 @@ void SurfaceLook::FindPhysical(const glm::dvec3& typical)
   // Metal and diffuse base have one colour here, in the window they do not: the part of metal is
   // the metal's share of what both reflect.
   const double metallic = this->Property->GetMetallic();
-  const double metal = metallic * this->Property->GetDiffuse() * glm::length(typical);
-  const double base = glm::length(glm::dvec3(this->GetPhysicalDiffuse(typical.x),
-    this->GetPhysicalDiffuse(typical.y), this->GetPhysicalDiffuse(typical.z)));
+  double metal = 0.0;
+  double base = 0.0;
+  for (const glm::dvec3& color : typical)
+  {
+    metal += metallic * this->Property->GetDiffuse() * glm::length(color);
+    base += glm::length(glm::dvec3(this->GetPhysicalDiffuse(color.x),
+      this->GetPhysicalDiffuse(color.y), this->GetPhysicalDiffuse(color.z)));
+  }
   this->Metallic = metallic;
   double boundary = this->WindowReflectance;
   if (metallic < 1.0 && base > 0.0 && !this->HasMetallicTexture())
@@ -148,16 +172,24 @@ void SurfaceLook::UpdateResponse()
   this->Reflects.Boundary = part * above;
 }
 
-void SurfaceLook::FindHighlight(const glm::dvec3& typical)
+void SurfaceLook::FindHighlight(const std::vector<glm::dvec3>& typical)
 {
   // The height above the rest, as far as it can be displayed.
   const auto& window = this->Level.Window;
-  const glm::dvec3 base =
-    glm::min(typical * (this->Property->GetAmbient() + this->Property->GetDiffuse() * window), 1.0);
-  const glm::dvec3 top = glm::min(
-    base + this->Property->GetSpecular() * ToColor(this->Property->GetSpecularColor()) * window,
-    1.0);
-  const glm::dvec3 height = SRGBToLinear(top) - SRGBToLinear(base);
+  ColorAndWhite parts;
+  glm::dvec3 diffuse(0.0);
+  for (const glm::dvec3& color : typical)
+  {
+    const glm::dvec3 base =
+      glm::min(color * (this->Property->GetAmbient() + this->Property->GetDiffuse() * window), 1.0);
+    const glm::dvec3 top = glm::min(
+      base + this->Property->GetSpecular() * ToColor(this->Property->GetSpecularColor()) * window,
+      1.0);
+    const glm::dvec3 reflected =
+      SRGBToLinear(base) - SRGBToLinear(this->Property->GetAmbient() * color);
+    parts.Add(SRGBToLinear(top) - SRGBToLinear(base), reflected);
+    diffuse += reflected / static_cast<double>(typical.size());
+  }
   const double light = glm::dot(LuminanceWeights, this->Level.Direct + this->Level.Around);
   if (!(light > 0.0))
   {
@@ -166,9 +198,7 @@ void SurfaceLook::FindHighlight(const glm::dvec3& typical)
 
   // A boundary reflects light from straight above by F0 / (4 alpha^2), relative to a white diffuse
   // surface, and a metal by its base colour in place of F0.
-  const glm::dvec3 diffuse =
-    SRGBToLinear(base) - SRGBToLinear(this->Property->GetAmbient() * typical);
-  const auto [ofColor, ofWhite] = FitColorAndWhite(height, diffuse);
+  const auto [ofColor, ofWhite] = parts.Fit();
   const double squaredAlpha = ToSquaredAlpha(this->Property->GetSpecularPower());
   const double ratio = 4.0 * squaredAlpha * ofColor;
   this->Metallic = std::min(ratio / (1.0 + ratio), LargestMetallic);

@@ -11,6 +11,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <vector>
+
 class vtkProperty;
 
 namespace cslf
@@ -39,9 +41,9 @@ enum class Drawing
 class SurfaceLook
 {
 public:
-  /// `typical` is the colour that the highlight is made for.
-  SurfaceLook(
-    vtkProperty* property, const LightLevel& level, Drawing drawing, const glm::dvec3& typical);
+  /// `typical` are colours of the surface, for which highlights and parts of metal are made.
+  SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing drawing,
+    const std::vector<glm::dvec3>& typical);
 
   /// The reflectance, linear, in [0,1]. Ambient and diffuse colours differ in properties alone.
   glm::dvec3 GetReflectance(const glm::dvec3& ambient, const glm::dvec3& diffuse) const;
@@ -73,8 +75,8 @@ private:
     double Boundary = 0.0; ///< of light from all around, by the boundary
   };
 
-  void FindPhysical(const glm::dvec3& typical);
-  void FindHighlight(const glm::dvec3& typical);
+  void FindPhysical(const std::vector<glm::dvec3>& typical);
+  void FindHighlight(const std::vector<glm::dvec3>& typical);
   void UpdateResponse();
   double GetClassicReflectance(int channel, double ambient, double diffuse) const;
   double GetPhysicalLevel() const;

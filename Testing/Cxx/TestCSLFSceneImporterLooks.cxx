@@ -349,6 +349,25 @@ void TestHighlights()
       Compare({ text, property, Headlight(1.0) }, white > 0.0 ? 24 : 6);
     }
   }
+  // On colours that vary, a highlight is the same for all of them.
+  const auto shiny = [](vtkProperty* target)
+  {
+    target->SetSpecular(0.3);
+    target->SetSpecularPower(30.0);
+  };
+  const auto colors = [](vtkActor* actor)
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->Update();
+    vtkNew<vtkPolyData> data;
+    data->ShallowCopy(plane->GetOutput());
+    vtkNew<vtkUnsignedCharArray> saturated;
+    saturated->SetNumberOfComponents(3);
+    saturated->InsertNextTuple3(0.0, 128.0, 255.0);
+    data->GetCellData()->SetScalars(saturated);
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
+  };
+  Compare({ "highlight of scalars", shiny, Headlight(1.0), false, colors }, 45);
 }
 }
 
