@@ -76,7 +76,7 @@ constexpr ImportLimitText Texts[] = {
     "PBR surfaces of a metallic part between 0 and 1",
     "a diffuse base that is duller than the metal and of another hue",
     "one colour for base and metal, up to 5 levels of 255 off; 8 where a highlight is white in the "
-    "window",
+    "window, and 20 where a texture gives the part",
     false },
   { ImportLimit::OpposedNormals,
     "normals that point to the backs of their faces",
