@@ -73,6 +73,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfTriangles.cxx)
 list(APPEND private_headers
   ../Filters/PathTracing/cslfArithmetic.h
+  ../Filters/PathTracing/cslfBox.h
   ../Filters/PathTracing/cslfBSDF.h
   ../Filters/PathTracing/cslfDirectLight.h
   ../Filters/PathTracing/cslfDirectionalLight.h

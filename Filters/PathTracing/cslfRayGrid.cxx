@@ -4,7 +4,9 @@
 
 #include "cslfVectorize.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +23,16 @@ constexpr double Near = 2.0;
 // Rays of neighbouring texels that start closer to each other than this start from one point: over
 // a hundred thousand texels that is less than a float can tell.
 constexpr double SameOrigin = 1e-12;
+
+// What rays may differ by from those of exact arithmetic, in radii of the scene.
+constexpr double Rounding = 1e-5;
+
+/// Whether all rays may be taken to start at the same point.
+bool StartAtOnePoint(const RayGrid& grid)
+{
+  return glm::length(grid.OriginX) < SameOrigin && glm::length(grid.OriginY) < SameOrigin &&
+    glm::length(grid.Origin) <= FarAway;
+}
 
 /// A bundle of rays from one point, in floats.
 struct Bundle
@@ -102,8 +114,7 @@ void SetRay(
 void SetRays(const RayGrid& grid, const float x[RayPacket::Size], const float y[RayPacket::Size],
   RayPacket& packet, PacketScale& scale)
 {
-  if (glm::length(grid.OriginX) < SameOrigin && glm::length(grid.OriginY) < SameOrigin &&
-    glm::length(grid.Origin) <= FarAway)
+  if (StartAtOnePoint(grid))
   {
     SetBundle(Bundle(grid), x, y, packet, scale);
     return;
@@ -112,5 +123,30 @@ void SetRays(const RayGrid& grid, const float x[RayPacket::Size], const float y[
   {
     SetRay(grid, x[lane], y[lane], lane, packet, scale);
   }
+}
+
+bool MayMeet(const RayGrid& grid, const glm::dvec2& low, const glm::dvec2& high, const Box& box)
+{
+  if (!StartAtOnePoint(grid))
+  {
+    return true;
+  }
+  const auto getDirection = [&grid](double x, double y)
+  { return grid.Direction + x * grid.DirectionX + y * grid.DirectionY; };
+  const glm::dvec3 corners[4] = { getDirection(low.x, low.y), getDirection(high.x, low.y),
+    getDirection(high.x, high.y), getDirection(low.x, high.y) };
+  const glm::dvec3 middle = corners[0] + corners[2];
+  // The rays fill a pyramid. Is the box on the outer side of one of its four sides?
+  for (int side = 0; side < 4; ++side)
+  {
+    glm::dvec3 inwards = glm::cross(corners[side], corners[(side + 1) % 4]);
+    inwards *= glm::dot(inwards, middle) < 0.0 ? -1.0 : 1.0;
+    const glm::dvec3 innermost = glm::mix(box.Low, box.High, glm::greaterThan(inwards, {}));
+    if (glm::dot(inwards, innermost - grid.Origin) < -Rounding * glm::length(inwards))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }

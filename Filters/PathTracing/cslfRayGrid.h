@@ -9,8 +9,10 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfBox.h"
 #include "cslfRayPacket.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace cslf
@@ -43,6 +45,11 @@ struct PacketScale
 /// meet the scene.
 VTKCSLF_EXPORT void SetRays(const RayGrid& grid, const float x[RayPacket::Size],
   const float y[RayPacket::Size], RayPacket& packet, PacketScale& scale);
+
+/// Whether a ray through a rectangle of the grid, which is given by two corners, may meet the box.
+/// False only if none does.
+VTKCSLF_EXPORT bool MayMeet(
+  const RayGrid& grid, const glm::dvec2& low, const glm::dvec2& high, const Box& box);
 }
 
 #endif

@@ -340,6 +340,14 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
 
 Scene::~Scene() = default;
 
+Box Scene::GetBounds() const
+{
+  RTCBounds bounds;
+  rtcGetSceneBounds(this->Tree->World.get(), &bounds);
+  return { { bounds.lower_x, bounds.lower_y, bounds.lower_z },
+    { bounds.upper_x, bounds.upper_y, bounds.upper_z } };
+}
+
 std::uint32_t Scene::GetInstance(std::uint32_t mesh, std::uint32_t geometry) const
 {
   return geometry == RTC_INVALID_GEOMETRY_ID ? TrianglePoint::None

@@ -10,6 +10,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfBox.h"
 #include "cslfDirectionalLight.h"
 #include "cslfEnvironment.h"
 #include "cslfLocalLights.h"
@@ -118,6 +119,9 @@ public:
   }
 
   const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
+
+  /// The box around all surfaces; empty if there are none.
+  Box GetBounds() const;
 
   /// The number of a triangle among those of all meshes that can hold a lattice.
   std::size_t GetTriangleIndex(std::uint32_t mesh, std::uint32_t triangle) const

@@ -95,6 +95,7 @@ TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
   , Output(output)
   , Integrator(scene, settings.Paths, settings.Cache)
   , Known(scene, settings.Cache)
+  , Bounds(scene.GetBounds())
   , Rule(DisplayCurve(settings.Exposure, settings.DisplayRange), settings.NoiseTarget)
 {
 }
@@ -206,7 +207,16 @@ void TexelRenderer::RenderBlocks(std::vector<Block>& blocks, PathQueue& queue) c
 {
   for (Block& block : blocks)
   {
-    this->LookAhead(block, queue.Rays);
+    if (this->MayMeetScene(block))
+    {
+      this->LookAhead(block, queue.Rays);
+    }
+    else
+    {
+      // Any sample would see nothing.
+      block.Sums.Samples = 1;
+      block.Means.TakeAll(block.Sums);
+    }
   }
   if (this->IsAdaptive())
   {
@@ -401,6 +411,13 @@ void TexelRenderer::FollowPaths(PathQueue& queue) const
   }
   queue.Batch.Clear();
   queue.Sources.clear();
+}
+
+bool TexelRenderer::MayMeetScene(const Block& block) const
+{
+  const glm::dvec2 first(block.X, block.Y);
+  return this->Settings.ShowEnvironment ||
+    MayMeet(block.Grid, first, first + double(BlockSide), this->Bounds);
 }
 
 void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const

@@ -98,6 +98,7 @@ private:
   void Follow(const RayPacket& packet, Block& block, const TexelGroup& group, const int covered[],
     PathQueue& queue) const;
   void FollowPaths(PathQueue& queue) const;
+  bool MayMeetScene(const Block& block) const;
   void LookAhead(Block& block, std::uint64_t& rays) const;
   bool IsPlain(const RayPacket& centers, Block& block, std::uint64_t& rays) const;
   bool AddSeen(const RayPacket& packet, const int inside[], ColorBounds& seen) const;
@@ -110,6 +111,7 @@ private:
   TexelOutput Output;
   PathIntegrator Integrator;
   DiffuseLookUp Known;
+  Box Bounds;
   StoppingRule Rule;
   mutable std::atomic<std::uint64_t> Rays{ 0 };
 };
