@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The glyphs of a mapper as instances, drawn by VTK and traced: where they are, and their colours.
+#include "cslfTestShapes.h"
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFSceneImporter.h"
-#include "vtkCSLFViewTracer.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
@@ -24,18 +24,14 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-constexpr int Side = 96;
-
 vtkSmartPointer<vtkPolyData> MakePoints()
 {
   const double places[][3] = { { -2, -2, 0 }, { 2, -2, 0 }, { 2, 2, 0 }, { -2, 2, 0 },
@@ -91,8 +87,8 @@ struct Glyphs
 {
   vtkNew<vtkGlyph3DMapper> Mapper;
   vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
+  cslf::testing::ShapeComparison Shapes;
+  vtkRenderer* Renderer = this->Shapes.Renderer;
 
   Glyphs()
   {
@@ -111,60 +107,17 @@ struct Glyphs
     this->Renderer->AddActor(this->Actor);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(1, 2, 10);
-    camera->ParallelProjectionOn();
     camera->SetParallelScale(4.0);
     this->Renderer->ResetCameraClippingRange(-5, 5, -5, 5, -5, 5);
-    this->Window->SetSize(Side, Side);
-    this->Window->SetMultiSamples(0);
-    this->Window->AddRenderer(this->Renderer);
   }
 
   /// The share of the pixels where only one of the two pictures has a glyph, or both have other
   /// hues.
   double Compare()
   {
-    vtkNew<vtkWindowToImageFilter> drawn;
-    drawn->SetInput(this->Window);
-    drawn->ReadFrontBufferOff();
-    drawn->Update();
-    vtkNew<vtkCSLFViewTracer> traced;
-    traced->SetRenderer(this->Renderer);
-    traced->SetCamera(this->Renderer->GetActiveCamera());
-    traced->SetSize(Side, Side);
-    traced->SetSamples(4);
-    traced->SetMaximumDepth(1);
-    traced->Update();
-    vtkDataArray* first = drawn->GetOutput()->GetPointData()->GetScalars();
-    vtkDataArray* second = traced->GetOutput()->GetPointData()->GetScalars();
-    int differ = 0;
-    int covered = 0;
-    for (vtkIdType i = 0; i < first->GetNumberOfTuples(); ++i)
-    {
-      const bool a = GetLargest(first, i) > 20;
-      const bool b = second->GetComponent(i, 3) >= 128;
-      covered += a ? 1 : 0;
-      differ += a != b || (a && GetHue(first, i) != GetHue(second, i)) ? 1 : 0;
-    }
-    CSLF_CHECK(covered > 200);
-    return static_cast<double>(differ) / covered;
-  }
-
-private:
-  static double GetLargest(vtkDataArray* colors, vtkIdType pixel)
-  {
-    return std::max({ colors->GetComponent(pixel, 0), colors->GetComponent(pixel, 1),
-      colors->GetComponent(pixel, 2) });
-  }
-
-  /// Which components are bright.
-  static int GetHue(vtkDataArray* colors, vtkIdType pixel)
-  {
-    int hue = 0;
-    for (int c = 0; c < 3; ++c)
-    {
-      hue |= colors->GetComponent(pixel, c) > 0.5 * GetLargest(colors, pixel) ? 1 << c : 0;
-    }
-    return hue;
+    const double share = this->Shapes.Compare();
+    CSLF_CHECK(this->Shapes.Covered > 200);
+    return share;
   }
 };
 

@@ -103,6 +103,12 @@ void AddSpecialColors(vtkLookupTable* table)
   table->SetNanColor(0.2, 0.6, 0.2, 1.0);
 }
 
+/// From -20 to 120, with no number in the middle.
+double FromBelowToAbove(double x)
+{
+  return std::abs(x - 0.5) < 0.1 ? vtkMath::Nan() : 140.0 * x - 20.0;
+}
+
 void TestRange()
 {
   // The range of the mapper, not of the table.
@@ -128,9 +134,7 @@ void TestRange()
 
 void TestSpecialColors()
 {
-  const auto function = [](double x)
-  { return std::abs(x - 0.5) < 0.1 ? vtkMath::Nan() : 140.0 * x - 20.0; };
-  Square square(function);
+  Square square(FromBelowToAbove);
   square.Mapper->SetScalarRange(0.0, 100.0);
   vtkNew<vtkLookupTable> table;
   table->SetHueRange(0.0, 0.7);
@@ -161,9 +165,7 @@ void TestSpecialColors()
 
 void TestFunctions()
 {
-  const auto function = [](double x)
-  { return std::abs(x - 0.5) < 0.1 ? vtkMath::Nan() : 140.0 * x - 20.0; };
-  Square square(function);
+  Square square(FromBelowToAbove);
   vtkNew<vtkDiscretizableColorTransferFunction> colors;
   colors->AddRGBPoint(0.0, 0.2, 0.3, 0.8);
   colors->AddRGBPoint(50.0, 0.9, 0.9, 0.9);
