@@ -287,6 +287,7 @@ list(APPEND private_headers
 list(APPEND private_headers
   ../Filters/Quality/cslfHeldOutViews.h
   ../Filters/Quality/cslfPSNR.h
+  ../Filters/Quality/cslfViewExposures.h
   ../Filters/Quality/cslfRobertsSequence.h
   ../Filters/Quality/cslfTexelChoice.h)
 

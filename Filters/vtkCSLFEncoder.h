@@ -226,8 +226,9 @@ public:
   /**
    * Set/get the PSNR, in dB, that viewpoints which are left out shall have when they are looked up
    * from the key views with depth (without depth, with the focus at the cube's centre), before
-   * coding; red, green and blue of 8 bits over black. It is measured on a seeded sample of
-   * viewpoints and texels. Where no key views reach it, an error tells what the best have. Only
+   * coding; red, green and blue of 8 bits over black, of floats at the exposure from 1/16 to 16
+   * times the baked one where it is lowest. It is measured on a seeded sample of viewpoints and
+   * texels. Where no key views reach it, an error tells what the best have. Only
    * for AutomaticKeyViews. Default 35.
    */
   vtkSetClampMacro(TargetNovelViewPSNR, double, 0.0, 100.0);

@@ -4,14 +4,20 @@
 
 #include "Pipeline/cslfSlabs.h"
 #include "Quality/cslfPSNR.h"
+#include "Quality/cslfViewExposures.h"
+#include "cslfColor.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,6 +31,7 @@ struct Figure
   int FirstComponent = 0;
   int Components = 1;
   bool WhereCovered = false;
+  double ViewExposure = 0.0; // above 0: compared as displayed at so many times the exposure
   double Peak = 1.0;
   double Squares = 0.0;
   double Values = 0.0;
@@ -40,6 +47,28 @@ double PeakOf(int type)
       return VTK_UNSIGNED_SHORT_MAX;
     default:
       return 1.0;
+  }
+}
+
+/// The figures of floating-point colours as they are displayed.
+void AddDisplayed(const cslf::Channel& channel, std::vector<Figure>& figures)
+{
+  if (channel.Type != VTK_FLOAT)
+  {
+    return;
+  }
+  Figure figure;
+  figure.Channel = channel.Name;
+  figure.Components = 3;
+  figure.Peak = VTK_UNSIGNED_CHAR_MAX;
+  for (double exposure : cslf::GetViewExposures(true))
+  {
+    std::ostringstream name;
+    name << channel.Name << " at " << (exposure < 1.0 ? "1/" : "")
+         << (exposure < 1.0 ? 1.0 / exposure : exposure);
+    figure.Name = name.str();
+    figure.ViewExposure = exposure;
+    figures.push_back(figure);
   }
 }
 
@@ -68,6 +97,7 @@ std::vector<Figure> MakeFigures(const cslf::Description& first, const cslf::Desc
       figure.FirstComponent = 3;
       figure.Components = 1;
       figures.push_back(figure);
+      AddDisplayed(channel, figures);
     }
   }
   return figures;
@@ -138,6 +168,36 @@ void AddErrors(
     static_cast<double>(components) * std::count(isCounted.begin(), isCounted.end(), 1);
 }
 
+/// Adds the errors of colours as they are displayed. They are whole numbers, so that their sum does
+/// not depend on the threads.
+void AddDisplayedErrors(const float* first, const float* second, vtkIdType texels, Figure& figure)
+{
+  std::atomic<std::int64_t> squares(0);
+  vtkSMPTools::For(0, texels,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::int64_t sum = 0;
+      for (vtkIdType texel = begin; texel < end; ++texel)
+      {
+        unsigned char colors[2][4];
+        const float* values[] = { first + 4 * texel, second + 4 * texel };
+        for (int k = 0; k < 2; ++k)
+        {
+          const glm::dvec3 radiance(values[k][0], values[k][1], values[k][2]);
+          cslf::EncodeColor(figure.ViewExposure * radiance, values[k][3], colors[k]);
+        }
+        for (int c = 0; c < 3; ++c)
+        {
+          const int difference = colors[0][c] - colors[1][c];
+          sum += difference * difference;
+        }
+      }
+      squares += sum;
+    });
+  figure.Squares += static_cast<double>(squares);
+  figure.Values += 3.0 * static_cast<double>(texels);
+}
+
 /// Adds the errors of the viewpoints of a slab, whose arrays are of one type.
 void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
 {
@@ -145,6 +205,14 @@ void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
   for (int k = 0; k < 2; ++k)
   {
     values[k] = images[k]->GetPointData()->GetArray(figure.Channel.c_str());
+  }
+  if (figure.ViewExposure > 0.0)
+  {
+    const int* size = images[0]->GetDimensions();
+    AddDisplayedErrors(GetBegin<float>(images[0], values[0], slab),
+      GetBegin<float>(images[1], values[1], slab),
+      static_cast<vtkIdType>(size[0]) * size[1] * slab.GetCount(), figure);
+    return;
   }
   const std::vector<char> isCounted = FindCounted(images, slab, figure);
   switch (values[0]->GetDataType())

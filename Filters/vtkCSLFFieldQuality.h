@@ -13,6 +13,11 @@
  * nothing elsewhere; and one for each further channel that both fields have in the same type. The
  * peak is the largest value of whole numbers, and 1 for float.
  *
+ * A viewer may show `Color` of floats at another exposure than the one that it was sampled with. So
+ * such fields have further figures: `Color at 1/16`, `Color at 1/4`, `Color at 1`, `Color at 4` and
+ * `Color at 16`, of red, green and blue as 8 bits over black at so many times the exposure, as
+ * vtkCSLFFieldReference has them.
+ *
  * @sa vtkCSLFImageQuality
  */
 #ifndef vtkCSLFFieldQuality_h

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFFieldReference.h"
 
-#include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfFieldRays.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "PathTracing/cslfTexelRenderer.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
+#include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
 #include "cslfVTKCompatibility.h"
 
@@ -51,11 +51,6 @@ constexpr vtkIdType ChunkTexels = 8192;
 constexpr double ReadingShare = 0.1;
 
 constexpr double BestNoiseFloor = 100.0;
-
-/// The exposures at which floats are compared, as factors of the baked one: all that the sampler
-/// controls the noise of.
-constexpr double ViewExposures[] = { 1.0 / cslf::DisplayCurve::FloatRange, 0.25, 1.0, 4.0,
-  cslf::DisplayCurve::FloatRange };
 
 /// Sets the reference's random numbers apart from those of a field of the same seed.
 constexpr std::uint64_t ReferenceSalt = 0x5265666572656e63u;
@@ -151,16 +146,9 @@ public:
       vtkErrorWithObjectMacro(this->Self, << stream.GetError());
     }
     this->Description = stream.GetDescription();
-    if (this->Radiance.empty())
+    for (double exposure : cslf::GetViewExposures(!this->Radiance.empty()))
     {
-      this->Sums.push_back({ 1.0 });
-    }
-    for (double exposure : ViewExposures)
-    {
-      if (!this->Radiance.empty())
-      {
-        this->Sums.push_back({ exposure });
-      }
+      this->Sums.push_back({ exposure });
     }
     return isRead;
   }

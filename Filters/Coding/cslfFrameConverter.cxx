@@ -147,10 +147,11 @@ void TagFrame(const Track& track, int resolution, AVFrame* frame)
                                       : AVCOL_SPC_BT709;
 }
 
-double ConstSlice::GetShown(std::size_t texel, int component) const
+double ConstSlice::GetShown(std::size_t texel, int component, double exposure) const
 {
   const std::size_t place = ColorBytes * texel + component;
-  return this->IsFloat ? ToByte(LinearToSRGB(this->GetRadiance()[place])) : this->Color[place];
+  return this->IsFloat ? ToByte(LinearToSRGB(exposure * this->GetRadiance()[place]))
+                       : this->Color[place];
 }
 
 unsigned char ConstSlice::GetCoverage(std::size_t texel) const

@@ -28,8 +28,9 @@ struct ConstSlice
   bool IsFloat = false;
 
   const float* GetRadiance() const { return reinterpret_cast<const float*>(this->Color); }
-  /// Red, green or blue as it is shown over black, from 0 to 255.
-  double GetShown(std::size_t texel, int component) const;
+  /// Red, green or blue as it is shown over black, from 0 to 255; floats at so many times the
+  /// exposure.
+  double GetShown(std::size_t texel, int component, double exposure = 1.0) const;
   /// Alpha as a byte.
   unsigned char GetCoverage(std::size_t texel) const;
 };

@@ -5,6 +5,7 @@
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfRobertsSequence.h"
 #include "Quality/cslfTexelChoice.h"
+#include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
 #include "cslfLookup.h"
 
@@ -87,26 +88,39 @@ private:
   std::set<int> Seen;
 };
 
+/// Mean square errors, by the exposure.
+using ExposureErrors = std::vector<double>;
+
 /// The mean square errors of some viewpoints of a face.
 struct FaceErrors
 {
-  std::vector<double> Errors;
+  std::vector<ExposureErrors> Errors;
 
-  double GetMean() const
+  double GetMean(std::size_t exposure) const
   {
-    return std::accumulate(this->Errors.begin(), this->Errors.end(), 0.0) /
-      static_cast<double>(std::max<std::size_t>(1, this->Errors.size()));
+    double sum = 0.0;
+    for (const ExposureErrors& errors : this->Errors)
+    {
+      sum += errors[exposure];
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(1, this->Errors.size()));
   }
 
+  /// That of the exposure at which they differ most.
   double GetDeviation() const
   {
-    const double mean = this->GetMean();
-    double sum = 0.0;
-    for (double error : this->Errors)
+    double largest = 0.0;
+    for (std::size_t k = 0; !this->Errors.empty() && k < this->Errors[0].size(); ++k)
     {
-      sum += (error - mean) * (error - mean);
+      const double mean = this->GetMean(k);
+      double sum = 0.0;
+      for (const ExposureErrors& errors : this->Errors)
+      {
+        sum += (errors[k] - mean) * (errors[k] - mean);
+      }
+      largest = std::max(largest, sum);
     }
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, this->Errors.size())));
+    return std::sqrt(largest / static_cast<double>(std::max<std::size_t>(1, this->Errors.size())));
   }
 };
 
@@ -136,16 +150,32 @@ void AddArray(vtkImageData* image, const char* name, int components, const Value
   image->GetPointData()->AddArray(array);
 }
 
-/// The mean square error of some texels of a viewpoint, looked up from key views.
-double Compare(const Lookup& lookup, const Layout& grid, int slice, const ConstSlice& truth)
+/// The squared differences of red, green and blue as they are displayed.
+double CompareDisplayed(
+  const glm::dvec4& color, const ConstSlice& truth, std::size_t texel, double exposure)
+{
+  double squares = 0.0;
+  for (int component = 0; component < 3; ++component)
+  {
+    const double shown = truth.IsFloat ? LinearToSRGB(exposure * color[component])
+                                       : std::clamp(color[component], 0.0, 1.0);
+    const double difference = std::round(Peak * shown) - truth.GetShown(texel, component, exposure);
+    squares += difference * difference;
+  }
+  return squares;
+}
+
+/// The mean square errors of some texels of a viewpoint, looked up from key views.
+ExposureErrors Compare(const Lookup& lookup, const Layout& grid, int slice, const ConstSlice& truth)
 {
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
   const int width = grid.GetStripWidth();
   const TexelChoice texels(static_cast<std::uint64_t>(width) * resolution, TexelsPerView,
     static_cast<std::uint32_t>(slice));
-  std::vector<double> squares(texels.GetCount());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(squares.size()),
+  const std::vector<double> exposures = GetViewExposures(truth.IsFloat);
+  std::vector<double> squares(texels.GetCount() * exposures.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(texels.GetCount()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)
@@ -158,22 +188,25 @@ double Compare(const Lookup& lookup, const Layout& grid, int slice, const ConstS
         ray.Exit = { ExitFaceOf(viewpoint.Face, x / resolution),
           { grid.TexelCoordinate(x % resolution), grid.TexelCoordinate(texel / width) } };
         const glm::dvec4 color = lookup.DepthCorrected(ray).Color;
-        for (int component = 0; component < 3; ++component)
+        for (std::size_t i = 0; i < exposures.size(); ++i)
         {
-          const double shown =
-            truth.IsFloat ? LinearToSRGB(color[component]) : std::clamp(color[component], 0.0, 1.0);
-          squares[k] += std::pow(std::round(Peak * shown) - truth.GetShown(texel, component), 2);
+          squares[k * exposures.size() + i] = CompareDisplayed(color, truth, texel, exposures[i]);
         }
       }
     });
-  constexpr double components = 3.0;
-  return std::accumulate(squares.begin(), squares.end(), 0.0) / (components * squares.size());
+  ExposureErrors errors(exposures.size(), 0.0);
+  for (std::size_t i = 0; i < squares.size(); ++i)
+  {
+    constexpr double components = 3.0;
+    errors[i % exposures.size()] += squares[i] / (components * texels.GetCount());
+  }
+  return errors;
 }
 
-/// The mean square error of a viewpoint of the whole field, looked up from key views. On failure
+/// The mean square errors of a viewpoint of the whole field, looked up from key views. On failure
 /// returns false and says why.
 bool MeasureView(
-  SlicePuller& puller, const KeyViews& keys, int view, double& mean, std::string& error)
+  SlicePuller& puller, const KeyViews& keys, int view, ExposureErrors& errors, std::string& error)
 {
   const Description whole = puller.GetField();
   const Description field = keys.Apply(whole);
@@ -205,8 +238,29 @@ bool MeasureView(
   {
     AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
   }
-  mean = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back());
+  errors = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back());
   return true;
+}
+
+/// The mean of the faces' errors, at the exposure where it is largest.
+double FindLargestMean(const std::vector<FaceErrors>& faces)
+{
+  std::size_t exposures = 0;
+  for (const FaceErrors& face : faces)
+  {
+    exposures = std::max(exposures, face.Errors.empty() ? 0 : face.Errors[0].size());
+  }
+  double largest = 0.0;
+  for (std::size_t k = 0; k < exposures; ++k)
+  {
+    double sum = 0.0;
+    for (const FaceErrors& face : faces)
+    {
+      sum += face.GetMean(k);
+    }
+    largest = std::max(largest, sum / FaceCount);
+  }
+  return largest;
 }
 
 /// The steps that keep different key views, ascending, the smallest of each.
@@ -245,14 +299,14 @@ bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool
         return false;
       }
       const int slice = sequences[face].Next();
-      double mean = 0.0;
-      if (slice >= 0 && !MeasureView(puller, keys, slice, mean, error))
+      ExposureErrors errors;
+      if (slice >= 0 && !MeasureView(puller, keys, slice, errors, error))
       {
         return false;
       }
       if (slice >= 0)
       {
-        faces[face].Errors.push_back(mean);
+        faces[face].Errors.push_back(errors);
       }
     }
     return true;
@@ -268,7 +322,6 @@ bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool
   }
   const int further = std::max(FurtherViews, grid.GetSlices() / FurtherShare);
   const double all = std::accumulate(deviations.begin(), deviations.end(), 0.0);
-  double sum = 0.0;
   for (int face = 0; face < FaceCount; ++face)
   {
     const double share = all > 0.0 ? deviations[face] / all : 0.0;
@@ -276,9 +329,8 @@ bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool
     {
       return false;
     }
-    sum += faces[face].GetMean();
   }
-  psnr = PSNR(sum / FaceCount, Peak, MostPSNR);
+  psnr = PSNR(FindLargestMean(faces), Peak, MostPSNR);
   return true;
 }
 

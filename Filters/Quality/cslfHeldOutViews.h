@@ -21,8 +21,8 @@ namespace cslf
 {
 /// The PSNR, in dB and at most 100, of the viewpoints that a step of key views leaves out, before
 /// coding: red, green and blue of 8 bits over black, one mean square error over all texels
-/// compared. `puller` has begun and pulls all viewpoints. On failure returns false and says why, in
-/// one line.
+/// compared. Of colours of floats, the lowest of the PSNRs at the exposures of GetViewExposures.
+/// `puller` has begun and pulls all viewpoints. On failure returns false and says why, in one line.
 bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool()>& proceed,
   double& psnr, std::string& error);
 

@@ -6,9 +6,11 @@
 #include "Resampling/cslfKeyViews.h"
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
+#include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -117,6 +119,42 @@ void TestChoice(const std::string& fileName)
   CSLF_CHECK(step > 1);
 }
 
+/// The PSNR of the fewest key views.
+double MeasureFewest(vtkImageData* field, const std::string& fileName)
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  SetUp(encoder, fileName);
+  encoder->SetInputData(field);
+  encoder->SetKeyViewStepToAutomatic();
+  encoder->SetTargetNovelViewPSNR(1.0);
+  CSLF_CHECK(encoder->Write() == 1);
+  return encoder->GetActualNovelViewPSNR();
+}
+
+/// A field of floats that is too dark to show its errors is measured as a viewer may show it, by 16
+/// times the exposure.
+void TestExposures(const std::string& fileName)
+{
+  const auto make = [](int type)
+  {
+    return cslf::testing::MakeTestField(
+      cslf::Layout(5, 32), cslf::Cube(), type, VTK_UNSIGNED_SHORT);
+  };
+  const auto dark = make(VTK_FLOAT);
+  vtkDataArray* colors = dark->GetPointData()->GetArray("Color");
+  for (vtkIdType texel = 0; texel < dark->GetNumberOfPoints(); ++texel)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      colors->SetComponent(texel, c, colors->GetComponent(texel, c) / 16.0);
+    }
+  }
+  const double ofBytes = MeasureFewest(make(VTK_UNSIGNED_CHAR), fileName);
+  const double ofDark = MeasureFewest(dark, fileName);
+  std::cout << "Bytes " << ofBytes << " dB, floats of 1/16 " << ofDark << " dB\n";
+  CSLF_CHECK_NEAR(ofDark, ofBytes, 1.5);
+}
+
 void TestRefused(const std::string& fileName, const std::string& message,
   const std::function<void(vtkCSLFEncoder*)>& change)
 {
@@ -141,6 +179,7 @@ int TestCSLFEncoderKeyViews(int argc, char* argv[])
   TestSlices(folder + "/keys.mkv", 6, 2, { 0, 2, 3, 5 });
   TestSlices(folder + "/keys.mkv", 6, 5, { 0, 5 });
   TestChoice(folder + "/choice.mp4");
+  TestExposures(folder + "/exposures.mp4");
   TestRefused(folder + "/refused.mp4", "must be 1 to 4",
     [](vtkCSLFEncoder* encoder) { encoder->SetKeyViewStep(5); });
   TestRefused(folder + "/refused.mp4", "no key views reach a PSNR of 90 dB: the best",

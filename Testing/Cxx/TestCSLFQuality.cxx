@@ -5,6 +5,7 @@
 #include "vtkCSLFFieldQuality.h"
 #include "vtkCSLFImageQuality.h"
 
+#include "cslfColor.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 
@@ -221,6 +222,50 @@ void TestField()
   CSLF_CHECK(observer->GetErrorMessage().find("differ") != std::string::npos);
   CSLF_CHECK(quality->GetNumberOfFigures() == 0 && !quality->GetFigureName(0));
 }
+
+/// Colours of floats are compared as displayed at several exposures, too.
+void TestFloatField()
+{
+  const auto make = []
+  {
+    return cslf::testing::MakeTestField(
+      cslf::Layout(2, 8), cslf::Cube(), VTK_FLOAT, VTK_UNSIGNED_SHORT);
+  };
+  const auto a = make();
+  const auto b = make();
+  // A difference that only a long exposure shows, in the dark; and one beyond the white of all but
+  // the short exposures.
+  vtkDataArray* first = a->GetPointData()->GetArray("Color");
+  vtkDataArray* second = b->GetPointData()->GetArray("Color");
+  for (vtkIdType texel = 0; texel < b->GetNumberOfPoints(); ++texel)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      first->SetComponent(texel, c, c == 0 ? 0.0 : c == 1 ? 12.0 : 1.0);
+      second->SetComponent(texel, c, c == 0 ? 0.0001 : c == 1 ? 8.0 : 1.0);
+    }
+  }
+  vtkNew<vtkCSLFFieldQuality> quality;
+  quality->SetInputData(0, a);
+  quality->SetInputData(1, b);
+  CSLF_CHECK(quality->Measure() == 1);
+  CSLF_CHECK(quality->GetNumberOfFigures() == 8);
+  const char* const names[] = { "Color at 1/16", "Color at 1/4", "Color at 1", "Color at 4",
+    "Color at 16" };
+  const double exposures[] = { 1.0 / 16.0, 0.25, 1.0, 4.0, 16.0 };
+  for (int k = 0; k < 5; ++k)
+  {
+    CSLF_CHECK(std::string(quality->GetFigureName(2 + k)) == names[k]);
+    const auto level = [&](double radiance)
+    { return std::round(255.0 * cslf::LinearToSRGB(exposures[k] * radiance)); };
+    const double squares = std::pow(level(0.0001), 2) + std::pow(level(12.0) - level(8.0), 2);
+    const double expected =
+      squares > 0.0 ? 10.0 * std::log10(3.0 * 255.0 * 255.0 / squares) : 100.0;
+    CSLF_CHECK_NEAR(quality->GetPSNR(2 + k), expected, 1e-9);
+    CSLF_CHECK(quality->GetIsEqual(2 + k) == (squares == 0.0));
+  }
+  CSLF_CHECK(quality->GetIsEqual(4) && !quality->GetIsEqual(2) && !quality->GetIsEqual(6));
+}
 }
 
 int TestCSLFQuality(int, char*[])
@@ -230,5 +275,6 @@ int TestCSLFQuality(int, char*[])
   TestStencil();
   TestBad();
   TestField();
+  TestFloatField();
   return cslf::testing::Result();
 }
