@@ -42,10 +42,18 @@ enum LayoutComponents
 {
   LayoutWidth,
   LayoutHeight,
-  LayoutRepeat,
+  LayoutWrapU,
   LayoutInterpolate,
-  LayoutSize
+  LayoutSize,
+  LayoutWrapV = LayoutSize, // of layouts with a border, from here on
+  LayoutBorder,
+  LayoutSizeWithBorder = LayoutBorder + 4
 };
+
+int ToWrap(double value)
+{
+  return static_cast<int>(std::clamp(value, 0.0, double(vtkCSLFMaterial::ClampToBorder)));
+}
 
 bool IsSlot(int slot)
 {
@@ -64,8 +72,10 @@ std::pair<vtkUnsignedCharArray*, vtkDataArray*> FindTexture(vtkDataObject* data,
   vtkFieldData* fields = data->GetFieldData();
   auto* pixels = vtkUnsignedCharArray::SafeDownCast(fields->GetArray(TextureNames[slot]));
   vtkDataArray* layout = fields->GetArray(LayoutNames[slot]);
-  if (!pixels || !layout || layout->GetNumberOfComponents() != LayoutSize ||
-    layout->GetNumberOfTuples() < 1 || pixels->GetNumberOfComponents() > 4)
+  if (!pixels || !layout || layout->GetNumberOfTuples() < 1 ||
+    pixels->GetNumberOfComponents() > 4 ||
+    (layout->GetNumberOfComponents() != LayoutSize &&
+      layout->GetNumberOfComponents() != LayoutSizeWithBorder))
   {
     return { nullptr, nullptr };
   }
@@ -74,6 +84,28 @@ std::pair<vtkUnsignedCharArray*, vtkDataArray*> FindTexture(vtkDataObject* data,
   const bool fits = width >= 1.0 && height >= 1.0 && width <= VTK_INT_MAX &&
     height <= VTK_INT_MAX && width * height == static_cast<double>(pixels->GetNumberOfTuples());
   return fits ? std::make_pair(pixels, layout) : std::make_pair(nullptr, nullptr);
+}
+
+/// The layout of a texture, to be changed, with its border; null where there is no texture. Pieces
+/// of data may share the array that there is.
+vtkSmartPointer<vtkIntArray> CopyLayout(vtkDataObject* data, int slot)
+{
+  vtkDataArray* layout = data && IsSlot(slot) ? FindTexture(data, slot).second : nullptr;
+  if (!layout)
+  {
+    return nullptr;
+  }
+  auto copy = vtkSmartPointer<vtkIntArray>::New();
+  copy->SetName(LayoutNames[slot]);
+  copy->SetNumberOfComponents(LayoutSizeWithBorder);
+  copy->SetNumberOfTuples(1);
+  for (int i = 0; i < LayoutSizeWithBorder; ++i)
+  {
+    const bool isOnlyHere = i >= layout->GetNumberOfComponents();
+    const double other = i == LayoutWrapV ? layout->GetComponent(0, LayoutWrapU) : 0.0;
+    copy->SetComponent(0, i, isOnlyHere ? other : layout->GetComponent(0, i));
+  }
+  return copy;
 }
 
 void SetColors(vtkDataObject* data, const glm::dvec3& base, const glm::dvec3& emission)
@@ -124,6 +156,21 @@ void SetFromPhysicalProperty(vtkDataObject* data, vtkProperty* property)
   const double* factor = property->GetEmissiveFactor();
   vtkCSLFMaterial::SetEmission(
     data, emissive ? factor[0] : 0.0, emissive ? factor[1] : 0.0, emissive ? factor[2] : 0.0);
+}
+
+int FindWrap(vtkTexture* texture)
+{
+  switch (texture->GetWrap())
+  {
+    case vtkTexture::Repeat:
+      return vtkCSLFMaterial::Repeat;
+    case vtkTexture::MirroredRepeat:
+      return vtkCSLFMaterial::MirroredRepeat;
+    case vtkTexture::ClampToBorder:
+      return vtkCSLFMaterial::ClampToBorder;
+    default:
+      return vtkCSLFMaterial::ClampToEdge;
+  }
 }
 
 void Set(vtkDataObject* data, const Parameter& parameter, const double* values)
@@ -384,7 +431,21 @@ bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* 
   {
     vtkGenericWarningMacro("A texture is left out: it has no two-dimensional image.");
   }
-  return SetTexture(data, slot, image, texture->GetRepeat() != 0, texture->GetInterpolate() != 0);
+  if (!SetTexture(data, slot, image, true, texture->GetInterpolate() != 0))
+  {
+    return false;
+  }
+  const int wrap = FindWrap(texture);
+  SetTextureWrap(data, slot, wrap, wrap);
+  if (wrap == ClampToBorder)
+  {
+    // OpenGL takes the border of textures that are sRGB-encoded as linear.
+    const float* border = texture->GetBorderColor();
+    const glm::dvec3 color(border[0], border[1], border[2]);
+    const glm::dvec3 encoded = texture->GetUseSRGBColorSpace() ? cslf::LinearToSRGB(color) : color;
+    SetTextureBorder(data, slot, encoded.x, encoded.y, encoded.z, border[3]);
+  }
+  return true;
 }
 
 bool vtkCSLFMaterial::GetTexture(
@@ -403,9 +464,58 @@ bool vtkCSLFMaterial::GetTexture(
   image->SetDimensions(static_cast<int>(layout->GetComponent(0, LayoutWidth)),
     static_cast<int>(layout->GetComponent(0, LayoutHeight)), 1);
   image->GetPointData()->SetScalars(pixels);
-  repeat = layout->GetComponent(0, LayoutRepeat) != 0.0;
+  repeat = ToWrap(layout->GetComponent(0, LayoutWrapU)) == Repeat;
   interpolate = layout->GetComponent(0, LayoutInterpolate) != 0.0;
   return true;
+}
+
+bool vtkCSLFMaterial::SetTextureWrap(vtkDataObject* data, int slot, int wrapU, int wrapV)
+{
+  const vtkSmartPointer<vtkIntArray> layout = CopyLayout(data, slot);
+  if (layout)
+  {
+    layout->SetTypedComponent(0, LayoutWrapU, ToWrap(wrapU));
+    layout->SetTypedComponent(0, LayoutWrapV, ToWrap(wrapV));
+    data->GetFieldData()->AddArray(layout);
+  }
+  return layout != nullptr;
+}
+
+bool vtkCSLFMaterial::GetTextureWrap(vtkDataObject* data, int slot, int wraps[2])
+{
+  const vtkSmartPointer<vtkIntArray> layout = CopyLayout(data, slot);
+  if (layout)
+  {
+    wraps[0] = ToWrap(layout->GetTypedComponent(0, LayoutWrapU));
+    wraps[1] = ToWrap(layout->GetTypedComponent(0, LayoutWrapV));
+  }
+  return layout != nullptr;
+}
+
+bool vtkCSLFMaterial::SetTextureBorder(
+  vtkDataObject* data, int slot, double red, double green, double blue, double alpha)
+{
+  const vtkSmartPointer<vtkIntArray> layout = CopyLayout(data, slot);
+  if (layout)
+  {
+    const double color[4] = { red, green, blue, alpha };
+    for (int i = 0; i < 4; ++i)
+    {
+      layout->SetTypedComponent(0, LayoutBorder + i, cslf::ToByte(color[i]));
+    }
+    data->GetFieldData()->AddArray(layout);
+  }
+  return layout != nullptr;
+}
+
+bool vtkCSLFMaterial::GetTextureBorder(vtkDataObject* data, int slot, double color[4])
+{
+  const vtkSmartPointer<vtkIntArray> layout = CopyLayout(data, slot);
+  for (int i = 0; layout && i < 4; ++i)
+  {
+    color[i] = std::clamp(layout->GetTypedComponent(0, LayoutBorder + i) / 255.0, 0.0, 1.0);
+  }
+  return layout != nullptr;
 }
 
 void vtkCSLFMaterial::Inherit(vtkDataObject* data, vtkDataObject* fallback)

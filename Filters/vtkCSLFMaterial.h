@@ -47,9 +47,11 @@
  * coordinates. They travel as field data too, pixels in an array named `CSLF:BaseColorTexture`,
  * `CSLF:MetallicRoughnessTexture`, `CSLF:NormalTexture` or `CSLF:EmissionTexture`: unsigned char, 1
  * to 4 components (grey, grey and alpha, RGB, RGBA), one tuple a pixel, the row of v = 0 first. An
- * array of the same name and `Layout` has one tuple of 4 integers: width, height, whether the image
- * repeats beyond [0,1] (else its edge goes on), and whether it is interpolated. Colours are sRGB;
- * the alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
+ * array of the same name and `Layout` has one tuple of 4 integers: width, height, what the image
+ * shows beyond [0,1] (0: its edge goes on, 1: it repeats, 2: it repeats mirrored, 3: its border's
+ * colour), and whether it is interpolated; or of 9 integers, where the third is for u alone: then
+ * follow that for v, and red, green, blue, alpha of the border in [0,255]. Colours are sRGB; the
+ * alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
  * normals are as in glTF.
  *
  * Values out of range are clamped when they are set and when they are read; what is no number is the
@@ -256,7 +258,7 @@ public:
     bool interpolate = true);
 
   /**
-   * Sets a texture from the input image of a vtkTexture, and its way to repeat and interpolate.
+   * Sets a texture from the input image of a vtkTexture, and its wrap, border and interpolation.
    * Scalars of any type become colours as in VTK's window, by the texture's colour mode and lookup
    * table; direct colours of floats are clamped to [0,1]. Cube maps are no such textures; the
    * texture's transform is one of texture coordinates, which vtkCSLFSceneImporter applies. Returns
@@ -265,8 +267,20 @@ public:
   static bool SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* texture);
 
   /**
-   * Gets a texture. Returns false, and leaves all else alone, where there is none.
+   * Gets a texture. `repeat` tells whether it repeats along u, not mirrored; see GetTextureWrap.
+   * Returns false, and leaves all else alone, where there is none.
    */
+  /**
+   * What a texture shows beyond coordinates in [0,1].
+   */
+  enum TextureWraps
+  {
+    ClampToEdge = 0, ///< its edge goes on
+    Repeat,          ///< it repeats
+    MirroredRepeat,  ///< it repeats, every other time mirrored
+    ClampToBorder    ///< one colour, the border's
+  };
+
   static bool GetTexture(
     vtkDataObject* data, int slot, vtkImageData* image, bool& repeat, bool& interpolate);
 
@@ -285,3 +299,24 @@ private:
 };
 
 #endif
+  ///@{
+  /**
+   * Set or get what a texture shows beyond coordinates in [0,1], by TextureWraps, along u and v.
+   * SetTexture sets Repeat or ClampToEdge for both. Returns false, and does nothing else, where
+   * there is no texture.
+   */
+  static bool SetTextureWrap(vtkDataObject* data, int slot, int wrapU, int wrapV);
+  static bool GetTextureWrap(vtkDataObject* data, int slot, int wraps[2]);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the colour of a texture with ClampToBorder beyond [0,1], encoded as its pixels are:
+   * red, green, blue and alpha, in [0,1]. The alpha counts where the pixels have one, too.
+   * SetTexture sets 0, 0, 0, 0. Returns false, and does nothing else, where there is no texture.
+   */
+  static bool SetTextureBorder(
+    vtkDataObject* data, int slot, double red, double green, double blue, double alpha);
+  static bool GetTextureBorder(vtkDataObject* data, int slot, double color[4]);
+  ///@}
+

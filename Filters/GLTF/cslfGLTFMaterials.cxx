@@ -18,6 +18,13 @@ constexpr std::size_t Nearest = 9728;
 constexpr std::size_t ClampToEdge = 33071;
 constexpr std::size_t MirroredRepeat = 33648;
 constexpr std::size_t Repeat = 10497;
+
+int ToWrap(std::size_t wrap)
+{
+  return wrap == ClampToEdge ? vtkCSLFMaterial::ClampToEdge
+    : wrap == MirroredRepeat ? vtkCSLFMaterial::MirroredRepeat
+                             : vtkCSLFMaterial::Repeat;
+}
 }
 
 GLTFMaterials::GLTFMaterials(GLTFDocument& document, GLTFProblems& problems)
@@ -137,10 +144,8 @@ void GLTFMaterials::ReadTexture(int slot, const GLTFValue& info, GLTFMaterial& m
   }
   if (this->TakeMapping(info, material))
   {
-    this->Problems.Omit(
-      wrap[0] == MirroredRepeat || wrap[1] == MirroredRepeat, "mirrored repetition of textures");
-    vtkCSLFMaterial::SetTexture(material.Arrays, slot, image,
-      wrap[0] != ClampToEdge && wrap[1] != ClampToEdge, filter != Nearest);
+    vtkCSLFMaterial::SetTexture(material.Arrays, slot, image, true, filter != Nearest);
+    vtkCSLFMaterial::SetTextureWrap(material.Arrays, slot, ToWrap(wrap[0]), ToWrap(wrap[1]));
   }
 }
 

@@ -131,7 +131,7 @@ void MaterialProblems::FindUnusedTextures(vtkDataObject* data)
     {
       this->Unused.insert(std::string(names[0]) +
         " (expected: unsigned chars of 1 to 4 components, a tuple for each pixel; and " + names[1] +
-        ", of 4 integers that begin with the width and the height)");
+        ", of 4 or 9 integers that begin with the width and the height)");
     }
   }
 }

@@ -15,21 +15,47 @@ namespace cslf
 {
 namespace
 {
-/// A pixel's place on one axis.
-int Wrap(int index, int size, bool repeat)
+constexpr int OnBorder = -1;
+
+int Modulo(int index, int size)
 {
-  if (!repeat)
-  {
-    return std::clamp(index, 0, size - 1);
-  }
   const int remainder = index % size;
   return remainder < 0 ? remainder + size : remainder;
 }
 
-/// Coordinates in [0,1], so that pixels can be counted in whole numbers.
-float Reduce(float coordinate, bool repeat)
+/// A pixel's place on one axis, or OnBorder.
+int FindPixel(int index, int size, TextureWrap wrap)
 {
-  return repeat ? coordinate - std::floor(coordinate) : std::clamp(coordinate, 0.0f, 1.0f);
+  switch (wrap)
+  {
+    case TextureWrap::Edge:
+      return std::clamp(index, 0, size - 1);
+    case TextureWrap::Repeat:
+      return Modulo(index, size);
+    case TextureWrap::Mirror:
+    {
+      const int place = Modulo(index, 2 * size);
+      return std::min(place, 2 * size - 1 - place);
+    }
+    default:
+      return index < 0 || index >= size ? OnBorder : index;
+  }
+}
+
+/// Coordinates that show the same and are small, so that pixels can be counted in whole numbers.
+float Reduce(float coordinate, TextureWrap wrap)
+{
+  switch (wrap)
+  {
+    case TextureWrap::Edge:
+      return std::clamp(coordinate, 0.0f, 1.0f);
+    case TextureWrap::Repeat:
+      return coordinate - std::floor(coordinate);
+    case TextureWrap::Mirror:
+      return coordinate - 2.0f * std::floor(0.5f * coordinate);
+    default:
+      return std::clamp(coordinate, -1.0f, 2.0f);
+  }
 }
 }
 
@@ -42,6 +68,11 @@ Texture::Texture(TextureImage image, TextureKind kind)
     this->Image.DisplayedWhite = glm::vec3(0.0f);
   }
   this->Levels = this->MakeDecoding(kind);
+  for (const TextureWrap wrap : this->Image.Wraps)
+  {
+    this->Translucent =
+      this->Translucent || (wrap == TextureWrap::Border && this->Image.Border[3] < 255);
+  }
   for (std::size_t i = 3; i < this->Image.Pixels.size(); i += 4)
   {
     this->Translucent = this->Translucent || this->Image.Pixels[i] < 255;
@@ -64,9 +95,11 @@ Texture::Decoding Texture::MakeDecoding(TextureKind kind) const
 
 glm::vec4 Texture::GetPixel(int column, int row) const
 {
-  const std::size_t x = Wrap(column, this->Image.Width, this->Image.Repeat);
-  const std::size_t y = Wrap(row, this->Image.Height, this->Image.Repeat);
-  const std::uint8_t* pixel = this->Image.Pixels.data() + 4 * (y * this->Image.Width + x);
+  const int x = FindPixel(column, this->Image.Width, this->Image.Wraps[0]);
+  const int y = FindPixel(row, this->Image.Height, this->Image.Wraps[1]);
+  const std::uint8_t* pixel = x == OnBorder || y == OnBorder
+    ? this->Image.Border.data()
+    : this->Image.Pixels.data() + 4 * (std::size_t(y) * this->Image.Width + x);
   return { this->Levels[pixel[0]].x, this->Levels[pixel[1]].y, this->Levels[pixel[2]].z,
     static_cast<float>(pixel[3]) / 255.0f };
 }
@@ -74,11 +107,12 @@ glm::vec4 Texture::GetPixel(int column, int row) const
 glm::vec4 Texture::Get(const glm::vec2& coordinates) const
 {
   const glm::vec2 place(
-    Reduce(coordinates.x, this->Image.Repeat) * static_cast<float>(this->Image.Width),
-    Reduce(coordinates.y, this->Image.Repeat) * static_cast<float>(this->Image.Height));
+    Reduce(coordinates.x, this->Image.Wraps[0]) * static_cast<float>(this->Image.Width),
+    Reduce(coordinates.y, this->Image.Wraps[1]) * static_cast<float>(this->Image.Height));
   if (!this->Image.Interpolate)
   {
-    return this->GetPixel(static_cast<int>(place.x), static_cast<int>(place.y));
+    return this->GetPixel(
+      static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y)));
   }
   const glm::vec2 corner = glm::floor(place - 0.5f);
   const glm::vec2 weight = place - 0.5f - corner;

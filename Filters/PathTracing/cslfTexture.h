@@ -26,17 +26,29 @@ enum class TextureKind
   Numbers
 };
 
+/// What an image shows beyond coordinates in [0,1]. The numbers are those of
+/// vtkCSLFMaterial::TextureWraps.
+enum class TextureWrap
+{
+  Edge,   ///< its edge goes on
+  Repeat, ///< it repeats
+  Mirror, ///< it repeats, every other time mirrored
+  Border  ///< one colour
+};
+
 struct TextureImage
 {
   int Width = 0;
   int Height = 0;
-  bool Repeat = true;               ///< beyond [0,1]; else the edge goes on
+  TextureWrap Wraps[2] = { TextureWrap::Repeat, TextureWrap::Repeat }; ///< along u, along v
   bool Interpolate = true;          ///< bilinear; else the nearest pixel
   std::vector<std::uint8_t> Pixels; ///< red, green, blue, alpha; the first row is v = 0
 
   /// Above 0 where colours are interpolated as displayed (sRGB-encoded) values, in light that gives
   /// a white surface this radiance; else they are made linear in each pixel.
   glm::vec3 DisplayedWhite{ 0.0f };
+
+  std::array<std::uint8_t, 4> Border{}; ///< a pixel; it counts where a wrap says so
 };
 
 class VTKCSLF_EXPORT Texture

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureReader.h"
 
+#include "cslfColor.h"
 #include "cslfDisplayedColor.h"
 #include "vtkCSLFMaterial.h"
 
@@ -17,14 +18,22 @@ namespace cslf
 namespace
 {
 /// A pixel of 1 to 4 components as red, green, blue, alpha.
-void AppendPixel(const unsigned char* pixel, int components, std::vector<std::uint8_t>& pixels)
+std::array<std::uint8_t, 4> ToPixel(const unsigned char* pixel, int components)
 {
   const bool isGrey = components < 3;
   const bool hasAlpha = components == 2 || components == 4;
-  pixels.push_back(pixel[0]);
-  pixels.push_back(isGrey ? pixel[0] : pixel[1]);
-  pixels.push_back(isGrey ? pixel[0] : pixel[2]);
-  pixels.push_back(hasAlpha ? pixel[components - 1] : 255);
+  return { pixel[0], isGrey ? pixel[0] : pixel[1], isGrey ? pixel[0] : pixel[2],
+    hasAlpha ? pixel[components - 1] : std::uint8_t(255) };
+}
+
+/// The colour beyond an image of so many components.
+std::array<std::uint8_t, 4> ReadBorder(vtkDataObject* material, int slot, int components)
+{
+  double color[4];
+  vtkCSLFMaterial::GetTextureBorder(material, slot, color);
+  const bool hasAlpha = components % 2 == 0;
+  return { ToByte(color[0]), ToByte(color[1]), ToByte(color[2]),
+    hasAlpha ? ToByte(color[3]) : std::uint8_t(255) };
 }
 }
 
@@ -46,10 +55,15 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
 {
   TextureImage image;
   vtkNew<vtkImageData> source;
-  if (!vtkCSLFMaterial::GetTexture(material, slot, source, image.Repeat, image.Interpolate))
+  bool repeat = false;
+  if (!vtkCSLFMaterial::GetTexture(material, slot, source, repeat, image.Interpolate))
   {
     return nullptr;
   }
+  int wraps[2];
+  vtkCSLFMaterial::GetTextureWrap(material, slot, wraps);
+  image.Wraps[0] = static_cast<TextureWrap>(wraps[0]);
+  image.Wraps[1] = static_cast<TextureWrap>(wraps[1]);
   auto* pixels = vtkUnsignedCharArray::SafeDownCast(source->GetPointData()->GetScalars());
   const int components = pixels->GetNumberOfComponents();
   const glm::vec3 white = GetDisplayedWhite(material);
@@ -60,16 +74,18 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
   }
   image.Width = source->GetDimensions()[0];
   image.Height = source->GetDimensions()[1];
-  const Key key(pixels->GetPointer(0), image.Width, image.Height, components, image.Repeat,
-    image.Interpolate, kind, image.DisplayedWhite.x, image.DisplayedWhite.y,
-    image.DisplayedWhite.z);
+  image.Border = ReadBorder(material, slot, components);
+  const Key key(pixels->GetPointer(0), image.Width, image.Height, components, image.Wraps[0],
+    image.Wraps[1], image.Interpolate, image.Border, kind, image.DisplayedWhite.x,
+    image.DisplayedWhite.y, image.DisplayedWhite.z);
   std::shared_ptr<const Texture>& known = this->Known[key];
   if (!known)
   {
     image.Pixels.reserve(4 * pixels->GetNumberOfTuples());
     for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
     {
-      AppendPixel(pixels->GetPointer(i * components), components, image.Pixels);
+      const auto pixel = ToPixel(pixels->GetPointer(i * components), components);
+      image.Pixels.insert(image.Pixels.end(), pixel.begin(), pixel.end());
     }
     known = std::make_shared<const Texture>(std::move(image), kind);
   }

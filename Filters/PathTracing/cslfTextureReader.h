@@ -9,6 +9,8 @@
 
 #include "cslfMesh.h"
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -24,7 +26,8 @@ public:
   MaterialTextures Read(vtkDataObject* material);
 
 private:
-  using Key = std::tuple<const void*, int, int, int, bool, bool, TextureKind, float, float, float>;
+  using Key = std::tuple<const void*, int, int, int, TextureWrap, TextureWrap, bool,
+    std::array<std::uint8_t, 4>, TextureKind, float, float, float>;
 
   std::shared_ptr<const Texture> ReadSlot(vtkDataObject* material, int slot, TextureKind kind);
 

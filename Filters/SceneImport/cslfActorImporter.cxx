@@ -225,11 +225,6 @@ private:
       ImportLimit::Culling);
     this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
     this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
-    vtkTexture* texture = this->Actor->GetTexture();
-    this->MeetIf(texture &&
-        (texture->GetWrap() == vtkTexture::MirroredRepeat ||
-          texture->GetWrap() == vtkTexture::ClampToBorder),
-      ImportLimit::TextureWraps);
   }
 
   void ImportData(vtkDataObject* data, const BlockStyle& inherited)

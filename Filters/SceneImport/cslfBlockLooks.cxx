@@ -106,6 +106,42 @@ glm::dvec3 Divide(const glm::dvec3& a, const glm::dvec3& b)
   return result;
 }
 
+/// The image of a texture, and how it goes on beyond its edges.
+struct TextureSource
+{
+  vtkNew<vtkImageData> Image;
+  bool Interpolate = false;
+  int Wraps[2];
+  double Border[4];
+
+  /// False where there is none.
+  bool Read(vtkDataObject* holder, int slot)
+  {
+    bool repeat = false;
+    return vtkCSLFMaterial::GetTexture(holder, slot, this->Image, repeat, this->Interpolate) &&
+      vtkCSLFMaterial::GetTextureWrap(holder, slot, this->Wraps) &&
+      vtkCSLFMaterial::GetTextureBorder(holder, slot, this->Border);
+  }
+
+  vtkUnsignedCharArray* GetColors() const
+  {
+    return vtkUnsignedCharArray::SafeDownCast(this->Image->GetPointData()->GetScalars());
+  }
+
+  /// The border's colour as a pixel.
+  vtkSmartPointer<vtkUnsignedCharArray> MakeBorder() const
+  {
+    auto border = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    border->SetNumberOfComponents(4);
+    border->SetNumberOfTuples(1);
+    for (int c = 0; c < 4; ++c)
+    {
+      border->SetTypedComponent(0, c, ToByte(this->Border[c]));
+    }
+    return border;
+  }
+};
+
 /// Sets the looks of one block.
 class BlockFinisher
 {
@@ -207,15 +243,13 @@ private:
     {
       vtkCSLFMaterial::SetTextureFrom(material, slot, this->Look.Texture);
     }
-    vtkNew<vtkImageData> image;
-    bool repeat = false;
-    bool interpolate = false;
+    TextureSource source;
     vtkDataObject* holder = material;
     if (this->Look.HasTable)
     {
       holder = this->Data;
     }
-    if (!vtkCSLFMaterial::GetTexture(holder, slot, image, repeat, interpolate))
+    if (!source.Read(holder, slot))
     {
       return;
     }
@@ -236,10 +270,9 @@ private:
     };
     if (this->Surface.IsEmissive())
     {
-      this->SetTexture(material, vtkCSLFMaterial::EmissionTexture, image, MakeLevelMap(shine),
-        repeat, interpolate);
+      SetTexture(material, vtkCSLFMaterial::EmissionTexture, source, MakeLevelMap(shine));
     }
-    this->SetTexture(holder, slot, image, MakeLevelMap(reflect), repeat, interpolate);
+    SetTexture(holder, slot, source, MakeLevelMap(reflect));
   }
 
   /// Whether the window makes the texture's colours linear.
@@ -254,19 +287,23 @@ private:
     return texture && texture->GetUseSRGBColorSpace();
   }
 
-  static void SetTexture(vtkDataObject* holder, int slot, vtkImageData* image, const LevelMap& map,
-    bool repeat, bool interpolate)
+  static void SetTexture(
+    vtkDataObject* holder, int slot, const TextureSource& source, const LevelMap& map)
   {
-    auto* colors = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
     vtkNew<vtkImageData> mapped;
-    mapped->SetDimensions(image->GetDimensions());
-    vtkSmartPointer<vtkUnsignedCharArray> levels = colors;
+    mapped->SetDimensions(source.Image->GetDimensions());
+    vtkSmartPointer<vtkUnsignedCharArray> levels = source.GetColors();
+    vtkSmartPointer<vtkUnsignedCharArray> border = source.MakeBorder();
     if (!IsSame(map))
     {
-      levels = MapLevels(colors, map);
+      levels = MapLevels(levels, map);
+      border = MapLevels(border, map);
     }
     mapped->GetPointData()->SetScalars(levels);
-    vtkCSLFMaterial::SetTexture(holder, slot, mapped, repeat, interpolate);
+    vtkCSLFMaterial::SetTexture(holder, slot, mapped, true, source.Interpolate);
+    vtkCSLFMaterial::SetTextureWrap(holder, slot, source.Wraps[0], source.Wraps[1]);
+    const auto get = [&border](int c) { return border->GetTypedComponent(0, c) / 255.0; };
+    vtkCSLFMaterial::SetTextureBorder(holder, slot, get(0), get(1), get(2), get(3));
   }
 
   /// The colour that the window's shading takes for a scalar's level.

@@ -37,7 +37,6 @@ enum class ImportLimit
   PartMetals,
   OpposedNormals,
   Layers,
-  TextureWraps,
   TexturedTables,
   Widths,
   StickEnds,

@@ -66,8 +66,10 @@ json MakeDocument(const json& materials)
     { { "bufferView", 3 }, { "componentType", 5123 }, { "count", 6 }, { "type", "SCALAR" } },
   };
   document["images"] = { { { "uri", "TestCSLFGLTFReader.png" } } };
-  document["samplers"] = { { { "magFilter", 9728 }, { "wrapS", 33071 }, { "wrapT", 33071 } } };
-  document["textures"] = { { { "source", 0 } }, { { "source", 0 }, { "sampler", 0 } } };
+  document["samplers"] = { { { "magFilter", 9728 }, { "wrapS", 33071 }, { "wrapT", 33071 } },
+    { { "wrapS", 33648 }, { "wrapT", 33071 } } };
+  document["textures"] = { { { "source", 0 } }, { { "source", 0 }, { "sampler", 0 } },
+    { { "source", 0 }, { "sampler", 1 } } };
   document["materials"] = materials;
   json nodes = json::array();
   json meshes = json::array();
@@ -96,7 +98,7 @@ json MakeMaterials()
     { "pbrMetallicRoughness": { "baseColorFactor": [0.5, 0.25, 1.0, 0.5], "metallicFactor": 0.75,
         "roughnessFactor": 0.5, "baseColorTexture": { "index": 0 },
         "metallicRoughnessTexture": { "index": 1 } },
-      "normalTexture": { "index": 0, "scale": 0.5 }, "emissiveTexture": { "index": 0 },
+      "normalTexture": { "index": 0, "scale": 0.5 }, "emissiveTexture": { "index": 2 },
       "emissiveFactor": [1.0, 0.5, 0.0],
       "extensions": { "KHR_materials_emissive_strength": { "emissiveStrength": 4.0 } } },
     { "alphaMode": "BLEND", "pbrMetallicRoughness": { "baseColorFactor": [1, 1, 1, 0.25],
@@ -192,6 +194,9 @@ void CheckMaterials(const std::string& fileName)
   CSLF_CHECK(!repeat && !interpolate);
   CSLF_CHECK(vtkCSLFMaterial::GetTexture(
     block, vtkCSLFMaterial::EmissionTexture, image, repeat, interpolate));
+  int wraps[2];
+  CSLF_CHECK(vtkCSLFMaterial::GetTextureWrap(block, vtkCSLFMaterial::EmissionTexture, wraps) &&
+    wraps[0] == vtkCSLFMaterial::MirroredRepeat && wraps[1] == vtkCSLFMaterial::ClampToEdge);
   // The point that glTF puts at the image's lower edge is at v = 0, as the image's first row.
   vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
   CSLF_CHECK(coordinates && coordinates->GetComponent(0, 1) == 0.0);

@@ -38,7 +38,8 @@ using namespace cslf::testing;
 
 cslf::TextureImage MakeChecker(bool repeat, bool interpolate)
 {
-  return { 2, 2, repeat, interpolate,
+  const cslf::TextureWrap wrap = repeat ? cslf::TextureWrap::Repeat : cslf::TextureWrap::Edge;
+  return { 2, 2, { wrap, wrap }, interpolate,
     { 0, 0, 0, 255, 255, 51, 0, 128, 255, 255, 255, 255, 0, 0, 255, 0 } };
 }
 
@@ -68,6 +69,43 @@ void TestPixels()
   CSLF_CHECK_NEAR(repeated.Get({ 0.0f, 0.25f }).x, 0.5, 1e-6);
   const cslf::Texture nearest(MakeChecker(true, false), cslf::TextureKind::Numbers);
   CSLF_CHECK(nearest.Get({ 0.49f, 0.51f }).x == 1.0f && nearest.Get({ 1.0f, 1.0f }).x == 0.0f);
+}
+
+/// Two pixels side by side, 0 and 1, and what lies beyond them along u.
+void TestWraps()
+{
+  using Wrap = cslf::TextureWrap;
+  const auto get = [](Wrap wrap, bool interpolate, float u)
+  {
+    cslf::TextureImage image{ 2, 1, { wrap, Wrap::Edge }, interpolate,
+      { 0, 0, 0, 255, 255, 255, 255, 255 } };
+    image.Border = { 51, 51, 51, 255 };
+    const cslf::Texture texture(image, cslf::TextureKind::Numbers);
+    CSLF_CHECK(!texture.IsTranslucent());
+    return texture.Get({ u, 5.0f }).x;
+  };
+  for (const bool interpolate : { false, true })
+  {
+    CSLF_CHECK_NEAR(get(Wrap::Edge, interpolate, 2.25f), 1.0, 1e-6);
+    CSLF_CHECK_NEAR(get(Wrap::Repeat, interpolate, 2.25f), 0.0, 1e-6);
+    for (const float turn : { -100.0f, -2.0f, 0.0f, 64.0f })
+    {
+      CSLF_CHECK_NEAR(get(Wrap::Mirror, interpolate, turn + 0.25f), 0.0, 1e-6);
+      CSLF_CHECK_NEAR(get(Wrap::Mirror, interpolate, turn + 1.25f), 1.0, 1e-6);
+      CSLF_CHECK_NEAR(get(Wrap::Mirror, interpolate, turn - 0.25f), 0.0, 1e-6);
+      CSLF_CHECK_NEAR(get(Wrap::Mirror, interpolate, turn - 0.75f), 1.0, 1e-6);
+    }
+    for (const float far : { -1e20f, -0.5f, 1.25f, 1e20f })
+    {
+      CSLF_CHECK_NEAR(get(Wrap::Border, interpolate, far), 0.2, 1e-6);
+    }
+    CSLF_CHECK_NEAR(get(Wrap::Border, interpolate, 0.75f), 1.0, 1e-6);
+  }
+  // Halfway between a pixel and what lies beside it.
+  CSLF_CHECK_NEAR(get(Wrap::Edge, true, 1.0f), 1.0, 1e-6);
+  CSLF_CHECK_NEAR(get(Wrap::Repeat, true, 1.0f), 0.5, 1e-6);
+  CSLF_CHECK_NEAR(get(Wrap::Mirror, true, 1.0f), 1.0, 1e-6);
+  CSLF_CHECK_NEAR(get(Wrap::Border, true, 1.0f), 0.6, 1e-6);
 }
 
 /// An image of RGB pixels, row by row from below.
@@ -219,7 +257,9 @@ std::shared_ptr<const cslf::Texture> MakeUniform(
   std::uint8_t red, std::uint8_t green, std::uint8_t blue, cslf::TextureKind kind)
 {
   return std::make_shared<cslf::Texture>(
-    cslf::TextureImage{ 1, 1, true, true, { red, green, blue, 255 } }, kind);
+    cslf::TextureImage{ 1, 1, { cslf::TextureWrap::Repeat, cslf::TextureWrap::Repeat }, true,
+      { red, green, blue, 255 } },
+    kind);
 }
 
 void TestNormals()
@@ -306,8 +346,8 @@ void TestEmission()
   {
     cslf::Mesh lamp = MakeTextured({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.0f, 3.0f));
     lamp.Textures.Emission = std::make_shared<cslf::Texture>(
-      cslf::TextureImage{
-        2, 2, false, false, { 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255 } },
+      cslf::TextureImage{ 2, 2, { cslf::TextureWrap::Edge, cslf::TextureWrap::Edge }, false,
+        { 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255 } },
       cslf::TextureKind::Colors);
     const Estimate estimate = trace(std::move(lamp), (estimators & 1) != 0, (estimators & 2) != 0);
     CSLF_CHECK_NEAR(
@@ -329,6 +369,7 @@ void TestDarkEmission()
 int TestCSLFTextures(int, char*[])
 {
   TestPixels();
+  TestWraps();
   TestFieldData();
   TestPicture();
   TestNormals();
