@@ -37,7 +37,8 @@ find_package(VTK 9.1 REQUIRED
   COMPONENTS ${cslf_vtk_components}
   # VTK's OpenGL loader: glew up to 9.3, glad since. MPI, for several processes at once. Chemistry,
   # for molecules in a renderer's scene, and how they are drawn in the tests.
-  OPTIONAL_COMPONENTS glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2)
+  OPTIONAL_COMPONENTS glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2
+    RenderingLOD)
 
 find_package(embree 3 QUIET)
 if (NOT embree_FOUND)

@@ -40,6 +40,7 @@ list(APPEND sources
   ../Filters/PathTracing/cslfFacets.cxx
   ../Filters/PathTracing/cslfFieldRays.cxx
   ../Filters/PathTracing/cslfFingerprint.cxx
+  ../Filters/PathTracing/cslfHitFilter.cxx
   ../Filters/PathTracing/cslfHitGeometry.cxx
   ../Filters/PathTracing/cslfImageCurve.cxx
   ../Filters/PathTracing/cslfLightBounds.cxx
@@ -51,7 +52,6 @@ list(APPEND sources
   ../Filters/PathTracing/cslfMeshJoin.cxx
   ../Filters/PathTracing/cslfMeshMaker.cxx
   ../Filters/PathTracing/cslfOldNames.cxx
-  ../Filters/PathTracing/cslfOpacity.cxx
   ../Filters/PathTracing/cslfPathBatch.cxx
   ../Filters/PathTracing/cslfPathIntegrator.cxx
   ../Filters/PathTracing/cslfPathStep.cxx
@@ -90,6 +90,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfFrame.h
   ../Filters/PathTracing/cslfFresnel.h
   ../Filters/PathTracing/cslfGGX.h
+  ../Filters/PathTracing/cslfHitFilter.h
   ../Filters/PathTracing/cslfHitGeometry.h
   ../Filters/PathTracing/cslfImageCurve.h
   ../Filters/PathTracing/cslfLanes.h
@@ -105,7 +106,6 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfMeshJoin.h
   ../Filters/PathTracing/cslfMeshMaker.h
   ../Filters/PathTracing/cslfOldNames.h
-  ../Filters/PathTracing/cslfOpacity.h
   ../Filters/PathTracing/cslfPathBatch.h
   ../Filters/PathTracing/cslfPathIntegrator.h
   ../Filters/PathTracing/cslfPathPacket.h
@@ -189,6 +189,7 @@ list(APPEND sources
   ../Filters/SceneImport/cslfActorParts.cxx
   ../Filters/SceneImport/cslfClippedBlock.cxx
   ../Filters/SceneImport/cslfBlockLooks.cxx
+  ../Filters/SceneImport/cslfFaceSides.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfGraphParts.cxx
   ../Filters/SceneImport/cslfImportLimits.cxx
@@ -205,6 +206,7 @@ list(APPEND private_headers
   ../Filters/SceneImport/cslfActorParts.h
   ../Filters/SceneImport/cslfClippedBlock.h
   ../Filters/SceneImport/cslfBlockLooks.h
+  ../Filters/SceneImport/cslfFaceSides.h
   ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportLimits.h
   ../Filters/SceneImport/cslfImportedScene.h

@@ -158,6 +158,14 @@ void SetFromPhysicalProperty(vtkDataObject* data, vtkProperty* property)
     data, emissive ? factor[0] : 0.0, emissive ? factor[1] : 0.0, emissive ? factor[2] : 0.0);
 }
 
+/// The sides that culling leaves. VTK culls back faces where both kinds are to be culled.
+int FindVisibleSides(vtkProperty* property)
+{
+  return property->GetBackfaceCulling() ? vtkCSLFMaterial::FrontSide
+    : property->GetFrontfaceCulling()   ? vtkCSLFMaterial::BackSide
+                                        : vtkCSLFMaterial::BothSides;
+}
+
 int FindWrap(vtkTexture* texture)
 {
   switch (texture->GetWrap())
@@ -226,6 +234,7 @@ void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property
   SetThinWalled(data, false);
   SetOpacity(data, property->GetOpacity());
   SetOpacityCutoff(data, OpacityCutoff.Default);
+  SetVisibleSides(data, FindVisibleSides(property));
   if (property->GetInterpolation() == VTK_PBR && property->GetLighting())
   {
     SetFromPhysicalProperty(data, property);
@@ -327,6 +336,17 @@ void vtkCSLFMaterial::SetOpacityCutoff(vtkDataObject* data, double cutoff)
 double vtkCSLFMaterial::GetOpacityCutoff(vtkDataObject* data)
 {
   return Get(data, OpacityCutoff);
+}
+
+void vtkCSLFMaterial::SetVisibleSides(vtkDataObject* data, int sides)
+{
+  const double value = sides;
+  Set(data, VisibleSides, &value);
+}
+
+int vtkCSLFMaterial::GetVisibleSides(vtkDataObject* data)
+{
+  return static_cast<int>(std::lround(Get(data, VisibleSides)));
 }
 
 void vtkCSLFMaterial::SetNormalScale(vtkDataObject* data, double scale)

@@ -14,9 +14,9 @@
  * - `CSLF:Metallic`: in [0,1], by default 0. 0 is a dielectric, 1 a metal, a blend between.
  * - `CSLF:Roughness`: in [0,1], by default 1. Perceptual; its square is GGX's alpha; below 0.03
  * smooth.
- * - `CSLF:Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from both
- * sides. An array of this name in the point data, else in the cell data, gives each point or cell
- * its own.
+ * - `CSLF:Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from all
+ * visible sides. An array of this name in the point data, else in the cell data, gives each point
+ * or cell its own.
  * - `CSLF:IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has
  * none.
  * - `CSLF:Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
@@ -25,6 +25,8 @@
  * - `CSLF:Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
  *   passes as if there were none.
  * - `CSLF:OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
+ * - `CSLF:VisibleSides`: 0 for both, 1 for the front, 2 for the back, by default 0. From which
+ * sides polygons are there at all; for rays that come from the other side, they are not.
  * - `CSLF:NormalScale`: any number, by default 1. How far the normal texture bends normals.
  * - `CSLF:LineRadius`, `CSLF:PointRadius`: not negative, world units, by default 0. Of the tubes
  * and spheres that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
@@ -54,8 +56,9 @@
  * alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
  * normals are as in glTF.
  *
- * Values out of range are clamped when they are set and when they are read; what is no number is the
- * default. The path tracing filters warn of such values in arrays, and of arrays that do not match.
+ * Values out of range are clamped when they are set and when they are read; what is no number is
+ * the default. The path tracing filters warn of such values in arrays, and of arrays that do not
+ * match.
  *
  * The prefix keeps these names apart from the arrays of simulations and other programs. Version 0.1
  * used the names without it; Documentation/Materials.md says where those are still read.
@@ -93,6 +96,7 @@ public:
   static const char* ThinWalledName() { return "CSLF:ThinWalled"; }
   static const char* OpacityName() { return "CSLF:Opacity"; }
   static const char* OpacityCutoffName() { return "CSLF:OpacityCutoff"; }
+  static const char* VisibleSidesName() { return "CSLF:VisibleSides"; }
   static const char* NormalScaleName() { return "CSLF:NormalScale"; }
   static const char* LineRadiusName() { return "CSLF:LineRadius"; }
   static const char* DisplayedWhiteName() { return "CSLF:DisplayedWhite"; }
@@ -113,10 +117,13 @@ public:
    * highlights of the same height and width: white ones by a boundary, coloured ones by a part of
    * metal. Where they would reflect more than a fifth, they brighten the base.
    *
+   * Culling of back or front faces sets the visible sides; where both are culled, VTK culls back
+   * faces.
+   *
    * vtkCSLFSceneImporter does the same for the lights that there are.
    *
-   * Coats, anisotropy, edge tint and culling are not represented; vtkCSLFSceneImporter represents
-   * edges, wireframes and points.
+   * Coats, anisotropy and edge tint are not represented; vtkCSLFSceneImporter represents properties
+   * of back faces, edges, wireframes and points.
    */
   static void SetFromProperty(vtkDataObject* data, vtkProperty* property);
 
@@ -146,7 +153,7 @@ public:
 
   ///@{
   /**
-   * Set or get the radiance emitted from both sides: linear, not negative. Default: 0, 0, 0.
+   * Set or get the radiance emitted from all visible sides: linear, not negative. Default: 0, 0, 0.
    */
   static void SetEmission(vtkDataObject* data, double red, double green, double blue);
   static void GetEmission(vtkDataObject* data, double radiance[3]);
@@ -191,6 +198,29 @@ public:
    */
   static void SetOpacityCutoff(vtkDataObject* data, double cutoff);
   static double GetOpacityCutoff(vtkDataObject* data);
+  ///@}
+
+  /**
+   * The sides of polygons. The front is where their vertices run counterclockwise.
+   */
+  enum Sides
+  {
+    BothSides = 0,
+    FrontSide,
+    BackSide
+  };
+
+  ///@{
+  /**
+   * Set or get the sides from which polygons are visible, by Sides. Rays of all kinds that come
+   * from another side pass as if there were no surface: those of cameras, reflections and shadows.
+   * So what a point is lit by is what a camera there would see. An emission shines to the visible
+   * sides. Glass should be visible from both sides, or its rays do not bend where they leave it.
+   * Spheres and tubes of vertices and lines are visible from outside in any case. Default:
+   * BothSides.
+   */
+  static void SetVisibleSides(vtkDataObject* data, int sides);
+  static int GetVisibleSides(vtkDataObject* data);
   ///@}
 
   ///@{
@@ -240,6 +270,17 @@ public:
     EmissionTexture ///< sRGB colour times the emission
   };
 
+  /**
+   * What a texture shows beyond coordinates in [0,1].
+   */
+  enum TextureWraps
+  {
+    ClampToEdge = 0, ///< its edge goes on
+    Repeat,          ///< it repeats
+    MirroredRepeat,  ///< it repeats, every other time mirrored
+    ClampToBorder    ///< one colour, the border's
+  };
+
   ///@{
   /**
    * The names of the arrays that hold a texture's pixels and its layout; null for any other slot.
@@ -270,35 +311,9 @@ public:
    * Gets a texture. `repeat` tells whether it repeats along u, not mirrored; see GetTextureWrap.
    * Returns false, and leaves all else alone, where there is none.
    */
-  /**
-   * What a texture shows beyond coordinates in [0,1].
-   */
-  enum TextureWraps
-  {
-    ClampToEdge = 0, ///< its edge goes on
-    Repeat,          ///< it repeats
-    MirroredRepeat,  ///< it repeats, every other time mirrored
-    ClampToBorder    ///< one colour, the border's
-  };
-
   static bool GetTexture(
     vtkDataObject* data, int slot, vtkImageData* image, bool& repeat, bool& interpolate);
 
-  /**
-   * Copies the arrays of `fallback` that `data` lacks. For a block that inherits from its root.
-   */
-  static void Inherit(vtkDataObject* data, vtkDataObject* fallback);
-
-protected:
-  vtkCSLFMaterial() = default;
-  ~vtkCSLFMaterial() override = default;
-
-private:
-  vtkCSLFMaterial(const vtkCSLFMaterial&) = delete;
-  void operator=(const vtkCSLFMaterial&) = delete;
-};
-
-#endif
   ///@{
   /**
    * Set or get what a texture shows beyond coordinates in [0,1], by TextureWraps, along u and v.
@@ -320,3 +335,18 @@ private:
   static bool GetTextureBorder(vtkDataObject* data, int slot, double color[4]);
   ///@}
 
+  /**
+   * Copies the arrays of `fallback` that `data` lacks. For a block that inherits from its root.
+   */
+  static void Inherit(vtkDataObject* data, vtkDataObject* fallback);
+
+protected:
+  vtkCSLFMaterial() = default;
+  ~vtkCSLFMaterial() override = default;
+
+private:
+  vtkCSLFMaterial(const vtkCSLFMaterial&) = delete;
+  void operator=(const vtkCSLFMaterial&) = delete;
+};
+
+#endif

@@ -16,7 +16,8 @@
  * without area show nothing and are left out silently. A scene without anything to trace is an
  * error.
  * - Data is shown at each of its instances, if it has any: see vtkCSLFInstances.
- * - Surfaces are two-sided. Point normals, where present, smooth the shading.
+ * - Surfaces are two-sided unless their material says otherwise. Point normals, where present,
+ * smooth the shading.
  * - Materials, textures and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.
  * - Rays pass surfaces of an opacity below 1 by chance. Alpha is the share of rays that end on some
  * surface; depth is that of the first surface whose opacity is at least one half.

@@ -46,6 +46,11 @@ Emitter::Emitter(const Mesh& mesh, std::uint32_t shape, std::uint32_t instance)
     this->EdgeU = ToScene(mesh, instance, mesh.Vertices[corners.y]) - this->Corner;
     this->EdgeV = ToScene(mesh, instance, mesh.Vertices[corners.z]) - this->Corner;
     this->Normal = glm::cross(this->EdgeU, this->EdgeV);
+    const MeshInstance* placed = this->GetInstance();
+    if (placed && glm::determinant(placed->Linear / GetSize(*placed)) < 0.0f)
+    {
+      this->Normal = -this->Normal; // a reflection keeps the front's side
+    }
   }
 }
 
@@ -156,7 +161,8 @@ LightSample Emitter::SampleTriangle(const glm::vec3& from, const glm::vec2& u) c
   const glm::vec2 point = cslf::SampleTriangle(u);
   const glm::vec3 path = this->Corner + point.x * this->EdgeU + point.y * this->EdgeV - from;
   const float distance = glm::length(path);
-  if (distance > 0.0f)
+  const bool fromBack = glm::dot(this->Normal, path) > 0.0f;
+  if (distance > 0.0f && !this->Source->Material.Hides(fromBack))
   {
     sample.Distance = distance;
     sample.Direction = path / distance;

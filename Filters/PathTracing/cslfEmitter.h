@@ -18,7 +18,7 @@
 
 namespace cslf
 {
-/// Surfaces emit alike in all directions, from both sides.
+/// Surfaces emit alike in all directions, from their visible sides.
 class VTKCSLF_EXPORT Emitter
 {
 public:
@@ -59,7 +59,7 @@ private:
   glm::vec3 Corner{ 0.0f };
   glm::vec3 EdgeU{ 0.0f };
   glm::vec3 EdgeV{ 0.0f };
-  glm::vec3 Normal{ 0.0f }; // as long as twice the area
+  glm::vec3 Normal{ 0.0f }; // on the front, as long as twice the area
 };
 }
 

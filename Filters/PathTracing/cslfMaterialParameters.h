@@ -37,6 +37,8 @@ inline const Parameter Transmission = { vtkCSLFMaterial::TransmissionName(), 1, 
 inline const Parameter ThinWalled = { vtkCSLFMaterial::ThinWalledName(), 1, 0.0, 0.0, 1.0 };
 inline const Parameter Opacity = { vtkCSLFMaterial::OpacityName(), 1, 1.0, 0.0, 1.0 };
 inline const Parameter OpacityCutoff = { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 0.0, 1.0 };
+inline const Parameter VisibleSides = { vtkCSLFMaterial::VisibleSidesName(), 1,
+  vtkCSLFMaterial::BothSides, vtkCSLFMaterial::BothSides, vtkCSLFMaterial::BackSide };
 inline const Parameter NormalScale = { vtkCSLFMaterial::NormalScaleName(), 1, 1.0, -Unlimited,
   Unlimited };
 inline const Parameter LineRadius = { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited };
@@ -44,8 +46,8 @@ inline const Parameter PointRadius = { vtkCSLFMaterial::PointRadiusName(), 1, 0.
 inline const Parameter DisplayedWhite = { vtkCSLFMaterial::DisplayedWhiteName(), 3, 0.0, 0.0,
   Unlimited };
 inline const Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, ThinWalled, Opacity, OpacityCutoff, NormalScale, LineRadius, PointRadius,
-  DisplayedWhite };
+  Transmission, ThinWalled, Opacity, OpacityCutoff, VisibleSides, NormalScale, LineRadius,
+  PointRadius, DisplayedWhite };
 
 /// The value that counts: in the range, and the default for what is no number.
 inline double Clamp(const Parameter& parameter, double value)

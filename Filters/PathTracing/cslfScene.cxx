@@ -3,8 +3,8 @@
 #include "cslfScene.h"
 
 #include "cslfEmbree.h"
+#include "cslfHitFilter.h"
 #include "cslfHitGeometry.h"
-#include "cslfOpacity.h"
 #include "cslfRayLanes.h"
 #include "cslfVectorize.h"
 
@@ -235,10 +235,7 @@ void AddGeometry(RTCDevice device, RTCScene scene, const Mesh& mesh, unsigned in
                                                             : FillRound(geometry.get(), mesh);
   if (filled)
   {
-    if (mesh.IsTranslucent())
-    {
-      PassByOpacity(geometry.get(), mesh);
-    }
+    FilterHits(geometry.get(), mesh);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene, geometry.get(), id);
   }

@@ -99,6 +99,19 @@ private:
   }
 };
 
+VisibleSides ReadSides(vtkDataObject* material)
+{
+  switch (vtkCSLFMaterial::GetVisibleSides(material))
+  {
+    case vtkCSLFMaterial::FrontSide:
+      return VisibleSides::Front;
+    case vtkCSLFMaterial::BackSide:
+      return VisibleSides::Back;
+    default:
+      return VisibleSides::Both;
+  }
+}
+
 class Builder
 {
 public:
@@ -248,6 +261,7 @@ private:
   {
     this->Omitted.RoundGlass += block.Material.Transmission > 0.0f ? 1 : 0;
     block.Material.Transmission = 0.0f;
+    block.Material.Sides = VisibleSides::Both;
     block.Textures.Normal = nullptr;
     block.StandardRadius =
       block.Shape == Mesh::Shapes::Tubes ? block.LineRadius : block.PointRadius;
@@ -303,6 +317,7 @@ private:
     block.Material.Thin = vtkCSLFMaterial::GetThinWalled(holder);
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
+    block.Material.Sides = ReadSides(holder);
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
     block.DisplayedWhite = GetDisplayedWhite(holder);
     block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);

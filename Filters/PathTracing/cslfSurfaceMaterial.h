@@ -65,6 +65,14 @@ struct MaterialPoint
   float Alpha = 1.0f;          ///< GGX's; 0 is a perfect mirror
 };
 
+/// From where triangles are there at all.
+enum class VisibleSides
+{
+  Both,
+  Front, ///< where the corners run counterclockwise
+  Back
+};
+
 class VTKCSLF_EXPORT SurfaceMaterial
 {
 public:
@@ -75,19 +83,26 @@ public:
   /// GGX's alpha of a perceptual roughness; 0 where facets deviate too little to be seen.
   static float ToAlpha(float roughness);
 
-  glm::vec3 BaseColor{ 0.6f };    ///< linear
-  float Metallic = 0.0f;          ///< in [0,1]
-  float Roughness = 1.0f;         ///< perceptual, in [0,1]
-  float Alpha = 1.0f;             ///< GGX's; 0 is a perfect mirror
-  float IndexOfRefraction = 1.0f; ///< at least 1; 1 has no boundary that reflects
-  float Transmission = 0.0f;      ///< the part of a dielectric that is glass, in [0,1]
-  bool Thin = false;              ///< whether glass is a sheet, else solid
-  float Opacity = 1.0f;           ///< the chance that light meets the surface, in [0,1]
-  float OpacityCutoff = 0.0f;     ///< above 0: opacities below count as 0, others as 1
-  float NormalScale = 1.0f;       ///< how far the normal texture bends normals
-  glm::vec3 Emission{ 0.0f };     ///< radiance, from both sides
+  glm::vec3 BaseColor{ 0.6f };             ///< linear
+  float Metallic = 0.0f;                   ///< in [0,1]
+  float Roughness = 1.0f;                  ///< perceptual, in [0,1]
+  float Alpha = 1.0f;                      ///< GGX's; 0 is a perfect mirror
+  float IndexOfRefraction = 1.0f;          ///< at least 1; 1 has no boundary that reflects
+  float Transmission = 0.0f;               ///< the part of a dielectric that is glass, in [0,1]
+  bool Thin = false;                       ///< whether glass is a sheet, else solid
+  float Opacity = 1.0f;                    ///< the chance that light meets the surface, in [0,1]
+  float OpacityCutoff = 0.0f;              ///< above 0: opacities below count as 0, others as 1
+  float NormalScale = 1.0f;                ///< how far the normal texture bends normals
+  glm::vec3 Emission{ 0.0f };              ///< radiance, from all visible sides
+  VisibleSides Sides = VisibleSides::Both; ///< of triangles
   SpecularAlbedo
     DielectricSpecular; ///< of the boundary; of any roughness where a texture varies it
+
+  /// Whether rays that come from the front, or the back, pass as if there were no surface.
+  bool Hides(bool back) const
+  {
+    return this->Sides == (back ? VisibleSides::Front : VisibleSides::Back);
+  }
 
   /// Whether it shines. No component of an emission is negative.
   bool IsEmissive() const { return this->Emission.x + this->Emission.y + this->Emission.z > 0.0f; }

@@ -5,6 +5,7 @@
 #include "cslfAMRSurface.h"
 #include "cslfActorParts.h"
 #include "cslfClippedBlock.h"
+#include "cslfFaceSides.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
 #include "cslfSoundPolyData.h"
@@ -220,9 +221,12 @@ private:
   void FindLimits()
   {
     const bool physical = this->Property->GetInterpolation() == VTK_PBR;
-    this->MeetIf(this->Actor->GetBackfaceProperty() != nullptr, ImportLimit::BackfaceProperties);
-    this->MeetIf(this->Property->GetBackfaceCulling() || this->Property->GetFrontfaceCulling(),
-      ImportLimit::Culling);
+    this->MeetIf(
+      this->Actor->GetBackfaceProperty() && (physical || this->Mapper->IsA("vtkGlyph3DMapper")),
+      ImportLimit::BackfaceProperties);
+    this->MeetIf((this->Property->GetBackfaceCulling() || this->Property->GetFrontfaceCulling()) &&
+        this->Property->GetEdgeVisibility() && this->Property->GetRepresentation() == VTK_SURFACE,
+      ImportLimit::CulledEdges);
     this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
     this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
   }
@@ -302,9 +306,36 @@ private:
         this->AddEdges(block);
         break;
       default:
-        this->Add(block);
+        this->AddFaces(block);
         this->AddDecoration(block);
     }
+  }
+
+  /// The two sides of faces may look different.
+  void AddFaces(vtkPolyData* block)
+  {
+    const BlockLook look = this->Look;
+    const bool isReflected = this->Matrix && this->Matrix->Determinant() < 0.0;
+    for (const FaceSide& side :
+      DivideBySides(this->Actor, block, isReflected, this->IsColored(block)))
+    {
+      this->Look.Property = side.Property;
+      if (side.IsBack)
+      {
+        this->Look.Opacity = side.Property->GetOpacity();
+      }
+      this->Add(side.Block);
+      this->Look = look;
+    }
+    this->Found = this->Found || block->GetNumberOfCells() > 0;
+  }
+
+  /// Whether scalars, or the attributes of its block, give a block its colours.
+  bool IsColored(vtkPolyData* block) const
+  {
+    return this->Look.HasTable || this->Look.Color || block->GetPointData()->GetScalars() ||
+      block->GetCellData()->GetScalars() ||
+      block->GetFieldData()->HasArray(vtkCSLFInstances::InstanceColor());
   }
 
   /// Whether the window leaves out the lights, as it does for lines and points without normals.

@@ -30,7 +30,7 @@ enum class ImportLimit
   Followers,
   // Surfaces.
   BackfaceProperties,
-  Culling,
+  CulledEdges,
   ClippedLines,
   Coats,
   Anisotropy,

@@ -175,6 +175,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeScene(bool isOld)
   vtkNew<vtkProperty> property;
   property->SetInterpolationToPBR();
   vtkCSLFMaterial::SetFromProperty(plane, property);
+  plane->GetFieldData()->RemoveArray(vtkCSLFMaterial::VisibleSidesName()); // not of version 0.1
   vtkCSLFMaterial::SetEmission(plane, 1.0, 2.0, 3.0);
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 1);

@@ -326,7 +326,8 @@ void TestMaterials()
   vtkNew<vtkActor> nothing;
   importer.Renderer->AddActor(nothing);
   property->BackfaceCullingOn();
-  CSLF_CHECK(importer.WarnsOf("culling of faces (both sides)"));
+  property->EdgeVisibilityOn();
+  CSLF_CHECK(importer.WarnsOf("edges of culled faces (visible from all sides)"));
   CSLF_CHECK(importer.WarnsOf("props other than actors: vtkCubeAxesActor, vtk"));
   CSLF_CHECK(importer.WarnsOf("TextActor"));
   CSLF_CHECK(!importer.WarnsOf("vtkOpenGLActor"));

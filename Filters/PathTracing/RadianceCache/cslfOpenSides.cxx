@@ -215,7 +215,8 @@ OpenSides::OpenSides(
             place.Back = back;
             const std::size_t triangle = first + *groups.Begin(group);
             const std::uint64_t hash = MixBits(2 * triangle + (back ? 1 : 0), seed);
-            if (IsOpen(scene, paths, place, groups, group, hash, rays))
+            if (!mesh.Material.Hides(back) &&
+              IsOpen(scene, paths, place, groups, group, hash, rays))
             {
               sides |= back ? Back : Front;
             }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfOpacity.h"
+#include "cslfHitFilter.h"
 
 #include "cslfHitGeometry.h"
 #include "cslfMesh.h"
@@ -40,6 +40,27 @@ float GetChance(const RTCFilterFunctionNArguments* query, unsigned int lane)
   return static_cast<float>(hash >> 40) * 0x1p-24f;
 }
 
+glm::vec3 GetDirection(const RTCFilterFunctionNArguments* query, unsigned int lane)
+{
+  return { RTCRayN_dir_x(query->ray, query->N, lane), RTCRayN_dir_y(query->ray, query->N, lane),
+    RTCRayN_dir_z(query->ray, query->N, lane) };
+}
+
+/// A normal of any length: on the front of triangles, which reflections keep, as it is that in the
+/// space of the mesh.
+glm::vec3 GetNormal(const RTCFilterFunctionNArguments* query, unsigned int lane)
+{
+  return { RTCHitN_Ng_x(query->hit, query->N, lane), RTCHitN_Ng_y(query->hit, query->N, lane),
+    RTCHitN_Ng_z(query->hit, query->N, lane) };
+}
+
+/// Whether a ray comes from a hidden side.
+bool IsHidden(const RTCFilterFunctionNArguments* query, unsigned int lane, const Mesh& mesh)
+{
+  return mesh.Material.Sides != VisibleSides::Both &&
+    mesh.Material.Hides(glm::dot(GetDirection(query, lane), GetNormal(query, lane)) > 0.0f);
+}
+
 /// Whether a ray leaves a sphere or a tube that it has entered. These are one surface, where they
 /// are met first: no ray meets the other side as well.
 bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, const Mesh& mesh)
@@ -53,11 +74,7 @@ bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, cons
   const unsigned int size = query->N;
   const glm::vec3 origin(
     RTCRayN_org_x(ray, size, lane), RTCRayN_org_y(ray, size, lane), RTCRayN_org_z(ray, size, lane));
-  const glm::vec3 direction(
-    RTCRayN_dir_x(ray, size, lane), RTCRayN_dir_y(ray, size, lane), RTCRayN_dir_z(ray, size, lane));
-  const glm::vec3 normal(RTCHitN_Ng_x(query->hit, size, lane), RTCHitN_Ng_y(query->hit, size, lane),
-    RTCHitN_Ng_z(query->hit, size, lane));
-  if (!(glm::dot(direction, normal) > 0.0f))
+  if (!(glm::dot(GetDirection(query, lane), GetNormal(query, lane)) > 0.0f))
   {
     return false;
   }
@@ -67,8 +84,21 @@ bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, cons
     : glm::distance(origin, mesh.Vertices[shape]) > mesh.Radii[shape];
 }
 
+/// Refuses the hits of opaque triangles from hidden sides.
+void RefuseHidden(const RTCFilterFunctionNArguments* query)
+{
+  const auto& mesh = *static_cast<const Mesh*>(query->geometryUserPtr);
+  for (unsigned int lane = 0; lane < query->N; ++lane)
+  {
+    if (query->valid[lane] != 0 && IsHidden(query, lane, mesh))
+    {
+      query->valid[lane] = 0;
+    }
+  }
+}
+
 /// Refuses the hits that rays pass.
-void RefuseHits(const RTCFilterFunctionNArguments* query)
+void RefusePassed(const RTCFilterFunctionNArguments* query)
 {
   const auto& mesh = *static_cast<const Mesh*>(query->geometryUserPtr);
   const auto& rule = *reinterpret_cast<const EmbreeQuery*>(query->context);
@@ -78,7 +108,7 @@ void RefuseHits(const RTCFilterFunctionNArguments* query)
     {
       continue;
     }
-    if (IsFarSide(query, lane, mesh))
+    if (IsHidden(query, lane, mesh) || IsFarSide(query, lane, mesh))
     {
       query->valid[lane] = 0;
       continue;
@@ -113,10 +143,16 @@ void RefuseHits(const RTCFilterFunctionNArguments* query)
 }
 }
 
-void PassByOpacity(RTCGeometry geometry, const Mesh& mesh)
+void FilterHits(RTCGeometry geometry, const Mesh& mesh)
 {
+  const bool isTranslucent = mesh.IsTranslucent();
+  if (!isTranslucent && mesh.Material.Sides == VisibleSides::Both)
+  {
+    return;
+  }
+  const RTCFilterFunctionN filter = isTranslucent ? RefusePassed : RefuseHidden;
   rtcSetGeometryUserData(geometry, const_cast<Mesh*>(&mesh));
-  rtcSetGeometryIntersectFilterFunction(geometry, RefuseHits);
-  rtcSetGeometryOccludedFilterFunction(geometry, RefuseHits);
+  rtcSetGeometryIntersectFilterFunction(geometry, filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, filter);
 }
 }

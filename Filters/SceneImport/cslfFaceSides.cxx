@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFaceSides.h"
+
+#include "vtkCSLFInstances.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+
+namespace cslf
+{
+namespace
+{
+/// Blocks of the same geometry, those that reflections place apart from the others.
+struct PlacedBlock
+{
+  vtkSmartPointer<vtkPolyData> Block;
+  bool IsReflected;
+};
+
+const char* const InstanceNames[] = { vtkCSLFInstances::InstanceMatrix(),
+  vtkCSLFInstances::InstanceColor(), vtkCSLFInstances::InstanceEmission() };
+
+vtkSmartPointer<vtkPolyData> CopyWithOwnFields(vtkPolyData* block)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(block);
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(block->GetFieldData());
+  copy->SetFieldData(fields);
+  return copy;
+}
+
+bool IsReflection(vtkDataArray* matrices, vtkIdType index)
+{
+  double elements[16];
+  matrices->GetTuple(index, elements);
+  return vtkMatrix4x4::Determinant(elements) < 0.0;
+}
+
+/// The instances of a block that are reflected, or those that are not.
+PlacedBlock SelectInstances(vtkPolyData* block, bool reflected)
+{
+  const vtkSmartPointer<vtkPolyData> selected = CopyWithOwnFields(block);
+  vtkDataArray* matrices = block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+  for (const char* name : InstanceNames)
+  {
+    vtkDataArray* all = block->GetFieldData()->GetArray(name);
+    if (!all)
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkDataArray> some;
+    some.TakeReference(all->NewInstance());
+    some->SetName(name);
+    some->SetNumberOfComponents(all->GetNumberOfComponents());
+    for (vtkIdType i = 0; i < all->GetNumberOfTuples(); ++i)
+    {
+      if (IsReflection(matrices, i) == reflected)
+      {
+        some->InsertNextTuple(i, all);
+      }
+    }
+    selected->GetFieldData()->AddArray(some);
+  }
+  return { selected, reflected };
+}
+
+std::vector<PlacedBlock> DivideByReflection(vtkPolyData* block, bool isReflected)
+{
+  vtkDataArray* matrices = block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+  if (!matrices)
+  {
+    return { { block, isReflected } };
+  }
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
+  {
+    count += IsReflection(matrices, i) ? 1 : 0;
+  }
+  if (count == 0 || count == matrices->GetNumberOfTuples())
+  {
+    return { { block, count > 0 } };
+  }
+  return { SelectInstances(block, false), SelectInstances(block, true) };
+}
+
+vtkIdType CountRound(vtkPolyData* block)
+{
+  return block->GetNumberOfVerts() + block->GetNumberOfLines();
+}
+
+/// The polygons of a block alone, or its vertices and lines.
+vtkSmartPointer<vtkPolyData> TakeCells(vtkPolyData* block, bool round)
+{
+  const vtkSmartPointer<vtkPolyData> copy = CopyWithOwnFields(block);
+  const vtkIdType count = CountRound(block);
+  if (count > 0)
+  {
+    const vtkSmartPointer<vtkFieldData> fields = copy->GetFieldData();
+    copy->DeepCopy(block); // cells that are deleted must not be shared
+    copy->SetFieldData(fields);
+    copy->BuildCells();
+    const vtkIdType end = round ? block->GetNumberOfCells() : count;
+    for (vtkIdType cell = round ? count : 0; cell < end; ++cell)
+    {
+      copy->DeleteCell(cell);
+    }
+    copy->RemoveDeletedCells();
+  }
+  return copy;
+}
+
+/// What VTK draws back faces by: coefficients, colours and opacity of their own property, all else
+/// of the front's.
+vtkSmartPointer<vtkProperty> MakeBackProperty(vtkProperty* front, vtkProperty* back)
+{
+  auto property = vtkSmartPointer<vtkProperty>::New();
+  property->DeepCopy(front);
+  property->SetAmbient(back->GetAmbient());
+  property->SetDiffuse(back->GetDiffuse());
+  property->SetSpecular(back->GetSpecular());
+  property->SetSpecularPower(back->GetSpecularPower());
+  property->SetAmbientColor(back->GetAmbientColor());
+  property->SetDiffuseColor(back->GetDiffuseColor());
+  property->SetSpecularColor(back->GetSpecularColor());
+  property->SetOpacity(back->GetOpacity());
+  return property;
+}
+
+/// The side of the data that the window takes for the front, or for the back.
+int FindSide(bool back, bool isReflected)
+{
+  return back != isReflected ? vtkCSLFMaterial::BackSide : vtkCSLFMaterial::FrontSide;
+}
+
+/// VTK culls back faces where both kinds are to be culled.
+bool IsCulled(vtkProperty* property, bool back)
+{
+  return back ? property->GetBackfaceCulling() != 0
+              : property->GetFrontfaceCulling() != 0 && property->GetBackfaceCulling() == 0;
+}
+}
+
+bool HasDifferentSides(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  return actor->GetBackfaceProperty() != nullptr || property->GetBackfaceCulling() ||
+    property->GetFrontfaceCulling();
+}
+
+std::vector<FaceSide> DivideBySides(
+  vtkActor* actor, vtkPolyData* block, bool isReflected, bool isColored)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkProperty* ofBacks = isColored ? nullptr : actor->GetBackfaceProperty();
+  if (!HasDifferentSides(actor))
+  {
+    return { { block, property } };
+  }
+  const bool isSetByData =
+    block->GetFieldData()->HasArray(vtkCSLFMaterial::VisibleSidesName()) != 0;
+  const int ofData = vtkCSLFMaterial::GetVisibleSides(block);
+  const bool cullsAny = IsCulled(property, false) || IsCulled(property, true);
+  std::vector<FaceSide> sides;
+  for (const PlacedBlock& placed : DivideByReflection(block, isReflected))
+  {
+    if (!ofBacks && (isSetByData || !cullsAny))
+    {
+      sides.push_back({ placed.Block, property });
+      continue;
+    }
+    for (const bool back : { false, true })
+    {
+      const int side = FindSide(back, placed.IsReflected);
+      const bool isHidden = isSetByData ? ofData != vtkCSLFMaterial::BothSides && ofData != side
+                                        : IsCulled(property, back);
+      if (isHidden)
+      {
+        continue;
+      }
+      FaceSide seen;
+      seen.Block = ofBacks ? TakeCells(placed.Block, false) : CopyWithOwnFields(placed.Block);
+      seen.Property = property;
+      seen.IsBack = back && ofBacks;
+      vtkCSLFMaterial::SetVisibleSides(seen.Block, side);
+      if (seen.IsBack)
+      {
+        seen.Property = MakeBackProperty(property, ofBacks);
+      }
+      sides.push_back(seen);
+    }
+    if (ofBacks && CountRound(placed.Block) > 0)
+    {
+      sides.push_back({ TakeCells(placed.Block, true), property });
+    }
+  }
+  return sides;
+}
+}

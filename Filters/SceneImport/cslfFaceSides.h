@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How an actor draws the two sides of its faces: culling, and properties of back faces.
+ */
+#ifndef cslfFaceSides_h
+#define cslfFaceSides_h
+
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkActor;
+
+namespace cslf
+{
+/// A block as it is seen from some sides.
+struct FaceSide
+{
+  vtkSmartPointer<vtkPolyData> Block; ///< its field data says from which sides, if not from both
+  vtkSmartPointer<vtkProperty> Property;
+  bool IsBack = false; ///< whether the property is that of back faces
+};
+
+/// Whether an actor draws the sides of its faces differently.
+bool HasDifferentSides(vtkActor* actor);
+
+/// Divides a block of polygons, and perhaps lines and vertices, by how the actor draws the sides of
+/// its faces. As in VTK's window, the front is where corners run counterclockwise on the screen: a
+/// reflection makes fronts backs. `isReflected` tells whether the block's matrix was one; each
+/// instance is asked by itself. Where the block has colours of its own, VTK ignores the property
+/// of back faces. Visible sides that the block's data sets itself come before culling.
+std::vector<FaceSide> DivideBySides(
+  vtkActor* actor, vtkPolyData* block, bool isReflected, bool isColored);
+}
+
+#endif
