@@ -22,6 +22,8 @@ list(APPEND classes
 list(APPEND sources
   ../Filters/cslfSoundPolyData.cxx)
 list(APPEND private_headers
+  ../Filters/cslfJoin.h
+  ../Filters/cslfSeconds.h
   ../Filters/cslfSoundPolyData.h
   ../Filters/cslfUnfinished.h
   ../Filters/cslfVTKCompatibility.h)

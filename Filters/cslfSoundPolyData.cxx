@@ -142,7 +142,7 @@ void SoundPolyData::AddRemoved(std::set<std::string>& list) const
 {
   if (this->RemovedCells > 0)
   {
-    list.insert("cells with ids of points that do not exist");
+    list.insert("cells with ids of missing points");
   }
   if (this->RemovedCellLists > 0)
   {

@@ -5,6 +5,7 @@
 #include "GLTF/cslfGLTFBlocks.h"
 #include "GLTF/cslfGLTFDocument.h"
 #include "GLTF/cslfGLTFProblems.h"
+#include "cslfJoin.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -69,16 +70,14 @@ int vtkCSLFGLTFReader::RequestData(
   const std::string errors = problems.ListErrors();
   if (!errors.empty())
   {
-    vtkWarningMacro("Left out of \"" << this->FileName << "\": " << errors << ".");
+    vtkWarningMacro(
+      "Invalid parts of \"" << this->FileName << "\" were left out: " << errors << ".");
   }
-  std::string omitted;
-  for (const std::string& name : problems.Omitted)
-  {
-    omitted += (omitted.empty() ? "" : ", ") + name;
-  }
+  const std::string omitted = cslf::Join(problems.Omitted);
   if (!omitted.empty())
   {
-    vtkWarningMacro("Not represented of \"" << this->FileName << "\": " << omitted << ".");
+    vtkWarningMacro(
+      "Unsupported features of \"" << this->FileName << "\" were ignored: " << omitted << ".");
   }
   return 1;
 }

@@ -418,7 +418,7 @@ bool vtkCSLFMaterial::SetTexture(
   if (!scalars || scalars->GetNumberOfComponents() > 4 || dimensions[0] < 1 || dimensions[1] < 1 ||
     dimensions[2] != 1)
   {
-    vtkGenericWarningMacro("A texture is left out: its image must be two-dimensional, of unsigned "
+    vtkGenericWarningMacro("A texture was left out: its image must be two-dimensional, of unsigned "
                            "chars of 1 to 4 components.");
     return false;
   }
@@ -442,14 +442,14 @@ bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* 
   }
   if (texture->GetCubeMap() || !texture->GetInputAlgorithm())
   {
-    vtkGenericWarningMacro("A texture is left out: it is a cube map, or without an image.");
+    vtkGenericWarningMacro("A texture was left out: it is a cube map or has no image.");
     return SetTexture(data, slot, nullptr);
   }
   texture->GetInputAlgorithm()->Update();
   const vtkSmartPointer<vtkImageData> image = cslf::MakeTextureImage(texture);
   if (!image)
   {
-    vtkGenericWarningMacro("A texture is left out: it has no two-dimensional image.");
+    vtkGenericWarningMacro("A texture was left out: its image is not two-dimensional.");
   }
   if (!SetTexture(data, slot, image, true, texture->GetInterpolate() != 0))
   {

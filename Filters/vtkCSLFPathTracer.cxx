@@ -10,6 +10,7 @@
 #include "PathTracing/cslfTexelRenderer.h"
 #include "Pipeline/cslfScenePipeline.h"
 #include "cslfColor.h"
+#include "cslfSeconds.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
 
@@ -65,11 +66,6 @@ std::vector<vtkDataObject*> GetInputs(vtkInformationVector* connections)
     }
   }
   return inputs;
-}
-
-double SecondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Writes the times of a data object and all its leaves.
@@ -374,7 +370,8 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   }
   if (hasTexts)
   {
-    vtkWarningMacro("The array to color by holds no numbers, and is not used.");
+    vtkWarningMacro("The array to color by is not numeric and was ignored: choose another one by "
+                    "SetInputArrayToProcess.");
   }
   return true;
 }
@@ -397,8 +394,8 @@ void vtkCSLFPathTracer::GatherScene(
   }
   if (!gather.AreAlike() && this->Controller->GetLocalProcessId() == 0)
   {
-    vtkWarningMacro("The ranks have processors or libraries that compute differently: the last "
-                    "bits of a texel depend on the rank that makes it.");
+    vtkWarningMacro("The ranks' processors or libraries compute differently, so the last bits of a "
+                    "texel depend on its rank: use processors of one kind and the same libraries.");
   }
   if (gather.Finish(error))
   {
@@ -539,7 +536,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
       return !cslf::IsAborted(this);
     });
   this->NumberOfRays += renderer.GetNumberOfRays();
-  this->RenderSeconds += SecondsSince(start);
+  this->RenderSeconds += cslf::SecondsSince(start);
   return done;
 }
 

@@ -5,6 +5,7 @@
 #include "vtkCSLFPathTracer.h"
 
 #include "Parallel/cslfCacheKeeper.h"
+#include "cslfSeconds.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
 
@@ -13,14 +14,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-
-namespace
-{
-double SecondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-}
 
 double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
 {
@@ -95,7 +88,7 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
     const auto start = std::chrono::steady_clock::now();
     this->MakeCache(spacing, displayRange, nullptr);
     this->Internals->IsProbe = this->FillCache(0.5);
-    this->CacheSeconds += SecondsSince(start);
+    this->CacheSeconds += cslf::SecondsSince(start);
   }
   this->ExpectedCacheSeconds = this->Internals->Cache->GetExpectedSeconds();
   return this->Internals->IsProbe;
@@ -135,7 +128,7 @@ bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double 
   };
   const bool done = plan == Plan::Together ? keeper->Make(*this->Internals->Cache, fill) : fill();
   this->NumberOfCachePoints = this->Internals->Cache->GetNumberOfValues();
-  this->CacheSeconds += SecondsSince(start);
+  this->CacheSeconds += cslf::SecondsSince(start);
   if (done)
   {
     this->Internals->CacheKey = key;
@@ -178,18 +171,18 @@ void vtkCSLFPathTracer::TellCache()
   this->Internals->IsToldOf = true;
   if (cache.IsCoarsened())
   {
-    vtkWarningMacro("The radiance cache of this scene would need too many points: their spacing is "
-      << this->UsedCacheSpacing << " of the scene's diagonal, not what was asked for.");
+    vtkWarningMacro("The radiance cache would need too many points, so their spacing was raised to "
+      << this->UsedCacheSpacing
+      << " of the scene's diagonal. Trace paths if shadow edges must be sharper.");
   }
   if (check.IsExceeded(this->CacheTolerance))
   {
-    vtkWarningMacro("The radiance cache differs from path tracing by more than it should: at "
+    vtkWarningMacro("The radiance cache differs from path tracing by more than its bounds: at "
       << check.Texels << " texels, its mean radiance differs by " << 100.0 * check.Mean << " % (+- "
       << 100.0 * check.MeanError << " %; bound 2 %), and its displayed colours by " << check.RMS
       << " of white in the root mean square (+- " << check.RMSError << "; bound "
       << cslf::CacheCheck::GetRMSBound(this->CacheTolerance)
-      << "). A smaller CacheTolerance or CacheSpacing or more CacheSamples may help; path tracing "
-         "does.");
+      << "). Try a smaller CacheTolerance or CacheSpacing or more CacheSamples, or trace paths.");
   }
 }
 

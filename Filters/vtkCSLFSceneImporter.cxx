@@ -260,11 +260,12 @@ int vtkCSLFSceneImporter::RequestData(
   output->SetBlock(index, lightData);
   if (!scene.Limits.empty())
   {
-    vtkWarningMacro("Not baked as the window shows it: " << cslf::ToText(scene.Limits) << ".");
+    vtkWarningMacro("The bake differs from the window in: "
+      << cslf::ToText(scene.Limits) << ". See Documentation/WindowAndBake.md.");
   }
   if (!scene.Omitted.empty())
   {
-    vtkWarningMacro("Left out of the scene: " << scene.ListOmitted() << ".");
+    vtkWarningMacro("Parts of the scene were left out: " << scene.ListOmitted() << ".");
   }
   for (const std::string& text : { scene.Old.ToText(), scene.Materials.ToText() })
   {

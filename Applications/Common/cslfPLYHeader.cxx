@@ -58,7 +58,7 @@ PLYType ParseType(const std::string& name)
   const auto found = types.find(name);
   if (found == types.end())
   {
-    throw Failure("its header has a type " + name + ", which is not known.");
+    throw Failure("its header has the unknown type " + name + ".");
   }
   return found->second;
 }
@@ -75,7 +75,7 @@ PLYHeader::Formats ParseFormat(const Words& words)
     return name == "binary_big_endian" ? PLYHeader::Formats::BigEndian
                                        : PLYHeader::Formats::LittleEndian;
   }
-  throw Failure("its header has a format that is not known.");
+  throw Failure("its header has an unknown format.");
 }
 
 PLYElement ParseElement(const Words& words)
@@ -87,7 +87,7 @@ PLYElement ParseElement(const Words& words)
   const auto result = std::from_chars(count.data(), end, element.Count);
   if (result.ec != std::errc() || result.ptr != end)
   {
-    throw Failure("its header has an element without a number.");
+    throw Failure("its header has an element without a valid count.");
   }
   return element;
 }
@@ -98,7 +98,7 @@ PLYProperty ParseProperty(const Words& words)
   property.IsList = words.size() == 5 && words[1] == "list";
   if (!property.IsList && words.size() != 3)
   {
-    throw Failure("its header has a property that is not understood.");
+    throw Failure("its header has an invalid property.");
   }
   property.Name = words.back();
   property.Type = ParseType(words[words.size() - 2]);
@@ -107,7 +107,7 @@ PLYProperty ParseProperty(const Words& words)
     property.CountType = ParseType(words[2]);
     if (property.CountType.IsFloat)
     {
-      throw Failure("its header has a list whose length is no whole number.");
+      throw Failure("its header has a list whose length is not an integer.");
     }
   }
   return property;
@@ -159,14 +159,14 @@ PLYHeader ReadPLYHeader(const std::string& bytes)
     const std::size_t end = bytes.find('\n', header.Size);
     if (end == std::string::npos)
     {
-      throw Failure(line == 0 ? "it is no PLY file." : "its header does not end.");
+      throw Failure(line == 0 ? "it is not a PLY file." : "its header has no end_header.");
     }
     const Words words = Split(bytes.substr(header.Size, end - header.Size));
     header.Size = end + 1;
     const std::string keyword = words.empty() ? "" : words[0];
     if (line == 0 && keyword != "ply")
     {
-      throw Failure("it is no PLY file.");
+      throw Failure("it is not a PLY file.");
     }
     if (keyword == "end_header")
     {
@@ -217,7 +217,7 @@ std::size_t PLYNumbers::ReadCount(const PLYProperty& list)
   if (!(count >= 0.0) || count != std::floor(count) ||
     count > static_cast<double>((this->Bytes.size() - this->Offset + 1) / least))
   {
-    throw Failure("it has a list whose length cannot be.");
+    throw Failure("it has a list of invalid length.");
   }
   return static_cast<std::size_t>(count);
 }
@@ -229,7 +229,7 @@ double PLYNumbers::ReadWord()
   begin = std::find_if_not(begin, end, IsSpace);
   if (begin == end)
   {
-    throw Failure("it is cut short.");
+    throw Failure("it is truncated.");
   }
   const char* wordEnd = std::find_if(begin, end, IsSpace);
   double number = 0.0;
@@ -237,7 +237,7 @@ double PLYNumbers::ReadWord()
   // Numbers too small or too large for a double are as good as 0 or infinite.
   if (result.ptr != wordEnd || result.ec == std::errc::invalid_argument)
   {
-    throw Failure("it has something that is not a number.");
+    throw Failure("it has a value that is not a number.");
   }
   this->Offset = static_cast<std::size_t>(wordEnd - this->Bytes.data());
   return number;
@@ -247,7 +247,7 @@ double PLYNumbers::ReadBinary(const PLYType& type)
 {
   if (this->Bytes.size() - this->Offset < type.Size)
   {
-    throw Failure("it is cut short.");
+    throw Failure("it is truncated.");
   }
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < type.Size; ++i)

@@ -153,8 +153,8 @@ public:
     this->AddVertexCells();
     if (this->Broken > 0)
     {
-      AddWarning("Left out: " + std::to_string(this->Broken) +
-        " face(s) with indices of vertices that do not exist.");
+      AddWarning(std::to_string(this->Broken) +
+        " face(s) of the PLY file were left out: they have indices of missing vertices.");
     }
     return this->Data;
   }
@@ -202,7 +202,8 @@ private:
   {
     if (element.Count > 0 && !element.Properties.empty())
     {
-      AddWarning("Left out: the elements " + element.Name + ", which are not read.");
+      AddWarning("The elements " + element.Name +
+        " of the PLY file were left out: vertices, faces and triangle strips are read.");
       for (std::size_t i = 0; i < element.Count; ++i)
       {
         this->ReadRow(element, -1);

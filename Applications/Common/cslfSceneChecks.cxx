@@ -115,7 +115,7 @@ private:
     const auto found = fewest.find(last);
     if (found != fewest.end() && words < found->second)
     {
-      this->Fail("ends too early");
+      this->Fail("is incomplete: the file is truncated");
     }
   }
 
@@ -160,7 +160,7 @@ private:
       }
       begin = end + 1;
     }
-    this->Fail("has something that is not understood");
+    this->Fail("has an invalid index");
   }
 
   void CheckIndex(const std::string& text, int kind) const
@@ -168,12 +168,12 @@ private:
     int index = 0;
     if (!Parse(text, index))
     {
-      this->Fail("has something that is not understood");
+      this->Fail("has an invalid index");
     }
     if (index == 0 || index > this->Totals[kind] || index < -this->Counts[kind])
     {
       const char* const kinds[] = { "vertex", "texture coordinate", "normal" };
-      this->Fail(std::string("has an index of a ") + kinds[kind] + " that does not exist");
+      this->Fail(std::string("has the index of a missing ") + kinds[kind]);
     }
   }
 
@@ -241,7 +241,7 @@ private:
     }
     if (isOpen)
     {
-      throw Failure("it is cut short: its last solid does not end.");
+      throw Failure("it is truncated: its last solid has no endsolid.");
     }
   }
 
@@ -259,7 +259,7 @@ private:
     const std::uintmax_t present = (this->Size - HeaderSize) / TriangleSize;
     if (present < triangles)
     {
-      throw Failure("it is cut short: it holds " + std::to_string(present) + " of " +
+      throw Failure("it is truncated: it has " + std::to_string(present) + " of " +
         std::to_string(triangles) + " triangles.");
     }
   }
@@ -385,7 +385,8 @@ private:
 
   [[noreturn]] void Fail(const std::string& what) const
   {
-    throw Failure(this->Path.filename().string() + " announces " + what + ", which cannot be.");
+    throw Failure(this->Path.filename().string() + " declares " + what +
+      ", which is invalid or more than the file can hold.");
   }
 
   fs::path Path;

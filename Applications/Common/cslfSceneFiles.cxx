@@ -109,7 +109,7 @@ Part MakePartSound(vtkDataObject* part, const std::string& input)
   }
   for (const std::string& what : removed)
   {
-    AddWarning("Left out of " + input + ": " + what + ".");
+    AddWarning("Invalid parts of " + input + " were left out: " + what + ".");
   }
   return result;
 }
@@ -188,8 +188,8 @@ Part ReadScenePart(const std::string& input)
   }
   if (reader == GetReaders().end())
   {
-    throw Failure(
-      input + " is no scene: known are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
+    throw Failure(input +
+      " is not a scene: supported are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
   }
   Part part;
   try
@@ -202,7 +202,7 @@ Part ReadScenePart(const std::string& input)
   }
   catch (const std::bad_alloc&)
   {
-    throw Failure("Cannot read " + input + ": the memory does not suffice.");
+    throw Failure("Cannot read " + input + ": there is not enough memory.");
   }
   const std::string error = GetFirstError();
   vtkIdType cells = 0;

@@ -128,7 +128,7 @@ bool EncodeSession::Agree(const std::string& shared, int* told)
   if (verdict.Differs)
   {
     this->FailWriting(vtkErrorCode::UserError,
-      "the ranks have different fields, settings or versions, or compute differently");
+      "the ranks have different fields, settings, versions or kinds of processor");
   }
   if (verdict.Failed >= 0 && verdict.Failed != this->Crew.GetRank())
   {

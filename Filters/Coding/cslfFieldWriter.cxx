@@ -129,13 +129,13 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   }
   if (discarded)
   {
-    warning = "What an earlier run left of the file was made of another field, with other settings "
-              "or on another kind of processor: it is discarded.";
+    warning = "The interrupted run used another field, other settings or another kind of "
+              "processor: what it wrote is discarded.";
   }
   else if (damaged > 0)
   {
-    warning =
-      std::to_string(damaged) + " group(s) that an earlier run left are damaged: they are redone.";
+    warning = std::to_string(damaged) +
+      " group(s) of the interrupted run are damaged and are sampled again.";
   }
   return true;
 }

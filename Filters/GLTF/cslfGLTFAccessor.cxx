@@ -39,7 +39,7 @@ std::size_t GetSize(const GLTFValue& type)
     case Float:
       return 4;
     default:
-      type.Fail("is no component type");
+      type.Fail("is not a component type");
   }
 }
 
@@ -54,7 +54,7 @@ int GetComponents(const GLTFValue& type)
   {
     return name[3] - '0';
   }
-  type.Fail("is neither SCALAR nor VEC2, VEC3 or VEC4");
+  type.Fail("is not SCALAR, VEC2, VEC3 or VEC4");
 }
 
 /// The number that little-endian bytes hold.
@@ -119,14 +119,14 @@ std::vector<double> ReadView(GLTFDocument& document, const GLTFValue& owner,
   const std::size_t stride = view.Stride > 0 ? view.Stride : tuple;
   if (stride < tuple)
   {
-    owner.Fail("has elements that are larger than the distance between them");
+    owner.Fail("has elements that are larger than its byteStride");
   }
   // Written so that nothing can overflow.
   if (count > 0 &&
     (offset > view.Size || tuple > view.Size - offset ||
       count - 1 > (view.Size - offset - tuple) / stride))
   {
-    owner.Fail("reaches beyond its bufferView");
+    owner.Fail("exceeds its bufferView");
   }
   std::vector<double> values;
   values.reserve(count * components);
@@ -158,7 +158,7 @@ void ReplaceSparse(GLTFDocument& document, const GLTFValue& accessor, GLTFNumber
   {
     if (!(places[i] >= 0.0) || places[i] >= static_cast<double>(numbers.GetCount()))
     {
-      sparse.Fail("has indices of elements that do not exist");
+      sparse.Fail("has indices of missing elements");
     }
     std::copy_n(values.begin() + i * numbers.Components, numbers.Components,
       numbers.Values.begin() + static_cast<std::size_t>(places[i]) * numbers.Components);
@@ -203,12 +203,12 @@ std::vector<std::uint32_t> ReadIndices(GLTFDocument& document, std::size_t index
   const std::size_t type = accessor["componentType"].GetIndex(0);
   if (type != UnsignedByte && type != UnsignedShort && type != UnsignedInt)
   {
-    accessor.Fail("has indices that are no unsigned integers");
+    accessor.Fail("has indices that are not unsigned integers");
   }
   const GLTFNumbers numbers = ReadAccessor(document, index);
   if (numbers.Components != 1)
   {
-    accessor.Fail("has indices that are no scalars");
+    accessor.Fail("has indices that are not scalars");
   }
   std::vector<std::uint32_t> indices;
   indices.reserve(numbers.Values.size());

@@ -43,7 +43,7 @@ glm::dmat4 ReadTransform(const GLTFValue& node)
     }
     if (numbers[3] != 0.0 || numbers[7] != 0.0 || numbers[11] != 0.0 || numbers[15] != 1.0)
     {
-      matrix.Fail("is no affine transform");
+      matrix.Fail("is not an affine transform");
     }
     return transform;
   }

@@ -92,7 +92,7 @@ std::string DecodeDataAddress(const GLTFValue& uri, const std::string& text)
   if (comma == std::string::npos || comma < mark.size() ||
     text.compare(comma - mark.size(), mark.size(), mark) != 0)
   {
-    uri.Fail("is data that is not coded as base64");
+    uri.Fail("has data that is not in base64");
   }
   std::string digits = text.substr(comma + 1);
   digits.resize((digits.size() + 3) / 4 * 4, '=');
@@ -126,7 +126,7 @@ void GLTFDocument::ReadBinary(const std::string& bytes)
   if (ReadNumber(bytes, 4) != BinaryVersion)
   {
     throw GLTFError("it is binary glTF of version " + std::to_string(ReadNumber(bytes, 4)) +
-      "; version 2 is read");
+      ", but version 2 is required");
   }
   bool hasText = false;
   for (std::size_t offset = BinaryHeader; offset + ChunkHeader <= bytes.size();)
@@ -136,7 +136,7 @@ void GLTFDocument::ReadBinary(const std::string& bytes)
     offset += ChunkHeader;
     if (length > bytes.size() - offset)
     {
-      throw GLTFError("it is cut short");
+      throw GLTFError("it is truncated");
     }
     if (type == JSONChunk && !hasText)
     {
@@ -152,7 +152,7 @@ void GLTFDocument::ReadBinary(const std::string& bytes)
   }
   if (!hasText)
   {
-    throw GLTFError("it has no chunk of JSON");
+    throw GLTFError("it has no JSON chunk");
   }
 }
 
@@ -170,8 +170,9 @@ void GLTFDocument::CheckVersion() const
   const std::string version = this->GetRoot()["asset"]["version"].GetText("");
   if (version.compare(0, 2, "2.") != 0)
   {
-    throw GLTFError(version.empty() ? "asset.version is missing"
-                                    : "it is glTF " + version.substr(0, 8) + "; glTF 2.0 is read");
+    throw GLTFError(version.empty()
+        ? "asset.version is missing"
+        : "it is glTF " + version.substr(0, 8) + ", but glTF 2.0 is required");
   }
 }
 
@@ -206,7 +207,7 @@ GLTFBytes GLTFDocument::GetBufferView(std::size_t index)
   const std::string& bytes = this->GetBuffer(*buffer);
   if (offset > bytes.size() || *length > bytes.size() - offset)
   {
-    view.Fail("reaches beyond the " + std::to_string(bytes.size()) + " bytes of its buffer");
+    view.Fail("exceeds the " + std::to_string(bytes.size()) + " bytes of its buffer");
   }
   return { reinterpret_cast<const unsigned char*>(bytes.data()) + offset, *length,
     view["byteStride"].GetIndex(0) };
@@ -242,7 +243,7 @@ std::string GLTFDocument::ReadResource(const GLTFValue& uri) const
   const std::string name = DecodePercents(text);
   if (name.empty() || name.find('\0') != std::string::npos || name.find("://") != std::string::npos)
   {
-    uri.Fail("is no address of a file beside the document");
+    uri.Fail("is not the path of a local file");
   }
   try
   {

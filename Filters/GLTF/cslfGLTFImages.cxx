@@ -71,7 +71,7 @@ std::string KeepPixels(const GLTFValue& owner, const GLTFBytes& bytes)
     const std::size_t length = rest < PNGChunkEnds ? rest : ReadBigEndian(chunk);
     if (rest < PNGChunkEnds || length > rest - PNGChunkEnds)
     {
-      owner.Fail("cannot be decoded: it is cut short");
+      owner.Fail("cannot be decoded: it is truncated");
     }
     type.assign(reinterpret_cast<const char*>(chunk) + 4, 4);
     if (kept.count(type) != 0)
@@ -109,7 +109,7 @@ vtkSmartPointer<vtkImageData> Decode(const GLTFValue& owner, GLTFBytes bytes)
   const std::string format = FindFormat(bytes);
   if (format.empty())
   {
-    owner.Fail("is neither PNG nor JPEG nor WebP");
+    owner.Fail("is not PNG, JPEG or WebP");
   }
   std::string pixelsOnly;
   if (format == PNGName)

@@ -76,7 +76,7 @@ void GLTFMaterials::ReadAlpha(const GLTFValue& source, GLTFMaterial& material)
   }
   else if (!material.UsesAlpha && mode != "OPAQUE")
   {
-    source["alphaMode"].Fail("is none of OPAQUE, MASK and BLEND");
+    source["alphaMode"].Fail("is not OPAQUE, MASK or BLEND");
   }
 }
 
@@ -88,7 +88,7 @@ void GLTFMaterials::ReadExtensions(const GLTFValue& source, GLTFMaterial& materi
   vtkCSLFMaterial::SetIndexOfRefraction(
     arrays, extensions["KHR_materials_ior"]["ior"].GetNumber(1.5));
   vtkCSLFMaterial::SetTransmission(arrays, transmission["transmissionFactor"].GetNumber(0.0));
-  this->Problems.Omit(transmission["transmissionTexture"].IsPresent(), "textures of transmission");
+  this->Problems.Omit(transmission["transmissionTexture"].IsPresent(), "transmission textures");
   vtkCSLFMaterial::SetThinWalled(
     arrays, !(extensions["KHR_materials_volume"]["thicknessFactor"].GetNumber(0.0) > 0.0));
   this->Problems.Omit(
@@ -175,7 +175,7 @@ std::size_t GLTFMaterials::FindImage(const GLTFValue& texture)
   const std::optional<std::size_t> image = source.IsPresent() ? source.GetIndex() : webp.GetIndex();
   if (!image)
   {
-    texture.Fail("has no image that can be read");
+    texture.Fail("has no readable image");
   }
   return *image;
 }

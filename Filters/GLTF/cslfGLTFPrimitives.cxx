@@ -214,7 +214,7 @@ vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
   const GLTFNumbers positions = ReadAccessor(this->Document, *position);
   if (positions.Components != 3 || positions.GetCount() > std::numeric_limits<int>::max())
   {
-    attributes["POSITION"].Fail("is no list of points in space");
+    attributes["POSITION"].Fail("is not a list of 3D points");
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(MakePoints(positions));
@@ -227,14 +227,14 @@ vtkSmartPointer<vtkPolyData> GLTFPrimitives::Read(const GLTFValue& primitive)
   const std::size_t mode = primitive["mode"].GetIndex(Triangles);
   if (mode > TriangleFan)
   {
-    primitive["mode"].Fail("is not known");
+    primitive["mode"].Fail("is unknown");
   }
   CellMaker maker(indices, data->GetNumberOfPoints());
   maker.Make(mode, data);
   if (maker.GetNumberOfBroken() > 0)
   {
     this->Problems.Add(primitive.GetPath() + " has " + std::to_string(maker.GetNumberOfBroken()) +
-      " cell(s) with indices of vertices that do not exist");
+      " cell(s) with indices of missing vertices");
   }
   if (maker.GetNumberOfCells() == 0)
   {
@@ -272,7 +272,7 @@ void GLTFPrimitives::AddNormals(const GLTFValue& attributes, vtkPolyData* data)
     this->Document, attribute, *accessor, data->GetNumberOfPoints(), GLTFIntegers::AsDeclared);
   if (normals.Components != 3)
   {
-    attribute.Fail("is no list of directions in space");
+    attribute.Fail("is not a list of 3D directions");
   }
   const vtkSmartPointer<vtkFloatArray> array = MakeArray("Normals", 3, data->GetNumberOfPoints());
   for (std::size_t i = 0; i < normals.Values.size(); ++i)
@@ -297,7 +297,7 @@ void GLTFPrimitives::AddTexCoords(
     this->Document, attribute, *accessor, data->GetNumberOfPoints(), GLTFIntegers::AsDeclared);
   if (coordinates.Components != 2)
   {
-    attribute.Fail("is no list of points in the plane");
+    attribute.Fail("is not a list of 2D points");
   }
   const double sine = std::sin(mapping.Rotation);
   const double cosine = std::cos(mapping.Rotation);
@@ -328,7 +328,7 @@ void GLTFPrimitives::AddColors(
     this->Document, attribute, *accessor, data->GetNumberOfPoints(), GLTFIntegers::Normalized);
   if (linear.Components < 3)
   {
-    attribute.Fail("is no list of colours");
+    attribute.Fail("is not a list of colours");
   }
   const bool useAlpha = material && material->UsesAlpha && linear.Components == 4;
   const int components = useAlpha ? 4 : 3;

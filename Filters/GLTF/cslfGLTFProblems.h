@@ -8,6 +8,7 @@
 #define cslfGLTFProblems_h
 
 #include "cslfGLTFValue.h"
+#include "cslfJoin.h"
 
 #include <cstddef>
 #include <set>
@@ -56,11 +57,7 @@ public:
   /// What is wrong with the file: the first errors, in the order in which they were met.
   std::string ListErrors() const
   {
-    std::string text;
-    for (const std::string& error : this->Errors)
-    {
-      text += (text.empty() ? "" : "; ") + error;
-    }
+    const std::string text = Join(this->Errors, "; ");
     const std::size_t more = this->Known.size() - this->Errors.size();
     return more > 0 ? text + "; and " + std::to_string(more) + " more" : text;
   }

@@ -159,7 +159,7 @@ bool CacheKeeper::Read(RadianceCache& cache)
   }
   if (state == CacheFileState::Damaged)
   {
-    this->Warn("The radiance cache that an earlier run left is damaged: it is made anew.");
+    this->Warn("The radiance cache of the interrupted run is damaged and is built again.");
   }
   int isRead = state == CacheFileState::Read ? 1 : 0;
   if (this->GetCount() > 1)

@@ -63,9 +63,9 @@ std::string GatherCost::FindWarning() const
     return {};
   }
   return "The pieces of the scene have " + ToGiB(this->Pieces) +
-    ", which every rank gets. The ranks on one computer may need " + ToGiB(this->Node) +
-    " for their scenes, and it has " + ToGiB(this->Memory) +
-    " of memory. Fewer ranks with more threads each need less.";
+    " and every rank receives all of them: the ranks on one computer may need " +
+    ToGiB(this->Node) + " of its " + ToGiB(this->Memory) +
+    " of memory. Run fewer ranks with more threads each.";
 }
 
 SceneGather::SceneGather(vtkMultiProcessController* controller, std::size_t partSize)
@@ -80,11 +80,12 @@ bool SceneGather::Begin(const std::vector<vtkDataObject*>& inputs, std::string& 
   {
     try
     {
-      error = Pack(inputs, this->Mine) ? "" : "A piece of the scene cannot be sent to other ranks.";
+      error = Pack(inputs, this->Mine) ? "" : "The piece of the scene cannot be serialized.";
     }
     catch (const std::bad_alloc&)
     {
-      error = "There is not enough memory to send a piece of the scene.";
+      error =
+        "There is not enough memory to send the piece of the scene: run fewer ranks per computer.";
     }
   }
   if (ShareFault(this->Controller, error) >= 0)
@@ -130,7 +131,7 @@ bool SceneGather::Finish(std::string& error)
   }
   catch (const std::bad_alloc&)
   {
-    error = "There is not enough memory for the scene.";
+    error = "There is not enough memory for the whole scene: run fewer ranks per computer.";
   }
   if (ShareFault(this->Controller, error) >= 0)
   {
@@ -147,7 +148,7 @@ bool SceneGather::Finish(std::string& error)
     BroadcastBytes(this->Controller, bytes.data(), this->Sizes[sender], sender, this->PartSize);
     if (error.empty() && !this->Unpack(bytes.data(), this->Sizes[sender], sender))
     {
-      error = "A piece of the scene that rank " + std::to_string(sender) + " sent is unreadable.";
+      error = "The piece of the scene from rank " + std::to_string(sender) + " cannot be read.";
     }
   }
   return ShareFault(this->Controller, error) < 0;

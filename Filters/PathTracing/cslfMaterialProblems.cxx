@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMaterialProblems.h"
 
+#include "cslfJoin.h"
 #include "cslfMaterialParameters.h"
 
 #include <vtkCellData.h>
@@ -61,16 +62,6 @@ const Attribute* Find(const Attributes& attributes, const char* name)
     }
   }
   return nullptr;
-}
-
-std::string List(const std::set<std::string>& items)
-{
-  std::string text;
-  for (const std::string& item : items)
-  {
-    text += (text.empty() ? "" : ", ") + item;
-  }
-  return text;
 }
 
 /// How many values of an array are negative or not finite.
@@ -190,7 +181,7 @@ void MaterialProblems::FindOutOfRange(vtkDataObject* data)
       if (count > 0)
       {
         this->OutOfRange.insert(std::to_string(count) + " value(s) of " + attribute.Name + " of " +
-          place + " below 0 or not finite count as 0");
+          place + " that are below 0 or not finite count as 0");
       }
     }
   };
@@ -206,12 +197,12 @@ std::string MaterialProblems::ToText() const
   std::string text;
   if (!this->Unused.empty())
   {
-    text = "Material arrays that are not used: " + List(this->Unused) + ".";
+    text = "Material arrays were ignored: " + Join(this->Unused) + ".";
   }
   if (!this->OutOfRange.empty())
   {
-    text +=
-      (text.empty() ? "" : " ") + ("Material values out of range: " + List(this->OutOfRange)) + ".";
+    text += (text.empty() ? "" : " ") +
+      ("Material values are out of range: " + Join(this->OutOfRange)) + ".";
   }
   return text;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfOldNames.h"
 
+#include "cslfJoin.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
@@ -140,16 +141,6 @@ void AddRenamed(vtkFieldData* fields, const char* name)
   fields->AddArray(array);
 }
 
-std::string List(const std::set<std::string>& names, const char* prefix)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + (prefix + name);
-  }
-  return text;
-}
-
 /// The arrays of the points' own radii, which count where the material is ours.
 std::set<const char*> LookForRadii(vtkDataObject* data, bool isOurs, OldNames& found)
 {
@@ -182,15 +173,14 @@ std::string OldNames::ToText() const
   std::string text;
   if (!this->Read.empty())
   {
-    text = "Arrays with names of version 0.1 were read: " + List(this->Read, "") +
-      ". Their names are " + List(this->Read, Prefix) +
-      " now; the next version will not read the old ones.";
+    text = "Arrays with names of version 0.1 were read: " + Join(this->Read) + ". Rename them to " +
+      Join(this->Read, ", ", Prefix) + ": the next version will not read the old names.";
   }
   if (!this->Ignored.empty())
   {
-    text += (text.empty() ? "" : " ") + ("The arrays " + List(this->Ignored, "")) +
-      " were not read as materials. If they are meant to be, name them " +
-      List(this->Ignored, Prefix) + ".";
+    text += (text.empty() ? "" : " ") + ("The arrays " + Join(this->Ignored)) +
+      " were not read as materials. If they are materials, rename them to " +
+      Join(this->Ignored, ", ", Prefix) + ".";
   }
   return text;
 }

@@ -75,7 +75,7 @@ private:
     {
       if (present)
       {
-        text += (text.empty() ? "Left out of the scene: " : ", ") + what;
+        text += (text.empty() ? "Parts of the scene were left out: " : ", ") + what;
       }
     };
     const auto count = [&add](vtkIdType number, const char* what)

@@ -3,6 +3,7 @@
 #include "Planning/cslfBakeProbe.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
+#include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkDataArray.h>
@@ -49,11 +50,6 @@ constexpr int FullGroups = 2;
 // The most viewpoints that are written as images.
 constexpr int ImageSlices = 48;
 constexpr int FirstImageSlices = 6;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// `count` of the numbers below `whole`, evenly spread.
 std::vector<int> Spread(int count, int whole)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfImportLimits.h"
 
+#include "cslfJoin.h"
+
 #include <cstddef>
 #include <iterator>
 
@@ -185,13 +187,7 @@ std::string ToText(const MetLimits& limits)
   {
     const ImportLimitText& row = GetText(limit);
     text += (text.empty() ? "" : "; ") + std::string(row.Name);
-    const char* separator = ": ";
-    for (const std::string& detail : details)
-    {
-      text += separator + detail;
-      separator = ", ";
-    }
-    text += std::string(" (") + row.Bake + ")";
+    text += (details.empty() ? "" : ": ") + Join(details) + " (" + row.Bake + ")";
   }
   return text;
 }

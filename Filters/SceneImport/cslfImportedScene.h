@@ -10,6 +10,7 @@
 #include "PathTracing/cslfMaterialProblems.h"
 #include "PathTracing/cslfOldNames.h"
 #include "cslfImportLimits.h"
+#include "cslfJoin.h"
 
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -68,15 +69,7 @@ struct ImportedScene
   }
 
   /// What cannot be represented, with commas.
-  std::string ListOmitted() const
-  {
-    std::string text;
-    for (const std::string& name : this->Omitted)
-    {
-      text += (text.empty() ? "" : ", ") + name;
-    }
-    return text;
-  }
+  std::string ListOmitted() const { return Join(this->Omitted); }
 };
 }
 

@@ -215,7 +215,7 @@ void TestBrokenInput()
   estimator->SetSampler(sampler);
   estimator->SetProbeSeconds(0.1);
   CSLF_CHECK(estimator->Estimate() == 1);
-  CSLF_CHECK(observer->GetWarningMessage().find("points that do not exist") != std::string::npos);
+  CSLF_CHECK(observer->GetWarningMessage().find("ids of missing points") != std::string::npos);
 }
 
 /// Copies a run's folder of parts, as a kill would leave it.

@@ -150,7 +150,7 @@ std::vector<Case> MakeCellCases()
       AddCells(data->GetPolys(), offsets, { 0, 1, 2, 0, 2, 3 });
     };
   };
-  const char* ids = "cells with ids of points that do not exist";
+  const char* ids = "cells with ids of missing points";
   const char* offsets = "cells with invalid offsets";
   return {
     { "one past the last point", withIds(4), ids, true },
@@ -171,10 +171,10 @@ std::vector<Case> MakeCellCases()
       },
       offsets, true },
     { "no points", [](vtkPolyData* data) { data->SetPoints(nullptr); },
-      "cells with ids of points that do not exist", false },
+      "cells with ids of missing points", false },
     { "points of two coordinates",
       [](vtkPolyData* data) { data->GetPoints()->GetData()->SetNumberOfComponents(2); },
-      "cells with ids of points that do not exist", false },
+      "cells with ids of missing points", false },
     { "short polygons",
       [](vtkPolyData* data)
       {
@@ -251,7 +251,7 @@ std::vector<Case> MakeArrayCases()
         data->GetCellData()->Initialize();
         data->GetCellData()->AddArray(texts);
       },
-      "holds no numbers", true, true },
+      "is not numeric", true, true },
   };
 }
 

@@ -164,7 +164,7 @@ void TestFailures(const Setting& setting)
       [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->RemoveAllInputs(); });
     TestFailure(setting, rank, rank, "is none of ultrafast",
       [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetPreset("quick"); });
-    TestFailure(setting, rank, 0, "different fields, settings or versions",
+    TestFailure(setting, rank, 0, "different fields, settings, versions or kinds",
       [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetCRF(30.0); });
   }
   // In the middle of the work, whoever it meets: of all ranks' sources the same slice fails.

@@ -116,7 +116,8 @@ void TestOutOfRange()
   CSLF_CHECK(Contains(warning, "CSLF:Roughness of -0.5 counts as 0"));
   CSLF_CHECK(Contains(warning, "CSLF:BaseColor of 2 counts as 1"));
   CSLF_CHECK(Contains(warning, "CSLF:BaseColor of nan counts as 0.8"));
-  CSLF_CHECK(Contains(warning, "8 value(s) of CSLF:Emission of points below 0 or not finite"));
+  CSLF_CHECK(
+    Contains(warning, "8 value(s) of CSLF:Emission of points that are below 0 or not finite"));
   CSLF_CHECK(warning.find("Opacity") == std::string::npos);
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(plane) == 0.0);
   double color[3];

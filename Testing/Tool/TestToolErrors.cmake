@@ -24,7 +24,7 @@ cslf_fail("center" "x" sample cornell-box -o x.vti --edges 3)
 
 # Inputs.
 cslf_fail("no file nowhere.ply" "x" sample nowhere.ply -o x.mp4 ${tiny})
-cslf_fail("no scene" "x" sample text.txt -o x.mp4 ${tiny})
+cslf_fail("not a scene" "x" sample text.txt -o x.mp4 ${tiny})
 cslf_fail("text.ply" "x" sample text.ply -o x.mp4 ${tiny})
 cslf_fail("environment" "x" sample cornell-box -o x.mp4 ${tiny} --environment nowhere.hdr)
 cslf_fail("text.txt" "x" sample cornell-box -o x.mp4 ${tiny} --environment text.txt)

@@ -3,6 +3,7 @@
 #include "cslfLatticeProbe.h"
 
 #include "PathTracing/cslfSampleStream.h"
+#include "cslfSeconds.h"
 
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -22,11 +23,6 @@ namespace cslf
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Neighbours that are built together.
 constexpr std::size_t RunLength = 32;
