@@ -72,7 +72,8 @@ list(APPEND sources
   ../Filters/PathTracing/cslfTexelSums.cxx
   ../Filters/PathTracing/cslfTexture.cxx
   ../Filters/PathTracing/cslfTextureReader.cxx
-  ../Filters/PathTracing/cslfTriangles.cxx)
+  ../Filters/PathTracing/cslfTriangles.cxx
+  ../Filters/PathTracing/cslfTubeDivision.cxx)
 list(APPEND private_headers
   ../Filters/PathTracing/cslfArithmetic.h
   ../Filters/PathTracing/cslfBox.h
@@ -137,6 +138,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTextureReader.h
   ../Filters/PathTracing/cslfTriangleGeometry.h
   ../Filters/PathTracing/cslfTube.h
+  ../Filters/PathTracing/cslfTubeDivision.h
   ../Filters/PathTracing/cslfTriangles.h
   ../Filters/PathTracing/cslfVectorize.h)
 

@@ -87,6 +87,7 @@ void Fingerprint::Add(const Mesh& mesh)
   this->Add(mesh.Opacities);
   this->Add(mesh.Emissions);
   this->Add(mesh.Radii);
+  this->Add(mesh.Joints);
   this->Add(mesh.Instances);
   this->Add(std::vector<char>(mesh.Appearance.begin(), mesh.Appearance.end()));
   this->Add(std::vector<int>{ static_cast<int>(mesh.Coloring), static_cast<int>(mesh.Shape),

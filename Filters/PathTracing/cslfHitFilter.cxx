@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cstddef>
 #include <cstring>
 
 namespace cslf
@@ -84,6 +85,20 @@ bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, cons
     : glm::distance(origin, mesh.Vertices[shape]) > mesh.Radii[shape];
 }
 
+/// Whether a ray meets the round end of a tube within the one that goes on there.
+bool IsWithinJoint(const RTCFilterFunctionNArguments* query, unsigned int lane, const Mesh& mesh)
+{
+  if (mesh.Joints.empty())
+  {
+    return false;
+  }
+  // Embree tells the exact numbers for round ends.
+  const float along = RTCHitN_u(query->hit, query->N, lane);
+  const std::size_t first = 2 * std::size_t(RTCHitN_primID(query->hit, query->N, lane));
+  return (along <= 0.0f && mesh.Joints[first] != 0) ||
+    (along >= 1.0f && mesh.Joints[first + 1] != 0);
+}
+
 /// Refuses the hits of opaque triangles from hidden sides.
 void RefuseHidden(const RTCFilterFunctionNArguments* query)
 {
@@ -108,7 +123,8 @@ void RefusePassed(const RTCFilterFunctionNArguments* query)
     {
       continue;
     }
-    if (IsHidden(query, lane, mesh) || IsFarSide(query, lane, mesh))
+    if (IsHidden(query, lane, mesh) || IsWithinJoint(query, lane, mesh) ||
+      IsFarSide(query, lane, mesh))
     {
       query->valid[lane] = 0;
       continue;

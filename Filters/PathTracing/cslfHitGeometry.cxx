@@ -176,8 +176,13 @@ void LocateOnRound(
 
 Tube GetTube(const Mesh& mesh, std::uint32_t tube)
 {
-  return { mesh.Vertices[2 * tube], mesh.Vertices[2 * tube + 1], mesh.Radii[2 * tube],
-    mesh.Radii[2 * tube + 1] };
+  Tube result(mesh.Vertices[2 * tube], mesh.Vertices[2 * tube + 1], mesh.Radii[2 * tube],
+    mesh.Radii[2 * tube + 1]);
+  for (int end = 0; end < 2 && !mesh.Joints.empty(); ++end)
+  {
+    result.Joints[end] = mesh.Joints[2 * tube + end] != 0;
+  }
+  return result;
 }
 
 float GetSize(const MeshInstance& instance)

@@ -72,6 +72,9 @@ struct VTKCSLF_EXPORT Mesh
   Shapes Shape = Shapes::Triangles;
   std::vector<glm::vec3> Vertices;
   std::vector<float> Radii; ///< of spheres and tubes, one a vertex
+  /// Of tubes, one a vertex, or none at all: 1 where the tube goes straight on in another one, so
+  /// that its round end lies within that one and is no surface.
+  std::vector<std::uint32_t> Joints;
   std::vector<glm::uvec3> Triangles;
   std::vector<glm::vec3> Normals;   ///< one a vertex, or none at all; of length 0 where unknown
   std::vector<glm::vec2> TexCoords; ///< one a vertex; there are some if there is a texture

@@ -63,6 +63,7 @@ void Append(Mesh& whole, const Mesh& piece)
   Append(whole.Colors, piece.Colors);
   Append(whole.Emissions, piece.Emissions);
   whole.Material.Emission = glm::max(whole.Material.Emission, piece.Material.Emission);
+  AppendOptional(whole.Joints, first, piece.Joints, piece.Vertices.size(), 0u);
   Append(whole.Vertices, piece.Vertices);
   Append(whole.Radii, piece.Radii);
   Append(whole.TexCoords, piece.TexCoords);
@@ -174,11 +175,12 @@ private:
   /// Finds the distinct vertices, in order, and the place of each vertex among them.
   void RankVertices()
   {
-    std::vector<Words<16>> vertices(this->Sorted.Vertices.size());
+    std::vector<Words<17>> vertices(this->Sorted.Vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       vertices[i].Add(this->Sorted.Vertices[i]);
       vertices[i].AddFrom(this->Sorted.Radii, i);
+      vertices[i].AddFrom(this->Sorted.Joints, i);
       vertices[i].AddFrom(this->Sorted.Normals, i);
       vertices[i].AddFrom(this->Sorted.TexCoords, i);
       if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)
@@ -254,6 +256,7 @@ private:
   {
     Take(this->Sorted.Vertices, indices);
     Take(this->Sorted.Radii, indices);
+    Take(this->Sorted.Joints, indices);
     Take(this->Sorted.Normals, indices);
     Take(this->Sorted.TexCoords, indices);
     if (this->Sorted.Coloring == Mesh::ColorsOf::Vertices)

@@ -4,6 +4,7 @@
 
 #include "cslfDisplayedColor.h"
 #include "cslfTriangles.h"
+#include "cslfTubeDivision.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
@@ -79,6 +80,10 @@ public:
     this->Result.Material = this->Source.Material;
     this->AddEmissions();
     this->AddInstances();
+    if (this->Result.Shape == Mesh::Shapes::Tubes)
+    {
+      DivideLongTubes(this->Result);
+    }
     this->Result.Textures = this->Source.Textures;
     this->Result.Appearance = this->Source.Appearance;
     return std::move(this->Result);

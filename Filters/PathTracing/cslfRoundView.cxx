@@ -83,8 +83,10 @@ TubeView::TubeView(const glm::vec3& from, const Tube& tube)
     return;
   }
   this->LookAtSide();
-  this->Shares[0] = this->EstimateEnd(0);
-  this->Shares[1] = this->EstimateEnd(1);
+  for (int end = 0; end < 2; ++end)
+  {
+    this->Shares[end] = tube.Joints[end] ? 0.0f : this->EstimateEnd(end);
+  }
   this->Shares[2] = this->EstimateSide();
   const float sum = this->Shares[0] + this->Shares[1] + this->Shares[2];
   for (float& share : this->Shares)
@@ -231,7 +233,7 @@ float TubeView::GetPdf(const glm::vec3& direction, float distance) const
   {
     const glm::vec3 point = this->From + path;
     const float along = tube.FindAlong(point);
-    if (tube.IsSphere() || along <= 0.0f || along >= 1.0f)
+    if (tube.IsSphere() || tube.IsOnEnd(along))
     {
       const int end = !tube.IsSphere() && along >= 1.0f ? 1 : 0;
       return this->Shares[end] * this->Ends[end].GetPdf();

@@ -51,8 +51,9 @@ private:
  * uniformly over the visible part, which is the same all along a cone, the place along the tube in
  * proportion to the inverse squared distance from the point (Kulla and Fajardo, "Importance
  * Sampling Techniques for Path Tracing in Participating Media", EGSR 2012). The three parts are
- * chosen by about the solid angles in which they are seen. Samples of an end's sphere that lie
- * inside the tube are no samples, so the density's integral may be less than 1.
+ * chosen by about the solid angles in which they are seen; ends at joints are not. Samples of an
+ * end's sphere that lie inside the tube are no samples, so the density's integral may be less
+ * than 1.
  */
 class VTKCSLF_EXPORT TubeView
 {

@@ -24,6 +24,9 @@ struct Tube
   float Slope = 0.0f;                 ///< change of the radius per length, in (-1,1)
   float OnlyEnd = 0.0f;               ///< of a sphere: which end it is, 0 or 1
 
+  /// Whether the tube goes straight on in another one at its start and end: see Mesh::Joints.
+  bool Joints[2] = { false, false };
+
   /// Where one end holds the other, the tube is the larger sphere.
   Tube(const glm::vec3& start, const glm::vec3& end, float startRadius, float endRadius)
     : Start(start)
@@ -65,6 +68,12 @@ struct Tube
     const float along =
       this->IsSphere() ? 0.0f : std::clamp((height + lean * across) / this->Length, 0.0f, 1.0f);
     return glm::distance(point, this->GetCenter(along)) <= this->GetRadius(along);
+  }
+
+  /// Whether what FindAlong tells is on a round end that is a surface.
+  bool IsOnEnd(float along) const
+  {
+    return along <= 0.0f ? !this->Joints[0] : along >= 1.0f && !this->Joints[1];
   }
 
   /// Which of the spheres, counted from 0 at the start to 1 at the end, touches the surface at one

@@ -4,6 +4,7 @@
 // Surfaces that shine, sampled as lights: samples against their density, light against what is
 // known in closed form, and light sampling against rays that find the lights by themselves.
 #include "PathTracing/cslfSampling.h"
+#include "PathTracing/cslfTubeDivision.h"
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
@@ -53,6 +54,14 @@ cslf::Mesh MakeTube(
   return mesh;
 }
 
+/// The same of pieces that are short enough.
+cslf::Mesh Divide(cslf::Mesh mesh)
+{
+  cslf::DivideLongTubes(mesh);
+  CSLF_CHECK(mesh.Vertices.size() > 2);
+  return mesh;
+}
+
 /// A mesh at another place, sheared and stretched.
 cslf::Mesh Place(cslf::Mesh mesh, const glm::vec3& offset)
 {
@@ -76,6 +85,7 @@ std::vector<cslf::Mesh> MakeLamps()
   lamps.push_back(MakeTube({ 0.1f, 0, 0.4f }, { 0.1f, 0, 0.9f }, 0.2f, 0.05f, 2.0f));
   lamps.push_back(MakeTube({ 0, 0.05f, 0.6f }, { 0.1f, 0, 0.6f }, 0.3f, 0.1f, 2.0f)); // a sphere
   lamps.push_back(MakeTube({ -1, 0.05f, 0.1f }, { 1, 0, 0.1f }, 0.02f, 0.02f, 2.0f)); // long, near
+  lamps.push_back(Divide(MakeTube({ -1, 0.45f, 0.2f }, { 1, 0.4f, 0.3f }, 0.02f, 0.01f, 2.0f)));
   lamps.push_back(Place(MakeSphere({ 0, 0, 0 }, 0.3f, 2.0f), { 0, 0, 0.6f }));
   lamps.push_back(
     Place(MakeTube({ -0.2f, 0, 0 }, { 0.2f, 0.3f, 0 }, 0.2f, 0.1f, 2.0f), { 0, 0.1f, 0.6f }));

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfTubeDivision.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr double LongestPiece = 32.0; // in radii
+constexpr double MostNewPieces = 1 << 20;
+
+/// The logarithm of the ratio of a tube's end radii.
+double GetGrowth(const Mesh& mesh, std::uint32_t tube)
+{
+  return std::log(double(mesh.Radii[2 * tube + 1]) / mesh.Radii[2 * tube]);
+}
+
+/// The length of a tube in its radii: the integral of the inverse radius along it; 0 where one end
+/// holds the other, and where a radius is too small for a float.
+double MeasureTube(const Mesh& mesh, std::uint32_t tube)
+{
+  const double length =
+    glm::distance(glm::dvec3(mesh.Vertices[2 * tube]), glm::dvec3(mesh.Vertices[2 * tube + 1]));
+  const double growth = GetGrowth(mesh, tube);
+  const double start = mesh.Radii[2 * tube];
+  const double measure = length / start * (growth == 0.0 ? 1.0 : growth / std::expm1(growth));
+  const bool isSphere = length <= std::abs(mesh.Radii[2 * tube + 1] - start);
+  return isSphere || !std::isfinite(measure) ? 0.0 : measure;
+}
+
+/// Makes the pieces of the tubes of a mesh.
+class TubeDivider
+{
+public:
+  TubeDivider(const Mesh& whole, double longest)
+    : Whole(whole)
+  {
+    const std::uint32_t count = whole.GetNumberOfShapes();
+    for (std::uint32_t tube = 0; tube < count; ++tube)
+    {
+      const int pieces =
+        std::max(1, static_cast<int>(std::ceil(MeasureTube(whole, tube) / longest)));
+      for (int piece = 0; piece < pieces; ++piece)
+      {
+        this->AddVertex(tube, piece, pieces);
+        this->AddVertex(tube, piece + 1, pieces);
+        this->Tubes.push_back(tube);
+      }
+    }
+  }
+
+  void Divide(Mesh& mesh) const
+  {
+    this->Interpolate(mesh.Vertices);
+    this->Interpolate(mesh.Radii);
+    this->Interpolate(mesh.Normals);
+    this->Interpolate(mesh.TexCoords);
+    const bool ofTubes = mesh.Coloring == Mesh::ColorsOf::Triangles;
+    ofTubes ? this->Repeat(mesh.Colors) : this->Interpolate(mesh.Colors);
+    ofTubes ? this->Repeat(mesh.Opacities) : this->Interpolate(mesh.Opacities);
+    mesh.EmissionsOf == Mesh::ColorsOf::Triangles ? this->Repeat(mesh.Emissions)
+                                                  : this->Interpolate(mesh.Emissions);
+    mesh.Joints = this->Joints;
+  }
+
+private:
+  /// Pieces are equally long in their radii, which grow or shrink by equal factors.
+  void AddVertex(std::uint32_t tube, int piece, int pieces)
+  {
+    const double growth = GetGrowth(this->Whole, tube);
+    const double part = double(piece) / pieces;
+    const double along = growth == 0.0 ? part : std::expm1(part * growth) / std::expm1(growth);
+    this->Places.push_back({ tube, static_cast<float>(along) });
+    this->Joints.push_back(piece > 0 && piece < pieces ? 1 : 0);
+  }
+
+  template <typename Value>
+  void Interpolate(std::vector<Value>& values) const
+  {
+    if (values.empty())
+    {
+      return;
+    }
+    std::vector<Value> divided;
+    divided.reserve(this->Places.size());
+    for (const TrianglePoint& place : this->Places)
+    {
+      divided.push_back(this->Whole.Interpolate(values, place));
+    }
+    values = std::move(divided);
+  }
+
+  template <typename Value>
+  void Repeat(std::vector<Value>& values) const
+  {
+    if (values.empty())
+    {
+      return;
+    }
+    std::vector<Value> divided;
+    divided.reserve(this->Tubes.size());
+    for (std::uint32_t tube : this->Tubes)
+    {
+      divided.push_back(values[tube]);
+    }
+    values = std::move(divided);
+  }
+
+  const Mesh& Whole;
+  std::vector<TrianglePoint> Places; // of each new vertex, in the tubes as they were
+  std::vector<std::uint32_t> Joints;
+  std::vector<std::uint32_t> Tubes; // of each piece, that which it is of
+};
+}
+
+void DivideLongTubes(Mesh& mesh)
+{
+  double longest = 0.0;
+  double sum = 0.0;
+  for (std::uint32_t tube = 0; tube < mesh.GetNumberOfShapes(); ++tube)
+  {
+    const double length = MeasureTube(mesh, tube);
+    longest = std::max(longest, length);
+    sum += length;
+  }
+  if (longest > LongestPiece)
+  {
+    TubeDivider(mesh, std::max(LongestPiece, sum / MostNewPieces)).Divide(mesh);
+  }
+}
+}
