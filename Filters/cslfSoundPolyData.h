@@ -25,12 +25,12 @@ struct SoundPolyData
   vtkIdType RemovedCellLists = 0;      ///< whole vertices, lines, polygons or strips
   std::set<std::string> RemovedArrays; ///< names of arrays with too few tuples
 
-  /// Adds to a list what was removed, in words.
+  /// Adds descriptions of what was removed to a list.
   VTKCSLF_EXPORT void AddRemoved(std::set<std::string>& list) const;
 };
 
 /// Checks polygonal data, which VTK itself never does, and removes
-/// - cells with ids of points that do not exist;
+/// - cells with ids of missing points;
 /// - all vertices, lines, polygons or strips if their offsets do not ascend from 0 to the length of
 ///   their connectivity;
 /// - arrays of points or cells with fewer tuples than there are points or cells.

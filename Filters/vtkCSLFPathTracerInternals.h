@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What vtkCSLFPathTracer keeps between updates.
+ * Private data of vtkCSLFPathTracer.
  */
 #ifndef vtkCSLFPathTracerInternals_h
 #define vtkCSLFPathTracerInternals_h

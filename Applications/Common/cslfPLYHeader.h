@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The header of a PLY file, and the numbers after it.
+ * Reads the header of a PLY file and the numbers after it.
  */
 #ifndef cslfPLYHeader_h
 #define cslfPLYHeader_h
@@ -55,8 +55,8 @@ struct PLYHeader
   std::size_t Size = 0; ///< in bytes; the numbers follow
 };
 
-/// Reads the header of a file's bytes. Throws a Failure where it is broken, or where it announces
-/// more elements than there are bytes for.
+/// Reads the header of a file's bytes. Throws a Failure if it is broken or declares more elements
+/// than the file can hold.
 PLYHeader ReadPLYHeader(const std::string& bytes);
 
 /// Reads numbers one after another. Throws a Failure at the end of the file.
@@ -68,7 +68,7 @@ public:
 
   double Read(const PLYType& type);
 
-  /// The number of elements of a list, for which there are bytes.
+  /// The number of elements of a list, which the rest of the file can hold.
   std::size_t ReadCount(const PLYProperty& list);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks of files before VTK's readers see them, which trust numbers in them.
+ * Checks files before VTK's readers, which trust the numbers in them, read them.
  */
 #ifndef cslfSceneChecks_h
 #define cslfSceneChecks_h
@@ -13,16 +13,16 @@ namespace cslf
 {
 namespace tool
 {
-/// Throws a Failure where a face, line or point of an OBJ file has an index of a vertex, texture
-/// coordinate or normal that does not exist, or the file ends within a line.
+/// Throws a Failure if a face, line or point of an OBJ file has the index of a missing vertex,
+/// texture coordinate or normal, or if the file ends within a line.
 void CheckOBJ(const std::string& fileName);
 
-/// Throws a Failure where a file of STL holds fewer triangles than it announces, or its last solid
-/// does not end.
+/// Throws a Failure if an STL file has fewer triangles than its header declares, or if its last
+/// solid has no end.
 void CheckSTL(const std::string& fileName);
 
-/// Throws a Failure where an XML file of VTK, or a file that it names, announces more than there
-/// are bytes for.
+/// Throws a Failure if an XML file of VTK, or a file that it refers to, declares more data than the
+/// file can hold.
 void CheckVTKXML(const std::string& fileName);
 }
 }

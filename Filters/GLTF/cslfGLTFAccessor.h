@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The numbers of a glTF file's accessors.
+ * Reads the numbers of a glTF file's accessors.
  */
 #ifndef cslfGLTFAccessor_h
 #define cslfGLTFAccessor_h
@@ -24,15 +24,15 @@ struct GLTFNumbers
   std::size_t GetCount() const { return this->Values.size() / this->Components; }
 };
 
-/// How integers are taken.
+/// How integers are converted.
 enum class GLTFIntegers
 {
-  AsDeclared, ///< as parts of the largest integer of their type where the accessor says so
-  Normalized  ///< always so
+  AsDeclared, ///< divided by the largest integer of their type if the accessor is normalized
+  Normalized  ///< always divided by it
 };
 
-/// Reads an accessor of scalars or vectors, sparse ones too. Throws a GLTFError where its bytes are
-/// not all there.
+/// Reads an accessor of scalars or vectors, which may be sparse. Throws a GLTFError if bytes are
+/// missing.
 GLTFNumbers ReadAccessor(
   GLTFDocument& document, std::size_t index, GLTFIntegers integers = GLTFIntegers::AsDeclared);
 

@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  /// Names the extensions that a file says it uses and that nothing reads.
+  /// Names the extensions that a file uses and that are not supported.
   void NameExtensions()
   {
     static const std::set<std::string> known = { "KHR_materials_ior", "KHR_materials_transmission",

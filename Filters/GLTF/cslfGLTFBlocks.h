@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a glTF file to polygonal data with materials.
+ * Converts a glTF file to polygonal data with materials.
  */
 #ifndef cslfGLTFBlocks_h
 #define cslfGLTFBlocks_h
@@ -17,8 +17,8 @@
 
 namespace cslf
 {
-/// The primitives of the nodes of the document's default scene, in the world. Notes what of the
-/// file is wrong or not represented.
+/// The primitives of the nodes of the document's default scene, in world coordinates. Collects what
+/// is invalid or not supported in the file.
 std::vector<vtkSmartPointer<vtkPolyData>> MakeGLTFBlocks(
   GLTFDocument& document, GLTFProblems& problems);
 }

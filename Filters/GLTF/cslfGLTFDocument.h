@@ -29,19 +29,19 @@ struct GLTFBytes
 class GLTFDocument
 {
 public:
-  /// Reads a `.gltf` or `.glb` file. Throws a GLTFError where it is no glTF 2.0, or where it
-  /// requires an extension without which its meshes cannot be read.
+  /// Reads a `.gltf` or `.glb` file. Throws a GLTFError if it is not glTF 2.0 or requires an
+  /// unsupported extension to read its meshes.
   explicit GLTFDocument(const std::string& fileName);
 
   GLTFValue GetRoot() const { return { &this->Root, "" }; }
 
-  /// An element of an array of the document, which there must be.
+  /// An element of an array of the document. Throws a GLTFError if it does not exist.
   GLTFValue GetElement(const char* array, std::size_t index) const;
 
   /// Bytes of a buffer view, which all lie within its buffer.
   GLTFBytes GetBufferView(std::size_t index);
 
-  /// What an address holds: a file beside the document, or data within the address.
+  /// The contents of a URI: a file beside the document, or data within the URI.
   std::string ReadResource(const GLTFValue& uri) const;
 
 private:

@@ -57,8 +57,8 @@ std::uint32_t ReadBigEndian(const unsigned char* bytes)
     std::uint32_t(bytes[2]) << 8 | std::uint32_t(bytes[3]);
 }
 
-/// The parts of a PNG file that tell pixels. What it says of colour spaces does not count in glTF
-/// (section 3.8.2). Damage is found here, since the PNG library would print of it.
+/// The chunks of a PNG file that define pixels. glTF ignores its colour space (section 3.8.2).
+/// Damage is detected here, since the PNG library would print messages.
 std::string KeepPixels(const GLTFValue& owner, const GLTFBytes& bytes)
 {
   static const std::set<std::string> kept = { "IHDR", "PLTE", "tRNS", "IDAT", "IEND" };

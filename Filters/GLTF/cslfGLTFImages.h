@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The images of a glTF file.
+ * Decodes the images of a glTF file.
  */
 #ifndef cslfGLTFImages_h
 #define cslfGLTFImages_h
@@ -24,7 +24,7 @@ public:
   explicit GLTFImages(GLTFDocument& document);
 
   /// An image of 8 bits with 1 to 4 components, with or without its alpha. It is decoded once.
-  /// Throws a GLTFError where that fails.
+  /// Throws a GLTFError on failure.
   vtkSmartPointer<vtkImageData> Get(std::size_t index, bool dropAlpha);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials of a glTF file.
+ * Reads the materials of a glTF file.
  */
 #ifndef cslfGLTFMaterials_h
 #define cslfGLTFMaterials_h
@@ -38,7 +38,7 @@ struct GLTFTextureMapping
 struct GLTFMaterial
 {
   vtkSmartPointer<vtkPolyData> Arrays; ///< its field data holds the arrays of vtkCSLFMaterial
-  std::array<double, 4> Color{ 1.0, 1.0, 1.0, 1.0 }; ///< linear; a factor of vertex colours
+  std::array<double, 4> Color{ 1.0, 1.0, 1.0, 1.0 }; ///< linear; multiplies vertex colours
   bool UsesAlpha = false;
   bool HasTextures = false;
   GLTFTextureMapping Mapping;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The primitives of a glTF file's meshes.
+ * Reads the primitives of a glTF file's meshes.
  */
 #ifndef cslfGLTFPrimitives_h
 #define cslfGLTFPrimitives_h
@@ -25,8 +25,8 @@ class GLTFPrimitives
 public:
   GLTFPrimitives(GLTFDocument& document, GLTFProblems& problems);
 
-  /// The primitives of a mesh with their materials, which are read once. They are without those
-  /// that have no cells or cannot be read.
+  /// The primitives of a mesh with their materials, which are read once. Primitives without cells,
+  /// or that cannot be read, are left out.
   const std::vector<vtkSmartPointer<vtkPolyData>>& Get(std::size_t mesh);
 
 private:

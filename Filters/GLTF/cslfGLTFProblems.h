@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What of a glTF file is not shown as the file has it.
+ * Collects what is invalid or not supported in a glTF file.
  */
 #ifndef cslfGLTFProblems_h
 #define cslfGLTFProblems_h
@@ -20,9 +20,9 @@ namespace cslf
 class GLTFProblems
 {
 public:
-  std::set<std::string> Omitted; ///< what cannot be represented, in words
+  std::set<std::string> Omitted; ///< names of unsupported features
 
-  /// Does a part of the work. What is wrong with the file there is kept, and the rest goes on.
+  /// Does a part of the work. A GLTFError there is recorded, and the rest continues.
   template <typename Work>
   void Attempt(const Work& work)
   {
@@ -45,7 +45,7 @@ public:
     }
   }
 
-  /// Notes what cannot be represented, if it is there.
+  /// Records an unsupported feature, if the file has it.
   void Omit(bool present, const char* what)
   {
     if (present)
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// What is wrong with the file: the first errors, in the order in which they were met.
+  /// The first errors in the file, in the order in which they were found.
   std::string ListErrors() const
   {
     const std::string text = Join(this->Errors, "; ");

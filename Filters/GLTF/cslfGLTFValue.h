@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values of a glTF file's JSON, of which nothing is taken for granted.
+ * Checked access to the JSON values of a glTF file.
  */
 #ifndef cslfGLTFValue_h
 #define cslfGLTFValue_h
@@ -17,14 +17,15 @@
 
 namespace cslf
 {
-/// Says in words what is wrong with a part of a file.
+/// Describes what is wrong with a part of a file.
 struct GLTFError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// A value, or its absence, and where it is. Values of an unexpected type throw a GLTFError that
-/// names the place; absent ones do not. It refers to the document, which must outlive it.
+/// A value that may be absent, and its path in the document. Values of an unexpected type throw a
+/// GLTFError that names the path; absent ones do not. It refers to the document, which must outlive
+/// it.
 class GLTFValue
 {
 public:
@@ -33,13 +34,13 @@ public:
   bool IsPresent() const { return this->Value != nullptr; }
   const std::string& GetPath() const { return this->Path; }
 
-  /// A member; absent where this is absent.
+  /// A member; absent if this value is absent.
   GLTFValue operator[](const char* name) const;
 
-  /// The number of elements; 0 where this is absent.
+  /// The number of elements; 0 if this value is absent.
   std::size_t GetCount() const;
 
-  /// An element, which there must be.
+  /// An element. Throws a GLTFError if it does not exist.
   GLTFValue At(std::size_t index) const;
 
   /// A whole number that is not negative.
@@ -69,7 +70,7 @@ public:
     return numbers;
   }
 
-  /// Throws a GLTFError: where, and what.
+  /// Throws a GLTFError with the path and what is wrong.
   [[noreturn]] void Fail(const std::string& what) const;
 
 private:

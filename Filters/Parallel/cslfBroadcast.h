@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Collective calls that all ranks of a controller make together. MPI counts in ints, so whatever
- * may be large is sent in parts.
+ * Collective calls that all ranks of a controller make together. MPI counts in ints, so large
+ * messages are sent in parts.
  */
 #ifndef cslfBroadcast_h
 #define cslfBroadcast_h
@@ -15,7 +15,7 @@ class vtkMultiProcessController;
 
 namespace cslf
 {
-/// What is sent at once, in bytes.
+/// The largest part of a message, in bytes.
 constexpr std::size_t LargestMessage = std::size_t(1) << 28;
 
 /// Sends bytes from one rank to all others, at most `partSize` at a time.
@@ -25,8 +25,8 @@ void BroadcastBytes(vtkMultiProcessController* controller, void* bytes, std::siz
 /// Sends a text from one rank to all others.
 void BroadcastText(vtkMultiProcessController* controller, std::string& text, int sender);
 
-/// The lowest rank with a fault, or -1 if no rank has one. If another rank has the first one, the
-/// fault becomes that rank's, with its number.
+/// The lowest rank with a fault, or -1 if no rank has one. On all other ranks, `fault` becomes a
+/// message with that rank's number and fault.
 int ShareFault(vtkMultiProcessController* controller, std::string& fault);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How bright radiance looks on a display: the scale on which errors of light are measured.
+ * The displayed brightness of radiance: the scale on which errors of light are measured.
  */
 #ifndef cslfDisplayCurve_h
 #define cslfDisplayCurve_h
@@ -15,22 +15,22 @@
 namespace cslf
 {
 /**
- * Takes radiance to a scale on which 1 is the step from black to white of a display.
+ * Maps radiance to a scale on which 1 is the step from black to white of a display.
  *
  * With a range of 1 this is sRGB's transfer function (IEC 61966-2-1) of the exposed radiance,
- * clamped at white: what is clipped looks alike. With a range R, a viewer may show the radiance at
- * any exposure from 1/R to R times that one. Then a difference on this scale is at least what any
- * of these exposures shows of it, and for small differences equal to what the most demanding of
- * them shows. Up to the white of the brightest exposure, the scale is sRGB's function at that
- * exposure. Beyond, a radiance shows most where the exposure makes it white. As that exposure is
- * inverse to the radiance, the scale is a logarithm there, as steep as sRGB's function at white.
- * From the white of the darkest exposure on, the scale is constant.
+ * clamped at white. With a range R, a viewer may show the radiance at any exposure from 1/R to R
+ * times that one. Then a difference on this scale is at least the displayed difference at any of
+ * these exposures, and small differences equal that of the most demanding exposure. Up to the white
+ * of the brightest exposure, the scale is sRGB's function at that exposure. Beyond, differences are
+ * most visible at the exposure that makes the radiance white. As that exposure is inverse to the
+ * radiance, the scale is a logarithm there, as steep as sRGB's function at white. From the white of
+ * the darkest exposure on, the scale is constant.
  */
 class DisplayCurve
 {
 public:
   ///@{
-  /// The range of a channel of bytes, and that of one of floating point.
+  /// The range of a channel of bytes, and of a floating-point channel.
   static constexpr double ByteRange = 1.0;
   static constexpr double FloatRange = 16.0;
   ///@}
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  /// The place of a component of radiance on the scale. What is below 0 counts as 0.
+  /// The value of a component of radiance on the scale. Negative radiance counts as 0.
   float Get(float radiance) const
   {
     constexpr float slopeAtWhite = 1.055f / 2.4f;
@@ -65,7 +65,7 @@ public:
     return { this->Get(radiance.x), this->Get(radiance.y), this->Get(radiance.z) };
   }
 
-  /// The place of what a surface of the given base colour makes of a white one's radiance.
+  /// The value on the scale of the radiance of a white surface times a base colour.
   glm::vec3 operator()(const glm::vec3& value, const glm::vec3& baseColor) const
   {
     return (*this)(value * baseColor);

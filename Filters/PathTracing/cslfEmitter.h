@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One light at a finite distance: a triangle, sphere or tube that shines, or a point light.
+ * One light at a finite distance: an emissive triangle, sphere or tube, or a point light.
  */
 #ifndef cslfEmitter_h
 #define cslfEmitter_h
@@ -18,27 +18,28 @@
 
 namespace cslf
 {
-/// Surfaces emit alike in all directions, from their visible sides.
+/// Surfaces emit equally in all directions from their visible sides.
 class VTKCSLF_EXPORT Emitter
 {
 public:
-  /// A shape of a mesh in one of its instances, if it has any. The mesh must stay where it is.
+  /// A shape of a mesh in one of its instances, if it has any. The mesh must not move in memory.
   Emitter(const Mesh& mesh, std::uint32_t shape, std::uint32_t instance);
 
-  /// The light must stay where it is.
+  /// The light must not move in memory.
   explicit Emitter(const PointLight& light)
     : Point(&light)
   {
   }
 
-  /// Bounds whose power is that of all the emitter's light: 0 where it does not shine.
+  /// Bounds with the power of all the emitter's light: 0 if it emits none.
   LightBounds GetBounds() const;
 
-  /// Light from a point of the emitter: of triangles one that is uniform by area, of spheres and
-  /// tubes as in cslfRoundView.h. Within a sphere or a tube there is no sample: all rays find it.
+  /// Samples light from a point of the emitter: uniformly by area on triangles, as in
+  /// cslfRoundView.h on spheres and tubes. There is no sample from within a sphere or a tube, since
+  /// all rays hit it.
   LightSample Sample(const glm::vec3& from, const glm::vec2& u) const;
 
-  /// The density, per solid angle, with which Sample takes the direction of a ray that first meets
+  /// The density, per solid angle, with which Sample chooses the direction of a ray that first hits
   /// the emitter, which must not be a point light, at a distance.
   float GetPdf(const glm::vec3& from, const glm::vec3& direction, float distance) const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Surfaces that rays pass: by chance, or where they come from a hidden side.
+ * Lets rays pass surfaces: at random by opacity, or where they come from a hidden side.
  */
 #ifndef cslfHitFilter_h
 #define cslfHitFilter_h
@@ -13,8 +13,8 @@ namespace cslf
 {
 struct Mesh;
 
-/// Makes rays pass a mesh's surface as its visible sides, its opacity and their query's rule say.
-/// The mesh must outlive the geometry.
+/// Makes rays pass a mesh's surface according to its visible sides, its opacity and the rule of
+/// their query. The mesh must outlive the geometry.
 void FilterHits(RTCGeometry geometry, const Mesh& mesh);
 }
 

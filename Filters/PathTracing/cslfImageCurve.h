@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the values of an image file stand for light, by the name of the colour space that OpenImageIO
- * tells. The names differ between its versions: "sRGB", "Linear", "Gamma2.2" up to 2.4; then
+ * The transfer function of an image file, from the name of the colour space that OpenImageIO
+ * reports. The names differ between its versions: "sRGB", "Linear", "Gamma2.2" up to 2.4; then
  * "lin_srgb" and "lin_rec709" as well; since 3.1 "srgb_rec709_scene", "lin_rec709_scene",
  * "g22_rec709_scene".
  */
@@ -19,8 +19,8 @@ namespace cslf
 class VTKCSLF_EXPORT ImageCurve
 {
 public:
-  /// The curve of a colour space. If the name is empty or says nothing of the curve, floats are
-  /// linear and whole numbers are sRGB. Primaries are taken for those of sRGB.
+  /// The curve of a colour space. If the name is empty or does not define the curve, floats are
+  /// linear and integers are sRGB. Primaries are assumed to be those of sRGB.
   ImageCurve(const std::string& colorSpace, bool isFloat);
 
   double ToLinear(double value) const;

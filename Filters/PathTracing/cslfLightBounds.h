@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where a group of lights lies, and in which directions it shines.
+ * Bounds of the positions and directions of emission of a group of lights.
  */
 #ifndef cslfLightBounds_h
 #define cslfLightBounds_h
@@ -15,10 +15,10 @@ namespace cslf
 {
 struct LightBounds
 {
-  /// What the directions of a group's light have in common.
+  /// How the directions of a group's light are bounded.
   enum class Kinds
   {
-    AllAround, ///< nothing
+    AllAround, ///< not bounded
     Surfaces, ///< they are at up to 90 degrees from one of the normals of the cone, or its opposite
     Spots     ///< they are in the cone
   };
@@ -34,10 +34,11 @@ struct LightBounds
   glm::vec3 GetCenter() const { return 0.5f * (this->Lower + this->Upper); }
 };
 
-/// The bounds of two groups together; an empty one does not count.
+/// The union of the bounds of two groups; an empty one is ignored.
 LightBounds Join(const LightBounds& a, const LightBounds& b);
 
-/// The solid angle that light goes to, each direction weighted by the cosine to the nearest normal.
+/// The solid angle into which light is emitted, each direction weighted by the cosine to the
+/// nearest normal.
 double MeasureDirections(const LightBounds& bounds);
 }
 

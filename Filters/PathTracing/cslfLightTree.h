@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which of many lights is worth a sample at a surface point.
+ * Chooses one of many lights to sample at a surface point.
  */
 #ifndef cslfLightTree_h
 #define cslfLightTree_h
@@ -19,21 +19,21 @@
 
 namespace cslf
 {
-/// A point that light is sampled for.
+/// A point for which light is sampled.
 struct LightReceiver
 {
   glm::vec3 Position{ 0.0f };
-  glm::vec3 Normal{ 0.0f }; ///< on the side that light comes from; 0 if it may come from both
+  glm::vec3 Normal{ 0.0f }; ///< on the side from which light comes; 0 if it may come from both
 };
 
 /**
- * A tree of groups of lights, up to four in a group. A sample goes down from the root and chooses
- * among the parts of a group in proportion to the light that the receiver may get from each, as
- * bounds of their places, of their directions and of the receiver's horizon tell: Conty Estevez and
- * Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", PACMCGIT 1(2), 2018,
- * without the splitting. Lights of which bounds tell nothing apart, such as the two triangles of a
- * rectangle, share a leaf and are chosen by their power. The cost is proportional to the depth of
- * the tree. Only lights from which no light can arrive have no chance.
+ * A tree of lights with up to four children per node. Sampling descends from the root and chooses a
+ * child in proportion to an estimate of the light that the receiver may get from it, from bounds of
+ * the child's positions and directions and from the receiver's horizon: Conty Estevez and Kulla,
+ * "Importance Sampling of Many Lights with Adaptive Tree Splitting", PACMCGIT 1(2), 2018, without
+ * the splitting. Lights with indistinguishable bounds, such as the two triangles of a rectangle,
+ * share a leaf and are chosen by their power. The cost is proportional to the depth of the tree.
+ * Only lights from which no light can arrive have the probability 0.
  */
 class VTKCSLF_EXPORT LightTree
 {
@@ -79,13 +79,13 @@ private:
     void Set(int part, const glm::vec3& value);
   };
 
-  /// A group: what is known of each of its parts, side by side.
+  /// A node: the bounds of its children as a structure of arrays.
   struct Node
   {
     Vec3Parts Center;
     Vec3Parts HalfSize;
     Parts<float> Radius; // of the sphere around the box
-    Parts<float> Power;  // 0 where there is no part
+    Parts<float> Power;  // 0 if there is no child
     Vec3Parts Axis;
     Parts<float> CosCone; // below -1 for light all around
     Parts<float> SinCone;
@@ -100,12 +100,12 @@ private:
 
     void Set(int part, const LightBounds& bounds, double totalPower);
 
-    /// The light that may come from each part. Returns the sum.
+    /// Estimates the light that may come from each child. Returns the sum.
     double FindImportances(const LightReceiver& receiver, Parts<float>& importances) const;
     void ThinByCones(const glm::vec3& position, Parts<float>& importances) const;
   };
 
-  // A light in a leaf; or the place of a light: the part of a group.
+  // A light in a leaf; or the position of a light: a child of a node.
   struct Entry
   {
     std::uint32_t Index;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lights of a scene at a finite distance, of which a sample chooses one.
+ * Samples the lights of a scene at a finite distance.
  */
 #ifndef cslfLocalLights_h
 #define cslfLocalLights_h
@@ -19,36 +19,35 @@
 namespace cslf
 {
 /**
- * All triangles, spheres and tubes that shine, in all their instances; and the point and spot
- * lights, where there are too many to sample each of them.
+ * All emissive triangles, spheres and tubes in all their instances, and the point and spot lights
+ * if there are too many to sample each of them.
  */
 class VTKCSLF_EXPORT LocalLights
 {
 public:
-  /// Up to this many point lights are sampled one by one: without noise, but at the cost of a ray
-  /// each.
+  /// Up to this many point lights are each sampled: without noise, but at the cost of a ray each.
   static constexpr std::size_t MostPoints = 8;
 
   LocalLights() = default;
 
-  /// Meshes and lights must stay where they are.
+  /// Meshes and lights must not move in memory.
   LocalLights(const std::vector<Mesh>& meshes, const std::vector<PointLight>& points);
 
-  /// Whether there are surfaces that shine, which rays can find too.
+  /// Whether there are emissive surfaces, which rays can hit, too.
   bool HasSurfaces() const { return this->SurfaceCount > 0; }
 
-  /// The point lights of which each is sampled, as there are only a few.
+  /// The point lights that are each sampled, since there are only a few.
   const std::vector<PointLight>& GetFewPoints() const { return this->Few; }
 
-  /// Whether there are point lights among the lights that Sample chooses from.
+  /// Whether Sample chooses among point lights, too.
   bool HasPoints() const { return this->Emitters.size() > this->SurfaceCount; }
 
-  /// Light from one of the lights. The radiance of a point light is divided by the probability of
-  /// its choice.
+  /// Samples light from one of the lights. The radiance of a point light is divided by the
+  /// probability of its choice.
   LightSample Sample(const LightReceiver& receiver, const glm::vec2& u) const;
 
-  /// The density, per solid angle, with which Sample takes the direction of a ray from the receiver
-  /// that hits a surface: 0 where that is not sampled.
+  /// The density, per solid angle, with which Sample chooses the direction of a ray from the
+  /// receiver that hits a surface: 0 if the surface is not sampled.
   float GetPdf(const LightReceiver& receiver, const glm::vec3& direction, const Hit& hit) const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The numbers of a material: what their arrays are named, and the values that they may have.
+ * The parameters of a material: names of their arrays, ranges and defaults.
  */
 #ifndef cslfMaterialParameters_h
 #define cslfMaterialParameters_h
@@ -49,7 +49,7 @@ inline const Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission
   Transmission, ThinWalled, Opacity, OpacityCutoff, VisibleSides, NormalScale, LineRadius,
   PointRadius, DisplayedWhite };
 
-/// The value that counts: in the range, and the default for what is no number.
+/// The value that is used: clamped to the range, and the default for NaN.
 inline double Clamp(const Parameter& parameter, double value)
 {
   return value >= parameter.Minimum

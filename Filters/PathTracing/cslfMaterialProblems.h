@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Material arrays that are not as vtkCSLFMaterial has them.
+ * Finds material arrays that do not match the table of vtkCSLFMaterial.
  */
 #ifndef cslfMaterialProblems_h
 #define cslfMaterialProblems_h
@@ -16,18 +16,18 @@ class vtkFieldData;
 
 namespace cslf
 {
-/// What a scene's material arrays have wrong, each named with what was expected.
+/// The problems of a scene's material arrays, each with what was expected.
 class MaterialProblems
 {
 public:
-  /// Notes the arrays of an object's field data, points and cells that are not used: of a wrong
+  /// Collects the arrays of an object's field data, points and cells that are ignored: of a wrong
   /// type, number of components or place.
   void FindUnused(vtkDataObject* data);
 
-  /// Notes the values that are out of range, and what counts in their place.
+  /// Collects the values that are out of range, and what replaces them.
   void FindOutOfRange(vtkDataObject* data);
 
-  /// What the user is told, or nothing.
+  /// The text of a warning; empty if there are no problems.
   std::string ToText() const;
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Spheres and tubes as they are seen from a point outside: samples of the directions in which they
- * lie, and the density of these samples.
+ * Samples the directions in which spheres and tubes are seen from a point outside, and computes the
+ * density of these samples.
  */
 #ifndef cslfRoundView_h
 #define cslfRoundView_h
@@ -16,7 +16,7 @@
 
 namespace cslf
 {
-/// A point of a round shape, seen from another point. A density of 0 says that there is none.
+/// A point of a round shape, seen from another point. A density of 0 means that there is none.
 struct RoundSample
 {
   glm::vec3 Direction{ 0.0f }; ///< of unit length, towards the shape
@@ -31,10 +31,10 @@ class VTKCSLF_EXPORT SphereView
 public:
   SphereView(const glm::vec3& from, const glm::vec3& center, float radius);
 
-  /// 0 where the point is not outside.
+  /// 0 if the point is not outside.
   float GetSolidAngle() const;
 
-  /// The density in every direction that meets the sphere.
+  /// The density in every direction that hits the sphere.
   float GetPdf() const;
 
   RoundSample Sample(const glm::vec2& u) const;
@@ -47,13 +47,12 @@ private:
 };
 
 /**
- * A tube. Its two round ends are sampled as spheres, what lies between as a cone: the azimuth
- * uniformly over the visible part, which is the same all along a cone, the place along the tube in
- * proportion to the inverse squared distance from the point (Kulla and Fajardo, "Importance
+ * A tube. Its two round ends are sampled as spheres, and the side between them as a cone: the
+ * azimuth uniformly over the visible part, which is the same all along a cone, the place along the
+ * tube in proportion to the inverse squared distance from the point (Kulla and Fajardo, "Importance
  * Sampling Techniques for Path Tracing in Participating Media", EGSR 2012). The three parts are
- * chosen by about the solid angles in which they are seen; ends at joints are not. Samples of an
- * end's sphere that lie inside the tube are no samples, so the density's integral may be less
- * than 1.
+ * chosen approximately by the solid angles in which they are seen; ends at joints are not. Samples
+ * of an end's sphere inside the tube are rejected, so the density's integral may be less than 1.
  */
 class VTKCSLF_EXPORT TubeView
 {
@@ -62,7 +61,7 @@ public:
 
   RoundSample Sample(const glm::vec2& u) const;
 
-  /// The density of the direction of a ray that first meets the tube at about a distance.
+  /// The density of the direction of a ray that first hits the tube at about the given distance.
   float GetPdf(const glm::vec3& direction, float distance) const;
 
 private:

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * When a texel has enough samples.
+ * Decides when a texel has enough samples.
  *
- * A mean is biased if the number of its samples depends on the samples themselves: where a first
- * few miss a small light, sampling would end, and where they find it, sampling would go on until
+ * A mean is biased if the number of its samples depends on the samples themselves: where the first
+ * few miss a small light, sampling would end, and where they find it, sampling would continue until
  * the light's share is right. So the samples of a texel never decide about that texel. They only
  * decide about the other texels of its square, whose random numbers are independent of its own.
  * (Kirk and Arvo, "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991, describe the
@@ -25,11 +25,11 @@
 
 namespace cslf
 {
-/// How far the colours of some rays lie apart.
+/// The range of the colours of some rays.
 class VTKCSLF_EXPORT ColorBounds
 {
 public:
-  /// Adds the rays that are inside: what they see, and whether it is anything.
+  /// Adds the rays that are inside: their colours, and whether they hit a surface.
   void Add(const PacketRadiance& radiance, const int covered[RayPacket::Size],
     const int inside[RayPacket::Size])
   {
@@ -42,13 +42,13 @@ public:
     this->Add(sums.Red, sums.Green, sums.Blue, sums.Covered, inside);
   }
 
-  /// Adds only whether the rays that are inside see anything.
+  /// Adds only whether the rays that are inside hit a surface.
   void AddCoverage(const int covered[RayPacket::Size], const int inside[RayPacket::Size]);
 
   /// The largest difference of a component, in the units of the curve.
   float GetRange(const DisplayCurve& display) const;
 
-  /// Whether some rays see something and others do not.
+  /// Whether some rays hit a surface and others miss.
   bool AreMixed() const { return this->SomeCovered && this->SomeEmpty; }
 
 private:
@@ -61,7 +61,7 @@ private:
   bool SomeEmpty = false;
 };
 
-/// The mean variance of samples whose paths were followed, of many texels.
+/// The mean variance of samples with traced paths, over many texels.
 struct PathVariance
 {
   glm::dvec3 Sum{ 0.0 };
@@ -84,7 +84,7 @@ struct PathVariance
 class VTKCSLF_EXPORT StoppingRule
 {
 public:
-  /// The fewest samples whose differences are taken for their noise.
+  /// The smallest number of samples from whose differences the noise is estimated.
   static constexpr int FewestSamples = 4;
 
   /// The target is a standard error in the units of the curve.
@@ -94,21 +94,21 @@ public:
   {
   }
 
-  /// Whether a single sample of each texel may do where rays see such colours.
+  /// Whether a single sample of each texel may suffice where rays see such colours.
   bool IsPlain(const ColorBounds& seen) const;
 
-  /// Takes the means of the texels that have enough samples. With a single sample each, that is
+  /// Accepts the means of the texels that have enough samples. With a single sample each, that is
   /// where all others of the square see what is expected.
   void TakeSingle(const ColorBounds& expected, const int inside[TexelSums::Size],
     const TexelSums& sums, TexelMeans& means) const;
 
   /// With more samples, it is where the standard error of all others is at most the target. Where
   /// an outline is expected, it must be for a texel of which half is covered, too. The variance of
-  /// followed paths elsewhere counts like one sample.
+  /// traced paths elsewhere counts like one sample.
   void Take(const ColorBounds& expected, const glm::vec3& elsewhere,
     const int inside[TexelSums::Size], const TexelSums& sums, TexelMeans& means) const;
 
-  /// The variance of the texels of which paths were followed.
+  /// The variance of the texels with traced paths.
   static PathVariance GetVariance(const TexelSums& sums);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shape of a tube: all that a sphere covers whose radius changes evenly along a line.
+ * The shape of a tube: the union of spheres along a line whose radius changes linearly.
  */
 #ifndef cslfTube_h
 #define cslfTube_h
@@ -58,7 +58,7 @@ struct Tube
 
   float GetRadius(float along) const { return this->Radius + along * this->Slope * this->Length; }
 
-  /// Whether one of the spheres that make the tube holds a point.
+  /// Whether one of the spheres that make the tube contains a point.
   bool Contains(const glm::vec3& point) const
   {
     const glm::vec3 path = point - this->Start;

@@ -3,8 +3,8 @@
 /**
  * @file
  * The executive of filters that gather a scene from all ranks. Where the input of one rank fails,
- * the pipeline does not execute the filter there, and the other ranks would wait for it in vain.
- * This executive tells them.
+ * the pipeline does not execute the filter there, and the other ranks would wait forever. This
+ * executive informs them.
  */
 #ifndef cslfScenePipeline_h
 #define cslfScenePipeline_h
@@ -21,12 +21,12 @@ public:
   static ScenePipeline* New();
   vtkTypeMacro(ScenePipeline, vtkCompositeDataPipeline);
 
-  /// Whether the filter gathers a scene when it executes; and how it meets the other ranks if its
-  /// input has failed.
+  /// Whether the filter gathers a scene when it executes, and the collective call that it makes if
+  /// its input has failed.
   std::function<bool()> MustMeet;
   std::function<void()> MeetAsFailed;
 
-  /// The filter has met the other ranks, or found that it need not.
+  /// Notes that the filter has made its collective call, or does not need it.
   void NoteMeeting() { this->HasMet = true; }
 
   vtkTypeBool ProcessRequest(

@@ -14,10 +14,10 @@ class vtkUniformGridAMR;
 
 namespace cslf
 {
-/// The faces between the visible cells of all grids and what is outside of them: neither of cells
-/// that finer ones replace, nor between grids. Cells of flat grids are faces themselves. Each face
-/// has the data of its cell, and its corners have the data of the grid's points. The data arrays
-/// are those that all grids have.
+/// The outer faces of the visible cells of all grids, without the faces of cells that finer ones
+/// replace and without faces between grids. Cells of two-dimensional grids are faces themselves.
+/// Each face has the data of its cell, and its corners have the data of the grid's points. It has
+/// the data arrays that all grids have.
 vtkSmartPointer<vtkPolyData> ExtractAMRSurface(vtkUniformGridAMR* grids);
 }
 

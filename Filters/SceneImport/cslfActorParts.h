@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Mappers that do not draw their input as it is, but shapes that they make of it: molecules,
- * graphs, splats, spheres and sticks. Each is taken apart into actors whose mappers draw polygonal
- * data.
+ * Imports mappers that draw shapes made from their input: molecules, graphs, splats, spheres and
+ * sticks. Each is divided into actors whose mappers draw polygonal data.
  */
 #ifndef cslfActorParts_h
 #define cslfActorParts_h
@@ -25,8 +24,8 @@ class vtkUnsignedCharArray;
 
 namespace cslf
 {
-/// A part of what an actor draws. Its vertices may have radii of their own, and so may its lines:
-/// see vtkCSLFMaterial::LineRadiusName and PointRadiusName.
+/// A part of what an actor draws. Its vertices and its lines may have their own radii: see
+/// vtkCSLFMaterial::LineRadiusName and PointRadiusName.
 struct ActorPart
 {
   vtkSmartPointer<vtkActor> Actor;
@@ -36,7 +35,7 @@ struct ActorPart
 using ActorParts = std::vector<ActorPart>;
 
 /// The parts of an actor, placed by a matrix, whose mapper is up to date; none where the mapper
-/// draws the polygons, lines and vertices of its input, or something that is not known.
+/// draws the polygons, lines and vertices of its input, or is of an unknown kind.
 std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
 
 /// A part of surface representation, with the property and texture of the whole.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials and colours of imported blocks, when all lights and surfaces are known.
+ * Sets the materials and colours of imported blocks once all lights and surfaces are known.
  */
 #ifndef cslfBlockLooks_h
 #define cslfBlockLooks_h
@@ -12,10 +12,10 @@
 
 namespace cslf
 {
-/// Works the lights out for the blocks, and sets the blocks' materials,
-/// colours and textures so that they are traced as the window shows them: see cslfSurfaceLook.h.
-/// What the data says of its material itself is kept. `interpolateDisplayed` tells whether colours
-/// are interpolated as in the window where that does so as displayed values.
+/// Computes the lights for the blocks, and sets the blocks' materials, colours and textures so that
+/// tracing shows what the window shows: see cslfSurfaceLook.h. Material arrays of the data are
+/// kept. `interpolateDisplayed` selects interpolation of displayed values where the window
+/// interpolates them.
 void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How an actor draws the two sides of its faces: culling, and properties of back faces.
+ * Imports how an actor draws the two sides of its faces: culling and properties of back faces.
  */
 #ifndef cslfFaceSides_h
 #define cslfFaceSides_h
@@ -17,10 +17,10 @@ class vtkActor;
 
 namespace cslf
 {
-/// A block as it is seen from some sides.
+/// A block that is seen from some sides.
 struct FaceSide
 {
-  vtkSmartPointer<vtkPolyData> Block; ///< its field data says from which sides, if not from both
+  vtkSmartPointer<vtkPolyData> Block; ///< its field data defines the sides, unless it is both
   vtkSmartPointer<vtkProperty> Property;
   bool IsBack = false; ///< whether the property is that of back faces
 };
@@ -30,9 +30,9 @@ bool HasDifferentSides(vtkActor* actor);
 
 /// Divides a block of polygons, and perhaps lines and vertices, by how the actor draws the sides of
 /// its faces. As in VTK's window, the front is where corners run counterclockwise on the screen: a
-/// reflection makes fronts backs. `isReflected` tells whether the block's matrix was one; each
-/// instance is asked by itself. Where the block has colours of its own, VTK ignores the property
-/// of back faces. Visible sides that the block's data sets itself come before culling.
+/// reflection makes fronts backs. `isReflected` says whether the block's matrix was a reflection;
+/// instances are examined one by one. Where the block has colours of its own, VTK ignores the
+/// property of back faces. Visible sides that the block's data sets take precedence over culling.
 std::vector<FaceSide> DivideBySides(
   vtkActor* actor, vtkPolyData* block, bool isReflected, bool isColored);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The one list of what a light field shows differently from VTK's window. Warnings of
- * vtkCSLFSceneImporter and the table in Documentation/WindowAndBake.md take their words from it.
+ * The list of differences between a light field and VTK's window. The warnings of
+ * vtkCSLFSceneImporter and the table in Documentation/WindowAndBake.md are made from it.
  */
 #ifndef cslfImportLimits_h
 #define cslfImportLimits_h
@@ -16,8 +16,8 @@
 
 namespace cslf
 {
-/// What differs. The order is that of the table. A new one needs its row in cslfImportLimits.cxx;
-/// without it the file does not compile.
+/// The differences, in the order of the table. A new one needs its row in cslfImportLimits.cxx,
+/// which does not compile without it.
 enum class ImportLimit
 {
   // Props.
@@ -60,16 +60,18 @@ struct ImportLimitText
   const char* Name;   ///< as the warning names it
   const char* Window; ///< what VTK's window shows
   const char* Bake;   ///< what the light field shows
-  bool Warned;        ///< whether the import of such a scene warns; else it is always so
+  bool Warned; ///< whether importing such a scene gives a warning; otherwise the difference always
+               ///< exists
 };
 
 /// The row of a limit.
 VTKCSLF_EXPORT const ImportLimitText& GetText(ImportLimit limit);
 
-/// The limits that an import has met, with details such as the classes of props, if there are any.
+/// The limits that an import has found, with details such as the classes of props, if there are
+/// any.
 using MetLimits = std::map<ImportLimit, std::set<std::string>>;
 
-/// The limits in the words of a warning.
+/// The limits as the text of a warning.
 std::string ToText(const MetLimits& limits);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From what VTK's window shows of a surface to a material of light transport.
+ * Converts the appearance of a surface in VTK's window to a material.
  */
 #ifndef cslfSurfaceLook_h
 #define cslfSurfaceLook_h
@@ -21,27 +21,27 @@ namespace cslf
 enum class Drawing
 {
   Lit,
-  Unlit,       ///< by its colours alone, as lines and points without normals are
-  Illuminating ///< likewise, since the property has no lighting: it shines by itself
+  Unlit,       ///< by its colours alone, like lines and points without normals
+  Illuminating ///< likewise, since the property has no lighting: it is emissive
 };
 
 /**
- * The material whose traced colour is what the window displays of a surface in a level of light,
- * where it faces the light. `color` is the property's, or what replaces it: scalars, a texture.
+ * The material whose traced colour is what the window displays for a surface that faces light of a
+ * given level. `color` is that of the property, or of the scalars or texture that replace it.
  *
  * VTK's classic shading displays ambient + diffuse * light. The ambient term becomes the emission
- * whose colour is displayed alone, and the diffuse reflectance yields what is missing to the sum.
- * Highlights, cosines to a power, become microfacets of the width at half the height, and of the
- * height: white ones by a dielectric boundary, coloured ones by a part of metal.
+ * whose colour is displayed alone, and the diffuse reflectance adds the rest of the sum.
+ * Highlights, cosines to a power, become microfacets of the same height and width at half the
+ * height: white ones from a dielectric boundary, coloured ones from a metallic factor.
  *
- * Physically based shading is linear and encoded by a power of 2.2, in place of sRGB's curve. Its
- * diffuse base gets what is left by one boundary and by the part of metal, which here takes none
- * of it. Reflectances make up for these, and so does the part of metal where it is neither 0 nor 1.
+ * Physically based shading is linear and encoded by an exponent of 2.2 instead of sRGB's curve. Its
+ * diffuse base receives what one boundary and the metal leave; here the metal takes none of it.
+ * Reflectances compensate for both, and so does a metallic factor between 0 and 1.
  */
 class SurfaceLook
 {
 public:
-  /// `typical` are colours of the surface, for which highlights and parts of metal are made.
+  /// `typical` are colours of the surface, to which highlights and the metallic factor are fitted.
   SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing drawing,
     const std::vector<glm::dvec3>& typical);
 
@@ -52,7 +52,7 @@ public:
     return this->GetReflectance(color, color);
   }
 
-  /// The same, sRGB-encoded. Colours that stay as they are do so to the last bit.
+  /// The same, sRGB-encoded. Colours that do not change keep all bits.
   glm::dvec3 GetBaseColor(const glm::dvec3& ambient, const glm::dvec3& diffuse) const;
 
   /// The radiance.
@@ -67,7 +67,7 @@ public:
   double GetIndexOfRefraction() const { return this->IndexOfRefraction; }
 
 private:
-  /// How much light boundary, metal and diffuse base send back of the light that they get.
+  /// How much of their incident light boundary, metal and diffuse base reflect.
   struct Response
   {
     double Diffuse = 1.0;  ///< of lights of a direction, by the diffuse base, over reflectance
@@ -85,7 +85,7 @@ private:
   /// What the window's diffuse base reflects of a surface of a colour.
   double GetPhysicalDiffuse(double color) const;
 
-  /// Whether the part of metal varies over the surface.
+  /// Whether the metallic factor varies over the surface.
   bool HasMetallicTexture() const;
 
   /// The base colour that sRGB's curve displays as VTK's power displays another one.

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From the lights of VTK's window to those of light transport.
+ * Converts the lights of VTK's window to lights of light transport.
  *
  * VTK's classic shading multiplies colours by light as they are displayed: a light of intensity 0.5
  * shows a white surface as 0.5, which is 0.214 of white's light (IEC 61966-2-1). So the power of a
- * light is the light of what a white surface displays that faces it. Falloffs, which the window
- * multiplies displayed colours by, become the powers of falloffs that fit best around the level of
- * the scene. VTK's physically based shading is linear, and a white surface reflects 1 / pi of the
- * intensity.
+ * light is the linear value of what a white surface that faces it displays. Falloffs, which
+ * multiply displayed colours in the window, are raised to the exponent that fits best around the
+ * level of the scene. VTK's physically based shading is linear, and a white surface reflects 1 / pi
+ * of the intensity.
  */
 #ifndef cslfWindowLights_h
 #define cslfWindowLights_h
@@ -28,15 +28,15 @@ class vtkRenderer;
 
 namespace cslf
 {
-/// The light that a surface gets, in the window and as it is traced.
+/// The light that a surface receives, in the window and when traced.
 struct LightLevel
 {
-  glm::dvec3 Window{ 1.0 }; ///< what the window's classic shading multiplies colours by
+  glm::dvec3 Window{ 1.0 }; ///< by which the window's classic shading multiplies colours
   glm::dvec3 Direct{ 1.0 }; ///< the radiance of a white diffuse surface by lights of a direction
   glm::dvec3 Around{ 0.0 }; ///< and by light from all around
 };
 
-/// The shading models of the surfaces that lights fall on.
+/// The shading models of the surfaces that are lit.
 struct ShadingModels
 {
   std::set<std::pair<double, double>> Classic; ///< the coefficients, ambient and diffuse
@@ -52,20 +52,20 @@ double GetAttenuation(vtkLight* light, double distance);
 class WindowLights
 {
 public:
-  /// The lights that the renderer would draw with now. Headlights may shine from all around.
+  /// The lights with which the renderer would draw now. Headlights may shine from all around.
   WindowLights(vtkRenderer* renderer, bool headlightsAllAround);
 
-  /// Works the powers out for a scene around a point, about twice `reach` from side to side.
+  /// Computes the powers for a scene around a point, about twice `reach` from side to side.
   void Calibrate(const glm::dvec3& center, double reach, const ShadingModels& models);
 
   /// Whether there is any light, so that the window shades surfaces.
   bool IsLit() const { return !this->Sources.empty(); }
 
   /// The level of a surface around a point, about twice `reach` from side to side. It faces the
-  /// camera if any light moves with the camera, and else where most light comes from.
+  /// camera if any light moves with the camera, or else the direction from which most light comes.
   LightLevel GetLevel(const glm::dvec3& center, double reach) const;
 
-  /// What the radiance of an environment image is to be multiplied by.
+  /// The factor for the radiance of an environment image.
   double GetEnvironmentFactor() const { return this->EnvironmentFactor; }
 
   void AddTo(vtkDataObject* lights) const;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Polygonal data that would be read out of bounds: ids of points that do not exist, offsets that do
-// not ascend, arrays that are too short or hold no numbers. What is sound is shown, the rest is
-// named in a warning, and nothing crashes; in the view tracer, the sampler and the importer.
+// Polygonal data that would be read out of bounds: ids of missing points, offsets that do not
+// ascend, arrays that are too short or not numeric. The view tracer, the sampler and the importer
+// show valid parts, warn of the rest and do not crash.
 #include "cslfColor.h"
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"

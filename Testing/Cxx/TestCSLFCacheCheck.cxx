@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The check of radiance caching: it finds no difference where there is none, and warns of one that
-// there is.
+// The check of radiance caching: it reports no difference where there is none, and warns of an
+// existing one.
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFSampler.h"
@@ -81,7 +81,7 @@ void TestSampler()
   CSLF_CHECK(GetDescription(sampler).find("\"check\"") == std::string::npos);
 }
 
-/// A cache that is much too coarse is told from one that is not.
+/// The check detects a cache that is much too coarse.
 void TestWarning()
 {
   vtkNew<vtkCSLFCornellBoxSource> box;
@@ -118,7 +118,7 @@ void TestWarning()
   CSLF_CHECK(!observer->GetWarning());
 }
 
-/// Where nothing is seen there is nothing to compare.
+/// Without visible surfaces there is no comparison.
 void TestNothing()
 {
   vtkNew<vtkSphereSource> sphere;

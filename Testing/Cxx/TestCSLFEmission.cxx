@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Emission of points, cells and instances: what is seen of it, and the light that it gives.
+// Emission of points, cells and instances: its appearance, and its light on other surfaces.
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"

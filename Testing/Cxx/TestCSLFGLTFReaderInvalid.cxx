@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// glTF files with parts that are wrong: what can be shown is shown and the rest is named in a
-// warning; where nothing can be shown there is an error and no output.
+// Invalid glTF files: valid parts are read, and a warning names the rest; a file without valid
+// parts gives an error and no output.
 #include "cslfTesting.h"
 #include "vtkCSLFGLTFReader.h"
 
@@ -229,7 +229,7 @@ void TestDocuments(const std::string& name, const json& sound, const std::vector
   }
 }
 
-/// Files that are no JSON, or binary ones whose chunks are wrong.
+/// Files that are not JSON, and binary files with invalid chunks.
 void TestFiles(const std::string& name)
 {
   const auto number = [](std::uint32_t value)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Surfaces that shine, sampled as lights: samples against their density, light against what is
-// known in closed form, and light sampling against rays that find the lights by themselves.
+// Emissive surfaces sampled as lights: compares samples with their density, light with closed
+// forms, and light sampling with rays that hit the lights by chance.
 #include "PathTracing/cslfSampling.h"
 #include "PathTracing/cslfTubeDivision.h"
 #include "cslfColor.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rectangles of a grid's rays that cannot meet a box are told, and none that can is left out.
+// Rectangles of a grid's rays that cannot hit a box are detected, and no others.
 #include "PathTracing/cslfRayGrid.h"
 #include "cslfTesting.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Mappers that draw other things than their input's polygons: what they draw is imported, and what
-// comes to nothing is named.
+// Mappers that draw other shapes than their input's polygons: the shapes are imported, and a
+// warning names props that are not.
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
 #include "cslfVTKCompatibility.h"

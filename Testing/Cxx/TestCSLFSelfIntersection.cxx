@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where rays start off surfaces: near enough that a sheet close above is met, and far enough that a
-// surface does not shadow itself.
+// The distance at which rays leave surfaces: small enough that they hit a sheet close above, and
+// large enough that a surface does not shadow itself.
 #include "PathTracing/cslfSampling.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"

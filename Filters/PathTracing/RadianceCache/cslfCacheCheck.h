@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Measures a radiance cache against path tracing, at random texels of the picture it is made for.
+ * Compares a radiance cache with path tracing at random texels of the picture it is made for.
  */
 #ifndef cslfCacheCheck_h
 #define cslfCacheCheck_h
@@ -18,23 +18,23 @@
 
 namespace cslf
 {
-/// What a check has found. Standard errors include the noise of the paths.
+/// The results of a check. Standard errors include the noise of the paths.
 struct CacheCheck
 {
-  std::int32_t Texels = -1; ///< that were compared; -1 if there was no check
+  std::int32_t Texels = -1; ///< number compared; -1 if there was no check
 
-  /// The mean of the cache's radiance minus that of the paths, in parts of the mean of the paths.
+  /// The mean of the cache's radiance minus that of the paths, relative to the mean of the paths.
   double Mean = 0.0;
   double MeanError = 0.0; ///< its standard error
 
-  /// The root mean square difference of the displayed colours, in parts of white, without what the
-  /// noise of the paths adds to it.
+  /// The root mean square difference of the displayed colours, as a fraction of white, without the
+  /// contribution of the paths' noise.
   double RMS = 0.0;
   double RMSError = 0.0; ///< its standard error
 
   bool IsMade() const { return this->Texels >= 0; }
 
-  /// The differences that are tolerated: of the mean, and of the root mean square.
+  /// The bounds of the two differences: of the mean, and of the root mean square.
   static constexpr double MeanBound = 0.02;
   static double GetRMSBound(double tolerance) { return 3.0 * tolerance; }
 
@@ -42,7 +42,7 @@ struct CacheCheck
   bool IsExceeded(double tolerance) const;
 };
 
-/// The picture that texels are chosen from.
+/// The picture from which texels are chosen.
 struct CheckedPicture
 {
   int TileWidth = 0;
@@ -54,15 +54,15 @@ struct CheckedPicture
 
 struct CheckSettings
 {
-  int Texels = 1024; ///< to be compared
+  int Texels = 1024; ///< number to compare
   double Exposure = 1.0;
   std::uint32_t Seed = 0;
   PathSettings Paths;
   CacheShare* Share = nullptr; ///< the ranks that trace the texels together; null for this one
 };
 
-/// Compares the radiance that is seen through random points of random texels which see a surface.
-/// The choice and all random numbers depend on the seed alone.
+/// Compares the radiance through random points of random texels that see a surface. The choice and
+/// all random numbers depend on the seed alone.
 VTKCSLF_EXPORT CacheCheck CheckCache(const Scene& scene, const RadianceCache& cache,
   const CheckedPicture& picture, const CheckSettings& settings);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the triangles that are too small or too thin for lattices of their own, and joins
- * neighbours to charts.
+ * Finds the triangles that are too small or too thin for their own lattices, and joins neighbours
+ * into charts.
  */
 #ifndef cslfChartMaker_h
 #define cslfChartMaker_h
@@ -20,18 +20,18 @@ namespace cslf
 {
 struct ChartSettings
 {
-  /// The distance of points that is fine enough, in scene space.
+  /// The smallest distance between points, in scene space.
   float Spacing = 0.01f;
 
   /// The width of a brick, in scene space.
   float BrickSize = 0.16f;
 };
 
-/// The charts of a scene. Each triangle with an open side that is too small or too thin for a
-/// lattice of its own is a member of one of them. A chart
+/// The charts of a scene. Each triangle with an open side that is too small or too thin for its own
+/// lattice is a member of one chart. A chart
 /// - consists of triangles of one mesh that are connected by edges,
-/// - is flat enough to be seen as a whole from one direction, without folds over itself,
-/// - has light that is continuous, as shading normals hardly differ where two triangles meet.
+/// - is flat enough to be projected onto a plane without folds,
+/// - has continuous light, since shading normals hardly differ where two triangles meet.
 VTKCSLF_EXPORT std::vector<SurfaceChart> MakeCharts(
   const Scene& scene, const OpenSides& sides, const ChartSettings& settings);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Between which points of a chart a point is interpolated: where cells are much longer than wide,
- * points are needed along them, but hardly across.
+ * Selects the points of a chart between which a point is interpolated. Where cells are much longer
+ * than wide, points are dense along the length and sparse across it.
  */
 #ifndef cslfChartNeighbours_h
 #define cslfChartNeighbours_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The samples that a half of a point's estimate has taken so far.
+ * The samples of one half of a point's estimate.
  */
 #ifndef cslfHalfSamples_h
 #define cslfHalfSamples_h
@@ -22,8 +22,8 @@ struct SampleMean
 };
 
 /**
- * The sums of equal parts of a low-discrepancy sequence, whose differences tell the noise. Each
- * part is such a sequence itself, so all together are better than the differences tell.
+ * The sums of equal parts of a low-discrepancy sequence, from whose differences the noise is
+ * estimated. Each part is such a sequence itself, so the mean of all is better than this estimate.
  */
 class HalfSamples
 {

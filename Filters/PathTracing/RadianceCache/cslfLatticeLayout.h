@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the surface of a scene is divided into bricks: those of triangles that are large enough, and
- * those of charts of all others.
+ * Divides the surface of a scene into bricks: of large triangles directly, and of charts that join
+ * all others.
  */
 #ifndef cslfLatticeLayout_h
 #define cslfLatticeLayout_h
@@ -30,8 +30,8 @@ public:
   /// The finest points along a triangle's or chart's edges, as a binary logarithm.
   static constexpr int LargestDepth = 12;
 
-  /// The distance of points that is fine enough, in scene space: it grows where the scene would
-  /// need too many bricks.
+  /// The smallest distance between points, in scene space: it is larger than requested if the scene
+  /// would need too many bricks.
   LatticeLayout(const Scene& scene, const OpenSides& sides, float spacing);
 
   float GetSpacing() const { return this->Spacing; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The points and bricks that LatticeBuilder works on: for its own files only.
+ * The points and bricks that LatticeBuilder works on; internal to it.
  */
 #ifndef cslfLatticePatch_h
 #define cslfLatticePatch_h
@@ -28,7 +28,7 @@ struct LatticeBuilder::Point
   float Weight = 0.0f; // of the point after it
 };
 
-/// A brick at work, and the points of its lattice, row by row.
+/// A brick that is being computed, and the points of its lattice, row by row.
 struct LatticeBuilder::Patch
 {
   int Half; // which of the lattices it is of, and whose values decide

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The noise of points, told by their neighbours, too.
+ * Estimates the noise of points with the help of their neighbours.
  */
 #ifndef cslfSampleNoise_h
 #define cslfSampleNoise_h
@@ -17,16 +17,16 @@
 namespace cslf
 {
 /**
- * The variances of points. To the standard error that a point's own samples tell, a part of its
- * neighbours' is added, and a part of the mean of all points. So a point that has not found a light
- * yet is not thought to be without noise while other points know of that light. Neighbours are the
- * points of the same groups.
+ * The variances of points. The standard error of a point's own samples is mixed with a fraction of
+ * its neighbours' and of the mean of all points. So a point that has not found a light yet does not
+ * count as free of noise while other points have found it. Neighbours are the points of the same
+ * groups.
  */
 std::vector<glm::vec3> PoolVariances(
   const std::vector<glm::vec3>& variances, const std::vector<PointGroup>& groups);
 
-/// What is seen of an error of a value, upwards or downwards, on a surface of some base colour: the
-/// largest component. Downwards counts where the value is clipped.
+/// The displayed error of a value, upwards or downwards, on a surface with a base colour: the
+/// largest component. Where the value is clipped, the error downwards counts.
 float GetDisplayedError(const DisplayCurve& display, const glm::vec3& value, const glm::vec3& error,
   const glm::vec3& baseColor);
 }

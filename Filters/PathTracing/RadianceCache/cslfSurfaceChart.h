@@ -38,7 +38,7 @@ public:
   static constexpr int MostCells = 256;
 
   /// A chart of at least one triangle of a mesh. The members' corners may have any offset. Cells
-  /// are at most as wide as told, unless the chart is wider than MostCells of them.
+  /// are at most as wide as given, unless the chart is wider than MostCells of them.
   SurfaceChart(std::uint32_t mesh, std::vector<Member> members, float cellSize);
 
   std::uint32_t GetMesh() const { return this->Mesh; }
@@ -51,7 +51,7 @@ public:
 
   const std::vector<Member>& GetMembers() const { return this->Members; }
 
-  /// Where a member's corner is, in cells.
+  /// The position of a member's corner, in cells.
   glm::vec2 GetPlace(const Member& member, int corner) const
   {
     return member.Corners[corner] / this->CellSize;

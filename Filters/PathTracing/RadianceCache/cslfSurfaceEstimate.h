@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What samples tell of points of the surface, and what estimates it.
+ * Estimates of light at points of the surface, and the interface that makes them.
  *
- * The samples of a point are two independent halves. What one half tells decides how many samples
- * the other half takes and where the other half's values are stored, and the reverse; both are then
- * averaged. So no value is selected by its own noise, and the mean of the stored values is right
- * however rarely a sample finds light. Such halves are known from adaptive rendering (Rousselle,
- * Knaus and Zwicker, ACM TOG 31(6), 2012) and as cross-fitting in statistics.
+ * The samples of a point are two independent halves. One half decides how many samples the other
+ * half takes and where the other half's values are stored, and vice versa; both are then averaged.
+ * So no value is selected by its own noise, and the mean of the stored values is right however
+ * rarely a sample finds light. Such halves are known from adaptive rendering (Rousselle, Knaus and
+ * Zwicker, ACM TOG 31(6), 2012) and as cross-fitting in statistics.
  */
 #ifndef cslfSurfaceEstimate_h
 #define cslfSurfaceEstimate_h
@@ -27,20 +27,20 @@
 
 namespace cslf
 {
-/// A point of the surface. The key tells points apart; it depends on the scene only.
+/// A point of the surface. The key identifies the point; it depends on the scene only.
 struct SurfacePoint
 {
   Hit Place;
   std::uint64_t Key = 0;
 };
 
-/// One half of what is known of a point.
+/// One half of the estimate of a point.
 struct HalfEstimate
 {
   /// The value that decides: it is never stored.
   glm::vec3 Pilot{ 0.0f };
 
-  /// The variance of the pilot's mean, of which neighbouring points told, too.
+  /// The variance of the pilot's mean, estimated with the help of neighbouring points.
   glm::vec3 Variance{ 0.0f };
 
   /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
@@ -51,20 +51,20 @@ struct HalfEstimate
   glm::vec3 Value{ 0.0f };
 };
 
-/// What is known of a point of the surface.
+/// The estimate of a point of the surface.
 struct SurfaceEstimate
 {
   HalfEstimate Halves[2];
 
-  /// The light that arrives, if it was asked for, as the first half tells it: to be stored.
+  /// The incident light, if it was requested, from the first half: to be stored.
   IncidentLight Incident;
 
-  /// The same as the second half tells it: to decide where the first is looked up.
+  /// The incident light from the second half: to decide where the first is looked up.
   IncidentLight IncidentPilot;
 
   SurfaceEstimate() = default;
 
-  /// Of a value without noise.
+  /// The estimate of a value without noise.
   explicit SurfaceEstimate(const glm::vec3& value)
   {
     for (HalfEstimate& half : this->Halves)
@@ -105,7 +105,7 @@ public:
   {
     std::vector<SurfacePoint> Points;
     std::vector<PointGroup> Groups[2]; ///< for each half; points may be in several groups
-    bool WantsIncident = false;        ///< whether the light that arrives is asked for
+    bool WantsIncident = false;        ///< whether incident light is requested
   };
 
   /// Estimates all points of a request.
