@@ -263,9 +263,10 @@ int vtkCSLFSceneImporter::RequestData(
     vtkWarningMacro("The bake differs from the window in: "
       << cslf::ToText(scene.Limits) << ". See Documentation/WindowAndBake.md.");
   }
-  if (!scene.Omitted.empty())
+  const std::string omitted = scene.ListOmitted();
+  if (!omitted.empty())
   {
-    vtkWarningMacro("Parts of the scene were left out: " << scene.ListOmitted() << ".");
+    vtkWarningMacro("Parts of the scene were left out: " << omitted << ".");
   }
   for (const std::string& text : { scene.Old.ToText(), scene.Materials.ToText() })
   {

@@ -35,14 +35,18 @@ bool IsAttenuation(const glm::dvec3& attenuation, double exponent)
     attenuation.x >= 0.0 && attenuation.y >= 0.0 && attenuation.z >= 0.0 &&
     attenuation != glm::dvec3(0.0);
 }
+
+bool IsDirection(const glm::dvec3& vector)
+{
+  return IsFinite(vector) && glm::length(vector) > 0.0;
+}
 }
 
 void LightReader::Add(vtkDataObject* data)
 {
   if (data)
   {
-    this->Read(data, vtkCSLFLight::DirectionalLightDirection(),
-      vtkCSLFLight::DirectionalLightIrradiance(), true, this->Directional.Lights);
+    this->ReadDirectional(data);
     this->ReadPoints(data);
     this->ReadSpots(data);
   }
@@ -108,92 +112,97 @@ bool LightReader::ReadAttenuations(
     attenuations->GetTuple(static_cast<vtkIdType>(i), tuple);
     lights[i].Attenuation = { tuple[0], tuple[1], tuple[2] };
     lights[i].AttenuationExponent = tuple[3];
-    if (!IsAttenuation(lights[i].Attenuation, tuple[3]))
-    {
-      return false;
-    }
   }
   return true;
 }
 
+bool LightReader::ReadCones(vtkDataObject* data, std::vector<Light>& spots)
+{
+  vtkDataArray* axes = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightDirection());
+  vtkDataArray* cones = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightCone());
+  const auto count = static_cast<vtkIdType>(spots.size());
+  if (!axes || !cones || axes->GetNumberOfComponents() != 3 ||
+    cones->GetNumberOfComponents() != 2 || axes->GetNumberOfTuples() != count ||
+    cones->GetNumberOfTuples() != count)
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    spots[i].Axis = GetTuple3(axes, i);
+    spots[i].ConeAngle = cones->GetComponent(i, 0);
+    spots[i].Exponent = cones->GetComponent(i, 1);
+  }
+  return true;
+}
+
+void LightReader::ReadDirectional(vtkDataObject* data)
+{
+  for (const Light& light : this->Read(data, vtkCSLFLight::DirectionalLightDirection(),
+         vtkCSLFLight::DirectionalLightIrradiance()))
+  {
+    this->AddIf(IsDirection(light.Place), light, this->Directional);
+  }
+}
+
 void LightReader::ReadPoints(vtkDataObject* data)
 {
-  std::vector<Light> points;
-  this->Read(
-    data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity(), false, points);
-  if (!this->ReadAttenuations(data, vtkCSLFLight::PointLightAttenuation(), points))
+  std::vector<Light> points =
+    this->Read(data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity());
+  const bool match = ReadAttenuations(data, vtkCSLFLight::PointLightAttenuation(), points);
+  for (const Light& light : points)
   {
-    ++this->Rejected;
-    return;
+    this->AddIf(match, light, this->Points);
   }
-  this->Points.Lights.insert(this->Points.Lights.end(), points.begin(), points.end());
 }
 
 void LightReader::ReadSpots(vtkDataObject* data)
 {
-  std::vector<Light> spots;
-  this->Read(
-    data, vtkCSLFLight::SpotLightPosition(), vtkCSLFLight::SpotLightIntensity(), false, spots);
-  vtkDataArray* axes = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightDirection());
-  vtkDataArray* cones = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightCone());
-  const auto count = static_cast<vtkIdType>(spots.size());
-  if (count > 0 &&
-    (!axes || !cones || axes->GetNumberOfComponents() != 3 || cones->GetNumberOfComponents() != 2 ||
-      axes->GetNumberOfTuples() != count || cones->GetNumberOfTuples() != count))
+  std::vector<Light> spots =
+    this->Read(data, vtkCSLFLight::SpotLightPosition(), vtkCSLFLight::SpotLightIntensity());
+  const bool match =
+    ReadCones(data, spots) && ReadAttenuations(data, vtkCSLFLight::SpotLightAttenuation(), spots);
+  for (const Light& light : spots)
   {
-    ++this->Rejected;
-    return;
-  }
-  if (!this->ReadAttenuations(data, vtkCSLFLight::SpotLightAttenuation(), spots))
-  {
-    ++this->Rejected;
-    return;
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    Light& light = spots[i];
-    light.Axis = GetTuple3(axes, i);
-    light.ConeAngle = cones->GetComponent(i, 0);
-    light.Exponent = cones->GetComponent(i, 1);
-    if (IsFinite(light.Axis) && glm::length(light.Axis) > 0.0 && light.ConeAngle >= 0.0 &&
-      light.Exponent >= 0.0)
-    {
-      this->Points.Lights.push_back(light);
-    }
-    else
-    {
-      ++this->Rejected;
-    }
+    this->AddIf(match && IsDirection(light.Axis) && light.ConeAngle >= 0.0 && light.Exponent >= 0.0,
+      light, this->Points);
   }
 }
 
-void LightReader::Read(vtkDataObject* data, const char* places, const char* powers, bool directions,
-  std::vector<Light>& lights)
+std::vector<LightReader::Light> LightReader::Read(
+  vtkDataObject* data, const char* places, const char* powers)
 {
+  std::vector<Light> lights;
   vtkDataArray* place = data->GetFieldData()->GetArray(places);
   vtkDataArray* power = data->GetFieldData()->GetArray(powers);
   if (!data->GetFieldData()->HasArray(places) && !data->GetFieldData()->HasArray(powers))
   {
-    return;
+    return lights;
   }
   if (!place || !power || place->GetNumberOfComponents() != 3 ||
     power->GetNumberOfComponents() != 3 || place->GetNumberOfTuples() != power->GetNumberOfTuples())
   {
     ++this->Rejected;
-    return;
+    return lights;
   }
   for (vtkIdType i = 0; i < place->GetNumberOfTuples(); ++i)
   {
-    const Light light{ GetTuple3(place, i), glm::max(GetTuple3(power, i), 0.0), glm::dvec3(0.0) };
-    if (IsFinite(light.Place) && IsFinite(light.Power) &&
-      (!directions || glm::length(light.Place) > 0.0))
-    {
-      lights.push_back(light);
-    }
-    else
-    {
-      ++this->Rejected;
-    }
+    lights.push_back({ GetTuple3(place, i), GetTuple3(power, i) });
+  }
+  return lights;
+}
+
+void LightReader::AddIf(bool usable, Light light, LightList& list)
+{
+  light.Power = glm::max(light.Power, 0.0);
+  if (usable && IsFinite(light.Place) && IsFinite(light.Power) &&
+    IsAttenuation(light.Attenuation, light.AttenuationExponent))
+  {
+    list.Lights.push_back(light);
+  }
+  else
+  {
+    ++this->Rejected;
   }
 }
 

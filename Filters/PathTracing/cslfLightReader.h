@@ -43,7 +43,7 @@ private:
   struct Light
   {
     glm::dvec3 Place; // position, or direction
-    glm::dvec3 Power; // intensity, or irradiance
+    glm::dvec3 Power; // intensity, or irradiance; what is negative counts as 0
     glm::dvec3 Axis{ 0.0 };
     double ConeAngle = 0.0; // in degrees
     double Exponent = 0.0;
@@ -67,11 +67,19 @@ private:
     void Join();
   };
 
+  void ReadDirectional(vtkDataObject* data);
   void ReadPoints(vtkDataObject* data);
   void ReadSpots(vtkDataObject* data);
-  bool ReadAttenuations(vtkDataObject* data, const char* name, std::vector<Light>& lights);
-  void Read(vtkDataObject* data, const char* places, const char* powers, bool directions,
-    std::vector<Light>& lights);
+
+  /// All lights of two arrays, not checked, so that further arrays still match them.
+  std::vector<Light> Read(vtkDataObject* data, const char* places, const char* powers);
+
+  /// Both return whether there are arrays that match the lights; attenuations may be missing.
+  static bool ReadAttenuations(vtkDataObject* data, const char* name, std::vector<Light>& lights);
+  static bool ReadCones(vtkDataObject* data, std::vector<Light>& spots);
+
+  /// Adds a light if it is usable and finite; counts it as rejected if not.
+  void AddIf(bool usable, Light light, LightList& list);
 
   LightList Directional;
   LightList Points;

@@ -41,7 +41,7 @@ vtkDataArray* FindRadii(const SceneBlock& block)
   return radii && radii->GetNumberOfComponents() == 1 ? radii : nullptr;
 }
 
-/// A matrix of vtkMatrix4x4's order: by rows. False where it is no affine transform.
+/// A matrix of vtkMatrix4x4's order: by rows. False where it is no finite affine transform.
 bool ReadMatrix(vtkDataArray* matrices, vtkIdType index, glm::dmat4& matrix)
 {
   for (int i = 0; i < 16; ++i)
@@ -140,7 +140,11 @@ InstanceSelection SelectInstances(vtkPolyData* data)
   for (vtkIdType i = 0; !selection.IsBroken && i < matrices->GetNumberOfTuples(); ++i)
   {
     BlockInstance instance;
-    selection.IsBroken = !ReadMatrix(matrices, i, instance.ToWorld);
+    if (!ReadMatrix(matrices, i, instance.ToWorld))
+    {
+      ++selection.Removed;
+      continue;
+    }
     if (!HasExtent(instance.ToWorld))
     {
       continue;

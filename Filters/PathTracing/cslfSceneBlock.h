@@ -56,7 +56,8 @@ struct InstanceSelection
 {
   std::vector<BlockInstance> Places; ///< without those that have no extent
   bool IsPresent = false;
-  bool IsBroken = false; ///< whether arrays do not match or are not finite
+  bool IsBroken = false; ///< whether arrays do not match
+  vtkIdType Removed = 0; ///< how many had a matrix that is no finite affine transform
 };
 
 /// The instances in a block's field data: see vtkCSLFInstances.

@@ -48,6 +48,7 @@ struct Omissions
   vtkIdType Triangles = 0;
   vtkIdType Round = 0;
   vtkIdType RoundGlass = 0;
+  vtkIdType InstanceArrays = 0;
   vtkIdType Instances = 0;
   vtkIdType Lights = 0;
   vtkIdType Environments = 0;
@@ -83,8 +84,9 @@ private:
     count(this->Triangles, "polygon(s) with coordinates that are not finite");
     count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
     count(this->RoundGlass, "block(s)' transmission of lines or vertices");
-    count(this->Instances, "block(s)' instances with arrays that do not match or are not finite");
-    count(this->Lights, "light(s) with arrays that do not match or are not finite");
+    count(this->InstanceArrays, "block(s)' instances with arrays that do not match");
+    count(this->Instances, "instance(s) with matrices that are not finite or not affine");
+    count(this->Lights, "light(s) with arrays that do not match or invalid values");
     count(this->Environments, "environment(s) with arrays that do not match or are not finite");
     count(this->Textures, "block(s)' textures for want of texture coordinates");
     for (const std::string& what : this->Unsound)
@@ -213,7 +215,8 @@ private:
   void AddPolyData(vtkPolyData* data, vtkDataObject* root)
   {
     const InstanceSelection instances = SelectInstances(data);
-    this->Omitted.Instances += instances.IsBroken ? 1 : 0;
+    this->Omitted.InstanceArrays += instances.IsBroken ? 1 : 0;
+    this->Omitted.Instances += instances.Removed;
     if (data->GetNumberOfCells() == 0 || instances.IsBroken ||
       (instances.IsPresent && instances.Places.empty()))
     {

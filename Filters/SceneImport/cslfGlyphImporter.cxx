@@ -30,16 +30,27 @@ namespace cslf
 namespace
 {
 /// The array of points that the mapper reads for one of its purposes, or null.
-vtkDataArray* FindArray(vtkGlyph3DMapper* mapper, int purpose, vtkDataSet* data)
+vtkDataArray* FindArray(
+  vtkGlyph3DMapper* mapper, int purpose, vtkDataSet* data, ImportedScene& scene)
 {
   vtkInformation* info = mapper->GetInputArrayInformation(purpose);
+  vtkDataArray* array = nullptr;
   if (const char* name = info->Get(vtkDataObject::FIELD_NAME()))
   {
-    return data->GetPointData()->GetArray(name);
+    array = data->GetPointData()->GetArray(name);
   }
-  return info->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE())
-    ? data->GetPointData()->GetAttribute(info->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
-    : nullptr;
+  else if (info->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    array = data->GetPointData()->GetAttribute(info->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+  }
+  if (array && array->GetNumberOfTuples() < data->GetNumberOfPoints())
+  {
+    SoundPolyData sound;
+    sound.RemovedArrays.insert(array->GetName() ? array->GetName() : "(without a name)");
+    sound.AddRemoved(scene.Omitted);
+    return nullptr;
+  }
+  return array;
 }
 
 /// The length of an array's tuple.
@@ -58,7 +69,7 @@ double GetNorm(vtkDataArray* array, vtkIdType tuple)
 void TurnToDirection(const double direction[3], vtkTransform* transform)
 {
   const double length = vtkMath::Norm(direction);
-  if (!(length > 0.0))
+  if (length == 0.0)
   {
     return;
   }
@@ -75,7 +86,7 @@ void TurnToDirection(const double direction[3], vtkTransform* transform)
 void TurnByQuaternion(const double quaternion[4], vtkTransform* transform)
 {
   const double sine = vtkMath::Norm(quaternion + 1);
-  if (sine > 0.0)
+  if (sine != 0.0)
   {
     const double angle = vtkMath::DegreesFromRadians(2.0 * std::atan2(sine, quaternion[0]));
     transform->RotateWXYZ(angle, quaternion[1], quaternion[2], quaternion[3]);
@@ -86,31 +97,36 @@ void TurnByQuaternion(const double quaternion[4], vtkTransform* transform)
 class GlyphPlacer
 {
 public:
-  GlyphPlacer(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+  GlyphPlacer(vtkGlyph3DMapper* mapper, vtkDataSet* data, ImportedScene& scene)
     : Mapper(mapper)
     , Data(data)
     , Scales(mapper->GetScaleMode() == vtkGlyph3DMapper::NO_DATA_SCALING
           ? nullptr
-          : FindArray(mapper, vtkGlyph3DMapper::SCALE, data))
-    , Orientations(
-        mapper->GetOrient() ? FindArray(mapper, vtkGlyph3DMapper::ORIENTATION, data) : nullptr)
+          : FindArray(mapper, vtkGlyph3DMapper::SCALE, data, scene))
+    , Orientations(mapper->GetOrient()
+          ? FindArray(mapper, vtkGlyph3DMapper::ORIENTATION, data, scene)
+          : nullptr)
     , Masks(vtkArrayDownCast<vtkBitArray>(
-        mapper->GetMasking() ? FindArray(mapper, vtkGlyph3DMapper::MASK, data) : nullptr))
-    , Sources(mapper->GetSourceIndexing() ? FindArray(mapper, vtkGlyph3DMapper::SOURCE_INDEX, data)
-                                          : nullptr)
+        mapper->GetMasking() ? FindArray(mapper, vtkGlyph3DMapper::MASK, data, scene) : nullptr))
+    , Sources(mapper->GetSourceIndexing()
+          ? FindArray(mapper, vtkGlyph3DMapper::SOURCE_INDEX, data, scene)
+          : nullptr)
   {
   }
 
   bool IsShown(vtkIdType point) const { return !this->Masks || this->Masks->GetValue(point) != 0; }
 
+  /// Which of the sources a point shows; -1 where its index is no number.
   int GetSource(vtkIdType point, int count) const
   {
     const double index = this->Sources ? GetNorm(this->Sources, point) : 0.0;
-    return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
+    return std::isnan(index)
+      ? -1
+      : static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
   }
 
-  /// After the actor's matrix.
-  void Place(vtkIdType point, vtkTransform* transform) const
+  /// After the actor's matrix. Returns whether the place is finite.
+  bool Place(vtkIdType point, vtkTransform* transform) const
   {
     double position[3];
     this->Data->GetPoint(point, position);
@@ -122,6 +138,8 @@ public:
       this->GetScale(point, scale);
       transform->Scale(scale);
     }
+    const double* matrix = transform->GetMatrix()->GetData();
+    return std::all_of(matrix, matrix + 16, [](double value) { return std::isfinite(value); });
   }
 
 private:
@@ -202,9 +220,9 @@ vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source, ImportedScene& scen
 }
 
 void AddPoints(vtkDataSet* data, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix,
-  std::vector<vtkSmartPointer<vtkPolyData>>& sources)
+  std::vector<vtkSmartPointer<vtkPolyData>>& sources, ImportedScene& scene)
 {
-  const GlyphPlacer placer(mapper, data);
+  const GlyphPlacer placer(mapper, data, scene);
   const MappedScalars mapped = MapScalars(mapper, data, false);
   vtkUnsignedCharArray* colors = mapped.OfCells ? nullptr : mapped.Colors.Get();
   vtkNew<vtkTransform> transform;
@@ -215,8 +233,13 @@ void AddPoints(vtkDataSet* data, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix,
       continue;
     }
     transform->SetMatrix(matrix);
-    placer.Place(point, transform);
-    vtkPolyData* source = sources[placer.GetSource(point, static_cast<int>(sources.size()))];
+    const int index = placer.GetSource(point, static_cast<int>(sources.size()));
+    if (!placer.Place(point, transform) || index < 0)
+    {
+      ++scene.BrokenGlyphs;
+      continue;
+    }
+    vtkPolyData* source = sources[index];
     if (!colors)
     {
       vtkCSLFInstances::AddInstance(source, transform->GetMatrix());
@@ -255,7 +278,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ImportGlyphs(
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   if (auto* data = vtkDataSet::SafeDownCast(input))
   {
-    AddPoints(data, mapper, place, sources);
+    AddPoints(data, mapper, place, sources, scene);
   }
   else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -264,7 +287,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ImportGlyphs(
     {
       if (auto* part = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()))
       {
-        AddPoints(part, mapper, place, sources);
+        AddPoints(part, mapper, place, sources, scene);
       }
     }
   }

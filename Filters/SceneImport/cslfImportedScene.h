@@ -18,6 +18,7 @@
 #include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
+#include <vtkType.h>
 
 #include <array>
 #include <optional>
@@ -54,6 +55,7 @@ struct ImportedScene
   bool HasEnvironment = false;         ///< whether an image lights it
   MetLimits Limits;                    ///< what a renderer shows in another way
   std::set<std::string> Omitted;       ///< what else cannot be represented, in words
+  vtkIdType BrokenGlyphs = 0;          ///< with places or indices of sources that are not finite
 
   OldNames Old;               ///< of materials that data brings along
   MaterialProblems Materials; ///< likewise; values are checked when the scene is traced
@@ -69,7 +71,16 @@ struct ImportedScene
   }
 
   /// What cannot be represented, with commas.
-  std::string ListOmitted() const { return Join(this->Omitted); }
+  std::string ListOmitted() const
+  {
+    std::set<std::string> all = this->Omitted;
+    if (this->BrokenGlyphs > 0)
+    {
+      all.insert(std::to_string(this->BrokenGlyphs) +
+        " glyph(s) with a place, orientation, scale or index that is not finite");
+    }
+    return Join(all);
+  }
 };
 }
 

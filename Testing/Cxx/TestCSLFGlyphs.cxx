@@ -11,6 +11,7 @@
 #include <vtkArrowSource.h>
 #include <vtkBitArray.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkConeSource.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -18,6 +19,7 @@
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -26,9 +28,11 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace
 {
@@ -176,11 +180,68 @@ void TestStructure()
   glyphs.Mapper->SetScaleFactor(2.0);
   CSLF_CHECK(importer->GetMTime() > time);
 }
+
+/// The number of instances of the first block that the importer makes of glyphs, and its warnings.
+vtkIdType CountInstances(Glyphs& glyphs, std::string& warnings)
+{
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(glyphs.Renderer);
+  vtkNew<vtkTest::ErrorObserver> messages;
+  importer->AddObserver(vtkCommand::WarningEvent, messages);
+  importer->Update();
+  warnings = messages->GetWarningMessage();
+  vtkDataArray* places = importer->GetOutput()->GetBlock(0)->GetFieldData()->GetArray(
+    vtkCSLFInstances::InstanceMatrix());
+  return places ? places->GetNumberOfTuples() : 0;
+}
+
+/// Only glyphs whose own values are no numbers are left out.
+void TestNotFinite()
+{
+  Glyphs glyphs;
+  glyphs.Mapper->SetScaleModeToScaleByMagnitude();
+  auto* points = vtkPolyData::SafeDownCast(glyphs.Mapper->GetInput());
+  std::string warnings;
+  for (const char* name : { "Directions", "Sizes", "Values" })
+  {
+    vtkDataArray* array = points->GetPointData()->GetArray(name);
+    const double before = array->GetComponent(2, 0);
+    array->SetComponent(2, 0, vtkMath::Nan());
+    glyphs.Mapper->SetSourceIndexing(std::string(name) == "Values");
+    CSLF_CHECK(CountInstances(glyphs, warnings) == 4);
+    CSLF_CHECK(warnings.find("1 glyph(s)") != std::string::npos);
+    array->SetComponent(2, 0, before);
+  }
+  CSLF_CHECK(CountInstances(glyphs, warnings) == 5);
+  CSLF_CHECK(warnings.find("glyph(s)") == std::string::npos);
+}
+
+/// Arrays that end before the points do are not read.
+void TestShortArrays()
+{
+  Glyphs glyphs;
+  glyphs.Mapper->SetScaleModeToScaleByMagnitude();
+  glyphs.Mapper->MaskingOn();
+  glyphs.Mapper->SourceIndexingOn();
+  auto* points = vtkPolyData::SafeDownCast(glyphs.Mapper->GetInput());
+  for (const char* name : { "Directions", "Sizes", "Values", "Masks" })
+  {
+    points->GetPointData()->GetArray(name)->SetNumberOfTuples(3);
+  }
+  std::string warnings;
+  CSLF_CHECK(CountInstances(glyphs, warnings) == 5);
+  for (const char* name : { "Directions", "Sizes", "Values", "Masks" })
+  {
+    CSLF_CHECK(warnings.find("array " + std::string(name) + ", which") != std::string::npos);
+  }
+}
 }
 
 int TestCSLFGlyphs(int, char*[])
 {
   TestStructure();
+  TestNotFinite();
+  TestShortArrays();
   TestAgainstDrawing();
   return cslf::testing::Result();
 }

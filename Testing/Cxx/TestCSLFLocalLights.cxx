@@ -8,19 +8,23 @@
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
+#include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTestErrorObserver.h>
 
 #include <glm/geometric.hpp>
 
@@ -278,10 +282,62 @@ void TestSphereAbovePlane()
     CSLF_CHECK(std::sqrt(squares / count) < (cached ? 0.015 : 0.005));
   }
 }
+
+/// Only lights with invalid values of their own are left out.
+void TestInvalidLights()
+{
+  const double nan = vtkMath::Nan();
+  const double intensity[3] = { 0.1, 0.1, 0.1 };
+  const double down[3] = { 0, 0, -1 };
+  const double place[3] = { 0, 0, 0.5 };
+  const double nowhere[3] = { 0, nan, 0.5 };
+  const double constant[4] = { 1, 0, 0, 1 };
+  const double negative[4] = { 1, -1, 0, 1 };
+  for (const bool spots : { false, true })
+  {
+    double colors[2];
+    for (const bool broken : { false, true })
+    {
+      vtkNew<vtkPlaneSource> plane;
+      plane->Update();
+      vtkPolyData* data = plane->GetOutput();
+      const auto add = [&](const double position[3], const double* attenuation)
+      {
+        spots ? vtkCSLFLight::AddSpotLight(data, position, down, intensity, 60.0, 0.0, attenuation)
+              : vtkCSLFLight::AddPointLight(data, position, intensity, attenuation);
+      };
+      if (broken)
+      {
+        add(nowhere, constant);
+        add(place, negative);
+      }
+      add(place, constant);
+      vtkNew<vtkCamera> camera;
+      camera->SetPosition(0, 0, 5);
+      vtkNew<vtkCSLFViewTracer> tracer;
+      tracer->SetInputData(data);
+      tracer->SetCamera(camera);
+      tracer->SetSize(1, 1);
+      tracer->SetSamples(16);
+      tracer->SetMaximumDepth(1);
+      tracer->SetEnvironmentModeToNone();
+      tracer->SetIntegratorToPathTracing();
+      tracer->SetColorTypeToFloat();
+      vtkNew<vtkTest::ErrorObserver> messages;
+      tracer->AddObserver(vtkCommand::WarningEvent, messages);
+      tracer->Update();
+      colors[broken] = tracer->GetOutput()->GetPointData()->GetScalars()->GetComponent(0, 0);
+      CSLF_CHECK(broken == (messages->GetWarningMessage().find("2 light(s)") != std::string::npos));
+    }
+    CSLF_CHECK(colors[0] > 0.0);
+    CSLF_CHECK_NEAR(colors[1], colors[0], 1e-6);
+  }
+}
 }
 
 int TestCSLFLocalLights(int, char*[])
 {
+  TestInvalidLights();
   TestDensities();
   TestEstimatorsAgree();
   TestSphereAbovePlane();

@@ -248,6 +248,13 @@ void TestInstances()
   CSLF_CHECK_NEAR(viewer.GetColor(1.05, 1.55, 1), alpha, 1e-3);
   CSLF_CHECK(!viewer.Messages->GetWarning());
 
+  // One matrix that is no number.
+  vtkCSLFInstances::AddInstance(data, MakeMatrix(vtkMath::Nan(), 0, 0, 1, 1), red);
+  viewer.Look(data);
+  CSLF_CHECK_NEAR(viewer.GetArea(), 2.5, 0.06);
+  CSLF_CHECK(viewer.Messages->GetWarningMessage().find("1 instance(s)") != std::string::npos);
+  viewer.Messages->Clear();
+
   // A sphere as an ellipse.
   auto sphere = MakePoints({ { 5, 5, 0 } }, false);
   vtkCSLFMaterial::SetPointRadius(sphere, 0.5);
