@@ -3,13 +3,16 @@
 #include "cslfSceneChecks.h"
 
 #include "cslfMessages.h"
+#include "cslfXMLArrayHeaders.h"
 
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -34,7 +37,12 @@ constexpr double ValuesPerByte = 1100.0;
 constexpr double SmallestLimit = 65536.0;
 
 // Blocks of a composite data set take memory, whether there is data in them or not.
-constexpr double MostBlocks = 1048576.0;
+constexpr double MostBlocks = 1048576.0; // of a file
+
+// VTK reads and deletes nested elements by functions that call themselves.
+constexpr int MostLevels = 1000;
+
+constexpr double BytesOfLargestValue = 8.0;
 
 /// The number of a text, all of which must be one.
 template <typename Number>
@@ -205,6 +213,7 @@ public:
   {
     if (this->IsText())
     {
+      this->CheckLetters();
       this->CheckText();
     }
     else
@@ -218,13 +227,34 @@ private:
   static constexpr std::uintmax_t HeaderSize = 84; // the last four bytes count the triangles
   static constexpr std::uintmax_t TriangleSize = 50;
 
-  /// Headers of binary files may begin as texts do.
+  /// Headers of binary files may begin as texts do, but then the number of triangles fits the size,
+  /// or there are zeros, as after each triangle. The name of a solid may have letters beyond ASCII.
   bool IsText() const
   {
+    if (this->Size >= HeaderSize &&
+      this->Size == HeaderSize + TriangleSize * this->CountTriangles())
+    {
+      return false;
+    }
     const std::size_t first = this->Begin.find_first_not_of(" \t\r\n");
-    return first != std::string::npos && this->Begin.compare(first, 5, "solid") == 0 &&
-      std::all_of(this->Begin.begin(), this->Begin.end(),
-        [](char letter) { return letter > 0 && letter < 127; });
+    return first != std::string::npos && ToLower(this->Begin.substr(first, 5)) == "solid" &&
+      this->Begin.find('\0') == std::string::npos;
+  }
+
+  /// VTK reads a text as binary numbers if a twentieth of its first 256 bytes is not ASCII.
+  void CheckLetters() const
+  {
+    const std::string begin = this->Begin.substr(0, 256);
+    const auto others = std::count_if(begin.begin(), begin.end(),
+      [](char letter)
+      {
+        return (letter < 32 || letter > 126) &&
+          std::string("\t\r\n").find(letter) == std::string::npos;
+      });
+    if (20 * static_cast<std::size_t>(others) >= begin.size())
+    {
+      throw Failure("the name of its solid has too many letters that are not ASCII.");
+    }
   }
 
   void CheckText()
@@ -237,6 +267,7 @@ private:
     {
       std::string word;
       std::istringstream(line) >> word;
+      word = ToLower(word);
       isOpen = word == "solid" || (isOpen && word != "endsolid");
     }
     if (isOpen)
@@ -245,17 +276,31 @@ private:
     }
   }
 
+  static std::string ToLower(std::string text)
+  {
+    std::transform(text.begin(), text.end(), text.begin(),
+      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return text;
+  }
+
+  /// The number that a binary file gives.
+  std::uintmax_t CountTriangles() const
+  {
+    std::uintmax_t triangles = 0;
+    for (int i = 1; i <= 4; ++i)
+    {
+      triangles = triangles << 8 | static_cast<unsigned char>(this->Begin[HeaderSize - i]);
+    }
+    return triangles;
+  }
+
   void CheckBinary() const
   {
     if (this->Size < HeaderSize)
     {
       throw Failure("it is too short for the header of a binary STL file.");
     }
-    std::uintmax_t triangles = 0;
-    for (int i = 1; i <= 4; ++i)
-    {
-      triangles = triangles << 8 | static_cast<unsigned char>(this->Begin[HeaderSize - i]);
-    }
+    const std::uintmax_t triangles = this->CountTriangles();
     const std::uintmax_t present = (this->Size - HeaderSize) / TriangleSize;
     if (present < triangles)
     {
@@ -268,6 +313,42 @@ private:
   std::uintmax_t Size = 0;
   std::string Begin;
 };
+
+/// Leaves out elements that are nested too deeply, and knows that there were some.
+class vtkShallowXMLParser : public vtkXMLDataParser
+{
+public:
+  static vtkShallowXMLParser* New();
+  vtkTypeMacro(vtkShallowXMLParser, vtkXMLDataParser);
+
+  bool HasDeepElements() const { return this->DeepestLevel > MostLevels; }
+
+protected:
+  vtkShallowXMLParser() = default;
+
+  void StartElement(const char* name, const char** attributes) override
+  {
+    this->DeepestLevel = std::max(this->DeepestLevel, ++this->Level);
+    if (this->Level <= MostLevels)
+    {
+      this->Superclass::StartElement(name, attributes);
+    }
+  }
+
+  void EndElement(const char* name) override
+  {
+    if (this->Level-- <= MostLevels)
+    {
+      this->Superclass::EndElement(name);
+    }
+  }
+
+private:
+  int Level = 0;
+  int DeepestLevel = 0;
+};
+
+vtkStandardNewMacro(vtkShallowXMLParser);
 
 /// The elements of an XML file.
 class XMLChecker
@@ -283,18 +364,24 @@ public:
 
   void Check()
   {
-    vtkNew<vtkXMLDataParser> parser;
+    vtkNew<vtkShallowXMLParser> parser;
     parser->SetFileName(this->Path.string().c_str());
-    if (parser->Parse() && parser->GetRootElement())
+    const bool isParsed = parser->Parse() != 0;
+    if (parser->HasDeepElements())
     {
-      this->CheckElements(parser->GetRootElement());
+      this->Fail("elements on more than " + std::to_string(MostLevels) + " levels");
+    }
+    if (isParsed && parser->GetRootElement())
+    {
+      this->CheckElements(parser);
     }
   }
 
 private:
-  void CheckElements(vtkXMLDataElement* root)
+  void CheckElements(vtkXMLDataParser* parser)
   {
-    std::vector<vtkXMLDataElement*> pending = { root };
+    XMLArrayHeaders headers(this->Path.string(), parser);
+    std::vector<vtkXMLDataElement*> pending = { parser->GetRootElement() };
     while (!pending.empty())
     {
       vtkXMLDataElement* element = pending.back();
@@ -304,6 +391,11 @@ private:
         pending.push_back(element->GetNestedElement(i));
       }
       this->CheckElement(element);
+      this->CountBlocks(element);
+      if (!headers.Fit(element, BytesOfLargestValue * this->Limit))
+      {
+        this->Fail("an array of too many blocks or bytes");
+      }
     }
     if (this->LargestCount * this->MostComponents > this->Limit)
     {
@@ -326,10 +418,6 @@ private:
       {
         this->LargestCount = std::max(this->LargestCount, this->CheckNumber(name, text));
       }
-      else if (name == "index" && !(this->CheckNumber(name, text) < MostBlocks))
-      {
-        this->Fail(name + " " + text);
-      }
       else if (name == "WholeExtent" || name == "Extent")
       {
         this->CheckExtent(name, text);
@@ -338,6 +426,24 @@ private:
       {
         this->CheckFile(text);
       }
+    }
+  }
+
+  /// An element holds as many blocks as the largest index in it says.
+  void CountBlocks(vtkXMLDataElement* element)
+  {
+    double blocks = 0.0;
+    for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+    {
+      if (const char* index = element->GetNestedElement(i)->GetAttribute("index"))
+      {
+        blocks = std::max(blocks, this->CheckNumber("index", index) + 1.0);
+      }
+    }
+    this->Blocks += blocks;
+    if (this->Blocks > MostBlocks)
+    {
+      this->Fail("more than " + std::to_string(static_cast<int>(MostBlocks)) + " blocks");
     }
   }
 
@@ -392,6 +498,7 @@ private:
   fs::path Path;
   double Limit = 0.0;
   double LargestCount = 0.0;
+  double Blocks = 0.0;
   double MostComponents = 1.0;
 };
 }

@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -203,6 +204,11 @@ Part ReadScenePart(const std::string& input)
   catch (const std::bad_alloc&)
   {
     throw Failure("Cannot read " + input + ": there is not enough memory.");
+  }
+  catch (const std::exception&)
+  {
+    // What the standard library says of sizes that are wrong does not help.
+    throw Failure("Cannot read " + input + ": it is damaged, or too large.");
   }
   const std::string error = GetFirstError();
   vtkIdType cells = 0;

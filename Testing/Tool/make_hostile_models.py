@@ -120,10 +120,15 @@ def make_stl_files():
     facet = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
     text = b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n" \
            b"endloop\nendfacet\nendsolid a\n"
-    sound = {"ascii": text, "binary": bytes(80) + struct.pack("<I", 1) + facet}
+    sound = {
+        "ascii": text, "binary": bytes(80) + struct.pack("<I", 1) + facet, "upper": text.upper(),
+        "utf8": text.replace(b"solid a", "solid Gehäuse".encode()),
+        "binary_solid": b"solid".ljust(80) + struct.pack("<I", 1) + facet}
     broken = {
         "empty": b"",
         "header": bytes(40),
+        "cut_solid": b"solid".ljust(80) + struct.pack("<I", 2) + facet,
+        "letters": text.replace(b"solid a", "solid 部品番号".encode()),
         "count_alone": bytes(80) + struct.pack("<I", 5),
         "many": bytes(80) + struct.pack("<I", 0xffffffff) + facet,
         "few": bytes(80) + struct.pack("<I", 0) + facet,
@@ -158,6 +163,11 @@ def make_vtp_files():
     def make_colors(values):
         return f"<PointData Scalars=\"C\"><DataArray type=\"UInt8\" Name=\"C\" format=\"ascii\" " \
                f"NumberOfComponents=\"3\">{values}</DataArray></PointData>"
+
+    def make_compressed(*header):
+        text = base64.b64encode(struct.pack(f"<{len(header)}I", *header)).decode()
+        return make_vtp().replace(b"<VTKFile ", b'<VTKFile compressor="vtkZLibDataCompressor" ') \
+            .replace(b'format="ascii">0 0 0 1 0 0 0 1 0', f'format="binary">{text}'.encode())
     appended = b"""<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
 <PolyData><Piece NumberOfPoints="3" NumberOfPolys="1"><Points>
 <DataArray type="Float32" NumberOfComponents="3" format="appended" offset="OFFSET"/></Points><Polys>
@@ -198,6 +208,11 @@ def make_vtp_files():
                                 .replace(b'"ascii"', b'"binary"'),
         "unknown_compressor": make_vtp().replace(b"<VTKFile ", b'<VTKFile compressor="vtkNone" '),
         "deep": b"<a>" * 10000,
+        "deep_closed": b"<a>" * 300000 + b"</a>" * 300000,
+        "many_blocks": make_compressed(0xfffffff0, 32768, 36),
+        "large_blocks": make_compressed(1, 0xfffffff0, 0),
+        "large_last_block": make_compressed(1, 32768, 0xfffffff0),
+        "large_compressed": make_compressed(1, 32768, 36, 0xfffffff0),
     }
     return ".vtp", sound, broken
 
@@ -214,6 +229,9 @@ def make_vtm_files():
         "itself": make('<DataSet index="0" file="vtm_itself.vtm"/>'),
         "far_block": make('<DataSet index="999999999" file="vtp_sound_plain.vtp"/>'),
         "negative_block": make('<DataSet index="-5" file="vtp_sound_plain.vtp"/>'),
+        "deep": make('<Block index="0">' * 20000 + "</Block>" * 20000),
+        "many_blocks": make("".join(f'<Block index="{i}"><Block index="1000000"/></Block>'
+                                    for i in range(60))),
         "broken_part": make('<DataSet index="0" file="vtp_far_index.vtp"/>'),
     }
     return ".vtm", {"plain": make('<DataSet index="0" file="vtp_sound_plain.vtp"/>')}, broken

@@ -4,8 +4,9 @@
 """Samples every model below some folders, and says how each run ended.
 
 A run passes if the tool writes a field, or if it ends with exit code 1, one line on standard error
-and no file. It fails if the tool crashes, takes too long, prints anything else, or leaves a file
-behind. A table in Markdown goes to standard output. The exit code is 0 if all runs pass.
+and no file; a model with "_sound_" in its name must give a field. A run fails if the tool crashes,
+takes too long, prints anything else, or leaves a file behind. A table in Markdown goes to standard
+output. The exit code is 0 if all runs pass.
 
 Without an argument after --, the tool samples as with -M 3 -N 16:
 
@@ -112,6 +113,8 @@ def sample(options, folder, path):
         status, text, seconds = run(command, options.limit)
         leftovers = sorted(os.listdir(directory))
         passed, result = judge(status, text, field.exists(), leftovers)
+    if passed and status != 0 and "_sound_" in path.name:
+        passed, result = False, "REFUSED: " + result
     if seconds > options.limit and passed:
         passed, result = False, "TOO SLOW, " + result
     name = path.relative_to(folder) if path != folder else path.name

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfXMLArrayHeaders.h"
+
+#include <vtkBase64Utilities.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLDataParser.h>
+
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+std::string GetText(vtkXMLDataElement* element, const char* name)
+{
+  const char* text = element->GetAttribute(name);
+  return text ? text : "";
+}
+}
+
+XMLArrayHeaders::XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* parser)
+  : File(fileName, std::ios::binary)
+{
+  std::error_code failure;
+  const auto size = std::filesystem::file_size(fileName, failure);
+  this->FileSize = failure ? 0.0 : static_cast<double>(size);
+  vtkXMLDataElement* root = parser->GetRootElement();
+  this->IsCompressed = root->GetAttribute("compressor") != nullptr;
+  this->IsBigEndian = GetText(root, "byte_order") == "BigEndian";
+  this->WordSize = GetText(root, "header_type") == "UInt64" ? 8 : 4;
+  if (vtkXMLDataElement* data = root->FindNestedElementWithName("AppendedData"))
+  {
+    this->AppendedData = parser->GetAppendedDataPosition();
+    this->IsAppendedBase64 = GetText(data, "encoding") != "raw";
+  }
+}
+
+bool XMLArrayHeaders::Fit(vtkXMLDataElement* array, double mostBytes)
+{
+  const Place place = this->Find(array);
+  if (place.Begin < 0)
+  {
+    return true;
+  }
+  if (!this->IsCompressed)
+  {
+    // The number of bytes.
+    const std::vector<double> words = this->ReadWords(place, 1);
+    return words.empty() || words[0] <= this->FileSize;
+  }
+  // The number of blocks, the size of each, and that of the last one if it is not full. The sizes
+  // of the compressed blocks follow, a word each.
+  const std::vector<double> words = this->ReadWords(place, 3);
+  if (words.empty() || words[0] == 0.0)
+  {
+    return true;
+  }
+  const double full = words[2] > 0.0 ? words[0] - 1.0 : words[0];
+  return words[0] * this->WordSize <= this->FileSize && full * words[1] + words[2] <= mostBytes;
+}
+
+XMLArrayHeaders::Place XMLArrayHeaders::Find(vtkXMLDataElement* array)
+{
+  const std::string format = GetText(array, "format");
+  if (format == "appended")
+  {
+    vtkTypeInt64 offset = 0;
+    const bool isThere =
+      this->AppendedData >= 0 && array->GetScalarAttribute("offset", offset) && offset >= 0;
+    const std::int64_t begin = isThere ? this->AppendedData + offset : -1;
+    return { begin, this->IsAppendedBase64 };
+  }
+  if (format != "binary")
+  {
+    return {};
+  }
+  this->File.clear();
+  this->File.seekg(array->GetXMLByteIndex());
+  this->File.ignore(std::numeric_limits<std::streamsize>::max(), '>');
+  this->File >> std::ws;
+  return { static_cast<std::int64_t>(this->File.tellg()), true };
+}
+
+std::vector<double> XMLArrayHeaders::ReadWords(const Place& place, std::size_t count)
+{
+  const std::size_t length = count * this->WordSize;
+  std::string text(place.IsBase64 ? (length + 2) / 3 * 4 : length, '\0');
+  this->File.clear();
+  this->File.seekg(place.Begin);
+  this->File.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(this->File.gcount()));
+  std::string bytes = text;
+  if (place.IsBase64)
+  {
+    bytes.resize(text.size() / 4 * 3);
+    bytes.resize(
+      vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(text.data()),
+        text.size() / 4 * 4, reinterpret_cast<unsigned char*>(bytes.data()), bytes.size()));
+  }
+  if (bytes.size() < length)
+  {
+    return {};
+  }
+  std::vector<double> words(count, 0.0);
+  for (std::size_t i = 0; i < length; ++i)
+  {
+    // From the highest byte of each word to the lowest.
+    const std::size_t within = i % this->WordSize;
+    const std::size_t from = this->IsBigEndian ? i : i + this->WordSize - 1 - 2 * within;
+    double& word = words[i / this->WordSize];
+    word = word * 256.0 + static_cast<unsigned char>(bytes[from]);
+  }
+  return words;
+}
+}
+}

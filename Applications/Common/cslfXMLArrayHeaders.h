@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The numbers with which binary arrays in XML files of VTK begin.
+ */
+#ifndef cslfXMLArrayHeaders_h
+#define cslfXMLArrayHeaders_h
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+class vtkXMLDataElement;
+class vtkXMLDataParser;
+
+namespace cslf
+{
+namespace tool
+{
+/// VTK allocates memory for as many bytes and blocks as the header of an array announces.
+class XMLArrayHeaders
+{
+public:
+  /// Reads the headers of a file that the parser has parsed.
+  XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* parser);
+
+  /// Whether the blocks that an array announces fit into the file, and their content into
+  /// `mostBytes`. It is true for arrays that are text or that end within their header, since VTK
+  /// reports these.
+  bool Fit(vtkXMLDataElement* array, double mostBytes);
+
+private:
+  /// Where the bytes of an array begin, and how they are written.
+  struct Place
+  {
+    std::int64_t Begin = -1; // negative: nowhere
+    bool IsBase64 = true;
+  };
+
+  Place Find(vtkXMLDataElement* array);
+  std::vector<double> ReadWords(const Place& place, std::size_t count);
+
+  std::ifstream File;
+  double FileSize = 0.0; // in bytes
+  std::int64_t AppendedData = -1;
+  bool IsAppendedBase64 = true;
+  bool IsCompressed = false;
+  bool IsBigEndian = false;
+  std::size_t WordSize = 4; // in bytes
+};
+}
+}
+
+#endif
