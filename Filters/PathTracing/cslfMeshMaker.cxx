@@ -18,6 +18,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,10 @@ namespace cslf
 namespace
 {
 constexpr std::uint32_t Unused = 0xffffffffu;
+
+// The least radius of a tube's end, in radii of the other end. Tubes may end in a point, but
+// divisions by a radius need one that is not 0.
+constexpr double SmallestEnd = 1e-4;
 
 /// The normal of a point, of unit length, or of length 0 where it has none.
 glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
@@ -136,17 +141,14 @@ private:
     const int count = this->Source.Shape == Mesh::Shapes::Tubes ? 2 : 1;
     for (const RoundPart& part : this->Source.Round)
     {
-      if (!(this->Source.GetRadius(part.Points[0]) > 0.0) ||
-        !(this->Source.GetRadius(part.Points[1]) > 0.0))
-      {
-        continue;
-      }
+      const double radii[2] = { this->Source.GetRadius(part.Points[0]),
+        this->Source.GetRadius(part.Points[1]) };
       for (int i = 0; i < count; ++i)
       {
         this->Points.push_back(part.Points[i]);
         this->Result.Vertices.push_back(this->ToMesh(part.Points[i]));
-        this->Result.Radii.push_back(
-          static_cast<float>(this->Source.GetRadius(part.Points[i]) / this->Frame.Radius));
+        const double radius = std::max(radii[i], SmallestEnd * radii[1 - i]);
+        this->Result.Radii.push_back(static_cast<float>(radius / this->Frame.Radius));
       }
       this->Cells.push_back(part.Cell);
     }

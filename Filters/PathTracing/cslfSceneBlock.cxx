@@ -171,6 +171,10 @@ bool SceneBlock::HasTextures() const
 
 void SceneBlock::AddTo(glm::dvec3& lower, glm::dvec3& upper, double margin) const
 {
+  if (this->Triangles.empty() && this->Round.empty())
+  {
+    return;
+  }
   glm::dvec3 low(VTK_DOUBLE_MAX);
   glm::dvec3 high(VTK_DOUBLE_MIN);
   const auto add = [&](vtkIdType index)
@@ -228,5 +232,15 @@ double SceneBlock::GetLargestRadius() const
       std::max({ largest, this->GetRadius(part.Points[0]), this->GetRadius(part.Points[1]) });
   }
   return largest;
+}
+
+vtkIdType SceneBlock::RemovePartsWithoutRadius()
+{
+  const auto hasNone = [this](const RoundPart& part)
+  { return this->GetRadius(part.Points[0]) == 0.0 && this->GetRadius(part.Points[1]) == 0.0; };
+  const auto end = std::remove_if(this->Round.begin(), this->Round.end(), hasNone);
+  const auto removed = static_cast<vtkIdType>(this->Round.end() - end);
+  this->Round.erase(end, this->Round.end());
+  return removed;
 }
 }

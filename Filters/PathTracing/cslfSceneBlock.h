@@ -25,7 +25,7 @@ namespace cslf
 /// A sphere or a part of a line.
 struct RoundPart
 {
-  vtkIdType Points[2]; ///< the first only, of a sphere
+  vtkIdType Points[2]; ///< of a sphere, the same twice
   vtkIdType Cell;
 };
 
@@ -88,6 +88,9 @@ struct SceneBlock
   /// The radius of a point's sphere or tube, in the space of the data.
   double GetRadius(vtkIdType point) const;
   double GetLargestRadius() const;
+
+  /// Removes spheres, and parts of lines, of no radius at any end. Returns their number.
+  vtkIdType RemovePartsWithoutRadius();
 };
 }
 

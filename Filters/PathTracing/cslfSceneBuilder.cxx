@@ -47,6 +47,7 @@ struct Omissions
 {
   vtkIdType Triangles = 0;
   vtkIdType Round = 0;
+  vtkIdType WithoutRadius = 0;
   vtkIdType RoundGlass = 0;
   vtkIdType InstanceArrays = 0;
   vtkIdType Instances = 0;
@@ -83,6 +84,7 @@ private:
     { add(number > 0, std::to_string(number) + " " + what); };
     count(this->Triangles, "polygon(s) with coordinates that are not finite");
     count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
+    count(this->WithoutRadius, "sphere(s) or part(s) of lines with a radius of 0");
     count(this->RoundGlass, "block(s)' transmission of lines or vertices");
     count(this->InstanceArrays, "block(s)' instances with arrays that do not match");
     count(this->Instances, "instance(s) with matrices that are not finite or not affine");
@@ -292,6 +294,7 @@ private:
       if (block.Shape != Mesh::Shapes::Triangles)
       {
         block.StandardRadius = block.StandardRadius > 0.0 ? block.StandardRadius : standard;
+        this->Omitted.WithoutRadius += block.RemovePartsWithoutRadius();
         block.AddTo(this->Lower, this->Upper, block.GetLargestRadius());
       }
     }

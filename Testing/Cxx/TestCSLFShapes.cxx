@@ -216,6 +216,31 @@ void TestTubes()
   CSLF_CHECK(viewer.GetColor(0.05, 0.05, 0) == 0.0);
 }
 
+/// A tube that ends in a point: two tangents from the point to the circle at the other end.
+void TestPointedTubes()
+{
+  Viewer viewer;
+  for (const bool reversed : { false, true })
+  {
+    auto cone = MakePoints({ { -1, 0, 0 }, { 1, 0, 0 } }, true);
+    auto line = MakePoints({ { -1, 1.5, 0 }, { 1, 1.5, 0 } }, true);
+    SetRadii(
+      cone, vtkCSLFMaterial::LineRadiusName(), { reversed ? 0.5f : 0.0f, reversed ? 0.0f : 0.5f });
+    SetRadii(line, vtkCSLFMaterial::LineRadiusName(), { 0.0f, 0.0f });
+    vtkCSLFInstances::AddInstance(line, vtkNew<vtkMatrix4x4>());
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, cone);
+    blocks->SetBlock(1, line);
+    viewer.Messages->Clear();
+    viewer.Look(blocks);
+    const double angle = std::asin(0.5 / 2.0);
+    CSLF_CHECK_NEAR(
+      viewer.GetArea(), 0.5 * 2.0 * std::cos(angle) + 0.25 * (0.5 * vtkMath::Pi() + angle), 0.03);
+    CSLF_CHECK(viewer.Messages->GetWarningMessage().find("1 sphere(s) or part(s) of lines") !=
+      std::string::npos);
+  }
+}
+
 vtkSmartPointer<vtkMatrix4x4> MakeMatrix(
   double x, double y, double angle, double scaleX, double scaleY)
 {
@@ -436,6 +461,7 @@ int TestCSLFShapes(int, char*[])
 {
   TestSpheres();
   TestTubes();
+  TestPointedTubes();
   TestInstances();
   TestInstancesOfLamps();
   TestSlabsAndThreads();
