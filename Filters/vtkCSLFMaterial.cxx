@@ -449,7 +449,9 @@ bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* 
   const vtkSmartPointer<vtkImageData> image = cslf::MakeTextureImage(texture);
   if (!image)
   {
-    vtkGenericWarningMacro("A texture was left out: its image is not two-dimensional.");
+    vtkGenericWarningMacro(
+      "A texture was left out: its image is not two-dimensional, or its lookup "
+      "table has no values.");
   }
   if (!SetTexture(data, slot, image, true, texture->GetInterpolate() != 0))
   {

@@ -276,6 +276,11 @@ private:
   void AddBlock(SceneBlock block)
   {
     block.Scalars = this->Options.FindScalars(block.Data, block.ScalarsOfCells);
+    if (block.Scalars && !this->Colors.CanMap(block.Scalars))
+    {
+      this->Omitted.Unsound.insert("colors of a lookup table without values");
+      block.Scalars = nullptr;
+    }
     if (block.Scalars)
     {
       this->Colors.AddToRange(block.Scalars);

@@ -4,7 +4,9 @@
 
 #include "cslfColor.h"
 
+#include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkDiscretizableColorTransferFunction.h>
 #include <vtkLookupTable.h>
 #include <vtkScalarsToColors.h>
 #include <vtkUnsignedCharArray.h>
@@ -33,6 +35,21 @@ std::array<float, 256> MakeLinearTable()
 }
 }
 
+bool HasColors(vtkScalarsToColors* table)
+{
+  if (auto* colors = vtkLookupTable::SafeDownCast(table))
+  {
+    return colors->GetNumberOfTableValues() > 0;
+  }
+  auto* steps = vtkDiscretizableColorTransferFunction::SafeDownCast(table);
+  if (steps && steps->GetIndexedLookup() && steps->GetNumberOfIndexedColors() > 0)
+  {
+    return true;
+  }
+  auto* function = vtkColorTransferFunction::SafeDownCast(table);
+  return !function || function->GetSize() > 0;
+}
+
 SurfaceColors::SurfaceColors(vtkScalarsToColors* lookupTable)
   : LookupTable(lookupTable)
   , Range{ VTK_DOUBLE_MAX, VTK_DOUBLE_MIN }
@@ -50,12 +67,23 @@ void SurfaceColors::AddToRange(vtkDataArray* array)
   }
 }
 
+vtkScalarsToColors* SurfaceColors::FindTable(vtkDataArray* array) const
+{
+  return this->LookupTable ? this->LookupTable : array->GetLookupTable();
+}
+
+bool SurfaceColors::CanMap(vtkDataArray* array) const
+{
+  vtkScalarsToColors* table = this->FindTable(array);
+  return HoldsColors(array) || !table || HasColors(table);
+}
+
 MappedColors SurfaceColors::Map(vtkDataArray* array)
 {
   vtkSmartPointer<vtkUnsignedCharArray> colors = vtkUnsignedCharArray::SafeDownCast(array);
   if (!HoldsColors(array))
   {
-    vtkScalarsToColors* table = this->LookupTable ? this->LookupTable : array->GetLookupTable();
+    vtkScalarsToColors* table = this->FindTable(array);
     if (!table)
     {
       if (!this->DefaultTable)

@@ -25,6 +25,9 @@ struct MappedColors
   std::vector<float> Opacities;  ///< none where all are 1
 };
 
+/// Whether a table holds any colours. VTK reads past the end of those that hold none.
+bool HasColors(vtkScalarsToColors* table);
+
 /// Maps the arrays of all blocks of a scene alike.
 class SurfaceColors
 {
@@ -35,11 +38,17 @@ public:
   /// Announces an array: arrays without a lookup table share a default one over all their values.
   void AddToRange(vtkDataArray* array);
 
-  /// A colour for each tuple. Unsigned chars of 3 or 4 components are sRGB colours themselves; all
-  /// else is mapped.
+  /// Whether an array holds colours, or its lookup table does.
+  bool CanMap(vtkDataArray* array) const;
+
+  /// A colour for each tuple of an array that can be mapped. Unsigned chars of 3 or 4 components
+  /// are sRGB colours themselves; all else is mapped.
   MappedColors Map(vtkDataArray* array);
 
 private:
+  /// Null for the default one.
+  vtkScalarsToColors* FindTable(vtkDataArray* array) const;
+
   vtkScalarsToColors* LookupTable;
   vtkSmartPointer<vtkLookupTable> DefaultTable;
   double Range[2];

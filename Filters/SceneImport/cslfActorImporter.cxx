@@ -274,7 +274,7 @@ private:
     MappedScalars mapped;
     if (!style.Color)
     {
-      mapped = MapScalars(this->Mapper, surface, !this->IsTextured());
+      mapped = MapScalars(this->Mapper, surface, !this->IsTextured(), this->Scene);
       this->MeetIf(mapped.Colors && mapped.WantsTable, ImportLimit::TexturedTables);
     }
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);

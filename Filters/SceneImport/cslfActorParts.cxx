@@ -34,7 +34,7 @@ std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, Impor
   vtkMapper* mapper = actor->GetMapper();
   if (mapper->IsA("vtkMoleculeMapper"))
   {
-    return TakeMoleculeApart(actor, mapper, matrix);
+    return TakeMoleculeApart(actor, mapper, matrix, scene);
   }
   if (auto* graph = vtkGraphMapper::SafeDownCast(mapper))
   {
@@ -47,11 +47,11 @@ std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, Impor
   auto* shapes = vtkPolyDataMapper::SafeDownCast(mapper);
   if (shapes && shapes->IsA("vtkOpenGLSphereMapper"))
   {
-    return TakeSpheresApart(actor, shapes, matrix);
+    return TakeSpheresApart(actor, shapes, matrix, scene);
   }
   if (shapes && shapes->IsA("vtkOpenGLStickMapper"))
   {
-    return TakeSticksApart(actor, shapes, matrix);
+    return TakeSticksApart(actor, shapes, matrix, scene);
   }
   return std::nullopt;
 }

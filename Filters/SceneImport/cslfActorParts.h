@@ -51,12 +51,15 @@ vtkSmartPointer<vtkPolyData> MakeSticks(
   vtkPoints* centers, vtkDataArray* scales, vtkDataArray* directions, vtkUnsignedCharArray* colors);
 
 /// The parts of one kind of mapper each.
-ActorParts TakeMoleculeApart(vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* matrix);
+ActorParts TakeMoleculeApart(
+  vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
 ActorParts TakeGraphApart(vtkGraphMapper* mapper, ImportedScene& scene);
 ActorParts TakeSplatsApart(
   vtkActor* actor, vtkPointGaussianMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
-ActorParts TakeSpheresApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix);
-ActorParts TakeSticksApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix);
+ActorParts TakeSpheresApart(
+  vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
+ActorParts TakeSticksApart(
+  vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
 }
 
 #endif

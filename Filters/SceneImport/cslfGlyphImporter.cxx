@@ -223,7 +223,7 @@ void AddPoints(vtkDataSet* data, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix,
   std::vector<vtkSmartPointer<vtkPolyData>>& sources, ImportedScene& scene)
 {
   const GlyphPlacer placer(mapper, data, scene);
-  const MappedScalars mapped = MapScalars(mapper, data, false);
+  const MappedScalars mapped = MapScalars(mapper, data, false, scene);
   vtkUnsignedCharArray* colors = mapped.OfCells ? nullptr : mapped.Colors.Get();
   vtkNew<vtkTransform> transform;
   for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)

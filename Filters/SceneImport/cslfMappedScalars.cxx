@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
+#include "PathTracing/cslfSurfaceColors.h"
+#include "cslfImportedScene.h"
+
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
@@ -130,14 +133,34 @@ void Replace(vtkFieldData* fields, vtkDataArray* array, vtkDataArray* other)
   }
 }
 
+/// The array that a mapper shows, or null where it shows none or one of texts.
+vtkDataArray* FindScalars(vtkMapper* mapper, vtkDataSet* data)
+{
+  int cellFlag = 0;
+  return vtkDataArray::SafeDownCast(
+    vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag));
+}
+
+/// Whether a mapper would show an array by a table that holds no colours.
+bool NeedsEmptyTable(vtkMapper* mapper, vtkDataSet* data)
+{
+  vtkDataArray* array = FindScalars(mapper, data);
+  const int mode = mapper->GetColorMode();
+  if (!array || mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(array)))
+  {
+    return false;
+  }
+  vtkScalarsToColors* table = array->GetLookupTable();
+  return !HasColors(table ? table : mapper->GetLookupTable());
+}
+
 /// A table of the array itself comes before the mapper's. Where there is one, it is copied with its
 /// array, for the mapper to change.
 vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data)
 {
-  int cellFlag = 0;
-  auto* array =
-    vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag));
+  vtkDataArray* array = FindScalars(mapper, data);
   if (!array || !array->GetLookupTable())
   {
     return data;
@@ -154,11 +177,16 @@ vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data
 }
 }
 
-MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable)
+MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, ImportedScene& scene)
 {
   MappedScalars mapped;
   if (!mapper->GetScalarVisibility())
   {
+    return mapped;
+  }
+  if (NeedsEmptyTable(mapper, data))
+  {
+    scene.Omitted.insert("colors of a lookup table without values");
     return mapped;
   }
   vtkNew<ColorMapper> copy;

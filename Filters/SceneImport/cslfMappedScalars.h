@@ -17,6 +17,8 @@ class vtkUnsignedCharArray;
 
 namespace cslf
 {
+struct ImportedScene;
+
 /// Either colours, of points or cells, or a texture of the lookup table and where the points lie on
 /// it; or neither, where the mapper shows no scalars. The texture has a colour a step of the table
 /// and is to be shown without interpolation, its edges going on, as VTK draws it: the first pixel
@@ -31,8 +33,9 @@ struct MappedScalars
 };
 
 /// Maps scalars as the mapper would; neither it, its table nor the data is changed. `useTable`
-/// allows for the texture, where the mapper interpolates before it maps.
-MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable);
+/// allows for the texture, where the mapper interpolates before it maps. Notes in the scene a table
+/// without values, by which nothing is mapped.
+MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, ImportedScene& scene);
 }
 
 #endif

@@ -53,7 +53,8 @@ constexpr const char* ScaleName = "Scale Factors";
 constexpr const char* DirectionName = "Orientation Vectors";
 }
 
-ActorParts TakeMoleculeApart(vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* matrix)
+ActorParts TakeMoleculeApart(
+  vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
   ActorParts parts;
   auto* molecules = vtkMoleculeMapper::SafeDownCast(mapper);
@@ -65,7 +66,8 @@ ActorParts TakeMoleculeApart(vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* m
   vtkPolyData* atoms = MoleculeAccess::GetAtoms(molecules);
   if (molecules->GetRenderAtoms() && atoms->GetNumberOfPoints() > 0)
   {
-    const MappedScalars colors = MapScalars(MoleculeAccess::GetAtomMapper(molecules), atoms, false);
+    const MappedScalars colors =
+      MapScalars(MoleculeAccess::GetAtomMapper(molecules), atoms, false, scene);
     const vtkSmartPointer<vtkPolyData> spheres =
       MakeSpheres(atoms->GetPoints(), atoms->GetPointData()->GetArray(ScaleName), colors.Colors);
     parts.push_back(MakePart(spheres, actor, matrix));
@@ -73,7 +75,8 @@ ActorParts TakeMoleculeApart(vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* m
   vtkPolyData* bonds = MoleculeAccess::GetBonds(molecules);
   if (molecules->GetRenderBonds() && bonds->GetNumberOfPoints() > 0)
   {
-    const MappedScalars colors = MapScalars(MoleculeAccess::GetBondMapper(molecules), bonds, false);
+    const MappedScalars colors =
+      MapScalars(MoleculeAccess::GetBondMapper(molecules), bonds, false, scene);
     const vtkSmartPointer<vtkPolyData> sticks =
       MakeSticks(bonds->GetPoints(), bonds->GetPointData()->GetArray(ScaleName),
         bonds->GetPointData()->GetArray(DirectionName), colors.Colors);
@@ -94,7 +97,7 @@ ActorParts TakeMoleculeApart(vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* m
 
 namespace cslf
 {
-ActorParts TakeMoleculeApart(vtkActor*, vtkMapper*, vtkMatrix4x4*)
+ActorParts TakeMoleculeApart(vtkActor*, vtkMapper*, vtkMatrix4x4*, ImportedScene&)
 {
   return {};
 }

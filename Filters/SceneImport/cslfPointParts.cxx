@@ -95,12 +95,12 @@ double GetValue(vtkDataArray* array, vtkIdType tuple, int component, vtkPiecewis
 class SplatReader
 {
 public:
-  SplatReader(vtkPointGaussianMapper* mapper, vtkPolyData* data)
+  SplatReader(vtkPointGaussianMapper* mapper, vtkPolyData* data, ImportedScene& scene)
     : Mapper(mapper)
     , Data(data)
     , Sizes(FindArray(data, mapper->GetScaleArray()))
     , Opacities(FindArray(data, mapper->GetOpacityArray()))
-    , Colors(MapScalars(mapper, data, false).Colors)
+    , Colors(MapScalars(mapper, data, false, scene).Colors)
   {
   }
 
@@ -215,7 +215,8 @@ ActorParts TakeSplatsApart(
   ForEachPolyData(mapper->GetInputDataObject(0, 0),
     [&](vtkPolyData* data)
     {
-      parts.push_back(MakeClippedPart(SplatReader(mapper, data).MakeShapes(), actor, matrix));
+      parts.push_back(
+        MakeClippedPart(SplatReader(mapper, data, scene).MakeShapes(), actor, matrix));
       // Splats show their colours, unless a shader of the user's computes something else.
       const char* shader = mapper->GetSplatShaderCode();
       const bool lit = shader && *shader && mapper->GetScaleFactor() != 0.0;
@@ -228,7 +229,8 @@ ActorParts TakeSplatsApart(
   return parts;
 }
 
-ActorParts TakeSpheresApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix)
+ActorParts TakeSpheresApart(
+  vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
   ActorParts parts;
   auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(mapper);
@@ -240,14 +242,15 @@ ActorParts TakeSpheresApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatri
       {
         radii = MakeEqual(spheres->GetRadius(), data->GetNumberOfPoints());
       }
-      const MappedScalars colors = MapScalars(mapper, data, false);
+      const MappedScalars colors = MapScalars(mapper, data, false, scene);
       parts.push_back(
         MakeClippedPart(MakeSpheres(data->GetPoints(), radii, colors.Colors), actor, matrix));
     });
   return parts;
 }
 
-ActorParts TakeSticksApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix)
+ActorParts TakeSticksApart(
+  vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
   ActorParts parts;
   auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper);
@@ -259,7 +262,7 @@ ActorParts TakeSticksApart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix
       if (scales && directions && scales->GetNumberOfComponents() == 3 &&
         directions->GetNumberOfComponents() == 3)
       {
-        const MappedScalars colors = MapScalars(mapper, data, false);
+        const MappedScalars colors = MapScalars(mapper, data, false, scene);
         parts.push_back(MakeClippedPart(
           MakeSticks(data->GetPoints(), scales, directions, colors.Colors), actor, matrix));
       }

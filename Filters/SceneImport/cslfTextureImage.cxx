@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureImage.h"
 
+#include "PathTracing/cslfSurfaceColors.h"
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkLookupTable.h>
@@ -36,7 +38,8 @@ vtkSmartPointer<vtkUnsignedCharArray> ToBytes(vtkDataArray* colors)
   return bytes;
 }
 
-/// Maps scalars by the texture's table; the texture is not changed.
+/// Maps scalars by the texture's table; the texture is not changed. Null where the table holds no
+/// colours.
 vtkSmartPointer<vtkUnsignedCharArray> MapByTable(vtkTexture* texture, vtkDataArray* scalars)
 {
   vtkSmartPointer<vtkScalarsToColors> table = texture->GetLookupTable();
@@ -46,6 +49,10 @@ vtkSmartPointer<vtkUnsignedCharArray> MapByTable(vtkTexture* texture, vtkDataArr
     standard->SetRange(scalars->GetRange(0));
     standard->Build();
     table = standard;
+  }
+  if (!HasColors(table))
+  {
+    return nullptr;
   }
   vtkSmartPointer<vtkUnsignedCharArray> colors;
   colors.TakeReference(table->MapScalars(scalars, texture->GetColorMode(), -1));

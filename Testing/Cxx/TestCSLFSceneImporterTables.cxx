@@ -7,10 +7,12 @@
 #include "cslfTesting.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"
+#include "vtkCSLFViewTracer.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkCommand.h>
 #include <vtkDiscretizableColorTransferFunction.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
@@ -24,6 +26,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
+#include <vtkTestErrorObserver.h>
 
 #include <cmath>
 #include <functional>
@@ -251,6 +254,48 @@ void TestVectors()
   table->SetVectorComponent(1);
   square.Check("component");
 }
+
+/// Tables without values: the actor's colour, and a warning, of the importer and of the tracer.
+void TestEmptyTables()
+{
+  Square square([](double x) { return x; });
+  vtkNew<vtkLookupTable> empty;
+  empty->SetNumberOfTableValues(0);
+  vtkNew<vtkColorTransferFunction> function;
+  vtkNew<vtkDiscretizableColorTransferFunction> steps;
+  for (vtkScalarsToColors* table : { static_cast<vtkScalarsToColors*>(empty),
+         static_cast<vtkScalarsToColors*>(function), static_cast<vtkScalarsToColors*>(steps) })
+  {
+    square.SetTable(table);
+    for (const bool interpolate : { false, true })
+    {
+      square.Mapper->SetInterpolateScalarsBeforeMapping(interpolate);
+      vtkNew<vtkCSLFSceneImporter> importer;
+      importer->SetRenderer(square.Renderer);
+      vtkNew<vtkTest::ErrorObserver> messages;
+      importer->AddObserver(vtkCommand::WarningEvent, messages);
+      importer->Update();
+      CSLF_CHECK(messages->GetWarningMessage().find("lookup table without") != std::string::npos);
+      auto* block = vtkPolyData::SafeDownCast(importer->GetOutput()->GetBlock(0));
+      CSLF_CHECK(block && !block->GetPointData()->GetScalars());
+      vtkNew<vtkImageData> image;
+      bool repeat = false;
+      bool smooth = false;
+      CSLF_CHECK(!vtkCSLFMaterial::GetTexture(
+        block, vtkCSLFMaterial::BaseColorTexture, image, repeat, smooth));
+    }
+    vtkNew<vtkCSLFViewTracer> tracer;
+    tracer->SetInputData(square.Mapper->GetInput());
+    tracer->SetCamera(square.Renderer->GetActiveCamera());
+    tracer->SetSize(4, 4);
+    tracer->SetSamples(1);
+    tracer->SetLookupTable(table);
+    vtkNew<vtkTest::ErrorObserver> messages;
+    tracer->AddObserver(vtkCommand::WarningEvent, messages);
+    tracer->Update();
+    CSLF_CHECK(messages->GetWarningMessage().find("lookup table without") != std::string::npos);
+  }
+}
 }
 
 int TestCSLFSceneImporterTables(int, char*[])
@@ -261,5 +306,6 @@ int TestCSLFSceneImporterTables(int, char*[])
   TestTimes();
   TestLogarithms();
   TestVectors();
+  TestEmptyTables();
   return cslf::testing::Result();
 }

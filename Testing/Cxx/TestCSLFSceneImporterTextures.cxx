@@ -5,6 +5,7 @@
 #include "cslfTestShapes.h"
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
+#include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"
 
 #include <vtkActor.h>
@@ -155,6 +156,26 @@ void TestTypes(ShapeComparison& window)
   scene.Check("16 bits as colours");
 }
 
+/// A texture whose table has no values is left out.
+void TestEmptyTable()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(Width, Height, 1);
+  image->GetPointData()->SetScalars(MakeNumbers<vtkFloatArray>(1.0));
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetLookupTable(table);
+  vtkNew<vtkPolyData> data;
+  vtkCSLFMaterial::SetTextureFrom(data, vtkCSLFMaterial::BaseColorTexture, texture);
+  vtkNew<vtkImageData> found;
+  bool repeat = false;
+  bool smooth = false;
+  CSLF_CHECK(
+    !vtkCSLFMaterial::GetTexture(data, vtkCSLFMaterial::BaseColorTexture, found, repeat, smooth));
+}
+
 void TestTransform(ShapeComparison& window)
 {
   Scene scene(window);
@@ -256,6 +277,7 @@ int TestCSLFSceneImporterTextures(int, char*[])
 {
   ShapeComparison window;
   TestTypes(window);
+  TestEmptyTable();
   TestTransform(window);
   TestWraps(window);
   return cslf::testing::Result();
