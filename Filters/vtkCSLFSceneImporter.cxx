@@ -7,6 +7,7 @@
 #include "SceneImport/cslfImportedScene.h"
 #include "SceneImport/cslfLightImporter.h"
 #include "SceneImport/cslfWindowLights.h"
+#include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkAbstractMapper3D.h>
@@ -14,17 +15,22 @@
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
 #include <vtkBoundingBox.h>
+#include <vtkDataArray.h>
 #include <vtkDataObject.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkLODProp3D.h>
 #include <vtkMapper.h>
 #include <vtkObjectFactory.h>
 #include <vtkPropCollection.h>
+#include <vtkRenderPass.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
 
@@ -130,26 +136,56 @@ const cslf::ImportLimitText& GetLimit(int limit)
   return cslf::GetText(static_cast<cslf::ImportLimit>(limit));
 }
 
+/// The median scale of a block's instances, by which the tracer scales widths; 1 if there are none.
+double GetTypicalScale(vtkPolyData* data)
+{
+  vtkDataArray* matrices = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+  if (!matrices || matrices->GetNumberOfComponents() != 16)
+  {
+    return 1.0;
+  }
+  std::vector<double> scales;
+  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
+  {
+    double squares = 0.0;
+    for (int element : { 0, 1, 2, 4, 5, 6, 8, 9, 10 })
+    {
+      const double value = matrices->GetComponent(i, element);
+      squares += value * value;
+    }
+    if (squares > 0.0)
+    {
+      scales.push_back(std::sqrt(squares / 3.0));
+    }
+  }
+  if (scales.empty())
+  {
+    return 1.0;
+  }
+  const auto middle = scales.begin() + scales.size() / 2;
+  std::nth_element(scales.begin(), middle, scales.end());
+  return *middle;
+}
+
 /// Takes widths in pixels for widths in the world.
 void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
 {
   vtkBoundingBox box;
   for (const cslf::ImportedBlock& block : blocks)
   {
-    double bounds[6];
-    block.Data->GetCellsBounds(bounds);
-    box.AddBounds(bounds);
+    box.AddBox(cslf::GetPlacedBounds(block.Data));
   }
   const double pixel = box.IsValid() ? pixelSize * box.GetDiagonalLength() : 0.0;
   for (cslf::ImportedBlock& block : blocks)
   {
+    const double radius = 0.5 * pixel / GetTypicalScale(block.Data);
     if (block.Data->GetNumberOfLines() > 0 && vtkCSLFMaterial::GetLineRadius(block.Data) == 0.0)
     {
-      vtkCSLFMaterial::SetLineRadius(block.Data, 0.5 * pixel * block.LineWidth);
+      vtkCSLFMaterial::SetLineRadius(block.Data, radius * block.LineWidth);
     }
     if (block.Data->GetNumberOfVerts() > 0 && vtkCSLFMaterial::GetPointRadius(block.Data) == 0.0)
     {
-      vtkCSLFMaterial::SetPointRadius(block.Data, 0.5 * pixel * block.PointSize);
+      vtkCSLFMaterial::SetPointRadius(block.Data, radius * block.PointSize);
     }
   }
 }

@@ -384,34 +384,6 @@ private:
   SurfaceLook Surface;
 };
 
-/// The bounds of a block, in all its instances.
-vtkBoundingBox GetBounds(vtkPolyData* data)
-{
-  double bounds[6];
-  data->GetCellsBounds(bounds);
-  const vtkBoundingBox own(bounds);
-  vtkDataArray* matrices = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
-  if (!matrices || matrices->GetNumberOfComponents() != 16 || !own.IsValid())
-  {
-    return own;
-  }
-  vtkBoundingBox all;
-  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
-  {
-    double matrix[16];
-    matrices->GetTuple(i, matrix);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const double point[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
-        bounds[4 + (corner >> 2)], 1.0 };
-      double moved[4];
-      vtkMatrix4x4::MultiplyPoint(matrix, point, moved);
-      all.AddPoint(moved);
-    }
-  }
-  return all;
-}
-
 /// The middle of a box and half its largest side; of an empty box, the origin and 1.
 std::pair<glm::dvec3, double> GetExtent(const vtkBoundingBox& box)
 {
@@ -445,13 +417,40 @@ void AddTo(ShadingModels& models, const BlockLook& look)
 }
 }
 
+vtkBoundingBox GetPlacedBounds(vtkPolyData* data)
+{
+  double bounds[6];
+  data->GetCellsBounds(bounds);
+  const vtkBoundingBox own(bounds);
+  vtkDataArray* matrices = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
+  if (!matrices || matrices->GetNumberOfComponents() != 16 || !own.IsValid())
+  {
+    return own;
+  }
+  vtkBoundingBox all;
+  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
+  {
+    double matrix[16];
+    matrices->GetTuple(i, matrix);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const double point[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)],
+        bounds[4 + (corner >> 2)], 1.0 };
+      double moved[4];
+      vtkMatrix4x4::MultiplyPoint(matrix, point, moved);
+      all.AddPoint(moved);
+    }
+  }
+  return all;
+}
+
 void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed)
 {
   ShadingModels models;
   vtkBoundingBox bounds;
   for (const ImportedBlock& block : scene.Blocks)
   {
-    bounds.AddBox(GetBounds(block.Data));
+    bounds.AddBox(GetPlacedBounds(block.Data));
     AddTo(models, block.Look);
   }
   if (scene.HasEnvironment && !models.Classic.empty())
@@ -470,7 +469,7 @@ void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDis
     {
       continue;
     }
-    const auto extent = GetExtent(GetBounds(block.Data));
+    const auto extent = GetExtent(GetPlacedBounds(block.Data));
     const bool physical = block.Look.Property->GetInterpolation() == VTK_PBR;
     const bool isLit = lights.IsLit() || (physical && scene.HasEnvironment);
     BlockFinisher finisher(block, lights.GetLevel(extent.first, extent.second), isLit);

@@ -10,8 +10,13 @@
 #include "cslfImportedScene.h"
 #include "cslfWindowLights.h"
 
+#include <vtkBoundingBox.h>
+
 namespace cslf
 {
+/// The bounds of a block's cells, in all its instances.
+vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
+
 /// Computes the lights for the blocks, and sets the blocks' materials, colours and textures so that
 /// tracing shows what the window shows: see cslfSurfaceLook.h. Material arrays of the data are
 /// kept. `interpolateDisplayed` selects interpolation of displayed values where the window

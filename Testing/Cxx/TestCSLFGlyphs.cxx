@@ -5,6 +5,7 @@
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"
+#include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"
 
 #include <vtkActor.h>
@@ -13,6 +14,7 @@
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkConeSource.h>
+#include <vtkCubeSource.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -235,6 +237,41 @@ void TestShortArrays()
     CSLF_CHECK(warnings.find("array " + std::string(name) + ", which") != std::string::npos);
   }
 }
+
+/// A pixel's width is a share of the diagonal of the scene, whatever the scale of the glyphs.
+void TestWidths()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(3, 4, 12);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScaleModeToNoDataScaling();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetLineWidth(4.0);
+  actor->GetProperty()->EdgeVisibilityOn();
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  for (double scale : { 0.01, 0.1, 10.0 })
+  {
+    vtkNew<vtkCubeSource> cube; // 0.02 wide in the world
+    cube->SetXLength(0.02 / scale);
+    cube->SetYLength(0.02 / scale);
+    cube->SetZLength(0.02 / scale);
+    mapper->SetSourceConnection(cube->GetOutputPort());
+    mapper->SetScaleFactor(scale);
+    importer->Update();
+    vtkDataObject* edges = importer->GetOutput()->GetBlock(1);
+    const double diagonal = std::sqrt(3.02 * 3.02 + 4.02 * 4.02 + 12.02 * 12.02);
+    const double width = 2.0 * scale * vtkCSLFMaterial::GetLineRadius(edges);
+    CSLF_CHECK_NEAR(width / (4.0 * importer->GetPixelSize() * diagonal), 1.0, 1e-6);
+  }
+}
 }
 
 int TestCSLFGlyphs(int, char*[])
@@ -242,6 +279,7 @@ int TestCSLFGlyphs(int, char*[])
   TestStructure();
   TestNotFinite();
   TestShortArrays();
+  TestWidths();
   TestAgainstDrawing();
   return cslf::testing::Result();
 }
