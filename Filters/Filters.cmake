@@ -193,6 +193,7 @@ list(APPEND sources
   ../Filters/SceneImport/cslfActorParts.cxx
   ../Filters/SceneImport/cslfClippedBlock.cxx
   ../Filters/SceneImport/cslfBlockLooks.cxx
+  ../Filters/SceneImport/cslfCellNormals.cxx
   ../Filters/SceneImport/cslfFaceSides.cxx
   ../Filters/SceneImport/cslfGlyphImporter.cxx
   ../Filters/SceneImport/cslfGraphParts.cxx
@@ -210,6 +211,7 @@ list(APPEND private_headers
   ../Filters/SceneImport/cslfActorParts.h
   ../Filters/SceneImport/cslfClippedBlock.h
   ../Filters/SceneImport/cslfBlockLooks.h
+  ../Filters/SceneImport/cslfCellNormals.h
   ../Filters/SceneImport/cslfFaceSides.h
   ../Filters/SceneImport/cslfGlyphImporter.h
   ../Filters/SceneImport/cslfImportLimits.h

@@ -361,6 +361,14 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   this->Internals->Scene = cslf::BuildScene({ parts.begin(), parts.end() }, options);
   if (!this->Internals->Scene.World)
   {
+    if (this->Internals->Scene.IsEmpty && this->Internals->Importer)
+    {
+      vtkErrorMacro(
+        "No visible surface was found in the renderer: add a visible actor whose mapper "
+        "draws polygons, lines or points. "
+        << this->Internals->Scene.Warning);
+      return false;
+    }
     vtkErrorMacro(<< this->Internals->Scene.Error);
     return false;
   }

@@ -278,6 +278,10 @@ int vtkCSLFSceneImporter::RequestData(
       ForEachPart(prop, import);
     }
   }
+  if (this->Renderer->GetPass())
+  {
+    scene.Meet(cslf::ImportLimit::RenderPasses, this->Renderer->GetPass()->GetClassName());
+  }
   cslf::FindEnvironment(this->Renderer, scene);
   cslf::WindowLights lights(this->Renderer, this->HeadlightsAllAround);
   cslf::FinishLooks(scene, lights, this->InterpolateDisplayedColors);

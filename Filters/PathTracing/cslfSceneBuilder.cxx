@@ -378,6 +378,7 @@ private:
     built.Warning = this->Omitted.ToText();
     if (meshes.empty())
     {
+      built.IsEmpty = true;
       built.Error = "The scene has no triangles with an area, lines or vertices." +
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;

@@ -46,6 +46,7 @@ struct BuiltScene
   SceneFrame Frame;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
   bool HasEnvironment = false;                         ///< whether an input brought it
+  bool IsEmpty = false;                                ///< whether there is nothing to be seen
   std::string Error;                                   ///< why not, in one line
   std::string Warning;                                 ///< what was left out, in one line, or empty
   std::string Fingerprint; ///< tells the scene from others: a hash of all that is seen of it

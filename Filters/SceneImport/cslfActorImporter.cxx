@@ -4,6 +4,7 @@
 
 #include "cslfAMRSurface.h"
 #include "cslfActorParts.h"
+#include "cslfCellNormals.h"
 #include "cslfClippedBlock.h"
 #include "cslfFaceSides.h"
 #include "cslfGlyphImporter.h"
@@ -37,6 +38,7 @@
 #include <vtkProperty.h>
 #include <vtkReverseSense.h>
 #include <vtkScalarsToColors.h>
+#include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
@@ -48,6 +50,8 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace cslf
 {
@@ -110,13 +114,14 @@ bool HasRadii(vtkPolyData* data)
       [data](const char* name) { return data->GetPointData()->HasArray(name) != 0; });
 }
 
-/// Keeps the geometry only: points, cells, normals, texture coordinates, radii, and emissions of
-/// points and cells.
+/// Keeps the geometry only: points, cells, normals of both, texture coordinates, radii, and
+/// emissions of points and cells.
 vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->CopyStructure(source);
   copy->GetPointData()->SetNormals(source->GetPointData()->GetNormals());
+  copy->GetCellData()->SetNormals(source->GetCellData()->GetNormals());
   copy->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
   for (const char* name : RadiusNames)
   {
@@ -176,6 +181,37 @@ void TransformTCoords(vtkActor* actor, vtkPolyData* block)
   block->GetPointData()->SetTCoords(moved);
 }
 
+/// Whether shaders of its own may change what the window shows of an actor.
+bool HasShaders(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+    shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode();
+}
+
+bool IsProjective(vtkMatrix4x4* matrix)
+{
+  const double* row = matrix->GetData() + 12;
+  return row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0 || row[3] != 1.0;
+}
+
+/// Notes what is not imported of any actor, whatever its mapper.
+void FindActorLimits(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
+{
+  if (HasShaders(actor))
+  {
+    scene.Meet(ImportLimit::Shaders);
+  }
+  if (IsProjective(matrix ? matrix : actor->GetMatrix()))
+  {
+    scene.Meet(ImportLimit::ProjectiveMatrices);
+  }
+  if (actor->GetForceOpaque() && actor->GetProperty()->GetOpacity() < 1.0)
+  {
+    scene.Meet(ImportLimit::ForcedOpaque);
+  }
+}
+
 /// Imports one actor.
 class Importer
 {
@@ -195,7 +231,7 @@ public:
   {
     this->FindLimits();
     this->Look.Property = this->Property;
-    this->Look.Texture = this->Actor->GetTexture();
+    this->Look.Texture = this->FindTexture();
     this->Look.Opacity = this->Property->GetOpacity();
     if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(this->Mapper))
     {
@@ -229,6 +265,29 @@ private:
       ImportLimit::CulledEdges);
     this->MeetIf(physical && this->Property->GetCoatStrength() > 0.0, ImportLimit::Coats);
     this->MeetIf(physical && this->Property->GetAnisotropy() != 0.0, ImportLimit::Anisotropy);
+  }
+
+  /// The texture of the actor. Classic shading also multiplies by those that its property has under
+  /// names other than those of PBR's textures; the first of them stands in where the actor has
+  /// none.
+  vtkTexture* FindTexture()
+  {
+    vtkTexture* found = this->Actor->GetTexture();
+    if (this->Property->GetInterpolation() == VTK_PBR)
+    {
+      return found;
+    }
+    static const std::set<std::string> physical = { "albedoTex", "materialTex", "normalTex",
+      "emissiveTex", "brdfTex", "anisotropyTex", "coatNormalTex" };
+    for (const auto& [name, texture] : this->Property->GetAllTextures())
+    {
+      if (texture && physical.count(name) == 0)
+      {
+        this->MeetIf(found != nullptr, ImportLimit::PropertyTextures);
+        found = found ? found : texture;
+      }
+    }
+    return found;
   }
 
   void ImportData(vtkDataObject* data, const BlockStyle& inherited)
@@ -272,8 +331,10 @@ private:
   {
     vtkSmartPointer<vtkPolyData> surface = ExtractSurface(leaf, this->Matrix);
     MappedScalars mapped;
+    this->Look.Color = style.Color;
     if (!style.Color)
     {
+      this->Look.Color = FindColorOfMissing(this->Mapper, surface);
       mapped = MapScalars(this->Mapper, surface, !this->IsTextured(), this->Scene);
       this->MeetIf(mapped.Colors && mapped.WantsTable, ImportLimit::TexturedTables);
     }
@@ -283,7 +344,6 @@ private:
     const vtkSmartPointer<vtkDataObject> named = RenameOldArrays(leaf, this->Scene.Old);
     this->Scene.Materials.FindUnused(named);
     vtkCSLFMaterial::Inherit(block, named);
-    this->Look.Color = style.Color;
     this->Look.Opacity = style.Opacity.value_or(this->Property->GetOpacity());
     this->Look.HasTable = mapped.Table != nullptr;
     SetColors(block, mapped);
@@ -306,7 +366,7 @@ private:
         this->AddEdges(block);
         break;
       default:
-        this->AddFaces(block);
+        this->AddFaces(SpreadCellNormals(block));
         this->AddDecoration(block);
     }
   }
@@ -349,11 +409,12 @@ private:
       !HasRadii(block);
   }
 
-  /// The physically based model shows the property's textures, the others the actor's.
+  /// The physically based model shows the property's textures, the others those that FindTexture
+  /// finds.
   bool IsTextured() const
   {
     return this->Property->GetInterpolation() == VTK_PBR ? this->Property->GetNumberOfTextures() > 0
-                                                         : this->Actor->GetTexture() != nullptr;
+                                                         : this->Look.Texture != nullptr;
   }
 
   static void SetColors(vtkPolyData* block, const MappedScalars& mapped)
@@ -526,8 +587,8 @@ bool IsImportable(vtkActor* actor)
 vtkMTimeType GetImportTime(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
-  vtkMTimeType time =
-    std::max({ actor->GetMTime(), mapper->GetMTime(), actor->GetProperty()->GetMTime() });
+  vtkMTimeType time = std::max({ actor->GetMTime(), mapper->GetMTime(),
+    actor->GetProperty()->GetMTime(), actor->GetShaderProperty()->GetMTime() });
   UpdateInputs(mapper);
   for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
   {
@@ -563,6 +624,7 @@ vtkMTimeType GetImportTime(vtkActor* actor)
 bool ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
   UpdateInputs(actor->GetMapper());
+  FindActorLimits(actor, matrix, scene);
   bool found = false;
   if (const std::optional<ActorParts> parts = TakeApart(actor, matrix, scene))
   {

@@ -8,6 +8,7 @@
 
 #include <vtkActor.h>
 #include <vtkBitArray.h>
+#include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
@@ -214,6 +215,7 @@ vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source, ImportedScene& scen
     sound.AddRemoved(scene.Omitted);
     copy->CopyStructure(sound.Data);
     copy->GetPointData()->SetNormals(sound.Data->GetPointData()->GetNormals());
+    copy->GetCellData()->SetNormals(sound.Data->GetCellData()->GetNormals());
     copy->GetPointData()->SetTCoords(sound.Data->GetPointData()->GetTCoords());
   }
   return copy;

@@ -4,6 +4,7 @@
 
 #include "PathTracing/cslfSurfaceColors.h"
 #include "cslfImportedScene.h"
+#include "cslfVTKCompatibility.h"
 
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
@@ -175,6 +176,34 @@ vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data
   Replace(copy->GetFieldData(), array, other);
   return copy;
 }
+}
+
+std::optional<std::array<double, 3>> FindColorOfMissing(vtkMapper* mapper, vtkDataSet* data)
+{
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
+  int cellFlag = 0;
+  if (!composite || !composite->GetColorMissingArraysWithNanColor() ||
+    !mapper->GetScalarVisibility() ||
+    vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag))
+  {
+    return std::nullopt;
+  }
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  const double* color = nullptr;
+  if (auto* colors = vtkLookupTable::SafeDownCast(table))
+  {
+    color = colors->GetNanColor();
+  }
+  else if (auto* function = vtkColorTransferFunction::SafeDownCast(table))
+  {
+    color = function->GetNanColor();
+  }
+  if (!color)
+  {
+    return std::nullopt;
+  }
+  return std::array<double, 3>{ color[0], color[1], color[2] };
 }
 
 MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, ImportedScene& scene)

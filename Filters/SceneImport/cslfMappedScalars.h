@@ -9,6 +9,9 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
+#include <optional>
+
 class vtkDataSet;
 class vtkFloatArray;
 class vtkImageData;
@@ -31,6 +34,9 @@ struct MappedScalars
   vtkSmartPointer<vtkImageData> Table;
   vtkSmartPointer<vtkFloatArray> Coordinates;
 };
+
+/// The colour of NaN, where a mapper of composite data gives it to blocks without its array.
+std::optional<std::array<double, 3>> FindColorOfMissing(vtkMapper* mapper, vtkDataSet* data);
 
 /// Maps scalars as the mapper would; neither it, its table nor the data is changed. `useTable`
 /// allows for the texture, where the mapper interpolates before it maps. Notes in the scene a table

@@ -10,11 +10,16 @@
 #include "vtkCSLFSceneImporter.h"
 
 #include <vtkActor.h>
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkLookupTable.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
@@ -84,6 +89,83 @@ void TestComposite()
   attributes->SetBlockVisibility(inner, false);
   attributes->Modified();
   CSLF_CHECK(GetBlock(importer, 0) && importer->GetOutput()->GetNumberOfBlocks() == 2);
+}
+
+/// Blocks without the array may have the colour of NaN.
+void TestMissingArrays()
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Values");
+  values->SetNumberOfTuples(4);
+  values->FillValue(0.0);
+  blocks->SetBlock(0, MakeSquare());
+  vtkPolyData::SafeDownCast(blocks->GetBlock(0))->GetPointData()->SetScalars(values);
+  blocks->SetBlock(1, MakeSquare());
+  vtkNew<vtkLookupTable> table;
+  table->SetNanColor(1.0, 0.0, 1.0, 1.0);
+  vtkNew<cslf::CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Values");
+  mapper->SetLookupTable(table);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  for (bool asNaN : { false, true })
+  {
+    mapper->SetColorMissingArraysWithNanColor(asNaN);
+    double color[3];
+    vtkCSLFMaterial::GetBaseColor(GetBlock(importer, 1), color);
+    CSLF_CHECK_NEAR(color[0], asNaN ? 1.0 : 0.0, 1e-9);
+    CSLF_CHECK_NEAR(color[1], asNaN ? 0.0 : 1.0, 1e-9);
+    CSLF_CHECK(GetBlock(importer, 0)->GetPointData()->GetScalars());
+    CSLF_CHECK(!GetBlock(importer, 1)->GetPointData()->GetScalars());
+  }
+}
+
+/// Cells with normals, whose points have none, are shaded by them.
+void TestCellNormals()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(2, 1);
+  plane->Update();
+  vtkPolyData* data = plane->GetOutput();
+  data->GetPointData()->SetNormals(nullptr);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->InsertNextTuple3(0.6, 0.0, 0.8);
+  normals->InsertNextTuple3(0.0, 0.0, 1.0);
+  data->GetCellData()->SetNormals(normals);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->EdgeVisibilityOn();
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  importer->SetRenderer(renderer);
+  vtkPolyData* block = GetBlock(importer, 0);
+  vtkDataArray* shown = block->GetPointData()->GetNormals();
+  CSLF_CHECK(block->GetNumberOfPoints() == 8 && block->GetNumberOfPolys() == 2 && shown);
+  for (vtkIdType cell = 0; shown && cell < 2; ++cell)
+  {
+    vtkNew<vtkIdList> corners;
+    block->GetCellPoints(cell, corners);
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      const double x = shown->GetComponent(corners->GetId(i), 0);
+      CSLF_CHECK_NEAR(x, cell == 0 ? 0.6 : 0.0, 1e-6);
+      const double place = block->GetPoint(corners->GetId(i))[0];
+      CSLF_CHECK(cell == 0 ? place <= 0.0 : place >= 0.0);
+    }
+  }
+  CSLF_CHECK(GetBlock(importer, 1)->GetNumberOfPoints() == 6); // edges, each once
 }
 
 void TestPhysicalTextures()
@@ -166,6 +248,8 @@ void TestFieldInItsOwnScene()
 int TestCSLFSceneImporterBlocks(int, char*[])
 {
   TestComposite();
+  TestMissingArrays();
+  TestCellNormals();
   TestPhysicalTextures();
   TestFieldInItsOwnScene();
   return cslf::testing::Result();

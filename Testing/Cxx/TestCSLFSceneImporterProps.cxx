@@ -9,10 +9,14 @@
 
 #include <vtkActor.h>
 #include <vtkAssembly.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkCubeSource.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFollower.h>
 #include <vtkLODProp3D.h>
+#include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -20,14 +24,18 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkSequencePass.h>
+#include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTensorGlyph.h>
+#include <vtkTestErrorObserver.h>
 #ifdef CSLF_TEST_LOD
 #include <vtkLODActor.h>
 #include <vtkQuadricLODActor.h>
 #endif
 
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -171,6 +179,59 @@ void TestTensorGlyphs(ShapeComparison& window)
   actor->SetMapper(mapper);
   Check(window, "Tensor glyphs", actor);
 }
+
+/// What is not imported of an actor or a renderer is named.
+void TestNamed()
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkCSLFSceneImporter> importer;
+  vtkNew<vtkTest::ErrorObserver> messages;
+  importer->AddObserver(vtkCommand::WarningEvent, messages);
+  importer->SetRenderer(renderer);
+  importer->Update();
+  CSLF_CHECK(!messages->GetWarning());
+  const auto check = [&](const char* name)
+  {
+    messages->Clear();
+    importer->Update();
+    CSLF_CHECK(messages->GetWarningMessage().find(name) != std::string::npos);
+  };
+  actor->ForceOpaqueOn();
+  actor->GetProperty()->SetOpacity(0.5);
+  check("ForceOpaque");
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Color::Impl", true, "//VTK::Color::Impl\n", false);
+  check("shader replacements");
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(3, 2, 0.1);
+  actor->SetUserMatrix(matrix);
+  check("projective matrices");
+  vtkNew<vtkSequencePass> pass;
+  renderer->SetPass(pass);
+  check("render passes: vtkSequencePass");
+}
+
+/// A renderer that shows no surface.
+void TestNothingVisible()
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkCSLFViewTracer> tracer;
+  vtkNew<vtkTest::ErrorObserver> messages;
+  vtkNew<vtkTest::ErrorObserver> pipelineMessages;
+  tracer->AddObserver(vtkCommand::ErrorEvent, messages);
+  tracer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipelineMessages);
+  tracer->SetRenderer(renderer);
+  tracer->SetCamera(renderer->GetActiveCamera());
+  tracer->Update();
+  CSLF_CHECK(messages->GetErrorMessage().find("No visible surface") != std::string::npos);
+  CSLF_CHECK(messages->GetErrorMessage().find("triangles") == std::string::npos);
+}
 }
 
 int TestCSLFSceneImporterProps(int, char*[])
@@ -180,5 +241,7 @@ int TestCSLFSceneImporterProps(int, char*[])
   TestFollower(window);
   TestLevels(window);
   TestTensorGlyphs(window);
+  TestNamed();
+  TestNothingVisible();
   return cslf::testing::Result();
 }

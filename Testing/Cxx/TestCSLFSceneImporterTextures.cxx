@@ -11,6 +11,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -23,6 +24,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
 #include <vtkTexture.h>
 #include <vtkTransform.h>
 #include <vtkUnsignedCharArray.h>
@@ -195,6 +197,29 @@ void TestTransform(ShapeComparison& window)
   scene.Check("Transformed, with edges");
 }
 
+/// Textures of the property, which VTK also draws where the surface is not PBR.
+void TestOfProperty(ShapeComparison& window)
+{
+  Scene scene(window);
+  scene.SetScalars(MakeColors<vtkUnsignedCharArray>(255.0));
+  scene.Actor->SetTexture(nullptr);
+  vtkProperty* property = scene.Actor->GetProperty();
+  property->SetTexture("anything", scene.Texture);
+  scene.Check("Of the property");
+  property->SetTexture("normalTex", scene.Texture); // drawn by PBR only
+  scene.Check("Of the property, beside one of PBR");
+
+  vtkNew<vtkCSLFSceneImporter> importer;
+  vtkNew<vtkTest::ErrorObserver> messages;
+  importer->AddObserver(vtkCommand::WarningEvent, messages);
+  importer->SetRenderer(window.Renderer);
+  importer->Update();
+  CSLF_CHECK(!messages->GetWarning());
+  scene.Actor->SetTexture(scene.Texture);
+  importer->Update();
+  CSLF_CHECK(messages->GetWarningMessage().find("several textures") != std::string::npos);
+}
+
 /// Pixels of so many components that differ little, so that it does not matter whether they are
 /// made linear before they are interpolated.
 vtkSmartPointer<vtkUnsignedCharArray> MakePixels(int components)
@@ -279,6 +304,7 @@ int TestCSLFSceneImporterTextures(int, char*[])
   TestTypes(window);
   TestEmptyTable();
   TestTransform(window);
+  TestOfProperty(window);
   TestWraps(window);
   return cslf::testing::Result();
 }
