@@ -23,6 +23,7 @@ list(APPEND sources
   ../Filters/cslfSoundPolyData.cxx)
 list(APPEND private_headers
   ../Filters/cslfJoin.h
+  ../Filters/cslfPrintable.h
   ../Filters/cslfSeconds.h
   ../Filters/cslfSoundPolyData.h
   ../Filters/cslfUnfinished.h

@@ -6,6 +6,7 @@
 #include "GLTF/cslfGLTFDocument.h"
 #include "GLTF/cslfGLTFProblems.h"
 #include "cslfJoin.h"
+#include "cslfPrintable.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -17,6 +18,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -51,13 +53,18 @@ int vtkCSLFGLTFReader::RequestData(
     blocks = cslf::MakeGLTFBlocks(document, problems);
     error = blocks.empty() ? problems.ListErrors() : "";
   }
-  catch (const std::exception& failure) // of the file, or of memory
+  catch (const std::bad_alloc&)
+  {
+    error = "there is not enough memory";
+  }
+  catch (const std::exception& failure)
   {
     error = failure.what();
   }
   if (!error.empty())
   {
-    vtkErrorMacro("\"" << this->FileName << "\" cannot be read as glTF: " << error << ".");
+    vtkErrorMacro(
+      "\"" << this->FileName << "\" cannot be read as glTF: " << cslf::MakePrintable(error) << ".");
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     return 0;
   }
@@ -70,14 +77,14 @@ int vtkCSLFGLTFReader::RequestData(
   const std::string errors = problems.ListErrors();
   if (!errors.empty())
   {
-    vtkWarningMacro(
-      "Invalid parts of \"" << this->FileName << "\" were left out: " << errors << ".");
+    vtkWarningMacro("Invalid parts of \""
+      << this->FileName << "\" were left out: " << cslf::MakePrintable(errors) << ".");
   }
   const std::string omitted = cslf::Join(problems.Omitted);
   if (!omitted.empty())
   {
-    vtkWarningMacro(
-      "Unsupported features of \"" << this->FileName << "\" were ignored: " << omitted << ".");
+    vtkWarningMacro("Unsupported features of \""
+      << this->FileName << "\" were ignored: " << cslf::MakePrintable(omitted) << ".");
   }
   return 1;
 }

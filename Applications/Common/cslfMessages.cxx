@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMessages.h"
 
+#include "cslfPrintable.h"
 #include "cslfTable.h"
 
 #include <vtkAlgorithm.h>
@@ -33,7 +34,7 @@ bool IsTerminal()
 
 void PrintLine(const char* kind, const std::string& text)
 {
-  std::fprintf(stderr, "cslf: %s: %s\n", kind, text.c_str());
+  std::fprintf(stderr, "cslf: %s: %s\n", kind, MakePrintable(text).c_str());
 }
 
 /// The message of VTK's macros without file, line and object, in one line.

@@ -11,9 +11,6 @@ namespace cslf
 {
 namespace
 {
-// A few bytes of JSON may ask for this many zeros, and no more.
-constexpr std::size_t MostZeros = std::size_t(1) << 24;
-
 // Component types are numbers of OpenGL's: glTF 2.0, section 3.6.2.2.
 enum ComponentType
 {
@@ -176,13 +173,11 @@ GLTFNumbers ReadAccessor(GLTFDocument& document, std::size_t index, GLTFIntegers
   if (accessor["bufferView"].IsPresent())
   {
     numbers.Values = ReadView(document, accessor, componentType, count, numbers.Components);
-  }
-  else if (count > MostZeros)
-  {
-    accessor.Fail("has too many elements without a bufferView");
+    document.CountElements(count);
   }
   else
   {
+    document.CountZeros(count);
     numbers.Values.assign(count * numbers.Components, 0.0);
   }
   ReplaceSparse(document, accessor, numbers);

@@ -187,6 +187,7 @@ private:
     }
     for (const vtkSmartPointer<vtkPolyData>& primitive : this->Primitives.Get(mesh))
     {
+      this->Document.CountElements(primitive->GetNumberOfPoints() + primitive->GetNumberOfCells());
       auto block = vtkSmartPointer<vtkPolyData>::New();
       block->ShallowCopy(ExtractSurface(primitive, matrix));
       this->Blocks.push_back(block);

@@ -4,6 +4,7 @@
 
 #include <vtkBase64Utilities.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
@@ -30,6 +31,12 @@ constexpr std::size_t ChunkHeader = 8;
 const std::set<std::string> Unreadable = { "KHR_draco_mesh_compression", "EXT_meshopt_compression",
   "KHR_meshopt_compression" };
 
+// What a file may make of no bytes, and of bytes that it uses more than once. Without that, each
+// element takes a byte at least, as part of an accessor and as part of a block.
+constexpr std::size_t MostZeros = std::size_t(1) << 24;
+constexpr std::size_t MostElements = std::size_t(1) << 26;
+constexpr std::size_t MostElementsPerByte = 4;
+
 std::uint32_t ReadNumber(const std::string& bytes, std::size_t offset)
 {
   std::uint32_t number = 0;
@@ -55,6 +62,16 @@ std::string ReadFile(const fs::path& path, const std::string& name)
     throw GLTFError("cannot read " + name);
   }
   return bytes;
+}
+
+/// Whether a path leads to a place below a folder. Links are followed.
+bool IsBelow(const fs::path& path, const fs::path& folder)
+{
+  std::error_code failure;
+  const fs::path outer = fs::canonical(folder.empty() ? fs::path(".") : folder, failure);
+  const fs::path inner = failure ? fs::path() : fs::weakly_canonical(outer / path, failure);
+  const auto ends = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return !failure && ends.first == outer.end();
 }
 
 int GetHexDigit(char digit)
@@ -146,6 +163,7 @@ void GLTFDocument::ReadBinary(const std::string& bytes)
     else if (type == BytesChunk && !this->HasBinaryChunk)
     {
       this->BinaryChunk = bytes.substr(offset, length);
+      this->BytesRead += length;
       this->HasBinaryChunk = true;
     }
     offset += length;
@@ -230,7 +248,29 @@ const std::string& GLTFDocument::GetBuffer(std::size_t index)
     }
     return this->BinaryChunk;
   }
-  return this->Buffers.emplace(index, this->ReadResource(uri)).first->second;
+  const std::string& bytes = this->Buffers.emplace(index, this->ReadResource(uri)).first->second;
+  this->BytesRead += bytes.size();
+  return bytes;
+}
+
+void GLTFDocument::CountElements(std::size_t elements)
+{
+  const std::size_t most = MostElements + MostElementsPerByte * this->BytesRead;
+  if (elements > most - std::min(most, this->Elements))
+  {
+    throw GLTFError("its nodes and meshes repeat more than " + std::to_string(most) + " elements");
+  }
+  this->Elements += elements;
+}
+
+void GLTFDocument::CountZeros(std::size_t elements)
+{
+  if (elements > MostZeros - this->Zeros)
+  {
+    throw GLTFError("its accessors without a bufferView have more than " +
+      std::to_string(MostZeros) + " elements");
+  }
+  this->Zeros += elements;
 }
 
 std::string GLTFDocument::ReadResource(const GLTFValue& uri) const
@@ -245,9 +285,14 @@ std::string GLTFDocument::ReadResource(const GLTFValue& uri) const
   {
     uri.Fail("is not the path of a local file");
   }
+  const fs::path folder = fs::u8path(this->FileName).parent_path();
+  if (!IsBelow(fs::u8path(name), folder))
+  {
+    uri.Fail("names " + name + ", which is outside the folder of the glTF file");
+  }
   try
   {
-    return ReadFile(fs::u8path(this->FileName).parent_path() / fs::u8path(name), name);
+    return ReadFile(folder / fs::u8path(name), name);
   }
   catch (const GLTFError& error)
   {

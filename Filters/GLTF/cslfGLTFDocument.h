@@ -41,7 +41,16 @@ public:
   /// Bytes of a buffer view, which all lie within its buffer.
   GLTFBytes GetBufferView(std::size_t index);
 
-  /// The contents of a URI: a file beside the document, or data within the URI.
+  /// Counts elements that the file makes. A few bytes may ask for many, by accessors and meshes
+  /// that are used again and again: throws a GLTFError beyond a limit that grows with the bytes
+  /// that were read.
+  void CountElements(std::size_t elements);
+
+  /// Counts elements of accessors without bytes. Throws a GLTFError if the file has too many.
+  void CountZeros(std::size_t elements);
+
+  /// The contents of a URI: a file in the folder of the document or below it, or data within the
+  /// URI.
   std::string ReadResource(const GLTFValue& uri) const;
 
 private:
@@ -56,6 +65,9 @@ private:
   std::string BinaryChunk;
   bool HasBinaryChunk = false;
   std::map<std::size_t, std::string> Buffers; // that have been read
+  std::size_t BytesRead = 0;
+  std::size_t Elements = 0;
+  std::size_t Zeros = 0;
 };
 }
 

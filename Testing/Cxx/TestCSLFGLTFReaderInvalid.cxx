@@ -18,10 +18,12 @@
 
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -100,6 +102,7 @@ const std::vector<Case> DocumentCases = {
   { "/extensionsRequired", { "KHR_draco_mesh_compression" }, "KHR_draco_mesh_compression", 0 },
   { "/extensionsRequired", { "EXT_meshopt_compression" }, "EXT_meshopt_compression", 0 },
   { "/extensionsRequired", 1, "extensionsRequired is not an array", 0 },
+  { "/extensionsUsed", { "\x1b[31m\nerror\u0085" }, "\\x1b[31m\\x0aerror\\x85", 1 },
   { "/extensionsUsed", { 7 }, "extensionsUsed[0] is not a text", 1 },
   { "/scene", "zero", "scene is not a whole number", 1 },
   { "/scene", 5, "scenes[5] does not exist", 0 },
@@ -114,8 +117,12 @@ const std::vector<Case> DocumentCases = {
   { "/nodes/0/translation", { 0, 0, "up" }, "nodes[0].translation[2] is not a number", 0 },
   { "/nodes/0", nullptr, "nodes[0]", 0 },
   { "/meshes/0/primitives", json::object(), "meshes[0].primitives is not an array", 0 },
-  { "/buffers/0/uri", "../nowhere.bin", "there is no file ../nowhere.bin", 0 },
-  { "/buffers/0/uri", "/dev/zero", "there is no file /dev/zero", 0 },
+  { "/buffers/0/uri", "nowhere.bin", "there is no file nowhere.bin", 0 },
+  { "/buffers/0/uri", "/proc/self/maps", "names /proc/self/maps, which is outside", 0 },
+  { "/buffers/0/uri", "../nowhere.bin", "names ../nowhere.bin, which is outside", 0 },
+  { "/buffers/0/uri", "%2e%2e/%2E./a.bin", "names ../../a.bin, which is outside", 0 },
+  { "/buffers/0/uri", "TestCSLFGLTFReaderInvalidLink.bin", "Link.bin, which is outside", 0 },
+  { "/buffers/0/uri", "a/../\x1b.bin", "there is no file a/../\\x1b.bin", 0 },
   { "/buffers/0/uri", "https://example.org/a.bin", "is not the path of a local file", 0 },
   { "/buffers/0/uri", "data:text/plain,abc", "not in base64", 0 },
   { "/buffers/0/uri", "data:;base64,!!!!", "exceeds the 0 bytes of its buffer", 0 },
@@ -288,6 +295,31 @@ void TestNodes(const std::string& name)
   std::ofstream(name) << doubled.dump();
   CheckFile(name, "nodes[64] has more than one parent", 1);
 }
+
+/// Few bytes that ask for very many elements.
+void TestLimits(const std::string& name)
+{
+  json zeros = MakeDocument();
+  zeros["accessors"][3] = { { "componentType", 5126 }, { "count", 1 << 23 }, { "type", "VEC3" } };
+  for (int i = 1; i <= 200; ++i)
+  {
+    zeros["meshes"][i] = { { "primitives", { { { "attributes", { { "POSITION", 3 } } } } } } };
+    zeros["meshes"][i]["primitives"][0]["indices"] = 2;
+    zeros["nodes"][i] = { { "mesh", i } };
+    zeros["scenes"][0]["nodes"][i] = i;
+  }
+  std::ofstream(name) << zeros.dump();
+  CheckFile(name, "accessors without a bufferView have more than 16777216 elements", 3);
+
+  json repeated = zeros;
+  repeated["meshes"][1]["primitives"] = json::array();
+  for (int i = 1; i <= 200; ++i)
+  {
+    repeated["nodes"][i]["mesh"] = 2;
+  }
+  std::ofstream(name) << repeated.dump();
+  CheckFile(name, "repeat more than 67109116 elements", 9);
+}
 }
 
 int TestCSLFGLTFReaderInvalid(int argc, char* argv[])
@@ -296,12 +328,15 @@ int TestCSLFGLTFReaderInvalid(int argc, char* argv[])
     vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary"));
   const std::string base = std::string(folder.get()) + "/TestCSLFGLTFReaderInvalid";
   std::ofstream(base + ".bin", std::ios::binary) << MakeBuffer();
+  std::error_code ignored;
+  std::filesystem::create_symlink("/dev/null", base + "Link.bin", ignored);
   const std::string name = base + ".gltf";
   TestDocuments(name, MakeDocument(), DocumentCases);
   TestDocuments(name, MakeDocument(), AccessorCases);
   TestDocuments(name, MakeTextured(), MaterialCases);
   TestFiles(name);
   TestNodes(name);
+  TestLimits(name);
   CheckFile(base + ".nowhere.gltf", "there is no file", 0);
   CheckFile(folder.get(), "there is no file", 0);
   return cslf::testing::Result();
