@@ -511,15 +511,8 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
       GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight));
     const cslf::CheckedPicture whole{ layout.TileWidth, layout.TileHeight, layout.Tiles,
       wholeSlices, grids };
-    const auto check = [this, &whole](cslf::CacheShare* ranks)
-    {
-      if (this->CheckCache)
-      {
-        this->MeasureCache(whole, ranks);
-      }
-    };
-    if (!this->UpdateCache(
-          this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, displayRange, share, check))
+    if (!this->UpdateCache(this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, displayRange,
+          share, this->CheckCache ? &whole : nullptr))
     {
       return false;
     }
@@ -527,9 +520,9 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     if (!this->Internals->IsProbe)
     {
       // It may have been made without.
-      if (!settings.Cache->GetCheck().IsMade())
+      if (this->CheckCache && !settings.Cache->GetCheck().IsMade())
       {
-        check(nullptr);
+        this->MeasureCache(whole, nullptr);
       }
       this->TellCache();
     }

@@ -450,7 +450,7 @@ private:
   cslf::RenderSettings GetRenderSettings();
   std::string MakeCacheKey(double spacing, double displayRange);
   bool UpdateCache(double spacing, double displayRange, double share,
-    const std::function<void(cslf::CacheShare*)>& check);
+    const cslf::CheckedPicture* checked);
   bool FillCache(double share);
   void MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks);
   void TellCache();

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <string>
 
 double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
 {
@@ -94,8 +95,8 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
   return this->Internals->IsProbe;
 }
 
-bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double share,
-  const std::function<void(cslf::CacheShare*)>& check)
+bool vtkCSLFPathTracer::UpdateCache(
+  double spacing, double displayRange, double share, const cslf::CheckedPicture* checked)
 {
   if (this->CacheProbeSeconds > 0.0)
   {
@@ -105,7 +106,17 @@ bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double 
   const std::string key = this->MakeCacheKey(spacing, displayRange);
   const bool isThere = this->Internals->CacheKey == key;
   cslf::CacheKeeper* keeper = this->Internals->Keeper;
-  const Plan plan = keeper ? keeper->Join(key, isThere) : Plan::Alone;
+  // Ranks make and check a cache together only if they check it at the same texels.
+  std::string shared = key;
+  if (checked)
+  {
+    for (const int number :
+      { checked->TileWidth, checked->TileHeight, checked->Tiles, checked->Slices, this->Samples })
+    {
+      shared += " " + std::to_string(number);
+    }
+  }
+  const Plan plan = keeper ? keeper->Join(key, shared, isThere) : Plan::Alone;
   if (plan == Plan::Break || (plan == Plan::Alone && isThere))
   {
     return plan != Plan::Break;
@@ -117,12 +128,12 @@ bool vtkCSLFPathTracer::UpdateCache(double spacing, double displayRange, double 
     this->Internals->IsProbe = false;
   }
   cslf::CacheShare* ranks = plan == Plan::Together ? keeper->GetShare() : nullptr;
-  const auto fill = [this, share, ranks, &check]
+  const auto fill = [this, share, ranks, checked]
   {
     const bool isFilled = this->FillCache(share);
-    if (isFilled)
+    if (isFilled && checked)
     {
-      check(ranks);
+      this->MeasureCache(*checked, ranks);
     }
     return isFilled;
   };

@@ -125,7 +125,7 @@ bool CacheKeeper::IsOfAll(const std::string& text)
   return this->Agree(first == text);
 }
 
-CacheKeeper::Plan CacheKeeper::Join(const std::string& key, bool isThere)
+CacheKeeper::Plan CacheKeeper::Join(const std::string& key, const std::string& shared, bool isThere)
 {
   if (this->HasMet)
   {
@@ -138,7 +138,7 @@ CacheKeeper::Plan CacheKeeper::Join(const std::string& key, bool isThere)
   }
   this->AllHave = worst == Having;
   this->Key = key;
-  return worst != Absent && this->IsOfAll(key) ? Plan::Together : Plan::Alone;
+  return worst != Absent && this->IsOfAll(shared) ? Plan::Together : Plan::Alone;
 }
 
 bool CacheKeeper::Settle(bool isWell)

@@ -37,8 +37,9 @@ public:
   CacheKeeper(vtkMultiProcessController* controller, std::string fileName,
     std::function<void(const std::string&)> warn);
 
-  /// A rank needs the cache of this key. `isThere` tells that it has it.
-  Plan Join(const std::string& key, bool isThere);
+  /// A rank needs the cache of this key. `isThere` says whether it has it. Ranks make it together
+  /// if `shared`, which names the cache and what is done with it, is the same on all of them.
+  Plan Join(const std::string& key, const std::string& shared, bool isThere);
 
   /// A rank needs no cache any more: it has or it will not get what it wanted one for. `isWell`
   /// tells that nothing went wrong. False where something did on a rank that did not join.

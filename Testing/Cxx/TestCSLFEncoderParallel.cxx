@@ -217,6 +217,28 @@ void TestMissingPiece(const Setting& setting)
   }
 }
 
+/// Samplers that differ on the last rank in what the check of the radiance cache depends on.
+void TestDifferentSamplers(const Setting& setting)
+{
+  vtkNew<vtkSphereSource> sphere;
+  const bool isLast = setting.GetRank() == setting.Controller->GetNumberOfProcesses() - 1;
+  for (const bool checksDiffer : { false, true })
+  {
+    vtkNew<vtkCSLFSampler> sampler;
+    sampler->SetViewpoints(isLast && !checksDiffer ? 3 : 2);
+    sampler->SetCheckCache(!isLast || !checksDiffer);
+    sampler->SetResolution(16);
+    sampler->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetInputConnection(sampler->GetOutputPort());
+    Set(setting, encoder);
+    const cslf::testing::Observed observed(encoder);
+    CSLF_CHECK(encoder->Write() == 0);
+    CSLF_CHECK(setting.Sum(observed.GetErrors()) == 1);
+    CSLF_CHECK(setting.GetRank() != 0 || observed.HasError("the ranks have different fields"));
+  }
+}
+
 void TestAbort(const Setting& setting)
 {
   vtkNew<vtkCallbackCommand> abort;
@@ -247,6 +269,7 @@ int TestCSLFEncoderParallel(int argc, char* argv[])
   TestOutOfReach(setting);
   TestFailures(setting);
   TestMissingPiece(setting);
+  TestDifferentSamplers(setting);
   TestAbort(setting);
   TestBytes(setting);
   const bool good = setting.Sum(cslf::testing::Failures()) == 0;

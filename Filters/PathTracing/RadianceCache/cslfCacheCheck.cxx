@@ -76,6 +76,32 @@ double Average(const glm::vec3& color)
   return (double(color.x) + color.y + color.z) / 3.0;
 }
 
+/// How much of a difference between two radiances a display shows: the slope of its curve between
+/// them.
+float GetSlope(const DisplayCurve& display, float a, float b)
+{
+  constexpr float least = 1e-4f;
+  const float low = std::min(a, b);
+  const float high = std::max(std::max(a, b), low + least);
+  return (display.Get(high) - display.Get(low)) / (high - low);
+}
+
+/// The product of the displayed differences of both halves. The curve is replaced by its slope
+/// between the means: noise that a bent curve sees alike in both halves would not cancel.
+double MultiplyDifferences(const DisplayCurve& display, const Radiances& texel)
+{
+  double sum = 0.0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const float cached = 0.5f * (texel.Cached[0][channel] + texel.Cached[1][channel]);
+    const float traced = 0.5f * (texel.Traced[0][channel] + texel.Traced[1][channel]);
+    const double slope = GetSlope(display, cached, traced);
+    sum += slope * slope * double(texel.Cached[0][channel] - texel.Traced[0][channel]) *
+      double(texel.Cached[1][channel] - texel.Traced[1][channel]);
+  }
+  return sum / 3.0;
+}
+
 /// Random points of random texels that see a surface.
 std::vector<Seen> ChooseTexels(
   const Scene& scene, const CheckedPicture& picture, const CheckSettings& settings)
@@ -235,8 +261,7 @@ CacheCheck CheckCache(const Scene& scene, const RadianceCache& cache, const Chec
     const glm::vec3 cached = 0.5f * (texel.Cached[0] + texel.Cached[1]);
     difference.Add(Average(cached - traced));
     brightness.Add(Average(traced));
-    squares.Add(Average((display(texel.Cached[0]) - display(texel.Traced[0])) *
-      (display(texel.Cached[1]) - display(texel.Traced[1]))));
+    squares.Add(MultiplyDifferences(display, texel));
   }
   // Where the paths find nothing, the cache should not either.
   const double scale = brightness.Get() > 0.0 ? brightness.Get() : 1.0;
