@@ -128,6 +128,13 @@ struct VTKCSLF_EXPORT Mesh
   /// Whether it looks alike from everywhere, and does not shine by itself.
   bool IsDiffuse() const { return this->Material.IsMatte() && !this->Material.IsEmissive(); }
 
+  /// Whether it reflects no light at all, as surfaces without lighting do, which only shine.
+  bool IsBlack() const
+  {
+    return this->Material.IsMatte() && this->IsUniform() &&
+      this->Material.BaseColor == glm::vec3(0.0f);
+  }
+
   /// Whether the material alone tells its colour and roughness everywhere.
   bool IsUniform() const
   {

@@ -24,6 +24,7 @@
 #include <vtkSphereSource.h>
 
 #include <functional>
+#include <iostream>
 #include <utility>
 #include <vector>
 
@@ -205,6 +206,27 @@ void TestDepths()
 }
 
 /// Surfaces that shine, glossy ones and mirrors beside diffuse ones.
+/// No light is gathered on surfaces that only shine.
+void TestBlack()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  sphere->Update();
+  vtkTypeUInt64 rays[2];
+  for (const bool isBlack : { false, true })
+  {
+    vtkCSLFMaterial::SetEmission(sphere->GetOutput(), 0.5, 0.5, 0.5);
+    const double color = isBlack ? 0.0 : 0.5;
+    vtkCSLFMaterial::SetBaseColor(sphere->GetOutput(), color, color, color);
+    Comparison comparison(sphere->GetOutput(), 0.4, 0.2, 3.0);
+    CSLF_CHECK(comparison.GetPSNR() > 45.0);
+    rays[isBlack ? 1 : 0] = comparison.Cached->GetNumberOfCacheRays();
+  }
+  std::cout << "rays for a shining sphere " << rays[0] << ", for a black one " << rays[1] << "\n";
+  CSLF_CHECK(rays[1] < rays[0] / 10);
+}
+
 void TestMaterials()
 {
   for (const double metallic : { 0.0, 0.5, 1.0 })
@@ -284,6 +306,7 @@ int TestCSLFRadianceCache(int, char*[])
   TestLattice();
   TestRefinement();
   TestDepths();
+  TestBlack();
   TestMaterials();
   TestUniform();
   TestDeterminism();

@@ -100,7 +100,9 @@ bool LatticeBuilder::AddAll(
   };
   for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
   {
-    const std::size_t triangles = meshes[mesh].CanHoldLattice() ? meshes[mesh].Triangles.size() : 0;
+    // What reflects nothing keeps the value of an empty brick, which is 0.
+    const bool isBuilt = meshes[mesh].CanHoldLattice() && !meshes[mesh].IsBlack();
+    const std::size_t triangles = isBuilt ? meshes[mesh].Triangles.size() : 0;
     for (std::uint32_t triangle = 0; triangle < triangles; ++triangle)
     {
       this->AddTriangle(mesh, triangle);
@@ -112,7 +114,10 @@ bool LatticeBuilder::AddAll(
   }
   for (std::size_t chart = 0; chart < charts; ++chart)
   {
-    this->AddChart(chart);
+    if (!meshes[this->Layout.GetCharts()[chart].GetMesh()].IsBlack())
+    {
+      this->AddChart(chart);
+    }
     if (!useFullBatch())
     {
       return false;
