@@ -71,7 +71,7 @@ cslf_run(sample ${slow} -o slow.mp4)
 cslf_kill(killed.mp4 sample ${slow})
 file(APPEND "${DIRECTORY}/killed.mp4.partial/group-1-color.part" "x")
 file(WRITE "${DIRECTORY}/killed.mp4.partial/group-2-color.part" "")
-cslf_expect_bytes("^cslf: warning: [^\n]*2 group[^\n]*redone[^\n]*\n$" slow.mp4 killed.mp4
+cslf_expect_bytes("^cslf: warning: [^\n]*2 group[^\n]*damaged[^\n]*sampled again[^\n]*\n$" slow.mp4 killed.mp4
   sample ${slow})
 
 # Where only some of a group's parts are there, as after a kill between them, nothing is damaged.
