@@ -449,8 +449,8 @@ private:
     std::string& error);
   cslf::RenderSettings GetRenderSettings();
   std::string MakeCacheKey(double spacing, double displayRange);
-  bool UpdateCache(double spacing, double displayRange, double share,
-    const cslf::CheckedPicture* checked);
+  bool UpdateCache(
+    double spacing, double displayRange, double share, const cslf::CheckedPicture* checked);
   bool FillCache(double share);
   void MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks);
   void TellCache();
