@@ -213,7 +213,6 @@ int TestCSLFRadianceCacheRareLight(int, char*[])
   TestSmallLamp();
   TestHole();
   TestCaustic(4.0f, cslf::DisplayCurve::ByteRange);
-  TestCaustic(40.0f, cslf::DisplayCurve::ByteRange);
   TestCaustic(40.0f, cslf::DisplayCurve::FloatRange);
   return cslf::testing::Result();
 }
