@@ -192,6 +192,23 @@ void TestHole()
   Compare("hole", scene, {}, settings, 4096);
 }
 
+/// Lamps above each other, of which the lower ones hide most of the upper ones: most of the samples
+/// that choose an upper lamp find nothing.
+void TestHiddenLamps()
+{
+  std::vector<cslf::Mesh> meshes{ MakeFloor() };
+  for (int k = 0; k < 12; ++k)
+  {
+    const float side = 0.02f + 0.005f * static_cast<float>(k);
+    meshes.push_back(MakeRectangle({ 0.0f, 0.0f, 0.5f + 0.05f * static_cast<float>(k) },
+      { side, 0.0f, 0.0f }, { 0.0f, side, 0.0f }, MakeDiffuse(0.0f, 40.0f)));
+  }
+  const cslf::Scene scene(std::move(meshes), cslf::LightSet());
+  cslf::CacheSettings settings;
+  settings.Spacing = 0.02;
+  Compare("hidden lamps", scene, {}, settings, 4096);
+}
+
 /// Light that a ball of glass focuses on the floor. Its peak, 0.05 wide, has a radiance of 1.5
 /// times the lamp's power: dimmer and brighter than white, and shown darker as floats.
 void TestCaustic(float power, double displayRange)
@@ -211,6 +228,7 @@ int TestCSLFRadianceCacheRareLight(int, char*[])
 {
   TestSmallLamp();
   TestHole();
+  TestHiddenLamps();
   TestCaustic(4.0f, cslf::DisplayCurve::ByteRange);
   TestCaustic(40.0f, cslf::DisplayCurve::FloatRange);
   return cslf::testing::Result();
