@@ -11,9 +11,9 @@ set(cslf_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources
   ImagingCore ImagingGeneral
-  IOCore
+  IOCore IOXML
   ParallelCore
-  RenderingCore RenderingOpenGL2 opengl vtksys)
+  RenderingCore RenderingOpenGL2 vtksys)
 # The tool and the tests.
 if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
   list(APPEND cslf_vtk_components
@@ -22,7 +22,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
     FiltersModeling
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
-    IOGeometry IOImage IOPLY IOXML IOXMLParser
+    IOGeometry IOImage IOPLY IOXMLParser
     RenderingAnnotation RenderingContextOpenGL2 RenderingFreeType RenderingUI
     ViewsContext2D)
 endif ()
@@ -35,9 +35,9 @@ if (CSLF_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${cslf_vtk_components}
-  # VTK's OpenGL loader: glew up to 9.3, glad since. MPI, for several processes at once. Chemistry,
-  # for molecules in a renderer's scene, and how they are drawn in the tests.
-  OPTIONAL_COMPONENTS glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2
+  # VTK's OpenGL loader: opengl and glew up to 9.3, glad since. MPI, for several processes at once.
+  # Chemistry, for molecules in a renderer's scene, and how they are drawn in the tests.
+  OPTIONAL_COMPONENTS opengl glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2
     RenderingLOD)
 
 find_package(embree 3 QUIET)
