@@ -314,11 +314,14 @@ list(APPEND private_headers
 
 # Pulling fields slab by slab.
 list(APPEND sources
+  ../Filters/Pipeline/cslfFieldArrays.cxx
   ../Filters/Pipeline/cslfPipelineWatch.cxx
   ../Filters/Pipeline/cslfScenePipeline.cxx
   ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
+  ../Filters/Pipeline/cslfFieldArrays.h
   ../Filters/Pipeline/cslfKeptGroups.h
+  ../Filters/Pipeline/cslfParallelFor.h
   ../Filters/Pipeline/cslfPipelineWatch.h
   ../Filters/Pipeline/cslfScenePipeline.h
   ../Filters/Pipeline/cslfSlabs.h

@@ -3,6 +3,7 @@
 #include "vtkCSLFDecoder.h"
 
 #include "Coding/cslfFieldReader.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfSlabs.h"
 
 #include <vtkDataArray.h>
@@ -17,11 +18,10 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
-#include <iterator>
-#include <optional>
+#include <exception>
+#include <new>
 #include <sstream>
 #include <vector>
 
@@ -36,7 +36,7 @@ public:
   vtkNew<vtkFieldData> Field;           ///< of every output
   std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
-  std::optional<std::vector<int>> Damage; ///< the file's missing viewpoints, once any is met
+  std::vector<int> Damage; ///< the file's missing viewpoints, once any is met
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
@@ -45,7 +45,7 @@ public:
     this->PixelFormat.clear();
     this->Field->Initialize();
     this->TrackBytes.clear();
-    this->Damage.reset();
+    this->Damage.clear();
     if (this->Reader)
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
@@ -54,6 +54,8 @@ public:
       this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
     }
   }
+
+  cslf::DecodedViewpointPointer GetViewpoint(vtkCSLFDecoder* self, vtkIdType z);
 
   bool HasViewpoint(vtkIdType z) const
   {
@@ -94,7 +96,14 @@ int vtkCSLFDecoder::CanReadFile(const char* fileName)
   const cslf::AVLogSilence silence;
   cslf::OpenFailure ignored;
   constexpr int certainly = 3;
-  return fileName && cslf::FieldReader::Open(fileName, ignored) ? certainly : 0;
+  try
+  {
+    return fileName && cslf::ContainerReader::Open(fileName, ignored) ? certainly : 0;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
 }
 
 const char* vtkCSLFDecoder::GetDescription() const
@@ -134,8 +143,16 @@ vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)
   }
   if (this->Internal->TrackBytes.empty())
   {
-    const cslf::AVLogSilence silence;
-    this->Internal->TrackBytes = this->Internal->Reader->CountBytes();
+    const bool isCounted = this->Guard(
+      [this]
+      {
+        this->Internal->TrackBytes = this->Internal->Reader->CountBytes();
+        return true;
+      });
+    if (!isCounted)
+    {
+      return 0;
+    }
   }
   return this->Internal->TrackBytes[track];
 }
@@ -148,6 +165,33 @@ vtkIdType vtkCSLFDecoder::GetNumberOfMissingViewpoints() const
 vtkIdTypeArray* vtkCSLFDecoder::GetMissingViewpoints() const
 {
   return this->Internal->Missing;
+}
+
+// Does what may lack memory. No exception leaves VTK's methods: it becomes one error.
+bool vtkCSLFDecoder::Guard(const std::function<bool()>& work)
+{
+  const cslf::AVLogSilence silence;
+  std::string problem;
+  try
+  {
+    return work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = "there is not enough memory";
+  }
+  catch (const std::exception& exception)
+  {
+    problem = exception.what();
+  }
+  return this->Fail(vtkErrorCode::UnknownError, problem);
+}
+
+bool vtkCSLFDecoder::Fail(unsigned long code, const std::string& problem)
+{
+  this->SetErrorCode(code);
+  vtkErrorMacro("Cannot read " << this->FileName << ": " << problem << ".");
+  return false;
 }
 
 bool vtkCSLFDecoder::ReportProgress(double progress)
@@ -168,16 +212,10 @@ int vtkCSLFDecoder::RequestInformation(
     vtkErrorMacro("There is no file name.");
     return 0;
   }
-  const cslf::AVLogSilence silence;
-  cslf::OpenFailure failure;
-  this->Internal->SetReader(cslf::FieldReader::Open(this->FileName, failure));
-  if (!this->Internal->Reader)
+  if (!this->Guard([this] { return this->OpenFile(); }))
   {
-    this->SetErrorCode(failure.Code);
-    vtkErrorMacro("Cannot read " << this->FileName << ": " << failure.Text << ".");
     return 0;
   }
-  this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
   int extent[6];
   this->Internal->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
@@ -200,93 +238,115 @@ int vtkCSLFDecoder::RequestData(
   {
     return 0;
   }
-  const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   int asked[6];
-  int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), asked);
-  this->Internal->GetExtent(asked[4], asked[5], extent);
-  output->SetExtent(extent);
-
-  const auto color =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(field.FindChannel(cslf::ColorName)->Type));
-  color->SetName(cslf::ColorName);
-  color->SetNumberOfComponents(4);
-  color->SetNumberOfTuples(output->GetNumberOfPoints());
-  output->GetPointData()->SetScalars(color);
-  vtkNew<vtkUnsignedShortArray> depth;
-  const bool hasDepth = field.FindChannel(cslf::DepthName) != nullptr;
-  if (hasDepth)
-  {
-    depth->SetName(cslf::DepthName);
-    depth->SetNumberOfTuples(output->GetNumberOfPoints());
-    output->GetPointData()->AddArray(depth);
-  }
-  output->GetFieldData()->PassData(this->Internal->Field);
-
-  const cslf::AVLogSilence silence;
-  this->Internal->SetMissing(this->Internal->Reader->Read(extent[4], extent[5],
-    static_cast<unsigned char*>(color->GetVoidPointer(0)),
-    hasDepth ? depth->GetPointer(0) : nullptr,
-    [this](double progress) { return this->ReportProgress(progress); }));
-  if (this->GetAbortExecute())
+  const bool isRead = this->Guard(
+    [&]
+    {
+      if (!this->CheckRange(asked[4], asked[5]))
+      {
+        return false;
+      }
+      this->ReadRange(asked[4], asked[5], output);
+      return this->ReportDamage();
+    });
+  if (!isRead || this->GetAbortExecute())
   {
     output->Initialize();
-    return 1;
   }
-  if (this->GetNumberOfMissingViewpoints() > 0 && !this->ReportDamage())
-  {
-    output->Initialize();
-    return 0;
-  }
-  return 1;
+  return isRead ? 1 : 0;
 }
 
-bool vtkCSLFDecoder::ReportDamage()
+bool vtkCSLFDecoder::OpenFile()
 {
-  const int slices = this->Internal->Reader->GetHeader().Field.Grid.GetSlices();
-  const bool isKnown = this->Internal->Damage.has_value();
-  if (!isKnown)
+  cslf::OpenFailure failure;
+  this->Internal->SetReader(cslf::FieldReader::Open(this->FileName, failure));
+  if (!this->Internal->Reader)
   {
-    this->Internal->Damage =
-      this->Internal->Reader->FindMissing([this](double) { return !this->GetAbortExecute(); });
+    return this->Fail(failure.Code, failure.Text);
   }
-  // What the checksums let pass may still be found when it is decoded.
-  const vtkIdType* missing = this->Internal->Missing->GetPointer(0);
-  std::vector<int> all;
-  std::set_union(this->Internal->Damage->begin(), this->Internal->Damage->end(), missing,
-    missing + this->GetNumberOfMissingViewpoints(), std::back_inserter(all));
-  const bool isNew = !isKnown || all.size() > this->Internal->Damage->size();
-  this->Internal->Damage = all;
-  if (static_cast<int>(all.size()) == slices)
+  this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
+  return true;
+}
+
+// What of a range is there, to be known before memory is taken for all of it.
+bool vtkCSLFDecoder::CheckRange(int first, int last)
+{
+  this->Internal->SetMissing(this->Internal->Reader->FindMissing(
+    first, last, [this](double) { return !this->GetAbortExecute(); }));
+  if (!this->ReportDamage())
   {
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("Cannot read " << this->FileName
-                                 << ": its video is damaged or cut short, none of the " << slices
-                                 << " viewpoints can be read.");
     return false;
   }
-  if (isNew)
+  const int count = last - first + 1;
+  const vtkIdType there = count - this->GetNumberOfMissingViewpoints();
+  if (!cslf::AreEnough(this->Internal->Reader->GetHeader().Field, there, count))
   {
-    this->WarnOfDamage();
+    std::ostringstream text;
+    text << "only " << there << " of the " << count << " viewpoints asked for can be read";
+    return this->Fail(vtkErrorCode::PrematureEndOfFileError, text.str());
   }
   return true;
 }
 
-void vtkCSLFDecoder::WarnOfDamage()
+void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
 {
+  if (this->GetAbortExecute())
+  {
+    return;
+  }
+  cslf::AllocateSlices(this->Internal->Reader->GetHeader().Field, first, last, output);
+  output->GetPointData()->SetActiveScalars(cslf::ColorName);
+  output->GetFieldData()->PassData(this->Internal->Field);
+  vtkDataArray* color = output->GetPointData()->GetArray(cslf::ColorName);
+  vtkDataArray* depth = output->GetPointData()->GetArray(cslf::DepthName);
+  this->Internal->SetMissing(
+    this->Internal->Reader->Read(first, last, static_cast<unsigned char*>(color->GetVoidPointer(0)),
+      depth ? static_cast<unsigned short*>(depth->GetVoidPointer(0)) : nullptr,
+      [this](double progress) { return this->ReportProgress(progress); }));
+}
+
+// Tells of what is missing of the last range. Whether the rest can be had.
+bool vtkCSLFDecoder::ReportDamage()
+{
+  return this->GetNumberOfMissingViewpoints() == 0 || this->GetAbortExecute() ||
+    this->ReportFileDamage();
+}
+
+// Tells of all that is missing of the file: warns, unless that is known, or fails.
+bool vtkCSLFDecoder::ReportFileDamage()
+{
+  const std::size_t known = this->Internal->Damage.size();
+  const std::vector<int> missing =
+    this->Internal->Reader->FindMissing([this](double) { return !this->GetAbortExecute(); });
+  this->Internal->Damage = missing;
+  const int slices = this->Internal->Reader->GetHeader().Field.Grid.GetSlices();
+  std::ostringstream text;
+  if (missing.size() == static_cast<std::size_t>(slices))
+  {
+    text << "its video is damaged or cut short, none of the " << slices
+         << " viewpoints can be read";
+    return this->Fail(vtkErrorCode::FileFormatError, text.str());
+  }
   constexpr std::size_t named = 5;
-  const std::vector<int>& missing = *this->Internal->Damage;
-  std::ostringstream list;
+  text << missing.size() << " of " << slices << " viewpoints are missing";
+  text << (this->AllowMissing ? " and left empty" : "") << " (z = ";
   for (std::size_t k = 0; k < std::min(missing.size(), named); ++k)
   {
-    list << (k > 0 ? ", " : "") << missing[k];
+    text << (k > 0 ? ", " : "") << missing[k];
   }
-  vtkWarningMacro(<< this->FileName << " is damaged: " << missing.size() << " of "
-                  << this->Internal->Reader->GetHeader().Field.Grid.GetSlices()
-                  << " viewpoints are missing and left empty (z = " << list.str()
-                  << (missing.size() > named ? ", ..." : "") << ").");
+  text << (missing.size() > named ? ", ...)" : ")");
+  if (!this->AllowMissing)
+  {
+    return this->Fail(vtkErrorCode::PrematureEndOfFileError, "it is damaged, " + text.str());
+  }
+  if (missing.size() > known)
+  {
+    vtkWarningMacro(<< this->FileName << " is damaged: " << text.str() << ".");
+  }
+  return true;
 }
 
 bool vtkCSLFDecoder::UpdateReader()
@@ -302,10 +362,14 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
     return -1;
   }
   this->SetAbortExecute(0);
-  const cslf::AVLogSilence silence;
-  this->Internal->SetMissing(this->Internal->Reader->FindMissing(
-    [this](double progress) { return this->ReportProgress(progress); }));
-  return this->GetAbortExecute() ? -1 : this->GetNumberOfMissingViewpoints();
+  const bool isChecked = this->Guard(
+    [this]
+    {
+      this->Internal->SetMissing(this->Internal->Reader->FindMissing(
+        [this](double progress) { return this->ReportProgress(progress); }));
+      return !this->GetAbortExecute();
+    });
+  return isChecked ? this->GetNumberOfMissingViewpoints() : -1;
 }
 
 void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
@@ -333,10 +397,33 @@ bool vtkCSLFDecoder::RequireViewpoint(vtkIdType z)
   return true;
 }
 
+// A viewpoint as it is kept, decoded now if need be. Null where there is not enough memory.
+cslf::DecodedViewpointPointer vtkCSLFDecoder::Internals::GetViewpoint(
+  vtkCSLFDecoder* self, vtkIdType z)
+{
+  cslf::DecodedViewpointPointer viewpoint;
+  self->Guard(
+    [&]
+    {
+      viewpoint = this->Reader->GetViewpoints().Get(static_cast<int>(z));
+      return true;
+    });
+  return viewpoint;
+}
+
 bool vtkCSLFDecoder::IsViewpointDamaged(vtkIdType z)
 {
-  return !this->RequireViewpoint(z) ||
-    this->Internal->Reader->GetViewpoints().Get(static_cast<int>(z))->IsMissing;
+  if (!this->RequireViewpoint(z))
+  {
+    return true;
+  }
+  const auto viewpoint = this->Internal->GetViewpoint(this, z);
+  const bool isMissing = viewpoint && viewpoint->IsMissing;
+  if (isMissing && !this->AllowMissing && this->Internal->Damage.empty())
+  {
+    this->Guard([this] { return this->ReportFileDamage(); });
+  }
+  return !viewpoint || isMissing;
 }
 
 bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
@@ -346,7 +433,11 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   {
     return false;
   }
-  const auto viewpoint = this->Internal->Reader->GetViewpoints().Get(static_cast<int>(z));
+  const auto viewpoint = this->Internal->GetViewpoint(this, z);
+  if (!viewpoint)
+  {
+    return false;
+  }
   if (viewpoint->IsMissing)
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
@@ -380,7 +471,12 @@ void vtkCSLFDecoder::Prefetch(vtkIdTypeArray* viewpoints)
       slices.push_back(static_cast<int>(z));
     }
   }
-  this->Internal->Reader->GetViewpoints().Prefetch(slices);
+  this->Guard(
+    [&]
+    {
+      this->Internal->Reader->GetViewpoints().Prefetch(slices);
+      return true;
+    });
 }
 
 bool vtkCSLFDecoder::IsViewpointReady(vtkIdType z)
@@ -414,6 +510,7 @@ void vtkCSLFDecoder::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "CacheSize: " << this->CacheSize << "\n";
+  os << indent << "AllowMissing: " << this->AllowMissing << "\n";
   os << indent << "Description: " << this->GetDescription() << "\n";
   os << indent << "MissingViewpoints: " << this->GetNumberOfMissingViewpoints() << "\n";
 }

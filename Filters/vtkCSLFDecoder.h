@@ -25,12 +25,14 @@
  *
  * One thread at a time may call these methods, as usual. No event is invoked from another thread.
  *
- * Every group is checked against its checksums before it is decoded. Viewpoints of groups that are
- * damaged or cut off are left empty (coverage 0, depth 1). The first time that any of them is asked
- * for, one warning tells which of the whole file are missing, so that a field that is pulled in
- * parts is as well reported as one that is pulled at once; where nothing of the file can be read,
- * that is an error. The file may have been remuxed, for instance
- * with `ffmpeg -map 0 -c copy`. Documentation/FileFormat.md specifies it.
+ * Every group is checked against its checksums before memory is taken for it and before it is
+ * decoded. Viewpoints of groups that are damaged or cut off are left empty (coverage 0, depth 1).
+ * The first time that any of them is asked for, one warning tells which of the whole file are
+ * missing, so that a field that is pulled in parts is as well reported as one that is pulled at
+ * once. It is an error instead, and there is no output, with AllowMissing off, where nothing of the
+ * file can be read, or where fewer than one in 64 viewpoints of a large range can be. The file may
+ * have been remuxed, for instance with `ffmpeg -map 0 -c copy`. Documentation/FileFormat.md
+ * specifies it.
  *
  * @sa
  * vtkCSLFEncoder
@@ -41,7 +43,9 @@
 #include "vtkCSLFModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
-#include <memory> // For std::unique_ptr
+#include <functional> // For std::function
+#include <memory>     // For std::unique_ptr
+#include <string>     // For std::string
 
 class vtkIdTypeArray;
 class vtkImageData;
@@ -105,6 +109,17 @@ public:
   vtkIdTypeArray* GetMissingViewpoints() const;
   ///@}
 
+  ///@{
+  /**
+   * Whether viewpoints that are missing from a damaged file are left empty, with a warning. If not,
+   * asking for any of them is an error, whose code is vtkErrorCode::PrematureEndOfFileError.
+   * Default: true.
+   */
+  vtkSetMacro(AllowMissing, bool);
+  vtkGetMacro(AllowMissing, bool);
+  vtkBooleanMacro(AllowMissing, bool);
+  ///@}
+
   /**
    * Checks the whole file by its checksums without decoding it. Returns the number of missing
    * viewpoints, or -1 with an error if the file is none that can be read, or
@@ -148,9 +163,9 @@ public:
   bool IsViewpointReady(vtkIdType z);
 
   /**
-   * Whether a viewpoint cannot be had since the file is damaged there. Reports no error of that.
-   * Decodes the viewpoint unless it is kept. True, with an error, if the file cannot be read or has
-   * no such viewpoint.
+   * Whether a viewpoint cannot be had since the file is damaged there. Reports no error of that
+   * unless AllowMissing is off, and then one for the whole file. Decodes the viewpoint unless it is
+   * kept. True, with an error, if the file cannot be read or has no such viewpoint.
    */
   bool IsViewpointDamaged(vtkIdType z);
 
@@ -181,14 +196,20 @@ private:
 
   class Internals;
 
+  bool Guard(const std::function<bool()>& work);
+  bool Fail(unsigned long code, const std::string& problem);
+  bool OpenFile();
+  bool CheckRange(int first, int last);
+  void ReadRange(int first, int last, vtkImageData* output);
   bool ReportProgress(double progress);
   bool ReportDamage();
-  void WarnOfDamage();
+  bool ReportFileDamage();
   bool UpdateReader();
   bool RequireViewpoint(vtkIdType z);
 
   char* FileName = nullptr;
   vtkTypeInt64 CacheSize = 512 << 20;
+  bool AllowMissing = true;
   const std::unique_ptr<Internals> Internal;
 };
 

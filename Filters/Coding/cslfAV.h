@@ -23,6 +23,7 @@ extern "C"
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,27 @@ inline bool SetParameterSets(
   std::copy(sets.begin(), sets.end(), parameters->extradata);
   parameters->extradata_size = static_cast<int>(sets.size());
   return true;
+}
+
+/// The same code, or std::bad_alloc where it says that there is not enough memory.
+inline int RequireMemory(int code)
+{
+  if (code == AVERROR(ENOMEM))
+  {
+    throw std::bad_alloc();
+  }
+  return code;
+}
+
+/// The same object, or std::bad_alloc where it could not be made.
+template <typename T>
+T* RequireMemory(T* object)
+{
+  if (!object)
+  {
+    throw std::bad_alloc();
+  }
+  return object;
 }
 
 /// What an error code of FFmpeg means.

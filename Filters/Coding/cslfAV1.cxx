@@ -12,9 +12,11 @@ namespace
 enum UnitType
 {
   SequenceHeader = 1,
+  TemporalDelimiter = 2,
   FrameHeader = 3,
   TileGroup = 4,
-  Frame = 6
+  Frame = 6,
+  Padding = 15
 };
 
 /// A unit in memory.
@@ -117,7 +119,8 @@ bool AV1Bitstream::ReadConfiguration(
   {
     if (unit.Type == SequenceHeader)
     {
-      framing.ParameterSetsCRC = unit.AddTo(framing.ParameterSetsCRC);
+      framing.ParameterSetsCRC = unit.AddTo(0);
+      framing.ParameterSetCRCs.push_back(framing.ParameterSetsCRC);
       ++found;
     }
   };
@@ -130,13 +133,15 @@ bool AV1Bitstream::AddToCRC(
   bool isOfTrack = true;
   const auto add = [&](const Unit& unit)
   {
-    if (unit.Type == SequenceHeader)
-    {
-      isOfTrack = isOfTrack && unit.AddTo(0) == framing.ParameterSetsCRC;
-    }
-    else if (unit.IsPicture())
+    if (unit.IsPicture())
     {
       crc = unit.AddTo(crc);
+    }
+    else
+    {
+      isOfTrack = isOfTrack &&
+        (unit.Type == TemporalDelimiter || unit.Type == Padding ||
+          (unit.Type == SequenceHeader && framing.HasParameterSet(unit.AddTo(0))));
     }
   };
   return VisitUnits(data, size, add) && isOfTrack;

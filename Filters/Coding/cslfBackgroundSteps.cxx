@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <utility>
 
@@ -66,7 +67,14 @@ struct BackgroundSteps::Gate
     YieldToOthers();
     if (gate->Enter())
     {
-      gate->Step();
+      try
+      {
+        gate->Step();
+      }
+      catch (const std::exception&)
+      {
+        // The owner finds the step not done, and meets its error where it does it itself.
+      }
       gate->Leave();
     }
   }

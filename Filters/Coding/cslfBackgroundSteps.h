@@ -17,7 +17,8 @@ class BackgroundSteps
 {
 public:
   /// `step` does the next piece of work, or nothing if there is none. Several threads call it at
-  /// once, as many as vtkSMPTools has.
+  /// once, as many as vtkSMPTools has. An exception that it throws is dropped: it must leave what
+  /// it has not done to be found so.
   explicit BackgroundSteps(std::function<void()> step);
 
   /// Steps that have not begun are dropped, those that have are waited for.

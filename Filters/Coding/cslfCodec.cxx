@@ -5,6 +5,7 @@
 #include "Coding/cslfBitstreams.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace cslf
 {
@@ -65,6 +66,14 @@ std::optional<Codec> CodecOfName(const std::string& name)
 AVCodecID IDOfCodec(Codec codec)
 {
   return GetRow(codec).ID;
+}
+
+const AVCodec* FindDecoder(AVCodecID codec)
+{
+  // FFmpeg's own decoder of AV1, which it names when it has no other, only drives hardware.
+  const AVCodec* decoder = avcodec_find_decoder(codec);
+  return decoder && codec == AV_CODEC_ID_AV1 && std::strcmp(decoder->name, "av1") == 0 ? nullptr
+                                                                                       : decoder;
 }
 
 const Bitstream& GetBitstream(Codec codec)

@@ -10,6 +10,7 @@
 
 #include "Coding/cslfAV.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,6 +36,9 @@ std::optional<Codec> CodecOfName(const std::string& name);
 /// FFmpeg's number.
 AVCodecID IDOfCodec(Codec codec);
 
+/// FFmpeg's decoder of a codec, or null if this FFmpeg has none that works without hardware.
+const AVCodec* FindDecoder(AVCodecID codec);
+
 /// What the decoder configuration of a track says about its packets.
 struct Framing
 {
@@ -42,6 +46,14 @@ struct Framing
   int LengthSize = 0;
   /// The CRC-32 of the parameter sets.
   std::uint32_t ParameterSetsCRC = 0;
+  /// That of each one.
+  std::vector<std::uint32_t> ParameterSetCRCs;
+
+  bool HasParameterSet(std::uint32_t crc) const
+  {
+    return std::find(this->ParameterSetCRCs.begin(), this->ParameterSetCRCs.end(), crc) !=
+      this->ParameterSetCRCs.end();
+  }
 };
 
 /// How a codec's data are taken apart. Checksums are CRC-32 (zlib's) and leave out all that
@@ -57,7 +69,8 @@ public:
     const std::uint8_t* data, std::size_t size, Framing& framing) const = 0;
 
   /// Continues a CRC-32, begun as 0, with the coded picture data of a packet. False if the packet
-  /// is not made of whole units, or belongs to other parameter sets.
+  /// is not made of whole units, or has others than coded pictures, the track's parameter sets, and
+  /// units that decoders skip: they could change what is decoded, and no checksum covers them.
   virtual bool AddToCRC(const std::uint8_t* data, std::size_t size, const Framing& framing,
     std::uint32_t& crc) const = 0;
 

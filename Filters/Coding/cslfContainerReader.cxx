@@ -17,6 +17,11 @@ constexpr AVRational FrameTime = { 1, FrameRate };
 /// Packets read in search of the first one of each track, at most this many for each.
 constexpr int FirstPacketSearch = 4 * MaximumGroupLength;
 
+/// Packets of each stream read in search of a group, at most: frames of 10 seconds, within which
+/// all muxers of FFmpeg keep what belongs together. Otherwise each group of a track that ends early
+/// would be searched for through the rest of the file.
+constexpr int GroupSearch = 16 * MaximumGroupLength;
+
 /// Whether the times of a group's packets put them in the order in which their pictures say that
 /// they are shown. Times have no checksum, and a wrong one would make one viewpoint of another.
 bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<AVPacket>>& packets)
@@ -46,6 +51,14 @@ bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<
     order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
+/// Whether a packet has a time that can be computed with: those from a damaged file may be
+/// anything.
+bool HasTime(const AVPacket* packet)
+{
+  constexpr std::int64_t limit = std::int64_t(1) << 60;
+  return packet->pts != AV_NOPTS_VALUE && packet->pts > -limit && packet->pts < limit;
+}
+
 bool Refuse(OpenFailure& failure, unsigned long code, const std::string& text)
 {
   failure = { code, text };
@@ -73,7 +86,6 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   {
     return Refuse(failure, vtkErrorCode::FileNotFoundError, "there is no such file");
   }
-  this->Input.reset();
   AVDictionary* options = nullptr;
   av_dict_set(&options, "format_whitelist", "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm", 0);
   av_dict_set(&options, "protocol_whitelist", "file", 0);
@@ -83,6 +95,7 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   const std::string url = "file:" + this->FileName;
   const int code = avformat_open_input(&context, url.c_str(), nullptr, &options);
   av_dict_free(&options);
+  RequireMemory(code);
   if (code == AVERROR(EACCES) || code == AVERROR(EPERM))
   {
     return Refuse(failure, vtkErrorCode::CannotOpenFileError, AVErrorText(code));
@@ -136,12 +149,9 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
         std::string("its track \"") + NameOfRole(this->Header.Tracks[track].Kind.Role) +
           "\" is damaged");
     }
-    // Copied, since the container is opened anew where seeking fails.
-    AVHandle<AVCodecParameters> copy(avcodec_parameters_alloc());
-    if (!copy || avcodec_parameters_copy(copy.get(), parameters) < 0)
-    {
-      return Refuse(failure, vtkErrorCode::UnknownError, "there is not enough memory");
-    }
+    // Copied, since others read them while packets are read.
+    AVHandle<AVCodecParameters> copy(RequireMemory(avcodec_parameters_alloc()));
+    RequireMemory(avcodec_parameters_copy(copy.get(), parameters));
     this->Parameters.push_back(std::move(copy));
     this->Streams.push_back(static_cast<int>(stream));
     this->Framings.push_back(framing);
@@ -162,16 +172,13 @@ void ContainerReader::FindFirstTimes()
 {
   const std::size_t tracks = this->Streams.size();
   this->FirstTimes.assign(tracks, AV_NOPTS_VALUE);
-  const AVHandle<AVPacket> packet(av_packet_alloc());
-  std::size_t missing = packet ? tracks : 0;
-  for (std::size_t k = 0; missing > 0 && k < FirstPacketSearch * tracks; ++k)
+  const AVHandle<AVPacket> packet(RequireMemory(av_packet_alloc()));
+  std::size_t missing = tracks;
+  for (std::size_t k = 0;
+       missing > 0 && k < FirstPacketSearch * tracks && this->ReadPacket(packet.get()); ++k)
   {
-    if (av_read_frame(this->Input.get(), packet.get()) < 0)
-    {
-      break;
-    }
     const int track = this->FindTrack(packet.get());
-    if (track >= 0 && this->FirstTimes[track] == AV_NOPTS_VALUE && packet->pts != AV_NOPTS_VALUE)
+    if (track >= 0 && this->FirstTimes[track] == AV_NOPTS_VALUE && HasTime(packet.get()))
     {
       this->FirstTimes[track] = packet->pts;
       --missing;
@@ -192,6 +199,11 @@ void ContainerReader::FindFirstTimes()
   }
 }
 
+bool ContainerReader::ReadPacket(AVPacket* packet)
+{
+  return RequireMemory(av_read_frame(this->Input.get(), packet)) >= 0;
+}
+
 bool ContainerReader::SeekTo(int frame)
 {
   if (this->FirstTimes.empty())
@@ -205,30 +217,14 @@ bool ContainerReader::SeekTo(int frame)
     av_rescale_q(frame - MaximumGroupLength, FrameTime, this->Input->streams[stream]->time_base);
   // To any frame: a track whose marks of key frames are damaged would stay where it is.
   const int flags = AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY;
-  if (av_seek_frame(this->Input.get(), stream, time, flags) >= 0)
-  {
-    return true;
-  }
-  OpenFailure ignored;
-  return this->OpenContainer(ignored) && this->Input->nb_streams > 0 &&
-    *std::max_element(this->Streams.begin(), this->Streams.end()) <
-    static_cast<int>(this->Input->nb_streams);
+  return av_seek_frame(this->Input.get(), stream, time, flags) >= 0;
 }
 
 long long ContainerReader::FindFrame(std::size_t track, const AVPacket* packet) const
 {
-  if (packet->pts == AV_NOPTS_VALUE)
-  {
-    return -1;
-  }
-  // Times from a damaged file may be anything.
-  constexpr std::int64_t limit = std::int64_t(1) << 60;
-  if (packet->pts < -limit || packet->pts > limit)
-  {
-    return -1;
-  }
-  return av_rescale_q(packet->pts - this->FirstTimes[track],
-    this->Input->streams[packet->stream_index]->time_base, FrameTime);
+  return HasTime(packet) ? av_rescale_q(packet->pts - this->FirstTimes[track],
+                             this->Input->streams[packet->stream_index]->time_base, FrameTime)
+                         : -1;
 }
 
 GroupPackets ContainerReader::Read(int group)
@@ -244,8 +240,9 @@ GroupPackets ContainerReader::Read(int group)
   }
   std::size_t wanted = static_cast<std::size_t>(end - begin) * tracks;
   std::vector<bool> passed(tracks, false);
-  AVHandle<AVPacket> packet(av_packet_alloc());
-  while (packet && wanted > 0 && av_read_frame(this->Input.get(), packet.get()) >= 0)
+  AVHandle<AVPacket> packet(RequireMemory(av_packet_alloc()));
+  for (std::size_t left = std::size_t(GroupSearch) * this->Input->nb_streams;
+       wanted > 0 && left > 0 && this->ReadPacket(packet.get()); --left)
   {
     const int track = this->FindTrack(packet.get());
     const long long frame = track < 0 ? -1 : this->FindFrame(track, packet.get());
@@ -253,8 +250,10 @@ GroupPackets ContainerReader::Read(int group)
     {
       packet->pts = frame - begin;
       packet->dts = AV_NOPTS_VALUE;
+      // It may hold other parameter sets, which no checksum covers.
+      av_packet_free_side_data(packet.get());
       packets.Tracks[track].push_back(std::move(packet));
-      packet.reset(av_packet_alloc());
+      packet.reset(RequireMemory(av_packet_alloc()));
       --wanted;
       continue;
     }
@@ -274,9 +273,8 @@ GroupPackets ContainerReader::Read(int group)
 std::vector<std::int64_t> ContainerReader::CountBytes()
 {
   std::vector<std::int64_t> bytes(this->Streams.size(), 0);
-  const AVHandle<AVPacket> packet(av_packet_alloc());
-  for (bool isThere = packet && this->SeekTo(0);
-       isThere && av_read_frame(this->Input.get(), packet.get()) >= 0;)
+  const AVHandle<AVPacket> packet(RequireMemory(av_packet_alloc()));
+  for (const bool isThere = this->SeekTo(0); isThere && this->ReadPacket(packet.get());)
   {
     const int track = this->FindTrack(packet.get());
     if (track >= 0)
@@ -288,7 +286,7 @@ std::vector<std::int64_t> ContainerReader::CountBytes()
   return bytes;
 }
 
-bool ContainerReader::IsWhole(int group, std::size_t track, const GroupPackets& packets) const
+bool ContainerReader::IsTrackWhole(int group, std::size_t track, const GroupPackets& packets) const
 {
   const int length = this->Header.Groups[group];
   const Bitstream& bitstream = GetBitstream(this->Header.Tracks[track].Kind.Coding);
@@ -313,7 +311,7 @@ bool ContainerReader::IsWhole(int group, const GroupPackets& packets) const
 {
   for (std::size_t track = 0; track < packets.Tracks.size(); ++track)
   {
-    if (!this->IsWhole(group, track, packets))
+    if (!this->IsTrackWhole(group, track, packets))
     {
       return false;
     }

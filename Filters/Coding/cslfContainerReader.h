@@ -22,7 +22,8 @@ struct GroupPackets
   std::vector<std::vector<AVHandle<AVPacket>>> Tracks;
 };
 
-/// Why a file could not be opened.
+/// Why a file could not be opened, unless there was not enough memory: then std::bad_alloc is
+/// thrown here and by all methods that read.
 struct OpenFailure
 {
   unsigned long Code = 0; ///< one of vtkErrorCode's
@@ -43,16 +44,15 @@ public:
     return this->Parameters[track].get();
   }
 
-  /// Reads the packets of a group and no more than lies between them. What cannot be read is left
-  /// out.
+  /// Reads the packets of a group and no more than lies between them, at most some seconds of
+  /// frames. What cannot be found there is left out.
   GroupPackets Read(int group);
 
   /// The bytes of all packets of each track. Reads the whole file.
   std::vector<std::int64_t> CountBytes();
 
-  /// Whether all packets of a group are there, their checksums right and their times in order, in
-  /// one or in all tracks. Several threads may ask at once, and while packets are read.
-  bool IsWhole(int group, std::size_t track, const GroupPackets& packets) const;
+  /// Whether all packets of a group are there, their checksums right and their times in order.
+  /// Several threads may ask at once, and while packets are read.
   bool IsWhole(int group, const GroupPackets& packets) const;
 
 private:
@@ -60,7 +60,9 @@ private:
   bool ReadHeader(OpenFailure& failure);
   bool FindTracks(OpenFailure& failure);
   void FindFirstTimes();
+  bool ReadPacket(AVPacket* packet);
   bool SeekTo(int frame);
+  bool IsTrackWhole(int group, std::size_t track, const GroupPackets& packets) const;
   int FindTrack(const AVPacket* packet) const;
   long long FindFrame(std::size_t track, const AVPacket* packet) const;
 

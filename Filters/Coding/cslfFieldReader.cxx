@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFieldReader.h"
 
+#include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfSlabs.h"
 
+#include <vtkErrorCode.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -46,7 +49,7 @@ public:
   /// Copies the slices that are kept.
   void CopyKept()
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lacks.size()), 1,
+    ParallelFor(0, static_cast<vtkIdType>(this->Lacks.size()), 1,
       [this](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType place = begin; place < end; ++place)
@@ -172,7 +175,20 @@ private:
 std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, OpenFailure& failure)
 {
   auto container = ContainerReader::Open(fileName, failure);
-  return container ? std::make_unique<FieldReader>(std::move(container)) : nullptr;
+  if (!container)
+  {
+    return nullptr;
+  }
+  for (const CodedTrack& track : container->GetHeader().Tracks)
+  {
+    if (!FindDecoder(IDOfCodec(track.Kind.Coding)))
+    {
+      failure = { vtkErrorCode::CannotOpenFileError,
+        std::string("this FFmpeg has no decoder for ") + NameOfCodec(track.Kind.Coding) };
+      return nullptr;
+    }
+  }
+  return std::make_unique<FieldReader>(std::move(container));
 }
 
 FieldReader::FieldReader(std::unique_ptr<ContainerReader> container)
@@ -209,13 +225,27 @@ std::vector<int> FieldReader::Read(
 
 std::vector<int> FieldReader::FindMissing(const Progress& progress)
 {
-  const int groups = this->Decoder.GetNumberOfGroups();
-  std::vector<int> missing;
-  for (int group = 0; group < groups && progress(static_cast<double>(group) / groups); ++group)
+  return this->FindMissing(0, this->GetHeader().Field.Grid.GetSlices() - 1, progress);
+}
+
+std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& progress)
+{
+  std::map<int, std::vector<int>> slicesOfGroups;
+  for (int slice = first; slice <= last; ++slice)
   {
+    slicesOfGroups[this->Store.GetGroup(slice)].push_back(slice);
+  }
+  std::vector<int> missing;
+  const auto groups = static_cast<double>(slicesOfGroups.size());
+  int checked = 0;
+  for (const auto& [group, slices] : slicesOfGroups)
+  {
+    if (!progress(checked++ / groups))
+    {
+      break;
+    }
     if (!this->Decoder.Check(group))
     {
-      const std::vector<int> slices = this->Decoder.GetSlices(group);
       missing.insert(missing.end(), slices.begin(), slices.end());
     }
   }

@@ -16,6 +16,7 @@
 
 namespace cslf
 {
+/// Methods that read throw std::bad_alloc where there is not enough memory.
 class FieldReader
 {
 public:
@@ -40,8 +41,11 @@ public:
   std::vector<int> Read(
     int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress);
 
-  /// The slices of damaged groups, in ascending order, by their checksums: nothing is decoded.
+  /// The slices of damaged groups, all or those from `first` to `last`, in ascending order. Nothing
+  /// is decoded: groups are damaged by their checksums, or since decoding has failed before. Those
+  /// of which this is known are not read again.
   std::vector<int> FindMissing(const Progress& progress);
+  std::vector<int> FindMissing(int first, int last, const Progress& progress);
 
   /// Single viewpoints, which are kept for later.
   ViewpointStore& GetViewpoints() { return this->Store; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfGroupDecoder.h"
 
-#include <vtkSMPTools.h>
+#include "Pipeline/cslfParallelFor.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,6 +13,7 @@ GroupDecoder::GroupDecoder(std::unique_ptr<ContainerReader> container)
   : Container(std::move(container))
   , GroupStarts(this->GetHeader().GetGroupStarts())
   , Idle(this->GetHeader().Tracks.size())
+  , Conditions(this->GetHeader().Groups.size(), Condition::Unknown)
 {
 }
 
@@ -22,27 +23,74 @@ std::vector<int> GroupDecoder::GetSlices(int group) const
   return { begin + this->GroupStarts[group], begin + this->GroupStarts[group + 1] };
 }
 
+GroupDecoder::Condition GroupDecoder::GetCondition(int group)
+{
+  const std::lock_guard<std::mutex> lock(this->ConditionMutex);
+  return this->Conditions[group];
+}
+
+void GroupDecoder::SetCondition(int group, bool isWhole)
+{
+  const std::lock_guard<std::mutex> lock(this->ConditionMutex);
+  this->Conditions[group] = isWhole ? Condition::Whole : Condition::Damaged;
+}
+
+bool GroupDecoder::Check(int group)
+{
+  const Condition condition = this->GetCondition(group);
+  return condition == Condition::Unknown ? this->Load(group) != nullptr
+                                         : condition == Condition::Whole;
+}
+
+std::unique_ptr<const GroupPackets> GroupDecoder::Load(int group)
+{
+  if (this->GetCondition(group) == Condition::Damaged)
+  {
+    return nullptr;
+  }
+  auto packets = std::make_unique<GroupPackets>();
+  {
+    const std::lock_guard<std::mutex> lock(this->ContainerMutex);
+    *packets = this->Container->Read(group);
+  }
+  const bool isWhole = this->Container->IsWhole(group, *packets);
+  this->SetCondition(group, isWhole);
+  return isWhole ? std::move(packets) : nullptr;
+}
+
 std::vector<bool> GroupDecoder::Decode(const std::vector<GroupRequest>& requests)
 {
   if (requests.size() == 1)
   {
-    return { this->DecodeTracks(requests.front()) };
+    constexpr bool alone = false;
+    return { this->LoadAndDecode(requests.front(), alone) };
   }
   std::vector<char> whole(requests.size(), 0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(requests.size()), 1,
+  ParallelFor(0, static_cast<vtkIdType>(requests.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
+      constexpr bool alone = true;
       for (vtkIdType k = begin; k < end; ++k)
       {
-        whole[k] = this->DecodeAlone(requests[k]) ? 1 : 0;
+        whole[k] = this->LoadAndDecode(requests[k], alone) ? 1 : 0;
       }
     });
   return { whole.begin(), whole.end() };
 }
 
-bool GroupDecoder::DecodeAlone(const GroupRequest& request)
+bool GroupDecoder::LoadAndDecode(const GroupRequest& request, bool alone)
 {
-  const GroupPackets packets = this->ReadPackets(request.Group);
+  const auto packets = this->Load(request.Group);
+  if (!packets)
+  {
+    this->Clear(request);
+    return false;
+  }
+  return alone ? this->DecodeAlone(request, *packets) : this->DecodeTracks(request, *packets);
+}
+
+bool GroupDecoder::DecodeAlone(const GroupRequest& request, const GroupPackets& packets)
+{
   Workers workers;
   std::vector<const AVFrame*> frames(packets.Tracks.size());
   bool isGood = true;
@@ -62,33 +110,11 @@ bool GroupDecoder::DecodeAlone(const GroupRequest& request)
       isGood = this->Join(workers, frames, static_cast<int>(place), request.Slices[place]);
     }
   }
-  if (!isGood)
-  {
-    this->Clear(request);
-    return false;
-  }
-  this->PutBack(workers);
-  return true;
+  return this->Finish(request, isGood, workers);
 }
 
-bool GroupDecoder::DecodeTracks(const GroupRequest& request)
+bool GroupDecoder::DecodeTracks(const GroupRequest& request, const GroupPackets& packets)
 {
-  const GroupPackets packets = this->ReadPackets(request.Group);
-  const std::size_t tracks = packets.Tracks.size();
-  Workers workers(tracks);
-  std::vector<std::vector<AVHandle<AVFrame>>> frames(tracks);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(tracks), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType track = begin; track < end; ++track)
-      {
-        workers[track] = this->Begin(track, request, packets);
-        while (const AVFrame* frame = workers[track] ? workers[track]->Decoder->Next() : nullptr)
-        {
-          frames[track].emplace_back(av_frame_clone(frame));
-        }
-      }
-    });
   std::vector<int> places;
   for (std::size_t place = 0; place < request.Slices.size(); ++place)
   {
@@ -97,6 +123,24 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request)
       places.push_back(static_cast<int>(place));
     }
   }
+  const std::size_t tracks = packets.Tracks.size();
+  Workers workers(tracks);
+  std::vector<std::vector<AVHandle<AVFrame>>> frames(tracks);
+  ParallelFor(0, static_cast<vtkIdType>(tracks), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType track = begin; track < end; ++track)
+      {
+        workers[track] = this->Begin(track, request, packets);
+        const AVFrame* frame = nullptr;
+        // A damaged track may hold more frames than there are places.
+        while (workers[track] && frames[track].size() < places.size() &&
+          (frame = workers[track]->Decoder->Next()) != nullptr)
+        {
+          frames[track].emplace_back(RequireMemory(av_frame_clone(frame)));
+        }
+      }
+    });
   bool isGood = true;
   std::vector<const AVFrame*> parts(tracks);
   for (std::size_t k = 0; isGood && k < places.size(); ++k)
@@ -106,18 +150,22 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request)
       { return k < track.size() ? track[k].get() : nullptr; });
     isGood = this->Join(workers, parts, places[k], request.Slices[places[k]]);
   }
-  if (!isGood)
-  {
-    this->Clear(request);
-    return false;
-  }
-  this->PutBack(workers);
-  return true;
+  return this->Finish(request, isGood, workers);
 }
 
-bool GroupDecoder::Check(int group)
+bool GroupDecoder::Finish(const GroupRequest& request, bool isGood, Workers& workers)
 {
-  return this->Container->IsWhole(group, this->ReadPackets(group));
+  if (isGood)
+  {
+    this->PutBack(workers);
+    return true;
+  }
+  if (!this->IsStopped)
+  {
+    this->SetCondition(request.Group, false);
+  }
+  this->Clear(request);
+  return false;
 }
 
 std::vector<std::int64_t> GroupDecoder::CountBytes()
@@ -126,19 +174,9 @@ std::vector<std::int64_t> GroupDecoder::CountBytes()
   return this->Container->CountBytes();
 }
 
-GroupPackets GroupDecoder::ReadPackets(int group)
-{
-  const std::lock_guard<std::mutex> lock(this->ContainerMutex);
-  return this->Container->Read(group);
-}
-
 std::unique_ptr<GroupDecoder::Worker> GroupDecoder::Begin(
   std::size_t track, const GroupRequest& request, const GroupPackets& packets)
 {
-  if (!this->Container->IsWhole(request.Group, track, packets))
-  {
-    return nullptr;
-  }
   std::unique_ptr<Worker> worker;
   {
     const std::lock_guard<std::mutex> lock(this->IdleMutex);
@@ -151,8 +189,9 @@ std::unique_ptr<GroupDecoder::Worker> GroupDecoder::Begin(
   if (!worker)
   {
     const FileHeader& header = this->GetHeader();
-    worker.reset(new Worker{ TrackDecoder::Open(this->Container->GetParameters(track)),
-      FrameToSlice(header.Tracks[track].Kind, header.Field.Grid.GetResolution()) });
+    const int resolution = header.Field.Grid.GetResolution();
+    worker.reset(new Worker{ TrackDecoder::Open(this->Container->GetParameters(track), resolution),
+      FrameToSlice(header.Tracks[track].Kind, resolution) });
   }
   if (!worker->Decoder)
   {

@@ -25,7 +25,8 @@ struct GroupRequest
   std::vector<Slice> Slices; ///< of each frame; those without colour are not wanted
 };
 
-/// All methods may be called by several threads at once.
+/// All methods may be called by several threads at once. Those that decode or read throw
+/// std::bad_alloc where there is not enough memory.
 class GroupDecoder
 {
 public:
@@ -37,16 +38,21 @@ public:
   /// The slices of a group's frames.
   std::vector<int> GetSlices(int group) const;
 
+  /// Whether a group is whole, by its checksums. It is read unless that is known already.
+  bool Check(int group);
+
+  /// Reads a group's packets. Null if it is not whole by its checksums, or is known to be damaged.
+  /// This is asked before memory is taken for what a file claims to hold.
+  std::unique_ptr<const GroupPackets> Load(int group);
+
   /// Fills what is wanted of some groups, with as many threads as vtkSMPTools has. Tells of each
   /// group whether it is whole; of one that is damaged the wanted slices are cleared.
   std::vector<bool> Decode(const std::vector<GroupRequest>& requests);
 
-  /// The same for one group, by the calling thread alone or with a thread for each track.
-  bool DecodeAlone(const GroupRequest& request);
-  bool DecodeTracks(const GroupRequest& request);
-
-  /// Whether a group is whole, by its checksums.
-  bool Check(int group);
+  /// The same for one group that is loaded, by the calling thread alone or with a thread for each
+  /// track.
+  bool DecodeAlone(const GroupRequest& request, const GroupPackets& packets);
+  bool DecodeTracks(const GroupRequest& request, const GroupPackets& packets);
 
   /// The bytes of all packets of each track. Reads the whole file.
   std::vector<std::int64_t> CountBytes();
@@ -63,7 +69,18 @@ private:
   };
   using Workers = std::vector<std::unique_ptr<Worker>>;
 
-  GroupPackets ReadPackets(int group);
+  /// What is known of a group.
+  enum class Condition
+  {
+    Unknown,
+    Whole,
+    Damaged
+  };
+
+  Condition GetCondition(int group);
+  void SetCondition(int group, bool isWhole);
+  bool LoadAndDecode(const GroupRequest& request, bool alone);
+  bool Finish(const GroupRequest& request, bool isGood, Workers& workers);
   std::unique_ptr<Worker> Begin(
     std::size_t track, const GroupRequest& request, const GroupPackets& packets);
   void PutBack(Workers& workers);
@@ -76,6 +93,8 @@ private:
   std::mutex ContainerMutex; ///< while packets are read
   std::mutex IdleMutex;
   std::vector<Workers> Idle; ///< of each track
+  std::mutex ConditionMutex;
+  std::vector<Condition> Conditions; ///< of each group
   std::atomic<bool> IsStopped{ false };
 };
 }

@@ -42,7 +42,7 @@ bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& sl
   {
     return false;
   }
-  const auto decoder = TrackDecoder::Open(parameters.get());
+  const auto decoder = TrackDecoder::Open(parameters.get(), resolution);
   if (!decoder)
   {
     return false;

@@ -17,6 +17,8 @@ NALSyntax MakeSyntax()
   syntax.LastSlice = 5;
   syntax.FirstParameterSet = 7; // of a sequence
   syntax.LastParameterSet = 8;  // of a picture
+  syntax.Delimiter = 9;
+  syntax.Filler = 12;
   syntax.LeastRecordSize = 7;
   syntax.RecordLengthSizeOffset = 4;
   return syntax;

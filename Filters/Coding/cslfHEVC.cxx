@@ -17,6 +17,8 @@ NALSyntax MakeSyntax()
   syntax.LastSlice = 31;
   syntax.FirstParameterSet = 32; // of a video
   syntax.LastParameterSet = 34;  // of a picture
+  syntax.Delimiter = 35;
+  syntax.Filler = 38;
   syntax.LeastRecordSize = 23;
   syntax.RecordLengthSizeOffset = 21;
   return syntax;

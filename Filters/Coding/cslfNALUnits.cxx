@@ -32,9 +32,9 @@ std::size_t FindStartCode(const std::uint8_t* data, std::size_t size, std::size_
   return size;
 }
 
-void AddTo(std::uint32_t& crc, const NALUnit& unit)
+std::uint32_t AddTo(std::uint32_t crc, const NALUnit& unit)
 {
-  crc = static_cast<std::uint32_t>(::crc32(crc, unit.Data, static_cast<uInt>(unit.Size)));
+  return static_cast<std::uint32_t>(::crc32(crc, unit.Data, static_cast<uInt>(unit.Size)));
 }
 }
 
@@ -47,6 +47,18 @@ bool NALBitstream::IsSlice(const NALUnit& unit) const
 {
   const int type = this->GetType(unit);
   return type >= this->Syntax.FirstSlice && type <= this->Syntax.LastSlice;
+}
+
+bool NALBitstream::IsParameterSet(const NALUnit& unit) const
+{
+  const int type = this->GetType(unit);
+  return type >= this->Syntax.FirstParameterSet && type <= this->Syntax.LastParameterSet;
+}
+
+bool NALBitstream::IsSkipped(const NALUnit& unit) const
+{
+  const int type = this->GetType(unit);
+  return type == this->Syntax.Delimiter || type == this->Syntax.Filler;
 }
 
 bool NALBitstream::VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize,
@@ -126,11 +138,11 @@ bool NALBitstream::ReadConfiguration(
   int found = 0;
   const auto add = [&](const NALUnit& unit)
   {
-    const int type = this->GetType(unit);
-    if (type >= this->Syntax.FirstParameterSet && type <= this->Syntax.LastParameterSet)
+    if (this->IsParameterSet(unit))
     {
-      found |= 1 << (type - this->Syntax.FirstParameterSet);
-      AddTo(framing.ParameterSetsCRC, unit);
+      found |= 1 << (this->GetType(unit) - this->Syntax.FirstParameterSet);
+      framing.ParameterSetsCRC = AddTo(framing.ParameterSetsCRC, unit);
+      framing.ParameterSetCRCs.push_back(AddTo(0, unit));
     }
   };
   const bool isRecord = size >= this->Syntax.LeastRecordSize && data[0] == 1;
@@ -148,15 +160,24 @@ bool NALBitstream::ReadConfiguration(
 bool NALBitstream::AddToCRC(
   const std::uint8_t* data, std::size_t size, const Framing& framing, std::uint32_t& crc) const
 {
+  bool isOfTrack = true;
   const auto add = [&](const NALUnit& unit)
   {
     if (this->IsSlice(unit))
     {
-      AddTo(crc, unit);
+      crc = AddTo(crc, unit);
+    }
+    else
+    {
+      isOfTrack = isOfTrack &&
+        (this->IsSkipped(unit) ||
+          (this->IsParameterSet(unit) && framing.HasParameterSet(AddTo(0, unit))));
     }
   };
-  return framing.LengthSize == 0 ? this->VisitStartCoded(data, size, add)
-                                 : this->VisitPrefixed(data, size, framing.LengthSize, add);
+  const bool isWhole = framing.LengthSize == 0
+    ? this->VisitStartCoded(data, size, add)
+    : this->VisitPrefixed(data, size, framing.LengthSize, add);
+  return isWhole && isOfTrack;
 }
 
 std::vector<std::uint8_t> NALBitstream::Trim(const std::uint8_t* data, std::size_t size) const

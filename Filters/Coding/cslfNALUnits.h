@@ -40,6 +40,11 @@ struct NALSyntax
   int FirstParameterSet = 0;
   int LastParameterSet = 0;
   ///@}
+  ///@{
+  /// The types of units that decoders skip.
+  int Delimiter = 0; ///< of access units
+  int Filler = 0;
+  ///@}
   std::size_t LeastRecordSize = 0;
   std::size_t RecordLengthSizeOffset = 0; ///< of the byte that tells how long length prefixes are
 };
@@ -73,6 +78,8 @@ protected:
 private:
   int GetType(const NALUnit& unit) const;
   bool IsSlice(const NALUnit& unit) const;
+  bool IsParameterSet(const NALUnit& unit) const;
+  bool IsSkipped(const NALUnit& unit) const;
 
   /// Visits the unit that follows its size at `position`, and moves `position` behind it.
   bool VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize, std::size_t& position,

@@ -2,25 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfTrackDecoder.h"
 
+#include "cslfLayout.h"
+
 #include <algorithm>
 #include <cstddef>
 
 namespace cslf
 {
-std::unique_ptr<TrackDecoder> TrackDecoder::Open(const AVCodecParameters* parameters)
+std::unique_ptr<TrackDecoder> TrackDecoder::Open(
+  const AVCodecParameters* parameters, int resolution)
 {
-  const AVCodec* codec = avcodec_find_decoder(parameters->codec_id);
+  const AVCodec* codec = FindDecoder(parameters->codec_id);
+  if (!codec)
+  {
+    return nullptr;
+  }
   auto decoder = std::make_unique<TrackDecoder>();
-  decoder->Context.reset(codec ? avcodec_alloc_context3(codec) : nullptr);
-  decoder->Frame.reset(av_frame_alloc());
+  decoder->Context.reset(RequireMemory(avcodec_alloc_context3(codec)));
+  decoder->Frame.reset(RequireMemory(av_frame_alloc()));
   AVCodecContext* context = decoder->Context.get();
-  if (!context || !decoder->Frame || avcodec_parameters_to_context(context, parameters) < 0)
+  if (RequireMemory(avcodec_parameters_to_context(context, parameters)) < 0)
   {
     return nullptr;
   }
   context->thread_count = 1;
   context->err_recognition = AV_EF_EXPLODE;
-  return avcodec_open2(context, codec, nullptr) < 0 ? nullptr : std::move(decoder);
+  // Decoders count whole coding blocks and aligned rows.
+  constexpr std::int64_t alignment = 128;
+  context->max_pixels = FFALIGN(TileCount * std::int64_t(resolution), alignment) *
+    FFALIGN(std::int64_t(resolution), alignment);
+  // Film grain, which a message may ask for that no checksum covers, is no light.
+  context->export_side_data |= AV_CODEC_EXPORT_DATA_FILM_GRAIN;
+  return RequireMemory(avcodec_open2(context, codec, nullptr)) < 0 ? nullptr : std::move(decoder);
 }
 
 void TrackDecoder::Begin(
@@ -39,7 +52,8 @@ const AVFrame* TrackDecoder::Next()
   int code = 0;
   do
   {
-    while ((code = avcodec_receive_frame(this->Context.get(), this->Frame.get())) >= 0)
+    while (
+      (code = RequireMemory(avcodec_receive_frame(this->Context.get(), this->Frame.get()))) >= 0)
     {
       const std::int64_t place = this->Frame->pts;
       if (place < 0 || place >= static_cast<std::int64_t>(this->IsWanted.size()))
@@ -64,7 +78,7 @@ bool TrackDecoder::Send()
     const bool isWanted = this->IsWanted[packet->pts];
     this->ToSend -= isWanted ? 1 : 0;
     context->skip_frame = isWanted ? AVDISCARD_DEFAULT : AVDISCARD_NONREF;
-    return avcodec_send_packet(context, packet) >= 0;
+    return RequireMemory(avcodec_send_packet(context, packet)) >= 0;
   }
   const bool isFirst = !this->IsDrained;
   this->IsDrained = true;

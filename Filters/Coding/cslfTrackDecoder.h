@@ -19,8 +19,9 @@ namespace cslf
 class TrackDecoder
 {
 public:
-  /// Null if FFmpeg cannot decode a track of these parameters.
-  static std::unique_ptr<TrackDecoder> Open(const AVCodecParameters* parameters);
+  /// Null if FFmpeg cannot decode a track of these parameters, whose frames are strips of 5 N x N
+  /// texels. Frames that are larger are not decoded.
+  static std::unique_ptr<TrackDecoder> Open(const AVCodecParameters* parameters, int resolution);
 
   /// Begins a group. The packets, whose times are the frames' places in the group, must stay until
   /// the last wanted frame is taken. What comes after that in decoding order, and unwanted frames

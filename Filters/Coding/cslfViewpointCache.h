@@ -20,7 +20,7 @@ namespace cslf
 /// The arrays of one decoded slice. They are shared, so nobody may change them.
 struct DecodedViewpoint
 {
-  bool IsMissing = false; ///< damaged: nothing covered
+  bool IsMissing = true; ///< damaged: then the arrays, if any, say nothing
   vtkSmartPointer<vtkDataArray> Color;
   vtkSmartPointer<vtkDataArray> Depth; ///< null where the field has none
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfViewpointStore.h"
 
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfSlabs.h"
 
 #include <algorithm>
@@ -16,19 +17,6 @@ namespace
 {
 /// How often a wait asks whether it shall go on.
 constexpr std::chrono::milliseconds AskingInterval{ 50 };
-
-vtkSmartPointer<vtkDataArray> MakeArray(const Channel* channel, const Layout& grid)
-{
-  vtkSmartPointer<vtkDataArray> array;
-  if (channel)
-  {
-    array.TakeReference(vtkDataArray::CreateDataArray(channel->Type));
-    array->SetName(channel->Name.c_str());
-    array->SetNumberOfComponents(channel->Components);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(grid.GetStripWidth()) * grid.GetResolution());
-  }
-  return array;
-}
 }
 
 Slice ToSlice(const DecodedViewpoint& viewpoint)
@@ -54,11 +42,12 @@ ViewpointStore::ViewpointStore(GroupDecoder& decoder)
       this->GroupOfSlice[slice] = group;
     }
   }
+  std::uint64_t texelBytes = 0;
   for (const Channel& channel : field.Channels)
   {
-    this->ViewpointBytes +=
-      std::uint64_t(TexelBytes(channel)) * field.Grid.GetStripWidth() * field.Grid.GetResolution();
+    texelBytes += TexelBytes(channel);
   }
+  this->ViewpointBytes = texelBytes * field.Grid.GetStripWidth() * field.Grid.GetResolution();
 }
 
 ViewpointStore::~ViewpointStore()
@@ -83,8 +72,14 @@ DecodedViewpoint ViewpointStore::Make() const
 {
   const Description& field = this->Decoder.GetHeader().Field;
   DecodedViewpoint viewpoint;
-  viewpoint.Color = MakeArray(field.FindChannel(ColorName), field.Grid);
-  viewpoint.Depth = MakeArray(field.FindChannel(DepthName), field.Grid);
+  const vtkIdType texels =
+    static_cast<vtkIdType>(field.Grid.GetStripWidth()) * field.Grid.GetResolution();
+  viewpoint.IsMissing = false;
+  viewpoint.Color = MakeArray(*field.FindChannel(ColorName), texels);
+  if (const Channel* depth = field.FindChannel(DepthName))
+  {
+    viewpoint.Depth = MakeArray(*depth, texels);
+  }
   return viewpoint;
 }
 
@@ -182,9 +177,45 @@ std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<int>
   return jobs;
 }
 
+/// Slices are in progress as long as this lives, whatever ends their decoding.
+class ViewpointStore::Progress
+{
+public:
+  explicit Progress(ViewpointStore& store)
+    : Store(store)
+  {
+  }
+  ~Progress()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->Store.Mutex);
+      for (int slice : this->Slices)
+      {
+        this->Store.InProgress.erase(slice);
+      }
+    }
+    this->Store.Changed.notify_all();
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// The mutex must be held.
+  void Begin(const std::vector<int>& slices)
+  {
+    std::set<int> added(slices.begin(), slices.end());
+    this->Slices = slices;
+    this->Store.InProgress.merge(added);
+  }
+
+private:
+  ViewpointStore& Store;
+  std::vector<int> Slices;
+};
+
 void ViewpointStore::FetchNext()
 {
   Job job;
+  Progress progress(*this);
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (this->Pending.empty())
@@ -197,20 +228,14 @@ void ViewpointStore::FetchNext()
     { return this->Cache.Has(slice) || this->InProgress.count(slice) != 0; };
     job.Slices.erase(
       std::remove_if(job.Slices.begin(), job.Slices.end(), isKnown), job.Slices.end());
-    this->InProgress.insert(job.Slices.begin(), job.Slices.end());
+    progress.Begin(job.Slices);
   }
   constexpr bool alone = true;
   std::vector<DecodedViewpoint> decoded = this->Decode(job, alone);
+  for (std::size_t k = 0; k < decoded.size(); ++k)
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (std::size_t k = 0; k < decoded.size(); ++k)
-    {
-      this->Cache.Insert(
-        job.Slices[k], std::make_shared<const DecodedViewpoint>(std::move(decoded[k])));
-      this->InProgress.erase(job.Slices[k]);
-    }
+    this->Insert(job.Slices[k], std::move(decoded[k]));
   }
-  this->Changed.notify_all();
 }
 
 std::vector<DecodedViewpoint> ViewpointStore::Decode(const Job& job, bool alone)
@@ -221,6 +246,12 @@ std::vector<DecodedViewpoint> ViewpointStore::Decode(const Job& job, bool alone)
     return viewpoints;
   }
   const AVLogSilence silence;
+  const auto packets = this->Decoder.Load(job.Group);
+  if (!packets)
+  {
+    viewpoints.resize(job.Slices.size());
+    return viewpoints;
+  }
   const std::vector<int> frames = this->Decoder.GetSlices(job.Group);
   GroupRequest request;
   request.Group = job.Group;
@@ -231,8 +262,8 @@ std::vector<DecodedViewpoint> ViewpointStore::Decode(const Job& job, bool alone)
     viewpoints.push_back(this->Make());
     request.Slices[frame] = ToSlice(viewpoints.back());
   }
-  const bool isWhole =
-    alone ? this->Decoder.DecodeAlone(request) : this->Decoder.DecodeTracks(request);
+  const bool isWhole = alone ? this->Decoder.DecodeAlone(request, *packets)
+                             : this->Decoder.DecodeTracks(request, *packets);
   for (DecodedViewpoint& viewpoint : viewpoints)
   {
     viewpoint.IsMissing = !isWhole;

@@ -22,7 +22,8 @@
 
 namespace cslf
 {
-/// All methods may be called by several threads at once.
+/// All methods may be called by several threads at once. Those that decode throw std::bad_alloc
+/// where there is not enough memory; in the background viewpoints are then left to who needs them.
 class ViewpointStore
 {
 public:
@@ -72,6 +73,8 @@ private:
     int Group = 0;
     std::vector<int> Slices;
   };
+
+  class Progress;
 
   std::vector<Job> MakeJobs(const std::vector<int>& slices);
   void FetchNext();

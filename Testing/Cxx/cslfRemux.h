@@ -8,13 +8,27 @@
 #define cslfRemux_h
 
 #include <string>
+#include <vector>
 
 namespace cslf
 {
 namespace testing
 {
-/// Does what `ffmpeg -i from -map 0 -c copy to` does.
-bool Remux(const std::string& from, const std::string& to);
+/// How a copy differs. What is empty or 0 stays as it is.
+struct RemuxChanges
+{
+  std::string Comment;
+  ///@{
+  /// What the container says that frames measure.
+  int Width = 0;
+  int Height = 0;
+  ///@}
+  int Repeats = 1;         ///< of all frames, one after the other
+  std::vector<int> Frames; ///< of each track: how many are left
+};
+
+/// Does what `ffmpeg -i from -map 0 -c copy to` does, but for the changes.
+bool Remux(const std::string& from, const std::string& to, const RemuxChanges& changes = {});
 }
 }
 

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFieldArrays.h"
+
+#include "cslfSlabs.h"
+
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+namespace cslf
+{
+namespace
+{
+/// So little is always allocated.
+constexpr double LittleBytes = 64.0 * 1024 * 1024;
+
+/// Of more than that, one of so many slices must be there.
+constexpr double MostMissing = 64.0;
+}
+
+vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples)
+{
+  const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
+  array->SetName(channel.Name.c_str());
+  array->SetNumberOfComponents(channel.Components);
+  const vtkIdType values = tuples * channel.Components;
+  const auto bytes = static_cast<std::size_t>(values) * array->GetDataTypeSize();
+  void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  constexpr int keep = 0;
+  array->SetVoidArray(memory, values, keep, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
+void AllocateSlices(const Description& field, int first, int last, vtkImageData* image)
+{
+  int extent[6];
+  field.Grid.GetWholeExtent(extent);
+  extent[4] = first;
+  extent[5] = last;
+  image->SetExtent(extent);
+  image->SetSpacing(1.0, 1.0, 1.0);
+  image->SetOrigin(0.0, 0.0, 0.0);
+  for (const Channel& channel : field.Channels)
+  {
+    image->GetPointData()->AddArray(MakeArray(channel, image->GetNumberOfPoints()));
+  }
+  if (!field.Channels.empty())
+  {
+    image->GetPointData()->SetActiveScalars(field.Channels.front().Name.c_str());
+  }
+}
+
+bool AreEnough(const Description& field, vtkIdType there, vtkIdType count)
+{
+  double texelBytes = 0.0;
+  for (const Channel& channel : field.Channels)
+  {
+    texelBytes += TexelBytes(channel);
+  }
+  const double sliceBytes = texelBytes * field.Grid.GetStripWidth() * field.Grid.GetResolution();
+  return sliceBytes * static_cast<double>(count) <= LittleBytes ||
+    MostMissing * static_cast<double>(there) >= static_cast<double>(count);
+}
+}

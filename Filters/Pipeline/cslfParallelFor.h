@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * vtkSMPTools::For for work that may throw.
+ */
+#ifndef cslfParallelFor_h
+#define cslfParallelFor_h
+
+#include <vtkSMPTools.h>
+
+#include <atomic>
+#include <exception>
+
+namespace cslf
+{
+/// Calls `functor(begin, end)` for parts of a range, in threads. An exception that left a thread of
+/// vtkSMPTools would end the process. So the first one is kept, what has not begun is left out, and
+/// the caller gets the exception once all threads are done.
+template <typename Functor>
+void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Functor& functor)
+{
+  std::atomic<bool> hasFailed{ false };
+  std::exception_ptr exception;
+  vtkSMPTools::For(first, last, grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      try
+      {
+        if (!hasFailed)
+        {
+          functor(begin, end);
+        }
+      }
+      catch (...)
+      {
+        if (!hasFailed.exchange(true))
+        {
+          exception = std::current_exception();
+        }
+      }
+    });
+  if (exception)
+  {
+    std::rethrow_exception(exception);
+  }
+}
+}
+
+#endif

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files made to do harm: whose checksums are right, but which claim what they do not hold.
+#include "Coding/cslfBitstreams.h"
+#include "Coding/cslfContainerReader.h"
+#include "Coding/cslfTrackDecoder.h"
+#include "cslfCodecTesting.h"
+#include "cslfRemux.h"
+#include "cslfTesting.h"
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFEncoder.h"
+
+#include <vtkErrorCode.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+namespace
+{
+constexpr int FramesOfField = 24;
+constexpr int FramesOfGroup = 8;
+
+std::unique_ptr<cslf::ContainerReader> Open(const std::string& fileName)
+{
+  cslf::OpenFailure failure;
+  auto reader = cslf::ContainerReader::Open(fileName, failure);
+  CSLF_CHECK(reader != nullptr);
+  return reader;
+}
+
+/// The header of a file that is repeated `times` times in each direction, at some resolution.
+cslf::FileHeader MakeHeader(const std::string& fileName, int times, int resolution)
+{
+  const auto reader = Open(fileName);
+  cslf::FileHeader header = reader->GetHeader();
+  header.Field.Grid = cslf::Layout(2 * times, resolution);
+  header.Slices.resize(FramesOfField * times * times);
+  std::iota(header.Slices.begin(), header.Slices.end(), 0);
+  const auto repeat = [times](auto& values)
+  {
+    const auto once = values;
+    for (int k = 1; k < times * times; ++k)
+    {
+      values.insert(values.end(), once.begin(), once.end());
+    }
+  };
+  repeat(header.Groups);
+  for (cslf::CodedTrack& track : header.Tracks)
+  {
+    repeat(track.GroupCRCs);
+  }
+  return header;
+}
+
+/// What this process has read from files so far, in bytes.
+double CountRead()
+{
+  std::ifstream file("/proc/self/io");
+  std::string name;
+  double bytes = 0.0;
+  file >> name >> bytes;
+  return bytes;
+}
+
+/// A track that ends early is not searched for through the rest of the file group by group.
+void TestShortTrack(const std::string& fileName, const std::string& extension)
+{
+  constexpr int times = 20;
+  cslf::testing::RemuxChanges changes;
+  changes.Comment = MakeHeader(fileName, times, 16).ToText();
+  changes.Repeats = times * times;
+  const std::string large = fileName + ".large" + extension;
+  const std::string cut = fileName + ".short" + extension;
+  CSLF_CHECK(cslf::testing::Remux(fileName, large, changes));
+  changes.Frames = { FramesOfField * times * times, 5 * FramesOfGroup + 3 };
+  CSLF_CHECK(cslf::testing::Remux(fileName, cut, changes));
+
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(large.c_str());
+  CSLF_CHECK(decoder->FindMissingViewpoints() == 0);
+  decoder->SetFileName(cut.c_str());
+  const double before = CountRead();
+  const vtkIdType whole = 5 * FramesOfGroup;
+  CSLF_CHECK(decoder->FindMissingViewpoints() == FramesOfField * times * times - whole);
+  CSLF_CHECK(decoder->GetMissingViewpoints()->GetValue(0) == whole);
+  const double passes =
+    (CountRead() - before) / static_cast<double>(std::filesystem::file_size(cut));
+  std::cout << cut << " was read " << passes << " times\n";
+  CSLF_CHECK(passes < 200.0);
+}
+
+/// Memory is taken for what a file holds, not for what it claims.
+void TestClaims(const std::string& fileName)
+{
+  constexpr int times = 20;
+  constexpr int resolution = 1024;
+  cslf::testing::RemuxChanges changes;
+  changes.Comment = MakeHeader(fileName, times, resolution).ToText();
+  changes.Width = cslf::TileCount * resolution;
+  changes.Height = resolution;
+  for (int frames : { 1, FramesOfField })
+  {
+    changes.Frames = { frames, frames, frames };
+    const std::string name = fileName + ".claims" + std::to_string(frames) + ".mp4";
+    CSLF_CHECK(cslf::testing::Remux(fileName, name, changes));
+    vtkNew<vtkCSLFDecoder> decoder;
+    decoder->SetFileName(name.c_str());
+    const cslf::testing::Observed observed(decoder);
+    decoder->Update();
+    CSLF_CHECK(observed.HasError(frames == 1 ? "none of the 9600" : "only 24 of the 9600"));
+    CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+    // Their checksums are right, but their frames are smaller.
+    CSLF_CHECK(decoder->IsViewpointDamaged(0));
+  }
+}
+
+/// Frames that are larger than the header says are not decoded.
+void TestLargeFrames(const std::string& fileName, int resolution)
+{
+  const auto reader = Open(fileName);
+  const cslf::AVLogSilence silence;
+  CSLF_CHECK(cslf::TrackDecoder::Open(reader->GetParameters(0), resolution) != nullptr);
+  CSLF_CHECK(cslf::TrackDecoder::Open(reader->GetParameters(0), 16) == nullptr);
+}
+
+/// A file that is gone while it is open.
+void TestVanished(const std::string& fileName)
+{
+  const std::string name = fileName + ".vanished.mp4";
+  std::filesystem::copy_file(fileName, name, std::filesystem::copy_options::overwrite_existing);
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(name.c_str());
+  decoder->UpdateInformation();
+  std::filesystem::resize_file(name, 0);
+  const cslf::testing::Observed observed(decoder);
+  for (vtkIdType z = 5 * FramesOfField; z < 10 * FramesOfField; z += FramesOfGroup)
+  {
+    vtkNew<vtkImageData> image;
+    CSLF_CHECK(!decoder->GetViewpoint(z, image));
+  }
+  decoder->Update();
+  CSLF_CHECK(observed.GetErrors() > 0);
+  CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+/// A unit with `payload` after its header, as a container has it.
+std::vector<std::uint8_t> MakeUnit(
+  const std::vector<std::uint8_t>& header, const std::vector<std::uint8_t>& payload)
+{
+  std::vector<std::uint8_t> unit = header;
+  unit.insert(unit.end(), payload.begin(), payload.end());
+  const auto size = static_cast<std::uint8_t>(unit.size());
+  unit.insert(unit.begin(), { 0, 0, 0, size });
+  return unit;
+}
+
+/// Whether a packet that begins with `unit` is taken for one of the track.
+bool IsTaken(const cslf::Bitstream& bitstream, const cslf::Framing& framing,
+  std::vector<std::uint8_t> unit, const AVPacket* packet)
+{
+  unit.insert(unit.end(), packet->data, packet->data + packet->size);
+  std::uint32_t crc = 0;
+  std::uint32_t expected = 0;
+  CSLF_CHECK(bitstream.AddToCRC(packet->data, packet->size, framing, expected));
+  return bitstream.AddToCRC(unit.data(), unit.size(), framing, crc) && crc == expected;
+}
+
+/// Units within a group that no checksum covers but that decoders act on.
+void TestUnits(const std::string& fileName)
+{
+  const auto reader = Open(fileName);
+  const cslf::Codec codec = reader->GetHeader().Tracks[0].Kind.Coding;
+  const AVCodecParameters* parameters = reader->GetParameters(0);
+  const cslf::Bitstream& bitstream = cslf::GetBitstream(codec);
+  cslf::Framing framing;
+  CSLF_CHECK(
+    bitstream.ReadConfiguration(parameters->extradata, parameters->extradata_size, framing));
+  const cslf::GroupPackets packets = reader->Read(0);
+  CSLF_CHECK(!packets.Tracks[0].empty());
+  const auto isTaken = [&](const std::vector<std::uint8_t>& unit)
+  { return IsTaken(bitstream, framing, unit, packets.Tracks[0].front().get()); };
+  if (codec == cslf::Codec::AV1)
+  {
+    // A sequence header follows the four bytes of the record, with its size.
+    std::vector<std::uint8_t> header(
+      parameters->extradata + 4, parameters->extradata + parameters->extradata_size);
+    CSLF_CHECK(isTaken(header));
+    header.back() ^= 1;
+    CSLF_CHECK(!isTaken(header));
+    CSLF_CHECK(isTaken({ 2 << 3 | 2, 0 }));           // a temporal delimiter
+    CSLF_CHECK(isTaken({ 15 << 3 | 2, 2, 7, 0x80 })); // padding
+    CSLF_CHECK(!isTaken({ 5 << 3 | 2, 1, 0x80 }));    // metadata
+    CSLF_CHECK(!isTaken({ 7 << 3 | 2, 1, 0x80 }));    // a repeated frame header
+    return;
+  }
+  // The first picture parameter set of the record begins after its size.
+  const bool isHEVC = codec == cslf::Codec::HEVC;
+  const std::vector<std::uint8_t> header =
+    isHEVC ? std::vector<std::uint8_t>{ 34 << 1, 1 } : std::vector<std::uint8_t>{ 0x68 };
+  const std::uint8_t* begin = parameters->extradata;
+  const std::uint8_t* end = begin + parameters->extradata_size;
+  const std::uint8_t* set = std::search(begin, end, header.begin(), header.end());
+  CSLF_CHECK(set != end);
+  std::vector<std::uint8_t> payload(set + header.size(), set + set[-1]);
+  CSLF_CHECK(isTaken(MakeUnit(header, payload)));
+  payload.back() ^= 4;
+  CSLF_CHECK(!isTaken(MakeUnit(header, payload)));
+  using Header = std::vector<std::uint8_t>;
+  const auto make = [&](int type)
+  {
+    return MakeUnit(isHEVC ? Header{ static_cast<std::uint8_t>(type << 1), 1 }
+                           : Header{ static_cast<std::uint8_t>(type) },
+      { 0x50 });
+  };
+  CSLF_CHECK(isTaken(make(isHEVC ? 35 : 9)));   // a delimiter
+  CSLF_CHECK(isTaken(make(isHEVC ? 38 : 12)));  // filler data
+  CSLF_CHECK(!isTaken(make(isHEVC ? 39 : 6)));  // supplemental information
+  CSLF_CHECK(!isTaken(make(isHEVC ? 36 : 10))); // the end of a sequence
+}
+}
+
+int TestCSLFDecoderHostile(int argc, char* argv[])
+{
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "DecoderHostile");
+  const auto field = cslf::testing::MakeByteField(2, 16);
+  const std::string fileName = folder + "/field.mp4";
+  for (const char* codec : { "h264", "av1", "hevc" })
+  {
+    vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetCodec(codec);
+    encoder->SetPreset("ultrafast");
+    encoder->SetGroupLength(FramesOfGroup);
+    if (vtkCSLFEncoder::CanEncode(codec))
+    {
+      CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
+      TestUnits(fileName);
+    }
+  }
+  TestShortTrack(fileName, ".mp4");
+  TestShortTrack(fileName, ".mkv");
+  TestClaims(fileName);
+  TestVanished(fileName + ".large.mp4");
+
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
+  encoder->SetGroupLength(FramesOfGroup);
+  const std::string large = folder + "/large.mp4";
+  CSLF_CHECK(cslf::testing::Encode(encoder, cslf::testing::MakeByteField(2, 64), large));
+  TestLargeFrames(large, 64);
+  return cslf::testing::Result();
+}
