@@ -26,7 +26,6 @@ list(APPEND private_headers
   ../Filters/cslfPrintable.h
   ../Filters/cslfSeconds.h
   ../Filters/cslfSoundPolyData.h
-  ../Filters/cslfUnfinished.h
   ../Filters/cslfVTKCompatibility.h)
 
 # The path tracer behind the sampler and the view tracer.
@@ -263,7 +262,6 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
-  ../Filters/Coding/cslfFileLock.h
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
@@ -285,6 +283,20 @@ list(APPEND private_headers
   ../Filters/Coding/cslfVideoEncoders.h
   ../Filters/Coding/cslfViewpointCache.h
   ../Filters/Coding/cslfViewpointStore.h)
+
+# Files and folders that appear whole.
+list(APPEND sources
+  ../Filters/Files/cslfFileLock.cxx
+  ../Filters/Files/cslfFileSystem.cxx
+  ../Filters/Files/cslfLibraries.cxx
+  ../Filters/Files/cslfWholeFile.cxx
+  ../Filters/Files/cslfWorkFolder.cxx)
+list(APPEND private_headers
+  ../Filters/Files/cslfFileLock.h
+  ../Filters/Files/cslfFileSystem.h
+  ../Filters/Files/cslfLibraries.h
+  ../Filters/Files/cslfWholeFile.h
+  ../Filters/Files/cslfWorkFolder.h)
 
 # Folders of cube maps.
 list(APPEND sources
@@ -353,7 +365,6 @@ if (CSLF_ENABLE_ENCODER)
     ../Filters/Coding/cslfEncodeSession.cxx
     ../Filters/Coding/cslfEncodeSettings.cxx
     ../Filters/Coding/cslfFieldWriter.cxx
-    ../Filters/Coding/cslfFileLock.cxx
     ../Filters/Coding/cslfGroupCodec.cxx
     ../Filters/Coding/cslfGroupCoder.cxx
     ../Filters/Coding/cslfGroupError.cxx

@@ -163,7 +163,7 @@ int vtkCSLFEncoder::Write()
   cslf::EncodeSession session(job);
   if (session.Check(fault))
   {
-    keeper.emplace(this->Controller, session.GetCacheName(), job.Warn);
+    keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
     const CacheKeeping keeping(job.Connection, &*keeper);
     // Writing always writes, whether or not something changed.
     this->Modified();

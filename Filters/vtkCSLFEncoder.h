@@ -33,11 +33,11 @@
  * grid. Groups and tracks are coded side by side with vtkSMPTools, and the file has the same bytes
  * for any number of threads. While it grows, its parts lie in a folder named like the file with
  * `.partial` appended; the file itself appears whole, by renaming, and replaces an older one only
- * then. On an error or abort nothing is left behind; only what a killed run had left stays where
- * that happens before the first viewpoint is made. Documentation/FileFormat.md specifies the file.
+ * then, when its bytes are on the disk. Documentation/FileFormat.md specifies the file.
  *
- * A process that is killed leaves that folder. The next one that writes the same field with the
- * same settings to the same file goes on from there: it asks its input for none of the viewpoints
+ * A process that is killed, aborted or fails, on a full disk for instance, leaves that folder if it
+ * has finished groups. The next one that writes the same field with the same settings and builds of
+ * the libraries to the same file goes on from there: it asks its input for none of the viewpoints
  * whose groups are whole, but for the first one, and ends with the same bytes. What belongs to
  * another field or other settings is discarded, with a warning. To tell that, the field's
  * description and first viewpoint are compared, so an input must change one of them where it
@@ -237,7 +237,7 @@ public:
 
   ///@{
   /**
-   * Set/get whether to go on from what a run that was killed left of the same file. If off, all
+   * Set/get whether to go on from what an interrupted run left of the same file. If off, all
    * begins anew. Default on.
    */
   vtkSetMacro(Restart, bool);

@@ -3,6 +3,8 @@
 #include "vtkCSLFImageWriter.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
+#include "Files/cslfFileSystem.h"
+#include "Files/cslfWholeFile.h"
 #include "Pipeline/cslfSlabs.h"
 
 #include <vtkCommand.h>
@@ -12,72 +14,39 @@
 
 #include <filesystem>
 #include <mutex>
-
-namespace fs = std::filesystem;
+#include <system_error>
 
 namespace
 {
-/// Whether a folder may be replaced: it is not there, is empty, or is a light field.
-bool CheckReplaceable(const fs::path& folder, std::string& error)
+/// The bytes of the files in a folder.
+double CountBytes(const std::string& folder)
 {
-  std::error_code failure;
-  if (!fs::exists(folder, failure))
+  double bytes = 0.0;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
   {
-    return true;
+    bytes += static_cast<double>(entry.file_size(ignored));
   }
-  if (!fs::is_directory(folder, failure))
-  {
-    error = folder.string() + " is there already and is no folder.";
-    return false;
-  }
-  std::string ignored;
-  if (fs::is_empty(folder, failure) || cslf::ReadCubeMapDescription(folder.string(), ignored))
-  {
-    return true;
-  }
-  error = "The folder " + folder.string() + " holds other things than a light field.";
-  return false;
+  return bytes;
 }
 
-bool MakePartial(const fs::path& partial, std::string& error)
+/// Whether the disk has room for what is to come, judged by the first viewpoints. Others may take
+/// less, so half of that is enough.
+bool HasRoom(const std::string& folder, int done, int all, std::string& error)
 {
-  std::error_code failure;
-  fs::remove_all(partial, failure);
-  if (!fs::create_directory(partial, failure))
+  const double needed = CountBytes(folder) / done * (all - done);
+  const double free = cslf::GetFreeBytes(folder);
+  if (0.5 * needed > free)
   {
-    error = "Cannot make the folder " + partial.string() + ": " + failure.message() + ".";
+    error = "it takes about " + cslf::DescribeBytes(needed) + " more, of which the disk lacks " +
+      cslf::DescribeBytes(needed - free);
     return false;
   }
   return true;
 }
 
-/// Puts the finished folder in the place of an earlier one.
-bool Replace(const fs::path& partial, const fs::path& folder, std::string& error)
-{
-  std::error_code failure;
-  fs::path replaced = folder;
-  replaced += ".replaced";
-  fs::remove_all(replaced, failure);
-  if (fs::exists(folder, failure))
-  {
-    fs::rename(folder, replaced, failure);
-  }
-  if (!failure)
-  {
-    fs::rename(partial, folder, failure);
-  }
-  if (failure)
-  {
-    error = "Cannot rename " + partial.string() + " to " + folder.string() + ": " +
-      failure.message() + ".";
-    return false;
-  }
-  fs::remove_all(replaced, failure);
-  return true;
-}
-
-bool WriteSlab(
-  const cslf::SlabStream& stream, const cslf::Slab& slab, const char* folder, std::string& error)
+bool WriteSlab(const cslf::SlabStream& stream, const cslf::Slab& slab, const std::string& folder,
+  std::string& error)
 {
   const cslf::Description& description = stream.GetDescription();
   std::mutex errorMutex;
@@ -130,41 +99,36 @@ int vtkCSLFImageWriter::Write()
     this->SetErrorCode(vtkErrorCode::UnknownError);
     return 0;
   }
-  // Without a separator at the end, which would put the partial folder inside.
-  const fs::path name = fs::path(this->FileName).lexically_normal();
-  const fs::path folder = name.has_filename() ? name : name.parent_path();
-  fs::path partial = folder;
-  partial += ".partial";
+  const std::string name = this->FileName;
+  cslf::WholeFolder whole(name, cslf::ListCubeMapFiles);
   std::string error;
-  if (!CheckReplaceable(folder, error) || !CheckReplaceable(partial, error) ||
-    !MakePartial(partial, error))
+  if (!whole.Open("a light field", error))
   {
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< name << " was not written: " << error << ".");
     this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
     return 0;
   }
-
   this->InvokeEvent(vtkCommand::StartEvent);
-  bool isWritten = this->WriteSlabs(partial.string().c_str());
-  if (isWritten && !Replace(partial, folder, error))
+  bool isWritten = this->WriteSlabs(whole.GetTemporaryName(), error);
+  std::string warning;
+  isWritten = isWritten && whole.Publish(warning, error);
+  if (!isWritten && !error.empty())
   {
-    vtkErrorMacro(<< error);
-    isWritten = false;
+    error.erase(error.find_last_not_of('.') + 1);
+    vtkErrorMacro(<< name << " was not written: " << error << cslf::DescribeShortage(name) << ".");
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
   }
   this->InvokeEvent(vtkCommand::EndEvent);
-  if (!isWritten)
-  {
-    std::error_code failure;
-    fs::remove_all(partial, failure);
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-  }
+  this->SetErrorCode(isWritten ? vtkErrorCode::NoError : vtkErrorCode::UnknownError);
   return isWritten ? 1 : 0;
 }
 
-bool vtkCSLFImageWriter::WriteSlabs(const char* folder)
+bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& error)
 {
   cslf::SlabStream stream(this->GetInputConnection(0, 0));
-  std::string error;
   bool isGood = stream.Open();
   const cslf::Slab& whole = stream.GetWhole();
   std::vector<cslf::Slab> slabs;
@@ -182,17 +146,14 @@ bool vtkCSLFImageWriter::WriteSlabs(const char* folder)
       isGood = cslf::CheckCubeMapChannels(description, error) &&
         cslf::WriteCubeMapDescription(folder, { description, whole }, error);
     }
-    isGood = isGood && WriteSlab(stream, slabs[k], folder, error);
+    isGood = isGood && WriteSlab(stream, slabs[k], folder, error) &&
+      (k > 0 || HasRoom(folder, slabs[k].GetCount(), whole.GetCount(), error));
     this->UpdateProgress((k + 1.0) / static_cast<double>(slabs.size()));
     isGood = isGood && !this->AbortExecute;
   }
-  if (!isGood)
+  if (!isGood && error.empty())
   {
-    error = error.empty() ? stream.GetError() : error;
-    if (!error.empty())
-    {
-      vtkErrorMacro(<< error);
-    }
+    error = stream.GetError();
   }
   return isGood;
 }

@@ -25,8 +25,11 @@
  * has to be said there.
  *
  * The input is pulled a few viewpoints at a time and may be larger than memory. The folder is
- * written under its name with `.partial` appended, and renamed when it is whole. An earlier light
- * field in a folder of that name is replaced; any other folder that is not empty is refused.
+ * written within a folder of its name with `.partial` appended, and renamed when it is whole. A
+ * lock in there keeps other writers of the same folder out. An earlier light field in a folder of
+ * that name is replaced, if the folder holds nothing else; any other folder that is not empty is
+ * refused. The writer fails after the first viewpoints if the disk has less than half of what the
+ * others take if they are like those.
  *
  * @sa vtkCSLFImageReader
  */
@@ -35,6 +38,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
+
+#include <string> // for WriteSlabs
 
 class VTKCSLF_EXPORT vtkCSLFImageWriter : public vtkImageAlgorithm
 {
@@ -53,8 +58,8 @@ public:
 
   /**
    * Pulls the input and writes it. Returns 1 on success. On failure, or when aborted through
-   * SetAbortExecute() from a progress observer, returns 0, sets the error code and leaves nothing
-   * behind.
+   * SetAbortExecute() from a progress observer, returns 0, sets the error code and leaves the
+   * folder as it was.
    */
   int Write();
 
@@ -66,7 +71,7 @@ private:
   vtkCSLFImageWriter(const vtkCSLFImageWriter&) = delete;
   void operator=(const vtkCSLFImageWriter&) = delete;
 
-  bool WriteSlabs(const char* folder);
+  bool WriteSlabs(const std::string& folder, std::string& error);
 
   char* FileName = nullptr;
 };

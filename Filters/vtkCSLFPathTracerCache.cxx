@@ -4,6 +4,7 @@
 // The radiance cache of vtkCSLFPathTracer: when it is made, and how far it can be trusted.
 #include "vtkCSLFPathTracer.h"
 
+#include "Files/cslfLibraries.h"
 #include "Parallel/cslfCacheKeeper.h"
 #include "cslfSeconds.h"
 #include "cslfVTKCompatibility.h"
@@ -55,6 +56,7 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
   key["cache"]["spacing"] = spacing;
   key["cache"]["display_range"] = displayRange;
   key["cslf"] = CSLF_VERSION;
+  key["libraries"] = cslf::FindLibraries({ "libembree3.so", "libembree4.so" });
   return key.dump();
 }
 

@@ -5,8 +5,8 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfOutputFiles.h"
 #include "cslfSceneFiles.h"
-#include "cslfWholeFile.h"
 
 #include "vtkCSLFInstances.h"
 

@@ -3,8 +3,8 @@
 #include "cslfBenchmarkOptions.h"
 
 #include "cslfMessages.h"
+#include "cslfOutputFiles.h"
 #include "cslfTable.h"
-#include "cslfWholeFile.h"
 
 #include <vtkAlgorithm.h>
 

@@ -57,8 +57,11 @@ CodecSweep::CodecSweep(
 
 CodecSweep::~CodecSweep()
 {
-  std::error_code ignored;
-  std::filesystem::remove(this->FileName, ignored);
+  if (this->HasWritten)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(this->FileName, ignored);
+  }
 }
 
 void CodecSweep::SetViews(std::vector<NovelView> views, std::vector<LookupName> lookups)
@@ -81,6 +84,7 @@ double CodecSweep::Encode(const CodingOptions& coding, const std::string& label)
   {
     throw Failure("Cannot write " + this->FileName + ".");
   }
+  this->HasWritten = true;
   return SecondsSince(start);
 }
 

@@ -61,6 +61,7 @@ private:
   vtkSmartPointer<vtkImageData> Field;
   Layout Grid;
   std::string FileName;
+  bool HasWritten = false;
   int Repeats;
   std::vector<NovelView> Views;
   std::vector<LookupName> Lookups;

@@ -3,6 +3,7 @@
 #include "cslfFieldFiles.h"
 
 #include "cslfMessages.h"
+#include "cslfOutputFiles.h"
 #include "cslfParallel.h"
 
 #include "vtkCSLFDecoder.h"
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <map>
 #include <optional>
@@ -352,14 +352,10 @@ void RequireWritable(const std::string& fileName)
   {
     throw Failure("Cannot write " + fileName + ": it is a folder.");
   }
-  const std::string probe = fileName + ".writable";
-  std::ofstream stream(probe, std::ios::app);
-  const bool isWritable = stream.is_open();
-  stream.close();
-  fs::remove(probe, failure);
-  if (!isWritable)
+  std::string error;
+  if (!IsWritableFolder(GetParent(ResolveTarget(fileName)), error))
   {
-    throw Failure("Cannot write " + fileName + ".");
+    throw Failure("Cannot write " + fileName + ": " + error + ".");
   }
 }
 
@@ -445,28 +441,16 @@ nlohmann::json FieldWriter::WriteVideo(
 
 void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
 {
+  OutputFile file(this->FileName);
   {
     const ProgressBar bar(connection->GetProducer(), label);
     connection->GetProducer()->UpdateWholeExtent();
   }
   ThrowOnError();
-  const fs::path temporary = this->FileName + ".partial";
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputConnection(connection);
-  writer->SetFileName(temporary.string().c_str());
   writer->EncodeAppendedDataOff();
-  const bool isWritten = writer->Write() && GetFirstError().empty();
-  std::error_code failure;
-  if (isWritten)
-  {
-    fs::rename(temporary, this->FileName, failure);
-  }
-  if (!isWritten || failure)
-  {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw Failure("Cannot write " + this->FileName + ".");
-  }
+  WriteWhole(writer.Get(), file);
 }
 
 void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const

@@ -5,13 +5,17 @@
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 #include "cslfMovie.h"
+#include "cslfOutputFiles.h"
 #include "cslfPictures.h"
 
 #include <vtkImageData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <regex>
+#include <system_error>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -28,83 +32,69 @@ std::string NameFrame(int frame)
   return name;
 }
 
-/// Whether a folder may be replaced: it is not there, or holds nothing but frames, the last of
-/// which a run that was killed may not have finished.
-bool IsReplaceable(const fs::path& folder)
+/// The frames in a folder.
+std::vector<std::string> ListFrames(const std::string& folder)
 {
-  static const std::regex frame("frame-[0-9]{4,}\\.png(\\.partial)?");
-  std::error_code failure;
-  if (!fs::exists(folder, failure))
+  static const std::regex frame("frame-[0-9]{4,}\\.png");
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
   {
-    return true;
+    const std::string name = entry.path().filename().string();
+    if (std::regex_match(name, frame))
+    {
+      names.push_back(name);
+    }
   }
-  bool isReplaceable = fs::is_directory(folder, failure);
-  for (const auto& entry : fs::directory_iterator(folder, failure))
-  {
-    isReplaceable = isReplaceable && std::regex_match(entry.path().filename().string(), frame);
-  }
-  return isReplaceable && !failure;
+  return names;
 }
 
 /// A folder, filled beside its place.
 class FolderWriter : public FrameWriter
 {
 public:
-  explicit FolderWriter(const fs::path& folder)
+  explicit FolderWriter(const std::string& folder)
     : Folder(folder)
-    , Temporary(folder.string() + ".partial")
+    , Whole(folder, ListFrames)
   {
-    if (!IsReplaceable(this->Folder))
+    std::string error;
+    if (!this->Whole.Open("frames", error))
     {
-      throw Failure("The folder " + folder.string() + " holds other things than frames.");
+      FailWriting(folder, error);
     }
-    std::error_code failure;
-    if (!IsReplaceable(this->Temporary))
-    {
-      throw Failure(this->Temporary.string() + " holds other things than frames.");
-    }
-    fs::remove_all(this->Temporary, failure);
-    if (!fs::create_directory(this->Temporary, failure))
-    {
-      throw Failure("Cannot make the folder " + folder.string() + ".");
-    }
-  }
-
-  ~FolderWriter() override
-  {
-    std::error_code ignored;
-    fs::remove_all(this->Temporary, ignored);
   }
 
   void Add(vtkImageData* picture) override
   {
-    WritePicture((this->Temporary / NameFrame(this->Frames)).string(), picture);
+    const auto bytes = EncodePNG(picture);
+    std::string error;
+    if (!MakeFile(this->Whole.GetTemporaryName() + "/" + NameFrame(this->Frames),
+          bytes->GetPointer(0), bytes->GetNumberOfValues(), error))
+    {
+      FailWriting(this->Folder, error);
+    }
     ++this->Frames;
   }
 
   void Finish() override
   {
-    std::error_code failure;
-    fs::remove_all(this->Folder, failure);
-    fs::rename(this->Temporary, this->Folder, failure);
-    if (failure)
+    std::string warning;
+    std::string error;
+    if (!this->Whole.Publish(warning, error))
     {
-      throw Failure("Cannot write " + this->Folder.string() + ".");
+      FailWriting(this->Folder, error);
+    }
+    if (!warning.empty())
+    {
+      AddWarning(warning);
     }
   }
 
 private:
-  fs::path Folder;
-  fs::path Temporary;
+  std::string Folder;
+  WholeFolder Whole;
   int Frames = 0;
 };
-
-/// The name of a folder without what a shell's completion adds.
-fs::path TrimFolder(const std::string& name)
-{
-  const fs::path path(name);
-  return path.has_filename() ? path : path.parent_path();
-}
 }
 
 std::unique_ptr<FrameWriter> MakeFrameWriter(
@@ -115,13 +105,13 @@ std::unique_ptr<FrameWriter> MakeFrameWriter(
     RequireWritable(output);
     return MakeMovieWriter(output, width, height, frameRate);
   }
-  const fs::path folder = TrimFolder(output);
+  const fs::path folder = ResolveTarget(output);
   std::error_code failure;
   if (folder.has_extension() && !fs::is_directory(folder, failure))
   {
     throw Failure("Cannot write " + output + ": pictures along a path go to " + FrameFormats + ".");
   }
-  return std::make_unique<FolderWriter>(folder);
+  return std::make_unique<FolderWriter>(output);
 }
 }
 }

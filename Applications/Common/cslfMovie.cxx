@@ -6,13 +6,13 @@
 
 #ifdef CSLF_HAS_ENCODER
 #include "Coding/cslfAV.h"
+#include "cslfOutputFiles.h"
 
 #include <vtkImageData.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #else
 #include "cslfFieldFiles.h"
 #endif
@@ -35,15 +35,9 @@ class MovieWriter : public FrameWriter
 public:
   explicit MovieWriter(const std::string& fileName)
     : FileName(fileName)
-    , Temporary(fileName + ".partial")
+    , File(fileName)
+    , Temporary(this->File.GetTemporaryName())
   {
-  }
-
-  ~MovieWriter() override
-  {
-    this->Output.reset();
-    std::error_code ignored;
-    std::filesystem::remove(this->Temporary, ignored);
   }
 
   void Open(int width, int height, double frameRate)
@@ -88,9 +82,7 @@ public:
     this->WritePackets();
     this->Check(av_write_trailer(this->Output.get()));
     this->Check(avio_closep(&this->Output->pb));
-    std::error_code failure;
-    std::filesystem::rename(this->Temporary, this->FileName, failure);
-    this->Check(failure ? AVERROR(EIO) : 0);
+    this->File.Publish();
   }
 
 private:
@@ -98,7 +90,7 @@ private:
   {
     if (code < 0)
     {
-      throw Failure("Cannot write " + this->FileName + ": " + AVErrorText(code) + ".");
+      FailWriting(this->FileName, AVErrorText(code));
     }
   }
 
@@ -170,6 +162,7 @@ private:
 
   AVLogSilence Silence;
   std::string FileName;
+  OutputFile File;
   std::string Temporary;
   AVHandle<AVCodecContext> Encoder;
   AVHandle<SwsContext> Scaler;

@@ -3,8 +3,8 @@
 #include "cslfPictures.h"
 
 #include "cslfMessages.h"
+#include "cslfOutputFiles.h"
 #include "cslfToneOptions.h"
-#include "cslfWholeFile.h"
 
 #include "vtkCSLFMapper.h"
 
@@ -54,9 +54,19 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
 
 void WritePicture(const std::string& fileName, vtkImageData* picture)
 {
+  const auto bytes = EncodePNG(picture);
+  WriteWholeBytes(bytes->GetPointer(0), bytes->GetNumberOfValues(), fileName);
+}
+
+// In memory, as VTK does not notice all failures of the disk.
+vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture)
+{
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
-  WriteWhole(writer.Get(), fileName);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  ThrowOnError();
+  return writer->GetResult();
 }
 
 vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)

@@ -23,6 +23,7 @@ class vtkAlgorithmOutput;
 class vtkCSLFMapper;
 class vtkCamera;
 class vtkImageData;
+class vtkUnsignedCharArray;
 
 namespace CLI
 {
@@ -38,6 +39,9 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
 
 /// Writes a PNG, which appears whole or not at all. Throws a Failure.
 void WritePicture(const std::string& fileName, vtkImageData* picture);
+
+/// The bytes of a PNG. Throws a Failure.
+vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture);
 
 /// The red, green and blue of a picture of associated alpha, which composites it over black.
 vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture);

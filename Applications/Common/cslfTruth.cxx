@@ -4,9 +4,9 @@
 
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfOutputFiles.h"
 #include "cslfSceneFiles.h"
 #include "cslfToneOptions.h"
-#include "cslfWholeFile.h"
 
 #include "vtkCSLFImageQuality.h"
 #include "vtkCSLFViewTracer.h"

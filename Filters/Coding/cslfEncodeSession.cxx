@@ -48,8 +48,9 @@ bool EncodeSession::Fail(unsigned long code, const std::string& text)
   return false;
 }
 
-bool EncodeSession::FailWriting(unsigned long code, const std::string& error)
+bool EncodeSession::FailWriting(unsigned long code, std::string error)
 {
+  error += this->Writer ? this->Writer->DescribeKept() : "";
   return this->Fail(code, this->Job.FileName + " was not written: " + error + ".");
 }
 
@@ -113,9 +114,9 @@ bool EncodeSession::CheckHere()
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
 }
 
-std::string EncodeSession::GetCacheName() const
+KeptFile EncodeSession::GetCacheFile() const
 {
-  return this->Crew.GetRank() == 0 ? this->Writer->GetCacheName() : std::string();
+  return this->Crew.GetRank() == 0 ? this->Writer->GetCacheFile() : KeptFile();
 }
 
 bool EncodeSession::Agree(const std::string& shared, int* told)
@@ -197,6 +198,10 @@ bool EncodeSession::OpenParts()
   target.Value = target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
   this->Control.emplace(target, this->Writer->GetRateField());
   this->Control->SetTrials(this->Writer->ReadTrials());
+  if (!this->Writer->HasRoom(error))
+  {
+    return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
+  }
   return this->ReportProgress();
 }
 
@@ -263,6 +268,7 @@ bool EncodeSession::DoNext(bool& isDone)
   std::string error;
   if (!this->Control->Next(tasks, error))
   {
+    this->Writer->DropTrials();
     return this->FailWriting(vtkErrorCode::UserError, error);
   }
   isDone = tasks.empty();
@@ -301,10 +307,15 @@ void EncodeSession::Conclude()
   std::string error;
   const auto report = [this](double share)
   { return this->Job.Progress(1.0 - JoinShare + JoinShare * share); };
-  if (!this->Writer->Finish(report, error))
+  std::string warning;
+  if (!this->Writer->Finish(report, warning, error))
   {
     this->FailWriting(vtkErrorCode::UnknownError, error);
     return;
+  }
+  if (!warning.empty())
+  {
+    this->Job.Warn(warning);
   }
   std::error_code ignored;
   const double bytes = static_cast<double>(std::filesystem::file_size(this->Job.FileName, ignored));
@@ -412,7 +423,7 @@ void EncodeSession::Pack(const CodingTask& task, const GroupParts* parts, ByteBu
   {
     for (const CodedGroup& part : *parts)
     {
-      results.Put(PackPart(part));
+      results.Put(this->Writer->Pack(part));
     }
     return;
   }
@@ -442,6 +453,14 @@ bool EncodeSession::Take(ByteBuffer& results)
       return this->FailWriting(vtkErrorCode::UnknownError, "a coded group was damaged on its way");
     }
   }
+  // The first groups tell about what all will take.
+  std::string error;
+  const bool isFirst = !this->HasCheckedRoom && this->Writer->CountStored() > 0;
+  this->HasCheckedRoom = this->HasCheckedRoom || isFirst;
+  if (isFirst && !this->Writer->HasRoom(error))
+  {
+    return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
+  }
   return this->ReportProgress();
 }
 
@@ -466,7 +485,7 @@ bool EncodeSession::TakeGroup(int group, ByteBuffer& results)
   for (CodedGroup& part : parts)
   {
     std::vector<std::uint8_t> bytes;
-    if (!results.Take(bytes) || !UnpackPart(std::move(bytes), part))
+    if (!results.Take(bytes) || !this->Writer->Unpack(std::move(bytes), part))
     {
       return false;
     }

@@ -77,7 +77,7 @@ public:
 
   /// After Check, where the input may keep what a run that is started again can use; empty on ranks
   /// that touch no files.
-  std::string GetCacheName() const;
+  KeptFile GetCacheFile() const;
 
   /// What went wrong, if the code is not NoError. The text is empty where another rank is the one
   /// to tell.
@@ -88,7 +88,7 @@ public:
 
 private:
   bool Fail(unsigned long code, const std::string& text);
-  bool FailWriting(unsigned long code, const std::string& error);
+  bool FailWriting(unsigned long code, std::string error);
   bool IsWell() const;
   bool Agree(const std::string& shared, int* told = nullptr);
   bool CheckHere();
@@ -126,6 +126,7 @@ private:
   std::optional<RateControl> Control; ///< rank 0
   KeyViewChoice Choice;
   bool Written = false;
+  bool HasCheckedRoom = false;
 };
 }
 

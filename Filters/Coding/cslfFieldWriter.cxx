@@ -3,6 +3,9 @@
 #include "Coding/cslfFieldWriter.h"
 
 #include "Coding/cslfContainerWriter.h"
+#include "Coding/cslfPart.h"
+#include "Files/cslfFileSystem.h"
+#include "Files/cslfLibraries.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +25,30 @@ struct ContainerBytes
 };
 constexpr ContainerBytes BytesOfMP4 = { 270.0, 690.0 };
 constexpr ContainerBytes BytesOfMatroska = { 325.0, 275.0 };
+
+/// The bytes of raw 24-bit colour in a texel.
+constexpr double RawTexelBytes = 3.0;
+
+/// The libraries that the bytes of coded groups depend on.
+std::vector<std::string> LibrariesOf(const std::string& codec)
+{
+  std::vector<std::string> names = { "libavcodec.so", "libswscale.so", "libembree3.so",
+    "libembree4.so" };
+  const auto found = CodecOfName(codec);
+  if (found == Codec::HEVC)
+  {
+    names.emplace_back("libx265.so");
+  }
+  else if (found == Codec::H264)
+  {
+    names.emplace_back("libx264.so");
+  }
+  else
+  {
+    names.insert(names.end(), { "libSvtAv1Enc.so", "libaom.so" });
+  }
+  return names;
+}
 }
 
 FieldWriter::FieldWriter(const std::string& fileName, const EncodeSettings& settings)
@@ -68,14 +95,16 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
   }
   this->States.assign(this->Header.Tracks.size(), TrackState());
   this->Manifest = this->MakeManifest(sample);
+  this->ManifestNumber = NumberManifest(this->Manifest);
 }
 
 std::string FieldWriter::MakeManifest(std::uint32_t sample) const
 {
   const EncodeSettings& settings = this->Settings;
-  const nlohmann::json manifest = { { "version", 2 }, { "cslf", CSLF_VERSION },
-    { "codec", avcodec_version() }, { "description", this->Header.Field.ToJSON() },
-    { "sample", sample }, { "coding", settings.Codec }, { "preset", settings.Preset },
+  const nlohmann::json manifest = { { "version", 3 }, { "cslf", CSLF_VERSION },
+    { "codec", avcodec_version() }, { "libraries", FindLibraries(LibrariesOf(settings.Codec)) },
+    { "description", this->Header.Field.ToJSON() }, { "sample", sample },
+    { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
     { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
     { "group_length", settings.GroupLength }, { "lossless", settings.Lossless },
@@ -116,6 +145,7 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   {
     return false;
   }
+  this->HasParts = true;
   int damaged = 0;
   this->Missing.clear();
   for (int group = 0; group < this->GetGroupCount(); ++group)
@@ -129,8 +159,8 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   }
   if (discarded)
   {
-    warning = "The interrupted run used another field, other settings or another kind of "
-              "processor: what it wrote is discarded.";
+    warning = "The interrupted run used another field, other settings, another kind of processor "
+              "or other versions of the libraries: what it wrote is discarded.";
   }
   else if (damaged > 0)
   {
@@ -256,9 +286,92 @@ void FieldWriter::DropFullCoverage()
   }
 }
 
-bool FieldWriter::Finish(const std::function<bool(double)>& progress, std::string& error)
+std::vector<std::uint8_t> FieldWriter::Pack(const CodedGroup& part) const
+{
+  return PackPart(part, this->ManifestNumber);
+}
+
+bool FieldWriter::Unpack(std::vector<std::uint8_t> bytes, CodedGroup& part) const
+{
+  return UnpackPart(std::move(bytes), this->ManifestNumber, part);
+}
+
+double FieldWriter::GetStoredBytes() const
+{
+  double bytes = this->GetContainerBytes(true);
+  for (int group = 0; group < this->GetGroupCount(); ++group)
+  {
+    const GroupCost& cost = this->Costs[group];
+    bytes += this->IsMissing(group) ? 0.0 : cost.Bytes + cost.CoverageBytes;
+  }
+  return bytes;
+}
+
+double FieldWriter::GetWantedBytes() const
+{
+  const RateTarget& target = this->Settings.Target;
+  const Layout& grid = this->Header.Field.Grid;
+  const double texels = 1.0 * grid.GetStripWidth() * grid.GetResolution() * grid.GetSlices();
+  switch (target.Kind)
+  {
+    case RateTarget::Kinds::Bytes:
+      return target.Value;
+    case RateTarget::Kinds::Ratio:
+      return RawTexelBytes * texels / target.Value;
+    default:
+      return 0.0;
+  }
+}
+
+bool FieldWriter::HasRoom(std::string& error) const
+{
+  const double stored = this->GetStoredBytes();
+  double frames = 0.0;
+  double missing = 0.0;
+  for (int group = 0; group < this->GetGroupCount(); ++group)
+  {
+    (this->IsMissing(group) ? missing : frames) += this->GetFrames(group);
+  }
+  const double wanted = this->GetWantedBytes();
+  const double rest = wanted > 0.0 ? std::max(0.0, wanted - stored)
+                                   : (frames > 0.0 ? stored / frames * missing : 0.0);
+  // The rest is written twice: as parts, and in the file that all parts are joined to.
+  const double needed = stored + 2.0 * rest;
+  const double free = GetFreeBytes(this->Parts.GetFolder());
+  const bool isGuessed = wanted <= 0.0;
+  if (free >= (isGuessed ? stored + rest : needed))
+  {
+    return true;
+  }
+  error = "it takes " + std::string(missing > 0.0 ? "about " : "") + DescribeBytes(needed) +
+    " more for a while, and the disk has only " + DescribeBytes(free) + " left: make room for " +
+    DescribeBytes(needed - free) + " more";
+  return false;
+}
+
+int FieldWriter::CountStored() const
+{
+  return this->HasParts ? this->GetGroupCount() - static_cast<int>(this->Missing.size()) : 0;
+}
+
+std::string FieldWriter::DescribeKept() const
+{
+  const int kept = this->CountStored();
+  return kept > 0 ? "; " + std::to_string(kept) + " of " + std::to_string(this->GetGroupCount()) +
+      " groups of viewpoints are kept in " + this->Parts.GetFolder() +
+      ", and the next run goes on from there"
+                  : "";
+}
+
+bool FieldWriter::Finish(
+  const std::function<bool(double)>& progress, std::string& warning, std::string& error)
 {
   this->DropFullCoverage();
+  return this->HasRoom(error) && this->Join(progress, error) && this->Parts.Publish(warning, error);
+}
+
+bool FieldWriter::Join(const std::function<bool(double)>& progress, std::string& error)
+{
   ContainerWriter container;
   const int resolution = this->Header.Field.Grid.GetResolution();
   bool good = container.Open(this->Parts.GetWholeName(), this->Header.ToText(), error);
@@ -285,6 +398,6 @@ bool FieldWriter::Finish(const std::function<bool(double)>& progress, std::strin
       good = false;
     }
   }
-  return good && container.End(error) && this->Parts.Publish(error);
+  return good && container.End(error);
 }
 }

@@ -53,6 +53,12 @@ public:
   /// A text that tells all that the parts depend on.
   const std::string& GetManifest() const { return this->Manifest; }
 
+  ///@{
+  /// A group's parts as bytes for messages, of the same manifest on both sides.
+  std::vector<std::uint8_t> Pack(const CodedGroup& part) const;
+  bool Unpack(std::vector<std::uint8_t> bytes, CodedGroup& part) const;
+  ///@}
+
   /// Makes the folder of parts, or takes over what a killed run left, before anything is known of
   /// the field. On failure returns false and says why.
   bool ReserveParts(bool restart, std::string& error)
@@ -61,7 +67,7 @@ public:
   }
 
   /// Where in that folder something that helps to go on may be kept.
-  std::string GetCacheName() const { return this->Parts.GetCacheName(); }
+  KeptFile GetCacheFile() const { return this->Parts.GetCacheFile(); }
 
   /// Opens the folder of parts, and finds what a killed run left there under the same manifest, if
   /// `restart` is set. A warning tells what is discarded.
@@ -70,6 +76,9 @@ public:
   /// The groups that are not stored yet, in coding order.
   const std::vector<int>& GetMissingGroups() const { return this->Missing; }
   bool IsMissing(int group) const;
+
+  /// After OpenParts: how many groups are stored.
+  int CountStored() const;
 
   /// What a group's parts cost.
   GroupCost GetCost(const GroupParts& parts) const;
@@ -88,10 +97,22 @@ public:
   {
     return this->Parts.WriteTrials(text, error);
   }
+  void DropTrials() const { this->Parts.DropTrials(); }
   ///@}
 
-  /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop.
-  bool Finish(const std::function<bool(double)>& progress, std::string& error);
+  /// Whether the disk has room for what is still to be written, as far as that is known: by the
+  /// size that the file shall have, or by the groups that are stored. Of what is only guessed by
+  /// these, half is enough. Otherwise says what is missing.
+  bool HasRoom(std::string& error) const;
+
+  /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop. A
+  /// warning tells what was left beside the file.
+  bool Finish(
+    const std::function<bool(double)>& progress, std::string& warning, std::string& error);
+
+  /// After OpenParts: how many groups are kept where a run ends before the file is whole, as the
+  /// end of a message; empty if none is.
+  std::string DescribeKept() const;
 
 private:
   /// What is known of a track from its groups.
@@ -111,6 +132,9 @@ private:
   };
 
   std::string MakeManifest(std::uint32_t sample) const;
+  bool Join(const std::function<bool(double)>& progress, std::string& error);
+  double GetStoredBytes() const;
+  double GetWantedBytes() const;
   Found FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
   void DropFullCoverage();
@@ -123,6 +147,8 @@ private:
   std::vector<TrackState> States; ///< one for each of the header's tracks
   int Delay = 0; ///< by how many frames decoding runs ahead of presentation, at most
   std::string Manifest;
+  std::uint32_t ManifestNumber = 0;
+  bool HasParts = false;
   std::vector<int> Missing;
   std::vector<GroupCost> Costs; ///< of each group that is stored
 };

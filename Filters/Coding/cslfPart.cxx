@@ -11,16 +11,17 @@ namespace cslf
 namespace
 {
 /// The first bytes of a part, with the version of its layout.
-constexpr std::uint32_t Magic = 0x32504643;
+constexpr std::uint32_t Magic = 0x33504643;
 
-bool Unpack(ByteBuffer& buffer, CodedGroup& part)
+bool Unpack(ByteBuffer& buffer, std::uint32_t expected, CodedGroup& part)
 {
   std::uint32_t magic = 0;
+  std::uint32_t manifest = 0;
   std::uint32_t covered = 0;
   std::uint32_t frames = 0;
-  if (!buffer.Take(magic) || magic != Magic || !buffer.Take(part.CRC) || !buffer.Take(covered) ||
-    !buffer.Take(part.SquaredError) || !buffer.Take(part.ParameterSets) || !buffer.Take(frames) ||
-    frames > MaximumGroupLength)
+  if (!buffer.Take(magic) || magic != Magic || !buffer.Take(manifest) || manifest != expected ||
+    !buffer.Take(part.CRC) || !buffer.Take(covered) || !buffer.Take(part.SquaredError) ||
+    !buffer.Take(part.ParameterSets) || !buffer.Take(frames) || frames > MaximumGroupLength)
   {
     return false;
   }
@@ -104,10 +105,17 @@ std::uint32_t ByteBuffer::GetChecksum(std::size_t size) const
   return static_cast<std::uint32_t>(::crc32(0, this->Bytes.data(), static_cast<uInt>(size)));
 }
 
-std::vector<std::uint8_t> PackPart(const CodedGroup& part)
+std::uint32_t NumberManifest(const std::string& text)
+{
+  const auto* bytes = reinterpret_cast<const Bytef*>(text.data());
+  return static_cast<std::uint32_t>(::crc32(0, bytes, static_cast<uInt>(text.size())));
+}
+
+std::vector<std::uint8_t> PackPart(const CodedGroup& part, std::uint32_t manifest)
 {
   ByteBuffer buffer;
   buffer.Put(Magic);
+  buffer.Put(manifest);
   buffer.Put(part.CRC);
   buffer.Put(part.CoveredFully ? 1u : 0u);
   buffer.Put(part.SquaredError);
@@ -122,10 +130,17 @@ std::vector<std::uint8_t> PackPart(const CodedGroup& part)
   return buffer.GetBytes();
 }
 
-bool UnpackPart(std::vector<std::uint8_t> bytes, CodedGroup& part)
+bool UnpackPart(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& part)
 {
   ByteBuffer buffer(std::move(bytes));
   part = CodedGroup();
-  return Unpack(buffer, part);
+  return Unpack(buffer, manifest, part);
+}
+
+bool ReadManifest(const std::vector<std::uint8_t>& bytes, std::uint32_t& manifest)
+{
+  ByteBuffer buffer(bytes);
+  std::uint32_t magic = 0;
+  return buffer.Take(magic) && magic == Magic && buffer.Take(manifest);
 }
 }

@@ -10,7 +10,9 @@
 
 #include "Coding/cslfGroupCodec.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace cslf
@@ -51,10 +53,20 @@ private:
   std::size_t Position = 0;
 };
 
-std::vector<std::uint8_t> PackPart(const CodedGroup& part);
+/// The number of a manifest, a text that tells all that parts depend on: its CRC-32.
+std::uint32_t NumberManifest(const std::string& text);
 
-/// False where the bytes are not what PackPart made.
-bool UnpackPart(std::vector<std::uint8_t> bytes, CodedGroup& part);
+/// A part with the number of the manifest that it was made under.
+std::vector<std::uint8_t> PackPart(const CodedGroup& part, std::uint32_t manifest);
+
+/// False where the bytes are not what PackPart made under that manifest.
+bool UnpackPart(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& part);
+
+/// Whether bytes begin as PackPart makes them, and under which manifest.
+bool ReadManifest(const std::vector<std::uint8_t>& bytes, std::uint32_t& manifest);
+
+/// How many bytes that takes.
+constexpr std::size_t PartHeadSize = 8;
 }
 
 #endif

@@ -3,64 +3,34 @@
 #include "Coding/cslfPartStore.h"
 
 #include "Coding/cslfPart.h"
-#include "cslfUnfinished.h"
+#include "Files/cslfFileSystem.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
+#include <regex>
 #include <system_error>
+#include <vector>
 
 namespace cslf
 {
 namespace
 {
-namespace fs = std::filesystem;
-
-constexpr const char* PartPrefix = "group-";
-constexpr const char* PartSuffix = ".part";
-constexpr const char* WholeName = "whole";
 constexpr const char* ManifestName = "manifest.json";
 constexpr const char* CacheName = "radiance.cache";
 constexpr const char* TrialsName = "trials.json";
-constexpr const char* LockName = "lock";
 
-/// How often the folder may vanish under a new run, each time removed by one that ends.
-constexpr int LockAttempts = 100;
-
-bool BeginsWith(const std::string& text, const std::string& prefix)
+bool IsPart(const std::string& name)
 {
-  return text.rfind(prefix, 0) == 0;
+  static const std::regex pattern("group-[0-9]+-([a-z-]+)\\.part");
+  std::smatch match;
+  return std::regex_match(name, match, pattern) && RoleOfName(match[1]);
 }
 
-bool EndsWith(const std::string& text, const std::string& suffix)
+bool IsOurs(const std::string& name)
 {
-  return text.size() >= suffix.size() &&
-    text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
-std::vector<fs::path> FindFiles(
-  const std::string& folder, const std::function<bool(const std::string&)>& isWanted)
-{
-  std::vector<fs::path> files;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-  {
-    if (isWanted(entry.path().filename().string()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  return files;
-}
-
-void Remove(const std::vector<fs::path>& files)
-{
-  std::error_code ignored;
-  for (const fs::path& file : files)
-  {
-    fs::remove(file, ignored);
-  }
+  return IsPart(name) || name == ManifestName || name == CacheName || name == TrialsName;
 }
 
 template <typename Bytes>
@@ -70,91 +40,48 @@ Bytes ReadBytes(const std::string& name)
   return Bytes(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
-bool IsPart(const std::string& name)
+std::vector<std::uint8_t> ReadHead(const std::string& name)
 {
-  return BeginsWith(name, PartPrefix) && EndsWith(name, PartSuffix);
-}
-
-/// What a run that was killed left half-written.
-bool IsUnfinished(const std::string& name)
-{
-  return (BeginsWith(name, PartPrefix) && EndsWith(name, UnfinishedSuffix)) ||
-    name == std::string(ManifestName) + UnfinishedSuffix ||
-    name == std::string(CacheName) + UnfinishedSuffix ||
-    name == std::string(TrialsName) + UnfinishedSuffix ||
-    BeginsWith(name, std::string(WholeName) + ".");
+  std::vector<std::uint8_t> head(PartHeadSize);
+  std::ifstream file(name, std::ios::binary);
+  file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
 }
 }
 
 PartStore::PartStore(const std::string& fileName)
-  : FileName(fileName)
-  , Folder(fileName + ".partial")
+  : Work(fileName, IsOurs)
 {
 }
 
 PartStore::~PartStore()
 {
-  if (this->Opened || this->IsNew)
+  if (!this->Work.IsReserved() || (!this->Opened && this->Work.IsKnown()))
   {
-    this->RemoveUnfinished();
-    this->RemoveCache();
-    this->RemoveParts();
+    return;
   }
-  if (this->Reserved)
+  if (!this->Opened)
   {
-    // The lock goes last: as long as its file is there, nobody else touches the folder.
-    Remove({ this->GetName(LockName) });
-    std::error_code ignored;
-    fs::remove(this->Folder, ignored);
+    this->Work.Remove(CacheName);
   }
-}
-
-bool PartStore::Lock(std::string& error)
-{
-  for (int attempt = 0; attempt < LockAttempts; ++attempt)
+  // A manifest alone is of no use.
+  const std::vector<std::string> kept = this->Work.FindKept();
+  if (kept.size() == 1 && kept.front() == ManifestName)
   {
-    std::error_code code;
-    std::error_code ignored;
-    this->IsNew = fs::create_directory(this->Folder, code);
-    if (!this->IsNew && !fs::is_directory(this->Folder, ignored))
-    {
-      error = "cannot make the folder " + this->Folder + ": " + code.message();
-      return false;
-    }
-    const FileLock::Outcome outcome = this->Holder.Acquire(this->GetName(LockName), error);
-    if (outcome == FileLock::Outcome::Locked)
-    {
-      return true;
-    }
-    if (!error.empty())
-    {
-      return false;
-    }
-    if (outcome == FileLock::Outcome::Busy)
-    {
-      break;
-    }
+    this->Work.Remove(ManifestName);
   }
-  error = "another process is writing it (it holds " + this->GetName(LockName) + ")";
-  return false;
 }
 
 bool PartStore::Reserve(bool keep, std::string& error)
 {
-  if (this->Reserved)
+  if (!this->Work.Reserve(error))
   {
-    return true;
-  }
-  if (!this->Lock(error))
-  {
-    this->IsNew = false;
     return false;
   }
-  this->Reserved = true;
-  this->RemoveUnfinished();
-  if (!keep)
+  if (!keep && !this->Opened)
   {
-    this->RemoveCache();
+    this->Work.Remove(CacheName);
   }
   return true;
 }
@@ -162,61 +89,66 @@ bool PartStore::Reserve(bool keep, std::string& error)
 bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, std::string& error)
 {
   discarded = false;
-  if (!this->Reserve(keep, error))
+  if (!this->Work.IsReserved() && !this->Reserve(keep, error))
   {
     return false;
   }
   this->Opened = true;
-  const std::string name = this->GetName(ManifestName);
-  if (keep && ReadBytes<std::string>(name) == manifest)
+  this->Manifest = NumberManifest(manifest);
+  const bool isSame = keep && ReadBytes<std::string>(this->Work.GetName(ManifestName)) == manifest;
+  if (!keep)
+  {
+    // So they are not taken for those of this run if it is interrupted.
+    for (const std::string& name : this->Work.FindKept())
+    {
+      if (IsPart(name))
+      {
+        this->Work.Remove(name);
+      }
+    }
+  }
+  discarded = this->DropOthers();
+  if (isSame)
   {
     return true;
   }
-  discarded = keep && this->CountParts() > 0;
-  this->RemoveParts();
-  return this->WriteWhole(name, manifest.data(), manifest.size(), error);
+  this->Work.Remove(TrialsName);
+  return this->Work.Write(ManifestName, manifest.data(), manifest.size(), error);
+}
+
+/// Removes parts that were made under another manifest; tells whether there were some.
+bool PartStore::DropOthers() const
+{
+  bool dropped = false;
+  for (const std::string& name : this->Work.FindKept())
+  {
+    std::uint32_t manifest = 0;
+    if (IsPart(name) && ReadManifest(ReadHead(this->Work.GetName(name)), manifest) &&
+      manifest != this->Manifest)
+    {
+      this->Work.Remove(name);
+      dropped = true;
+    }
+  }
+  return dropped;
 }
 
 bool PartStore::Has(TrackRole role, int group) const
 {
   std::error_code ignored;
-  return fs::exists(this->GetPartName(role, group), ignored);
+  return std::filesystem::exists(this->Work.GetName(GetPartName(role, group)), ignored);
 }
 
 bool PartStore::Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const
 {
-  const std::vector<std::uint8_t> bytes = PackPart(part);
-  return this->WriteWhole(this->GetPartName(role, group), bytes.data(), bytes.size(), error);
-}
-
-bool PartStore::WriteWhole(
-  const std::string& name, const void* data, std::size_t size, std::string& error) const
-{
-  const std::string unfinished = name + UnfinishedSuffix;
-  {
-    std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
-    file.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
-    file.close();
-    if (!file)
-    {
-      error = "cannot write " + unfinished;
-      return false;
-    }
-  }
-  std::error_code code;
-  fs::rename(unfinished, name, code);
-  if (code)
-  {
-    error = "cannot rename " + unfinished + ": " + code.message();
-    return false;
-  }
-  return true;
+  const std::vector<std::uint8_t> bytes = PackPart(part, this->Manifest);
+  return this->Work.Write(GetPartName(role, group), bytes.data(), bytes.size(), error);
 }
 
 bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& error) const
 {
-  const std::string name = this->GetPartName(role, group);
-  if (!UnpackPart(ReadBytes<std::vector<std::uint8_t>>(name), part))
+  const std::string name = this->Work.GetName(GetPartName(role, group));
+  if (!UnpackPart(ReadBytes<std::vector<std::uint8_t>>(name), this->Manifest, part))
   {
     error = "the part " + name + " is missing or damaged";
     return false;
@@ -226,66 +158,42 @@ bool PartStore::Read(TrackRole role, int group, CodedGroup& part, std::string& e
 
 bool PartStore::WriteTrials(const std::string& text, std::string& error) const
 {
-  return this->WriteWhole(this->GetName(TrialsName), text.data(), text.size(), error);
+  return this->Work.Write(TrialsName, text.data(), text.size(), error);
 }
 
 std::string PartStore::ReadTrials() const
 {
-  return ReadBytes<std::string>(this->GetName(TrialsName));
+  return ReadBytes<std::string>(this->Work.GetName(TrialsName));
 }
 
-std::string PartStore::GetCacheName() const
+void PartStore::DropTrials() const
 {
-  return this->GetName(CacheName);
+  this->Work.Remove(TrialsName);
+}
+
+KeptFile PartStore::GetCacheFile() const
+{
+  return { this->Work.GetScratchName(CacheName), this->Work.GetName(CacheName) };
 }
 
 std::string PartStore::GetWholeName() const
 {
-  return this->GetName(WholeName) + fs::path(this->FileName).extension().string();
+  return this->Work.GetScratchName(
+    std::filesystem::path(this->Work.GetTarget()).filename().string());
 }
 
-bool PartStore::Publish(std::string& error) const
+bool PartStore::Publish(std::string& warning, std::string& error)
 {
-  std::error_code code;
-  fs::rename(this->GetWholeName(), this->FileName, code);
-  if (code)
+  if (!PublishFile(this->GetWholeName(), this->Work.GetTarget(), error))
   {
-    error = "cannot rename the finished file to " + this->FileName + ": " + code.message();
     return false;
   }
+  this->Work.Close(warning);
   return true;
 }
 
-std::string PartStore::GetName(const std::string& name) const
+std::string PartStore::GetPartName(TrackRole role, int group)
 {
-  return (fs::path(this->Folder) / name).string();
-}
-
-std::string PartStore::GetPartName(TrackRole role, int group) const
-{
-  return this->GetName(PartPrefix + std::to_string(group) + "-" + NameOfRole(role) + PartSuffix);
-}
-
-int PartStore::CountParts() const
-{
-  return static_cast<int>(FindFiles(this->Folder, IsPart).size());
-}
-
-void PartStore::RemoveCache() const
-{
-  Remove({ this->GetCacheName() });
-}
-
-void PartStore::RemoveUnfinished() const
-{
-  Remove(FindFiles(this->Folder, IsUnfinished));
-}
-
-void PartStore::RemoveParts() const
-{
-  // The manifest goes last: it is what the parts that are left are trusted by.
-  Remove(FindFiles(this->Folder, IsPart));
-  Remove({ this->GetName(TrialsName) });
-  Remove({ this->GetName(ManifestName) });
+  return "group-" + std::to_string(group) + "-" + NameOfRole(role) + ".part";
 }
 }

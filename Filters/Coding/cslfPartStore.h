@@ -4,16 +4,17 @@
  * @file
  * The parts of an unfinished file, one for each group and track, in a folder beside it.
  *
- * A part appears whole, by renaming, and carries a checksum. A manifest tells what the parts are
- * parts of, so that a run that was killed can be gone on with. A lock keeps two processes from
- * writing one file.
+ * A part appears whole, by renaming, and carries a checksum and the number of its manifest, a text
+ * that tells all that the parts depend on. However a run ends before the file is whole, the parts
+ * stay for the next one.
  */
 #ifndef cslfPartStore_h
 #define cslfPartStore_h
 
-#include "Coding/cslfFileLock.h"
 #include "Coding/cslfGroupCodec.h"
+#include "Files/cslfWorkFolder.h"
 
+#include <cstdint>
 #include <string>
 
 namespace cslf
@@ -24,7 +25,7 @@ public:
   /// The parts of the file that shall be named `fileName`.
   explicit PartStore(const std::string& fileName);
 
-  /// Removes the folder and what this class put there, if it was opened or newly made.
+  /// Keeps what helps to go on, if the store was opened or an earlier run has left the folder.
   ~PartStore();
 
   PartStore(const PartStore&) = delete;
@@ -34,10 +35,9 @@ public:
   /// it stays if `keep` is set. On failure returns false and says why, in one line.
   bool Reserve(bool keep, std::string& error);
 
-  /// Reserves the folder, unless that is done, for good. Its parts stay if `keep` is set
-  /// and they were made under the same manifest, a text that tells all they depend on; `discarded`
-  /// tells that there were some of another one although `keep` is set. On failure returns false
-  /// and says why, in one line.
+  /// Reserves the folder, unless that is done. Its parts stay if `keep` is set and they were made
+  /// under the same manifest; `discarded` tells that there were some of another one although `keep`
+  /// is set. On failure returns false and says why, in one line.
   bool Open(const std::string& manifest, bool keep, bool& discarded, std::string& error);
 
   /// Whether there is a part of that name, damaged or not.
@@ -51,33 +51,27 @@ public:
   /// empty if there is nothing.
   bool WriteTrials(const std::string& text, std::string& error) const;
   std::string ReadTrials() const;
+  void DropTrials() const;
   ///@}
 
   /// Where something that helps to go on may be kept, to be removed with the folder.
-  std::string GetCacheName() const;
+  KeptFile GetCacheFile() const;
 
   /// Where the whole file is put together before it is renamed.
   std::string GetWholeName() const;
 
-  /// Renames the whole file to its own name.
-  bool Publish(std::string& error) const;
+  /// Brings the whole file to the disk, renames it to its own name, and only then removes the
+  /// parts. A warning tells what keeps the folder there.
+  bool Publish(std::string& warning, std::string& error);
+
+  const std::string& GetFolder() const { return this->Work.GetName(); }
 
 private:
-  bool Lock(std::string& error);
-  void RemoveCache() const;
-  std::string GetName(const std::string& name) const;
-  std::string GetPartName(TrackRole role, int group) const;
-  bool WriteWhole(
-    const std::string& name, const void* data, std::size_t size, std::string& error) const;
-  int CountParts() const;
-  void RemoveUnfinished() const;
-  void RemoveParts() const;
+  static std::string GetPartName(TrackRole role, int group);
+  bool DropOthers() const;
 
-  std::string FileName;
-  std::string Folder;
-  FileLock Holder;
-  bool Reserved = false;
-  bool IsNew = false; // no earlier run has left the folder
+  WorkFolder Work;
+  std::uint32_t Manifest = 0;
   bool Opened = false;
 };
 }

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCubeMapFiles.h"
 
+#include "Files/cslfFileSystem.h"
+
 #include <vtkType.h>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <nlohmann/json.hpp>
 #include <zlib.h>
@@ -133,6 +136,7 @@ void ForEachRow(const Layout& grid, int entryFace, int texelBytes, Copy copy)
   }
 }
 
+/// Makes the file in memory first: OpenImageIO does not notice all failures of the disk.
 bool WritePixels(
   const std::string& fileName, const OIIO::ImageSpec& spec, const void* pixels, std::string& error)
 {
@@ -142,13 +146,18 @@ bool WritePixels(
     error = OIIO::geterror();
     return false;
   }
-  const bool written = output->open(fileName, spec) && output->write_image(spec.format, pixels);
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  OIIO::ImageSpec whole = spec;
+  void* place = &memory;
+  whole.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &place);
+  const bool written = output->open(fileName, whole) && output->write_image(spec.format, pixels);
   if (!output->close() || !written)
   {
     error = output->geterror();
     return false;
   }
-  return true;
+  return MakeFile(fileName, bytes.data(), bytes.size(), error);
 }
 }
 
@@ -186,15 +195,33 @@ bool WriteCubeMapDescription(
 {
   nlohmann::json json = content.Field.ToJSON();
   json[SlicesKey] = { content.Slices.First, content.Slices.Last };
-  const std::string fileName = folder + "/" + CubeMapDescriptionName;
-  std::ofstream file(fileName);
-  file << json.dump(2) << "\n";
-  file.close();
-  if (!file)
+  const std::string text = json.dump(2) + "\n";
+  return MakeFile(folder + "/" + CubeMapDescriptionName, text.data(), text.size(), error);
+}
+
+std::vector<std::string> ListCubeMapFiles(const std::string& folder)
+{
+  std::vector<std::string> files;
+  std::string ignored;
+  if (const auto content = ReadCubeMapDescription(folder, ignored))
   {
-    error = "Cannot write " + fileName + ".";
+    const std::vector<std::string> names = ListFolder(folder);
+    for (const Channel& channel : content->Field.Channels)
+    {
+      for (int slice = content->Slices.First; slice <= content->Slices.Last; ++slice)
+      {
+        const std::string name =
+          std::filesystem::path(CubeMapFileName(folder, channel, slice)).filename().string();
+        if (std::binary_search(names.begin(), names.end(), name))
+        {
+          files.push_back(name);
+        }
+      }
+    }
   }
-  return !file.fail();
+  // Last, as the others are known by it.
+  files.emplace_back(CubeMapDescriptionName);
+  return files;
 }
 
 std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, std::string& error)
@@ -244,23 +271,8 @@ bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& 
     [&](std::size_t strip, std::size_t cubeMap, std::size_t bytes)
     { std::memcpy(pixels.data() + cubeMap, texels + strip, bytes); });
 
-  const std::filesystem::path fileName = CubeMapFileName(folder, channel, slice);
-  const std::filesystem::path temporary =
-    fileName.parent_path() / ("writing-" + fileName.filename().string());
-  bool isWritten = WritePixels(temporary.string(), MakeSpec(grid, channel), pixels.data(), error);
-  std::error_code failure;
-  if (isWritten)
-  {
-    std::filesystem::rename(temporary, fileName, failure);
-    isWritten = !failure;
-    error = failure.message();
-  }
-  if (!isWritten)
-  {
-    std::filesystem::remove(temporary, failure);
-    error = "Cannot write " + fileName.string() + ": " + error;
-  }
-  return isWritten;
+  const std::string fileName = CubeMapFileName(folder, channel, slice);
+  return WritePixels(fileName, MakeSpec(grid, channel), pixels.data(), error);
 }
 
 bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,

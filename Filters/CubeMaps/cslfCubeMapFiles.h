@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cslf
 {
@@ -32,15 +33,18 @@ bool CheckCubeMapChannels(const Description& description, std::string& error);
 /// The file of one channel of one viewpoint.
 std::string CubeMapFileName(const std::string& folder, const Channel& channel, int slice);
 
-/// Writes the description's file. On failure says why.
+/// Writes the description's file, which is not there yet. On failure says why.
 bool WriteCubeMapDescription(
   const std::string& folder, const CubeMapFolder& content, std::string& error);
+
+/// The names of those files of a folder that belong to a light field, the description last.
+std::vector<std::string> ListCubeMapFiles(const std::string& folder);
 
 /// Reads the description's file. On failure returns nothing and says why.
 std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, std::string& error);
 
-/// Writes one channel of one viewpoint, `texels` in the order of the image data. The file appears
-/// whole or not at all. On failure says why.
+/// Writes one channel of one viewpoint, `texels` in the order of the image data. On failure
+/// says why.
 bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
   const unsigned char* texels, std::string& error);
 

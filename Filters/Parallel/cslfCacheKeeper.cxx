@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parallel/cslfCacheKeeper.h"
 
+#include "Files/cslfFileSystem.h"
 #include "Parallel/cslfBroadcast.h"
 #include "PathTracing/RadianceCache/cslfCacheFile.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
@@ -47,10 +48,10 @@ private:
 };
 }
 
-CacheKeeper::CacheKeeper(vtkMultiProcessController* controller, std::string fileName,
+CacheKeeper::CacheKeeper(vtkMultiProcessController* controller, KeptFile file,
   std::function<void(const std::string&)> warn)
   : Controller(controller)
-  , FileName(std::move(fileName))
+  , File(std::move(file))
   , Warn(std::move(warn))
 {
 }
@@ -153,9 +154,9 @@ bool CacheKeeper::Settle(bool isWell)
 bool CacheKeeper::Read(RadianceCache& cache)
 {
   auto state = CacheFileState::Missing;
-  if (!this->FileName.empty())
+  if (!this->File.Kept.empty())
   {
-    state = ReadCacheFile(this->FileName, this->Key, cache);
+    state = ReadCacheFile(this->File.Kept, this->Key, cache);
   }
   if (state == CacheFileState::Damaged)
   {
@@ -174,6 +175,18 @@ bool CacheKeeper::Read(RadianceCache& cache)
   return isRead != 0;
 }
 
+bool CacheKeeper::Write(RadianceCache& cache) const
+{
+  std::string ignored;
+  if (WriteCacheFile(this->File.Unfinished, this->Key, cache) &&
+    PublishFile(this->File.Unfinished, this->File.Kept, ignored))
+  {
+    return true;
+  }
+  RemoveFile(this->File.Unfinished);
+  return false;
+}
+
 bool CacheKeeper::Make(RadianceCache& cache, const std::function<bool()>& fill)
 {
   if (!this->AllHave && this->Read(cache))
@@ -184,9 +197,9 @@ bool CacheKeeper::Make(RadianceCache& cache, const std::function<bool()>& fill)
   {
     return false;
   }
-  if (!this->FileName.empty() && !WriteCacheFile(this->FileName, this->Key, cache))
+  if (!this->File.Kept.empty() && !this->Write(cache))
   {
-    this->Warn("The radiance cache could not be kept in " + this->FileName +
+    this->Warn("The radiance cache could not be kept in " + this->File.Kept +
       ": a run that is started again would have to make it anew.");
   }
   return true;

@@ -11,6 +11,7 @@
 #ifndef cslfCacheKeeper_h
 #define cslfCacheKeeper_h
 
+#include "Files/cslfWorkFolder.h"
 #include "PathTracing/RadianceCache/cslfCacheShare.h"
 
 #include <functional>
@@ -33,8 +34,8 @@ public:
     Break     ///< another rank has failed: none is needed
   };
 
-  /// The controller may be null. The file is rank 0's; an empty name stands for none.
-  CacheKeeper(vtkMultiProcessController* controller, std::string fileName,
+  /// The controller may be null. The file is rank 0's; empty names stand for none.
+  CacheKeeper(vtkMultiProcessController* controller, KeptFile file,
     std::function<void(const std::string&)> warn);
 
   /// A rank needs the cache of this key. `isThere` says whether it has it. Ranks make it together
@@ -74,9 +75,10 @@ private:
   Arrival Meet(Arrival mine);
   bool IsOfAll(const std::string& text);
   bool Read(RadianceCache& cache);
+  bool Write(RadianceCache& cache) const;
 
   vtkMultiProcessController* Controller;
-  std::string FileName;
+  KeptFile File;
   std::function<void(const std::string&)> Warn;
   std::string Key;
   bool HasMet = false;

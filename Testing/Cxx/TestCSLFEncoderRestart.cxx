@@ -16,8 +16,11 @@
 #include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -116,8 +119,9 @@ void TestRestart(vtkImageData* field, const Remains& remains, const std::string&
   const std::vector<char>& expected)
 {
   PutBack(remains);
-  cslf::testing::WriteBytes(remains.Folder + "/group-0-color.part.unfinished", { 'x' });
-  cslf::testing::WriteBytes(remains.Folder + "/whole.mp4", { 'x' });
+  fs::create_directory(remains.Folder + "/unfinished-abcdef");
+  cslf::testing::WriteBytes(remains.Folder + "/unfinished-abcdef/group-0-color.part", { 'x' });
+  cslf::testing::WriteBytes(remains.Folder + "/unfinished-abcdef/field.mp4", { 'x' });
   const int slices = field->GetExtent()[5] + 1;
   const Outcome outcome = Write(field, fileName);
   CSLF_CHECK(outcome.Written && outcome.Warnings == 0);
@@ -149,12 +153,82 @@ void TestDamage(vtkImageData* field, const Remains& remains, const std::string& 
     CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices > whole);
     CSLF_CHECK(ReadBytes(fileName) == expected);
   }
+  // Each part tells which manifest it belongs to.
   PutBack(remains);
   cslf::testing::WriteBytes(remains.Folder + "/manifest.json", { '{' });
   const Outcome outcome = Write(field, fileName);
-  CSLF_CHECK(outcome.Written && outcome.Warnings == 1);
-  CSLF_CHECK(outcome.Slices > field->GetExtent()[5]);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 0 && outcome.Slices == whole);
   CSLF_CHECK(ReadBytes(fileName) == expected);
+}
+
+/// Parts of another manifest are of no use, whatever manifest lies beside them.
+void TestManifest(vtkImageData* field, const Remains& remains, const std::string& fileName,
+  const std::vector<char>& expected)
+{
+  const std::string kept = remains.Kept + "/manifest.json";
+  const std::vector<char> bytes = ReadBytes(kept);
+  const auto manifest = nlohmann::json::parse(bytes);
+  CSLF_CHECK(manifest.contains("libraries") && manifest["libraries"].contains("cslf"));
+  bool hasEncoder = false;
+  for (const auto& library : manifest["libraries"].items())
+  {
+    CSLF_CHECK(library.value().get<std::string>().size() > 8);
+    hasEncoder = hasEncoder || library.key().rfind("libx265", 0) == 0;
+  }
+  CSLF_CHECK(hasEncoder);
+
+  const Remains other = Interrupt(
+    field, remains.Folder + "-other.mp4", [](vtkCSLFEncoder* encoder) { encoder->SetCRF(40.0); });
+  PutBack(remains);
+  for (const char* name : { "/group-0-color.part", "/group-1-depth.part" })
+  {
+    fs::copy_file(other.Kept + name, remains.Folder + name, fs::copy_options::overwrite_existing);
+  }
+  const Outcome outcome = Write(field, fileName);
+  CSLF_CHECK(outcome.Written && outcome.Warnings == 1);
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+}
+
+/// Other files beside the parts stay, and the folder for their sake.
+void TestForeign(vtkImageData* field, const Remains& remains, const std::string& fileName,
+  const std::vector<char>& expected)
+{
+  const std::vector<char> thesis = { 't' };
+  const auto write = [&](const std::string& reason)
+  {
+    vtkNew<vtkCSLFEncoder> encoder;
+    encoder->SetInputData(field);
+    Set(encoder, fileName, [](vtkCSLFEncoder*) {});
+    const cslf::testing::Observed observed(encoder);
+    const bool written = encoder->Write() == 1;
+    CSLF_CHECK(written ? observed.HasWarning(reason) : observed.HasError(reason));
+    return written;
+  };
+  PutBack(remains);
+  for (const char* name : { "/thesis", "/whole.mp4", "/group-thesis.part", "/a.unfinished" })
+  {
+    cslf::testing::WriteBytes(remains.Folder + name, thesis);
+  }
+  CSLF_CHECK(write("holds other things"));
+  CSLF_CHECK(ReadBytes(fileName) == expected);
+  for (const char* name : { "/thesis", "/whole.mp4", "/group-thesis.part", "/a.unfinished" })
+  {
+    CSLF_CHECK(ReadBytes(remains.Folder + name) == thesis);
+  }
+  // Again, where the folder is not known for ours any more.
+  CSLF_CHECK(write("holds other things"));
+  CSLF_CHECK(ReadBytes(remains.Folder + "/thesis") == thesis);
+  CSLF_CHECK(std::distance(fs::directory_iterator(remains.Folder), {}) == 4);
+  for (const char* name : { "/manifest.json", "/cslf.lock", "/radiance.cache" })
+  {
+    fs::remove_all(remains.Folder);
+    fs::create_directory(remains.Folder);
+    cslf::testing::WriteBytes(remains.Folder + name, thesis);
+    CSLF_CHECK(!write("away"));
+    CSLF_CHECK(ReadBytes(remains.Folder + name) == thesis);
+    CSLF_CHECK(std::distance(fs::directory_iterator(remains.Folder), {}) == 1);
+  }
+  fs::remove_all(remains.Folder);
 }
 
 void TestChange(vtkImageData* field, const Remains& remains, const std::string& fileName)
@@ -258,6 +332,8 @@ int TestCSLFEncoderRestart(int argc, char* argv[])
   CSLF_CHECK(!expected.empty());
   TestRestart(field, remains, fileName, expected);
   TestDamage(field, remains, fileName, expected);
+  TestManifest(field, remains, fileName, expected);
+  TestForeign(field, remains, fileName, expected);
   TestChange(field, remains, fileName);
   TestLock(field, fileName, expected);
   TestTarget(cslf::testing::MakeByteField(9, 16), folder + "/target.mp4");

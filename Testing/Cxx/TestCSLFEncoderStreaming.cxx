@@ -14,6 +14,8 @@
 #include <vtkNew.h>
 #include <vtkSMPTools.h>
 
+#include <filesystem>
+
 namespace
 {
 using cslf::testing::MakeSource;
@@ -58,13 +60,14 @@ void TestAbort(vtkImageData* field, const std::string& folder)
   const cslf::testing::Observed observed(encoder);
   CSLF_CHECK(encoder->Write() == 0);
   CSLF_CHECK(observed.HasError("stopped"));
-  CSLF_CHECK(!cslf::testing::Exists(fileName + ".partial"));
+  CSLF_CHECK(observed.HasError("groups of viewpoints are kept in " + fileName + ".partial"));
+  CSLF_CHECK(cslf::testing::Exists(fileName + ".partial/group-0-color.part"));
   CSLF_CHECK(cslf::testing::ReadBytes(fileName).size() == 3);
 }
 
 void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
 {
-  const std::string fileName = folder + "/failing.mp4";
+  const std::string fileName = folder + "/failing.mkv";
   const auto source = MakeSource(field);
   source->FailingSlice = slice;
   vtkNew<vtkCSLFEncoder> encoder;
@@ -77,7 +80,18 @@ void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
   CSLF_CHECK(observed.GetErrors() == 1);
   CSLF_CHECK(sourceObserved.GetErrors() == 1);
   CSLF_CHECK(!cslf::testing::Exists(fileName));
-  CSLF_CHECK(!cslf::testing::Exists(fileName + ".partial"));
+  const bool isKept = cslf::testing::Exists(fileName + ".partial");
+  CSLF_CHECK(isKept == (slice > 0));
+  const auto whole = MakeSource(field);
+  vtkNew<vtkCSLFEncoder> next;
+  next->SetInputConnection(whole->GetOutputPort());
+  next->SetPreset("ultrafast");
+  next->SetFileName(fileName.c_str());
+  CSLF_CHECK(next->Write() == 1);
+  CSLF_CHECK((whole->Slices < field->GetExtent()[5]) == isKept);
+  const auto expected = cslf::testing::ReadBytes(folder + "/threads1.mkv");
+  CSLF_CHECK(cslf::testing::ReadBytes(fileName) == expected);
+  std::filesystem::remove(fileName);
 }
 }
 

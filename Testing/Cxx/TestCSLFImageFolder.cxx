@@ -9,6 +9,7 @@
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
@@ -242,7 +243,7 @@ void TestBad(const std::string& root)
   CheckWriteFails(field, root + "/other", "holds other things");
   CSLF_CHECK(fs::exists(root + "/other/letter.txt"));
   CheckWriteFails(field, root + "/file", "is no folder");
-  CheckWriteFails(field, root + "/nowhere/else", "Cannot make the folder");
+  CheckWriteFails(field, root + "/nowhere/else", "cannot make the folder");
   CheckWriteFails(field, "", "file name");
   vtkNew<vtkImageData> plain;
   plain->SetDimensions(4, 4, 4);
@@ -258,6 +259,101 @@ void TestBad(const std::string& root)
   reader->SetFileName((root + "/lies").c_str());
   CSLF_CHECK(reader->FindMissingViewpoints() == -1 && observer->GetError());
   CheckReadFails(root + "/lies", "describes something else");
+}
+
+void WriteText(const std::string& fileName)
+{
+  fs::create_directories(fs::path(fileName).parent_path());
+  std::ofstream(fileName) << "thesis";
+}
+
+bool HasText(const std::string& fileName)
+{
+  std::string text;
+  std::ifstream(fileName) >> text;
+  return text == "thesis";
+}
+
+/// Whatever else lies around the folder stays.
+void TestForeign(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);
+  WriteText(folder + ".replaced/thesis");
+  CSLF_CHECK(Write(field, folder));
+  WriteText(folder + ".partial/thesis");
+  WriteText(folder + ".partial/unfinished-abcdef/new/thesis");
+  vtkNew<vtkCSLFImageWriter> writer;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  writer->AddObserver(vtkCommand::WarningEvent, observer);
+  writer->AddObserver(vtkCommand::ErrorEvent, observer);
+  writer->SetInputData(field);
+  writer->SetFileName(folder.c_str());
+  CSLF_CHECK(writer->Write() == 1);
+  CSLF_CHECK(observer->GetWarningMessage().find("holds other things") != std::string::npos);
+  CSLF_CHECK(HasText(folder + ".replaced/thesis") && HasText(folder + ".partial/thesis"));
+  CSLF_CHECK(HasText(folder + ".partial/unfinished-abcdef/new/thesis"));
+  fs::remove_all(folder + ".partial");
+
+  // In the folder itself.
+  for (const char* name : { "/thesis", "/notes/thesis", "/000099.Color.png", "/000000.Depth.png" })
+  {
+    WriteText(folder + name);
+    CheckWriteFails(field, folder, "holds other things");
+    CSLF_CHECK(HasText(folder + name) && fs::exists(folder + "/000000.Color.png"));
+    fs::remove_all(folder + "/notes");
+    fs::remove(folder + name);
+  }
+
+  // A link to it is followed.
+  const std::string link = folder + "-link";
+  fs::create_directory_symlink(folder, link);
+  CSLF_CHECK(
+    Write(field, link) && fs::is_symlink(link) && fs::exists(folder + "/000000.Color.png"));
+}
+
+/// What a run leaves that was killed after an earlier folder had gone and before the new one had
+/// come, where the file system cannot exchange them at once.
+void TestKilled(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);
+  CSLF_CHECK(Write(field, folder));
+  const std::string scratch = folder + ".partial/unfinished-abcdef";
+  fs::create_directories(scratch);
+  std::ofstream(folder + ".partial/cslf.lock") << "CSLF: a light field is being written here.\n";
+  fs::copy(folder, scratch + "/new");
+  fs::rename(folder, scratch + "/replaced");
+  vtkNew<vtkImageData> plain;
+  plain->SetDimensions(4, 4, 4);
+  plain->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  CheckWriteFails(plain, folder, "is no light field");
+  vtkNew<vtkCSLFImageReader> reader;
+  CSLF_CHECK(reader->CanReadFile(folder.c_str()) == 3);
+}
+
+/// A second writer of the same folder fails, and does not disturb the first.
+void TestLock(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputData(field);
+  writer->SetFileName(folder.c_str());
+  vtkNew<vtkCallbackCommand> disturb;
+  disturb->SetClientData(writer);
+  disturb->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      auto* first = static_cast<vtkCSLFImageWriter*>(data);
+      vtkNew<vtkCSLFImageWriter> second;
+      vtkNew<vtkTest::ErrorObserver> observer;
+      second->AddObserver(vtkCommand::ErrorEvent, observer);
+      second->SetInputDataObject(first->GetInputDataObject(0, 0));
+      second->SetFileName(first->GetFileName());
+      CSLF_CHECK(second->Write() == 0);
+      CSLF_CHECK(observer->GetErrorMessage().find("another process") != std::string::npos);
+    });
+  writer->AddObserver(vtkCommand::ProgressEvent, disturb);
+  CSLF_CHECK(writer->Write() == 1);
+  CSLF_CHECK(!fs::exists(folder + ".partial"));
 }
 }
 
@@ -278,5 +374,8 @@ int TestCSLFImageFolder(int argc, char* argv[])
   TestStrip(root + "/strip");
   TestMissing(root + "/missing");
   TestBad(root);
+  TestForeign(root + "/foreign");
+  TestKilled(root + "/killed");
+  TestLock(root + "/lock");
   return cslf::testing::Result();
 }

@@ -3,7 +3,6 @@
 #include "cslfCacheFile.h"
 
 #include "cslfRadianceCache.h"
-#include "cslfUnfinished.h"
 
 #include <zlib.h>
 
@@ -141,22 +140,11 @@ bool IsWhole(const std::string& fileName)
 
 bool WriteCacheFile(const std::string& fileName, const std::string& key, RadianceCache& cache)
 {
-  const std::string unfinished = fileName + UnfinishedSuffix;
-  FileWriter writer(unfinished);
+  FileWriter writer(fileName);
   writer.Value(Magic);
   writer.Array(std::vector<char>(key.begin(), key.end()));
   cache.Exchange(writer);
-  std::error_code failure;
-  if (writer.Finish())
-  {
-    fs::rename(unfinished, fileName, failure);
-    if (!failure)
-    {
-      return true;
-    }
-  }
-  fs::remove(unfinished, failure);
-  return false;
+  return writer.Finish();
 }
 
 CacheFileState ReadCacheFile(

@@ -24,8 +24,8 @@ enum class CacheFileState
   Read
 };
 
-/// Writes a cache, whole, by renaming `fileName` with UnfinishedSuffix appended. The key tells all
-/// that the cache depends on. On failure returns false and leaves nothing new behind.
+/// Writes a cache. The key tells all that the cache depends on. False on failure; the file is then
+/// of no use.
 VTKCSLF_EXPORT bool WriteCacheFile(
   const std::string& fileName, const std::string& key, RadianceCache& cache);
 

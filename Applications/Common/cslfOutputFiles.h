@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The tool's files that appear whole or not at all. What fails is thrown as a Failure.
+ */
+#ifndef cslfOutputFiles_h
+#define cslfOutputFiles_h
+
+#include "Files/cslfFileSystem.h"
+#include "Files/cslfWholeFile.h"
+#include "cslfMessages.h"
+
+#include <cerrno>
+#include <cstddef>
+#include <string>
+#include <system_error>
+
+namespace cslf
+{
+namespace tool
+{
+/// The reason may be empty.
+[[noreturn]] inline void FailWriting(const std::string& fileName, const std::string& reason)
+{
+  const bool isSentence = !reason.empty() && reason.back() == '.';
+  throw Failure("Cannot write " + fileName + (reason.empty() ? "" : ": " + reason) +
+    DescribeShortage(fileName) + (isSentence ? "" : "."));
+}
+
+/// One file. Other processes that want to write it fail as long as this object lives.
+class OutputFile
+{
+public:
+  explicit OutputFile(const std::string& fileName)
+    : FileName(fileName)
+    , Whole(fileName)
+  {
+    std::string error;
+    if (!this->Whole.Open(error))
+    {
+      FailWriting(fileName, error);
+    }
+  }
+
+  const std::string& GetName() const { return this->FileName; }
+
+  /// What to write.
+  const std::string& GetTemporaryName() const { return this->Whole.GetTemporaryName(); }
+
+  void Publish()
+  {
+    std::string warning;
+    std::string error;
+    if (!this->Whole.Publish(warning, error))
+    {
+      FailWriting(this->FileName, error);
+    }
+    if (!warning.empty())
+    {
+      AddWarning(warning);
+    }
+  }
+
+private:
+  std::string FileName;
+  WholeFile Whole;
+};
+
+/// What to add to a message where the disk is the reason, by the system's error number.
+inline std::string DescribeDisk(int code)
+{
+  const bool isDisk =
+    code == ENOSPC || code == EDQUOT || code == EFBIG || code == EIO || code == EROFS;
+  return isDisk ? " " + std::generic_category().message(code) : "";
+}
+
+/// Writes with one of VTK's writers, which has all but its file name.
+template <typename Writer>
+void WriteWhole(Writer* writer, OutputFile& file)
+{
+  writer->SetFileName(file.GetTemporaryName().c_str());
+  errno = 0;
+  writer->Write();
+  const std::string disk = DescribeDisk(errno);
+  if (writer->GetErrorCode() != 0 || !GetFirstError().empty())
+  {
+    FailWriting(file.GetName(), GetFirstError() + disk);
+  }
+  file.Publish();
+}
+
+template <typename Writer>
+void WriteWhole(Writer* writer, const std::string& fileName)
+{
+  OutputFile file(fileName);
+  WriteWhole(writer, file);
+}
+
+/// Writes bytes likewise.
+inline void WriteWholeBytes(const void* bytes, std::size_t count, const std::string& fileName)
+{
+  OutputFile file(fileName);
+  std::string error;
+  if (!MakeFile(file.GetTemporaryName(), bytes, count, error))
+  {
+    FailWriting(fileName, error);
+  }
+  file.Publish();
+}
+
+inline void WriteWholeText(const std::string& text, const std::string& fileName)
+{
+  WriteWholeBytes(text.data(), text.size(), fileName);
+}
+}
+}
+
+#endif

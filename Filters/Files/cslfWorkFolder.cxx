@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/cslfWorkFolder.h"
+
+#include "Files/cslfFileSystem.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <system_error>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr const char* LockName = "cslf.lock";
+constexpr const char* ScratchPrefix = "unfinished-";
+
+/// An earlier folder on its way out, where it could not change places with the new one at once.
+constexpr const char* ReplacedName = "replaced";
+
+/// How often the folder may vanish under a new run, each time removed by one that ends.
+constexpr int LockAttempts = 100;
+
+bool Exists(const std::string& name)
+{
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(name, ignored));
+}
+
+bool IsScratch(const std::string& name)
+{
+  static const std::regex pattern(std::string(ScratchPrefix) + "[A-Za-z0-9]{6}");
+  return std::regex_match(name, pattern);
+}
+}
+
+std::string ResolveTarget(const std::string& name)
+{
+  const fs::path path = fs::path(name).lexically_normal();
+  const fs::path target = path.has_filename() ? path : path.parent_path();
+  std::error_code failure;
+  const fs::path linked = fs::is_symlink(target, failure) ? fs::canonical(target, failure) : target;
+  return (failure ? target : linked).string();
+}
+
+WorkFolder::WorkFolder(const std::string& target, Judge isOurs, Lister list)
+  : Target(ResolveTarget(target))
+  , Folder(this->Target + ".partial")
+  , IsOurs(std::move(isOurs))
+  , List(std::move(list))
+{
+}
+
+WorkFolder::~WorkFolder()
+{
+  if (this->IsLocked)
+  {
+    this->ClearScratch(this->Scratch);
+    if (this->FindKept().empty())
+    {
+      this->RemoveAll();
+    }
+  }
+}
+
+bool WorkFolder::Reserve(std::string& error)
+{
+  if (this->IsReserved())
+  {
+    return true;
+  }
+  if (!this->IsLocked && !this->Lock(error))
+  {
+    return false;
+  }
+  if (this->Known)
+  {
+    this->ClearDead();
+  }
+  std::string scratch;
+  if (!MakeUniqueFolder(this->GetName(ScratchPrefix), scratch, error))
+  {
+    return false;
+  }
+  this->Scratch = scratch;
+  return true;
+}
+
+bool WorkFolder::Lock(std::string& error)
+{
+  for (int attempt = 0; attempt < LockAttempts; ++attempt)
+  {
+    this->IsMade = MakeFolder(this->Folder, error);
+    if (!this->IsMade && error.empty() && !IsRealFolder(this->Folder))
+    {
+      error = "cannot make the folder " + this->Folder + ": something else has that name";
+    }
+    if (!error.empty())
+    {
+      return false;
+    }
+    const FileLock::Outcome outcome = this->Holder.Acquire(this->GetName(LockName), error);
+    if (outcome == FileLock::Outcome::Removed && error.empty())
+    {
+      continue;
+    }
+    if (this->Claim(outcome, error))
+    {
+      return true;
+    }
+    this->Holder.Remove();
+    if (this->IsMade)
+    {
+      RemoveEmptyFolder(this->Folder);
+    }
+    return false;
+  }
+  error = "the folder " + this->Folder + " does not stay";
+  return false;
+}
+
+bool WorkFolder::Claim(FileLock::Outcome outcome, std::string& error)
+{
+  if (!error.empty())
+  {
+    return false;
+  }
+  if (outcome == FileLock::Outcome::Busy)
+  {
+    error = "another process is writing it (it holds " + this->GetName(LockName) + ")";
+    return false;
+  }
+  if (outcome == FileLock::Outcome::Foreign)
+  {
+    error = this->GetName(LockName) + " is none of CSLF's files: move the folder away";
+    return false;
+  }
+  const bool isKnown = this->Holder.IsMarked();
+  const std::vector<std::string> kept = this->FindKept();
+  if (!isKnown && !kept.empty())
+  {
+    error = "the folder " + this->Folder + " is not what an interrupted run leaves, but has " +
+      kept.front() + ": move it away";
+    return false;
+  }
+  if (!this->Holder.Mark(error))
+  {
+    return false;
+  }
+  this->IsMade = this->IsMade || isKnown;
+  this->Known = isKnown;
+  this->IsLocked = true;
+  return true;
+}
+
+bool WorkFolder::Keep(const std::string& name, std::string& error) const
+{
+  const std::string scratch = this->GetScratchName(name);
+  return SyncFile(scratch, error) && Rename(scratch, this->GetName(name), error);
+}
+
+bool WorkFolder::Write(
+  const std::string& name, const void* bytes, std::size_t count, std::string& error) const
+{
+  return MakeFile(this->GetScratchName(name), bytes, count, error) && this->Keep(name, error);
+}
+
+std::vector<std::string> WorkFolder::FindKept() const
+{
+  std::vector<std::string> names = ListFolder(this->Folder);
+  names.erase(std::remove_if(names.begin(), names.end(),
+                [this](const std::string& name) { return !this->IsOurs(name); }),
+    names.end());
+  return names;
+}
+
+void WorkFolder::Remove(const std::string& name) const
+{
+  RemoveFile(this->GetName(name));
+}
+
+bool WorkFolder::PublishFolder(const std::string& name, std::string& error) const
+{
+  const std::string made = this->GetScratchName(name);
+  const std::string replaced = this->GetScratchName(ReplacedName);
+  if (!SyncTree(made, error))
+  {
+    return false;
+  }
+  bool isPublished = Exists(this->Target) && ExchangeFolders(made, this->Target, error);
+  if (!isPublished && error.empty())
+  {
+    isPublished = (!Exists(this->Target) || Rename(this->Target, replaced, error)) &&
+      Rename(made, this->Target, error);
+    std::string ignored;
+    if (!isPublished && Exists(replaced) && !Exists(this->Target))
+    {
+      Rename(replaced, this->Target, ignored);
+    }
+  }
+  if (!isPublished || !SyncFolder(GetParent(this->Target), error))
+  {
+    return false;
+  }
+  this->ClearFolder(made);
+  this->ClearFolder(replaced);
+  return true;
+}
+
+void WorkFolder::ClearDead() const
+{
+  for (const std::string& name : ListFolder(this->Folder))
+  {
+    const std::string scratch = this->GetName(name);
+    if (!IsScratch(name) || !IsRealFolder(scratch))
+    {
+      continue;
+    }
+    // The run was killed between the two steps in which its folder took the place of an earlier
+    // one.
+    const std::string replaced = scratch + "/" + ReplacedName;
+    std::string ignored;
+    if (this->List && IsRealFolder(replaced) && !Exists(this->Target))
+    {
+      Rename(replaced, this->Target, ignored);
+    }
+    this->ClearScratch(scratch);
+  }
+}
+
+void WorkFolder::ClearScratch(const std::string& scratch) const
+{
+  if (scratch.empty())
+  {
+    return;
+  }
+  for (const std::string& name : ListFolder(scratch))
+  {
+    const std::string file = scratch + "/" + name;
+    if (this->List && IsRealFolder(file))
+    {
+      this->ClearFolder(file);
+    }
+    else if (this->IsOurs(name) || fs::path(this->Target).filename() == name)
+    {
+      RemoveFile(file);
+    }
+  }
+  RemoveEmptyFolder(scratch);
+}
+
+void WorkFolder::ClearFolder(const std::string& folder) const
+{
+  if (IsRealFolder(folder))
+  {
+    for (const std::string& name : this->List(folder))
+    {
+      RemoveFile(folder + "/" + name);
+    }
+    RemoveEmptyFolder(folder);
+  }
+}
+
+void WorkFolder::Close(std::string& warning)
+{
+  this->ClearScratch(this->Scratch);
+  for (const std::string& name : this->FindKept())
+  {
+    this->Remove(name);
+  }
+  this->RemoveAll();
+  const std::vector<std::string> others = ListFolder(this->Folder);
+  if (!others.empty())
+  {
+    warning = this->Folder + " was not removed, as it holds other things: " + others.front() + ".";
+  }
+}
+
+void WorkFolder::RemoveAll()
+{
+  // The lock goes last: as long as its file is there, nobody else touches the folder.
+  this->Holder.Remove();
+  if (this->IsMade)
+  {
+    RemoveEmptyFolder(this->Folder);
+  }
+  this->IsLocked = false;
+  this->Scratch.clear();
+}
+}

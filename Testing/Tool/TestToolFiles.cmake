@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Whatever the tool writes, files that it has not made stay as they are.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+cslf_run(sample cornell-box -o field.vti -M 2 -N 16 --spp 1 --max-depth 1)
+
+# Everything that could be taken for a temporary file of an output of that name.
+function (make_neighbours name)
+  foreach (suffix IN ITEMS writable replaced unfinished partial.old)
+    file(WRITE "${DIRECTORY}/${name}.${suffix}" "thesis")
+  endforeach ()
+  file(WRITE "${DIRECTORY}/${name}.partial/thesis" "thesis")
+endfunction ()
+
+# They are there still, and nothing else is but the output.
+function (expect_neighbours name)
+  file(GLOB all RELATIVE "${DIRECTORY}" "${DIRECTORY}/${name}.*" "${DIRECTORY}/${name}.partial/*")
+  list(REMOVE_ITEM all ${name}.partial)
+  list(SORT all)
+  set(expected)
+  foreach (suffix IN ITEMS partial.old partial/thesis replaced unfinished writable)
+    list(APPEND expected "${name}.${suffix}")
+  endforeach ()
+  list(SORT expected)
+  if (NOT all STREQUAL expected)
+    message(FATAL_ERROR "Beside ${name} are ${all}, not ${expected}.")
+  endif ()
+endfunction ()
+
+# Runs the tool, which must succeed with a warning that the folder of ours could not be removed.
+function (run_with_word output)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_QUIET
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES
+      "^cslf: warning: ${output}.partial was not removed, as it holds other things: thesis.\n$")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+  endif ()
+endfunction ()
+
+set(outputs copy.vti folder.d scene.obj)
+set(copy.vti decode field.vti)
+set(folder.d decode field.vti)
+set(scene.obj export cornell-box)
+if (HAS_ENCODER)
+  list(APPEND outputs video.mp4)
+  set(video.mp4 encode field.vti --preset ultrafast)
+endif ()
+foreach (output IN LISTS outputs)
+  set(name ${output})
+  if (output STREQUAL "folder.d")
+    set(name folder)
+  endif ()
+  make_neighbours(${name})
+  run_with_word(${name} ${${output}} -o ${name})
+  # Again, over what is there now.
+  run_with_word(${name} ${${output}} -o ${name})
+  expect_neighbours(${name})
+endforeach ()
+
+# A folder with more in it than a light field.
+file(WRITE "${DIRECTORY}/folder/notes.txt" "thesis")
+cslf_fail("holds other things than a light field: notes.txt" "" decode field.vti -o folder)
+file(READ "${DIRECTORY}/folder/notes.txt" notes)
+if (NOT notes STREQUAL "thesis")
+  message(FATAL_ERROR "The notes are gone.")
+endif ()
+
+# Somebody else writes it. The lock is that of flock(1).
+find_program(FLOCK flock)
+if (FLOCK)
+  file(REMOVE_RECURSE "${DIRECTORY}/folder" "${DIRECTORY}/folder.partial")
+  foreach (name IN ITEMS copy.vti folder)
+    file(REMOVE_RECURSE "${DIRECTORY}/${name}.partial")
+    file(WRITE "${DIRECTORY}/${name}.partial/cslf.lock"
+      "CSLF: a light field is being written here.\n")
+    execute_process(
+      COMMAND "${FLOCK}" -n ${name}.partial/cslf.lock "${CSLF}" decode field.vti -o ${name}
+      WORKING_DIRECTORY "${DIRECTORY}"
+      RESULT_VARIABLE result
+      ERROR_VARIABLE error)
+    if (result STREQUAL "0" OR NOT error MATCHES
+        "^cslf: error: [^\n]*another process is writing it[^\n]*\n$")
+      message(FATAL_ERROR "A second writer of ${name} ended with ${result}: ${error}")
+    endif ()
+  endforeach ()
+endif ()
