@@ -227,6 +227,8 @@ list(APPEND sources
   ../Filters/Coding/cslfAV1.cxx
   ../Filters/Coding/cslfBackgroundSteps.cxx
   ../Filters/Coding/cslfCodec.cxx
+  ../Filters/Coding/cslfColorFrames.cxx
+  ../Filters/Coding/cslfColorRows.cxx
   ../Filters/Coding/cslfContainerReader.cxx
   ../Filters/Coding/cslfDepthCurve.cxx
   ../Filters/Coding/cslfDepthFill.cxx
@@ -251,6 +253,8 @@ list(APPEND private_headers
   ../Filters/Coding/cslfBitstreams.h
   ../Filters/Coding/cslfCodec.h
   ../Filters/Coding/cslfCodingTask.h
+  ../Filters/Coding/cslfColorFrames.h
+  ../Filters/Coding/cslfColorRows.h
   ../Filters/Coding/cslfContainerReader.h
   ../Filters/Coding/cslfContainerWriter.h
   ../Filters/Coding/cslfDepthCurve.h
@@ -276,6 +280,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfRadianceFrames.h
   ../Filters/Coding/cslfRateControl.h
   ../Filters/Coding/cslfRateModel.h
+  ../Filters/Coding/cslfTexelBytes.h
   ../Filters/Coding/cslfTexelRows.h
   ../Filters/Coding/cslfTrack.h
   ../Filters/Coding/cslfTrackDecoder.h

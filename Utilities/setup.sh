@@ -15,7 +15,7 @@ cslf_packages=(
   cmake g++ ninja-build pkg-config
   libvtk9-dev libpython3-dev python3 python3-vtk9
   libembree-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
-  libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  libavcodec-dev libavformat-dev libavutil-dev
   dpkg-dev file  # for the test of the Debian package
   qemu-user  # for the test of other processors
   xauth xvfb)

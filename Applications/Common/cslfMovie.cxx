@@ -5,7 +5,7 @@
 #include "cslfMessages.h"
 
 #ifdef CSLF_HAS_ENCODER
-#include "Coding/cslfAV.h"
+#include "Coding/cslfColorFrames.h"
 #include "cslfOutputFiles.h"
 
 #include <vtkImageData.h>
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 #else
 #include "cslfFieldFiles.h"
 #endif
@@ -26,6 +27,7 @@ namespace
 {
 constexpr const char* EncoderName = "libx264";
 constexpr AVPixelFormat Format = AV_PIX_FMT_YUV420P;
+constexpr int ColorBytes = 4;
 
 /// x264's rate factor for what can hardly be told from the pictures themselves.
 constexpr const char* RateFactor = "18";
@@ -45,31 +47,27 @@ public:
     this->OpenEncoder(width, height, frameRate);
     this->Packet.reset(av_packet_alloc());
     this->Check(this->Packet ? 0 : AVERROR(ENOMEM));
-    this->Picture = this->MakeFrame(width, height, AV_PIX_FMT_RGB24);
-    this->Frame = this->MakeFrame(width, height, Format);
-    this->Scaler.reset(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, Format,
-      SWS_BICUBIC | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
-    this->Check(this->Scaler ? 0 : AVERROR(ENOMEM));
-    const int* matrix = sws_getCoefficients(SWS_CS_ITU709);
-    constexpr int one = 1 << 16;
-    sws_setColorspaceDetails(this->Scaler.get(), matrix, 1, matrix, 0, 0, one, one);
+    this->Frame = this->MakeFrame(width, height);
+    this->Colors.resize(static_cast<std::size_t>(ColorBytes) * width * height);
     this->OpenContainer();
   }
 
   void Add(vtkImageData* picture) override
   {
     // VTK's pictures begin at the bottom, those of videos at the top.
-    const int height = this->Picture->height;
-    const int bytes = 3 * this->Picture->width;
-    const auto* pixels = static_cast<const std::uint8_t*>(picture->GetScalarPointer());
-    for (int y = 0; y < height; ++y)
+    const int width = this->Frame->width;
+    const int height = this->Frame->height;
+    const auto* pixels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+    for (int y = height - 1; y >= 0; --y)
     {
-      std::copy_n(pixels + static_cast<std::ptrdiff_t>(bytes) * (height - 1 - y), bytes,
-        this->Picture->data[0] + static_cast<std::ptrdiff_t>(this->Picture->linesize[0]) * y);
+      unsigned char* row = &this->Colors[static_cast<std::size_t>(ColorBytes) * width * y];
+      for (int x = 0; x < width; ++x, pixels += 3)
+      {
+        std::copy_n(pixels, 3, row + static_cast<std::ptrdiff_t>(ColorBytes) * x);
+      }
     }
     this->Check(av_frame_make_writable(this->Frame.get()));
-    this->Check(sws_scale(this->Scaler.get(), this->Picture->data, this->Picture->linesize, 0,
-      height, this->Frame->data, this->Frame->linesize));
+    PutColors(this->Colors.data(), width, this->Frame.get());
     this->Frame->pts = this->Frames;
     ++this->Frames;
     this->Check(avcodec_send_frame(this->Encoder.get(), this->Frame.get()));
@@ -94,13 +92,14 @@ private:
     }
   }
 
-  AVHandle<AVFrame> MakeFrame(int width, int height, AVPixelFormat format) const
+  AVHandle<AVFrame> MakeFrame(int width, int height) const
   {
     AVHandle<AVFrame> frame(av_frame_alloc());
     this->Check(frame ? 0 : AVERROR(ENOMEM));
     frame->width = width;
     frame->height = height;
-    frame->format = format;
+    frame->format = Format;
+    frame->color_range = AVCOL_RANGE_MPEG;
     this->Check(av_frame_get_buffer(frame.get(), 0));
     return frame;
   }
@@ -124,6 +123,7 @@ private:
     context->color_primaries = AVCOL_PRI_BT709;
     context->color_trc = AVCOL_TRC_IEC61966_2_1;
     context->colorspace = AVCOL_SPC_BT709;
+    context->chroma_sample_location = AVCHROMA_LOC_LEFT;
     context->framerate = rate;
     context->time_base = av_inv_q(rate);
     context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -165,9 +165,8 @@ private:
   OutputFile File;
   std::string Temporary;
   AVHandle<AVCodecContext> Encoder;
-  AVHandle<SwsContext> Scaler;
-  AVHandle<AVFrame> Picture; ///< as drawn, the top row first
-  AVHandle<AVFrame> Frame;   ///< as encoded
+  std::vector<unsigned char> Colors; ///< as drawn, the top row first, 4 bytes each
+  AVHandle<AVFrame> Frame;           ///< as encoded
   AVHandle<AVPacket> Packet;
   AVOutput Output;
   AVStream* Stream = nullptr;

@@ -16,7 +16,6 @@ extern "C"
 #include <libavutil/log.h>
 #include <libavutil/opt.h>
 #include <libavutil/pixdesc.h>
-#include <libswscale/swscale.h>
 }
 
 #include <algorithm>
@@ -37,7 +36,6 @@ struct AVDeleter
   void operator()(AVCodecParameters* parameters) const { avcodec_parameters_free(&parameters); }
   void operator()(AVCodecParserContext* parser) const { av_parser_close(parser); }
   void operator()(AVDictionary* dictionary) const { av_dict_free(&dictionary); }
-  void operator()(SwsContext* context) const { sws_freeContext(context); }
 };
 
 /// An FFmpeg object that frees itself.

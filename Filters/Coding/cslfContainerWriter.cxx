@@ -91,6 +91,7 @@ bool ContainerWriter::AddTrack(const Track& track, int resolution,
   parameters->color_primaries = tags->color_primaries;
   parameters->color_trc = tags->color_trc;
   parameters->color_space = tags->colorspace;
+  parameters->chroma_location = tags->chroma_location;
   parameters->sample_aspect_ratio = { 1, 1 };
   if (track.Coding == Codec::HEVC && std::strcmp(this->Output->oformat->name, "mp4") == 0)
   {

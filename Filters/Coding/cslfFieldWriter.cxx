@@ -32,8 +32,7 @@ constexpr double RawTexelBytes = 3.0;
 /// The libraries that the bytes of coded groups depend on.
 std::vector<std::string> LibrariesOf(const std::string& codec)
 {
-  std::vector<std::string> names = { "libavcodec.so", "libswscale.so", "libembree3.so",
-    "libembree4.so" };
+  std::vector<std::string> names = { "libavcodec.so", "libembree3.so", "libembree4.so" };
   const auto found = CodecOfName(codec);
   if (found == Codec::HEVC)
   {

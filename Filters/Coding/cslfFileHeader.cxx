@@ -34,6 +34,10 @@ std::uint32_t ComputeChecksum(const JSON& json)
 /// What tracks of float colour and of depth say of their samples.
 constexpr const char* TransferKey = "transfer";
 constexpr const char* PQName = "smpte2084";
+
+/// Where tracks of colour have fewer samples of chroma; in the middle where this is absent.
+constexpr const char* SitingKey = "chroma_location";
+constexpr const char* LeftName = "left";
 const std::string CurveName = "mu-law-" + std::to_string(DepthMu);
 
 JSON ToJSON(const CodedTrack& track)
@@ -50,6 +54,10 @@ JSON ToJSON(const CodedTrack& track)
   if (track.Kind.IsCurved)
   {
     json[TransferKey] = CurveName;
+  }
+  if (HasSparseChroma(track.Kind) && track.Kind.Siting == AVCHROMA_LOC_LEFT)
+  {
+    json[SitingKey] = LeftName;
   }
   return json;
 }
@@ -73,6 +81,12 @@ CodedTrack ToTrack(const JSON& json)
   track.Kind = { *role, *format, json.at("lossless").get<bool>(), *codec,
     *role == TrackRole::Color && transfer == PQName,
     *role == TrackRole::Depth && transfer == CurveName };
+  const std::string siting = json.value(SitingKey, "");
+  if (!siting.empty() && siting != LeftName)
+  {
+    throw std::invalid_argument("its chroma has an unknown location");
+  }
+  track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
   const bool isKnown =
     track.Kind.IsRadiance ? CanHoldRadiance(*format) : track.Kind.IsCurved || transfer.empty();
   if (!isKnown)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFrameConverter.h"
 
+#include "Coding/cslfColorFrames.h"
 #include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfDepthFill.h"
 #include "Coding/cslfRadianceFrames.h"
@@ -22,26 +23,6 @@ constexpr unsigned short FarDepth = 65535;
 /// Lossy coverage this near to none or full is taken for none or full. On the closed-form test
 /// field it removes 19 of 20 of the false traces of coverage at a rate factor of 12.
 constexpr int CoverageTolerance = 8;
-
-/// The planes of a planar RGB frame hold green, blue, red.
-constexpr int PlaneOfComponent[3] = { 2, 0, 1 };
-
-/// A scaler that only changes the format: accurate, chroma at full resolution, full range.
-AVHandle<SwsContext> MakeScaler(int width, int height, AVPixelFormat from, AVPixelFormat to)
-{
-  constexpr int flags =
-    SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP | SWS_BITEXACT;
-  AVHandle<SwsContext> scaler(
-    sws_getContext(width, height, from, width, height, to, flags, nullptr, nullptr, nullptr));
-  if (scaler)
-  {
-    const int* matrix = sws_getCoefficients(SWS_CS_ITU709);
-    constexpr int full = 1;
-    constexpr int one = 1 << 16;
-    sws_setColorspaceDetails(scaler.get(), matrix, full, matrix, full, 0, one, one);
-  }
-  return scaler;
-}
 
 /// FFmpeg's decoder names full-range 8-bit formats apart; they are the same samples.
 AVPixelFormat WithoutRange(int format)
@@ -101,12 +82,6 @@ std::size_t ByteOffset(bool high)
   return high == lowFirst ? 1 : 0;
 }
 
-/// Whether colour is Y'CbCr with as many samples of chroma as of luma, in native byte order.
-bool IsFullChroma(AVPixelFormat format)
-{
-  return format == AV_PIX_FMT_YUV444P || format == AV_PIX_FMT_YUV444P10;
-}
-
 /// The first sample of a row.
 const std::uint8_t* GetRow(const AVFrame* frame, int plane, int y)
 {
@@ -145,6 +120,7 @@ void TagFrame(const Track& track, int resolution, AVFrame* frame)
   frame->colorspace = !color          ? AVCOL_SPC_UNSPECIFIED
     : track.Format == AV_PIX_FMT_GBRP ? AVCOL_SPC_RGB
                                       : AVCOL_SPC_BT709;
+  frame->chroma_location = HasSparseChroma(track) ? track.Siting : AVCHROMA_LOC_UNSPECIFIED;
 }
 
 double ConstSlice::GetShown(std::size_t texel, int component, double exposure) const
@@ -164,13 +140,9 @@ SliceToFrame::SliceToFrame(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  if (track.Role == TrackRole::Color && track.Format != AV_PIX_FMT_GBRP && !track.IsRadiance)
-  {
-    this->Scaler = MakeScaler(TileCount * resolution, resolution, AV_PIX_FMT_RGB0, track.Format);
-  }
 }
 
-bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
+void SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
 {
   switch (this->Kind.Role)
   {
@@ -178,21 +150,12 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
       if (this->Kind.IsRadiance)
       {
         PutRadiance(slice.GetRadiance(), this->Kind.Format, frame);
-        return true;
       }
-      if (this->Scaler)
+      else
       {
-        const std::uint8_t* const data[4] = { slice.Color, nullptr, nullptr, nullptr };
-        const int lines[4] = { ColorBytes * frame->width, 0, 0, 0 };
-        return sws_scale(this->Scaler.get(), data, lines, 0, this->Resolution, frame->data,
-                 frame->linesize) == this->Resolution;
+        PutColors(slice.Color, this->Resolution, frame);
       }
-      if (this->Kind.Format != AV_PIX_FMT_GBRP)
-      {
-        return false;
-      }
-      this->PutColor(slice, frame);
-      return true;
+      return;
     case TrackRole::Coverage:
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t& sample) { sample = slice.GetCoverage(texel); });
@@ -200,23 +163,12 @@ bool SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
       {
         PutNeutralChroma<std::uint8_t>(frame, this->Kind.Format);
       }
-      return true;
+      return;
     case TrackRole::Depth:
     case TrackRole::DepthHigh:
     case TrackRole::DepthLow:
       this->PutDepth(slice, frame);
-      return true;
-  }
-  return false;
-}
-
-void SliceToFrame::PutColor(const ConstSlice& slice, AVFrame* frame) const
-{
-  for (int component = 0; component < 3; ++component)
-  {
-    VisitPlane<std::uint8_t>(this->Resolution, frame, PlaneOfComponent[component],
-      [&](std::size_t texel, std::uint8_t& sample)
-      { sample = slice.Color[ColorBytes * texel + component]; });
+      return;
   }
 }
 
@@ -252,14 +204,6 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
-  const bool isPlain =
-    track.Format == AV_PIX_FMT_GBRP || IsFullChroma(track.Format) || track.IsRadiance;
-  if (track.Role == TrackRole::Color && !isPlain)
-  {
-    const int width = TileCount * resolution;
-    this->Scaler = MakeScaler(width, resolution, track.Format, AV_PIX_FMT_RGB24);
-    this->Strip.resize(static_cast<std::size_t>(3) * width * resolution);
-  }
 }
 
 bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
@@ -275,9 +219,12 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
       if (this->Kind.IsRadiance)
       {
         TakeRadiance(frame, this->Kind.Format, slice.GetRadiance());
-        return true;
       }
-      return this->TakeColor(frame, slice);
+      else
+      {
+        TakeColors(frame, this->Kind.Format, this->Kind.Siting, this->Resolution, slice.Color);
+      }
+      return true;
     case TrackRole::Coverage:
       if (slice.IsFloat)
       {
@@ -310,47 +257,6 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
     }
   }
   return false;
-}
-
-bool FrameToSlice::TakeColor(const AVFrame* frame, const Slice& slice)
-{
-  if (IsFullChroma(this->Kind.Format))
-  {
-    for (int y = 0; y < frame->height; ++y)
-    {
-      const YCbCrRow row{ GetRow(frame, 0, y), GetRow(frame, 1, y), GetRow(frame, 2, y) };
-      YCbCrToColors(row, BitsOfFormat(this->Kind.Format), frame->width,
-        slice.Color + ColorBytes * static_cast<std::size_t>(y) * frame->width);
-    }
-    return true;
-  }
-  if (!this->Scaler && this->Kind.Format != AV_PIX_FMT_GBRP)
-  {
-    return false;
-  }
-  if (!this->Scaler)
-  {
-    for (int component = 0; component < 3; ++component)
-    {
-      VisitPlane<const std::uint8_t>(this->Resolution, frame, PlaneOfComponent[component],
-        [&](std::size_t texel, std::uint8_t sample)
-        { slice.Color[ColorBytes * texel + component] = sample; });
-    }
-    return true;
-  }
-  std::uint8_t* const data[4] = { this->Strip.data(), nullptr, nullptr, nullptr };
-  const int lines[4] = { 3 * frame->width, 0, 0, 0 };
-  if (sws_scale(this->Scaler.get(), frame->data, frame->linesize, 0, this->Resolution, data,
-        lines) != this->Resolution)
-  {
-    return false;
-  }
-  const std::size_t texels = this->Strip.size() / 3;
-  for (std::size_t texel = 0; texel < texels; ++texel)
-  {
-    std::copy_n(&this->Strip[3 * texel], 3, slice.Color + ColorBytes * texel);
-  }
-  return true;
 }
 
 void JoinChannels(int resolution, const Track* coverage, const Slice& slice)

@@ -53,16 +53,14 @@ class SliceToFrame
 public:
   SliceToFrame(const Track& track, int resolution);
 
-  /// Fills a writable frame that has the track's format and size. False if FFmpeg cannot.
-  bool Convert(const ConstSlice& slice, AVFrame* frame);
+  /// Fills a writable frame that has the track's format and size.
+  void Convert(const ConstSlice& slice, AVFrame* frame);
 
 private:
-  void PutColor(const ConstSlice& slice, AVFrame* frame) const;
   void PutDepth(const ConstSlice& slice, AVFrame* frame);
 
   Track Kind;
   int Resolution;
-  AVHandle<SwsContext> Scaler;
   std::vector<unsigned char> Coverage;
   std::vector<unsigned short> Filled;
 };
@@ -73,16 +71,12 @@ class FrameToSlice
 public:
   FrameToSlice(const Track& track, int resolution);
 
-  /// False if the frame has another format or size than the track, or FFmpeg cannot.
+  /// False if the frame has another format or size than the track.
   bool Convert(const AVFrame* frame, const Slice& slice);
 
 private:
-  bool TakeColor(const AVFrame* frame, const Slice& slice);
-
   Track Kind;
   int Resolution;
-  AVHandle<SwsContext> Scaler;
-  std::vector<std::uint8_t> Strip;
 };
 
 /// Joins the channels of a decoded slice: coverage within 3/255 of none or full becomes just that

@@ -30,6 +30,7 @@ AVHandle<AVCodecContext> OpenEncoder(const VideoEncoder* encoder, const Track& t
   context->color_primaries = tags->color_primaries;
   context->color_trc = tags->color_trc;
   context->colorspace = tags->colorspace;
+  context->chroma_sample_location = tags->chroma_location;
   context->time_base = { 1, FrameRate };
   context->framerate = { FrameRate, 1 };
   context->thread_count = 1;
@@ -81,11 +82,12 @@ int EncodeFrames(AVCodecContext* context, const Track& track, int resolution,
     TagFrame(track, resolution, frame.get());
     frame->pts = static_cast<std::int64_t>(k);
     int code = av_frame_get_buffer(frame.get(), 0);
-    if (code >= 0 && !converter.Convert(slices[k], frame.get()))
+    if (code < 0)
     {
-      code = AVERROR_EXTERNAL;
+      return code;
     }
-    if (code < 0 || (code = avcodec_send_frame(context, frame.get())) < 0 ||
+    converter.Convert(slices[k], frame.get());
+    if ((code = avcodec_send_frame(context, frame.get())) < 0 ||
       (code = TakePackets(context, bitstream, packet.get(), group)) < 0)
     {
       return code;

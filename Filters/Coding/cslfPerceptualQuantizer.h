@@ -11,6 +11,9 @@
 
 #include "vtkCSLFModule.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace cslf
 {
 /// The luminance of radiance 1, in cd/m^2.
@@ -27,6 +30,15 @@ VTKCSLF_EXPORT double RadianceToPQ(double radiance);
 
 /// The signal, from 0 to 1, to radiance.
 VTKCSLF_EXPORT double PQToRadiance(double signal);
+
+/// Signals as codes of 16 bits.
+constexpr int LargestPQCode = 65535;
+
+/// The code nearest to the signal of a radiance, which may be any number or none.
+VTKCSLF_EXPORT int RadianceToPQCode(float radiance);
+
+/// The radiance of each code.
+VTKCSLF_EXPORT const std::vector<float>& GetCodedRadiances();
 }
 
 #endif

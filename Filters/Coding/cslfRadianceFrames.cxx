@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfRadianceFrames.h"
 
+#include "Coding/cslfColorRows.h"
 #include "Coding/cslfPerceptualQuantizer.h"
 #include "Coding/cslfTrack.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <vector>
 
 namespace cslf
 {
@@ -16,40 +15,22 @@ namespace
 {
 constexpr int Components = 4;
 
-// Luma of ITU-R BT.709, and the ranges of its colour differences.
-constexpr double RedLuma = 0.2126;
-constexpr double GreenLuma = 0.7152;
-constexpr double BlueLuma = 0.0722;
-constexpr double BlueRange = 2.0 * (1.0 - BlueLuma);
-constexpr double RedRange = 2.0 * (1.0 - RedLuma);
+/// Codes of 16 bits become samples with so many bits of fraction, and samples codes.
+constexpr int FractionBitsOfSamples = 32;
+constexpr int FractionBitsOfCodes = 14;
 
-/// A function on [0,1], linear between many points.
-class Curve
+inline std::uint16_t MakeSample(const SampleWeights& w, const int codes[3])
 {
-public:
-  template <typename Function>
-  explicit Curve(Function function)
-    : Values(Steps + 2)
-  {
-    for (int step = 0; step <= Steps; ++step)
-    {
-      this->Values[step] = static_cast<float>(function(step / double(Steps)));
-    }
-    this->Values[Steps + 1] = this->Values[Steps];
-  }
+  const std::int64_t sum = static_cast<std::int64_t>(w.Red) * codes[0] +
+    static_cast<std::int64_t>(w.Green) * codes[1] + static_cast<std::int64_t>(w.Blue) * codes[2];
+  return static_cast<std::uint16_t>(
+    std::clamp<std::int64_t>((sum + w.Offset) >> w.Shift, 0, w.Largest));
+}
 
-  float operator()(float x) const
-  {
-    const float place = Steps * std::clamp(x, 0.0F, 1.0F);
-    const int step = static_cast<int>(place);
-    const float low = this->Values[step];
-    return low + (place - static_cast<float>(step)) * (this->Values[step + 1] - low);
-  }
-
-private:
-  static constexpr int Steps = 1 << 14;
-  std::vector<float> Values;
-};
+inline int ToCode(int value)
+{
+  return std::clamp(value >> FractionBitsOfCodes, 0, LargestPQCode);
+}
 
 template <typename Sample, typename Frame>
 Sample* GetRow(Frame* frame, int plane, int y)
@@ -67,11 +48,11 @@ bool IsCodable(const float* texel)
 
 void PutRadiance(const float* colors, AVPixelFormat format, AVFrame* frame)
 {
-  const int bits = BitsOfFormat(format);
-  const double largest = (1 << bits) - 1;
-  const double neutral = 1 << (bits - 1);
-  const auto round = [=](double value)
-  { return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0, largest))); };
+  const auto weigh = [format](SamplePlane plane)
+  { return MakeSampleWeights(plane, BitsOfFormat(format), LargestPQCode, FractionBitsOfSamples); };
+  const SampleWeights ofLuma = weigh(SamplePlane::Luma);
+  const SampleWeights ofBlue = weigh(SamplePlane::Blue);
+  const SampleWeights ofRed = weigh(SamplePlane::Red);
   for (int y = 0; y < frame->height; ++y)
   {
     auto* luma = GetRow<std::uint16_t>(frame, 0, y);
@@ -79,23 +60,20 @@ void PutRadiance(const float* colors, AVPixelFormat format, AVFrame* frame)
     auto* red = GetRow<std::uint16_t>(frame, 2, y);
     for (int x = 0; x < frame->width; ++x, colors += Components)
     {
-      const double r = RadianceToPQ(colors[0]);
-      const double g = RadianceToPQ(colors[1]);
-      const double b = RadianceToPQ(colors[2]);
-      const double sum = RedLuma * r + GreenLuma * g + BlueLuma * b;
-      luma[x] = round(largest * sum);
-      blue[x] = round(neutral + largest * (b - sum) / BlueRange);
-      red[x] = round(neutral + largest * (r - sum) / RedRange);
+      const int codes[3] = { RadianceToPQCode(colors[0]), RadianceToPQCode(colors[1]),
+        RadianceToPQCode(colors[2]) };
+      luma[x] = MakeSample(ofLuma, codes);
+      blue[x] = MakeSample(ofBlue, codes);
+      red[x] = MakeSample(ofRed, codes);
     }
   }
 }
 
 void TakeRadiance(const AVFrame* frame, AVPixelFormat format, float* colors)
 {
-  static const Curve toRadiance(PQToRadiance);
-  const int bits = BitsOfFormat(format);
-  const float scale = 1.0F / static_cast<float>((1 << bits) - 1);
-  const int neutral = 1 << (bits - 1);
+  const float* radiances = GetCodedRadiances().data();
+  const ColorWeights w = MakeColorWeights(BitsOfFormat(format), LargestPQCode, FractionBitsOfCodes);
+  constexpr int half = 1 << (FractionBitsOfCodes - 1);
   for (int y = 0; y < frame->height; ++y)
   {
     const auto* luma = GetRow<const std::uint16_t>(frame, 0, y);
@@ -103,14 +81,12 @@ void TakeRadiance(const AVFrame* frame, AVPixelFormat format, float* colors)
     const auto* red = GetRow<const std::uint16_t>(frame, 2, y);
     for (int x = 0; x < frame->width; ++x, colors += Components)
     {
-      const float sum = scale * luma[x];
-      const float b = sum + static_cast<float>(BlueRange) * scale * (blue[x] - neutral);
-      const float r = sum + static_cast<float>(RedRange) * scale * (red[x] - neutral);
-      const float g = (sum - static_cast<float>(RedLuma) * r - static_cast<float>(BlueLuma) * b) /
-        static_cast<float>(GreenLuma);
-      colors[0] = toRadiance(r);
-      colors[1] = toRadiance(g);
-      colors[2] = toRadiance(b);
+      const int grey = luma[x] * w.Luma + half;
+      const int cb = blue[x] - w.Middle;
+      const int cr = red[x] - w.Middle;
+      colors[0] = radiances[ToCode(grey + cr * w.RedOfRed)];
+      colors[1] = radiances[ToCode(grey + cr * w.GreenOfRed + cb * w.GreenOfBlue)];
+      colors[2] = radiances[ToCode(grey + cb * w.BlueOfBlue)];
     }
   }
 }

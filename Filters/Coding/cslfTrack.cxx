@@ -19,11 +19,10 @@ const std::vector<RoleRow>& GetRoles()
 {
   static const std::vector<RoleRow> roles = {
     { TrackRole::Color, "color",
-      { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10LE, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
-        AV_PIX_FMT_YUV420P10LE, AV_PIX_FMT_GBRP, AV_PIX_FMT_YUV444P12LE } },
+      { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
+        AV_PIX_FMT_YUV420P10, AV_PIX_FMT_GBRP, AV_PIX_FMT_YUV444P12 } },
     { TrackRole::Coverage, "coverage", { AV_PIX_FMT_GRAY8, AV_PIX_FMT_YUV420P } },
-    { TrackRole::Depth, "depth",
-      { AV_PIX_FMT_GRAY12LE, AV_PIX_FMT_GRAY10LE, AV_PIX_FMT_YUV420P10LE } },
+    { TrackRole::Depth, "depth", { AV_PIX_FMT_GRAY12, AV_PIX_FMT_GRAY10, AV_PIX_FMT_YUV420P10 } },
     { TrackRole::DepthHigh, "depth-high", { AV_PIX_FMT_GRAY8 } },
     { TrackRole::DepthLow, "depth-low", { AV_PIX_FMT_GRAY8 } },
   };
@@ -78,13 +77,15 @@ std::string ListColorFormats()
 
 std::string NameOfFormat(AVPixelFormat format)
 {
-  const char* name = av_get_pix_fmt_name(format);
+  const AVPixFmtDescriptor* descriptor = av_pix_fmt_desc_get(format);
+  const bool isHighFirst = descriptor && (descriptor->flags & AV_PIX_FMT_FLAG_BE) != 0;
+  const char* name = av_get_pix_fmt_name(isHighFirst ? av_pix_fmt_swap_endianness(format) : format);
   return name ? name : "unknown";
 }
 
 bool CanHoldRadiance(AVPixelFormat format)
 {
-  return format == AV_PIX_FMT_YUV444P10LE || format == AV_PIX_FMT_YUV444P12LE;
+  return format == AV_PIX_FMT_YUV444P10 || format == AV_PIX_FMT_YUV444P12;
 }
 
 int BitsOfFormat(AVPixelFormat format)
@@ -95,6 +96,11 @@ int BitsOfFormat(AVPixelFormat format)
 bool HasChroma(AVPixelFormat format)
 {
   return av_pix_fmt_desc_get(format)->nb_components >= 3;
+}
+
+bool HasSparseChroma(const Track& track)
+{
+  return track.Role == TrackRole::Color && av_pix_fmt_desc_get(track.Format)->log2_chroma_w > 0;
 }
 
 bool NeedsEvenSize(AVPixelFormat format)

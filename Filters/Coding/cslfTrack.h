@@ -25,7 +25,8 @@ enum class TrackRole
   DepthLow   ///< its low byte
 };
 
-/// A track's role and how its samples lie in a frame.
+/// A track's role and how its samples lie in a frame. Formats of more than 8 bits are those in the
+/// machine's byte order, whose frames FFmpeg's coders take and give.
 struct Track
 {
   TrackRole Role = TrackRole::Color;
@@ -34,6 +35,9 @@ struct Track
   Codec Coding = Codec::HEVC;
   bool IsRadiance = false; ///< colour: linear radiance through the perceptual quantiser
   bool IsCurved = false;   ///< depth: through the curve of cslfDepthCurve.h
+  /// Colour with less chroma than luma: where it lies, AVCHROMA_LOC_LEFT or, in older files,
+  /// AVCHROMA_LOC_CENTER.
+  AVChromaLocation Siting = AVCHROMA_LOC_LEFT;
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.
@@ -52,7 +56,8 @@ std::optional<AVPixelFormat> FindPixelFormat(TrackRole role, const std::string& 
 /// The pixel formats that a user may choose for colour, for messages: "yuv444p, ...".
 std::string ListColorFormats();
 
-/// FFmpeg's name of a pixel format.
+/// FFmpeg's name of a pixel format, in files and for users: that of low bytes first, whatever the
+/// machine's order.
 std::string NameOfFormat(AVPixelFormat format);
 
 /// Whether float colour can have that format: full resolution and more than 8 bits.
@@ -63,6 +68,9 @@ int BitsOfFormat(AVPixelFormat format);
 
 /// Whether there is chroma beside the first plane.
 bool HasChroma(AVPixelFormat format);
+
+/// Whether a track's colour has less chroma than luma.
+bool HasSparseChroma(const Track& track);
 
 /// Whether frames of an odd width or height cannot have this format.
 bool NeedsEvenSize(AVPixelFormat format);

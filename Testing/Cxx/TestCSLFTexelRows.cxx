@@ -13,51 +13,6 @@
 
 namespace
 {
-/// A width that no vector's length divides.
-constexpr int Width = 257;
-
-/// How far from the nearest level a value may be rounded, for what is lost in the weights.
-constexpr double Slack = 0.505;
-
-template <typename Sample>
-void TestColors(int bits)
-{
-  const int maximum = (1 << bits) - 1;
-  const double middle = 1 << (bits - 1);
-  double worst = 0.0;
-  for (int row = 0; row < 64; ++row)
-  {
-    std::vector<Sample> luma(Width);
-    std::vector<Sample> blue(Width);
-    std::vector<Sample> red(Width);
-    for (int x = 0; x < Width; ++x)
-    {
-      luma[x] = static_cast<Sample>((x * 37 + row * 101) % (maximum + 1));
-      blue[x] = static_cast<Sample>((x * 89 + row * 13) % (maximum + 1));
-      red[x] = static_cast<Sample>((x * 61 + row * 57) % (maximum + 1));
-    }
-    std::vector<unsigned char> colors(4 * Width, 7);
-    cslf::YCbCrToColors({ reinterpret_cast<const std::uint8_t*>(luma.data()),
-                          reinterpret_cast<const std::uint8_t*>(blue.data()),
-                          reinterpret_cast<const std::uint8_t*>(red.data()) },
-      bits, Width, colors.data());
-    for (int x = 0; x < Width; ++x)
-    {
-      const double cb = blue[x] - middle;
-      const double cr = red[x] - middle;
-      const double exact[3] = { luma[x] + 1.5748 * cr,
-        luma[x] - (0.0722 * 1.8556 * cb + 0.2126 * 1.5748 * cr) / 0.7152, luma[x] + 1.8556 * cb };
-      for (int k = 0; k < 3; ++k)
-      {
-        const double level = std::clamp(255.0 / maximum * exact[k], 0.0, 255.0);
-        worst = std::max(worst, std::abs(level - colors[4 * x + k]));
-      }
-      CSLF_CHECK(colors[4 * x + 3] == 255);
-    }
-  }
-  CSLF_CHECK(worst <= Slack);
-}
-
 void TestDepths(int bits)
 {
   const int largest = (1 << bits) - 1;
@@ -108,9 +63,6 @@ void TestJoined(int tolerance)
 
 int TestCSLFTexelRows(int, char*[])
 {
-  TestColors<std::uint8_t>(8);
-  TestColors<std::uint16_t>(10);
-  TestColors<std::uint16_t>(12);
   TestDepths(10);
   TestDepths(12);
   for (int tolerance : { 0, 3, 255 })
