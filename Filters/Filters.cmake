@@ -263,6 +263,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfEncodeProbe.h
   ../Filters/Coding/cslfEncodeSession.h
   ../Filters/Coding/cslfEncodeSettings.h
+  ../Filters/Coding/cslfEncoderContext.h
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
@@ -369,6 +370,7 @@ if (CSLF_ENABLE_ENCODER)
     ../Filters/Coding/cslfEncodeProbe.cxx
     ../Filters/Coding/cslfEncodeSession.cxx
     ../Filters/Coding/cslfEncodeSettings.cxx
+    ../Filters/Coding/cslfEncoderContext.cxx
     ../Filters/Coding/cslfFieldWriter.cxx
     ../Filters/Coding/cslfGroupCodec.cxx
     ../Filters/Coding/cslfGroupCoder.cxx

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfGroupCodec.h"
 
+#include "Coding/cslfEncoderContext.h"
 #include "cslfLayout.h"
 
 #include <mutex>
@@ -10,42 +11,6 @@ namespace cslf
 {
 namespace
 {
-AVHandle<AVCodecContext> OpenEncoder(const VideoEncoder* encoder, const Track& track,
-  int resolution, const EncodeOptions& options, std::string& error)
-{
-  const AVCodec* codec = encoder ? avcodec_find_encoder_by_name(encoder->Name) : nullptr;
-  AVHandle<AVCodecContext> context(codec ? avcodec_alloc_context3(codec) : nullptr);
-  AVHandle<AVFrame> tags(av_frame_alloc());
-  if (!context || !tags)
-  {
-    error = "this FFmpeg has no encoder for " + std::string(NameOfCodec(track.Coding)) + " as " +
-      NameOfFormat(track.Format);
-    return nullptr;
-  }
-  TagFrame(track, resolution, tags.get());
-  context->width = tags->width;
-  context->height = tags->height;
-  context->pix_fmt = track.Format;
-  context->color_range = tags->color_range;
-  context->color_primaries = tags->color_primaries;
-  context->color_trc = tags->color_trc;
-  context->colorspace = tags->colorspace;
-  context->chroma_sample_location = tags->chroma_location;
-  context->time_base = { 1, FrameRate };
-  context->framerate = { FrameRate, 1 };
-  context->thread_count = 1;
-  context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-  encoder->SetOptions(track, options, context.get());
-  const int code = avcodec_open2(context.get(), codec, nullptr);
-  if (code < 0)
-  {
-    error = "the encoder refuses frames of " + std::to_string(tags->width) + " x " +
-      std::to_string(tags->height) + " " + NameOfFormat(track.Format) + ": " + AVErrorText(code);
-    return nullptr;
-  }
-  return context;
-}
-
 /// Takes all packets that the encoder has ready.
 int TakePackets(
   AVCodecContext* context, const Bitstream& bitstream, AVPacket* packet, CodedGroup& group)
@@ -142,14 +107,21 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
 {
   group = CodedGroup();
   const VideoEncoder* encoder = FindEncoder(track.Coding, track.Format, resolution);
+  if (!encoder)
+  {
+    error = "this FFmpeg has no encoder for " + std::string(NameOfCodec(track.Coding)) + " as " +
+      NameOfFormat(track.Format);
+    return false;
+  }
   // SVT-AV1 up to version 1 keeps in global variables what depends on the settings.
   static std::mutex alone;
   std::unique_lock<std::mutex> lock(alone, std::defer_lock);
-  if (encoder && !encoder->CanShareProcess)
+  if (!encoder->CanShareProcess)
   {
     lock.lock();
   }
-  const AVHandle<AVCodecContext> context = OpenEncoder(encoder, track, resolution, options, error);
+  const AVHandle<AVCodecContext> context =
+    OpenEncoder(*encoder, track, resolution, encoder->MakeOptions(track, options), error);
   if (!context)
   {
     return false;

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <locale>
 #include <sstream>
 
 namespace cslf
@@ -29,67 +32,80 @@ int IndexOfPreset(const std::string& preset)
   return static_cast<int>(std::find(presets.begin(), presets.end(), preset) - presets.begin());
 }
 
-void SetNumber(AVCodecContext* context, const char* name, double value)
+std::string ToText(double number)
 {
-  av_opt_set_double(context->priv_data, name, value, 0);
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << number;
+  return text.str();
 }
 
-void SetText(AVCodecContext* context, const char* name, const std::string& value)
+void Append(const std::vector<EncoderOption>& more, std::vector<EncoderOption>& options)
 {
-  av_opt_set(context->priv_data, name, value.c_str(), 0);
+  options.insert(options.end(), more.begin(), more.end());
 }
 
 /// What x265 does for colour besides, which other tracks gain nothing by: "slow" is x265's with the
 /// rate-distortion analysis of "slower", most of what that gains in half its time, and looks at
 /// more references. Chroma is a little finer, since it matters for red, green and blue more than
 /// the analysis knows.
-std::string GetColorOptions(AVPixelFormat format, const std::string& preset)
+std::vector<EncoderOption> GetColorOptions(AVPixelFormat format, const std::string& preset)
 {
-  std::string text = ":b-intra=1";
-  text += preset == "slow" ? ":rd=6:limit-refs=1" : "";
-  text += format == AV_PIX_FMT_GBRP ? "" : ":cbqpoffs=-2:crqpoffs=-2";
-  return text;
+  std::vector<EncoderOption> options = { { "b-intra", "1" } };
+  if (preset == "slow")
+  {
+    Append({ { "rd", "6" }, { "limit-refs", "1" } }, options);
+  }
+  if (format != AV_PIX_FMT_GBRP)
+  {
+    Append({ { "cbqpoffs", "-2" }, { "crqpoffs", "-2" } }, options);
+  }
+  return options;
 }
 
 /// x265: one thread, so that bytes do not depend on the machine's load; no weighted prediction, and
 /// skipped blocks ended early, since on both libx265 3.5 otherwise decides by memory that it has
 /// not set, so that bytes would depend on what the process did before; a closed group without scene
 /// cuts; no psycho-visual options, which add detail that is not there.
-void SetX265(const Track& track, const EncodeOptions& options, AVCodecContext* context)
+EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
 {
-  std::ostringstream text;
-  text << "log-level=none:info=0:repeat-headers=0:pools=none:frame-threads=1:wpp=0:pmode=0:pme=0"
-       << ":scenecut=0:open-gop=0:keyint=" << options.GroupLength
-       << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << Lookahead
-       << ":bframes=8:ref=5:weightp=0:weightb=0:early-skip=1:psy-rd=0:psy-rdoq=0:aq-mode=0";
+  const std::string length = std::to_string(options.GroupLength);
+  EncoderOptions all;
+  all.OfLibrary = { { "log-level", "none" }, { "info", "0" }, { "repeat-headers", "0" },
+    { "pools", "none" }, { "frame-threads", "1" }, { "wpp", "0" }, { "pmode", "0" }, { "pme", "0" },
+    { "scenecut", "0" }, { "open-gop", "0" }, { "keyint", length }, { "min-keyint", length },
+    { "rc-lookahead", std::to_string(Lookahead) }, { "bframes", "8" }, { "ref", "5" },
+    { "weightp", "0" }, { "weightb", "0" }, { "early-skip", "1" }, { "psy-rd", "0" },
+    { "psy-rdoq", "0" }, { "aq-mode", "0" } };
   if (track.Role == TrackRole::Color && !track.Lossless)
   {
-    text << GetColorOptions(track.Format, options.Preset);
+    Append(GetColorOptions(track.Format, options.Preset), all.OfLibrary);
   }
   if (track.Lossless)
   {
-    text << ":lossless=1";
+    all.OfLibrary.push_back({ "lossless", "1" });
   }
   else
   {
-    SetNumber(context, "crf", options.CRF);
+    all.OfFFmpeg.push_back({ "crf", ToText(options.CRF) });
   }
-  SetText(context, "preset", options.Preset);
-  SetText(context, "x265-params", text.str());
+  all.OfFFmpeg.push_back({ "preset", options.Preset });
+  return all;
 }
 
 /// x264, likewise, and without macroblock trees, which without adaptive quantisation read memory
 /// that was never set. Its quantisers are those of x265. Stitchable: parameter sets do not depend
 /// on the rate factor.
-void SetX264(const Track&, const EncodeOptions& options, AVCodecContext* context)
+EncoderOptions MakeX264Options(const Track&, const EncodeOptions& options)
 {
-  std::ostringstream text;
-  text << "stitchable=1:scenecut=0:open-gop=0:keyint=" << options.GroupLength
-       << ":min-keyint=" << options.GroupLength << ":rc-lookahead=" << Lookahead
-       << ":bframes=8:ref=5:weightp=0:weightb=0:psy=0:aq-mode=0:mbtree=0";
-  SetNumber(context, "crf", options.CRF);
-  SetText(context, "preset", options.Preset);
-  SetText(context, "x264-params", text.str());
+  const std::string length = std::to_string(options.GroupLength);
+  EncoderOptions all;
+  all.OfFFmpeg = { { "crf", ToText(options.CRF) }, { "preset", options.Preset } };
+  all.OfLibrary = { { "stitchable", "1" }, { "scenecut", "0" }, { "open-gop", "0" },
+    { "keyint", length }, { "min-keyint", length }, { "rc-lookahead", std::to_string(Lookahead) },
+    { "bframes", "8" }, { "ref", "5" }, { "weightp", "0" }, { "weightb", "0" }, { "psy", "0" },
+    { "aq-mode", "0" }, { "mbtree", "0" } };
+  return all;
 }
 
 /// AV1's rate factor, from 0 to 63, of about the same quality as x265's: between those that a
@@ -118,49 +134,52 @@ void SilenceSVT()
 
 /// SVT-AV1: as many threads as there are, on which its bytes do not depend; the quality measured as
 /// PSNR; no filtering of the frames that others refer to, which are looked at like all others.
-void SetSVT(const Track&, const EncodeOptions& options, AVCodecContext* context)
+EncoderOptions MakeSVTOptions(const Track&, const EncodeOptions& options)
 {
   SilenceSVT();
   constexpr std::array<int, 10> presets = { 12, 11, 10, 9, 8, 6, 5, 4, 3, 2 };
-  SetNumber(context, "preset", presets[IndexOfPreset(options.Preset)]);
-  SetNumber(context, "crf", ToAV1Factor(options.CRF));
   const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  SetText(context, "svtav1-params", "lp=" + std::to_string(threads) + ":tune=1:enable-tf=0:scd=0");
-  context->gop_size = 2 * MaximumGroupLength;
+  EncoderOptions all;
+  all.OfFFmpeg = { { "preset", std::to_string(presets[IndexOfPreset(options.Preset)]) },
+    { "crf", ToText(ToAV1Factor(options.CRF)) } };
+  all.OfLibrary = { { "lp", std::to_string(threads) }, { "tune", "1" }, { "enable-tf", "0" },
+    { "scd", "0" } };
+  all.KeyFrameDistance = 2 * MaximumGroupLength;
+  return all;
 }
 
 /// libaom: the quality measured as PSNR.
-void SetAOM(const Track&, const EncodeOptions& options, AVCodecContext* context)
+EncoderOptions MakeAOMOptions(const Track&, const EncodeOptions& options)
 {
   constexpr std::array<int, 10> speeds = { 8, 7, 6, 6, 5, 4, 3, 2, 1, 0 };
-  SetNumber(context, "cpu-used", speeds[IndexOfPreset(options.Preset)]);
-  SetNumber(context, "crf", ToAV1Factor(options.CRF));
-  SetNumber(context, "row-mt", 0);
-  SetNumber(context, "lag-in-frames", Lookahead);
-  SetNumber(context, "arnr-max-frames", 0);
-  SetText(context, "tune", "psnr");
-  context->gop_size = 2 * MaximumGroupLength;
+  EncoderOptions all;
+  all.OfFFmpeg = { { "cpu-used", std::to_string(speeds[IndexOfPreset(options.Preset)]) },
+    { "crf", ToText(ToAV1Factor(options.CRF)) }, { "row-mt", "0" },
+    { "lag-in-frames", std::to_string(Lookahead) }, { "arnr-max-frames", "0" },
+    { "tune", "psnr" } };
+  all.KeyFrameDistance = 2 * MaximumGroupLength;
+  return all;
 }
 
 const std::vector<VideoEncoder>& GetEncoders()
 {
   static const std::vector<VideoEncoder> encoders = {
-    { Codec::HEVC, "libx265", MinimumResolution, true, true,
+    { Codec::HEVC, "libx265", "x265-params", MinimumResolution, true, true,
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10, AV_PIX_FMT_GBRP },
-      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, SetX265 },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, MakeX265Options },
     // It has no gray: the chroma that is added says nothing and costs next to nothing.
-    { Codec::AV1, "libsvtav1", MinimumResolutionOfSVT, false, false,
+    { Codec::AV1, "libsvtav1", "svtav1-params", MinimumResolutionOfSVT, false, false,
       { AV_PIX_FMT_YUV420P10, AV_PIX_FMT_YUV420P }, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV420P10,
-      AV_PIX_FMT_NONE, SetSVT },
-    { Codec::AV1, "libaom-av1", MinimumResolution, false, true,
+      AV_PIX_FMT_NONE, MakeSVTOptions },
+    { Codec::AV1, "libaom-av1", "aom-params", MinimumResolution, false, true,
       { AV_PIX_FMT_YUV420P10, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10,
         AV_PIX_FMT_YUV422P },
-      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, SetAOM },
-    { Codec::H264, "libx264", MinimumResolution, false, true,
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, MakeAOMOptions },
+    { Codec::H264, "libx264", "x264-params", MinimumResolution, false, true,
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10 },
-      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY10, AV_PIX_FMT_YUV444P10, SetX264 },
+      AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY10, AV_PIX_FMT_YUV444P10, MakeX264Options },
   };
   return encoders;
 }

@@ -9,6 +9,7 @@
 #define cslfVideoEncoders_h
 
 #include "Coding/cslfTrack.h"
+#include "vtkCSLFModule.h"
 
 #include <string>
 #include <vector>
@@ -25,24 +26,39 @@ struct EncodeOptions
   int GroupLength = MaximumGroupLength;
 };
 
+struct EncoderOption
+{
+  std::string Name;
+  std::string Value;
+};
+
+/// What an encoder is told.
+struct EncoderOptions
+{
+  std::vector<EncoderOption> OfFFmpeg;  ///< those that FFmpeg has for the encoder
+  std::vector<EncoderOption> OfLibrary; ///< what the library has besides
+  int KeyFrameDistance = 0;             ///< at most, in frames; 0 for the encoder's own
+};
+
 struct VideoEncoder
 {
   Codec Coding;
-  const char* Name;      ///< FFmpeg's
-  int MinimumResolution; ///< in texels along each side of a tile
+  const char* Name;          ///< FFmpeg's
+  const char* LibraryOption; ///< FFmpeg's option that takes the library's
+  int MinimumResolution;     ///< in texels along each side of a tile
   bool CanBeLossless;
   bool CanShareProcess;              ///< whether several may be at work at once
   std::vector<AVPixelFormat> Colors; ///< of bytes of colour; the first is the default
   AVPixelFormat Coverage;
   AVPixelFormat Depth;
   AVPixelFormat Radiance; ///< of float colour; AV_PIX_FMT_NONE if there is none
-  void (*SetOptions)(const Track& track, const EncodeOptions& options, AVCodecContext* context);
+  EncoderOptions (*MakeOptions)(const Track& track, const EncodeOptions& options);
 
   bool CanCode(AVPixelFormat format) const;
 };
 
 /// The first encoder of this FFmpeg that codes frames of that format and resolution so, or null.
-const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);
+VTKCSLF_EXPORT const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);
 
 /// The first one for that codec, with whatever format it has by default for bytes of colour or for
 /// float colour, or null.
