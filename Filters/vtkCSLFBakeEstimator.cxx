@@ -3,19 +3,17 @@
 #include "vtkCSLFBakeEstimator.h"
 
 #include "Planning/cslfBakeProbe.h"
+#include "cslfJSONText.h"
 #include "vtkCSLFEncoder.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -270,12 +268,10 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
 int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
 {
   const std::string name = fileName ? fileName : "";
-  std::ifstream file(name + ".partial/manifest.json");
-  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  nlohmann::json manifest = nlohmann::json::parse(text, nullptr, false);
+  nlohmann::json manifest = cslf::ReadJSON(name + ".partial/manifest.json");
   const nlohmann::json::json_pointer place("/description/sampling/samples");
   if (!this->Sampler || this->Format != Video || name.empty() || !manifest.is_object() ||
-    !manifest.contains(place) || !manifest[place].is_number_integer())
+    !manifest.contains(place) || !cslf::IsInteger<int>(manifest[place]))
   {
     return 0;
   }
@@ -292,8 +288,7 @@ int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
       GetSettings(this->Encoder ? this->Encoder.Get() : standard.Get());
     if (this->Encoder && this->Encoder->GetKeyViewStep() == vtkCSLFEncoder::AutomaticKeyViews)
     {
-      const nlohmann::json::json_pointer step("/description/sampling/key_view_step");
-      settings.KeyViewStep = manifest.value(step, 1);
+      settings.KeyViewStep = cslf::ToInteger(manifest[place.parent_pointer()], "key_view_step", 1);
     }
     cslf::EncodeProbe probe(this->Sampler, settings);
     std::string error;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDescription.h"
 
+#include "cslfJSONText.h"
+
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -83,15 +85,15 @@ Description Parse(const JSON& json)
   {
     throw std::invalid_argument("it describes something else");
   }
-  const int version = json.at("version").get<int>();
+  const int version = ToInteger(json.at("version"));
   if (version != Description::Version)
   {
     throw std::invalid_argument("it has version " + std::to_string(version) + ", known is " +
       std::to_string(Description::Version));
   }
   Description description;
-  description.Grid = Layout(json.at("base_nodes").get<int>(),
-    json.at("nodes").get<std::vector<int>>(), json.at("resolution").get<int>());
+  description.Grid = Layout(ToInteger(json.at("base_nodes")), ToIntegers(json.at("nodes")),
+    ToInteger(json.at("resolution")));
   if (!description.Grid.IsValid())
   {
     throw std::invalid_argument("its viewpoint nodes or its resolution are not valid");
@@ -112,12 +114,12 @@ Description Parse(const JSON& json)
       throw std::invalid_argument("the scene's bounds must be in order");
     }
   }
-  for (const JSON& item : json.at("channels"))
+  for (const JSON& item : RequireArray(json.at("channels")))
   {
     Channel channel;
     channel.Name = item.at("name").get<std::string>();
     channel.Type = TypeOfName(item.at("type").get<std::string>());
-    channel.Components = item.at("components").get<int>();
+    channel.Components = ToInteger(item.at("components"));
     channel.Encoding = item.at("encoding").get<std::string>();
     if (channel.Components < 1)
     {
@@ -253,10 +255,11 @@ std::optional<Description> Description::FromJSON(const nlohmann::json& json, std
 
 std::optional<Description> Description::FromText(const std::string& text, std::string& error)
 {
-  const JSON json = JSON::parse(text, nullptr, false);
+  std::string reason;
+  const JSON json = ParseJSON(text, &reason);
   if (json.is_discarded())
   {
-    error = "The light field's description is not JSON.";
+    error = "The light field's description is " + reason + ".";
     return std::nullopt;
   }
   return Description::FromJSON(json, error);

@@ -3,6 +3,7 @@
 #include "cslfCameraPath.h"
 
 #include "cslfCameraOptions.h"
+#include "cslfJSONText.h"
 #include "cslfMessages.h"
 
 #include <vtkCamera.h>
@@ -13,12 +14,10 @@
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <optional>
 
@@ -49,15 +48,14 @@ Cameras TurnCameras(vtkCamera* start, int frames, const std::function<double(dou
   return cameras;
 }
 
-nlohmann::json ReadJSON(const std::string& fileName)
+nlohmann::json ReadPathFile(const std::string& fileName)
 {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(fileName, failure))
   {
     throw Failure("There is no camera path " + fileName + ".");
   }
-  std::ifstream stream(fileName, std::ios::binary);
-  return nlohmann::json::parse(stream, nullptr, false);
+  return cslf::ReadJSON(fileName);
 }
 
 /// A point or vector of three numbers.
@@ -98,7 +96,7 @@ vtkSmartPointer<vtkCamera> ReadCamera(
 /// A spline through the key cameras, which are at equal distances in time.
 Cameras ReadPath(const std::string& fileName, int frames, double viewAngle)
 {
-  const nlohmann::json keys = ReadJSON(fileName);
+  const nlohmann::json keys = ReadPathFile(fileName);
   if (!keys.is_array() || keys.size() < 2)
   {
     throw Failure(fileName + " is no camera path: a JSON array of two or more cameras.");

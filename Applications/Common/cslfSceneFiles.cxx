@@ -6,6 +6,7 @@
 #include "cslfPLYReader.h"
 #include "cslfSceneChecks.h"
 
+#include "cslfJSONText.h"
 #include "cslfSoundPolyData.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFGLTFReader.h"
@@ -34,6 +35,7 @@
 #include <map>
 #include <new>
 #include <set>
+#include <type_traits>
 
 namespace cslf
 {
@@ -159,9 +161,16 @@ void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<
   {
     try
     {
-      option = found->get<Value>();
+      if constexpr (std::is_integral_v<Value>)
+      {
+        option = ToInteger<Value>(*found);
+      }
+      else
+      {
+        option = found->get<Value>();
+      }
     }
-    catch (const nlohmann::json::exception&)
+    catch (const std::exception&)
     {
       AddWarning(std::string("The field's sampling parameter ") + key + " is not understood.");
     }
@@ -308,9 +317,12 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
 {
   TakeDefault(sampling, "exposure", this->Exposure);
   TakeDefault(sampling, "maximum_depth", this->MaximumDepth);
-  const nlohmann::json environment = sampling.value("environment", nlohmann::json::object());
+  const auto found = sampling.find("environment");
+  const bool isDescribed = found != sampling.end() && found->is_object();
+  const nlohmann::json environment = isDescribed ? *found : nlohmann::json::object();
   TakeDefault(environment, "intensity", this->EnvironmentIntensity);
-  const std::string mode = environment.value("mode", "");
+  const auto named = environment.find("mode");
+  const std::string mode = named != environment.end() && named->is_string() ? *named : "";
   if (!this->Environment && mode == "image")
   {
     throw Failure("The field was sampled under an image: give it by --environment.");

@@ -4,10 +4,10 @@
 
 #include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfFrameOrder.h"
+#include "cslfJSONText.h"
 
 #include <vtkType.h>
 
-#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include <algorithm>
@@ -94,8 +94,8 @@ CodedTrack ToTrack(const JSON& json)
     throw std::invalid_argument(
       std::string("its track \"") + NameOfRole(*role) + "\" has an unknown transfer curve");
   }
-  track.ParameterSetsCRC = json.at("parameter_sets_crc").get<std::uint32_t>();
-  track.GroupCRCs = json.at("crc").get<std::vector<std::uint32_t>>();
+  track.ParameterSetsCRC = ToInteger<std::uint32_t>(json.at("parameter_sets_crc"));
+  track.GroupCRCs = ToIntegers<std::uint32_t>(json.at("crc"));
   return track;
 }
 
@@ -103,7 +103,7 @@ std::vector<CodedTrack> ToTracks(const JSON& json, const Description& field)
 {
   std::vector<CodedTrack> tracks;
   int roles = 0;
-  for (const JSON& item : json)
+  for (const JSON& item : RequireArray(json))
   {
     tracks.push_back(ToTrack(item));
     const int role = 1 << static_cast<int>(tracks.back().Kind.Role);
@@ -149,10 +149,10 @@ JSON GroupsToJSON(const std::vector<int>& groups)
 std::vector<int> ToGroups(const JSON& json, std::size_t count)
 {
   std::vector<int> groups;
-  for (const JSON& item : json)
+  for (const JSON& item : RequireArray(json))
   {
-    const int length = item.at(0).get<int>();
-    const int times = item.at(1).get<int>();
+    const int length = ToInteger(item.at(0));
+    const int times = ToInteger(item.at(1));
     if (length < 1 || length > MaximumGroupLength || times < 1 ||
       static_cast<std::size_t>(times) > count - groups.size())
     {
@@ -166,9 +166,9 @@ std::vector<int> ToGroups(const JSON& json, std::size_t count)
 std::vector<int> ToSlices(const JSON& json, int count)
 {
   std::vector<SliceRun> runs;
-  for (const JSON& item : json)
+  for (const JSON& item : RequireArray(json))
   {
-    runs.push_back({ item.at(0).get<int>(), item.at(1).get<int>(), item.at(2).get<int>() });
+    runs.push_back({ ToInteger(item.at(0)), ToInteger(item.at(1)), ToInteger(item.at(2)) });
   }
   return FromRuns(runs, count);
 }
@@ -205,7 +205,7 @@ FileHeader Parse(const JSON& json)
   CheckChannels(header.Field);
 
   const JSON& coding = json.at(CodingKey);
-  const int version = coding.at("version").get<int>();
+  const int version = ToInteger(coding.at("version"));
   if (version != FileHeader::Version)
   {
     throw std::invalid_argument("its coding has version " + std::to_string(version) +
@@ -227,7 +227,7 @@ FileHeader Parse(const JSON& json)
   {
     throw std::invalid_argument("its frames are not each viewpoint once");
   }
-  header.Coarsest = coding.at("coarsest").get<int>();
+  header.Coarsest = ToInteger(coding.at("coarsest"));
   if (coding.at("frame_rate") != FrameRate || header.Coarsest < 0 || header.Coarsest > slices)
   {
     throw std::invalid_argument("its timing is not valid");
@@ -272,7 +272,7 @@ std::string FileHeader::ToText() const
 std::optional<FileHeader> FileHeader::FromText(
   const std::string& text, bool& isOurs, std::string& error)
 {
-  JSON json = JSON::parse(text, nullptr, false);
+  JSON json = ParseJSON(text);
   isOurs = json.is_object() && json.contains(CodingKey) && json.contains(ChecksumKey);
   if (!isOurs)
   {
@@ -281,7 +281,7 @@ std::optional<FileHeader> FileHeader::FromText(
   }
   try
   {
-    const auto expected = json.at(ChecksumKey).get<std::uint32_t>();
+    const auto expected = ToInteger<std::uint32_t>(json.at(ChecksumKey));
     json.erase(ChecksumKey);
     if (ComputeChecksum(json) != expected)
     {

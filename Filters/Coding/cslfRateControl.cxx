@@ -3,8 +3,7 @@
 #include "Coding/cslfRateControl.h"
 
 #include "Quality/cslfPSNR.h"
-
-#include <nlohmann/json.hpp>
+#include "cslfJSONText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,9 +237,9 @@ void RateControl::SetTrials(const std::string& text)
   std::vector<Trial> trials;
   try
   {
-    for (const nlohmann::json& item : nlohmann::json::parse(text))
+    for (const nlohmann::json& item : ParseJSON(text))
     {
-      trials.push_back({ item.at(0).get<int>(), item.at(1).get<double>(),
+      trials.push_back({ ToInteger(item.at(0)), item.at(1).get<double>(),
         { item.at(2).get<double>(), item.at(3).get<double>(), item.at(4).get<double>(),
           item.at(5).get<bool>() } });
     }

@@ -3,12 +3,12 @@
 #include "cslfCubeMapFiles.h"
 
 #include "Files/cslfFileSystem.h"
+#include "cslfJSONText.h"
 
 #include <vtkType.h>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include <algorithm>
@@ -227,9 +227,8 @@ std::vector<std::string> ListCubeMapFiles(const std::string& folder)
 std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, std::string& error)
 {
   const std::string fileName = folder + "/" + CubeMapDescriptionName;
-  std::ifstream file(fileName);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (json.is_discarded() || !json.is_object())
+  const auto json = ReadJSON(fileName);
+  if (!json.is_object())
   {
     error = "The folder " + folder + " is no light field: it has no readable " +
       CubeMapDescriptionName + ".";
@@ -243,7 +242,7 @@ std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, s
   CubeMapFolder content{ *description, { 0, description->Grid.GetSlices() - 1 } };
   try
   {
-    const auto slices = json.at(SlicesKey).get<std::vector<int>>();
+    const auto slices = ToIntegers(json.at(SlicesKey));
     content.Slices = { slices.at(0), slices.at(1) };
   }
   catch (const std::exception&)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Resampling/cslfKeyViews.h"
 
-#include <nlohmann/json.hpp>
+#include "cslfJSONText.h"
 
 #include <algorithm>
 
@@ -64,7 +64,7 @@ Description KeyViews::Apply(const Description& whole) const
   Description field = whole;
   field.Grid = Layout(whole.Grid.GetBaseNodes(), nodes, whole.Grid.GetResolution());
   auto sampling = nlohmann::json::parse(whole.Sampling);
-  sampling["key_view_step"] = this->Step * sampling.value("key_view_step", 1);
+  sampling["key_view_step"] = 1LL * this->Step * ToInteger(sampling, "key_view_step", 1);
   field.Sampling = sampling.dump();
   return field;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Resampling/cslfNesting.h"
 
-#include <nlohmann/json.hpp>
+#include "cslfJSONText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,11 +103,7 @@ Description Nesting::Apply(const Description& input) const
     resampled = nlohmann::json::object();
   }
   const auto multiply = [&resampled](const char* key, int factor)
-  {
-    const auto before = resampled.find(key);
-    const bool isNumber = before != resampled.end() && before->is_number_integer();
-    resampled[key] = factor * (isNumber ? before->get<int>() : 1);
-  };
+  { resampled[key] = 1LL * factor * ToInteger(resampled, key, 1); };
   multiply("resolution_divisor", this->Divisor);
   multiply("viewpoint_stride", this->Stride);
   output.Sampling = sampling.dump();

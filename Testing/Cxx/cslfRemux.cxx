@@ -29,9 +29,13 @@ bool AddStreams(AVFormatContext* input, AVFormatContext* output, const RemuxChan
     to->time_base = from->time_base;
     to->avg_frame_rate = from->avg_frame_rate;
   }
-  return av_dict_copy(&output->metadata, input->metadata, 0) >= 0 &&
-    (changes.Comment.empty() ||
-      av_dict_set(&output->metadata, "comment", changes.Comment.c_str(), 0) >= 0);
+  bool good = av_dict_copy(&output->metadata, input->metadata, 0) >= 0;
+  for (const auto& [name, text] : changes.SetTags)
+  {
+    const char* value = text.empty() ? nullptr : text.c_str();
+    good = good && av_dict_set(&output->metadata, name.c_str(), value, 0) >= 0;
+  }
+  return good;
 }
 
 /// Writes a packet of the input `later` frames later.
@@ -104,6 +108,18 @@ bool Remux(const std::string& from, const std::string& to, const RemuxChanges& c
     avio_open(&output->pb, to.c_str(), AVIO_FLAG_WRITE) >= 0 &&
     avformat_write_header(output.get(), nullptr) >= 0 &&
     CopyPackets(input.get(), output.get(), changes);
+}
+
+std::string ReadTag(const std::string& fileName, const std::string& name)
+{
+  AVFormatContext* context = nullptr;
+  if (avformat_open_input(&context, fileName.c_str(), nullptr, nullptr) < 0)
+  {
+    return {};
+  }
+  const AVInput input(context);
+  const AVDictionaryEntry* entry = av_dict_get(input->metadata, name.c_str(), nullptr, 0);
+  return entry ? entry->value : "";
 }
 }
 }

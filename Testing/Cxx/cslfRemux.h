@@ -7,6 +7,7 @@
 #ifndef cslfRemux_h
 #define cslfRemux_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,13 @@ namespace cslf
 {
 namespace testing
 {
+/// Texts by the names of a container's tags.
+using Tags = std::map<std::string, std::string>;
+
 /// How a copy differs. What is empty or 0 stays as it is.
 struct RemuxChanges
 {
-  std::string Comment;
+  Tags SetTags; ///< to another text each; an empty one removes the tag
   ///@{
   /// What the container says that frames measure.
   int Width = 0;
@@ -29,6 +33,9 @@ struct RemuxChanges
 
 /// Does what `ffmpeg -i from -map 0 -c copy to` does, but for the changes.
 bool Remux(const std::string& from, const std::string& to, const RemuxChanges& changes = {});
+
+/// The text of a file's tag, empty if there is none.
+std::string ReadTag(const std::string& fileName, const std::string& name);
 }
 }
 

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfJSONText.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace cslf
+{
+namespace
+{
+using JSON = nlohmann::json;
+
+struct TooDeep
+{
+};
+
+/// Parses with a watch on the depth, which counts the values around one.
+JSON ParseToDepth(const std::string& text)
+{
+  const auto watch = [](int depth, JSON::parse_event_t event, const JSON&)
+  {
+    const bool opens =
+      event == JSON::parse_event_t::object_start || event == JSON::parse_event_t::array_start;
+    if (opens && depth >= MaximumJSONDepth)
+    {
+      throw TooDeep();
+    }
+    return true;
+  };
+  constexpr bool withExceptions = false;
+  return JSON::parse(text, watch, withExceptions);
+}
+
+std::string TooLong()
+{
+  return "longer than " + std::to_string(MaximumJSONBytes) + " bytes";
+}
+
+JSON Refuse(const std::string& why, std::string* error)
+{
+  if (error)
+  {
+    *error = why;
+  }
+  return JSON(JSON::value_t::discarded);
+}
+}
+
+JSON ParseJSON(const std::string& text, std::string* error)
+{
+  if (text.size() > MaximumJSONBytes)
+  {
+    return Refuse(TooLong(), error);
+  }
+  try
+  {
+    JSON json = ParseToDepth(text);
+    return json.is_discarded() ? Refuse("not JSON", error) : json;
+  }
+  catch (const TooDeep&)
+  {
+    return Refuse("nested deeper than " + std::to_string(MaximumJSONDepth) + " levels", error);
+  }
+}
+
+JSON ReadJSON(const std::string& fileName, std::string* error)
+{
+  std::error_code failure;
+  const std::uintmax_t bytes = std::filesystem::file_size(fileName, failure);
+  if (!failure && bytes > MaximumJSONBytes)
+  {
+    return Refuse(TooLong(), error);
+  }
+  std::string text(failure ? 0 : static_cast<std::size_t>(bytes), '\0');
+  std::ifstream file(fileName, std::ios::binary);
+  if (failure || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
+  {
+    return Refuse("not readable", error);
+  }
+  return ParseJSON(text, error);
+}
+}

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * JSON texts that come from files. Whoever wrote the file may have meant harm, so size and depth
+ * are limited before anything is made of the text, and whole numbers are checked for their range.
+ */
+#ifndef cslfJSONText_h
+#define cslfJSONText_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// The most bytes of a text: what Matroska's demuxer reads of a tag at most.
+constexpr std::size_t MaximumJSONBytes = std::size_t(16) << 20;
+
+/// The most objects and arrays inside each other. JSON's functions call themselves for each.
+constexpr int MaximumJSONDepth = 32;
+
+/// The value that a text stands for. Of a text that is no JSON, too long or too deep, a discarded
+/// value; `error` then says in a few words which.
+VTKCSLF_EXPORT nlohmann::json ParseJSON(const std::string& text, std::string* error = nullptr);
+
+/// The same of a whole file, which is not read if it is too long.
+VTKCSLF_EXPORT nlohmann::json ReadJSON(const std::string& fileName, std::string* error = nullptr);
+
+/// Whether a value is a whole number that the type can hold.
+template <typename Integer>
+bool IsInteger(const nlohmann::json& json)
+{
+  using Limits = std::numeric_limits<Integer>;
+  if (json.is_number_unsigned())
+  {
+    return json.get<std::uint64_t>() <= static_cast<std::uint64_t>(Limits::max());
+  }
+  if (!json.is_number_integer())
+  {
+    return false;
+  }
+  const auto value = json.get<std::int64_t>();
+  return value < 0 ? Limits::is_signed && value >= static_cast<std::int64_t>(Limits::min())
+                   : static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(Limits::max());
+}
+
+/// A whole number. JSON's own conversion wraps what is too large and cuts off fractions; this
+/// throws std::invalid_argument.
+template <typename Integer = int>
+Integer ToInteger(const nlohmann::json& json)
+{
+  if (!IsInteger<Integer>(json))
+  {
+    throw std::invalid_argument("a value is no whole number within its range");
+  }
+  return json.get<Integer>();
+}
+
+/// The whole number of that name in an object, or `otherwise` where there is none.
+template <typename Integer = int>
+Integer ToInteger(const nlohmann::json& object, const char* name, Integer otherwise)
+{
+  const auto found = object.find(name);
+  return found != object.end() && IsInteger<Integer>(*found) ? found->get<Integer>() : otherwise;
+}
+
+/// An array as it is; anything else throws std::invalid_argument.
+inline const nlohmann::json& RequireArray(const nlohmann::json& json)
+{
+  if (!json.is_array())
+  {
+    throw std::invalid_argument("a value is no list");
+  }
+  return json;
+}
+
+/// An array of whole numbers, likewise.
+template <typename Integer = int>
+std::vector<Integer> ToIntegers(const nlohmann::json& json)
+{
+  std::vector<Integer> values;
+  for (const nlohmann::json& item : RequireArray(json))
+  {
+    values.push_back(ToInteger<Integer>(item));
+  }
+  return values;
+}
+}
+
+#endif
