@@ -66,12 +66,6 @@ vtkCSLFSampler::vtkCSLFSampler()
 
 bool vtkCSLFSampler::CheckParameters()
 {
-  if (!cslf::Layout(this->Viewpoints, this->Resolution).IsValid())
-  {
-    vtkErrorMacro(<< this->Viewpoints << " x " << this->Viewpoints
-                  << " viewpoints a face are too many.");
-    return false;
-  }
   if (this->ColorType != VTK_UNSIGNED_CHAR && this->ColorType != VTK_FLOAT)
   {
     vtkErrorMacro("ColorType must be VTK_UNSIGNED_CHAR or VTK_FLOAT.");
@@ -143,6 +137,12 @@ int vtkCSLFSampler::RequestData(
   if (this->GenerateDepth)
   {
     description.Channels.push_back(cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT));
+  }
+  const std::string fault = description.FindFault();
+  if (!fault.empty())
+  {
+    vtkErrorMacro("The light field cannot be sampled: " << fault << ".");
+    return 0;
   }
 
   // Allocate the slices asked for.

@@ -41,17 +41,17 @@ public:
 
   ///@{
   /**
-   * M, the number of viewpoints along each side of a face: at least 2. Default: 17.
+   * M, the number of viewpoints along each side of a face: from 2 to 1024. Default: 17.
    */
-  vtkSetClampMacro(Viewpoints, int, 2, 10000);
+  vtkSetClampMacro(Viewpoints, int, 2, 1024);
   vtkGetMacro(Viewpoints, int);
   ///@}
 
   ///@{
   /**
-   * N, the number of texels along each side of a tile: at least 1. Default: 128.
+   * N, the number of texels along each side of a tile: from 1 to 8192. Default: 128.
    */
-  vtkSetClampMacro(Resolution, int, 1, 65536);
+  vtkSetClampMacro(Resolution, int, 1, 8192);
   vtkGetMacro(Resolution, int);
   ///@}
 

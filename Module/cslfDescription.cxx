@@ -15,7 +15,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <stdexcept>
 
 namespace cslf
@@ -71,10 +70,9 @@ JSON ToArray(const glm::dvec3& vector)
 glm::dvec3 ToVector(const JSON& json)
 {
   const auto values = json.get<std::vector<double>>();
-  if (values.size() != 3 || !std::isfinite(values[0]) || !std::isfinite(values[1]) ||
-    !std::isfinite(values[2]))
+  if (values.size() != 3)
   {
-    throw std::invalid_argument("the cube's centre and edges must be three finite numbers each");
+    throw std::invalid_argument("the cube's centre and edges must be three numbers each");
   }
   return { values[0], values[1], values[2] };
 }
@@ -94,25 +92,11 @@ Description Parse(const JSON& json)
   Description description;
   description.Grid = Layout(ToInteger(json.at("base_nodes")), ToIntegers(json.at("nodes")),
     ToInteger(json.at("resolution")));
-  if (!description.Grid.IsValid())
-  {
-    throw std::invalid_argument("its viewpoint nodes or its resolution are not valid");
-  }
   description.Box.Center = ToVector(json.at("center"));
   description.Box.Edges = ToVector(json.at("edges"));
-  if (!(description.Box.Edges.x > 0.0 && description.Box.Edges.y > 0.0 &&
-        description.Box.Edges.z > 0.0))
-  {
-    throw std::invalid_argument("the cube's edges must be positive");
-  }
   if (json.contains("bounds"))
   {
     description.SceneBounds = json.at("bounds").get<std::array<double, 6>>();
-    const auto& bounds = *description.SceneBounds;
-    if (!(bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5]))
-    {
-      throw std::invalid_argument("the scene's bounds must be in order");
-    }
   }
   for (const JSON& item : RequireArray(json.at("channels")))
   {
@@ -121,10 +105,6 @@ Description Parse(const JSON& json)
     channel.Type = TypeOfName(item.at("type").get<std::string>());
     channel.Components = ToInteger(item.at("components"));
     channel.Encoding = item.at("encoding").get<std::string>();
-    if (channel.Components < 1)
-    {
-      throw std::invalid_argument("the channel \"" + channel.Name + "\" has no components");
-    }
     description.Channels.push_back(channel);
   }
   const JSON sampling = json.value("sampling", JSON::object());
@@ -133,6 +113,11 @@ Description Parse(const JSON& json)
     throw std::invalid_argument("its \"sampling\" is no object");
   }
   description.Sampling = sampling.dump();
+  const std::string fault = description.FindFault();
+  if (!fault.empty())
+  {
+    throw std::invalid_argument(fault);
+  }
   return description;
 }
 
@@ -167,6 +152,10 @@ std::string FindMisfit(const Description& description, vtkImageData* image)
       array->GetNumberOfComponents() != channel.Components)
     {
       return "its array \"" + channel.Name + "\" has another type than described";
+    }
+    if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
+    {
+      return "its array \"" + channel.Name + "\" has not one value for each texel";
     }
   }
   return {};

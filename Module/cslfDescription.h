@@ -14,6 +14,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +45,22 @@ constexpr const char* LinearEncoding = "linear-associated-alpha";
 /// `Depth`: the first hit as a fraction of the chord from viewpoint to texel centre.
 constexpr const char* DepthEncoding = "chord-fraction";
 
+///@{
+/// What a description may have at most. Files that claim more are refused before memory is taken
+/// for it.
+constexpr std::size_t MaximumChannels = 16;
+constexpr int MaximumComponents = 64;
+constexpr std::size_t MaximumNameLength = 100;                    ///< of channels, in bytes
+constexpr std::int64_t MaximumFieldBytes = std::int64_t(1) << 50; ///< of all samples
+///@}
+
+///@{
+/// The cube's centre and edges and the scene's bounds: within what graphics hardware holds and what
+/// tells the cube's texels apart.
+constexpr double MaximumCoordinate = 1e30;
+constexpr double MinimumRelativeEdge = 1e-12; ///< of the distance from the origin, for each axis
+///@}
+
 /// `Color` of 4 unsigned chars or 4 floats.
 VTKCSLF_EXPORT Channel MakeColorChannel(int type);
 /// `Depth` of one unsigned short or float.
@@ -70,6 +88,14 @@ struct VTKCSLF_EXPORT Description
 
   /// The channel of that name, or null.
   const Channel* FindChannel(const std::string& name) const;
+
+  /// The bytes of all samples of a description without fault.
+  std::int64_t GetBytes() const;
+
+  /// Says in a few words what no consumer could work with: a grid, a cube or bounds outside their
+  /// limits, `Color` or `Depth` of an unknown type, two channels of one name, or too many bytes.
+  /// Empty where there is nothing. All that reads a description asks this.
+  std::string FindFault() const;
 
   nlohmann::json ToJSON() const;
   std::string ToText() const;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -28,8 +27,10 @@ Layout::Layout(int baseNodes, std::vector<int> nodes, int resolution)
 
 bool Layout::IsValid() const
 {
-  if (this->BaseNodes < 2 || this->Nodes.size() < 2 || this->Resolution < 1 ||
-    this->Nodes.front() != 0 || this->Nodes.back() != this->BaseNodes - 1)
+  if (this->BaseNodes < 2 || this->BaseNodes > MaximumBaseNodes || this->Nodes.size() < 2 ||
+    this->Nodes.size() > MaximumViewpoints || this->Resolution < 1 ||
+    this->Resolution > MaximumResolution || this->Nodes.front() != 0 ||
+    this->Nodes.back() != this->BaseNodes - 1)
   {
     return false;
   }
@@ -45,9 +46,7 @@ bool Layout::IsValid() const
       return false;
     }
   }
-  const double count = static_cast<double>(this->Nodes.size());
-  constexpr double limit = std::numeric_limits<int>::max();
-  return FaceCount * count * count < limit && 1.0 * TileCount * this->Resolution < limit;
+  return true;
 }
 
 void Layout::GetWholeExtent(int extent[6]) const

@@ -48,6 +48,13 @@ struct NodeBracket
   double Weight = 0.0;
 };
 
+///@{
+/// What a grid may have at most.
+constexpr int MaximumBaseNodes = 65536;
+constexpr int MaximumViewpoints = 1024; ///< M, along each side of a face
+constexpr int MaximumResolution = 8192; ///< N, texels along each side of a tile
+///@}
+
 /// The grid of viewpoints and texels.
 class VTKCSLF_EXPORT Layout
 {
@@ -61,7 +68,7 @@ public:
   /// symmetric, so that the grids of neighbouring faces meet whichever way their axes run.
   Layout(int baseNodes, std::vector<int> nodes, int resolution);
 
-  /// Whether the node list and the sizes obey the conventions and the extent fits an `int`.
+  /// Whether the node list and the sizes obey the conventions and are within their limits.
   bool IsValid() const;
 
   int GetBaseNodes() const { return this->BaseNodes; }

@@ -13,6 +13,7 @@
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
 #endif
+#include "cslfLayout.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>
@@ -30,9 +31,6 @@ namespace tool
 {
 namespace
 {
-constexpr int MaximumViewpoints = 4096;
-constexpr int MaximumResolution = 16384;
-
 /// HEVC's smallest picture.
 constexpr int SmallestVideo = 16;
 

@@ -39,14 +39,15 @@ std::optional<Layout> FindGrid(vtkInformation* information)
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   const double viewpoints = std::sqrt((extent[5] + 1.0) / FaceCount);
-  const Layout grid(static_cast<int>(std::lround(viewpoints)), extent[3] + 1);
-  int whole[6];
-  grid.GetWholeExtent(whole);
-  if (!grid.IsValid() || !std::equal(whole, whole + 6, extent))
+  const int resolution = std::clamp(extent[3], -1, MaximumResolution) + 1;
+  const Layout grid(static_cast<int>(std::lround(viewpoints)), resolution);
+  if (!grid.IsValid())
   {
     return std::nullopt;
   }
-  return grid;
+  int whole[6];
+  grid.GetWholeExtent(whole);
+  return std::equal(whole, whole + 6, extent) ? std::make_optional(grid) : std::nullopt;
 }
 
 SlicePuller::SlicePuller(vtkInformation* information, const Layout& grid)

@@ -17,6 +17,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <iostream>
+#include <limits>
+
 namespace
 {
 cslf::Description MakeDescription()
@@ -129,8 +133,128 @@ void TestMisfits()
   change("edges", { 0, 1, 1 });
   change("edges", { 1, 1 });
   change("channels", 3);
+  change("base_nodes", 4294967305); // 9, were it wrapped
+  change("resolution", 4.5);
   change("bounds", { 1, 2 });
   change("bounds", { 1, 0, 0, 1, 0, 1 });
+}
+
+template <typename Change>
+void CheckFault(const char* fault, Change change)
+{
+  cslf::Description description = MakeDescription();
+  CSLF_CHECK(description.FindFault().empty());
+  change(description);
+  if (description.FindFault().find(fault) == std::string::npos)
+  {
+    std::cerr << "expected \"" << fault << "\", not \"" << description.FindFault() << "\"\n";
+    CSLF_CHECK(false);
+  }
+}
+
+template <typename Change>
+void CheckNoFault(Change change)
+{
+  cslf::Description description = MakeDescription();
+  change(description);
+  CSLF_CHECK(description.FindFault().empty());
+}
+
+void TestChannels()
+{
+  using cslf::Channel;
+  using cslf::Description;
+  const auto setFirst = [](const Channel& channel)
+  { return [channel](Description& description) { description.Channels[0] = channel; }; };
+  const auto setSecond = [](const Channel& channel)
+  { return [channel](Description& description) { description.Channels[1] = channel; }; };
+  const char* misfit = "cannot have";
+  CheckFault(misfit, setFirst({ "Color", VTK_UNSIGNED_CHAR, 3, cslf::SRGBEncoding }));
+  CheckFault(misfit, setFirst({ "Color", VTK_UNSIGNED_SHORT, 4, cslf::SRGBEncoding }));
+  CheckFault(misfit, setFirst({ "Color", VTK_UNSIGNED_CHAR, 4, cslf::LinearEncoding }));
+  CheckFault(misfit, setFirst({ "Color", VTK_FLOAT, 4, cslf::SRGBEncoding }));
+  CheckFault(misfit, setFirst({ "Color", VTK_DOUBLE, 4, cslf::LinearEncoding }));
+  CheckFault(misfit, setSecond({ "Depth", VTK_UNSIGNED_CHAR, 1, cslf::DepthEncoding }));
+  CheckFault(misfit, setSecond({ "Depth", VTK_UNSIGNED_SHORT, 2, cslf::DepthEncoding }));
+  CheckFault(misfit, setSecond({ "Depth", VTK_FLOAT, 1, "metres" }));
+  CheckFault("two channels", setSecond(cslf::MakeColorChannel(VTK_UNSIGNED_CHAR)));
+  CheckFault("two channels", setSecond(cslf::MakeColorChannel(VTK_FLOAT)));
+  CheckFault("printable", setSecond({ "", VTK_FLOAT, 1, "" }));
+  CheckFault("printable", setSecond({ std::string("Color\0", 6), VTK_FLOAT, 1, "" }));
+  CheckFault("printable", setSecond({ std::string(101, 'a'), VTK_FLOAT, 1, "" }));
+  CheckFault("components", setSecond({ "Normals", VTK_FLOAT, 0, "" }));
+  CheckFault("components", setSecond({ "Normals", VTK_FLOAT, 65, "" }));
+  CheckFault("16 channels",
+    [](Description& description)
+    {
+      for (int k = 0; k < 15; ++k)
+      {
+        description.Channels.push_back({ std::to_string(k), VTK_FLOAT, 1, "" });
+      }
+    });
+  CheckNoFault(setFirst(cslf::MakeColorChannel(VTK_FLOAT)));
+  CheckNoFault(setSecond(cslf::MakeDepthChannel(VTK_FLOAT)));
+  CheckNoFault(setSecond({ "Normals", VTK_FLOAT, 3, "" }));
+}
+
+void TestSizes()
+{
+  using cslf::Description;
+  const auto setGrid = [](const cslf::Layout& grid)
+  { return [grid](Description& description) { description.Grid = grid; }; };
+  CheckFault("not valid", setGrid(cslf::Layout(cslf::MaximumViewpoints + 1, 16)));
+  CheckFault("not valid", setGrid(cslf::Layout(2, cslf::MaximumResolution + 1)));
+  CheckFault("not valid", setGrid(cslf::Layout(1 << 17, { 0, (1 << 17) - 1 }, 16)));
+  CheckNoFault(setGrid(cslf::Layout(cslf::MaximumViewpoints, 128)));
+  CheckNoFault(setGrid(cslf::Layout(2, cslf::MaximumResolution)));
+  CheckFault(
+    "more texels", setGrid(cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution)));
+
+  cslf::Description description = MakeDescription();
+  CSLF_CHECK(description.GetBytes() == 6 * 54 * 5 * 16);
+  // Far beyond 32 bits, and beyond what doubles count one by one.
+  description.Grid = cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution);
+  description.Channels = { cslf::MakeColorChannel(VTK_FLOAT) };
+  CSLF_CHECK(description.GetBytes() == std::int64_t(16) * 30 << 46);
+}
+
+void TestPlaces()
+{
+  using cslf::Description;
+  const auto setBox = [](const cslf::Cube& box)
+  {
+    return [box](Description& description)
+    {
+      description.Box = box;
+      description.SceneBounds.reset();
+    };
+  };
+  const double nan = std::nan("");
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (double bad : { nan, infinity, -infinity, 1e300, -1e300 })
+  {
+    CheckFault("limits", setBox({ { 0, bad, 0 }, { 1, 1, 1 } }));
+    CheckFault("limits", setBox({ { 0, 0, 0 }, { 1, 1, bad } }));
+    CheckFault("bounds", [bad](Description& description) { (*description.SceneBounds)[3] = bad; });
+  }
+  CheckFault("limits", setBox({ { 0, 0, 0 }, { 1, 0, 1 } }));
+  CheckFault("limits", setBox({ { 0, 0, 0 }, { 1, 1e-300, 1 } }));
+  CheckFault("too small", setBox({ { 1e20, 0, 0 }, { 1, 1, 1 } }));
+  CheckNoFault(setBox({ { 6.4e6, 0, 0 }, { 0.01, 1, 1 } }));
+  CheckFault("outside", [](Description& description) { description.Box.Center.y = 4.0; });
+}
+
+/// An array that lies, of the right type but shorter than the image.
+void TestShortArray()
+{
+  TestMisfit(
+    [](vtkImageData* image)
+    {
+      vtkNew<vtkUnsignedShortArray> depth;
+      depth->SetName(cslf::DepthName);
+      depth->SetNumberOfTuples(image->GetNumberOfPoints() - 1);
+      image->GetPointData()->AddArray(depth);
+    });
 }
 
 void TestColor()
@@ -160,6 +284,10 @@ int TestCSLFDescription(int, char*[])
 {
   TestRoundTrip();
   TestMisfits();
+  TestShortArray();
+  TestChannels();
+  TestSizes();
+  TestPlaces();
   TestColor();
   return cslf::testing::Result();
 }

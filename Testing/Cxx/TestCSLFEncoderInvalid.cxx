@@ -92,7 +92,7 @@ void TestFields(const std::string& folder)
   };
   TestRefused(
     folder, "a.mp4", make(8, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT), "at least 16 texels");
-  TestRefused(folder, "a.mp4", make(16, VTK_DOUBLE, VTK_UNSIGNED_SHORT), "4 unsigned chars");
+  TestRefused(folder, "a.mp4", make(16, VTK_DOUBLE, VTK_UNSIGNED_SHORT), "\"Color\" has a type");
   TestRefused(folder, "a.mp4", make(16, VTK_UNSIGNED_CHAR, VTK_FLOAT), "unsigned short");
   TestRefused(folder, "a.mp4", make(16, VTK_UNSIGNED_CHAR, 0, 3), "not a whole light field");
   TestRefused(folder, "a.mp4", make(17, VTK_UNSIGNED_CHAR, 0), "even resolution",

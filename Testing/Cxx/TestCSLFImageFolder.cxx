@@ -6,6 +6,7 @@
 #include "vtkCSLFImageWriter.h"
 
 #include "cslfDescription.h"
+#include "cslfJSONText.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 
@@ -252,6 +253,7 @@ void TestBad(const std::string& root)
   CSLF_CHECK(!fs::exists(root + "/plain"));
 
   CSLF_CHECK(Write(field, root + "/lies"));
+  auto description = cslf::ReadJSON(root + "/lies/description.json");
   std::ofstream(root + "/lies/description.json") << R"({"format": "poem"})";
   vtkNew<vtkCSLFImageReader> reader;
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -259,6 +261,12 @@ void TestBad(const std::string& root)
   reader->SetFileName((root + "/lies").c_str());
   CSLF_CHECK(reader->FindMissingViewpoints() == -1 && observer->GetError());
   CheckReadFails(root + "/lies", "describes something else");
+  // Two channels of one name: each is read into the memory of the other's type.
+  description["channels"].push_back(description["channels"][0]);
+  description["channels"][1]["type"] = "float32";
+  description["channels"][1]["encoding"] = "linear-associated-alpha";
+  std::ofstream(root + "/lies/description.json") << description.dump();
+  CheckReadFails(root + "/lies", "two channels \"Color\"");
 }
 
 void WriteText(const std::string& fileName)

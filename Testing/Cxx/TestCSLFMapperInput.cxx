@@ -7,6 +7,7 @@
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -71,6 +72,25 @@ void TestRefusals()
     cslf::testing::MakeTestField(layout, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1);
   moved->SetSpacing(2.0, 1.0, 1.0);
   TestRefused(moved, "spacing");
+
+  // Colour of 3 components, depth of 8 bits, as the description says, too.
+  cslf::Description description;
+  description.Grid = layout;
+  description.Channels = { { cslf::ColorName, VTK_UNSIGNED_CHAR, 3, cslf::SRGBEncoding },
+    { cslf::DepthName, VTK_UNSIGNED_CHAR, 1, cslf::DepthEncoding } };
+  vtkNew<vtkImageData> narrow;
+  narrow->CopyStructure(moved);
+  narrow->SetSpacing(1.0, 1.0, 1.0);
+  for (const cslf::Channel& channel : description.Channels)
+  {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(channel.Name.c_str());
+    array->SetNumberOfComponents(channel.Components);
+    array->SetNumberOfTuples(narrow->GetNumberOfPoints());
+    narrow->GetPointData()->AddArray(array);
+  }
+  description.WriteTo(narrow->GetFieldData());
+  TestRefused(narrow, "\"Color\" has a type");
 
   vtkNew<vtkCSLFMapper> mapper;
   View view(mapper);
