@@ -491,8 +491,13 @@ bool EncodeSession::TakeGroup(int group, ByteBuffer& results)
     }
   }
   std::string error;
-  return this->Writer->StoreGroup(group, parts, error) ||
-    this->FailWriting(vtkErrorCode::UnknownError, error);
+  if (!this->Writer->StoreGroup(group, parts, error))
+  {
+    std::string lack;
+    error += this->Writer->HasRoom(lack) ? "" : "; " + lack;
+    return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
+  }
+  return true;
 }
 
 bool EncodeSession::ReportProgress()

@@ -3,6 +3,7 @@
 #include "Planning/cslfBakeProbe.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
+#include "Files/cslfFileSystem.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
 
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <numeric>
 #include <vector>
@@ -73,11 +73,10 @@ class TemporaryFolder
 public:
   TemporaryFolder()
   {
-    // The last six letters are replaced.
-    std::error_code ignored;
-    std::string name =
-      (fs::temp_directory_path(ignored) / ("cslf-probe-" + std::string(6, 'X'))).string();
-    this->Name = ::mkdtemp(name.data()) ? name : std::string();
+    std::error_code failure;
+    std::string ignored;
+    const std::string prefix = (fs::temp_directory_path(failure) / "cslf-probe-").string();
+    this->Name = MakeUniqueFolder(prefix, this->Name, ignored) ? this->Name : std::string();
   }
   ~TemporaryFolder()
   {
