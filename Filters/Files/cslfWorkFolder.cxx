@@ -157,16 +157,11 @@ bool WorkFolder::Claim(FileLock::Outcome outcome, std::string& error)
   return true;
 }
 
-bool WorkFolder::Keep(const std::string& name, std::string& error) const
-{
-  const std::string scratch = this->GetScratchName(name);
-  return SyncFile(scratch, error) && Rename(scratch, this->GetName(name), error);
-}
-
 bool WorkFolder::Write(
   const std::string& name, const void* bytes, std::size_t count, std::string& error) const
 {
-  return MakeFile(this->GetScratchName(name), bytes, count, error) && this->Keep(name, error);
+  const std::string scratch = this->GetScratchName(name);
+  return MakeFile(scratch, bytes, count, error) && Rename(scratch, this->GetName(name), error);
 }
 
 std::vector<std::string> WorkFolder::FindKept() const

@@ -70,10 +70,8 @@ public:
   /// Something that is being written.
   std::string GetScratchName(const std::string& name) const { return this->Scratch + "/" + name; }
 
-  /// Keeps what was written under the scratch name.
-  bool Keep(const std::string& name, std::string& error) const;
-
-  /// Writes a file and keeps it.
+  /// Writes a file and keeps it. It is not waited for until it is on the disk, so whoever reads it
+  /// has to check that it is whole.
   bool Write(
     const std::string& name, const void* bytes, std::size_t count, std::string& error) const;
 
