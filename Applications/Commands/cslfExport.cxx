@@ -24,7 +24,9 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <string>
 
 namespace fs = std::filesystem;
 
@@ -79,6 +81,19 @@ vtkSmartPointer<vtkPolyData> MakeTriangles(const Scene& scene)
   return append->GetOutput();
 }
 
+/// The lines of faces in an OBJ file, which end it.
+vtkIdType CountFaces(const std::string& fileName)
+{
+  std::ifstream stream(fileName);
+  vtkIdType faces = 0;
+  // What was cut off has no end of line.
+  for (std::string line; std::getline(stream, line) && !stream.eof();)
+  {
+    faces += line.rfind("f ", 0) == 0 ? 1 : 0;
+  }
+  return faces;
+}
+
 Result Run(const Options& options)
 {
   if (fs::path(options.Output).extension() != ".obj")
@@ -90,7 +105,10 @@ Result Run(const Options& options)
   const auto triangles = MakeTriangles(scene);
   vtkNew<vtkOBJWriter> writer;
   writer->SetInputData(triangles);
-  WriteWhole(writer.Get(), options.Output);
+  OutputFile file(options.Output);
+  const vtkIdType count = triangles->GetNumberOfPolys();
+  WriteWhole(writer.Get(), file,
+    [count](const std::string& fileName) { return CountFaces(fileName) == count; });
   Result result;
   result.JSON = { { "output", options.Output }, { "triangles", triangles->GetNumberOfPolys() },
     { "points", triangles->GetNumberOfPoints() } };

@@ -13,6 +13,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <system_error>
 
@@ -75,15 +76,18 @@ inline std::string DescribeDisk(int code)
   return isDisk ? " " + std::generic_category().message(code) : "";
 }
 
-/// Writes with one of VTK's writers, which has all but its file name.
+/// Writes with one of VTK's writers, which has all but its file name. Where the writer does not
+/// notice all failures of the disk, `isWhole` judges the file.
 template <typename Writer>
-void WriteWhole(Writer* writer, OutputFile& file)
+void WriteWhole(
+  Writer* writer, OutputFile& file,
+  const std::function<bool(const std::string&)>& isWhole = [](const std::string&) { return true; })
 {
   writer->SetFileName(file.GetTemporaryName().c_str());
   errno = 0;
   writer->Write();
   const std::string disk = DescribeDisk(errno);
-  if (writer->GetErrorCode() != 0 || !GetFirstError().empty())
+  if (writer->GetErrorCode() != 0 || !GetFirstError().empty() || !isWhole(file.GetTemporaryName()))
   {
     FailWriting(file.GetName(), GetFirstError() + disk);
   }

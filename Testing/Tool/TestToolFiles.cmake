@@ -90,3 +90,19 @@ if (FLOCK)
     endif ()
   endforeach ()
 endif ()
+
+# Files that cannot grow beyond 1 kB: not all of VTK's writers notice.
+find_program(BASH bash)
+if (BASH)
+  foreach (arguments IN ITEMS "decode field.vti -o big.vti" "export cornell-box -o big.obj")
+    execute_process(
+      COMMAND "${BASH}" -c "ulimit -f 1; trap '' XFSZ; '${CSLF}' ${arguments}"
+      WORKING_DIRECTORY "${DIRECTORY}"
+      RESULT_VARIABLE result
+      ERROR_VARIABLE error)
+    file(GLOB left "${DIRECTORY}/big.*")
+    if (NOT result STREQUAL "1" OR NOT error MATCHES "^cslf: error: [^\n]*File too large[^\n]*\n$" OR left)
+      message(FATAL_ERROR "cslf ${arguments}\nended with ${result}, left ${left}, and said: ${error}")
+    endif ()
+  endforeach ()
+endif ()
