@@ -24,6 +24,16 @@ namespace
 /// leaves the others nine tenths of a core.
 constexpr int Niceness = 10;
 
+/// A number of this process. Only Linux is known to fork while VTK's libraries are in use.
+long GetProcess()
+{
+#ifdef __linux__
+  return getpid();
+#else
+  return 0;
+#endif
+}
+
 /// Once for each thread. Other systems than Linux have no niceness for single threads.
 void YieldToOthers()
 {
@@ -80,15 +90,24 @@ struct BackgroundSteps::Gate
   }
 
   /// The queue lives as long as the process: in older versions of VTK its destructor may miss a
-  /// thread that is about to sleep, and wait for ever.
-  static vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>& GetQueue()
+  /// thread that is about to sleep, and wait for ever. A forked process has none of the threads of
+  /// its parent, so it makes a queue of its own.
+  static void Push(const std::shared_ptr<Gate>& gate)
   {
     using Queue = vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>;
     constexpr bool ordered = true;
     constexpr int unlimited = -1;
-    static auto* queue = new Queue(
-      &Gate::Pass, ordered, unlimited, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
-    return *queue;
+    static std::mutex mutex;
+    static Queue* queue = nullptr;
+    static long owner = 0;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (!queue || owner != GetProcess())
+    {
+      queue = new Queue(
+        &Gate::Pass, ordered, unlimited, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+      owner = GetProcess();
+    }
+    queue->Push(std::shared_ptr<Gate>(gate));
   }
 };
 
@@ -107,6 +126,6 @@ BackgroundSteps::~BackgroundSteps()
 
 void BackgroundSteps::Post()
 {
-  Gate::GetQueue().Push(std::shared_ptr<Gate>(this->Entrance));
+  Gate::Push(this->Entrance);
 }
 }
