@@ -251,6 +251,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
   ../Filters/Coding/cslfBackgroundSteps.h
   ../Filters/Coding/cslfBitstreams.h
+  ../Filters/Coding/cslfChecksum.h
   ../Filters/Coding/cslfCodec.h
   ../Filters/Coding/cslfCodingTask.h
   ../Filters/Coding/cslfColorFrames.h

@@ -19,6 +19,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -404,8 +405,22 @@ private:
     }
   }
 
+  /// VTK uses an array without asking whether it could make one of that type.
+  void CheckType(vtkXMLDataElement* element) const
+  {
+    static const std::set<std::string> types = { "Bit", "Float32", "Float64", "Int8", "Int16",
+      "Int32", "Int64", "String", "UInt8", "UInt16", "UInt32", "UInt64" };
+    const std::string name = element->GetName() ? element->GetName() : "";
+    const char* type = element->GetAttribute("type");
+    if ((name == "DataArray" || name == "Array") && (!type || types.count(type) == 0))
+    {
+      this->Fail("an array of unknown type");
+    }
+  }
+
   void CheckElement(vtkXMLDataElement* element)
   {
+    this->CheckType(element);
     for (int i = 0; i < element->GetNumberOfAttributes(); ++i)
     {
       const std::string name = element->GetAttributeName(i);

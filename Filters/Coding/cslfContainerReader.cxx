@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfContainerReader.h"
 
+#include "Coding/cslfChecksum.h"
+
 #include <vtkErrorCode.h>
 
 #include <algorithm>
@@ -26,9 +28,9 @@ constexpr int GroupSearch = 16 * MaximumGroupLength;
 /// they are shown. Times have no checksum, and a wrong one would make one viewpoint of another.
 bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<AVPacket>>& packets)
 {
-  const AVHandle<AVCodecParserContext> parser(av_parser_init(parameters->codec_id));
-  const AVHandle<AVCodecContext> context(avcodec_alloc_context3(nullptr));
-  if (!parser || !context || avcodec_parameters_to_context(context.get(), parameters) < 0)
+  const AVHandle<AVCodecParserContext> parser(RequireMemory(av_parser_init(parameters->codec_id)));
+  const AVHandle<AVCodecContext> context(RequireMemory(avcodec_alloc_context3(nullptr)));
+  if (RequireMemory(avcodec_parameters_to_context(context.get(), parameters)) < 0)
   {
     return false;
   }
@@ -142,7 +144,7 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
     Framing framing;
     if (!GetBitstream(this->Header.Tracks[track].Kind.Coding)
            .ReadConfiguration(parameters->extradata, size, framing) ||
-      framing.ParameterSetsCRC != this->Header.Tracks[track].ParameterSetsCRC ||
+      !IsExpected(framing.ParameterSetsCRC, this->Header.Tracks[track].ParameterSetsCRC) ||
       parameters->height != resolution || parameters->width != TileCount * resolution)
     {
       return Refuse(failure, vtkErrorCode::FileFormatError,
@@ -303,7 +305,7 @@ bool ContainerReader::IsTrackWhole(int group, std::size_t track, const GroupPack
     seen[packet->pts] = true;
   }
   return static_cast<int>(packets.Tracks[track].size()) == length &&
-    crc == this->Header.Tracks[track].GroupCRCs[group] &&
+    IsExpected(crc, this->Header.Tracks[track].GroupCRCs[group]) &&
     AreInOrder(this->GetParameters(track), packets.Tracks[track]);
 }
 

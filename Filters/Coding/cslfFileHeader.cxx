@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFileHeader.h"
 
+#include "Coding/cslfChecksum.h"
 #include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfFrameOrder.h"
 #include "cslfJSONText.h"
@@ -283,7 +284,7 @@ std::optional<FileHeader> FileHeader::FromText(
   {
     const auto expected = ToInteger<std::uint32_t>(json.at(ChecksumKey));
     json.erase(ChecksumKey);
-    if (ComputeChecksum(json) != expected)
+    if (!IsExpected(ComputeChecksum(json), expected))
     {
       error = "its description is damaged";
       return std::nullopt;

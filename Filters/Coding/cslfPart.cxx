@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfPart.h"
 
+#include "Coding/cslfChecksum.h"
+
 #include <zlib.h>
 
 #include <cstring>
@@ -38,7 +40,7 @@ bool Unpack(ByteBuffer& buffer, std::uint32_t expected, CodedGroup& part)
   }
   std::uint32_t checksum = 0;
   return buffer.Take(checksum) &&
-    checksum == buffer.GetChecksum(buffer.GetBytes().size() - sizeof(checksum));
+    IsExpected(checksum, buffer.GetChecksum(buffer.GetBytes().size() - sizeof(checksum)));
 }
 }
 
