@@ -22,6 +22,8 @@ using namespace cslf::tool;
 /// Runs the command; on failure prints one line.
 int Run(const Command& command, bool isJSON)
 {
+  constexpr int exitMissing = 2;
+  int exitCode = EXIT_FAILURE;
   std::string error;
   Result result;
   try
@@ -32,6 +34,11 @@ int Run(const Command& command, bool isJSON)
   catch (const std::bad_alloc&)
   {
     error = "There is not enough memory.";
+  }
+  catch (const MissingViewpoints& missing)
+  {
+    exitCode = exitMissing;
+    error = missing.what();
   }
   catch (const std::exception& exception)
   {
@@ -47,7 +54,7 @@ int Run(const Command& command, bool isJSON)
     {
       PrintError(ending.Error);
     }
-    return EXIT_FAILURE;
+    return exitCode;
   }
   if (IsFirstRank())
   {
@@ -82,6 +89,8 @@ int main(int argc, char* argv[])
     "cslf");
   app.set_version_flag("--version", CSLF_VERSION);
   app.require_subcommand(1);
+  app.footer("Exit codes: 0 is success, 2 means that a field's file lacks viewpoints and "
+             "--allow-missing was not given, 1 is any other error.");
   Command chosen;
   for (const auto add :
     { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace, AddCompare, AddInfo,

@@ -3,6 +3,8 @@
 #include "vtkCSLFImageReader.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
+#include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -13,11 +15,14 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 class vtkCSLFImageReader::Internals
@@ -55,18 +60,25 @@ bool ProbeViewpoint(const char* folder, const cslf::Description& description, in
     { return cslf::ProbeCubeMap(folder, description.Grid, channel, slice); });
 }
 
-/// Whether any viewpoint of the slab is there, to be known before memory is taken for what the
-/// description claims.
-bool ProbeSlab(const char* folder, const cslf::Description& description, const cslf::Slab& slab)
+/// How many viewpoints of the slab have images, to be known before memory is taken for what the
+/// description claims. None of them, unless at least one can be read.
+vtkIdType CountImages(
+  const char* folder, const cslf::Description& description, const cslf::Slab& slab)
 {
+  vtkIdType count = 0;
+  bool isAnyThere = false;
   for (int slice = slab.First; slice <= slab.Last; ++slice)
   {
-    if (ProbeViewpoint(folder, description, slice))
-    {
-      return true;
-    }
+    const bool exists = std::all_of(description.Channels.begin(), description.Channels.end(),
+      [&](const cslf::Channel& channel)
+      {
+        std::error_code ignored;
+        return std::filesystem::exists(cslf::CubeMapFileName(folder, channel, slice), ignored);
+      });
+    count += exists ? 1 : 0;
+    isAnyThere = isAnyThere || (exists && ProbeViewpoint(folder, description, slice));
   }
-  return false;
+  return isAnyThere ? count : 0;
 }
 
 /// The viewpoints of a slab for which `isThere(slice)` does not hold; asked in parallel.
@@ -74,7 +86,7 @@ template <typename IsThere>
 void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* missing)
 {
   std::vector<char> found(slab.GetCount());
-  vtkSMPTools::For(slab.First, slab.Last + 1, 1,
+  cslf::ParallelFor(slab.First, slab.Last + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int slice = static_cast<int>(begin); slice < end; ++slice)
@@ -90,26 +102,6 @@ void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* mis
       missing->InsertNextValue(slice);
     }
   }
-}
-
-void Allocate(const cslf::Description& description, const int extent[6], vtkImageData* image)
-{
-  image->SetExtent(const_cast<int*>(extent));
-  image->SetSpacing(1.0, 1.0, 1.0);
-  image->SetOrigin(0.0, 0.0, 0.0);
-  for (const cslf::Channel& channel : description.Channels)
-  {
-    auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(channel.Type));
-    array->SetName(channel.Name.c_str());
-    array->SetNumberOfComponents(channel.Components);
-    array->SetNumberOfTuples(image->GetNumberOfPoints());
-    image->GetPointData()->AddArray(array);
-  }
-  if (!description.Channels.empty())
-  {
-    image->GetPointData()->SetActiveScalars(description.Channels[0].Name.c_str());
-  }
-  description.WriteTo(image->GetFieldData());
 }
 
 /// Reads the slab into the image, which holds just that, and collects what cannot be read.
@@ -153,8 +145,15 @@ vtkCSLFImageReader::~vtkCSLFImageReader()
 
 int vtkCSLFImageReader::CanReadFile(const char* fileName)
 {
-  std::string error;
-  return fileName && cslf::ReadCubeMapDescription(fileName, error) ? 3 : 0;
+  try
+  {
+    std::string error;
+    return fileName && cslf::ReadCubeMapDescription(fileName, error) ? 3 : 0;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
 }
 
 const char* vtkCSLFImageReader::GetDescription() const
@@ -172,17 +171,47 @@ vtkIdTypeArray* vtkCSLFImageReader::GetMissingViewpoints() const
   return this->Internal->Missing;
 }
 
+// Does what may lack memory. No exception leaves VTK's methods: it becomes one error.
+bool vtkCSLFImageReader::Guard(const std::function<bool()>& work)
+{
+  std::string problem;
+  try
+  {
+    return work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = "there is not enough memory";
+  }
+  catch (const std::exception& exception)
+  {
+    problem = exception.what();
+  }
+  return this->Fail(vtkErrorCode::UnknownError,
+    "Cannot read " + std::string(this->FileName) + ": " + problem + ".");
+}
+
+bool vtkCSLFImageReader::Fail(unsigned long code, const std::string& text)
+{
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< text);
+  return false;
+}
+
 vtkIdType vtkCSLFImageReader::FindMissingViewpoints()
 {
-  if (!this->ReadDescription())
-  {
-    return -1;
-  }
-  const cslf::CubeMapFolder& folder = *this->Internal->Folder;
-  CollectMissing(
-    folder.Slices, [&](int slice) { return ProbeViewpoint(this->FileName, folder.Field, slice); },
-    this->Internal->Missing);
-  return this->GetNumberOfMissingViewpoints();
+  const bool isChecked = this->ReadDescription() &&
+    this->Guard(
+      [this]
+      {
+        const cslf::CubeMapFolder& folder = *this->Internal->Folder;
+        CollectMissing(
+          folder.Slices,
+          [&](int slice) { return ProbeViewpoint(this->FileName, folder.Field, slice); },
+          this->Internal->Missing);
+        return true;
+      });
+  return isChecked ? this->GetNumberOfMissingViewpoints() : -1;
 }
 
 bool vtkCSLFImageReader::ReadDescription()
@@ -192,20 +221,20 @@ bool vtkCSLFImageReader::ReadDescription()
   this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->FileName || !*this->FileName)
   {
-    vtkErrorMacro("A file name must be set.");
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return false;
+    return this->Fail(vtkErrorCode::NoFileNameError, "A file name must be set.");
   }
-  std::string error;
-  this->Internal->Folder = cslf::ReadCubeMapDescription(this->FileName, error);
-  if (!this->Internal->Folder)
-  {
-    vtkErrorMacro(<< error);
-    this->SetErrorCode(vtkErrorCode::UnrecognizedFileTypeError);
-    return false;
-  }
-  this->Internal->Text = this->Internal->Folder->Field.ToText();
-  return true;
+  return this->Guard(
+    [this]
+    {
+      std::string error;
+      this->Internal->Folder = cslf::ReadCubeMapDescription(this->FileName, error);
+      if (!this->Internal->Folder)
+      {
+        return this->Fail(vtkErrorCode::UnrecognizedFileTypeError, error);
+      }
+      this->Internal->Text = this->Internal->Folder->Field.ToText();
+      return true;
+    });
 }
 
 int vtkCSLFImageReader::RequestInformation(
@@ -236,48 +265,67 @@ int vtkCSLFImageReader::RequestInformation(
 int vtkCSLFImageReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   this->Internal->Missing->Reset();
   if (!this->Internal->Folder)
   {
     return 0;
   }
-  const cslf::Description& description = this->Internal->Folder->Field;
-  vtkInformation* information = outputVector->GetInformationObject(0);
-  int extent[6];
   int update[6];
-  description.Grid.GetWholeExtent(extent);
-  information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), update);
-  const cslf::Slab slab{ update[4], update[5] };
-  extent[4] = slab.First;
-  extent[5] = slab.Last;
-  const bool isAnyThere = ProbeSlab(this->FileName, description, slab);
-  if (isAnyThere)
+  outputVector->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), update);
+  vtkImageData* image = vtkImageData::GetData(outputVector);
+  const bool isRead = this->Guard([&] { return this->ReadRange(update[4], update[5], image); });
+  if (!isRead)
   {
-    vtkImageData* image = vtkImageData::GetData(outputVector);
-    Allocate(description, extent, image);
-    ReadSlab(this->FileName, description, slab, image, this->Internal->Missing);
+    image->Initialize();
+  }
+  return isRead ? 1 : 0;
+}
+
+bool vtkCSLFImageReader::ReadRange(int first, int last, vtkImageData* image)
+{
+  const cslf::Description& field = this->Internal->Folder->Field;
+  const cslf::Slab slab{ first, last };
+  const vtkIdType there = CountImages(this->FileName, field, slab);
+  if (there > 0 && cslf::AreEnough(field, there, slab.GetCount()))
+  {
+    cslf::AllocateSlices(field, first, last, image);
+    field.WriteTo(image->GetFieldData());
+    ReadSlab(this->FileName, field, slab, image, this->Internal->Missing);
+  }
+  else
+  {
+    CollectMissing(
+      slab, [](int) { return false; }, this->Internal->Missing);
   }
   const vtkIdType missing = this->GetNumberOfMissingViewpoints();
-  if (!isAnyThere || missing == slab.GetCount())
+  std::ostringstream text;
+  if (missing == slab.GetCount())
   {
-    vtkErrorMacro("None of the viewpoints " << slab.First << " to " << slab.Last << " of "
-                                            << this->FileName << " can be read.");
-    this->SetErrorCode(vtkErrorCode::FileFormatError);
-    return 0;
+    text << (there > 0 && there < slab.GetCount() ? "Too few" : "None") << " of the viewpoints "
+         << first << " to " << last << " of " << this->FileName << " can be read.";
+    return this->Fail(vtkErrorCode::FileFormatError, text.str());
   }
   if (missing > 0)
   {
-    vtkWarningMacro(<< missing << " of " << slab.GetCount() << " viewpoints of " << this->FileName
-                    << " are missing or damaged, the first of them "
-                    << this->GetMissingViewpoints()->GetValue(0) << "; they are left empty.");
+    text << missing << " of " << slab.GetCount() << " viewpoints of " << this->FileName
+         << " are missing or damaged, the first of them "
+         << this->GetMissingViewpoints()->GetValue(0);
+    if (!this->AllowMissing)
+    {
+      return this->Fail(vtkErrorCode::PrematureEndOfFileError, text.str() + ".");
+    }
+    vtkWarningMacro(<< text.str() << "; they are left empty.");
   }
-  return 1;
+  return true;
 }
 
 void vtkCSLFImageReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "AllowMissing: " << this->AllowMissing << "\n";
   os << indent << "Description: " << this->GetDescription() << "\n";
   os << indent << "NumberOfMissingViewpoints: " << this->GetNumberOfMissingViewpoints() << "\n";
 }

@@ -9,7 +9,9 @@
  * are read, in parallel.
  *
  * A viewpoint of which an image is missing or damaged is filled with colour 0 and depth 1, and a
- * warning says how many there are. It is an error if none of those asked for can be read.
+ * warning says how many there are. It is an error instead, and there is no output, with
+ * AllowMissing off, if none of those asked for can be read, or if fewer than one in 64 of many has
+ * images.
  *
  * @sa vtkCSLFImageWriter
  */
@@ -19,7 +21,9 @@
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
+#include <string>     // for std::string
 
 class vtkIdTypeArray;
 
@@ -63,10 +67,19 @@ public:
   vtkIdTypeArray* GetMissingViewpoints() const;
   ///@}
 
+  ///@{
   /**
-   * Checks that all images are there and of the right size and type, and the checksums of PNGs,
-   * without decoding pixels. Returns the number of missing viewpoints, or -1 with an error if the
-   * folder is none that can be read.
+   * Whether viewpoints that are missing are left empty, with a warning. If not, asking for any of
+   * them is an error, whose code is vtkErrorCode::PrematureEndOfFileError. Default: true.
+   */
+  vtkSetMacro(AllowMissing, bool);
+  vtkGetMacro(AllowMissing, bool);
+  vtkBooleanMacro(AllowMissing, bool);
+  ///@}
+
+  /**
+   * Checks that all images are there and of the right size and type, and their checksums. Returns
+   * the number of missing viewpoints, or -1 with an error if the folder is none that can be read.
    */
   vtkIdType FindMissingViewpoints();
 
@@ -85,9 +98,13 @@ private:
 
   class Internals;
 
+  bool Guard(const std::function<bool()>& work);
+  bool Fail(unsigned long code, const std::string& text);
   bool ReadDescription();
+  bool ReadRange(int first, int last, vtkImageData* image);
 
   char* FileName = nullptr;
+  bool AllowMissing = true;
   const std::unique_ptr<Internals> Internal;
 };
 

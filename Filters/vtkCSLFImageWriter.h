@@ -24,6 +24,10 @@
  * PNG wants it, would lose the low bits for good. EXR's convention is associated alpha, so nothing
  * has to be said there.
  *
+ * PNG images have checksums. EXR images have none, so they get an attribute `cslf:crc32`: the
+ * CRC-32 of their pixels' bytes in eight hexadecimal digits. Where it is there it must be right, so
+ * whoever edits such an image with a program that keeps attributes has to remove it.
+ *
  * The input is pulled a few viewpoints at a time and may be larger than memory. The folder is
  * written within a folder of its name with `.partial` appended, and renamed when it is whole. A
  * lock in there keeps other writers of the same folder out. An earlier light field in a folder of

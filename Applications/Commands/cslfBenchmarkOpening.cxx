@@ -183,7 +183,7 @@ std::string MakeTable(const Findings& findings)
 Result Run(const Options& options)
 {
   RequireDisplay();
-  OpenField(options.Field);
+  OpenField(FieldInput{ options.Field });
   std::error_code failure;
   std::filesystem::create_directories(options.Folder, failure);
   RequireWritable(options.Folder + "/benchmark");

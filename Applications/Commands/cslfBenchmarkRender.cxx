@@ -321,7 +321,7 @@ void WriteCharts(const Options& options, const Findings& findings)
 Result Run(Options options)
 {
   RequireDisplay();
-  const FieldFile file = OpenField(options.Field);
+  const FieldFile file = OpenField(FieldInput{ options.Field });
   std::unique_ptr<MeshRenderer> mesh;
   if (!options.Mesh.empty())
   {

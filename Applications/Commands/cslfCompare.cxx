@@ -29,6 +29,7 @@ struct Options
 {
   std::string First;
   std::string Second;
+  bool AllowMissing = false;
 };
 
 bool IsPicture(const std::string& fileName)
@@ -54,8 +55,8 @@ Result ComparePictures(const Options& options)
 
 Result CompareFields(const Options& options)
 {
-  const FieldFile first = OpenField(options.First);
-  const FieldFile second = OpenField(options.Second);
+  const FieldFile first = OpenField(FieldInput{ options.First, options.AllowMissing });
+  const FieldFile second = OpenField(FieldInput{ options.Second, options.AllowMissing });
   vtkNew<vtkCSLFFieldQuality> quality;
   quality->SetInputConnection(0, first.Reader->GetOutputPort());
   quality->SetInputConnection(1, second.Reader->GetOutputPort());
@@ -92,6 +93,7 @@ void AddCompare(CLI::App& app, Command& chosen)
   const auto options = std::make_shared<Options>();
   command->add_option("a", options->First, "a .png picture or a light field")->required();
   command->add_option("b", options->Second, "another one")->required();
+  AddAllowMissing(*command, options->AllowMissing);
   command->callback(
     [options, &chosen]
     {

@@ -24,7 +24,7 @@ namespace
 {
 struct Options
 {
-  std::string Input;
+  FieldInput Input;
   std::string Output;
   CodingOptions Coding;
 };
@@ -50,7 +50,7 @@ Result Run(const Options& options, bool toVideo)
                           : "cslf decode writes .vti or a folder; see cslf encode for video.");
   }
   std::error_code failure;
-  if (std::filesystem::equivalent(options.Input, options.Output, failure))
+  if (std::filesystem::equivalent(options.Input.FileName, options.Output, failure))
   {
     throw Failure("The input and the output are the same.");
   }
@@ -81,8 +81,7 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
 {
   CLI::App* command = app.add_subcommand(name, help);
   const auto options = std::make_shared<Options>();
-  command->add_option("input", options->Input, std::string("the light field: ") + FieldFormats)
-    ->required();
+  options->Input.AddTo(*command, "input");
   command
     ->add_option("-o,--output", options->Output,
       toVideo ? "the video: .mp4 or .mkv" : "the light field: .vti or a folder of cube maps")

@@ -39,7 +39,7 @@ namespace
 {
 struct Options
 {
-  std::string Field;
+  FieldInput Field;
   SceneOptions Scene;
   std::string OutputFolder;
   std::string ContactSheet;
@@ -238,9 +238,10 @@ Result Report(const Options& options, const Findings& findings)
 {
   const double noiseFloor = Mean(findings.NoiseFloors);
   Result result;
-  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
-    { "views", findings.NoiseFloors.size() }, { "size", options.Novel.Size },
-    { "spp", options.Novel.Samples }, { "seed", options.Novel.Seed }, { "noise_floor", noiseFloor },
+  result.JSON = { { "field", options.Field.FileName },
+    { "bytes", CountBytes(options.Field.FileName) }, { "views", findings.NoiseFloors.size() },
+    { "size", options.Novel.Size }, { "spp", options.Novel.Samples },
+    { "seed", options.Novel.Seed }, { "noise_floor", noiseFloor },
     { "pixel_samples", options.PixelSamples } };
   if (!options.Path.IsEmpty())
   {
@@ -253,10 +254,10 @@ Result Report(const Options& options, const Findings& findings)
     best = std::max(best, Mean(score.PSNR));
   }
   const std::string size = std::to_string(options.Novel.Size);
-  result.Text = options.Field + ": " + std::to_string(CountBytes(options.Field)) + " bytes, " +
-    std::to_string(findings.NoiseFloors.size()) + " views of " + size + " x " + size + "\n" +
-    (options.Path.IsEmpty() ? "" : MakePathTable(findings.Scores)) + MakeTable(findings.Scores) +
-    "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
+  result.Text = options.Field.FileName + ": " + std::to_string(CountBytes(options.Field.FileName)) +
+    " bytes, " + std::to_string(findings.NoiseFloors.size()) + " views of " + size + " x " + size +
+    "\n" + (options.Path.IsEmpty() ? "" : MakePathTable(findings.Scores)) +
+    MakeTable(findings.Scores) + "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
     std::to_string(options.Novel.Samples) + " samples per pixel)\n";
   WarnOfNoise(noiseFloor, best, "the best lookup", "--spp");
   return result;
@@ -321,8 +322,7 @@ void AddEvaluate(CLI::App& app, Command& chosen)
     "the difference between the errors of a view and of the one before, which tells what flickers "
     "from what is wrong but stays.");
   const auto options = std::make_shared<Options>();
-  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
-    ->required();
+  options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
   options->Novel.AddTo(*command);
   options->Path.AddTo(*command);

@@ -25,7 +25,7 @@ namespace
 {
 struct Options
 {
-  std::string Field;
+  FieldInput Field;
   SceneOptions Scene;
   int Texels = 100000;
   int Samples = 4096;
@@ -50,11 +50,11 @@ Result Run(Options options)
   ThrowOnError();
 
   Result result;
-  result.JSON = { { "field", options.Field }, { "bytes", CountBytes(options.Field) },
-    { "texels", reference->GetNumberOfTexels() }, { "reference_spp", options.Samples },
-    { "seed", options.Seed }, { "psnr", reference->GetPSNR() },
-    { "noise_floor", reference->GetNoiseFloor() } };
-  result.Text = options.Field + ": PSNR " + Format(reference->GetPSNR(), 2) + " dB over " +
+  result.JSON = { { "field", options.Field.FileName },
+    { "bytes", CountBytes(options.Field.FileName) }, { "texels", reference->GetNumberOfTexels() },
+    { "reference_spp", options.Samples }, { "seed", options.Seed },
+    { "psnr", reference->GetPSNR() }, { "noise_floor", reference->GetNoiseFloor() } };
+  result.Text = options.Field.FileName + ": PSNR " + Format(reference->GetPSNR(), 2) + " dB over " +
     std::to_string(reference->GetNumberOfTexels()) +
     " texels\nnoise floor of the reference: " + Format(reference->GetNoiseFloor(), 2) + " dB (" +
     std::to_string(options.Samples) + " samples per texel)\n";
@@ -86,8 +86,7 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
     "mean has a quarter of their difference's variance. Give the scene, light and material that "
     "the field was sampled with.");
   const auto options = std::make_shared<Options>();
-  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
-    ->required();
+  options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
   command->add_option("--texels", options->Texels, "texels to measure, or all if there are fewer")
     ->check(CLI::Range(1, 100000000))

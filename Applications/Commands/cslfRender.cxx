@@ -30,7 +30,7 @@ namespace
 {
 struct Options
 {
-  std::string Field;
+  FieldInput Field;
   std::string Output;
   std::string Lookup = "depth";
   ToneOptions Tone;
@@ -94,7 +94,7 @@ Result RunPath(const Options& options)
 Result Run(const Options& options)
 {
   std::error_code failure;
-  if (std::filesystem::equivalent(options.Field, options.Output, failure))
+  if (std::filesystem::equivalent(options.Field.FileName, options.Output, failure))
   {
     throw Failure("The input and the output are the same.");
   }
@@ -107,8 +107,7 @@ void AddRender(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand(
     "render", "Look a novel view up in a light field, or those along a camera path, over black");
   const auto options = std::make_shared<Options>();
-  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
-    ->required();
+  options->Field.AddTo(*command);
   command
     ->add_option(
       "-o,--output", options->Output, std::string("the picture, .png; with --path ") + FrameFormats)

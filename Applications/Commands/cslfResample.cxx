@@ -26,7 +26,7 @@ namespace
 {
 struct Options
 {
-  std::string Input;
+  FieldInput Input;
   std::string Output;
   int ResolutionDivisor = 1;
   int ViewpointStride = 1;
@@ -37,7 +37,7 @@ Result Run(const Options& options)
 {
   const FieldWriter writer(options.Output, options.Coding);
   std::error_code failure;
-  if (std::filesystem::equivalent(options.Input, options.Output, failure))
+  if (std::filesystem::equivalent(options.Input.FileName, options.Output, failure))
   {
     throw Failure("The input and the output are the same.");
   }
@@ -73,8 +73,7 @@ void AddResample(CLI::App& app, Command& chosen)
   CLI::App* command =
     app.add_subcommand("resample", "Make a coarser light field: fewer texels, fewer viewpoints");
   const auto options = std::make_shared<Options>();
-  command->add_option("input", options->Input, std::string("the light field: ") + FieldFormats)
-    ->required();
+  options->Input.AddTo(*command, "input");
   command
     ->add_option(
       "-o,--output", options->Output, std::string("the coarser light field: ") + FieldFormats)

@@ -154,7 +154,7 @@ Result Run(const Options& options)
   {
     RequireWritable(options.Screenshot);
   }
-  const FieldFile file = OpenField(options.Field);
+  const FieldFile file = OpenField(FieldInput{ options.Field, true });
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   auto truth = MakeTruth(options.Scene, file.Field);
   RequireDisplay();

@@ -34,7 +34,7 @@ void BenchmarkOptions::AddTo(CLI::App& command)
 
 FieldFile BenchmarkOptions::ReadField() const
 {
-  FieldFile file = OpenField(this->Field);
+  FieldFile file = OpenField(FieldInput{ this->Field });
   {
     const ProgressBar bar(file.Reader, "Reading");
     file.Reader->UpdateWholeExtent();

@@ -5,6 +5,7 @@
 #include "cslfMessages.h"
 #include "cslfOutputFiles.h"
 #include "cslfParallel.h"
+#include "cslfSceneChecks.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFImageReader.h"
@@ -30,6 +31,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 
 namespace fs = std::filesystem;
 
@@ -76,6 +78,10 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(fileName.c_str());
+  if constexpr (!std::is_same_v<Reader, vtkXMLImageDataReader>)
+  {
+    reader->AllowMissingOff();
+  }
   return reader.Get();
 }
 
@@ -86,6 +92,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(FieldFormat format, const std::string& 
     case FieldFormat::Video:
       return MakeReader<vtkCSLFDecoder>(fileName);
     case FieldFormat::ImageData:
+      CheckVTKXML(fileName);
       return MakeReader<vtkXMLImageDataReader>(fileName);
     default:
       return MakeReader<vtkCSLFImageReader>(fileName);
@@ -160,6 +167,47 @@ FieldFile OpenField(const std::string& fileName)
     throw Failure(fileName + ": " + error);
   }
   file.Field = *description;
+  return file;
+}
+
+void FieldInput::AddTo(CLI::App& command, const std::string& name)
+{
+  command.add_option(name, this->FileName, std::string("the light field: ") + FieldFormats)
+    ->required();
+  AddAllowMissing(command, this->AllowMissing);
+}
+
+void AddAllowMissing(CLI::App& command, bool& isAllowed)
+{
+  command.add_flag("--allow-missing", isAllowed,
+    "go on without viewpoints that are missing from a damaged file, with a warning; otherwise "
+    "nothing is written, and the exit code is 2");
+}
+
+FieldFile OpenField(const FieldInput& input)
+{
+  FieldFile file = OpenField(input.FileName);
+  if (!input.AllowMissing)
+  {
+    // Of files without any viewpoint the readers tell.
+    const int missing = CountMissing(file);
+    const int slices = file.Field.Grid.GetSlices();
+    if (missing > 0 && missing < slices)
+    {
+      throw MissingViewpoints(input.FileName + " is damaged: " + std::to_string(missing) + " of " +
+        std::to_string(slices) +
+        " viewpoints are missing (most commands go on without them if told --allow-missing).");
+    }
+    return file;
+  }
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    decoder->AllowMissingOn();
+  }
+  else if (auto* images = vtkCSLFImageReader::SafeDownCast(file.Reader))
+  {
+    images->AllowMissingOn();
+  }
   return file;
 }
 

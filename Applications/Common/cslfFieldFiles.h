@@ -52,6 +52,20 @@ struct FieldFile
   Description Field;
 };
 
+/// A field that a command reads. All commands have the same rule about damaged files: what lacks
+/// viewpoints is read only if the user allows it.
+struct FieldInput
+{
+  std::string FileName;
+  bool AllowMissing = false;
+
+  /// Adds the file, as a positional argument of that name, and the option --allow-missing.
+  void AddTo(CLI::App& command, const std::string& name = "field");
+};
+
+/// Adds the option --allow-missing.
+void AddAllowMissing(CLI::App& command, bool& isAllowed);
+
 /// The format that follows from a file's extension; a name without one is a folder's. Throws a
 /// Failure where there is none.
 FieldFormat GetFormat(const std::string& fileName);
@@ -59,8 +73,13 @@ FieldFormat GetFormat(const std::string& fileName);
 /// Whether a field of that file name is a video.
 bool IsVideo(const std::string& fileName);
 
-/// Opens a field. Throws a Failure where it is missing or is no light field.
+/// Opens a field. Throws a Failure where it is missing or is no light field. Nothing but its header
+/// is read.
 FieldFile OpenField(const std::string& fileName);
+
+/// Opens a field and checks, without decoding it, that all its viewpoints are there. Throws a
+/// MissingViewpoints where they are not, unless that is allowed.
+FieldFile OpenField(const FieldInput& input);
 
 /// Reads a field for vtkCSLFMapper. Videos are left alone, since the mapper takes what it needs
 /// from their decoder. Throws a Failure.

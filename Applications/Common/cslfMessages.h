@@ -24,6 +24,12 @@ struct Failure : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// Ends a command that would write what lacks viewpoints: with an exit code of its own.
+struct MissingViewpoints : Failure
+{
+  using Failure::Failure;
+};
+
 /// Catches VTK's messages from now on, and keeps them.
 void CatchMessages();
 

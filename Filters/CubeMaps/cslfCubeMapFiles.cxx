@@ -12,8 +12,10 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -27,6 +29,17 @@ namespace
 {
 // The key that the folder's description has besides those of the field's.
 constexpr const char* SlicesKey = "slices";
+
+// PNG has checksums, but EXR does not: this attribute of an image is the CRC-32 of its pixels.
+constexpr const char* ChecksumAttribute = "cslf:crc32";
+
+std::string ComputeChecksum(const std::vector<unsigned char>& pixels)
+{
+  const auto crc = crc32_z(0, pixels.data(), pixels.size());
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%08lx", static_cast<unsigned long>(crc));
+  return text.data();
+}
 
 OIIO::TypeDesc PixelType(const Channel& channel)
 {
@@ -72,13 +85,26 @@ std::uint32_t ReadBigEndian(const unsigned char* bytes)
     std::uint32_t(bytes[2]) << 8 | bytes[3];
 }
 
-/// Whether a PNG file reaches its end chunk with every checksum right. libpng would find out too,
-/// but prints what it finds.
-bool IsWholePNG(const std::string& fileName)
+std::vector<unsigned char> ReadBytes(const std::string& fileName)
 {
   std::ifstream file(fileName, std::ios::binary);
-  const std::vector<char> content{ std::istreambuf_iterator<char>(file), {} };
-  const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+/// Whether a PNG file is of that size and reaches its end chunk with every checksum right. libpng
+/// would find out too, but prints what it finds.
+bool IsWholePNG(const std::vector<unsigned char>& content, int width, int height)
+{
+  // The first chunk is the header, which begins with the size.
+  constexpr std::size_t sizeOffset = 16;
+  const unsigned char* bytes = content.data();
+  if (content.size() < sizeOffset + 8 || std::memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) != 0 ||
+    std::memcmp(bytes + sizeOffset - 4, "IHDR", 4) != 0 ||
+    ReadBigEndian(bytes + sizeOffset) != static_cast<std::uint32_t>(width) ||
+    ReadBigEndian(bytes + sizeOffset + 4) != static_cast<std::uint32_t>(height))
+  {
+    return false;
+  }
   // A chunk is its data's length, a name of 4 letters, the data, and the checksum of both.
   for (std::size_t chunk = 8; chunk + 12 <= content.size();)
   {
@@ -98,24 +124,91 @@ bool IsWholePNG(const std::string& fileName)
   return false;
 }
 
+std::uint32_t ReadLittleEndian(const unsigned char* bytes)
+{
+  return std::uint32_t(bytes[3]) << 24 | std::uint32_t(bytes[2]) << 16 |
+    std::uint32_t(bytes[1]) << 8 | bytes[0];
+}
+
+/// The length of the window [xMin, xMax] or [yMin, yMax] of an EXR file, where these begin.
+std::int64_t ReadLength(const unsigned char* bytes)
+{
+  const auto least = static_cast<std::int32_t>(ReadLittleEndian(bytes));
+  const auto most = static_cast<std::int32_t>(ReadLittleEndian(bytes + 8));
+  return std::int64_t(most) - least + 1;
+}
+
+/// Whether an EXR file holds one image of that size, in rows, and no attribute that is larger than
+/// the file. OpenEXR allocates memory for whatever a header claims.
+bool HasSoundEXRHeader(const std::vector<unsigned char>& content, int width, int height)
+{
+  constexpr std::uint32_t magic = 20000630;
+  constexpr std::uint32_t versionAndLongNames = 0x4ff;
+  const unsigned char* bytes = content.data();
+  std::size_t place = 8;
+  if (content.size() < place || ReadLittleEndian(bytes) != magic ||
+    (ReadLittleEndian(bytes + 4) & ~versionAndLongNames) != 0)
+  {
+    return false;
+  }
+  const auto takeText = [&content, &place]
+  {
+    const auto begin =
+      content.begin() + static_cast<std::ptrdiff_t>(std::min(place, content.size()));
+    const auto end = std::find(begin, content.end(), 0);
+    place = static_cast<std::size_t>(end - content.begin()) + 1;
+    return std::string(begin, end);
+  };
+  bool isOfSize = false;
+  // An attribute is its name, its type, the bytes of its value, and the value. An empty name ends
+  // them.
+  for (std::string name = takeText(); !name.empty(); name = takeText())
+  {
+    const std::string type = takeText();
+    if (place > content.size() || content.size() - place < 4)
+    {
+      return false;
+    }
+    const std::size_t size = ReadLittleEndian(bytes + place);
+    place += 4;
+    const bool isWindow = name == "dataWindow";
+    if (size >= content.size() - place || type == "preview" || (isWindow && size != 16))
+    {
+      return false;
+    }
+    isOfSize = isOfSize ||
+      (isWindow && ReadLength(bytes + place) == width && ReadLength(bytes + place + 4) == height);
+    place += size;
+  }
+  return isOfSize && place <= content.size();
+}
+
 std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
   const std::string& fileName, const Layout& grid, const Channel& channel)
 {
-  if (channel.Type != VTK_FLOAT && !IsWholePNG(fileName))
+  const bool isEXR = channel.Type == VTK_FLOAT;
+  const int height = grid.GetResolution();
+  const int width = FaceCount * height;
+  const std::vector<unsigned char> content = ReadBytes(fileName);
+  if (!(isEXR ? HasSoundEXRHeader(content, width, height) : IsWholePNG(content, width, height)))
   {
     return nullptr;
   }
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  auto input = OIIO::ImageInput::open(fileName, &config);
-  if (!input)
+  OIIO::ImageSpec spec;
+  auto input = OIIO::ImageInput::create(isEXR ? "openexr" : "png");
+  if (!input || !input->open(fileName, spec, config))
   {
-    OIIO::geterror(); // or it would be printed at exit
+    // Or they would be printed at exit.
+    OIIO::geterror();
+    if (input)
+    {
+      input->geterror();
+    }
     return nullptr;
   }
-  const OIIO::ImageSpec& spec = input->spec();
-  const bool fits = spec.width == FaceCount * grid.GetResolution() &&
-    spec.height == grid.GetResolution() && spec.depth == 1 &&
+  const bool fits = spec.width == width && spec.height == height && spec.depth == 1 &&
     spec.nchannels == channel.Components && spec.format == PixelType(channel);
   return fits ? std::move(input) : nullptr;
 }
@@ -270,8 +363,12 @@ bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& 
     [&](std::size_t strip, std::size_t cubeMap, std::size_t bytes)
     { std::memcpy(pixels.data() + cubeMap, texels + strip, bytes); });
 
-  const std::string fileName = CubeMapFileName(folder, channel, slice);
-  return WritePixels(fileName, MakeSpec(grid, channel), pixels.data(), error);
+  OIIO::ImageSpec spec = MakeSpec(grid, channel);
+  if (channel.Type == VTK_FLOAT)
+  {
+    spec.attribute(ChecksumAttribute, ComputeChecksum(pixels));
+  }
+  return WritePixels(CubeMapFileName(folder, channel, slice), spec, pixels.data(), error);
 }
 
 bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
@@ -291,6 +388,11 @@ bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& c
     input->geterror(); // or it would be printed on destruction
     return false;
   }
+  const std::string expected = input->spec().get_string_attribute(ChecksumAttribute);
+  if (!expected.empty() && expected != ComputeChecksum(pixels))
+  {
+    return false;
+  }
   ForEachRow(grid, grid.ViewpointOf(slice).Face, texelBytes,
     [&](std::size_t strip, std::size_t cubeMap, std::size_t bytes)
     { std::memcpy(texels + strip, pixels.data() + cubeMap, bytes); });
@@ -299,7 +401,13 @@ bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& c
 
 bool ProbeCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice)
 {
-  return OpenCubeMap(CubeMapFileName(folder, channel, slice), grid, channel) != nullptr;
+  if (channel.Type != VTK_FLOAT)
+  {
+    return OpenCubeMap(CubeMapFileName(folder, channel, slice), grid, channel) != nullptr;
+  }
+  std::vector<unsigned char> texels(
+    std::size_t(TileCount) * grid.GetResolution() * grid.GetResolution() * TexelBytes(channel));
+  return ReadCubeMap(folder, grid, channel, slice, texels.data());
 }
 
 void FillEmpty(const Channel& channel, unsigned char* texels, std::size_t count)

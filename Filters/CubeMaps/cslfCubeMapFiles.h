@@ -52,7 +52,8 @@ bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& 
 bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
   unsigned char* texels);
 
-/// Whether the file is there with the right size and type; its pixels are not read.
+/// Whether the file is there with the right size and type, and its checksums are right. Pixels are
+/// decoded only of EXR, where the checksum is theirs.
 bool ProbeCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice);
 
 /// What a texel holds where nothing was read: depth 1, all else 0.

@@ -13,6 +13,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkExtractVOI.h>
 #include <vtkIdTypeArray.h>
@@ -28,6 +29,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <iterator>
+#include <random>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -206,6 +210,56 @@ void TestMissing(const std::string& folder)
   CSLF_CHECK(observer->GetErrorMessage().find("viewpoints 9 to 9") != std::string::npos);
 }
 
+/// Any byte of an image of floats replaced by another one: the image is right or missing.
+void TestChecksums(const std::string& folder)
+{
+  vtkSmartPointer<vtkImageData> field = MakeField(VTK_FLOAT, 0);
+  CSLF_CHECK(Write(field, folder));
+  const std::string name = folder + "/000004.Color.exr";
+  std::ifstream input(name, std::ios::binary);
+  const std::string bytes{ std::istreambuf_iterator<char>(input), {} };
+  std::mt19937 random(5);
+  int missing = 0;
+  constexpr int flips = 200;
+  for (int flip = 0; flip < flips; ++flip)
+  {
+    std::string flipped = bytes;
+    const std::size_t place = random() % flipped.size();
+    flipped[place] = static_cast<char>(flipped[place] ^ (1 << random() % 8));
+    std::ofstream(name, std::ios::binary) << flipped;
+    vtkNew<vtkCSLFImageReader> reader;
+    vtkNew<vtkTest::ErrorObserver> observer;
+    reader->AddObserver(vtkCommand::WarningEvent, observer);
+    reader->SetFileName(folder.c_str());
+    const int part[6] = { 0, 5 * Size - 1, 0, Size - 1, 3, 4 };
+    CSLF_CHECK(reader->UpdateExtent(part));
+    CSLF_CHECK(AreEqual(field, reader->GetOutput(), cslf::ColorName, 3, 3));
+    const bool isMissing = reader->GetNumberOfMissingViewpoints() > 0;
+    CSLF_CHECK(isMissing || AreEqual(field, reader->GetOutput(), cslf::ColorName, 4, 4));
+    CSLF_CHECK(observer->GetWarning() == isMissing);
+    missing += isMissing ? 1 : 0;
+  }
+  std::cout << missing << " of " << flips << " flipped bits were found\n";
+  CSLF_CHECK(missing > flips / 2);
+}
+
+/// Viewpoints that are missing are an error if that is asked for.
+void TestAllowMissing(const std::string& folder)
+{
+  CSLF_CHECK(Write(MakeField(VTK_UNSIGNED_CHAR, 0), folder));
+  fs::remove(folder + "/000005.Color.png");
+  vtkNew<vtkCSLFImageReader> reader;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName(folder.c_str());
+  reader->AllowMissingOff();
+  reader->Update();
+  CSLF_CHECK(observer->GetErrorMessage().find("1 of 54 viewpoints") != std::string::npos);
+  CSLF_CHECK(reader->GetErrorCode() == vtkErrorCode::PrematureEndOfFileError);
+  CSLF_CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+}
+
 void CheckReadFails(const std::string& folder, const char* message)
 {
   vtkNew<vtkCSLFImageReader> reader;
@@ -380,6 +434,8 @@ int TestCSLFImageFolder(int argc, char* argv[])
   TestRoundTrip(root + "/mixed", VTK_FLOAT, VTK_UNSIGNED_SHORT);
   TestPart(root + "/part");
   TestStrip(root + "/strip");
+  TestChecksums(root + "/checksums");
+  TestAllowMissing(root + "/allowed");
   TestMissing(root + "/missing");
   TestBad(root);
   TestForeign(root + "/foreign");

@@ -123,7 +123,7 @@ foreach (mesh IN ITEMS whole.obj whole.ply whole.stl whole.vtp three.stl)
   endforeach ()
 endforeach ()
 
-# Videos cut short: an error, or a warning and what is left.
+# Videos cut short: an error, and with --allow-missing a warning and what is left, if there is any.
 cslf_run(sample cornell-box -o whole.mp4 ${tiny})
 file(SIZE "${DIRECTORY}/whole.mp4" bytes)
 foreach (percent IN ITEMS 10 50 90 99)
@@ -133,35 +133,48 @@ foreach (percent IN ITEMS 10 50 90 99)
     WORKING_DIRECTORY "${DIRECTORY}"
     OUTPUT_FILE cut.mp4)
   execute_process(
-    COMMAND "${CSLF}" decode cut.mp4 -o cut
+    COMMAND "${CSLF}" decode cut.mp4 -o left --allow-missing
     WORKING_DIRECTORY "${DIRECTORY}"
     RESULT_VARIABLE result
     ERROR_VARIABLE error)
-  if (result STREQUAL "0")
-    set(kind warning)
+  if (result STREQUAL "0" AND error MATCHES "^cslf: warning: [^\n]+\n$")
+    cslf_end(2 "cut.mp4 is damaged: [1-9].*--allow-missing" "x" decode cut.mp4 -o x.vti)
+  elseif (result STREQUAL "1" AND error MATCHES "^cslf: error: [^\n]+\n$")
+    cslf_fail("Cannot read cut.mp4" "x" decode cut.mp4 -o x)
   else ()
-    set(kind error)
-  endif ()
-  if (NOT result MATCHES "^[01]$" OR NOT error MATCHES "^cslf: ${kind}: [^\n]+\n$")
     message(FATAL_ERROR "Cut to ${percent} %, decoding ended with ${result}: ${error}")
   endif ()
-  if (kind STREQUAL "error" AND EXISTS "${DIRECTORY}/cut")
-    message(FATAL_ERROR "Decoding failed and left its output.")
-  endif ()
-  file(REMOVE_RECURSE "${DIRECTORY}/cut")
+  file(REMOVE_RECURSE "${DIRECTORY}/left")
 endforeach ()
 
-# What is left of a video comes alike in every format, is told alike, and can be compared.
+# All commands that write something of a field have the same rule.
 execute_process(
   COMMAND head -c ${kept} whole.mp4
   WORKING_DIRECTORY "${DIRECTORY}"
   OUTPUT_FILE cut.mp4)
+cslf_run(decode whole.mp4 -o gap)
+file(REMOVE "${DIRECTORY}/gap/000003.Depth.png")
+foreach (damaged IN ITEMS cut.mp4 gap)
+  cslf_end(2 "${damaged} is damaged" "x" decode ${damaged} -o x)
+  cslf_end(2 "${damaged} is damaged" "x" encode ${damaged} -o x.mp4)
+  cslf_end(2 "${damaged} is damaged" "x" resample ${damaged} -o x.vti)
+  cslf_end(2 "${damaged} is damaged" "" compare ${damaged} ${damaged})
+  cslf_end(2 "${damaged} is damaged" "" evaluate-texels ${damaged} cornell-box)
+  if (DEFINED ENV{DISPLAY})
+    cslf_end(2 "${damaged} is damaged" "x" render ${damaged} -o x.png)
+    cslf_end(2 "${damaged} is damaged" "x" evaluate ${damaged} cornell-box)
+  endif ()
+endforeach ()
+cslf_run(info gap --json)
+expect_json(1 missing)
+
+# What is left of a video comes alike in every format, is told alike, and can be compared.
 set(told "^cslf: warning: cut.mp4 is damaged: [1-9][0-9]* of [0-9]+ viewpoints are missing [^\n]+\n$")
 foreach (arguments IN ITEMS "decode cut.mp4 -o left.vti" "decode cut.mp4 -o left"
          "compare cut.mp4 left.vti" "compare left cut.mp4")
   separate_arguments(arguments)
   execute_process(
-    COMMAND "${CSLF}" ${arguments} --json
+    COMMAND "${CSLF}" ${arguments} --allow-missing --json
     WORKING_DIRECTORY "${DIRECTORY}"
     RESULT_VARIABLE result
     OUTPUT_VARIABLE output

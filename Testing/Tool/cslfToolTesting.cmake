@@ -23,17 +23,17 @@ function (cslf_run)
   set(output "${output}" PARENT_SCOPE)
 endfunction ()
 
-# Runs the tool, which must end with exit code 1 and say just one line that matches `pattern`.
+# Runs the tool, which must end with that exit code and say just one line that matches `pattern`.
 # Nothing may be left of `output`, unless that is empty.
-function (cslf_fail pattern output)
+function (cslf_end code pattern output)
   execute_process(
     COMMAND "${CSLF}" ${ARGN}
     WORKING_DIRECTORY "${DIRECTORY}"
     RESULT_VARIABLE result
     OUTPUT_VARIABLE text
     ERROR_VARIABLE error)
-  if (NOT result STREQUAL "1")
-    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}, not 1: ${error}")
+  if (NOT result STREQUAL "${code}")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}, not ${code}: ${error}")
   endif ()
   if (NOT error MATCHES "^cslf: error: [^\n]+\n$" OR NOT error MATCHES "${pattern}")
     message(FATAL_ERROR "cslf ${ARGN}\nsaid: ${error}")
@@ -44,6 +44,11 @@ function (cslf_fail pattern output)
       message(FATAL_ERROR "cslf ${ARGN}\nleft ${left}")
     endif ()
   endif ()
+endfunction ()
+
+# The same with exit code 1.
+function (cslf_fail pattern output)
+  cslf_end(1 "${pattern}" "${output}" ${ARGN})
 endfunction ()
 
 # Checks a value in the JSON that the last cslf_run printed: expect_json(expected key...)
