@@ -234,11 +234,14 @@ list(APPEND sources
   ../Filters/Coding/cslfDepthFill.cxx
   ../Filters/Coding/cslfFieldReader.cxx
   ../Filters/Coding/cslfFileHeader.cxx
+  ../Filters/Coding/cslfFileParts.cxx
   ../Filters/Coding/cslfFrameConverter.cxx
   ../Filters/Coding/cslfFrameOrder.cxx
   ../Filters/Coding/cslfGroupDecoder.cxx
   ../Filters/Coding/cslfH264.cxx
   ../Filters/Coding/cslfHEVC.cxx
+  ../Filters/Coding/cslfHeaderText.cxx
+  ../Filters/Coding/cslfHeaderVersion1.cxx
   ../Filters/Coding/cslfNALUnits.cxx
   ../Filters/Coding/cslfPerceptualQuantizer.cxx
   ../Filters/Coding/cslfRadianceFrames.cxx
@@ -268,6 +271,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfFieldReader.h
   ../Filters/Coding/cslfFieldWriter.h
   ../Filters/Coding/cslfFileHeader.h
+  ../Filters/Coding/cslfFileParts.h
   ../Filters/Coding/cslfFrameConverter.h
   ../Filters/Coding/cslfFrameOrder.h
   ../Filters/Coding/cslfGroupCodec.h
@@ -275,6 +279,8 @@ list(APPEND private_headers
   ../Filters/Coding/cslfGroupDecoder.h
   ../Filters/Coding/cslfGroupError.h
   ../Filters/Coding/cslfGroupStages.h
+  ../Filters/Coding/cslfHeaderText.h
+  ../Filters/Coding/cslfHeaderVersion1.h
   ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h

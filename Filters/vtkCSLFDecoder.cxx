@@ -18,6 +18,7 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <exception>
@@ -36,6 +37,7 @@ public:
   vtkNew<vtkFieldData> Field;           ///< of every output
   std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
+  vtkNew<vtkUnsignedCharArray> Part; ///< the one that was asked for last
   std::vector<int> Damage; ///< the file's missing viewpoints, once any is met
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
@@ -133,6 +135,38 @@ const char* vtkCSLFDecoder::GetTrackName(int track) const
   return track >= 0 && track < this->GetNumberOfTracks()
     ? cslf::NameOfRole(this->Internal->Reader->GetHeader().Tracks[track].Kind.Role)
     : nullptr;
+}
+
+int vtkCSLFDecoder::GetNumberOfParts() const
+{
+  const auto& reader = this->Internal->Reader;
+  return reader ? static_cast<int>(reader->GetHeader().Parts.size()) : 0;
+}
+
+const char* vtkCSLFDecoder::GetPartType(int part) const
+{
+  return part >= 0 && part < this->GetNumberOfParts()
+    ? this->Internal->Reader->GetHeader().Parts[part].Type.c_str()
+    : nullptr;
+}
+
+const char* vtkCSLFDecoder::GetPartName(int part) const
+{
+  return part >= 0 && part < this->GetNumberOfParts()
+    ? this->Internal->Reader->GetHeader().Parts[part].Name.c_str()
+    : nullptr;
+}
+
+vtkUnsignedCharArray* vtkCSLFDecoder::GetPart(int part)
+{
+  if (part < 0 || part >= this->GetNumberOfParts())
+  {
+    return nullptr;
+  }
+  const auto& bytes = this->Internal->Reader->GetHeader().Parts[part].Bytes;
+  this->Internal->Part->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
+  std::copy(bytes.begin(), bytes.end(), this->Internal->Part->GetPointer(0));
+  return this->Internal->Part;
 }
 
 vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)
@@ -259,6 +293,19 @@ int vtkCSLFDecoder::RequestData(
   return isRead ? 1 : 0;
 }
 
+void vtkCSLFDecoder::WarnOfHeader()
+{
+  std::string all;
+  for (const std::string& warning : this->Internal->Reader->GetHeader().Warnings)
+  {
+    all += (all.empty() ? "" : "; ") + warning;
+  }
+  if (!all.empty())
+  {
+    vtkWarningMacro(<< this->FileName << " can be read, but " << all << ".");
+  }
+}
+
 bool vtkCSLFDecoder::OpenFile()
 {
   cslf::OpenFailure failure;
@@ -267,6 +314,7 @@ bool vtkCSLFDecoder::OpenFile()
   {
     return this->Fail(failure.Code, failure.Text);
   }
+  this->WarnOfHeader();
   this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);
   return true;
 }

@@ -49,6 +49,7 @@
 
 class vtkIdTypeArray;
 class vtkImageData;
+class vtkUnsignedCharArray;
 
 class VTKCSLF_EXPORT vtkCSLFDecoder : public vtkImageAlgorithm
 {
@@ -98,6 +99,18 @@ public:
   int GetNumberOfTracks() const;
   const char* GetTrackName(int track) const;
   vtkTypeInt64 GetTrackBytes(int track);
+  ///@}
+
+  ///@{
+  /**
+   * What the file carries besides the light field (see vtkCSLFEncoder::AddPart), once
+   * UpdateInformation has run: how many parts there are, what each is, its name, which may be empty,
+   * and its bytes. Parts that are damaged are left out, with a warning. Null outside the range.
+   */
+  int GetNumberOfParts() const;
+  const char* GetPartType(int part) const;
+  const char* GetPartName(int part) const;
+  vtkUnsignedCharArray* GetPart(int part);
   ///@}
 
   ///@{
@@ -204,6 +217,7 @@ private:
   bool ReportProgress(double progress);
   bool ReportDamage();
   bool ReportFileDamage();
+  void WarnOfHeader();
   bool UpdateReader();
   bool RequireViewpoint(vtkIdType z);
 

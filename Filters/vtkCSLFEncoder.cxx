@@ -14,10 +14,12 @@
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFEncoder);
@@ -51,7 +53,14 @@ private:
   std::vector<vtkSmartPointer<vtkAlgorithm>> Producers;
 };
 
+class vtkCSLFEncoder::PartList
+{
+public:
+  std::vector<cslf::FilePart> Parts;
+};
+
 vtkCSLFEncoder::vtkCSLFEncoder()
+  : Parts(new PartList)
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
@@ -106,6 +115,7 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless,
     cslf::MakeRateTarget(this->TargetRatio, this->TargetSize, this->TargetPSNR), this->KeyViewStep,
     this->TargetNovelViewPSNR, this->Codec ? this->Codec : "" };
+  job.Parts = this->Parts->Parts;
   job.Restart = this->Restart;
   job.Controller = this->Controller;
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -120,6 +130,38 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   };
   job.Warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
   return job;
+}
+
+bool vtkCSLFEncoder::AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name)
+{
+  cslf::FilePart part{ type ? type : "", name ? name : "", {} };
+  if (bytes && bytes->GetNumberOfValues() > 0)
+  {
+    part.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  }
+  const std::string fault = cslf::FindFault(this->Parts->Parts, part);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return false;
+  }
+  this->Parts->Parts.push_back(std::move(part));
+  this->Modified();
+  return true;
+}
+
+int vtkCSLFEncoder::GetNumberOfParts() const
+{
+  return static_cast<int>(this->Parts->Parts.size());
+}
+
+void vtkCSLFEncoder::RemoveAllParts()
+{
+  if (!this->Parts->Parts.empty())
+  {
+    this->Parts->Parts.clear();
+    this->Modified();
+  }
 }
 
 bool vtkCSLFEncoder::CanEncode(const char* codec)
@@ -229,6 +271,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Lossless: " << (this->Lossless ? "On" : "Off") << "\n";
   os << indent << "KeyViewStep: " << this->KeyViewStep << "\n";
   os << indent << "TargetNovelViewPSNR: " << this->TargetNovelViewPSNR << "\n";
+  os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
   os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ActualCRF: " << this->ActualCRF << "\n";

@@ -63,8 +63,11 @@
 #include "vtkAlgorithm.h"
 #include "vtkCSLFModule.h" // For export macro
 
+#include <memory> // For std::unique_ptr
+
 class vtkImageData;
 class vtkMultiProcessController;
+class vtkUnsignedCharArray;
 
 namespace cslf
 {
@@ -237,6 +240,20 @@ public:
 
   ///@{
   /**
+   * What files carry besides the light field, such as a mesh of the scene or a table: bytes, and a
+   * media type such as "model/gltf-binary" or "text/csv" that tells what they are. A name tells
+   * parts of one type apart. Type and name have at most 100 bytes of UTF-8, all parts together 12
+   * MiB; otherwise AddPart returns false, with an error. The bytes are copied. Parts survive where
+   * FFmpeg remuxes a file, and vtkCSLFDecoder gives them back. Only those of rank 0 count. Default:
+   * no parts.
+   */
+  bool AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name = nullptr);
+  int GetNumberOfParts() const;
+  void RemoveAllParts();
+  ///@}
+
+  ///@{
+  /**
    * Set/get whether to go on from what an interrupted run left of the same file. If off, all
    * begins anew. Default on.
    */
@@ -307,11 +324,13 @@ private:
   void operator=(const vtkCSLFEncoder&) = delete;
 
   class CacheKeeping;
+  class PartList;
   cslf::EncodeFault FindFault();
   cslf::EncodeJob MakeJob();
   bool Report(const cslf::EncodeSession& session);
 
   cslf::EncodeSession* Session = nullptr; // while Write is at work
+  const std::unique_ptr<PartList> Parts;
   vtkMultiProcessController* Controller = nullptr;
   char* FileName = nullptr;
   char* Codec = nullptr;

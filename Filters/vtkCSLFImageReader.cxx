@@ -5,6 +5,7 @@
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
+#include "cslfPrintable.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -231,6 +232,12 @@ bool vtkCSLFImageReader::ReadDescription()
       if (!this->Internal->Folder)
       {
         return this->Fail(vtkErrorCode::UnrecognizedFileTypeError, error);
+      }
+      for (const std::string& name : this->Internal->Folder->Field.Unknown)
+      {
+        vtkWarningMacro("The channel \"" << cslf::MakePrintable(name) << "\" of " << this->FileName
+                                         << " is of a type that this version does not know, and "
+                                            "left out.");
       }
       this->Internal->Text = this->Internal->Folder->Field.ToText();
       return true;

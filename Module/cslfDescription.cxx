@@ -50,7 +50,8 @@ const char* NameOfType(int type)
   throw std::invalid_argument("a channel's type is none of uint8, uint16, float32, float64");
 }
 
-int TypeOfName(const std::string& name)
+/// VTK_VOID for a type that this version does not know.
+int FindType(const std::string& name)
 {
   for (const TypeName& row : TypeNames)
   {
@@ -59,7 +60,7 @@ int TypeOfName(const std::string& name)
       return row.Type;
     }
   }
-  throw std::invalid_argument("the type \"" + name + "\" of a channel is unknown");
+  return VTK_VOID;
 }
 
 JSON ToArray(const glm::dvec3& vector)
@@ -77,18 +78,46 @@ glm::dvec3 ToVector(const JSON& json)
   return { values[0], values[1], values[2] };
 }
 
+/// Format 1 had one number, later ones have two.
+void CheckVersion(const JSON& version)
+{
+  const bool isPair = version.is_array() && version.size() == 2;
+  const int format = ToInteger(isPair ? version[0] : version);
+  const int minor = isPair ? ToInteger(version[1]) : 0;
+  if (format > Description::Format)
+  {
+    throw std::invalid_argument("it was written by a newer CSLF: format " +
+      std::to_string(format) + ", this reads " + std::to_string(Description::Format) + " and 1");
+  }
+  if (format < 1 || minor < 0 || isPair != (format > 1))
+  {
+    throw std::invalid_argument("its version is not valid");
+  }
+}
+
+/// Refuses what cannot be understood without features of later versions. There are none yet.
+void CheckRequired(const JSON& json)
+{
+  std::string names;
+  const JSON required = json.value("required", JSON::array());
+  for (const JSON& name : RequireArray(required))
+  {
+    names += (names.empty() ? "" : ", ") + name.get<std::string>();
+  }
+  if (!names.empty())
+  {
+    throw std::invalid_argument("it needs what this version does not know: " + names);
+  }
+}
+
 Description Parse(const JSON& json)
 {
   if (json.at("format") != FormatName)
   {
     throw std::invalid_argument("it describes something else");
   }
-  const int version = ToInteger(json.at("version"));
-  if (version != Description::Version)
-  {
-    throw std::invalid_argument("it has version " + std::to_string(version) + ", known is " +
-      std::to_string(Description::Version));
-  }
+  CheckVersion(json.at("version"));
+  CheckRequired(json);
   Description description;
   description.Grid = Layout(ToInteger(json.at("base_nodes")), ToIntegers(json.at("nodes")),
     ToInteger(json.at("resolution")));
@@ -102,7 +131,13 @@ Description Parse(const JSON& json)
   {
     Channel channel;
     channel.Name = item.at("name").get<std::string>();
-    channel.Type = TypeOfName(item.at("type").get<std::string>());
+    channel.Type = FindType(item.at("type").get<std::string>());
+    const bool isOurs = channel.Name == ColorName || channel.Name == DepthName;
+    if (channel.Type == VTK_VOID && !isOurs)
+    {
+      description.Unknown.push_back(channel.Name);
+      continue;
+    }
     channel.Components = ToInteger(item.at("components"));
     channel.Encoding = item.at("encoding").get<std::string>();
     description.Channels.push_back(channel);
@@ -212,7 +247,7 @@ nlohmann::json Description::ToJSON() const
     channels.push_back({ { "name", channel.Name }, { "type", NameOfType(channel.Type) },
       { "components", channel.Components }, { "encoding", channel.Encoding } });
   }
-  JSON json = { { "format", FormatName }, { "version", Version },
+  JSON json = { { "format", FormatName }, { "version", { Format, Minor } },
     { "base_nodes", this->Grid.GetBaseNodes() }, { "nodes", this->Grid.GetNodes() },
     { "resolution", this->Grid.GetResolution() }, { "center", ToArray(this->Box.Center) },
     { "edges", ToArray(this->Box.Edges) }, { "channels", channels },

@@ -68,8 +68,12 @@ VTKCSLF_EXPORT Channel MakeDepthChannel(int type);
 
 struct VTKCSLF_EXPORT Description
 {
-  /// The version of the conventions that this code reads and writes.
-  static constexpr int Version = 1;
+  ///@{
+  /// The version of the conventions and of coded files that this code writes. It reads those of the
+  /// same format, whatever their minor number, and of format 1.
+  static constexpr int Format = 2;
+  static constexpr int Minor = 0;
+  ///@}
   /// The name of the string array in field data that holds the JSON text.
   static constexpr const char* FieldDataName = "CSLF";
 
@@ -81,6 +85,9 @@ struct VTKCSLF_EXPORT Description
   std::vector<Channel> Channels;
   /// Sampling and scene parameters, a JSON object as text, for the record: no consumer needs it.
   std::string Sampling = "{}";
+  /// The channels left out of `Channels` when it was read, since this version does not know their
+  /// type.
+  std::vector<std::string> Unknown;
 
   /// The corners of the scene's bounds in CC, within [-1,1]^3.
   glm::dvec3 GetSceneMinimumCC() const;

@@ -81,6 +81,8 @@ inline const nlohmann::json& RequireArray(const nlohmann::json& json)
   return json;
 }
 
+const nlohmann::json& RequireArray(const nlohmann::json&&) = delete;
+
 /// An array of whole numbers, likewise.
 template <typename Integer = int>
 std::vector<Integer> ToIntegers(const nlohmann::json& json)

@@ -113,10 +113,17 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
 
 bool ContainerReader::ReadHeader(OpenFailure& failure)
 {
-  const AVDictionaryEntry* comment = av_dict_get(this->Input->metadata, "comment", nullptr, 0);
+  HeaderTags tags;
+  for (const char* name : { HeaderTagNames[0], HeaderTagNames[1], PartsTagName })
+  {
+    if (const AVDictionaryEntry* tag = av_dict_get(this->Input->metadata, name, nullptr, 0))
+    {
+      tags[name] = tag->value;
+    }
+  }
   bool isOurs = false;
   std::string error;
-  auto header = FileHeader::FromText(comment ? comment->value : "", isOurs, error);
+  auto header = FileHeader::FromTags(tags, isOurs, error);
   if (!header)
   {
     return Refuse(failure,
@@ -131,12 +138,17 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
 {
   const int resolution = this->Header.Field.Grid.GetResolution();
   const std::size_t tracks = this->Header.Tracks.size();
+  std::size_t place = 0; // among the streams that the header knows
   for (unsigned int stream = 0; stream < this->Input->nb_streams; ++stream)
   {
     const AVCodecParameters* parameters = this->Input->streams[stream]->codecpar;
-    const std::size_t track = this->Streams.size();
-    if (track == tracks ||
-      parameters->codec_id != IDOfCodec(this->Header.Tracks[track].Kind.Coding))
+    if (place == this->Header.Streams.size() ||
+      parameters->codec_id != IDOfCodec(this->Header.Streams[place].Coding))
+    {
+      continue;
+    }
+    const int track = this->Header.Streams[place++].Track;
+    if (track < 0)
     {
       continue;
     }

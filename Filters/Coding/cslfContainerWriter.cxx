@@ -45,7 +45,7 @@ bool ContainerWriter::Allocate(
 }
 
 bool ContainerWriter::Open(
-  const std::string& fileName, const std::string& comment, std::string& error)
+  const std::string& fileName, const HeaderTags& tags, std::string& error)
 {
   const std::string url = "file:" + fileName;
   if (!this->Allocate(fileName, url, error))
@@ -57,8 +57,15 @@ bool ContainerWriter::Open(
   {
     return Fail(("cannot write " + fileName).c_str(), code, error);
   }
-  code = av_dict_set(&this->Output->metadata, "comment", comment.c_str(), 0);
-  return code >= 0 || Fail("cannot store the description", code, error);
+  for (const auto& [name, text] : tags)
+  {
+    code = av_dict_set(&this->Output->metadata, name.c_str(), text.c_str(), 0);
+    if (code < 0)
+    {
+      return Fail("cannot store the description", code, error);
+    }
+  }
+  return true;
 }
 
 bool ContainerWriter::OpenInMemory(const std::string& fileName, std::string& error)

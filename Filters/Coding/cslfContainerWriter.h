@@ -8,6 +8,7 @@
 #define cslfContainerWriter_h
 
 #include "Coding/cslfGroupCodec.h"
+#include "Coding/cslfHeaderText.h"
 
 #include <cstddef>
 #include <string>
@@ -28,7 +29,7 @@ public:
   ContainerWriter(const ContainerWriter&) = delete;
   ContainerWriter& operator=(const ContainerWriter&) = delete;
 
-  bool Open(const std::string& fileName, const std::string& comment, std::string& error);
+  bool Open(const std::string& fileName, const HeaderTags& tags, std::string& error);
 
   /// Opens a container as a file of that name would be, but without a file.
   bool OpenInMemory(const std::string& fileName, std::string& error);

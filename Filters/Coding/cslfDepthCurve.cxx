@@ -22,30 +22,24 @@ std::vector<std::uint16_t> MakeCodes(int bits)
   return codes;
 }
 
-std::vector<unsigned short> MakeDepths(int bits)
+}
+
+std::vector<unsigned short> MakeCodedDepths(int bits, double mu)
 {
   const double most = (1 << bits) - 1;
   std::vector<unsigned short> depths;
   for (int code = 0; code < 1 << bits; ++code)
   {
-    const double depth = std::expm1(code / most * std::log1p(DepthMu)) / DepthMu;
+    const double depth = std::expm1(code / most * std::log1p(mu)) / mu;
     depths.push_back(static_cast<unsigned short>(std::lround(depth * (Depths - 1.0))));
   }
   return depths;
-}
 }
 
 const std::vector<std::uint16_t>& GetDepthCodes(int bits)
 {
   static const std::vector<std::uint16_t> fine = MakeCodes(12);
   static const std::vector<std::uint16_t> coarse = MakeCodes(10);
-  return bits > 10 ? fine : coarse;
-}
-
-const std::vector<unsigned short>& GetCodedDepths(int bits)
-{
-  static const std::vector<unsigned short> fine = MakeDepths(12);
-  static const std::vector<unsigned short> coarse = MakeDepths(10);
   return bits > 10 ? fine : coarse;
 }
 }

@@ -9,6 +9,8 @@
 #ifndef cslfDepthCurve_h
 #define cslfDepthCurve_h
 
+#include "vtkCSLFModule.h" // for export macro
+
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +23,8 @@ constexpr int DepthMu = 40;
 /// The code of each depth of 16 bits, in 10 or 12 bits.
 const std::vector<std::uint16_t>& GetDepthCodes(int bits);
 
-/// The depth of each code.
-const std::vector<unsigned short>& GetCodedDepths(int bits);
+/// The depth of each code, by a curve of that parameter.
+VTKCSLF_EXPORT std::vector<unsigned short> MakeCodedDepths(int bits, double mu);
 }
 
 #endif

@@ -109,6 +109,7 @@ bool EncodeSession::CheckHere()
   }
   this->Puller.emplace(this->Job.Input, *this->Grid);
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
+  this->Writer->SetParts(this->Job.Parts);
   std::string error;
   return this->Crew.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);

@@ -30,6 +30,7 @@ struct EncodeJob
 {
   std::string FileName;
   EncodeSettings Settings;
+  std::vector<FilePart> Parts;
   bool Restart = true;
   vtkAlgorithmOutput* Connection = nullptr;
   vtkInformation* Input = nullptr; ///< the connection's pipeline information

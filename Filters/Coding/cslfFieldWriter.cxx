@@ -23,8 +23,8 @@ struct ContainerBytes
   double File;
   double Track;
 };
-constexpr ContainerBytes BytesOfMP4 = { 270.0, 690.0 };
-constexpr ContainerBytes BytesOfMatroska = { 325.0, 275.0 };
+constexpr ContainerBytes BytesOfMP4 = { 294.0, 690.0 };
+constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0 };
 
 /// The bytes of raw 24-bit colour in a texel.
 constexpr double RawTexelBytes = 3.0;
@@ -121,24 +121,31 @@ RateField FieldWriter::GetRateField() const
 
 double FieldWriter::GetContainerBytes(bool hasCoverage) const
 {
-  // Checksums are as long as they get, but for a few.
   FileHeader header = this->Header;
-  for (CodedTrack& track : header.Tracks)
-  {
-    std::fill(track.GroupCRCs.begin(), track.GroupCRCs.end(), ~std::uint32_t(0));
-  }
   if (!hasCoverage)
   {
     header.Tracks.erase(header.Tracks.begin() + 1);
   }
   const bool isMP4 = std::string(FindContainer(this->FileName)) == "mp4";
   const ContainerBytes& bytes = isMP4 ? BytesOfMP4 : BytesOfMatroska;
-  return bytes.File + static_cast<double>(header.ToText().size()) +
-    bytes.Track * static_cast<double>(header.Tracks.size());
+  double sum = bytes.File + bytes.Track * static_cast<double>(header.Tracks.size());
+  for (const auto& [name, text] : header.ToTags())
+  {
+    sum += static_cast<double>(text.size());
+  }
+  return sum;
 }
 
 bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
 {
+  for (const auto& [name, text] : this->Header.ToTags())
+  {
+    if (text.size() > MaximumTagBytes)
+    {
+      error = "the description of so many groups takes more than the 16 MiB that readers accept";
+      return false;
+    }
+  }
   bool discarded = false;
   if (!this->Parts.Open(this->Manifest, restart, discarded, error))
   {
@@ -373,7 +380,7 @@ bool FieldWriter::Join(const std::function<bool(double)>& progress, std::string&
 {
   ContainerWriter container;
   const int resolution = this->Header.Field.Grid.GetResolution();
-  bool good = container.Open(this->Parts.GetWholeName(), this->Header.ToText(), error);
+  bool good = container.Open(this->Parts.GetWholeName(), this->Header.ToTags(), error);
   for (std::size_t track = 0; track < this->States.size(); ++track)
   {
     good = good &&

@@ -39,6 +39,9 @@ public:
   /// Fixes order and tracks. `field` has passed FindFault; `sample` stands for the field's samples.
   void Begin(const Description& field, std::uint32_t sample);
 
+  /// What the file shall carry besides the field.
+  void SetParts(const std::vector<FilePart>& parts) { this->Header.Parts = parts; }
+
   std::size_t GetTrackCount() const { return this->States.size(); }
 
   /// What codes the groups, after Begin.

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfFileHeader.h"
 
-#include "Coding/cslfChecksum.h"
-#include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfFrameOrder.h"
+#include "Coding/cslfHeaderVersion1.h"
+#include "Coding/cslfPerceptualQuantizer.h"
 #include "cslfJSONText.h"
+#include "cslfPrintable.h"
 
 #include <vtkType.h>
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace cslf
@@ -22,110 +22,158 @@ namespace
 using JSON = nlohmann::json;
 
 constexpr const char* CodingKey = "coding";
-constexpr const char* ChecksumKey = "checksum";
+constexpr const char* PartsKey = "parts";
 
-/// The CRC-32 of a JSON object's text.
-std::uint32_t ComputeChecksum(const JSON& json)
-{
-  const std::string text = json.dump();
-  return static_cast<std::uint32_t>(
-    ::crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
-}
-
-/// What tracks of float colour and of depth say of their samples.
+///@{
+/// What tracks of float colour and of depth say of their samples, and the curves' parameters.
 constexpr const char* TransferKey = "transfer";
 constexpr const char* PQName = "smpte2084";
-
+constexpr const char* WhiteKey = "reference_white";
+constexpr const char* CurveName = "mu-law";
+constexpr const char* MuKey = "mu";
+///@}
+/// What a track of coverage says.
+constexpr const char* ToleranceKey = "tolerance";
 /// Where tracks of colour have fewer samples of chroma; in the middle where this is absent.
 constexpr const char* SitingKey = "chroma_location";
 constexpr const char* LeftName = "left";
-const std::string CurveName = "mu-law-" + std::to_string(DepthMu);
 
 JSON ToJSON(const CodedTrack& track)
 {
-  JSON json = { { "role", NameOfRole(track.Kind.Role) },
-    { "codec", NameOfCodec(track.Kind.Coding) },
-    { "pixel_format", NameOfFormat(track.Kind.Format) },
-    { "bits", BitsOfFormat(track.Kind.Format) }, { "lossless", track.Kind.Lossless },
-    { "parameter_sets_crc", track.ParameterSetsCRC }, { "crc", track.GroupCRCs } };
-  if (track.Kind.IsRadiance)
+  const Track& kind = track.Kind;
+  JSON json = { { "role", NameOfRole(kind.Role) }, { "codec", NameOfCodec(kind.Coding) },
+    { "pixel_format", NameOfFormat(kind.Format) }, { "bits", BitsOfFormat(kind.Format) },
+    { "lossless", kind.Lossless }, { "parameter_sets_crc", track.ParameterSetsCRC },
+    { "crc", ToText(track.GroupCRCs) } };
+  if (kind.IsRadiance)
   {
     json[TransferKey] = PQName;
+    json[WhiteKey] = kind.Constants.White;
   }
-  if (track.Kind.IsCurved)
+  if (kind.IsCurved)
   {
     json[TransferKey] = CurveName;
+    json[MuKey] = kind.Constants.Mu;
   }
-  if (HasSparseChroma(track.Kind) && track.Kind.Siting == AVCHROMA_LOC_LEFT)
+  if (kind.Role == TrackRole::Coverage)
+  {
+    json[ToleranceKey] = kind.GetTolerance();
+  }
+  if (HasSparseChroma(kind) && kind.Siting == AVCHROMA_LOC_LEFT)
   {
     json[SitingKey] = LeftName;
   }
   return json;
 }
 
-CodedTrack ToTrack(const JSON& json)
+std::invalid_argument TrackFault(const std::string& role, const char* what)
+{
+  return std::invalid_argument("its track \"" + MakePrintable(role) + "\" has " + what);
+}
+
+/// A number of an object, within limits.
+double ToNumber(const JSON& object, const char* key, double lowest, double highest)
+{
+  const auto number = object.at(key).get<double>();
+  if (!(number >= lowest && number <= highest))
+  {
+    throw std::invalid_argument(std::string("its \"") + key + "\" is not valid");
+  }
+  return number;
+}
+
+void ReadTransfer(const JSON& json, Track& kind)
+{
+  const std::string transfer = json.value(TransferKey, "");
+  if (kind.Role == TrackRole::Color && transfer == PQName && CanHoldRadiance(kind.Format))
+  {
+    kind.IsRadiance = true;
+    kind.Constants.White = ToNumber(json, WhiteKey, 1.0, PeakLuminance);
+  }
+  else if (kind.Role == TrackRole::Depth && transfer == CurveName)
+  {
+    kind.IsCurved = true;
+    kind.Constants.Mu = ToNumber(json, MuKey, 1e-3, 1e6);
+  }
+  else if (!transfer.empty())
+  {
+    throw TrackFault(NameOfRole(kind.Role), "an unknown transfer curve");
+  }
+}
+
+CodedTrack ToTrack(TrackRole role, const JSON& json)
 {
   CodedTrack track;
-  const auto role = RoleOfName(json.at("role").get<std::string>());
+  track.Kind.Role = role;
   const auto codec = CodecOfName(json.at("codec").get<std::string>());
-  if (!role || !codec)
+  const auto format = FindPixelFormat(role, json.at("pixel_format").get<std::string>());
+  if (!codec || !format)
   {
-    throw std::invalid_argument("it has a track of an unknown role or codec");
+    throw TrackFault(NameOfRole(role), "an unknown codec or pixel format");
   }
-  const auto format = FindPixelFormat(*role, json.at("pixel_format").get<std::string>());
-  if (!format)
-  {
-    throw std::invalid_argument(
-      std::string("its track \"") + NameOfRole(*role) + "\" has an unknown pixel format");
-  }
-  const std::string transfer = json.value(TransferKey, "");
-  track.Kind = { *role, *format, json.at("lossless").get<bool>(), *codec,
-    *role == TrackRole::Color && transfer == PQName,
-    *role == TrackRole::Depth && transfer == CurveName };
+  track.Kind.Coding = *codec;
+  track.Kind.Format = *format;
+  track.Kind.Lossless = json.at("lossless").get<bool>();
+  ReadTransfer(json, track.Kind);
   const std::string siting = json.value(SitingKey, "");
   if (!siting.empty() && siting != LeftName)
   {
-    throw std::invalid_argument("its chroma has an unknown location");
+    throw TrackFault(NameOfRole(role), "an unknown location of chroma");
   }
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
-  const bool isKnown =
-    track.Kind.IsRadiance ? CanHoldRadiance(*format) : track.Kind.IsCurved || transfer.empty();
-  if (!isKnown)
+  if (role == TrackRole::Coverage)
   {
-    throw std::invalid_argument(
-      std::string("its track \"") + NameOfRole(*role) + "\" has an unknown transfer curve");
+    track.Kind.Constants.CoverageTolerance =
+      static_cast<int>(ToNumber(json, ToleranceKey, 0.0, 127.0));
   }
   track.ParameterSetsCRC = ToInteger<std::uint32_t>(json.at("parameter_sets_crc"));
-  track.GroupCRCs = ToIntegers<std::uint32_t>(json.at("crc"));
+  track.GroupCRCs = ToChecksums(json.at("crc").get<std::string>());
   return track;
 }
 
-std::vector<CodedTrack> ToTracks(const JSON& json, const Description& field)
+/// Reads the tracks of known roles, and which of the container's streams they are.
+void ReadTracks(const JSON& json, FileHeader& header)
 {
-  std::vector<CodedTrack> tracks;
-  int roles = 0;
+  std::set<TrackRole> roles;
   for (const JSON& item : RequireArray(json))
   {
-    tracks.push_back(ToTrack(item));
-    const int role = 1 << static_cast<int>(tracks.back().Kind.Role);
-    if ((roles & role) != 0)
+    const std::string name = item.at("role").get<std::string>();
+    const auto role = RoleOfName(name);
+    const auto codec = CodecOfName(item.at("codec").get<std::string>());
+    if (!role)
+    {
+      header.Warnings.push_back(
+        "its track \"" + MakePrintable(name) + "\" is of a kind that this version does not know");
+    }
+    else if (!roles.insert(*role).second)
     {
       throw std::invalid_argument("it has two tracks of one role");
     }
-    roles |= role;
+    if (codec)
+    {
+      header.Streams.push_back({ *codec, role ? static_cast<int>(header.Tracks.size()) : -1 });
+    }
+    if (role)
+    {
+      header.Tracks.push_back(ToTrack(*role, item));
+    }
   }
-  const auto bit = [](TrackRole role) { return 1 << static_cast<int>(role); };
-  const int depth = roles & ~(bit(TrackRole::Color) | bit(TrackRole::Coverage));
-  const bool depthFits = field.FindChannel(DepthName) ? depth == bit(TrackRole::Depth) ||
-      depth == (bit(TrackRole::DepthHigh) | bit(TrackRole::DepthLow))
-                                                      : depth == 0;
-  const bool isFloat = field.FindChannel(ColorName)->Type == VTK_FLOAT;
-  if (tracks.empty() || tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
-    tracks.front().Kind.IsRadiance != isFloat)
+}
+
+void CheckTracks(const FileHeader& header)
+{
+  const auto has = [&header](TrackRole role) { return header.FindTrack(role) != nullptr; };
+  const bool hasBytes = has(TrackRole::DepthHigh) && has(TrackRole::DepthLow);
+  const bool hasByte = has(TrackRole::DepthHigh) || has(TrackRole::DepthLow);
+  const bool depthFits = header.Field.FindChannel(DepthName)
+    ? (has(TrackRole::Depth) ? !hasByte : hasBytes)
+    : !has(TrackRole::Depth) && !hasByte;
+  const bool isFloat = header.Field.FindChannel(ColorName)->Type == VTK_FLOAT;
+  if (header.Tracks.empty() || header.Tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
+    header.Tracks.front().Kind.IsRadiance != isFloat)
   {
     throw std::invalid_argument("its tracks are not those of its channels");
   }
-  return tracks;
 }
 
 /// Groups as [length, how many of that length] pairs.
@@ -174,26 +222,36 @@ std::vector<int> ToSlices(const JSON& json, int count)
   return FromRuns(runs, count);
 }
 
-void CheckChannels(const Description& field)
+/// Keeps the channels that coded files can hold as this version knows them.
+void ReadChannels(FileHeader& header)
 {
-  for (const Channel& channel : field.Channels)
+  std::vector<Channel> known;
+  for (const Channel& channel : header.Field.Channels)
   {
-    const bool known = channel.Components == (channel.Name == ColorName ? 4 : 1) &&
-      ((channel.Name == ColorName &&
-         (channel.Type == VTK_UNSIGNED_CHAR || channel.Type == VTK_FLOAT)) ||
-        (channel.Name == DepthName && channel.Type == VTK_UNSIGNED_SHORT));
-    if (!known)
+    if (channel.Name == ColorName || channel.Name == DepthName)
     {
-      throw std::invalid_argument("its channel \"" + channel.Name + "\" is not of a known kind");
+      known.push_back(channel);
+    }
+    else
+    {
+      header.Field.Unknown.push_back(channel.Name);
     }
   }
-  if (!field.FindChannel(ColorName))
+  header.Field.Channels = known;
+  for (const std::string& name : header.Field.Unknown)
   {
-    throw std::invalid_argument("it has no colour");
+    header.Warnings.push_back(
+      "its channel \"" + MakePrintable(name) + "\" is of a kind that this version does not know");
+  }
+  header.Field.Unknown.clear();
+  const Channel* depth = header.Field.FindChannel(DepthName);
+  if (!header.Field.FindChannel(ColorName) || (depth && depth->Type != VTK_UNSIGNED_SHORT))
+  {
+    throw std::invalid_argument("it has no colour, or depth of another type than a file can hold");
   }
 }
 
-FileHeader Parse(const JSON& json)
+FileHeader Parse(const JSON& json, const HeaderTags& tags)
 {
   FileHeader header;
   std::string error;
@@ -203,16 +261,11 @@ FileHeader Parse(const JSON& json)
     throw std::invalid_argument(error);
   }
   header.Field = *field;
-  CheckChannels(header.Field);
+  ReadChannels(header);
 
   const JSON& coding = json.at(CodingKey);
-  const int version = ToInteger(coding.at("version"));
-  if (version != FileHeader::Version)
-  {
-    throw std::invalid_argument("its coding has version " + std::to_string(version) +
-      ", known is " + std::to_string(FileHeader::Version));
-  }
-  header.Tracks = ToTracks(coding.at("tracks"), header.Field);
+  ReadTracks(coding.at("tracks"), header);
+  CheckTracks(header);
   const std::size_t groups = header.Tracks.front().GroupCRCs.size();
   header.Groups = ToGroups(coding.at("groups"), groups);
   const bool equal = std::all_of(header.Tracks.begin(), header.Tracks.end(),
@@ -233,7 +286,44 @@ FileHeader Parse(const JSON& json)
   {
     throw std::invalid_argument("its timing is not valid");
   }
+  if (json.contains(PartsKey))
+  {
+    const auto text = tags.find(PartsTagName);
+    header.Parts = SplitParts(RequireArray(json.at(PartsKey)),
+      text == tags.end() ? std::string() : text->second, header.Warnings);
+  }
   return header;
+}
+
+/// The header's JSON from the first tag that holds it whole.
+std::optional<JSON> FindJSON(
+  const HeaderTags& tags, std::string& warning, bool& isOurs, std::string& error)
+{
+  using States = UnsealedHeader::States;
+  std::optional<JSON> json;
+  for (const char* name : HeaderTagNames)
+  {
+    const auto tag = tags.find(name);
+    const UnsealedHeader header = UnsealHeader(tag == tags.end() ? std::string() : tag->second);
+    isOurs = isOurs || header.State != States::Foreign;
+    if (header.State == States::Whole && !json)
+    {
+      json = ParseJSON(header.JSON);
+    }
+    else if (header.State == States::OtherFormat)
+    {
+      error = "it was written by " +
+        std::string(header.Format > Description::Format ? "a newer" : "another") +
+        " CSLF: format " + std::to_string(header.Format) + ", this reads " +
+        std::to_string(Description::Format) + " and 1";
+    }
+    if (header.State != States::Whole)
+    {
+      warning = std::string("of the two copies of its description the one in the tag \"") + name +
+        "\" is damaged";
+    }
+  }
+  return json;
 }
 }
 
@@ -251,7 +341,7 @@ const Track* FileHeader::FindTrack(TrackRole role) const
   return found == this->Tracks.end() ? nullptr : &found->Kind;
 }
 
-std::string FileHeader::ToText() const
+HeaderTags FileHeader::ToTags() const
 {
   JSON tracks = JSON::array();
   for (const CodedTrack& track : this->Tracks)
@@ -264,32 +354,48 @@ std::string FileHeader::ToText() const
     order.push_back({ run.Start, run.Step, run.Count });
   }
   JSON json = this->Field.ToJSON();
-  json[CodingKey] = { { "version", Version }, { "frame_rate", FrameRate }, { "tracks", tracks },
-    { "order", order }, { "coarsest", this->Coarsest }, { "groups", GroupsToJSON(this->Groups) } };
-  json[ChecksumKey] = ComputeChecksum(json);
-  return json.dump();
+  json[CodingKey] = { { "frame_rate", FrameRate }, { "tracks", tracks }, { "order", order },
+    { "coarsest", this->Coarsest }, { "groups", GroupsToJSON(this->Groups) } };
+  HeaderTags tags;
+  if (!this->Parts.empty())
+  {
+    json[PartsKey] = ListParts(this->Parts);
+    tags[PartsTagName] = JoinParts(this->Parts);
+  }
+  const std::string text = SealHeader(json.dump());
+  for (const char* name : HeaderTagNames)
+  {
+    tags[name] = text;
+  }
+  return tags;
 }
 
-std::optional<FileHeader> FileHeader::FromText(
-  const std::string& text, bool& isOurs, std::string& error)
+std::optional<FileHeader> FileHeader::FromTags(
+  const HeaderTags& tags, bool& isOurs, std::string& error)
 {
-  JSON json = ParseJSON(text);
-  isOurs = json.is_object() && json.contains(CodingKey) && json.contains(ChecksumKey);
-  if (!isOurs)
-  {
-    error = "it is no light field";
-    return std::nullopt;
-  }
+  isOurs = false;
+  error.clear();
   try
   {
-    const auto expected = ToInteger<std::uint32_t>(json.at(ChecksumKey));
-    json.erase(ChecksumKey);
-    if (!IsExpected(ComputeChecksum(json), expected))
+    std::string warning;
+    std::optional<JSON> json = FindJSON(tags, warning, isOurs, error);
+    if (!json && !isOurs)
     {
-      error = "its description is damaged";
+      const auto comment = tags.find(HeaderTagNames[0]);
+      json = ReadVersion1(comment == tags.end() ? std::string() : comment->second, isOurs, error);
+      warning.clear();
+    }
+    if (!json)
+    {
+      error = error.empty() ? "its description is damaged" : error;
       return std::nullopt;
     }
-    return Parse(json);
+    FileHeader header = Parse(*json, tags);
+    if (!warning.empty())
+    {
+      header.Warnings.push_back(warning);
+    }
+    return header;
   }
   catch (const std::exception& exception)
   {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a coded file says about itself: the field's description and how it is coded, one JSON text
- * in the container's comment, with its own checksum. See Documentation/FileFormat.md.
+ * What a coded file says about itself: the field's description, how it is coded and what else it
+ * carries. See Documentation/FileFormat.md.
  */
 #ifndef cslfFileHeader_h
 #define cslfFileHeader_h
 
+#include "Coding/cslfFileParts.h"
+#include "Coding/cslfHeaderText.h"
 #include "Coding/cslfTrack.h"
 #include "cslfDescription.h"
 
@@ -26,16 +28,24 @@ struct CodedTrack
   std::vector<std::uint32_t> GroupCRCs; ///< one for each group
 };
 
+/// A video stream of the container, which holds a track.
+struct CodedStream
+{
+  Codec Coding = Codec::HEVC;
+  int Track = -1; ///< of the header's, or -1 for one whose role this version does not know
+};
+
 struct FileHeader
 {
-  /// The version of the coding that this code reads and writes.
-  static constexpr int Version = 1;
-
   Description Field;
-  std::vector<CodedTrack> Tracks; ///< in the order of the container's video streams
-  std::vector<int> Slices;        ///< the slice of each frame
-  int Coarsest = 0;               ///< how many of the first frames are the coarsest nested grid
-  std::vector<int> Groups;        ///< the number of frames of each group
+  std::vector<CodedTrack> Tracks;   ///< of the roles that this version knows
+  std::vector<CodedStream> Streams; ///< of a file that was read, in the container's order
+  std::vector<int> Slices;          ///< the slice of each frame
+  int Coarsest = 0;        ///< how many of the first frames are the coarsest nested grid
+  std::vector<int> Groups; ///< the number of frames of each group
+  std::vector<FilePart> Parts;
+  /// What has to be said of a file that was read, each in a part of a sentence.
+  std::vector<std::string> Warnings;
 
   /// The first frame of each group, and one more: the number of frames.
   std::vector<int> GetGroupStarts() const;
@@ -43,12 +53,13 @@ struct FileHeader
   /// The track of that role, or null.
   const Track* FindTrack(TrackRole role) const;
 
-  std::string ToText() const;
+  /// All that the container's tags have to hold.
+  HeaderTags ToTags() const;
 
-  /// Reads and checks what ToText wrote. `isOurs` tells whether the text was meant to be one. On
-  /// bad input returns nothing and says why, in one line.
-  static std::optional<FileHeader> FromText(
-    const std::string& text, bool& isOurs, std::string& error);
+  /// Reads and checks what ToTags wrote, or what version 1 did. `isOurs` tells whether the texts
+  /// were meant to be that. On bad input returns nothing and says why, in one line.
+  static std::optional<FileHeader> FromTags(
+    const HeaderTags& tags, bool& isOurs, std::string& error);
 };
 }
 

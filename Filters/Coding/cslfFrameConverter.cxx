@@ -20,10 +20,6 @@ namespace
 constexpr int ColorBytes = 4;
 constexpr unsigned short FarDepth = 65535;
 
-/// Lossy coverage this near to none or full is taken for none or full. On the closed-form test
-/// field it removes 19 of 20 of the false traces of coverage at a rate factor of 12.
-constexpr int CoverageTolerance = 8;
-
 /// FFmpeg's decoder names full-range 8-bit formats apart; they are the same samples.
 AVPixelFormat WithoutRange(int format)
 {
@@ -204,6 +200,10 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
+  if (track.IsCurved)
+  {
+    this->Curve = MakeCodedDepths(BitsOfFormat(track.Format), track.Constants.Mu);
+  }
 }
 
 bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
@@ -218,7 +218,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
     case TrackRole::Color:
       if (this->Kind.IsRadiance)
       {
-        TakeRadiance(frame, this->Kind.Format, slice.GetRadiance());
+        TakeRadiance(frame, this->Kind.Format, this->Kind.Constants.White, slice.GetRadiance());
       }
       else
       {
@@ -241,7 +241,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
       for (int y = 0; y < frame->height; ++y)
       {
         SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
-          BitsOfFormat(this->Kind.Format), this->Kind.IsCurved, frame->width,
+          BitsOfFormat(this->Kind.Format), this->Curve, frame->width,
           slice.Depth + static_cast<std::size_t>(y) * frame->width);
       }
       return true;
@@ -263,13 +263,13 @@ void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
 {
   if (slice.IsFloat)
   {
-    const int tolerance = coverage && !coverage->Lossless ? CoverageTolerance : 0;
+    const int tolerance = coverage ? coverage->GetTolerance() : 0;
     JoinRadiance(static_cast<std::size_t>(TileCount) * resolution * resolution, coverage != nullptr,
       tolerance, slice.GetRadiance(), slice.Depth);
     return;
   }
   // Without coverage anything counts as full.
-  const int tolerance = !coverage ? 255 : coverage->Lossless ? 0 : CoverageTolerance;
+  const int tolerance = coverage ? coverage->GetTolerance() : 255;
   const int width = TileCount * resolution;
   for (int y = 0; y < resolution; ++y)
   {

@@ -77,6 +77,7 @@ public:
 private:
   Track Kind;
   int Resolution;
+  std::vector<unsigned short> Curve; ///< the depth of each code, where depth has a curve
 };
 
 /// Joins the channels of a decoded slice: coverage within 3/255 of none or full becomes just that

@@ -69,8 +69,9 @@ void PutRadiance(const float* colors, AVPixelFormat format, AVFrame* frame)
   }
 }
 
-void TakeRadiance(const AVFrame* frame, AVPixelFormat format, float* colors)
+void TakeRadiance(const AVFrame* frame, AVPixelFormat format, double white, float* colors)
 {
+  const float unit = static_cast<float>(WhiteLuminance / white);
   const float* radiances = GetCodedRadiances().data();
   const ColorWeights w = MakeColorWeights(BitsOfFormat(format), LargestPQCode, FractionBitsOfCodes);
   constexpr int half = 1 << (FractionBitsOfCodes - 1);
@@ -84,9 +85,9 @@ void TakeRadiance(const AVFrame* frame, AVPixelFormat format, float* colors)
       const int grey = luma[x] * w.Luma + half;
       const int cb = blue[x] - w.Middle;
       const int cr = red[x] - w.Middle;
-      colors[0] = radiances[ToCode(grey + cr * w.RedOfRed)];
-      colors[1] = radiances[ToCode(grey + cr * w.GreenOfRed + cb * w.GreenOfBlue)];
-      colors[2] = radiances[ToCode(grey + cb * w.BlueOfBlue)];
+      colors[0] = unit * radiances[ToCode(grey + cr * w.RedOfRed)];
+      colors[1] = unit * radiances[ToCode(grey + cr * w.GreenOfRed + cb * w.GreenOfBlue)];
+      colors[2] = unit * radiances[ToCode(grey + cb * w.BlueOfBlue)];
     }
   }
 }

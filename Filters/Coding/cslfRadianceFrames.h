@@ -22,8 +22,8 @@ bool IsCodable(const float* texel);
 /// texel.
 void PutRadiance(const float* colors, AVPixelFormat format, AVFrame* frame);
 
-/// Sets red, green and blue of 4 floats a texel.
-void TakeRadiance(const AVFrame* frame, AVPixelFormat format, float* colors);
+/// Sets red, green and blue of 4 floats a texel, where radiance 1 is a luminance of `white`.
+void TakeRadiance(const AVFrame* frame, AVPixelFormat format, double white, float* colors);
 
 /// Coverage, a byte, becomes alpha.
 void TakeCoverage(const AVFrame* frame, float* colors);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfTexelRows.h"
 
-#include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfTexelBytes.h"
 #include "PathTracing/cslfVectorize.h"
 
@@ -35,12 +34,11 @@ CSLF_VECTORIZE void Widen12(const std::uint16_t* samples, int count, unsigned sh
 }
 }
 
-void SamplesToDepths(
-  const std::uint16_t* samples, int bits, bool isCurved, int count, unsigned short* depths)
+void SamplesToDepths(const std::uint16_t* samples, int bits,
+  const std::vector<unsigned short>& curve, int count, unsigned short* depths)
 {
-  if (isCurved)
+  if (!curve.empty())
   {
-    const std::vector<unsigned short>& curve = GetCodedDepths(bits);
     for (int k = 0; k < count; ++k)
     {
       depths[k] = curve[std::min<std::size_t>(samples[k], curve.size() - 1)];

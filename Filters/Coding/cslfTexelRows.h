@@ -10,13 +10,15 @@
 #include "vtkCSLFModule.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cslf
 {
 /// The depth of 16 bits of each sample of 10 or 12 bits: the nearest of as large a share of the
-/// largest, or by the curve of cslfDepthCurve.h; larger samples count as the largest.
-VTKCSLF_EXPORT void SamplesToDepths(
-  const std::uint16_t* samples, int bits, bool isCurved, int count, unsigned short* depths);
+/// largest, or what `curve` has for each sample if it has anything; larger samples count as the
+/// largest.
+VTKCSLF_EXPORT void SamplesToDepths(const std::uint16_t* samples, int bits,
+  const std::vector<unsigned short>& curve, int count, unsigned short* depths);
 
 /// Bytes to the fourth byte of each color.
 VTKCSLF_EXPORT void SamplesToCoverage(

@@ -25,6 +25,17 @@ enum class TrackRole
   DepthLow   ///< its low byte
 };
 
+/// What a file says of its samples beside their format.
+struct ReaderConstants
+{
+  /// Coverage this near to none or full is taken for none or full where it is lossy. On the
+  /// closed-form test field 8 removes 19 of 20 of the false traces of coverage at a rate factor of
+  /// 12.
+  int CoverageTolerance = 8;
+  double Mu = 40.0;     ///< of the curve of cslfDepthCurve.h
+  double White = 203.0; ///< of the perceptual quantiser: the luminance of radiance 1, in cd/m^2
+};
+
 /// A track's role and how its samples lie in a frame. Formats of more than 8 bits are those in the
 /// machine's byte order, whose frames FFmpeg's coders take and give.
 struct Track
@@ -38,6 +49,10 @@ struct Track
   /// Colour with less chroma than luma: where it lies, AVCHROMA_LOC_LEFT or, in older files,
   /// AVCHROMA_LOC_CENTER.
   AVChromaLocation Siting = AVCHROMA_LOC_LEFT;
+  ReaderConstants Constants;
+
+  /// How far coverage may be from none or full to be taken for that.
+  int GetTolerance() const { return this->Lossless ? 0 : this->Constants.CoverageTolerance; }
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.

@@ -74,7 +74,9 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
     return Outcome::Refused;
   }
   const vtkIdType missing = decoder->GetNumberOfMissingViewpoints();
-  CSLF_CHECK(observed.GetWarnings() == (missing > 0 ? 1 : 0));
+  // What is wrong with one copy of the description is told, too, and costs nothing.
+  const int ofHeader = observed.CountWarnings("can be read, but of the two copies");
+  CSLF_CHECK(ofHeader <= 1 && observed.GetWarnings() - ofHeader == (missing > 0 ? 1 : 0));
   CSLF_CHECK(output->GetNumberOfPoints() == whole->GetNumberOfPoints());
   if (output->GetNumberOfPoints() != whole->GetNumberOfPoints())
   {
@@ -210,19 +212,28 @@ void TestFlipped(const std::string& fileName, vtkImageData* whole, int count)
   CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0);
 }
 
-/// A digit of the description, changed: the checksum tells.
-void TestDescription(const std::string& fileName)
+/// A digit of the description, changed: the checksum tells. In one of the two copies, it costs
+/// nothing.
+void TestDescription(const std::string& fileName, vtkImageData* whole)
 {
+  const std::string changed = fileName + ".digit.mp4";
   std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
   const std::string key = "\"center\":[0";
-  const auto found = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
-  CSLF_CHECK(found != bytes.end());
-  if (found != bytes.end())
+  auto found = bytes.begin();
+  for (int copy = 0; copy < 2; ++copy)
   {
-    *(found + static_cast<std::ptrdiff_t>(key.size()) - 1) = '1';
-    cslf::testing::WriteBytes(fileName + ".digit.mp4", bytes);
-    TestRefused(fileName + ".digit.mp4", "description is damaged");
+    found = std::search(found, bytes.end(), key.begin(), key.end());
+    CSLF_CHECK(found != bytes.end());
+    if (found == bytes.end())
+    {
+      return;
+    }
+    found += static_cast<std::ptrdiff_t>(key.size()) - 1;
+    *found = '1';
+    cslf::testing::WriteBytes(changed, bytes);
+    CSLF_CHECK(copy == 1 || Read(changed, whole) == Outcome::Whole);
   }
+  TestRefused(changed, "description is damaged");
 }
 }
 
@@ -251,7 +262,7 @@ int TestCSLFDecoderDamage(int argc, char* argv[])
       CSLF_CHECK(Read(fileName, whole) == Outcome::Whole);
       TestTruncated(fileName, whole, files.Cuts);
       TestFlipped(fileName, whole, files.Flips);
-      TestDescription(fileName);
+      TestDescription(fileName, whole);
     }
   }
   return cslf::testing::Result();

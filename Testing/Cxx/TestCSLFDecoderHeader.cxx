@@ -1,24 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files whose header is not as an encoder writes it: one line of error, never a crash.
+// Files whose header is not as an encoder writes it: one line of error, never a crash. Files of
+// later versions, and damaged ones, are read as far as they can be.
+#include "Coding/cslfContainerReader.h"
+#include "Coding/cslfDepthCurve.h"
+#include "cslfJSONText.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
 
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTestUtilities.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <string>
 
 namespace
 {
-constexpr const char* Original = CSLF_TEST_DATA "/field.mp4";
+constexpr const char* Original = CSLF_TEST_DATA "/Golden/v1-hevc-yuv444p.mp4";
 
 std::string MakeFolder(int argc, char* argv[])
 {
@@ -74,11 +84,297 @@ void TestDeep(const std::string& folder)
     "it is no light field");
   CheckRefused(folder, { { "comment", begin + Repeat("{\"a\":", depth) } }, "it is no light field");
 }
+
+/// The header of the original as this version writes it, with two parts.
+cslf::testing::Tags MakeTags()
+{
+  cslf::OpenFailure failure;
+  const auto reader = cslf::ContainerReader::Open(Original, failure);
+  CSLF_CHECK(reader != nullptr);
+  cslf::FileHeader header = reader ? reader->GetHeader() : cslf::FileHeader();
+  header.Parts = { { "model/gltf-binary", "mesh", { 'g', 'l', 'T', 'F', 0, 255 } },
+    { "text/plain", "", {} }, { "text/csv", "table", { '1', ',', '2' } } };
+  return header.ToTags();
+}
+
+/// The same with another JSON text, whose checksum is right.
+template <typename Change>
+cslf::testing::Tags ChangeTags(Change change)
+{
+  cslf::testing::Tags tags = MakeTags();
+  auto json = cslf::ParseJSON(cslf::UnsealHeader(tags["comment"]).JSON);
+  change(json);
+  tags["comment"] = tags["description"] = cslf::SealHeader(json.dump());
+  return tags;
+}
+
+/// What a file of other tags gives, and what it says.
+struct Reading
+{
+  vtkNew<vtkCSLFDecoder> Decoder;
+  std::string Warning;
+
+  Reading(const std::string& fileName, const cslf::testing::Tags& tags)
+  {
+    cslf::testing::RemuxChanges changes;
+    changes.SetTags = tags;
+    CSLF_CHECK(cslf::testing::Remux(Original, fileName, changes));
+    this->Read(fileName);
+  }
+
+  explicit Reading(const std::string& fileName) { this->Read(fileName); }
+
+  void Read(const std::string& fileName)
+  {
+    vtkNew<vtkTest::ErrorObserver> observer;
+    this->Decoder->AddObserver(vtkCommand::ErrorEvent, observer);
+    this->Decoder->AddObserver(vtkCommand::WarningEvent, observer);
+    this->Decoder->SetFileName(fileName.c_str());
+    this->Decoder->Update();
+    CSLF_CHECK(!observer->GetError());
+    CSLF_CHECK(this->Decoder->GetOutput()->GetNumberOfPoints() == 24 * 5 * 16 * 16);
+    CSLF_CHECK(this->Decoder->GetNumberOfMissingViewpoints() == 0);
+    this->Warning = observer->GetWarningMessage();
+  }
+
+  vtkDataArray* GetArray(const char* name) const
+  {
+    return this->Decoder->GetOutput()->GetPointData()->GetArray(name);
+  }
+
+  bool Says(const std::string& text) const { return this->Warning.find(text) != std::string::npos; }
+};
+
+bool AreEqual(vtkDataArray* a, vtkDataArray* b)
+{
+  const auto bytes = static_cast<std::size_t>(a->GetDataSize()) * a->GetDataTypeSize();
+  return a->GetDataSize() == b->GetDataSize() &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0;
+}
+
+void CheckWhole(const Reading& reading)
+{
+  const Reading original(Original);
+  for (const char* name : { cslf::ColorName, cslf::DepthName })
+  {
+    CSLF_CHECK(AreEqual(reading.GetArray(name), original.GetArray(name)));
+  }
+}
+
+void CheckParts(const Reading& reading)
+{
+  vtkCSLFDecoder* decoder = reading.Decoder;
+  CSLF_CHECK(decoder->GetNumberOfParts() == 3);
+  CSLF_CHECK(std::string(decoder->GetPartType(0)) == "model/gltf-binary");
+  CSLF_CHECK(std::string(decoder->GetPartName(0)) == "mesh");
+  CSLF_CHECK(decoder->GetPart(0)->GetNumberOfValues() == 6);
+  CSLF_CHECK(decoder->GetPart(0)->GetValue(5) == 255);
+  CSLF_CHECK(decoder->GetPart(1)->GetNumberOfValues() == 0);
+  CSLF_CHECK(decoder->GetPart(2)->GetValue(2) == '2');
+  CSLF_CHECK(!decoder->GetPart(3) && !decoder->GetPartType(-1) && !decoder->GetPartName(3));
+}
+
+void TestContainers(const std::string& folder)
+{
+  const Reading written(folder + "/written.mp4", MakeTags());
+  CSLF_CHECK(written.Warning.empty());
+  CheckWhole(written);
+  CheckParts(written);
+  std::string from = folder + "/written.mp4";
+  for (const char* name : { "/there.mkv", "/back.mp4", "/again.mkv" })
+  {
+    CSLF_CHECK(cslf::testing::Remux(from, folder + name));
+    from = folder + name;
+    const Reading reading(from);
+    CSLF_CHECK(reading.Warning.empty());
+    CheckWhole(reading);
+    CheckParts(reading);
+  }
+}
+
+/// Any byte of one copy may be wrong, or the copy gone.
+void TestCopies(const std::string& folder)
+{
+  const std::string fileName = folder + "/copies.mp4";
+  const std::size_t length = MakeTags()["comment"].size();
+  for (const char* name : { "comment", "description" })
+  {
+    for (const std::size_t place : { std::size_t(0), std::size_t(5), std::size_t(6), std::size_t(9),
+           std::size_t(15), std::size_t(16), length / 2, length - 1 })
+    {
+      cslf::testing::Tags tags = MakeTags();
+      tags[name][place] ^= 1;
+      const Reading reading(fileName, tags);
+      CSLF_CHECK(reading.Says(std::string("tag \"") + name + "\" is damaged"));
+      CheckParts(reading);
+    }
+    cslf::testing::Tags tags = MakeTags();
+    tags[name] = "";
+    CSLF_CHECK(Reading(fileName, tags).Says("is damaged"));
+    tags[name] = "A film about boxes";
+    CSLF_CHECK(Reading(fileName, tags).Says("is damaged"));
+  }
+  cslf::testing::Tags tags = MakeTags();
+  tags["comment"][length / 2] ^= 1;
+  tags["description"][length / 3] ^= 1;
+  CheckRefused(folder, tags, "its description is damaged");
+  tags = MakeTags();
+  tags["comment"].resize(length / 2);
+  tags["description"] = "";
+  CheckRefused(folder, tags, "its description is damaged");
+}
+
+void TestVersions(const std::string& folder)
+{
+  using JSON = nlohmann::json;
+  cslf::testing::Tags tags = MakeTags();
+  tags["comment"][5] = tags["description"][5] = '3';
+  CheckRefused(folder, tags, "written by a newer CSLF: format 3, this reads 2 and 1");
+  const auto setVersion = [](const JSON& version)
+  { return ChangeTags([version](JSON& json) { json["version"] = version; }); };
+  CheckRefused(folder, setVersion({ 3, 0 }), "written by a newer CSLF: format 3");
+  for (const JSON& version : { JSON(2), JSON({ 2 }), JSON({ 2, -1 }), JSON({ 1, 0 }), JSON("2") })
+  {
+    CheckRefused(folder, setVersion(version), "");
+  }
+  CheckRefused(folder,
+    ChangeTags(
+      [](JSON& json) {
+        json["required"] = { "layers", "times" };
+      }),
+    "needs what this version does not know: layers, times");
+  const Reading later(folder + "/later.mp4",
+    ChangeTags(
+      [](JSON& json)
+      {
+        json["version"] = { 2, 7 };
+        json["required"] = JSON::array();
+        json["certificate"] = { { "by", "nobody" } };
+        json["coding"]["tracks"][0]["mastering"] = 5;
+      }));
+  CSLF_CHECK(later.Warning.empty());
+  CheckWhole(later);
+}
+
+/// What later versions may add is left out and told.
+void TestUnknown(const std::string& folder)
+{
+  using JSON = nlohmann::json;
+  const Reading more(folder + "/more.mp4",
+    ChangeTags(
+      [](JSON& json)
+      {
+        for (const char* type : { "float32", "float16" })
+        {
+          json["channels"].push_back({ { "name", std::string("Normals-") + type }, { "type", type },
+            { "components", 3 }, { "encoding", "unit" } });
+        }
+        auto& tracks = json["coding"]["tracks"];
+        tracks.insert(tracks.begin() + 1, JSON({ { "role", "normals" }, { "codec", "vvc" } }));
+        json["parts"].push_back({ { "type", "text/plain" }, { "name", "late" }, { "bytes", 3 },
+          { "crc", 0 }, { "tag", "lyrics" } });
+      }));
+  for (const char* name : { "channel \"Normals-float32\"", "channel \"Normals-float16\"",
+         "track \"normals\"", "part \"late\" (text/plain)" })
+  {
+    CSLF_CHECK(more.Says(name));
+  }
+  CheckWhole(more);
+  CheckParts(more);
+
+  // A track of a known codec takes the place of a stream.
+  const Reading other(folder + "/other.mp4",
+    ChangeTags(
+      [](JSON& json)
+      {
+        json["channels"].erase(1);
+        json["coding"]["tracks"][1]["role"] = "heat";
+        json["coding"]["tracks"].erase(2);
+      }));
+  CSLF_CHECK(other.Says("track \"heat\""));
+  CSLF_CHECK(!other.GetArray(cslf::DepthName));
+  CSLF_CHECK(other.Decoder->GetNumberOfTracks() == 1);
+}
+
+void TestParts(const std::string& folder)
+{
+  cslf::testing::Tags tags = MakeTags();
+  tags["synopsis"].back() ^= 1;
+  const Reading damaged(folder + "/parts.mp4", tags);
+  CSLF_CHECK(damaged.Says("part \"table\" (text/csv) is damaged and left out"));
+  CSLF_CHECK(damaged.Decoder->GetNumberOfParts() == 2);
+  CheckWhole(damaged);
+  tags["synopsis"] = "";
+  const Reading gone(folder + "/parts.mp4", tags);
+  CSLF_CHECK(gone.Says("part \"mesh\" (model/gltf-binary) is damaged"));
+  CheckWhole(gone);
+  for (const nlohmann::json& bytes :
+    { nlohmann::json(-1), nlohmann::json(1e300), nlohmann::json(18446744073709551615ull) })
+  {
+    const Reading odd(folder + "/parts.mp4",
+      ChangeTags([bytes](nlohmann::json& json) { json["parts"][0]["bytes"] = bytes; }));
+    CSLF_CHECK(odd.Says("list of parts is not valid"));
+    CSLF_CHECK(odd.Decoder->GetNumberOfParts() == 0);
+  }
+}
+
+/// The reader's constants are those of the file.
+void TestConstants(const std::string& folder)
+{
+  const auto set = [](const char* role, const char* key, const nlohmann::json& value)
+  {
+    return ChangeTags(
+      [=](nlohmann::json& json)
+      {
+        for (auto& track : json["coding"]["tracks"])
+        {
+          if (track["role"] == role)
+          {
+            CSLF_CHECK(track.contains(key));
+            track[key] = value;
+          }
+        }
+      });
+  };
+  const Reading original(Original);
+  const Reading curved(folder + "/curved.mp4", set("depth", "mu", 255));
+  vtkDataArray* depths = curved.GetArray(cslf::DepthName);
+  const auto before = cslf::MakeCodedDepths(12, 40.0);
+  const auto after = cslf::MakeCodedDepths(12, 255.0);
+  for (vtkIdType k = 0; k < depths->GetNumberOfTuples(); k += 7)
+  {
+    const auto depth = original.GetArray(cslf::DepthName)->GetComponent(k, 0);
+    const auto code = std::lower_bound(before.begin(), before.end(), depth) - before.begin();
+    CSLF_CHECK(depths->GetComponent(k, 0) == after[code]);
+  }
+  // With the largest tolerance, coverage is all or nothing.
+  const Reading tolerant(folder + "/tolerant.mp4", set("coverage", "tolerance", 127));
+  vtkIdType partly[2] = { 0, 0 };
+  for (vtkIdType k = 0; k < depths->GetNumberOfTuples(); ++k)
+  {
+    const Reading* const readings[2] = { &original, &tolerant };
+    for (int i = 0; i < 2; ++i)
+    {
+      const double alpha = readings[i]->GetArray(cslf::ColorName)->GetComponent(k, 3);
+      partly[i] += alpha > 0.0 && alpha < 255.0 ? 1 : 0;
+    }
+  }
+  CSLF_CHECK(partly[0] > 100 && partly[1] == 0);
+  CheckRefused(folder, set("coverage", "tolerance", 128), "\"tolerance\" is not valid");
+  CheckRefused(folder, set("depth", "mu", 0), "\"mu\" is not valid");
+  CheckRefused(folder, set("depth", "transfer", "square root"), "unknown transfer curve");
+}
 }
 
 int TestCSLFDecoderHeader(int argc, char* argv[])
 {
   const std::string folder = MakeFolder(argc, argv);
   TestDeep(folder);
+  TestContainers(folder);
+  TestCopies(folder);
+  TestVersions(folder);
+  TestUnknown(folder);
+  TestParts(folder);
+  TestConstants(folder);
   return cslf::testing::Result();
 }

@@ -73,7 +73,7 @@ void TestShortTrack(const std::string& fileName, const std::string& extension)
 {
   constexpr int times = 20;
   cslf::testing::RemuxChanges changes;
-  changes.SetTags["comment"] = MakeHeader(fileName, times, 16).ToText();
+  changes.SetTags = MakeHeader(fileName, times, 16).ToTags();
   changes.Repeats = times * times;
   const std::string large = fileName + ".large" + extension;
   const std::string cut = fileName + ".short" + extension;
@@ -101,7 +101,7 @@ void TestClaims(const std::string& fileName)
   constexpr int times = 20;
   constexpr int resolution = 1024;
   cslf::testing::RemuxChanges changes;
-  changes.SetTags["comment"] = MakeHeader(fileName, times, resolution).ToText();
+  changes.SetTags = MakeHeader(fileName, times, resolution).ToTags();
   changes.Width = cslf::TileCount * resolution;
   changes.Height = resolution;
   for (int frames : { 1, FramesOfField })

@@ -4,6 +4,7 @@
 // Rows of video samples become the texels that the formulas say, to the last level.
 #include "cslfTesting.h"
 
+#include "Coding/cslfDepthCurve.h"
 #include "Coding/cslfTexelRows.h"
 
 #include <algorithm>
@@ -22,14 +23,16 @@ void TestDepths(int bits)
     samples[k] = static_cast<std::uint16_t>(k);
   }
   std::vector<unsigned short> depths(samples.size());
-  for (const bool isCurved : { false, true })
+  for (const double mu : { 0.0, 40.0, 255.0 })
   {
+    const auto curve =
+      mu > 0.0 ? cslf::MakeCodedDepths(bits, mu) : std::vector<unsigned short>();
     cslf::SamplesToDepths(
-      samples.data(), bits, isCurved, static_cast<int>(samples.size()), depths.data());
+      samples.data(), bits, curve, static_cast<int>(samples.size()), depths.data());
     for (std::size_t k = 0; k < samples.size(); ++k)
     {
       const double code = std::min(static_cast<double>(k), static_cast<double>(largest)) / largest;
-      const double depth = isCurved ? (std::pow(41.0, code) - 1.0) / 40.0 : code;
+      const double depth = mu > 0.0 ? (std::pow(1.0 + mu, code) - 1.0) / mu : code;
       CSLF_CHECK(depths[k] == std::lround(depth * 65535));
     }
   }

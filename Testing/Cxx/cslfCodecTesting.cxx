@@ -183,6 +183,13 @@ int Observed::GetWarnings() const
   return static_cast<int>(this->OfAlgorithm->Warnings.size());
 }
 
+int Observed::CountWarnings(const std::string& text) const
+{
+  const auto& warnings = this->OfAlgorithm->Warnings;
+  return static_cast<int>(std::count_if(warnings.begin(), warnings.end(),
+    [&text](const std::string& warning) { return warning.find(text) != std::string::npos; }));
+}
+
 bool Observed::HasError(const std::string& text) const
 {
   return this->GetErrors() == 1 &&

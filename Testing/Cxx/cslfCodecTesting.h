@@ -57,6 +57,9 @@ public:
   int GetErrors() const;
   int GetWarnings() const;
 
+  /// The warnings of the algorithm that contain the text.
+  int CountWarnings(const std::string& text) const;
+
   /// Whether there was exactly one error of the algorithm, in one line, that contains the text.
   bool HasError(const std::string& text) const;
   bool HasWarning(const std::string& text) const;

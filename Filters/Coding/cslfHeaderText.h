@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How the header's JSON text lies in the container: behind its format's number and a checksum over
+ * its bytes, in two of the container's tags.
+ */
+#ifndef cslfHeaderText_h
+#define cslfHeaderText_h
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// Texts of a container by the names of its tags.
+using HeaderTags = std::map<std::string, std::string>;
+
+/// The tags that hold the header, the same in each, and the one that holds the parts. FFmpeg copies
+/// these from MP4 to Matroska and back.
+constexpr const char* HeaderTagNames[] = { "comment", "description" };
+constexpr const char* PartsTagName = "synopsis";
+
+/// The most bytes of a tag that Matroska's demuxer reads.
+constexpr std::size_t MaximumTagBytes = std::size_t(16) << 20;
+
+/// The CRC-32 of some bytes.
+std::uint32_t ComputeCRC(const void* bytes, std::size_t count);
+
+/// `CSLF 2 <CRC-32 of the JSON text, 8 hexadecimal digits> <JSON text>`.
+std::string SealHeader(const std::string& json);
+
+/// What a tag's text turned out to be.
+struct UnsealedHeader
+{
+  enum class States
+  {
+    Foreign, ///< something else
+    Damaged,
+    OtherFormat, ///< of another number
+    Whole
+  };
+  States State = States::Foreign;
+  int Format = 0;
+  std::string JSON;
+};
+UnsealedHeader UnsealHeader(const std::string& text);
+
+///@{
+/// Bytes as text. Decoding gives nothing where the text is not the base64 of that many bytes.
+std::string ToBase64(const void* bytes, std::size_t count);
+bool FromBase64(const std::string& text, std::size_t count, std::vector<unsigned char>& bytes);
+///@}
+
+///@{
+/// Checksums as text: base64 of their bytes, the highest byte of each first. Throws
+/// std::invalid_argument where the text is no such list.
+std::string ToText(const std::vector<std::uint32_t>& checksums);
+std::vector<std::uint32_t> ToChecksums(const std::string& text);
+///@}
+}
+
+#endif

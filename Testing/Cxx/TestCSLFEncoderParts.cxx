@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a file carries besides the light field comes back, also after FFmpeg has remuxed the file.
+#include "cslfCodecTesting.h"
+#include "cslfRemux.h"
+#include "cslfTesting.h"
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFEncoder.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(vtkIdType count, int seed)
+{
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetNumberOfValues(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    bytes->SetValue(k, static_cast<unsigned char>((k * k + seed) >> 3));
+  }
+  return bytes;
+}
+
+void CheckParts(const std::string& fileName)
+{
+  vtkNew<vtkCSLFDecoder> decoder;
+  const cslf::testing::Observed observed(decoder);
+  decoder->SetFileName(fileName.c_str());
+  decoder->UpdateInformation();
+  CSLF_CHECK(observed.GetErrors() == 0 && observed.GetWarnings() == 0);
+  CSLF_CHECK(decoder->GetNumberOfParts() == 2);
+  for (int part = 0; part < decoder->GetNumberOfParts(); ++part)
+  {
+    const auto expected = MakeBytes(part == 0 ? 2000000 : 7, part);
+    vtkUnsignedCharArray* bytes = decoder->GetPart(part);
+    CSLF_CHECK(std::string(decoder->GetPartType(part)) == (part == 0 ? "text/csv" : "text/plain"));
+    CSLF_CHECK(std::string(decoder->GetPartName(part)) == (part == 0 ? "Größen" : ""));
+    CSLF_CHECK(bytes->GetNumberOfValues() == expected->GetNumberOfValues());
+    CSLF_CHECK(std::equal(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues(),
+      expected->GetPointer(0)));
+  }
+}
+
+void CheckRefused(vtkCSLFEncoder* encoder, const char* type, vtkUnsignedCharArray* bytes,
+  const char* name, const char* message)
+{
+  const cslf::testing::Observed observed(encoder);
+  const int parts = encoder->GetNumberOfParts();
+  CSLF_CHECK(!encoder->AddPart(type, bytes, name));
+  CSLF_CHECK(observed.HasError(message));
+  CSLF_CHECK(encoder->GetNumberOfParts() == parts);
+}
+}
+
+int TestCSLFEncoderParts(int argc, char* argv[])
+{
+  const std::string folder = cslf::testing::MakeFolder(argc, argv, "EncoderParts");
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetPreset("ultrafast");
+  CSLF_CHECK(encoder->AddPart("a/b", MakeBytes(3, 0)));
+  encoder->RemoveAllParts();
+  CSLF_CHECK(encoder->AddPart("text/csv", MakeBytes(2000000, 0), "Größen"));
+  CSLF_CHECK(encoder->AddPart("text/plain", MakeBytes(7, 1)));
+  CheckRefused(encoder, nullptr, MakeBytes(3, 0), "", "needs a type");
+  CheckRefused(encoder, "text\n", MakeBytes(3, 0), "", "control characters");
+  CheckRefused(encoder, "text", MakeBytes(3, 0), "\xff", "UTF-8");
+  CheckRefused(encoder, "text", MakeBytes(3, 0), std::string(101, 'a').c_str(), "at most 100");
+  CheckRefused(encoder, "text", MakeBytes(11000000, 0), "", "12 MiB");
+
+  const auto field = cslf::testing::MakeByteField(2, 16);
+  CSLF_CHECK(cslf::testing::Encode(encoder, field, folder + "/a.mp4"));
+  CheckParts(folder + "/a.mp4");
+  CSLF_CHECK(cslf::testing::Encode(encoder, field, folder + "/b.mkv"));
+  CheckParts(folder + "/b.mkv");
+  const char* const copies[][2] = { { "/a.mp4", "/c.mkv" }, { "/c.mkv", "/d.mp4" },
+    { "/b.mkv", "/e.mp4" }, { "/e.mp4", "/f.mkv" } };
+  for (const auto& copy : copies)
+  {
+    CSLF_CHECK(cslf::testing::Remux(folder + copy[0], folder + copy[1]));
+    CheckParts(folder + copy[1]);
+  }
+  return cslf::testing::Result();
+}
