@@ -17,6 +17,7 @@ cslf_packages=(
   libembree-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   libavcodec-dev libavformat-dev libavutil-dev
   dpkg-dev file  # for the test of the Debian package
+  ffmpeg python3-numpy  # for the test of the independent reader
   qemu-user  # for the test of other processors
   xauth xvfb)
 
