@@ -313,9 +313,11 @@ list(APPEND private_headers
 
 # Folders of cube maps.
 list(APPEND sources
-  ../Filters/CubeMaps/cslfCubeMapFiles.cxx)
+  ../Filters/CubeMaps/cslfCubeMapFiles.cxx
+  ../Filters/CubeMaps/cslfEXRHeader.cxx)
 list(APPEND private_headers
-  ../Filters/CubeMaps/cslfCubeMapFiles.h)
+  ../Filters/CubeMaps/cslfCubeMapFiles.h
+  ../Filters/CubeMaps/cslfEXRHeader.h)
 
 # Measures of quality.
 list(APPEND private_headers

@@ -4,6 +4,7 @@
 
 #include "cslfMessages.h"
 #include "cslfXMLArrayHeaders.h"
+#include "cslfXMLStrings.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -382,6 +383,7 @@ private:
   void CheckElements(vtkXMLDataParser* parser)
   {
     XMLArrayHeaders headers(this->Path.string(), parser);
+    XMLStrings strings(this->Path.string(), parser);
     std::vector<vtkXMLDataElement*> pending = { parser->GetRootElement() };
     while (!pending.empty())
     {
@@ -396,6 +398,10 @@ private:
       if (!headers.Fit(element, BytesOfLargestValue * this->Limit))
       {
         this->Fail("an array of too many blocks or bytes");
+      }
+      if (!strings.Fit(element))
+      {
+        this->Fail("fewer strings than an array holds");
       }
     }
     if (this->LargestCount * this->MostComponents > this->Limit)

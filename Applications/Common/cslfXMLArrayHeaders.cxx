@@ -66,8 +66,8 @@ bool XMLArrayHeaders::Fit(vtkXMLDataElement* array, double mostBytes)
 
 XMLArrayHeaders::Place XMLArrayHeaders::Find(vtkXMLDataElement* array)
 {
-  const std::string format = GetText(array, "format");
-  if (format == "appended")
+  // VTK asks for the format only where there is no offset.
+  if (array->GetAttribute("offset"))
   {
     vtkTypeInt64 offset = 0;
     const bool isThere =
@@ -75,7 +75,7 @@ XMLArrayHeaders::Place XMLArrayHeaders::Find(vtkXMLDataElement* array)
     const std::int64_t begin = isThere ? this->AppendedData + offset : -1;
     return { begin, this->IsAppendedBase64 };
   }
-  if (format != "binary")
+  if (GetText(array, "format") != "binary")
   {
     return {};
   }

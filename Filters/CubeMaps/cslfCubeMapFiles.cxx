@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCubeMapFiles.h"
 
+#include "CubeMaps/cslfEXRHeader.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfJSONText.h"
 
@@ -124,65 +125,6 @@ bool IsWholePNG(const std::vector<unsigned char>& content, int width, int height
   return false;
 }
 
-std::uint32_t ReadLittleEndian(const unsigned char* bytes)
-{
-  return std::uint32_t(bytes[3]) << 24 | std::uint32_t(bytes[2]) << 16 |
-    std::uint32_t(bytes[1]) << 8 | bytes[0];
-}
-
-/// The length of the window [xMin, xMax] or [yMin, yMax] of an EXR file, where these begin.
-std::int64_t ReadLength(const unsigned char* bytes)
-{
-  const auto least = static_cast<std::int32_t>(ReadLittleEndian(bytes));
-  const auto most = static_cast<std::int32_t>(ReadLittleEndian(bytes + 8));
-  return std::int64_t(most) - least + 1;
-}
-
-/// Whether an EXR file holds one image of that size, in rows, and no attribute that is larger than
-/// the file. OpenEXR allocates memory for whatever a header claims.
-bool HasSoundEXRHeader(const std::vector<unsigned char>& content, int width, int height)
-{
-  constexpr std::uint32_t magic = 20000630;
-  constexpr std::uint32_t versionAndLongNames = 0x4ff;
-  const unsigned char* bytes = content.data();
-  std::size_t place = 8;
-  if (content.size() < place || ReadLittleEndian(bytes) != magic ||
-    (ReadLittleEndian(bytes + 4) & ~versionAndLongNames) != 0)
-  {
-    return false;
-  }
-  const auto takeText = [&content, &place]
-  {
-    const auto begin =
-      content.begin() + static_cast<std::ptrdiff_t>(std::min(place, content.size()));
-    const auto end = std::find(begin, content.end(), 0);
-    place = static_cast<std::size_t>(end - content.begin()) + 1;
-    return std::string(begin, end);
-  };
-  bool isOfSize = false;
-  // An attribute is its name, its type, the bytes of its value, and the value. An empty name ends
-  // them.
-  for (std::string name = takeText(); !name.empty(); name = takeText())
-  {
-    const std::string type = takeText();
-    if (place > content.size() || content.size() - place < 4)
-    {
-      return false;
-    }
-    const std::size_t size = ReadLittleEndian(bytes + place);
-    place += 4;
-    const bool isWindow = name == "dataWindow";
-    if (size >= content.size() - place || type == "preview" || (isWindow && size != 16))
-    {
-      return false;
-    }
-    isOfSize = isOfSize ||
-      (isWindow && ReadLength(bytes + place) == width && ReadLength(bytes + place + 4) == height);
-    place += size;
-  }
-  return isOfSize && place <= content.size();
-}
-
 std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
   const std::string& fileName, const Layout& grid, const Channel& channel)
 {
@@ -190,7 +132,7 @@ std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
   const int height = grid.GetResolution();
   const int width = FaceCount * height;
   const std::vector<unsigned char> content = ReadBytes(fileName);
-  if (!(isEXR ? HasSoundEXRHeader(content, width, height) : IsWholePNG(content, width, height)))
+  if (!(isEXR ? IsSoundEXR(content, width, height) : IsWholePNG(content, width, height)))
   {
     return nullptr;
   }

@@ -5,6 +5,7 @@
 #include "vtkCSLFImageReader.h"
 #include "vtkCSLFImageWriter.h"
 
+#include "CubeMaps/cslfEXRHeader.h"
 #include "cslfDescription.h"
 #include "cslfJSONText.h"
 #include "cslfTestField.h"
@@ -26,6 +27,7 @@
 #include <vtkTestUtilities.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -33,6 +35,7 @@
 #include <iterator>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -243,6 +246,35 @@ void TestChecksums(const std::string& folder)
   CSLF_CHECK(missing > flips / 2);
 }
 
+/// Headers of EXR that OpenEXR would not read as they were written.
+void TestHeaders(const std::string& folder)
+{
+  CSLF_CHECK(Write(MakeField(VTK_FLOAT, 0), folder));
+  std::ifstream input(folder + "/000004.Color.exr", std::ios::binary);
+  const std::vector<unsigned char> bytes{ std::istreambuf_iterator<char>(input), {} };
+  constexpr int width = 6 * Size;
+  CSLF_CHECK(cslf::IsSoundEXR(bytes, width, Size));
+  CSLF_CHECK(!cslf::IsSoundEXR(bytes, width, Size + 1));
+  CSLF_CHECK(!cslf::IsSoundEXR({}, width, Size));
+  const auto isSoundWith = [&bytes](const std::string& after, std::size_t offset, char byte)
+  {
+    std::vector<unsigned char> changed = bytes;
+    const auto place = std::search(changed.begin(), changed.end(), after.begin(), after.end());
+    CSLF_CHECK(place != changed.end());
+    *(place + static_cast<std::ptrdiff_t>(after.size() + offset)) = byte;
+    return cslf::IsSoundEXR(changed, width, Size);
+  };
+  // The list of channels, which are "A", "B", "G" and "R", ends at an empty name.
+  const std::string channels("channels\0chlist", 15);
+  CSLF_CHECK(isSoundWith(channels, 5, 'Z'));
+  CSLF_CHECK(!isSoundWith(channels, 5 + 18, 0));
+  CSLF_CHECK(!isSoundWith(channels, 5 + 4 * 18, 'Z'));
+  // Sizes that are not those of their types.
+  CSLF_CHECK(!isSoundWith(channels, 1, 72));
+  CSLF_CHECK(!isSoundWith(std::string("lineOrder\0lineOrder", 19), 1, 2));
+  CSLF_CHECK(!isSoundWith(std::string("compression\0compressio", 22), 0, 'x'));
+}
+
 /// Viewpoints that are missing are an error if that is asked for.
 void TestAllowMissing(const std::string& folder)
 {
@@ -435,6 +467,7 @@ int TestCSLFImageFolder(int argc, char* argv[])
   TestPart(root + "/part");
   TestStrip(root + "/strip");
   TestChecksums(root + "/checksums");
+  TestHeaders(root + "/headers");
   TestAllowMissing(root + "/allowed");
   TestMissing(root + "/missing");
   TestBad(root);

@@ -37,6 +37,14 @@ cslf_fail("no light field" "" info text.txt)
 cslf_fail("other" "" info other)
 cslf_fail("no PNG" "" compare text.png text.png)
 cslf_fail("no file" "" compare nowhere.png text.png)
+# More strings than are announced, which VTK would write beyond the array's end.
+string(REPEAT "65 0 " 1000 strings)
+file(WRITE "${DIRECTORY}/strings.vti" "<VTKFile type=\"ImageData\" version=\"0.1\"
+byte_order=\"LittleEndian\"><ImageData WholeExtent=\"0 4 0 0 0 23\"><FieldData>
+<Array type=\"String\" Name=\"CSLF\" NumberOfTuples=\"1\" format=\"ascii\">${strings}</Array>
+</FieldData><Piece Extent=\"0 4 0 0 0 23\"/></ImageData></VTKFile>
+")
+cslf_fail("strings.vti declares fewer strings" "" info strings.vti)
 
 # Outputs.
 cslf_fail("Cannot write nowhere/x.mp4" "x" sample cornell-box -o nowhere/x.mp4 ${tiny})
