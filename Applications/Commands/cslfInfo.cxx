@@ -5,8 +5,10 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfTable.h"
+#include "vtkCSLFDecoder.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +30,20 @@ std::string JoinNumbers(const nlohmann::json& numbers)
   return text;
 }
 
+/// What a video carries besides the light field.
+nlohmann::json ListParts(const FieldFile& file)
+{
+  nlohmann::json parts = nlohmann::json::array();
+  auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader);
+  for (int part = 0; decoder && part < decoder->GetNumberOfParts(); ++part)
+  {
+    parts.push_back(
+      { { "type", decoder->GetPartType(part) }, { "name", decoder->GetPartName(part) },
+        { "bytes", decoder->GetPart(part)->GetNumberOfValues() } });
+  }
+  return parts;
+}
+
 Result Run(const std::string& fileName)
 {
   const FieldFile file = OpenField(fileName);
@@ -36,6 +52,7 @@ Result Run(const std::string& fileName)
   result.JSON["codec"] = GetCodecName(file);
   result.JSON["bytes"] = CountBytes(fileName);
   result.JSON["missing"] = CountMissing(file);
+  result.JSON["parts"] = ListParts(file);
 
   const nlohmann::json& json = result.JSON;
   Table table;
@@ -59,6 +76,12 @@ Result Run(const std::string& fileName)
   table.AddRow({ "codec", json["codec"].get<std::string>() });
   table.AddRow({ "bytes", json["bytes"].dump() });
   table.AddRow({ "missing", json["missing"].dump() + " viewpoints" });
+  for (const auto& part : json["parts"])
+  {
+    table.AddRow({ "part",
+      part["type"].get<std::string>() + " \"" + part["name"].get<std::string>() + "\", " +
+        part["bytes"].dump() + " bytes" });
+  }
   result.Text = table.ToText();
   return result;
 }
@@ -70,7 +93,8 @@ void AddInfo(CLI::App& app, Command& chosen)
   command->footer(
     "JSON: views (M, along each side of a face), slices (6 M^2), resolution (N), center, "
     "edge (one number, or three where they differ), channels, sampling, codec, bytes, "
-    "missing (viewpoints that cannot be read).");
+    "missing (viewpoints that cannot be read), parts (what a video carries besides: type, name, "
+    "bytes).");
   const auto fileName = std::make_shared<std::string>();
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
     ->required();

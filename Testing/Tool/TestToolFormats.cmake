@@ -46,6 +46,18 @@ string(JSON length LENGTH "${output}" center)
 if (NOT length EQUAL 3)
   message(FATAL_ERROR "The centre has ${length} coordinates.")
 endif ()
+
+# What a video carries besides the light field.
+cslf_run(info "${DATA}/Golden/v2-hevc-parts.mp4" --json)
+expect_json(application/octet-stream parts 0 type)
+expect_json("every byte" parts 0 name)
+expect_json(256 parts 0 bytes)
+expect_json(text/plain parts 1 type)
+cslf_run(info "${DATA}/Golden/v2-hevc-parts.mkv")
+if (NOT output MATCHES "part +application/octet-stream \"every byte\", 256 bytes")
+  message(FATAL_ERROR "The parts are not listed: ${output}")
+endif ()
+
 cslf_run(info box.vti)
 if (NOT output MATCHES "resolution +16 x 16")
   message(FATAL_ERROR "The table is:\n${output}")
