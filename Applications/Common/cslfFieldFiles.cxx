@@ -196,7 +196,8 @@ FieldFile OpenField(const FieldInput& input)
     {
       throw MissingViewpoints(input.FileName + " is damaged: " + std::to_string(missing) + " of " +
         std::to_string(slices) +
-        " viewpoints are missing (most commands go on without them if told --allow-missing).");
+        " viewpoints are missing (all commands but benchmark go on without them if told "
+        "--allow-missing).");
     }
     return file;
   }
