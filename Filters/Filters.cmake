@@ -347,6 +347,7 @@ list(APPEND sources
   ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
   ../Filters/Pipeline/cslfFieldArrays.h
+  ../Filters/Pipeline/cslfGuard.h
   ../Filters/Pipeline/cslfKeptGroups.h
   ../Filters/Pipeline/cslfParallelFor.h
   ../Filters/Pipeline/cslfPipelineWatch.h

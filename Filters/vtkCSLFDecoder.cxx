@@ -4,6 +4,7 @@
 
 #include "Coding/cslfFieldReader.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfSlabs.h"
 
 #include <vtkDataArray.h>
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 #include <sstream>
 #include <vector>
 
@@ -206,19 +206,8 @@ bool vtkCSLFDecoder::Guard(const std::function<bool()>& work)
 {
   const cslf::AVLogSilence silence;
   std::string problem;
-  try
-  {
-    return work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = "there is not enough memory";
-  }
-  catch (const std::exception& exception)
-  {
-    problem = exception.what();
-  }
-  return this->Fail(vtkErrorCode::UnknownError, problem);
+  const bool isDone = cslf::Guard(work, problem);
+  return problem.empty() ? isDone : this->Fail(vtkErrorCode::UnknownError, problem);
 }
 
 bool vtkCSLFDecoder::Fail(unsigned long code, const std::string& problem)

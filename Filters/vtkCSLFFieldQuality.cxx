@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFFieldQuality.h"
+#include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "Pipeline/cslfSlabs.h"
 #include "Quality/cslfPSNR.h"
@@ -12,7 +14,6 @@
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <atomic>
@@ -173,7 +174,7 @@ void AddErrors(
 void AddDisplayedErrors(const float* first, const float* second, vtkIdType texels, Figure& figure)
 {
   std::atomic<std::int64_t> squares(0);
-  vtkSMPTools::For(0, texels,
+  cslf::ParallelFor(0, texels, 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::int64_t sum = 0;
@@ -317,7 +318,10 @@ int vtkCSLFFieldQuality::Measure()
     cslf::SlabStream(this->GetInputConnection(1, 0)) };
   std::string error;
   this->InvokeEvent(vtkCommand::StartEvent);
-  const bool isDone = Compare(streams, this, this->Internals->Figures, error);
+  std::string problem;
+  const bool isDone =
+    cslf::Guard([&] { return Compare(streams, this, this->Internals->Figures, error); }, problem);
+  error = problem.empty() ? error : "Cannot compare: " + problem + ".";
   this->InvokeEvent(vtkCommand::EndEvent);
   if (!isDone)
   {

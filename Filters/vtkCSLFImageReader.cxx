@@ -4,6 +4,7 @@
 
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "cslfPrintable.h"
 
@@ -21,7 +22,6 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <new>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -176,20 +176,10 @@ vtkIdTypeArray* vtkCSLFImageReader::GetMissingViewpoints() const
 bool vtkCSLFImageReader::Guard(const std::function<bool()>& work)
 {
   std::string problem;
-  try
-  {
-    return work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = "there is not enough memory";
-  }
-  catch (const std::exception& exception)
-  {
-    problem = exception.what();
-  }
-  return this->Fail(vtkErrorCode::UnknownError,
-    "Cannot read " + std::string(this->FileName) + ": " + problem + ".");
+  const bool isDone = cslf::Guard(work, problem);
+  return problem.empty() ? isDone
+                         : this->Fail(vtkErrorCode::UnknownError,
+                             "Cannot read " + std::string(this->FileName) + ": " + problem + ".");
 }
 
 bool vtkCSLFImageReader::Fail(unsigned long code, const std::string& text)

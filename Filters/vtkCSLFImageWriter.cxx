@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFImageWriter.h"
+#include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Files/cslfFileSystem.h"
@@ -10,7 +12,6 @@
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkObjectFactory.h>
-#include <vtkSMPTools.h>
 
 #include <filesystem>
 #include <mutex>
@@ -50,7 +51,7 @@ bool WriteSlab(const cslf::SlabStream& stream, const cslf::Slab& slab, const std
 {
   const cslf::Description& description = stream.GetDescription();
   std::mutex errorMutex;
-  vtkSMPTools::For(slab.First, slab.Last + 1, 1,
+  cslf::ParallelFor(slab.First, slab.Last + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int slice = static_cast<int>(begin); slice < end; ++slice)
@@ -109,7 +110,8 @@ int vtkCSLFImageWriter::Write()
     return 0;
   }
   this->InvokeEvent(vtkCommand::StartEvent);
-  bool isWritten = this->WriteSlabs(whole.GetTemporaryName(), error);
+  bool isWritten =
+    cslf::Guard([&] { return this->WriteSlabs(whole.GetTemporaryName(), error); }, error);
   std::string warning;
   isWritten = isWritten && whole.Publish(warning, error);
   if (!isWritten && !error.empty())

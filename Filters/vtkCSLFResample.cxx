@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFResample.h"
+#include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "Pipeline/cslfSlabs.h"
 #include "Resampling/cslfNesting.h"
@@ -16,7 +18,6 @@
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -82,7 +83,7 @@ public:
         return false;
       }
       const cslf::TexelReducer reducer(*this->Field, this->Self->ResolutionDivisor);
-      vtkSMPTools::For(first, last + 1, 1,
+      cslf::ParallelFor(first, last + 1, 1,
         [&](vtkIdType begin, vtkIdType end)
         {
           for (int slice = static_cast<int>(begin); slice < end; ++slice)
@@ -226,7 +227,14 @@ int vtkCSLFResample::RequestData(
   outInfo->Get(Pipeline::UPDATE_EXTENT(), asked);
   Pass pass(
     this, inputVector[0]->GetInformationObject(0), *nesting, vtkImageData::GetData(outInfo));
-  return pass.Run({ asked[4], asked[5] }) ? 1 : 0;
+  std::string problem;
+  const bool isDone = cslf::Guard([&] { return pass.Run({ asked[4], asked[5] }); }, problem);
+  if (!problem.empty())
+  {
+    vtkErrorMacro("Cannot resample: " << problem << ".");
+    vtkImageData::GetData(outInfo)->Initialize();
+  }
+  return isDone ? 1 : 0;
 }
 
 std::optional<cslf::Nesting> vtkCSLFResample::MakeNesting(vtkInformationVector** inputVector)

@@ -53,6 +53,24 @@ bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<
     order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
+/// Whether the index of a file says that a packet is smaller than nothing, as FFmpeg understands
+/// sizes from 512 MiB on. It then reports that memory is lacking.
+bool HasNegativeSize(AVFormatContext* input)
+{
+  for (unsigned int k = 0; k < input->nb_streams; ++k)
+  {
+    AVStream* stream = input->streams[k];
+    for (int i = 0; i < avformat_index_get_entries_count(stream); ++i)
+    {
+      if (avformat_index_get_entry(stream, i)->size < 0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Whether a packet has a time that can be computed with: those from a damaged file may be
 /// anything.
 bool HasTime(const AVPacket* packet)
@@ -108,6 +126,7 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
       "it is no MP4 or Matroska file, or it is cut short");
   }
   this->Input.reset(context);
+  this->HasBrokenIndex = HasNegativeSize(context);
   return true;
 }
 
@@ -215,7 +234,8 @@ void ContainerReader::FindFirstTimes()
 
 bool ContainerReader::ReadPacket(AVPacket* packet)
 {
-  return RequireMemory(av_read_frame(this->Input.get(), packet)) >= 0;
+  const int code = av_read_frame(this->Input.get(), packet);
+  return (this->HasBrokenIndex ? code : RequireMemory(code)) >= 0;
 }
 
 bool ContainerReader::SeekTo(int frame)

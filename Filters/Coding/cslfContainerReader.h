@@ -68,6 +68,7 @@ private:
 
   std::string FileName;
   AVInput Input;
+  bool HasBrokenIndex = false; ///< reading a packet may fail for lack of memory that is there
   FileHeader Header;
   std::vector<int> GroupStarts;
   std::vector<int> Streams; ///< of each track

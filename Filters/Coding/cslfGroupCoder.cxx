@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfGroupCoder.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "Coding/cslfGroupError.h"
 #include "Coding/cslfTrackFactors.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +23,7 @@ bool DoSideBySide(
 {
   std::vector<std::string> errors(count);
   const std::thread::id caller = std::this_thread::get_id();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
+  ParallelFor(0, static_cast<vtkIdType>(count), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

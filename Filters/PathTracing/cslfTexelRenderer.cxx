@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTexelRenderer.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "cslfColor.h"
 
 #include <vtkSMPThreadLocal.h>
-#include <vtkSMPTools.h>
 #include <vtkType.h>
 
 #include <glm/vec3.hpp>
@@ -119,7 +119,7 @@ bool TexelRenderer::Render(const std::function<bool(double)>& goOn) const
     {
       return false;
     }
-    vtkSMPTools::For(first, std::min(first + batch, runs),
+    ParallelFor(first, std::min(first + batch, runs), 0,
       [this, &queues](vtkIdType begin, vtkIdType end)
       {
         PathQueue& queue = queues.Local();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/cslfHeldOutViews.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfRobertsSequence.h"
@@ -13,7 +14,6 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 
@@ -175,7 +175,7 @@ ExposureErrors Compare(const Lookup& lookup, const Layout& grid, int slice, cons
     static_cast<std::uint32_t>(slice));
   const std::vector<double> exposures = GetViewExposures(truth.IsFloat);
   std::vector<double> squares(texels.GetCount() * exposures.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(texels.GetCount()),
+  ParallelFor(0, static_cast<vtkIdType>(texels.GetCount()), 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)

@@ -129,6 +129,27 @@ void TestLargeFrames(const std::string& fileName, int resolution)
   CSLF_CHECK(cslf::TrackDecoder::Open(reader->GetParameters(0), 16) == nullptr);
 }
 
+/// A packet that is larger than any can be, as the file's index says: FFmpeg takes its size to be
+/// negative, and reports that memory is lacking.
+void TestLargePacket(const std::string& fileName)
+{
+  std::ifstream input(fileName, std::ios::binary);
+  std::string bytes{ std::istreambuf_iterator<char>(input), {} };
+  // The name of the box, its version, the size of all packets and their number, and the sizes.
+  constexpr std::size_t packet = 20;
+  const std::size_t sizes = bytes.find("stsz");
+  CSLF_CHECK(sizes != std::string::npos);
+  bytes[sizes + 16 + 4 * packet] = 0x30;
+  const std::string name = fileName + ".packet.mp4";
+  std::ofstream(name, std::ios::binary) << bytes;
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(name.c_str());
+  const cslf::testing::Observed observed(decoder);
+  const vtkIdType missing = decoder->FindMissingViewpoints();
+  CSLF_CHECK(missing > 0 && missing <= FramesOfGroup);
+  CSLF_CHECK(!observed.HasError("memory"));
+}
+
 /// A file that is gone while it is open.
 void TestVanished(const std::string& fileName)
 {
@@ -245,6 +266,7 @@ int TestCSLFDecoderHostile(int argc, char* argv[])
   TestShortTrack(fileName, ".mp4");
   TestShortTrack(fileName, ".mkv");
   TestClaims(fileName);
+  TestLargePacket(fileName);
   TestVanished(fileName + ".large.mp4");
 
   vtkNew<vtkCSLFEncoder> encoder;

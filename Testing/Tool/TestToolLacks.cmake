@@ -48,3 +48,12 @@ message("Memory was too little ${failed} times, enough ${succeeded} times")
 if (failed LESS 5 OR succeeded LESS 1)
   message(FATAL_ERROR "Memory was not taken away as meant.")
 endif ()
+
+# Nor while images are written, in threads: the error names what was not written, which is not there.
+foreach (count IN ITEMS 260 350 400 450)
+  run_without(MEMORY=${count} decode "${field}" -o images --threads 2)
+  if (NOT result STREQUAL "1" OR EXISTS "${DIRECTORY}/images" OR
+      NOT error MATCHES "cslf: error: (Cannot read [^\n]*field.mp4|images was not written): [^\n]*\n$")
+    message(FATAL_ERROR "With memory for ${count} arrays, decoding ended with ${result}: ${error}")
+  endif ()
+endforeach ()

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCacheCheck.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/cslfDisplayCurve.h"
 #include "PathTracing/cslfPathBatch.h"
 #include "PathTracing/cslfSampleStream.h"
-
-#include <vtkSMPTools.h>
 
 #include <glm/geometric.hpp>
 
@@ -195,7 +194,7 @@ std::vector<Radiances> Measure(const Scene& scene, const RadianceCache& cache,
   const PathIntegrator cached(scene, settings.Paths, &cache);
   std::vector<Radiances> radiances(texels.size());
   const auto count = static_cast<vtkIdType>(texels.size());
-  vtkSMPTools::For(0, (count + TexelsOfBatch - 1) / TexelsOfBatch, 1,
+  ParallelFor(0, (count + TexelsOfBatch - 1) / TexelsOfBatch, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType batch = begin; batch < end; ++batch)

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDiffuseEstimator.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/cslfSampling.h"
 #include "cslfHalfSamples.h"
 #include "cslfSampleNoise.h"
-
-#include <vtkSMPTools.h>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -119,7 +118,7 @@ void DiffuseEstimator::TakeSamples(
   const Request& request, int end, std::vector<Work>& works, Means& means)
 {
   CacheShare* share = this->Limits.Share;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(works.size()), 1,
+  ParallelFor(0, static_cast<vtkIdType>(works.size()), 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType index = first; index < last; ++index)
@@ -205,7 +204,7 @@ bool DiffuseEstimator::Decide(
   // Which points need more samples?
   const bool canGoOn = 4 * samples <= this->Limits.LastSamples;
   std::atomic<bool> goesOn{ false };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(works.size()),
+  ParallelFor(0, static_cast<vtkIdType>(works.size()), 0,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType point = first; point < last; ++point)

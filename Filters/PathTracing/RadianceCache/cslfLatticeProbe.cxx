@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLatticeProbe.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/cslfSampleStream.h"
 #include "cslfSeconds.h"
@@ -8,7 +9,6 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkStaticPointLocator.h>
 
 #include <glm/common.hpp>
@@ -81,7 +81,7 @@ public:
   std::vector<SurfaceEstimate> Estimate(const Request& request) override
   {
     std::vector<SurfaceEstimate> estimates(request.Points.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(estimates.size()),
+    ParallelFor(0, static_cast<vtkIdType>(estimates.size()), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType point = begin; point < end; ++point)

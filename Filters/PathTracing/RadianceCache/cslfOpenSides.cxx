@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfOpenSides.h"
+#include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/cslfSampling.h"
-
-#include <vtkSMPTools.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -201,7 +200,7 @@ OpenSides::OpenSides(
     const std::size_t first = this->Sides.size();
     this->Sides.resize(first + mesh.Triangles.size(), 0);
     const Groups groups(mesh, spacing);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(groups.GetCount()),
+    ParallelFor(0, static_cast<vtkIdType>(groups.GetCount()), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         std::uint64_t rays = 0;
