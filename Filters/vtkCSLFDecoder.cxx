@@ -38,7 +38,7 @@ public:
   std::vector<std::int64_t> TrackBytes; ///< empty until asked for
   vtkNew<vtkIdTypeArray> Missing;
   vtkNew<vtkUnsignedCharArray> Part; ///< the one that was asked for last
-  std::vector<int> Damage; ///< the file's missing viewpoints, once any is met
+  std::vector<int> Damage;           ///< the file's missing viewpoints, once any is met
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {

@@ -104,8 +104,9 @@ public:
   ///@{
   /**
    * What the file carries besides the light field (see vtkCSLFEncoder::AddPart), once
-   * UpdateInformation has run: how many parts there are, what each is, its name, which may be empty,
-   * and its bytes. Parts that are damaged are left out, with a warning. Null outside the range.
+   * UpdateInformation has run: how many parts there are, what each is, its name, which may be
+   * empty, and its bytes. Parts that are damaged are left out, with a warning. Null outside the
+   * range.
    */
   int GetNumberOfParts() const;
   const char* GetPartType(int part) const;

@@ -86,8 +86,8 @@ void CheckVersion(const JSON& version)
   const int minor = isPair ? ToInteger(version[1]) : 0;
   if (format > Description::Format)
   {
-    throw std::invalid_argument("it was written by a newer CSLF: format " +
-      std::to_string(format) + ", this reads " + std::to_string(Description::Format) + " and 1");
+    throw std::invalid_argument("it was written by a newer CSLF: format " + std::to_string(format) +
+      ", this reads " + std::to_string(Description::Format) + " and 1");
   }
   if (format < 1 || minor < 0 || isPair != (format > 1))
   {

@@ -76,19 +76,7 @@ public:
     ++this->Frames;
   }
 
-  void Finish() override
-  {
-    std::string warning;
-    std::string error;
-    if (!this->Whole.Publish(warning, error))
-    {
-      FailWriting(this->Folder, error);
-    }
-    if (!warning.empty())
-    {
-      AddWarning(warning);
-    }
-  }
+  void Finish() override { PublishWhole(this->Whole, this->Folder); }
 
 private:
   std::string Folder;

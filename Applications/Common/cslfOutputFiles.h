@@ -29,6 +29,22 @@ namespace tool
     DescribeShortage(fileName) + (isSentence ? "" : "."));
 }
 
+/// Gives a finished WholeFile or WholeFolder its name.
+template <typename Whole>
+void PublishWhole(Whole& whole, const std::string& name)
+{
+  std::string warning;
+  std::string error;
+  if (!whole.Publish(warning, error))
+  {
+    FailWriting(name, error);
+  }
+  if (!warning.empty())
+  {
+    AddWarning(warning);
+  }
+}
+
 /// One file. Other processes that want to write it fail as long as this object lives.
 class OutputFile
 {
@@ -49,19 +65,7 @@ public:
   /// What to write.
   const std::string& GetTemporaryName() const { return this->Whole.GetTemporaryName(); }
 
-  void Publish()
-  {
-    std::string warning;
-    std::string error;
-    if (!this->Whole.Publish(warning, error))
-    {
-      FailWriting(this->FileName, error);
-    }
-    if (!warning.empty())
-    {
-      AddWarning(warning);
-    }
-  }
+  void Publish() { PublishWhole(this->Whole, this->FileName); }
 
 private:
   std::string FileName;

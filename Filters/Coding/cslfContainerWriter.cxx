@@ -44,8 +44,7 @@ bool ContainerWriter::Allocate(
   return true;
 }
 
-bool ContainerWriter::Open(
-  const std::string& fileName, const HeaderTags& tags, std::string& error)
+bool ContainerWriter::Open(const std::string& fileName, const HeaderTags& tags, std::string& error)
 {
   const std::string url = "file:" + fileName;
   if (!this->Allocate(fileName, url, error))

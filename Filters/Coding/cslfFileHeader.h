@@ -41,8 +41,8 @@ struct FileHeader
   std::vector<CodedTrack> Tracks;   ///< of the roles that this version knows
   std::vector<CodedStream> Streams; ///< of a file that was read, in the container's order
   std::vector<int> Slices;          ///< the slice of each frame
-  int Coarsest = 0;        ///< how many of the first frames are the coarsest nested grid
-  std::vector<int> Groups; ///< the number of frames of each group
+  int Coarsest = 0;                 ///< how many of the first frames are the coarsest nested grid
+  std::vector<int> Groups;          ///< the number of frames of each group
   std::vector<FilePart> Parts;
   /// What has to be said of a file that was read, each in a part of a sentence.
   std::vector<std::string> Warnings;

@@ -39,8 +39,8 @@ std::unique_ptr<TrackDecoder> TrackDecoder::Open(
 void TrackDecoder::Begin(
   const std::vector<AVHandle<AVPacket>>& packets, const std::vector<bool>& wanted)
 {
-  // Frames that were not asked for are taken out, too: since version 7.1 FFmpeg's HEVC decoder keeps
-  // those that are ready beyond a flush, and would give them as frames of the next group.
+  // Frames that were not asked for are taken out, too: since version 7.1 FFmpeg's HEVC decoder
+  // keeps those that are ready beyond a flush, and would give them as frames of the next group.
   while (avcodec_receive_frame(this->Context.get(), this->Frame.get()) >= 0)
   {
   }

@@ -25,8 +25,7 @@ void TestDepths(int bits)
   std::vector<unsigned short> depths(samples.size());
   for (const double mu : { 0.0, 40.0, 255.0 })
   {
-    const auto curve =
-      mu > 0.0 ? cslf::MakeCodedDepths(bits, mu) : std::vector<unsigned short>();
+    const auto curve = mu > 0.0 ? cslf::MakeCodedDepths(bits, mu) : std::vector<unsigned short>();
     cslf::SamplesToDepths(
       samples.data(), bits, curve, static_cast<int>(samples.size()), depths.data());
     for (std::size_t k = 0; k < samples.size(); ++k)
