@@ -4,20 +4,20 @@
 """Runs the code blocks of the documentation's pages, in their order, in a folder of their own.
 
   sh      by bash, which stops at the first command that fails
-  python  as a program
+  python  as a program, with at most 3 viewpoints along each side of a face
   json    must be valid
 
-Commands are found in the folder `commands` first, where `cslf` and others take small numbers in
-place of large ones, so that pages can show what users want and still be run in little time.
+Commands are found in the folder `commands` first, where `cslf` and others replace large numbers by
+small ones, so that pages can show realistic values and their blocks still run in a short time.
 
-A comment in the line before a block tells what else is to be done with it:
+A comment in the line before a block tells how to treat it:
 
   <!-- test: in NAME -->      the block is a part of a program: it replaces @BLOCK_1@ in the folder
                               or file programs/NAME, a second one of that NAME @BLOCK_2@, and so on;
                               the program is then built and run
   <!-- test: file NAME -->    it is the contents of a file that commands of the page use
-  <!-- test: long -->         it is run with --long only, and else checked for its syntax
-  <!-- test: never, WHY -->   it is checked for its syntax only
+  <!-- test: long -->         it is run with --long only; otherwise only its syntax is checked
+  <!-- test: never, WHY -->   only its syntax is checked
 """
 import argparse
 import collections
@@ -34,6 +34,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 FENCE = re.compile(r"^(\s*)```(\w*)\s*$")
 MARK = re.compile(r"^\s*<!-- test: (in|file|long|never)[ ,]*(.*?)\s*-->\s*$")
+VIEWPOINTS = re.compile(r"\bSetViewpoints\((\d+)\)")
 Block = collections.namedtuple("Block", "place language text mark argument")
 
 
@@ -121,7 +122,8 @@ def run_block(block, folder, environment):
     if block.language == "sh":
         run(["bash", "-euo", "pipefail", "-c", block.text], folder, environment)
     elif block.language == "python":
-        run([sys.executable, "-c", block.text], folder, environment)
+        text = VIEWPOINTS.sub(lambda match: f"SetViewpoints({min(int(match[1]), 3)})", block.text)
+        run([sys.executable, "-c", text], folder, environment)
     elif block.language == "json":
         json.loads(block.text)
     else:
