@@ -226,6 +226,7 @@ list(APPEND private_headers
 list(APPEND sources
   ../Filters/Coding/cslfAV1.cxx
   ../Filters/Coding/cslfBackgroundSteps.cxx
+  ../Filters/Coding/cslfBackgroundThread.cxx
   ../Filters/Coding/cslfCodec.cxx
   ../Filters/Coding/cslfColorFrames.cxx
   ../Filters/Coding/cslfColorRows.cxx
@@ -253,6 +254,7 @@ list(APPEND sources
 list(APPEND private_headers
   ../Filters/Coding/cslfAV.h
   ../Filters/Coding/cslfBackgroundSteps.h
+  ../Filters/Coding/cslfBackgroundThread.h
   ../Filters/Coding/cslfBitstreams.h
   ../Filters/Coding/cslfChecksum.h
   ../Filters/Coding/cslfCodec.h
@@ -297,8 +299,17 @@ list(APPEND private_headers
   ../Filters/Coding/cslfViewpointCache.h
   ../Filters/Coding/cslfViewpointStore.h)
 
-# Files and folders that appear whole.
+# Files and folders that appear whole. One folder holds what differs between systems.
+if (WIN32)
+  set(cslf_system Windows)
+  list(APPEND private_headers
+    ../Filters/Files/Windows/cslfWindows.h)
+else ()
+  set(cslf_system POSIX)
+endif ()
 list(APPEND sources
+  "../Filters/Files/${cslf_system}/cslfFileSystem.cxx"
+  "../Filters/Files/${cslf_system}/cslfLockedFile.cxx"
   ../Filters/Files/cslfFileLock.cxx
   ../Filters/Files/cslfFileSystem.cxx
   ../Filters/Files/cslfLibraries.cxx
@@ -308,6 +319,7 @@ list(APPEND private_headers
   ../Filters/Files/cslfFileLock.h
   ../Filters/Files/cslfFileSystem.h
   ../Filters/Files/cslfLibraries.h
+  ../Filters/Files/cslfLockedFile.h
   ../Filters/Files/cslfWholeFile.h
   ../Filters/Files/cslfWorkFolder.h)
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfJSONText.h"
 
+#include "Files/cslfFileSystem.h"
+
 #include <filesystem>
 #include <fstream>
 
@@ -67,13 +69,13 @@ JSON ParseJSON(const std::string& text, std::string* error)
 JSON ReadJSON(const std::string& fileName, std::string* error)
 {
   std::error_code failure;
-  const std::uintmax_t bytes = std::filesystem::file_size(fileName, failure);
+  const std::uintmax_t bytes = std::filesystem::file_size(ToPath(fileName), failure);
   if (!failure && bytes > MaximumJSONBytes)
   {
     return Refuse(TooLong(), error);
   }
   std::string text(failure ? 0 : static_cast<std::size_t>(bytes), '\0');
-  std::ifstream file(fileName, std::ios::binary);
+  std::ifstream file(ToPath(fileName), std::ios::binary);
   if (failure || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
   {
     return Refuse("not readable", error);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf compare: how close one picture or light field comes to another.
+#include "Files/cslfFileSystem.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
@@ -35,8 +36,8 @@ struct Options
 bool IsPicture(const std::string& fileName)
 {
   std::error_code failure;
-  return std::filesystem::path(fileName).extension() == ".png" &&
-    !std::filesystem::is_directory(fileName, failure);
+  return ToPath(fileName).extension() == ".png" &&
+    !std::filesystem::is_directory(ToPath(fileName), failure);
 }
 
 Result ComparePictures(const Options& options)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf export: the triangles of a scene in one file, for other programs.
+#include "Files/cslfFileSystem.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkPolyData> MakeTriangles(const Scene& scene)
 /// The lines of faces in an OBJ file, which end it.
 vtkIdType CountFaces(const std::string& fileName)
 {
-  std::ifstream stream(fileName);
+  std::ifstream stream(ToPath(fileName));
   vtkIdType faces = 0;
   // What was cut off has no end of line.
   for (std::string line; std::getline(stream, line) && !stream.eof();)
@@ -96,7 +97,7 @@ vtkIdType CountFaces(const std::string& fileName)
 
 Result Run(const Options& options)
 {
-  if (fs::path(options.Output).extension() != ".obj")
+  if (ToPath(options.Output).extension() != ".obj")
   {
     throw Failure("Scenes are exported as .obj.");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldFiles.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfMessages.h"
 #include "cslfOutputFiles.h"
 #include "cslfParallel.h"
@@ -52,7 +53,7 @@ const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { 
 
 std::string LowerExtension(const std::string& fileName)
 {
-  std::string extension = fs::path(fileName).extension().string();
+  std::string extension = ToName(ToPath(fileName).extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
@@ -62,7 +63,7 @@ std::optional<FieldFormat> FindFormat(const std::string& fileName)
 {
   const std::string extension = LowerExtension(fileName);
   std::error_code failure;
-  if (extension.empty() || fs::is_directory(fileName, failure))
+  if (extension.empty() || fs::is_directory(ToPath(fileName), failure))
   {
     return FieldFormat::Folder;
   }
@@ -143,7 +144,7 @@ bool IsVideo(const std::string& fileName)
 FieldFile OpenField(const std::string& fileName)
 {
   std::error_code failure;
-  if (!fs::exists(fileName, failure))
+  if (!fs::exists(ToPath(fileName), failure))
   {
     throw Failure("There is no file or folder " + fileName + ".");
   }
@@ -254,13 +255,13 @@ std::string GetCodecName(const FieldFile& file)
 std::uintmax_t CountBytes(const std::string& fileName)
 {
   std::error_code failure;
-  if (!fs::is_directory(fileName, failure))
+  if (!fs::is_directory(ToPath(fileName), failure))
   {
-    const std::uintmax_t bytes = fs::file_size(fileName, failure);
+    const std::uintmax_t bytes = fs::file_size(ToPath(fileName), failure);
     return failure ? 0 : bytes;
   }
   std::uintmax_t sum = 0;
-  for (const auto& entry : fs::directory_iterator(fileName, failure))
+  for (const auto& entry : fs::directory_iterator(ToPath(fileName), failure))
   {
     const std::uintmax_t bytes = entry.file_size(failure);
     sum += failure ? 0 : bytes;
@@ -397,7 +398,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 void RequireWritable(const std::string& fileName)
 {
   std::error_code failure;
-  if (fs::is_directory(fileName, failure))
+  if (fs::is_directory(ToPath(fileName), failure))
   {
     throw Failure("Cannot write " + fileName + ": it is a folder.");
   }

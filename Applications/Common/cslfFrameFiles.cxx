@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFrameFiles.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 #include "cslfMovie.h"
@@ -38,9 +39,9 @@ std::vector<std::string> ListFrames(const std::string& folder)
   static const std::regex frame("frame-[0-9]{4,}\\.png");
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
+  for (const auto& entry : fs::directory_iterator(ToPath(folder), ignored))
   {
-    const std::string name = entry.path().filename().string();
+    const std::string name = ToName(entry.path().filename());
     if (std::regex_match(name, frame))
     {
       names.push_back(name);
@@ -93,7 +94,7 @@ std::unique_ptr<FrameWriter> MakeFrameWriter(
     RequireWritable(output);
     return MakeMovieWriter(output, width, height, frameRate);
   }
-  const fs::path folder = ResolveTarget(output);
+  const fs::path folder = ToPath(ResolveTarget(output));
   std::error_code failure;
   if (folder.has_extension() && !fs::is_directory(folder, failure))
   {

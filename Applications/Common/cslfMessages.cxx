@@ -4,6 +4,7 @@
 
 #include "cslfPrintable.h"
 #include "cslfTable.h"
+#include "cslfTerminal.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
@@ -19,19 +20,12 @@
 #include <regex>
 #include <vector>
 
-#include <unistd.h>
-
 namespace cslf
 {
 namespace tool
 {
 namespace
 {
-bool IsTerminal()
-{
-  return isatty(STDERR_FILENO) != 0;
-}
-
 void PrintLine(const char* kind, const std::string& text)
 {
   std::fprintf(stderr, "cslf: %s: %s\n", kind, MakePrintable(text).c_str());
@@ -205,7 +199,7 @@ void PrintError(const std::string& text)
 ProgressBar::ProgressBar(vtkAlgorithm* algorithm, const std::string& label)
   : Algorithm(algorithm)
 {
-  if (IsTerminal())
+  if (IsErrorTerminal())
   {
     vtkNew<vtkCallbackCommand> command;
     command->SetCallback(Bar::OnProgress);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPLYReader.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfMessages.h"
 #include "cslfPLYHeader.h"
 
@@ -346,7 +347,7 @@ private:
 
 vtkSmartPointer<vtkPolyData> ReadPLY(const std::string& fileName)
 {
-  std::ifstream file(fileName, std::ios::binary);
+  std::ifstream file(ToPath(fileName), std::ios::binary);
   const std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   return Reader(bytes).Read();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneChecks.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfMessages.h"
 #include "cslfXMLArrayHeaders.h"
 #include "cslfXMLStrings.h"
@@ -61,7 +62,7 @@ class OBJChecker
 {
 public:
   explicit OBJChecker(const std::string& fileName)
-    : File(fileName, std::ios::binary)
+    : File(ToPath(fileName), std::ios::binary)
   {
   }
 
@@ -203,10 +204,10 @@ class STLChecker
 {
 public:
   explicit STLChecker(const std::string& fileName)
-    : File(fileName, std::ios::binary)
+    : File(ToPath(fileName), std::ios::binary)
   {
     std::error_code failure;
-    this->Size = fs::file_size(fileName, failure);
+    this->Size = fs::file_size(ToPath(fileName), failure);
     this->Begin.resize(std::min<std::uintmax_t>(this->Size, BytesLookedAt));
     this->File.read(this->Begin.data(), static_cast<std::streamsize>(this->Begin.size()));
   }
@@ -367,7 +368,7 @@ public:
   void Check()
   {
     vtkNew<vtkShallowXMLParser> parser;
-    parser->SetFileName(this->Path.string().c_str());
+    parser->SetFileName(ToName(this->Path).c_str());
     const bool isParsed = parser->Parse() != 0;
     if (parser->HasDeepElements())
     {
@@ -382,8 +383,8 @@ public:
 private:
   void CheckElements(vtkXMLDataParser* parser)
   {
-    XMLArrayHeaders headers(this->Path.string(), parser);
-    XMLStrings strings(this->Path.string(), parser);
+    XMLArrayHeaders headers(ToName(this->Path), parser);
+    XMLStrings strings(ToName(this->Path), parser);
     std::vector<vtkXMLDataElement*> pending = { parser->GetRootElement() };
     while (!pending.empty())
     {
@@ -502,7 +503,7 @@ private:
   /// A file that this one names. VTK reads no trees within trees.
   void CheckFile(const std::string& name) const
   {
-    const fs::path path = this->Path.parent_path() / name;
+    const fs::path path = this->Path.parent_path() / ToPath(name);
     std::error_code failure;
     if (path.extension() != this->Path.extension() && fs::is_regular_file(path, failure))
     {
@@ -512,7 +513,7 @@ private:
 
   [[noreturn]] void Fail(const std::string& what) const
   {
-    throw Failure(this->Path.filename().string() + " declares " + what +
+    throw Failure(ToName(this->Path.filename()) + " declares " + what +
       ", which is invalid or more than the file can hold.");
   }
 
@@ -536,7 +537,7 @@ void CheckSTL(const std::string& fileName)
 
 void CheckVTKXML(const std::string& fileName)
 {
-  XMLChecker(fileName).Check();
+  XMLChecker(ToPath(fileName)).Check();
 }
 }
 }

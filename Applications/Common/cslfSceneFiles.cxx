@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneFiles.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfMessages.h"
 #include "cslfPLYReader.h"
 #include "cslfSceneChecks.h"
@@ -186,8 +187,8 @@ Part ReadScenePart(const std::string& input)
     box->Update();
     return box->GetOutputDataObject(0);
   }
-  const std::filesystem::path path = input;
-  std::string extension = path.extension().string();
+  const std::filesystem::path path = ToPath(input);
+  std::string extension = ToName(path.extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto reader = GetReaders().find(extension);
@@ -358,7 +359,8 @@ Scene SceneOptions::Read() const
   }
   const std::string environment = this->Environment.value_or(NoEnvironment);
   std::error_code failure;
-  if (!IsNamedEnvironment(environment) && !std::filesystem::is_regular_file(environment, failure))
+  if (!IsNamedEnvironment(environment) &&
+    !std::filesystem::is_regular_file(ToPath(environment), failure))
   {
     throw Failure("There is no environment image " + environment + ".");
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfXMLArrayHeaders.h"
 
+#include "Files/cslfFileSystem.h"
+
 #include <vtkBase64Utilities.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
@@ -24,10 +26,10 @@ std::string GetText(vtkXMLDataElement* element, const char* name)
 }
 
 XMLArrayHeaders::XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* parser)
-  : File(fileName, std::ios::binary)
+  : File(ToPath(fileName), std::ios::binary)
 {
   std::error_code failure;
-  const auto size = std::filesystem::file_size(fileName, failure);
+  const auto size = std::filesystem::file_size(ToPath(fileName), failure);
   this->FileSize = failure ? 0.0 : static_cast<double>(size);
   vtkXMLDataElement* root = parser->GetRootElement();
   this->IsCompressed = root->GetAttribute("compressor") != nullptr;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfXMLStrings.h"
 
+#include "Files/cslfFileSystem.h"
+
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
 #include <vtkNew.h>
@@ -74,7 +76,7 @@ double CountTuples(vtkXMLDataElement* array)
 }
 
 XMLStrings::XMLStrings(const std::string& fileName, vtkXMLDataParser* parser)
-  : File(fileName, std::ios::binary)
+  : File(ToPath(fileName), std::ios::binary)
   , Parser(parser)
 {
   parser->SetStream(&this->File);

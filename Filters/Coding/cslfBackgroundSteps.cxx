@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfBackgroundSteps.h"
 
+#include "Coding/cslfBackgroundThread.h"
+
 #include <vtkSMPTools.h>
 #include <vtkThreadedTaskQueue.h>
 
@@ -11,44 +13,8 @@
 #include <mutex>
 #include <utility>
 
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
-
 namespace cslf
 {
-namespace
-{
-/// Threads that draw come first where there are no cores for both: with this niceness a busy thread
-/// leaves the others nine tenths of a core.
-constexpr int Niceness = 10;
-
-/// A number of this process. Only Linux is known to fork while VTK's libraries are in use.
-long GetProcess()
-{
-#ifdef __linux__
-  return getpid();
-#else
-  return 0;
-#endif
-}
-
-/// Once for each thread. Other systems than Linux have no niceness for single threads.
-void YieldToOthers()
-{
-#ifdef __linux__
-  thread_local bool yields = false;
-  if (!yields)
-  {
-    yields = true;
-    const auto thread = static_cast<id_t>(gettid());
-    setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + Niceness);
-  }
-#endif
-}
-}
-
 /// What threads pass on their way to the owner's work. It may outlive the owner.
 struct BackgroundSteps::Gate
 {
@@ -74,7 +40,7 @@ struct BackgroundSteps::Gate
 
   static void Pass(const std::shared_ptr<Gate>& gate)
   {
-    YieldToOthers();
+    LowerThreadPriority();
     if (gate->Enter())
     {
       try
@@ -101,11 +67,11 @@ struct BackgroundSteps::Gate
     static Queue* queue = nullptr;
     static long owner = 0;
     const std::lock_guard<std::mutex> lock(mutex);
-    if (!queue || owner != GetProcess())
+    if (!queue || owner != GetForkNumber())
     {
       queue = new Queue(
         &Gate::Pass, ordered, unlimited, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
-      owner = GetProcess();
+      owner = GetForkNumber();
     }
     queue->Push(std::shared_ptr<Gate>(gate));
   }

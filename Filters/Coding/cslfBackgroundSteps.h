@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Work done in the background by threads that the whole process shares. On Linux they yield to all
- * others, so that drawing goes on while viewpoints are decoded.
+ * Work done in the background by threads that the whole process shares. They have a low priority,
+ * so that drawing goes on while viewpoints are decoded.
  */
 #ifndef cslfBackgroundSteps_h
 #define cslfBackgroundSteps_h

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coding/cslfContainerWriter.h"
 
+#include "Files/cslfFileSystem.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -22,7 +24,7 @@ bool Fail(const char* what, int code, std::string& error)
 
 const char* FindContainer(const std::string& fileName)
 {
-  std::string extension = std::filesystem::path(fileName).extension().string();
+  std::string extension = ToName(ToPath(fileName).extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return extension == ".mp4" ? "mp4" : extension == ".mkv" ? "matroska" : nullptr;

@@ -3,6 +3,7 @@
 #include "Coding/cslfEncodeSettings.h"
 
 #include "Coding/cslfContainerWriter.h"
+#include "Files/cslfFileSystem.h"
 
 #include <vtkType.h>
 
@@ -67,7 +68,7 @@ bool HasRadiance(const Description& field)
 
 std::string FindFault(const std::string& fileName)
 {
-  const fs::path path(fileName);
+  const fs::path path = ToPath(fileName);
   if (!FindContainer(fileName))
   {
     return "The extension of " + fileName + " must be .mp4 or .mkv.";

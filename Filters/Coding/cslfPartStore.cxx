@@ -36,14 +36,14 @@ bool IsOurs(const std::string& name)
 template <typename Bytes>
 Bytes ReadBytes(const std::string& name)
 {
-  std::ifstream file(name, std::ios::binary);
+  std::ifstream file(ToPath(name), std::ios::binary);
   return Bytes(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
 std::vector<std::uint8_t> ReadHead(const std::string& name)
 {
   std::vector<std::uint8_t> head(PartHeadSize);
-  std::ifstream file(name, std::ios::binary);
+  std::ifstream file(ToPath(name), std::ios::binary);
   file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
   return head;
@@ -136,7 +136,7 @@ bool PartStore::DropOthers() const
 bool PartStore::Has(TrackRole role, int group) const
 {
   std::error_code ignored;
-  return std::filesystem::exists(this->Work.GetName(GetPartName(role, group)), ignored);
+  return std::filesystem::exists(ToPath(this->Work.GetName(GetPartName(role, group))), ignored);
 }
 
 bool PartStore::Write(TrackRole role, int group, const CodedGroup& part, std::string& error) const
@@ -178,8 +178,7 @@ KeptFile PartStore::GetCacheFile() const
 
 std::string PartStore::GetWholeName() const
 {
-  return this->Work.GetScratchName(
-    std::filesystem::path(this->Work.GetTarget()).filename().string());
+  return this->Work.GetScratchName(ToName(ToPath(this->Work.GetTarget()).filename()));
 }
 
 bool PartStore::Publish(std::string& warning, std::string& error)

@@ -88,7 +88,7 @@ std::uint32_t ReadBigEndian(const unsigned char* bytes)
 
 std::vector<unsigned char> ReadBytes(const std::string& fileName)
 {
-  std::ifstream file(fileName, std::ios::binary);
+  std::ifstream file(ToPath(fileName), std::ios::binary);
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
@@ -245,8 +245,7 @@ std::vector<std::string> ListCubeMapFiles(const std::string& folder)
     {
       for (int slice = content->Slices.First; slice <= content->Slices.Last; ++slice)
       {
-        const std::string name =
-          std::filesystem::path(CubeMapFileName(folder, channel, slice)).filename().string();
+        const std::string name = ToName(ToPath(CubeMapFileName(folder, channel, slice)).filename());
         if (std::binary_search(names.begin(), names.end(), name))
         {
           files.push_back(name);

@@ -10,6 +10,8 @@
 #ifndef cslfFileLock_h
 #define cslfFileLock_h
 
+#include "Files/cslfLockedFile.h"
+
 #include <string>
 
 namespace cslf
@@ -46,14 +48,14 @@ public:
   void Remove();
 
 private:
-  Outcome Lock(const std::string& fileName, std::string& error);
+  Outcome ReadMark();
   bool HoldByFile(std::string& error);
   void Release();
+  void RemoveHolder();
 
+  LockedFile File;
   std::string FileName;
   std::string Holder; ///< the second file, where this process has made it
-  int Handle = -1;
-  bool Made = false;
   bool Marked = false;
 };
 }

@@ -3,124 +3,34 @@
 #include "Files/cslfFileSystem.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <system_error>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace cslf
 {
 namespace
 {
 namespace fs = std::filesystem;
-
-bool Fail(const std::string& what, const std::string& name, std::string& error)
-{
-  error = "cannot " + what + " " + name + ": " + std::generic_category().message(errno);
-  return false;
 }
 
-/// A file's number, closed in the end.
-class Handle
+std::filesystem::path ToPath(const std::string& name)
 {
-public:
-  Handle(const std::string& name, int flags)
-    : Number(::open(name.c_str(), flags | O_CLOEXEC, 0666))
-  {
-  }
-  ~Handle() { this->Close(); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-
-  int Get() const { return this->Number; }
-
-  bool Close()
-  {
-    const int number = this->Number;
-    this->Number = -1;
-    return number < 0 || ::close(number) == 0;
-  }
-
-private:
-  int Number;
-};
-
-/// Some file systems have nothing to do for a folder, and say so.
-bool SyncHandle(int handle, bool isFolder)
-{
-  return handle >= 0 &&
-    (::fsync(handle) == 0 || (isFolder && (errno == EINVAL || errno == ENOTSUP)));
-}
+  return fs::u8path(name);
 }
 
-bool MakeFolder(const std::string& name, std::string& error)
+std::string ToName(const std::filesystem::path& path)
 {
-  error.clear();
-  if (::mkdir(name.c_str(), 0777) == 0)
-  {
-    return true;
-  }
-  return errno == EEXIST ? false : Fail("make the folder", name, error);
-}
-
-bool MakeUniqueFolder(const std::string& prefix, std::string& name, std::string& error)
-{
-  name = prefix + "XXXXXX";
-  return ::mkdtemp(name.data()) ? true : Fail("make the folder", name, error);
-}
-
-bool MakeFile(const std::string& name, const void* bytes, std::size_t count, std::string& error)
-{
-  Handle handle(name, O_WRONLY | O_CREAT | O_EXCL);
-  if (handle.Get() < 0)
-  {
-    return Fail("make", name, error);
-  }
-  const char* next = static_cast<const char*>(bytes);
-  while (count > 0)
-  {
-    const ssize_t written = ::write(handle.Get(), next, count);
-    if (written < 0 && errno != EINTR)
-    {
-      Fail("write", name, error);
-      RemoveFile(name);
-      return false;
-    }
-    next += std::max<ssize_t>(written, 0);
-    count -= static_cast<std::size_t>(std::max<ssize_t>(written, 0));
-  }
-  if (!handle.Close())
-  {
-    Fail("write", name, error);
-    RemoveFile(name);
-    return false;
-  }
-  return true;
-}
-
-bool RemoveFile(const std::string& name)
-{
-  return ::unlink(name.c_str()) == 0;
-}
-
-bool RemoveEmptyFolder(const std::string& name)
-{
-  return ::rmdir(name.c_str()) == 0;
+  return path.u8string();
 }
 
 std::vector<std::string> ListFolder(const std::string& name)
 {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(name, ignored))
+  for (const fs::directory_entry& entry : fs::directory_iterator(ToPath(name), ignored))
   {
-    names.push_back(entry.path().filename().string());
+    names.push_back(ToName(entry.path().filename()));
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -129,60 +39,7 @@ std::vector<std::string> ListFolder(const std::string& name)
 bool IsRealFolder(const std::string& name)
 {
   std::error_code ignored;
-  return fs::is_directory(fs::symlink_status(name, ignored));
-}
-
-bool Rename(const std::string& from, const std::string& to, std::string& error)
-{
-  return std::rename(from.c_str(), to.c_str()) == 0 || Fail("rename " + from + " to", to, error);
-}
-
-bool ExchangeFolders(const std::string& one, const std::string& other, std::string& error)
-{
-  error.clear();
-#ifdef RENAME_EXCHANGE
-  if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0)
-  {
-    return true;
-  }
-  const bool isUnknown = errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
-  return isUnknown ? false : Fail("rename " + one + " to", other, error);
-#else
-  static_cast<void>(one);
-  static_cast<void>(other);
-  return false;
-#endif
-}
-
-bool SyncFile(const std::string& name, std::string& error)
-{
-  Handle handle(name, O_RDONLY);
-  return (SyncHandle(handle.Get(), false) && handle.Close()) || Fail("write", name, error);
-}
-
-bool SyncFolder(const std::string& name, std::string& error)
-{
-  const Handle handle(name, O_RDONLY | O_DIRECTORY);
-  return SyncHandle(handle.Get(), true) || Fail("write to the folder", name, error);
-}
-
-bool SyncTree(const std::string& name, std::string& error)
-{
-#ifdef __linux__
-  // At once: a field has thousands of images, and a disk turns for each file that is waited for.
-  const Handle handle(name, O_RDONLY | O_DIRECTORY);
-  return (handle.Get() >= 0 && ::syncfs(handle.Get()) == 0) ||
-    Fail("write to the folder", name, error);
-#else
-  for (const std::string& file : ListFolder(name))
-  {
-    if (!SyncFile(name + "/" + file, error))
-    {
-      return false;
-    }
-  }
-  return SyncFolder(name, error);
-#endif
+  return fs::is_directory(fs::symlink_status(ToPath(name), ignored));
 }
 
 bool PublishFile(const std::string& from, const std::string& to, std::string& error)
@@ -190,19 +47,10 @@ bool PublishFile(const std::string& from, const std::string& to, std::string& er
   return SyncFile(from, error) && Rename(from, to, error) && SyncFolder(GetParent(to), error);
 }
 
-bool IsWritableFolder(const std::string& name, std::string& error)
-{
-  if (::faccessat(AT_FDCWD, name.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
-  {
-    return Fail("write to the folder", name, error);
-  }
-  return true;
-}
-
 double GetFreeBytes(const std::string& name)
 {
   std::error_code failure;
-  fs::path place(name);
+  fs::path place = ToPath(name);
   while (!fs::exists(place, failure) && place.has_parent_path() && place != place.parent_path())
   {
     place = place.parent_path();
@@ -227,16 +75,9 @@ std::string DescribeBytes(double bytes)
   return text;
 }
 
-std::string DescribeProcess()
-{
-  char host[256] = {};
-  ::gethostname(host, sizeof(host) - 1);
-  return "process " + std::to_string(::getpid()) + " on " + host;
-}
-
 std::string GetParent(const std::string& name)
 {
-  const std::string parent = fs::path(name).parent_path().string();
+  const std::string parent = ToName(ToPath(name).parent_path());
   return parent.empty() ? "." : parent;
 }
 }

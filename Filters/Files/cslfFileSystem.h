@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the operating system does for files that must survive a crash: the one place that differs
- * between systems. All names are in its encoding. Where a function returns false, `error` says why
- * in one line without a full stop.
+ * What the operating system does for files that must survive a crash. The folders POSIX and Windows
+ * hold what differs between systems. All names are UTF-8 on Windows, and the file system's own
+ * bytes elsewhere. Where a function returns false, `error` says why in one line without a full
+ * stop.
  */
 #ifndef cslfFileSystem_h
 #define cslfFileSystem_h
@@ -12,11 +13,18 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace cslf
 {
+///@{
+/// Converts between the names that VTK uses and the standard library's paths.
+VTKCSLF_EXPORT std::filesystem::path ToPath(const std::string& name);
+VTKCSLF_EXPORT std::string ToName(const std::filesystem::path& path);
+///@}
+
 /// Makes a folder. False without an error where the name is taken already.
 bool MakeFolder(const std::string& name, std::string& error);
 

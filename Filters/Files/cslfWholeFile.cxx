@@ -41,8 +41,8 @@ bool WholeFile::Open(std::string& error)
   {
     return false;
   }
-  const fs::path target = this->Work.GetTarget();
-  this->Temporary = this->Work.GetScratchName(target.filename().string());
+  const fs::path target = ToPath(this->Work.GetTarget());
+  this->Temporary = this->Work.GetScratchName(ToName(target.filename()));
   return true;
 }
 
@@ -79,7 +79,7 @@ bool WholeFolder::IsReplaceable(std::string& error) const
 {
   const std::string& folder = this->Work.GetTarget();
   std::error_code ignored;
-  if (!fs::exists(fs::symlink_status(folder, ignored)))
+  if (!fs::exists(fs::symlink_status(ToPath(folder), ignored)))
   {
     return true;
   }
@@ -91,7 +91,7 @@ bool WholeFolder::IsReplaceable(std::string& error) const
   const std::vector<std::string> ours = this->List(folder);
   for (const std::string& name : ListFolder(folder))
   {
-    const fs::file_status status = fs::symlink_status(folder + "/" + name, ignored);
+    const fs::file_status status = fs::symlink_status(ToPath(folder + "/" + name), ignored);
     if (std::find(ours.begin(), ours.end(), name) == ours.end() || !fs::is_regular_file(status))
     {
       error = "the folder " + folder + " holds other things than " + this->Kind + ": " + name;

@@ -28,7 +28,7 @@ constexpr int LockAttempts = 100;
 bool Exists(const std::string& name)
 {
   std::error_code ignored;
-  return fs::exists(fs::symlink_status(name, ignored));
+  return fs::exists(fs::symlink_status(ToPath(name), ignored));
 }
 
 bool IsScratch(const std::string& name)
@@ -40,11 +40,11 @@ bool IsScratch(const std::string& name)
 
 std::string ResolveTarget(const std::string& name)
 {
-  const fs::path path = fs::path(name).lexically_normal();
+  const fs::path path = ToPath(name).lexically_normal();
   const fs::path target = path.has_filename() ? path : path.parent_path();
   std::error_code failure;
   const fs::path linked = fs::is_symlink(target, failure) ? fs::canonical(target, failure) : target;
-  return (failure ? target : linked).string();
+  return ToName(failure ? target : linked);
 }
 
 WorkFolder::WorkFolder(const std::string& target, Judge isOurs, Lister list)
@@ -240,7 +240,7 @@ void WorkFolder::ClearScratch(const std::string& scratch) const
     {
       this->ClearFolder(file);
     }
-    else if (this->IsOurs(name) || fs::path(this->Target).filename() == name)
+    else if (this->IsOurs(name) || ToName(ToPath(this->Target).filename()) == name)
     {
       RemoveFile(file);
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGLTFDocument.h"
 
+#include "Files/cslfFileSystem.h"
+
 #include <vtkBase64Utilities.h>
 
 #include <algorithm>
@@ -124,8 +126,7 @@ std::string DecodeDataAddress(const GLTFValue& uri, const std::string& text)
 GLTFDocument::GLTFDocument(const std::string& fileName)
   : FileName(fileName)
 {
-  const std::string bytes =
-    ReadFile(fs::u8path(fileName), fs::u8path(fileName).filename().u8string());
+  const std::string bytes = ReadFile(ToPath(fileName), ToName(ToPath(fileName).filename()));
   if (bytes.size() >= BinaryHeader && ReadNumber(bytes, 0) == BinaryMagic)
   {
     this->ReadBinary(bytes);
@@ -285,14 +286,14 @@ std::string GLTFDocument::ReadResource(const GLTFValue& uri) const
   {
     uri.Fail("is not the path of a local file");
   }
-  const fs::path folder = fs::u8path(this->FileName).parent_path();
-  if (!IsBelow(fs::u8path(name), folder))
+  const fs::path folder = ToPath(this->FileName).parent_path();
+  if (!IsBelow(ToPath(name), folder))
   {
     uri.Fail("names " + name + ", which is outside the folder of the glTF file");
   }
   try
   {
-    return ReadFile(folder / fs::u8path(name), name);
+    return ReadFile(folder / ToPath(name), name);
   }
   catch (const GLTFError& error)
   {

@@ -75,7 +75,7 @@ public:
   {
     std::error_code failure;
     std::string ignored;
-    const std::string prefix = (fs::temp_directory_path(failure) / "cslf-probe-").string();
+    const std::string prefix = ToName(fs::temp_directory_path(failure) / "cslf-probe-");
     this->Name = MakeUniqueFolder(prefix, this->Name, ignored) ? this->Name : std::string();
   }
   ~TemporaryFolder()

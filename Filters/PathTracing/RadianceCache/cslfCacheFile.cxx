@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCacheFile.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfRadianceCache.h"
 
 #include <zlib.h>
@@ -39,7 +40,7 @@ class FileWriter
 {
 public:
   explicit FileWriter(const std::string& fileName)
-    : Stream(fileName, std::ios::binary | std::ios::trunc)
+    : Stream(ToPath(fileName), std::ios::binary | std::ios::trunc)
   {
   }
 
@@ -82,7 +83,7 @@ class FileReader
 {
 public:
   explicit FileReader(const std::string& fileName)
-    : Stream(fileName, std::ios::binary)
+    : Stream(ToPath(fileName), std::ios::binary)
   {
   }
 
@@ -113,7 +114,7 @@ private:
 /// Whether a file begins and ends as a cache's.
 bool IsWhole(const std::string& fileName)
 {
-  std::ifstream stream(fileName, std::ios::binary | std::ios::ate);
+  std::ifstream stream(ToPath(fileName), std::ios::binary | std::ios::ate);
   constexpr std::size_t checksumSize = sizeof(std::uint32_t);
   const auto size = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
   std::uint64_t magic = 0;
@@ -151,7 +152,7 @@ CacheFileState ReadCacheFile(
   const std::string& fileName, const std::string& key, RadianceCache& cache)
 {
   std::error_code ignored;
-  if (!fs::exists(fileName, ignored))
+  if (!fs::exists(ToPath(fileName), ignored))
   {
     return CacheFileState::Missing;
   }

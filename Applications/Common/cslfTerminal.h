@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the tool asks the terminal.
+ */
+#ifndef cslfTerminal_h
+#define cslfTerminal_h
+
+namespace cslf
+{
+namespace tool
+{
+/// Whether standard error is a terminal that understands escape sequences.
+bool IsErrorTerminal();
+}
+}
+
+#endif
