@@ -36,9 +36,10 @@ endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${cslf_vtk_components}
   # VTK's OpenGL loader: opengl and glew up to 9.3, glad since. MPI, for several processes at once.
-  # Chemistry, for molecules in a renderer's scene, and how they are drawn in the tests.
+  # Chemistry, for molecules in a renderer's scene, and how they are drawn in the tests. Implicit
+  # arrays, which are a module of their own in some versions, for the tests.
   OPTIONAL_COMPONENTS opengl glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2
-    RenderingLOD)
+    RenderingLOD CommonImplicitArrays)
 
 find_package(embree 3 QUIET)
 if (NOT embree_FOUND)

@@ -353,11 +353,13 @@ list(APPEND private_headers
 
 # Pulling fields slab by slab.
 list(APPEND sources
+  ../Filters/Pipeline/cslfArrayLayout.cxx
   ../Filters/Pipeline/cslfFieldArrays.cxx
   ../Filters/Pipeline/cslfPipelineWatch.cxx
   ../Filters/Pipeline/cslfScenePipeline.cxx
   ../Filters/Pipeline/cslfSlabs.cxx)
 list(APPEND private_headers
+  ../Filters/Pipeline/cslfArrayLayout.h
   ../Filters/Pipeline/cslfFieldArrays.h
   ../Filters/Pipeline/cslfGuard.h
   ../Filters/Pipeline/cslfKeptGroups.h

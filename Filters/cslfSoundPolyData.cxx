@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSoundPolyData.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -174,16 +176,14 @@ SoundPolyData MakeSound(vtkPolyData* data)
   copy->GetFieldData()->ShallowCopy(data->GetFieldData());
   RemoveShortArrays(copy->GetPointData(), points, sound.RemovedArrays);
   RemoveShortArrays(copy->GetCellData(), cells, sound.RemovedArrays);
+  bool hasOtherLayouts = MakeAOS(copy->GetPointData());
+  hasOtherLayouts = MakeAOS(copy->GetCellData()) || hasOtherLayouts;
+  hasOtherLayouts = MakeAOS(copy->GetFieldData()) || hasOtherLayouts;
   if (sound.RemovedCells > 0 || sound.RemovedCellLists > 0)
   {
     RemoveBrokenCells(copy, lists, points);
   }
-  else if (sound.RemovedArrays.empty())
-  {
-    sound.Data = data;
-    return sound;
-  }
-  sound.Data = copy;
+  sound.Data = sound.IsWhole() && !hasOtherLayouts ? data : copy.Get();
   return sound;
 }
 }

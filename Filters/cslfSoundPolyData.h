@@ -20,10 +20,16 @@ namespace cslf
 {
 struct SoundPolyData
 {
-  vtkSmartPointer<vtkPolyData> Data;   ///< the given data itself if nothing is wrong with it
+  vtkSmartPointer<vtkPolyData> Data;   ///< the given data itself if nothing had to be changed
   vtkIdType RemovedCells = 0;          ///< with ids of points that do not exist
   vtkIdType RemovedCellLists = 0;      ///< whole vertices, lines, polygons or strips
   std::set<std::string> RemovedArrays; ///< names of arrays with too few tuples
+
+  /// Whether nothing had to be removed.
+  bool IsWhole() const
+  {
+    return this->RemovedCells == 0 && this->RemovedCellLists == 0 && this->RemovedArrays.empty();
+  }
 
   /// Adds descriptions of what was removed to a list.
   VTKCSLF_EXPORT void AddRemoved(std::set<std::string>& list) const;
@@ -34,6 +40,7 @@ struct SoundPolyData
 /// - all vertices, lines, polygons or strips if their offsets do not ascend from 0 to the length of
 ///   their connectivity;
 /// - arrays of points or cells with fewer tuples than there are points or cells.
+/// All arrays but the points' coordinates are vtkAOSDataArrayTemplate in what comes out.
 VTKCSLF_EXPORT SoundPolyData MakeSound(vtkPolyData* data);
 }
 

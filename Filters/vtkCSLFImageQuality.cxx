@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFImageQuality.h"
 
+#include "Pipeline/cslfArrayLayout.h"
 #include "Quality/cslfPSNR.h"
 
 #include <vtkDataArray.h>
@@ -14,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -45,7 +47,7 @@ double Luma(const unsigned char* pixel, int colors)
 /// Two pictures of one size.
 struct Pair
 {
-  vtkUnsignedCharArray* Pixels[2] = {};
+  vtkSmartPointer<vtkUnsignedCharArray> Pixels[2];
   int Components[2] = {};
   int Extent[6] = {};
 
@@ -55,7 +57,7 @@ struct Pair
     vtkImageData* images[2] = { first, second };
     for (int k = 0; k < 2; ++k)
     {
-      this->Pixels[k] = vtkUnsignedCharArray::SafeDownCast(images[k]->GetPointData()->GetScalars());
+      this->Pixels[k] = cslf::ToAOS<vtkUnsignedCharArray>(images[k]->GetPointData()->GetScalars());
       if (!this->Pixels[k] || this->Pixels[k]->GetNumberOfComponents() > 4)
       {
         return "The pictures must be of unsigned char with 1 to 4 components.";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFInstances.h"
 
+#include "Pipeline/cslfArrayLayout.h"
 #include "cslfColor.h"
 
 #include <vtkDataObject.h>
@@ -21,9 +22,10 @@ template <typename Array>
 Array* GetOrMake(vtkDataObject* data, const char* name, int components)
 {
   vtkFieldData* fields = data->GetFieldData();
-  auto* array = Array::SafeDownCast(fields->GetAbstractArray(name));
+  const auto array = cslf::ToAOS<Array>(fields->GetArray(name));
   if (array && array->GetNumberOfComponents() == components)
   {
+    fields->AddArray(array);
     return array;
   }
   vtkNew<Array> made;

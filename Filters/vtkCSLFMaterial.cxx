@@ -3,6 +3,7 @@
 #include "vtkCSLFMaterial.h"
 
 #include "PathTracing/cslfMaterialParameters.h"
+#include "Pipeline/cslfArrayLayout.h"
 #include "SceneImport/cslfSurfaceLook.h"
 #include "SceneImport/cslfTextureImage.h"
 #include "cslfColor.h"
@@ -18,6 +19,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -66,24 +68,26 @@ void RemoveTexture(vtkDataObject* data, int slot)
   data->GetFieldData()->RemoveArray(LayoutNames[slot]);
 }
 
+using PixelsAndLayout = std::pair<vtkSmartPointer<vtkUnsignedCharArray>, vtkDataArray*>;
+
 /// The pixels and layout of a texture; null where there is none that can be used.
-std::pair<vtkUnsignedCharArray*, vtkDataArray*> FindTexture(vtkDataObject* data, int slot)
+PixelsAndLayout FindTexture(vtkDataObject* data, int slot)
 {
   vtkFieldData* fields = data->GetFieldData();
-  auto* pixels = vtkUnsignedCharArray::SafeDownCast(fields->GetArray(TextureNames[slot]));
+  const auto pixels = cslf::ToAOS<vtkUnsignedCharArray>(fields->GetArray(TextureNames[slot]));
   vtkDataArray* layout = fields->GetArray(LayoutNames[slot]);
   if (!pixels || !layout || layout->GetNumberOfTuples() < 1 ||
     pixels->GetNumberOfComponents() > 4 ||
     (layout->GetNumberOfComponents() != LayoutSize &&
       layout->GetNumberOfComponents() != LayoutSizeWithBorder))
   {
-    return { nullptr, nullptr };
+    return {};
   }
   const double width = layout->GetComponent(0, LayoutWidth);
   const double height = layout->GetComponent(0, LayoutHeight);
   const bool fits = width >= 1.0 && height >= 1.0 && width <= VTK_INT_MAX &&
     height <= VTK_INT_MAX && width * height == static_cast<double>(pixels->GetNumberOfTuples());
-  return fits ? std::make_pair(pixels, layout) : std::make_pair(nullptr, nullptr);
+  return fits ? PixelsAndLayout(pixels, layout) : PixelsAndLayout();
 }
 
 /// The layout of a texture, to be changed, with its border; null where there is no texture. Pieces
@@ -414,7 +418,7 @@ bool vtkCSLFMaterial::SetTexture(
   }
   int dimensions[3];
   image->GetDimensions(dimensions);
-  auto* scalars = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+  const auto scalars = cslf::ToAOS<vtkUnsignedCharArray>(image->GetPointData()->GetScalars());
   if (!scalars || scalars->GetNumberOfComponents() > 4 || dimensions[0] < 1 || dimensions[1] < 1 ||
     dimensions[2] != 1)
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFResample.h"
+#include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 
@@ -77,7 +78,8 @@ public:
     for (int first = slices.First; first <= slices.Last;)
     {
       const int last = this->Nesting.FindEnd(first, slices.Last, GetSlicesAtOnce(this->Whole));
-      vtkImageData* input = this->Pull(this->Nesting.ToInput(first), this->Nesting.ToInput(last));
+      const vtkSmartPointer<vtkImageData> input =
+        this->Pull(this->Nesting.ToInput(first), this->Nesting.ToInput(last));
       if (!input || !this->Begin(input, slices))
       {
         return false;
@@ -110,7 +112,7 @@ private:
     return false;
   }
 
-  vtkImageData* Pull(int first, int last)
+  vtkSmartPointer<vtkImageData> Pull(int first, int last)
   {
     vtkImageData* image = vtkImageData::GetData(this->InInfo);
     const auto holds = [&]()
@@ -134,7 +136,7 @@ private:
         std::to_string(last) + ".");
       return nullptr;
     }
-    return image;
+    return cslf::ToAOS(image, first, last);
   }
 
   /// Checks what was pulled. The first time, makes the output.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfViewpointSource.h"
 
+#include "Pipeline/cslfArrayLayout.h"
 #include "vtkCSLFDecoder.h"
 
 #include <vtkIdTypeArray.h>
@@ -28,7 +29,7 @@ class ImageSource : public ViewpointSource
 public:
   ImageSource(const Description& field, vtkImageData* image)
     : ViewpointSource(field)
-    , Whole(GetSamples(image))
+    , Whole(GetSamples(ToAOS(image, image->GetExtent()[4], image->GetExtent()[5])))
   {
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureReader.h"
 
+#include "Pipeline/cslfArrayLayout.h"
 #include "cslfColor.h"
 #include "cslfDisplayedColor.h"
 #include "vtkCSLFMaterial.h"
@@ -64,7 +65,7 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
   vtkCSLFMaterial::GetTextureWrap(material, slot, wraps);
   image.Wraps[0] = static_cast<TextureWrap>(wraps[0]);
   image.Wraps[1] = static_cast<TextureWrap>(wraps[1]);
-  auto* pixels = vtkUnsignedCharArray::SafeDownCast(source->GetPointData()->GetScalars());
+  const auto pixels = ToAOS<vtkUnsignedCharArray>(source->GetPointData()->GetScalars());
   const int components = pixels->GetNumberOfComponents();
   const glm::vec3 white = GetDisplayedWhite(material);
   if (kind == TextureKind::Colors && white != glm::vec3(0.0f))
@@ -78,7 +79,7 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
   const Key key(pixels->GetPointer(0), image.Width, image.Height, components, image.Wraps[0],
     image.Wraps[1], image.Interpolate, image.Border, kind, image.DisplayedWhite.x,
     image.DisplayedWhite.y, image.DisplayedWhite.z);
-  std::shared_ptr<const Texture>& known = this->Known[key];
+  auto& [held, known] = this->Known[key];
   if (!known)
   {
     image.Pixels.reserve(4 * pixels->GetNumberOfTuples());
@@ -87,6 +88,7 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
       const auto pixel = ToPixel(pixels->GetPointer(i * components), components);
       image.Pixels.insert(image.Pixels.end(), pixel.begin(), pixel.end());
     }
+    held = pixels;
     known = std::make_shared<const Texture>(std::move(image), kind);
   }
   return known;

@@ -9,11 +9,15 @@
 
 #include "cslfMesh.h"
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 class vtkDataObject;
 
@@ -31,7 +35,9 @@ private:
 
   std::shared_ptr<const Texture> ReadSlot(vtkDataObject* material, int slot, TextureKind kind);
 
-  std::map<Key, std::shared_ptr<const Texture>> Known;
+  /// The textures, and the pixels that they were made of: the address of pixels that are gone could
+  /// be that of others.
+  std::map<Key, std::pair<vtkSmartPointer<vtkDataArray>, std::shared_ptr<const Texture>>> Known;
 };
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSlabs.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include "vtkCSLFDecoder.h"
 
 #include <vtkAlgorithm.h>
@@ -179,6 +181,7 @@ bool SlabStream::Read(const Slab& slab)
   {
     return this->Fail("The input does not deliver the viewpoints that were asked for.");
   }
+  this->Image = ToAOS(this->Image, slab.First, slab.Last);
   if (this->HasDescription && description->ToText() != this->FieldDescription.ToText())
   {
     return this->Fail("The input's description changes between its parts.");

@@ -10,6 +10,9 @@
 
 #include "cslfDescription.h"
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -18,7 +21,6 @@
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkCSLFDecoder;
-class vtkImageData;
 class vtkInformation;
 
 namespace cslf
@@ -86,7 +88,7 @@ private:
   std::size_t Next = 0; ///< of the slabs announced
   bool HasDescription = false;
   Description FieldDescription;
-  vtkImageData* Image = nullptr; // owned by the producer
+  vtkSmartPointer<vtkImageData> Image; ///< of arrays that pointers can read
   std::string Error;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/cslfSlicePuller.h"
 
+#include "Pipeline/cslfArrayLayout.h"
+
 #include "Coding/cslfEncodeSettings.h"
 #include "Coding/cslfRadianceFrames.h"
 
@@ -80,7 +82,9 @@ bool SlicePuller::Begin(std::string& error)
 
 std::uint32_t SlicePuller::GetFirstChecksum() const
 {
-  vtkImageData* image = vtkImageData::GetData(this->Information);
+  vtkImageData* input = vtkImageData::GetData(this->Information);
+  const int first = input->GetExtent()[4];
+  const vtkSmartPointer<vtkImageData> image = ToAOS(input, first, first);
   uLong checksum = ::crc32(0, GetColor(image), static_cast<uInt>(this->ColorBytes * this->Texels));
   if (this->HasDepth)
   {
@@ -112,7 +116,8 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     {
       ++end;
     }
-    vtkImageData* image = this->Update(sorted[begin].first, sorted[end - 1].first, error);
+    const vtkSmartPointer<vtkImageData> image =
+      this->Update(sorted[begin].first, sorted[end - 1].first, error);
     if (!image)
     {
       return false;
@@ -125,7 +130,7 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
   return true;
 }
 
-vtkImageData* SlicePuller::Update(int first, int last, std::string& error)
+vtkSmartPointer<vtkImageData> SlicePuller::Update(int first, int last, std::string& error)
 {
   int extent[6];
   this->Grid.GetWholeExtent(extent);
@@ -150,7 +155,7 @@ vtkImageData* SlicePuller::Update(int first, int last, std::string& error)
     error = "the input changed between two slabs";
     return nullptr;
   }
-  return field ? image : nullptr;
+  return field ? ToAOS(image, first, last) : nullptr;
 }
 
 void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)

@@ -12,6 +12,8 @@
 #include "Resampling/cslfKeyViews.h"
 #include "cslfDescription.h"
 
+#include <vtkSmartPointer.h>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -64,7 +66,7 @@ private:
     std::vector<unsigned short> Depth;
   };
 
-  vtkImageData* Update(int first, int last, std::string& error);
+  vtkSmartPointer<vtkImageData> Update(int first, int last, std::string& error);
   void Copy(vtkImageData* image, int slice, std::size_t place);
 
   vtkInformation* Information;

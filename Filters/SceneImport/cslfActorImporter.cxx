@@ -320,7 +320,7 @@ private:
     {
       const SoundPolyData sound = MakeSound(polyData);
       sound.AddRemoved(this->Scene.Omitted);
-      this->Found = this->Found || sound.Data != polyData;
+      this->Found = this->Found || !sound.IsWhole();
       this->ImportLeaf(sound.Data, style);
       return;
     }

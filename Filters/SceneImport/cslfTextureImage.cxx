@@ -3,6 +3,7 @@
 #include "cslfTextureImage.h"
 
 #include "PathTracing/cslfSurfaceColors.h"
+#include "Pipeline/cslfArrayLayout.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -64,7 +65,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakePixels(vtkTexture* texture, vtkDataArr
 {
   const int mode = texture->GetColorMode();
   const int type = scalars->GetDataType();
-  auto* bytes = vtkUnsignedCharArray::SafeDownCast(scalars);
+  const auto bytes = ToAOS<vtkUnsignedCharArray>(scalars);
   if (bytes && mode != VTK_COLOR_MODE_MAP_SCALARS && bytes->GetNumberOfComponents() <= 4)
   {
     return bytes;
