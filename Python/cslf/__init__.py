@@ -6,10 +6,12 @@ The classes work beside those of ``vtkmodules``::
 
     from cslf import vtkCSLFSampler
 
-In a notebook, ``cslf.show(field)`` is a picture of a light field.
+In a notebook, ``cslf.show(field)`` is a picture of a light field. ``import cslf.pyvista`` adds
+``plotter.cslf`` to PyVista's plotters.
 """
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the mapper draws with OpenGL
 
 from .vtkCSLF import *  # noqa: F401,F403
+from .fields import make_actor  # noqa: F401
 from .notebook import Picture, capture, show  # noqa: F401

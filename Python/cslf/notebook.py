@@ -6,10 +6,9 @@ import os
 import pathlib
 
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkRenderer, vtkRenderWindow,
-                                         vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
-from .vtkCSLF import vtkCSLFDecoder, vtkCSLFMapper
+from .fields import make_actor
 
 # From the front, a little to the right and above, two edges of the cube away.
 DIRECTION = (0.35, 0.25, 1.0)
@@ -52,22 +51,8 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     two edges of the cube from its centre, in front, and the centre. ``lookup`` is ``Nearest``,
     ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``.
     """
-    mapper = vtkCSLFMapper()
-    if isinstance(field, (str, os.PathLike)):
-        decoder = vtkCSLFDecoder()
-        decoder.SetFileName(os.fspath(field))
-        mapper.SetInputConnection(decoder.GetOutputPort())
-    elif hasattr(field, "GetOutputPort"):
-        mapper.SetInputConnection(field.GetOutputPort())
-    else:
-        mapper.SetInputData(field)
-    getattr(mapper, f"SetLookupTo{lookup}")()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = make_actor(field, lookup)
     bounds = actor.GetBounds()
-    if bounds is None or bounds[0] > bounds[1]:
-        raise ValueError("This is no light field.")
-
     center = [0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) for axis in range(3)]
     edge = max(bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3))
     length = sum(value**2 for value in DIRECTION)**0.5

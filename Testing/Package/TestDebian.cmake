@@ -33,8 +33,17 @@ function (expect pattern)
   endif ()
 endfunction ()
 
-run("${CPACK}" --config "${BUILD}/CPackConfig.cmake" -B "${DIRECTORY}")
+run("${CPACK}" --config "${BUILD}/CPackConfig.cmake" -B "${DIRECTORY}"
+  -D "CPACK_PACKAGE_CONTACT=CSLF contributors <contributors@cslf.invalid>")
 file(GLOB package "${DIRECTORY}/cslf_*.deb")
+find_program(LINTIAN lintian)
+if (LINTIAN)
+  # Nobody can have the address above.
+  run("${LINTIAN}" --allow-root --fail-on error,warning --suppress-tags bogus-mail-host
+    "${package}")
+else ()
+  message("lintian is not installed, so the package is not checked by it.")
+endif ()
 run(dpkg-deb --field "${package}")
 message("${output}")
 expect("Package: cslf\n")
@@ -47,6 +56,14 @@ run("${prefix}/bin/cslf" --version)
 expect("${VERSION}")
 run("${prefix}/bin/cslf" --help)
 expect("sample")
+# Each command is in the manual page.
+string(REGEX MATCHALL "\n  [a-z][a-z-]+  " commands "${output}")
+run(gzip --decompress --stdout "${prefix}/share/man/man1/cslf.1.gz")
+string(REPLACE "\\-" "-" output "${output}")
+foreach (command IN LISTS commands)
+  string(STRIP "${command}" command)
+  expect("\n.B ${command}\n")
+endforeach ()
 run("${CMAKE_COMMAND}" -E env --unset=LD_LIBRARY_PATH "${prefix}/bin/cslf" sample cornell-box
   -M 2 -N 16 --spp 1 -o box.vti)
 if (PYTHON)

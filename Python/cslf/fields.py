@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Actors of light fields, whatever the field comes from."""
+
+import os
+
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from .vtkCSLF import vtkCSLFDecoder, vtkCSLFMapper
+
+LOOKUPS = ("Nearest", "Linear", "Bilinear", "Focal", "Depth")
+
+
+def make_actor(field, lookup="Depth"):
+    """Returns a ``vtkActor`` that draws a light field.
+
+    ``field`` is the name of a video, an algorithm that makes a field (a ``vtkCSLFSampler``, say),
+    or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``.
+    Raises ``ValueError`` where the field is none or the lookup is unknown.
+    """
+    if lookup not in LOOKUPS:
+        raise ValueError(f"The lookup must be one of {', '.join(LOOKUPS)}; it is {lookup!r}.")
+    mapper = vtkCSLFMapper()
+    if isinstance(field, (str, os.PathLike)):
+        decoder = vtkCSLFDecoder()
+        decoder.SetFileName(os.fspath(field))
+        mapper.SetInputConnection(decoder.GetOutputPort())
+    elif hasattr(field, "GetOutputPort"):
+        mapper.SetInputConnection(field.GetOutputPort())
+    else:
+        mapper.SetInputData(field)
+    getattr(mapper, f"SetLookupTo{lookup}")()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    bounds = actor.GetBounds()
+    if bounds is None or bounds[0] > bounds[1]:
+        raise ValueError("This is no light field.")
+    return actor

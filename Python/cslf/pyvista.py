@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Light fields in PyVista: importing this module adds ``plotter.cslf`` to every plotter::
+
+    import pyvista
+    import cslf.pyvista
+
+    plotter = pyvista.Plotter()
+    plotter.add_mesh(pyvista.ParametricTorus(), color="gold")
+    plotter.cslf.bake("torus.mp4")
+
+    viewer = pyvista.Plotter()
+    viewer.cslf.add_light_field("torus.mp4")
+    viewer.show()
+"""
+
+import os
+
+import pyvista
+from vtkmodules.vtkCommonCore import vtkCommand
+
+from . import vtkCSLF
+from .fields import make_actor
+
+
+class _Errors:
+    """Turns what algorithms report as errors into one exception."""
+
+    def __init__(self, *algorithms):
+        self._algorithms = algorithms
+        self._messages = []
+
+    def __enter__(self):
+        def catch(_algorithm, _event, message):
+            self._messages.append(message.strip().splitlines()[-1])
+        catch.CallDataType = "string0"
+        self._tags = [(algorithm, algorithm.AddObserver(vtkCommand.ErrorEvent, catch))
+                      for algorithm in self._algorithms]
+        return self
+
+    def __exit__(self, _kind, _error, _trace):
+        for algorithm, tag in self._tags:
+            algorithm.RemoveObserver(tag)
+
+    def require(self, is_done):
+        """Raises the first error, if there was one or nothing was done."""
+        if self._messages or not is_done:
+            raise RuntimeError(self._messages[0] if self._messages else "There is no light field.")
+
+
+class PlotterComponent:
+    """What ``plotter.cslf`` is."""
+
+    def __init__(self, plotter):
+        self._plotter = plotter
+
+    def bake(self, file_name=None, *, viewpoints=None, resolution=None, samples=None,
+             noise_target=None, crf=None, sampler=None):
+        """Samples what the active renderer shows as a light field.
+
+        Returns the field as ``pyvista.ImageData``; with ``file_name`` (``.mp4`` or ``.mkv``) it
+        writes the field to that video instead, slab by slab, and returns the name.
+
+        ``viewpoints`` is the number of viewpoints along each edge of a cube face (M),
+        ``resolution`` that of texels along each edge of a viewpoint's image (N), ``samples`` the
+        rays for each texel, ``noise_target`` the noise at which a texel gets no more of them, and
+        ``crf`` the video's constant rate factor, 0 to 51: less is better and larger. ``sampler``
+        is a ``vtkCSLFSampler`` with further settings. What is None keeps the default of
+        ``vtkCSLFSampler`` or ``vtkCSLFEncoder``. Raises ``RuntimeError`` where sampling or writing
+        fails.
+        """
+        plotter = self._plotter
+        # PyVista sets the camera when it first shows the window; lights may hang on the camera.
+        if not getattr(plotter.renderer, "camera_set", True):
+            plotter.view_isometric()
+        sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
+        sampler.SetRenderer(plotter.renderer)
+        for name, value in (("Viewpoints", viewpoints), ("Resolution", resolution),
+                            ("Samples", samples), ("NoiseTarget", noise_target)):
+            if value is not None:
+                getattr(sampler, f"Set{name}")(value)
+        if file_name is None:
+            if crf is not None:
+                raise ValueError("crf is for videos, and there is no file name.")
+            with _Errors(sampler) as errors:
+                sampler.Update()
+                errors.require(sampler.GetOutput().GetNumberOfPoints() > 0)
+            return pyvista.wrap(sampler.GetOutput())
+        if not hasattr(vtkCSLF, "vtkCSLFEncoder"):
+            raise RuntimeError("This build of CSLF has no video encoder: leave file_name out, and "
+                               "save the image data that bake returns.")
+        encoder = vtkCSLF.vtkCSLFEncoder()
+        encoder.SetInputConnection(sampler.GetOutputPort())
+        encoder.SetFileName(os.fspath(file_name))
+        if crf is not None:
+            encoder.SetCRF(crf)
+        with _Errors(sampler, encoder) as errors:
+            errors.require(encoder.Write())
+        return file_name
+
+    def add_light_field(self, field, *, lookup="Depth", **arguments):
+        """Adds an actor of a light field to the active renderer, and returns it.
+
+        ``field`` is the name of a video, image data, or an algorithm such as ``vtkCSLFDecoder``.
+        ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``. Further
+        arguments (``name``, ``reset_camera``, ``pickable``, ``render``) are those of
+        ``Plotter.add_actor``. Raises ``ValueError`` where the field is none.
+        """
+        actor = make_actor(field, lookup)
+        self._plotter.add_actor(actor, **arguments)
+        return actor
+
+
+def _register():
+    """By PyVista's own registry since 0.48, by an attribute of the same name before."""
+    if hasattr(pyvista, "register_plotter_component"):
+        pyvista.register_plotter_component("cslf")(PlotterComponent)
+    else:
+        pyvista.BasePlotter.cslf = property(PlotterComponent)
+
+
+_register()
