@@ -143,8 +143,10 @@ bool IsVideo(const std::string& fileName)
 
 FieldFile OpenField(const std::string& fileName)
 {
+  // A pipe would be waited for, and cannot be read twice.
   std::error_code failure;
-  if (!fs::exists(ToPath(fileName), failure))
+  const fs::file_status status = fs::status(ToPath(fileName), failure);
+  if (!fs::is_regular_file(status) && !fs::is_directory(status))
   {
     throw Failure("There is no file or folder " + fileName + ".");
   }
@@ -402,8 +404,9 @@ void RequireWritable(const std::string& fileName)
   {
     throw Failure("Cannot write " + fileName + ": it is a folder.");
   }
+  const std::string target = ResolveTarget(fileName);
   std::string error;
-  if (!IsWritableFolder(GetParent(ResolveTarget(fileName)), error))
+  if (!IsReplaceableByFile(target, error) || !IsWritableFolder(GetParent(target), error))
   {
     throw Failure("Cannot write " + fileName + ": " + error + ".");
   }

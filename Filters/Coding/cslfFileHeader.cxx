@@ -123,8 +123,8 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
   if (role == TrackRole::Coverage)
   {
-    track.Kind.Constants.CoverageTolerance =
-      static_cast<int>(ToNumber(json, ToleranceKey, 0.0, 127.0));
+    ToNumber(json, ToleranceKey, 0.0, track.Kind.Lossless ? 0.0 : 127.0);
+    track.Kind.Constants.CoverageTolerance = ToInteger(json.at(ToleranceKey));
   }
   track.ParameterSetsCRC = ToInteger<std::uint32_t>(json.at("parameter_sets_crc"));
   track.GroupCRCs = ToChecksums(json.at("crc").get<std::string>());
@@ -173,6 +173,12 @@ void CheckTracks(const FileHeader& header)
     header.Tracks.front().Kind.IsRadiance != isFloat)
   {
     throw std::invalid_argument("its tracks are not those of its channels");
+  }
+  // A texel's chroma comes from its own tile, which odd tiles would share with their neighbours.
+  if (NeedsEvenSize(header.Tracks.front().Kind.Format) &&
+    header.Field.Grid.GetResolution() % 2 != 0)
+  {
+    throw TrackFault(NameOfRole(TrackRole::Color), "a pixel format that needs an even resolution");
   }
 }
 

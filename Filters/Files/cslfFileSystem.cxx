@@ -42,6 +42,18 @@ bool IsRealFolder(const std::string& name)
   return fs::is_directory(fs::symlink_status(ToPath(name), ignored));
 }
 
+bool IsReplaceableByFile(const std::string& name, std::string& error)
+{
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(ToPath(name), ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    error = name + " is there already and is no file";
+    return false;
+  }
+  return true;
+}
+
 bool PublishFile(const std::string& from, const std::string& to, std::string& error)
 {
   return SyncFile(from, error) && Rename(from, to, error) && SyncFolder(GetParent(to), error);

@@ -47,6 +47,10 @@ std::vector<std::string> ListFolder(const std::string& name);
 /// Whether there is a folder of that name that is no link.
 bool IsRealFolder(const std::string& name);
 
+/// Whether a file can take the place of what has that name: another file, or nothing. A device or a
+/// pipe would be gone. Otherwise says why.
+VTKCSLF_EXPORT bool IsReplaceableByFile(const std::string& name, std::string& error);
+
 /// Renames, on one file system, over what has the second name if that is a file.
 bool Rename(const std::string& from, const std::string& to, std::string& error);
 

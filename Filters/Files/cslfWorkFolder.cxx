@@ -73,6 +73,10 @@ bool WorkFolder::Reserve(std::string& error)
   {
     return true;
   }
+  if (!this->List && !IsReplaceableByFile(this->Target, error))
+  {
+    return false;
+  }
   if (!this->IsLocked && !this->Lock(error))
   {
     return false;

@@ -361,8 +361,25 @@ void TestConstants(const std::string& folder)
   }
   CSLF_CHECK(partly[0] > 100 && partly[1] == 0);
   CheckRefused(folder, set("coverage", "tolerance", 128), "\"tolerance\" is not valid");
+  CheckRefused(folder, set("coverage", "tolerance", 7.5), "no whole number");
   CheckRefused(folder, set("depth", "mu", 0), "\"mu\" is not valid");
   CheckRefused(folder, set("depth", "transfer", "square root"), "unknown transfer curve");
+}
+
+/// Tiles of an odd size would share samples of chroma.
+void TestOddSize(const std::string& folder)
+{
+  for (const char* format : { "yuv420p", "yuv422p" })
+  {
+    CheckRefused(folder,
+      ChangeTags(
+        [format](nlohmann::json& json)
+        {
+          json["resolution"] = 17;
+          json["coding"]["tracks"][0]["pixel_format"] = format;
+        }),
+      "\"color\" has a pixel format that needs an even resolution");
+  }
 }
 }
 
@@ -376,5 +393,6 @@ int TestCSLFDecoderHeader(int argc, char* argv[])
   TestUnknown(folder);
   TestParts(folder);
   TestConstants(folder);
+  TestOddSize(folder);
   return cslf::testing::Result();
 }
