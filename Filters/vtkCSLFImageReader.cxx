@@ -3,6 +3,7 @@
 #include "vtkCSLFImageReader.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
+#include "Files/cslfFileSystem.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
@@ -74,7 +75,8 @@ vtkIdType CountImages(
       [&](const cslf::Channel& channel)
       {
         std::error_code ignored;
-        return std::filesystem::exists(cslf::CubeMapFileName(folder, channel, slice), ignored);
+        return std::filesystem::exists(
+          cslf::ToPath(cslf::CubeMapFileName(folder, channel, slice)), ignored);
       });
     count += exists ? 1 : 0;
     isAnyThere = isAnyThere || (exists && ProbeViewpoint(folder, description, slice));

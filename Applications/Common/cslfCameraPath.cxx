@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCameraPath.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfCameraOptions.h"
 #include "cslfJSONText.h"
 #include "cslfMessages.h"
@@ -51,7 +52,7 @@ Cameras TurnCameras(vtkCamera* start, int frames, const std::function<double(dou
 nlohmann::json ReadPathFile(const std::string& fileName)
 {
   std::error_code failure;
-  if (!std::filesystem::is_regular_file(fileName, failure))
+  if (!std::filesystem::is_regular_file(ToPath(fileName), failure))
   {
     throw Failure("There is no camera path " + fileName + ".");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfCodecSweep.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfMessages.h"
 #include "cslfStatistics.h"
 
@@ -49,7 +50,7 @@ CodecSweep::CodecSweep(
   , FileName(folder + "/coded.mp4")
   , Repeats(repeats)
 {
-  if (std::filesystem::exists(this->FileName))
+  if (std::filesystem::exists(ToPath(this->FileName)))
   {
     throw Failure(this->FileName + " exists already.");
   }
@@ -60,7 +61,7 @@ CodecSweep::~CodecSweep()
   if (this->HasWritten)
   {
     std::error_code ignored;
-    std::filesystem::remove(this->FileName, ignored);
+    std::filesystem::remove(ToPath(this->FileName), ignored);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPictures.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfMessages.h"
 #include "cslfOutputFiles.h"
 #include "cslfToneOptions.h"
@@ -37,7 +38,7 @@ namespace tool
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
 {
   std::error_code failure;
-  if (!fs::is_regular_file(fileName, failure))
+  if (!fs::is_regular_file(ToPath(fileName), failure))
   {
     throw Failure("There is no file " + fileName + ".");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTruth.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 #include "cslfOutputFiles.h"
@@ -141,7 +142,7 @@ vtkSmartPointer<vtkImageData> TruthTracer::GetHalf(
   }
   const std::string fileName = this->GetFileName(camera, size, samples, seed);
   std::error_code failure;
-  if (std::filesystem::exists(fileName, failure))
+  if (std::filesystem::exists(ToPath(fileName), failure))
   {
     return ReadHalf(fileName, size);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfViewer.h"
 
+#include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
 #include "cslfScenery.h"
@@ -66,7 +67,7 @@ std::string MakeScreenshotName()
   for (int number = 1;; ++number)
   {
     const std::string name = "cslf-view-" + std::to_string(number) + ".png";
-    if (!std::filesystem::exists(name))
+    if (!std::filesystem::exists(ToPath(name)))
     {
       return name;
     }

@@ -3,6 +3,7 @@
 #include "Coding/cslfContainerReader.h"
 
 #include "Coding/cslfChecksum.h"
+#include "Files/cslfFileSystem.h"
 
 #include <vtkErrorCode.h>
 
@@ -102,7 +103,7 @@ std::unique_ptr<ContainerReader> ContainerReader::Open(
 bool ContainerReader::OpenContainer(OpenFailure& failure)
 {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(this->FileName, ignored))
+  if (!std::filesystem::is_regular_file(ToPath(this->FileName), ignored))
   {
     return Refuse(failure, vtkErrorCode::FileNotFoundError, "there is no such file");
   }

@@ -3,6 +3,7 @@
 #include "Coding/cslfEncodeSession.h"
 
 #include "Coding/cslfPerceptualQuantizer.h"
+#include "Files/cslfFileSystem.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfSlabs.h"
 
@@ -319,7 +320,8 @@ void EncodeSession::Conclude()
     this->Job.Warn(warning);
   }
   std::error_code ignored;
-  const double bytes = static_cast<double>(std::filesystem::file_size(this->Job.FileName, ignored));
+  const double bytes =
+    static_cast<double>(std::filesystem::file_size(ToPath(this->Job.FileName), ignored));
   this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
     this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR };
 }

@@ -407,7 +407,7 @@ bool BakeProbe::EstimateImages()
           return false;
         }
         std::error_code ignored;
-        bytes += fs::file_size(CubeMapFileName(folder.Name, channel, slice), ignored);
+        bytes += fs::file_size(ToPath(CubeMapFileName(folder.Name, channel, slice)), ignored);
       }
       write += SecondsSince(middle);
       ++done;
