@@ -4,6 +4,7 @@
 // The cslf command-line tool.
 #include "cslfCommands.h"
 #include "cslfMessages.h"
+#include "cslfNumberChecks.h"
 #include "cslfParallel.h"
 
 #include <vtkSMPTools.h>
@@ -64,7 +65,8 @@ int Run(const Command& command, bool isJSON)
   return EXIT_SUCCESS;
 }
 
-/// Gives the options that all have to the commands, and to their own ones where they have any.
+/// Gives the options that all have to the commands, and to their own ones where they have any. The
+/// numbers of all options have to be finite.
 void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
 {
   const std::vector<CLI::App*> commands = app->get_subcommands({});
@@ -72,11 +74,12 @@ void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
   {
     AddCommonOptions(command, isJSON, threads);
   }
+  RequireFiniteNumbers(*app);
   if (commands.empty())
   {
     app->add_flag("--json", isJSON, "print one JSON object instead of text");
     app->add_option("--threads", threads, "threads to work with (default: as many as cores)")
-      ->check(CLI::PositiveNumber);
+      ->check(Positive());
   }
 }
 }

@@ -5,6 +5,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfNumberChecks.h"
 #include "cslfParallel.h"
 
 #include "vtkCSLFResample.h"
@@ -81,12 +82,12 @@ void AddResample(CLI::App& app, Command& chosen)
   command
     ->add_option("--resolution-divisor", options->ResolutionDivisor,
       "texels along each side that become one; divides N")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->capture_default_str();
   command
     ->add_option("--viewpoint-stride", options->ViewpointStride,
       "every which viewpoint along each side is kept; divides M - 1")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->capture_default_str();
   options->Coding.AddTo(*command);
   command->callback(

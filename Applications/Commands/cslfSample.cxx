@@ -14,6 +14,7 @@
 #include "vtkCSLFEncoder.h"
 #endif
 #include "cslfLayout.h"
+#include "cslfNumberChecks.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>
@@ -258,15 +259,15 @@ void AddField(CLI::App& command, Options& options)
   command
     .add_option("--time-budget", options.TimeBudget,
       "take as many samples per texel as that many seconds allow, instead of --spp")
-    ->check(CLI::PositiveNumber);
+    ->check(Positive());
   CLI::Option* psnr = command.add_option("--suggest-for-novel-psnr", options.SuggestForPSNR,
     "with --estimate: suggest -M and -N of the smallest video whose novel views reach that many "
     "dB");
-  psnr->check(CLI::PositiveNumber);
+  psnr->check(Positive());
   command
     .add_option("--suggest-for-size", options.SuggestForSize,
       "with --estimate: suggest -M and -N of the best video of at most that many bytes")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->excludes(psnr);
   const std::string field = "Light field";
   command.add_option("-M,--viewpoints", options.Viewpoints, "viewpoints along each side of a face")
@@ -289,7 +290,7 @@ void AddField(CLI::App& command, Options& options)
     ->group(field);
   command.add_option("--edges", options.Edges, "of the cube: one length, or three along X, Y, Z")
     ->expected(1, 3)
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->group(field);
   command.add_flag("--no-depth", options.NoDepth, "leave the depth channel out")->group(field);
   command.add_flag("--float", options.Float, "linear float colours instead of sRGB bytes")

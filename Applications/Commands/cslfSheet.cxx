@@ -6,6 +6,7 @@
 #include "cslfContactSheet.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfNumberChecks.h"
 #include "cslfPictures.h"
 
 #include <vtkImageData.h>
@@ -56,7 +57,7 @@ void AddSheet(CLI::App& app, Command& chosen)
   command->add_option("picture", options->Inputs, "the pictures, .png, row by row")->required();
   command->add_option("-o,--output", options->Output, "the sheet, .png")->required();
   command->add_option("--columns", options->Columns, "pictures in a row")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->capture_default_str();
   command->add_option("--label", options->Labels, "a line below each picture, one option each");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -6,6 +6,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfNumberChecks.h"
 #include "cslfPictures.h"
 #include "cslfSceneFiles.h"
 #include "cslfToneOptions.h"
@@ -210,7 +211,7 @@ void AddView(CLI::App& app, Command& chosen)
     ->check(CLI::Range(1, 1 << 20))
     ->capture_default_str();
   command->add_option("--close-after", options->Seconds, "close the window after so many seconds")
-    ->check(CLI::PositiveNumber);
+    ->check(Positive());
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

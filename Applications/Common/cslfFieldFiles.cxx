@@ -79,7 +79,11 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(fileName.c_str());
-  if constexpr (!std::is_same_v<Reader, vtkXMLImageDataReader>)
+  if constexpr (std::is_same_v<Reader, vtkXMLImageDataReader>)
+  {
+    NameFileInErrors(reader, fileName);
+  }
+  else
   {
     reader->AllowMissingOff();
   }

@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkXMLReader.h>
 
 #include <algorithm>
 #include <chrono>
@@ -156,6 +157,24 @@ void ThrowOnError()
   {
     throw Failure(error);
   }
+}
+
+void NameFileInErrors(vtkXMLReader* reader, const std::string& fileName)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(new std::string(fileName));
+  command->SetClientDataDeleteCallback([](void* data) { delete static_cast<std::string*>(data); });
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* text)
+    {
+      const std::string error = Clean(static_cast<const char*>(text));
+      const std::string& name = *static_cast<std::string*>(data);
+      const bool isNamed = error.find(name) != std::string::npos;
+      vtkOutputWindow::GetInstance()->DisplayErrorText(
+        isNamed ? error.c_str() : ("Cannot read " + name + ": " + error).c_str());
+    });
+  reader->AddObserver(vtkCommand::ErrorEvent, command);
+  reader->SetParserErrorObserver(command);
 }
 
 std::vector<std::string> GetWarnings()

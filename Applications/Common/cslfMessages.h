@@ -13,6 +13,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkXMLReader;
 
 namespace cslf
 {
@@ -38,6 +39,9 @@ std::string GetFirstError();
 
 /// Throws a Failure if VTK has reported an error.
 void ThrowOnError();
+
+/// For readers whose errors do not name the file: puts it in front of them.
+void NameFileInErrors(vtkXMLReader* reader, const std::string& fileName);
 
 /// The different warnings so far, each in one line.
 std::vector<std::string> GetWarnings();

@@ -374,6 +374,11 @@ public:
     {
       this->Fail("elements on more than " + std::to_string(MostLevels) + " levels");
     }
+    const std::string error = isParsed ? std::string() : GetFirstError();
+    if (!error.empty())
+    {
+      throw Failure("Cannot read " + ToName(this->Path) + ": " + error);
+    }
     if (isParsed && parser->GetRootElement())
     {
       this->CheckElements(parser);

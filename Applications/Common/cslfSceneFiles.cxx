@@ -8,6 +8,7 @@
 #include "cslfSceneChecks.h"
 
 #include "cslfJSONText.h"
+#include "cslfNumberChecks.h"
 #include "cslfSoundPolyData.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFGLTFReader.h"
@@ -285,13 +286,13 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
   command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
   command
     .add_option("--environment-intensity", this->EnvironmentIntensity, "its factor (default: 1)")
-    ->check(CLI::NonNegativeNumber)
+    ->check(NonNegative())
     ->group(light);
   command
     .add_flag("--show-environment", this->ShowEnvironment, "show it where rays miss the scene")
     ->group(light);
   command.add_option("--exposure", this->Exposure, "factor of the radiance (default: 1)")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->group(light);
   command
     .add_option(

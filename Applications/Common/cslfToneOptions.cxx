@@ -3,6 +3,7 @@
 #include "cslfToneOptions.h"
 
 #include "cslfColor.h"
+#include "cslfNumberChecks.h"
 
 #include "vtkCSLFMapper.h"
 
@@ -21,7 +22,7 @@ void ToneOptions::AddTo(CLI::App& command)
       "factor of the field's radiance when it is shown; above 1 it needs a field of float colour "
       "to "
       "show what was brighter than white")
-    ->check(CLI::PositiveNumber)
+    ->check(Positive())
     ->capture_default_str();
   command
     .add_option("--tone-mapping", this->Curve, "what becomes of what is brighter than white then")

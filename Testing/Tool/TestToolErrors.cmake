@@ -59,6 +59,25 @@ cslf_fail("other things" "" sample cornell-box -o other ${tiny})
 cslf_fail("at least 16" "x" sample cornell-box -o x.mp4 -M 2 -N 15 --spp 1)
 cslf_fail("without loss" "x" sample cornell-box -o x.mp4 ${tiny} --float --lossless)
 
+# Numbers that are none, which are in no range.
+foreach (option IN ITEMS exposure noise offset roughness crf environment-intensity)
+  cslf_fail("${option}: Value nan is" "x" sample cornell-box -o x.mp4 ${tiny} --${option} nan)
+endforeach ()
+cslf_fail("Value inf is no finite number" "x" sample cornell-box -o x.mp4 ${tiny} --exposure inf)
+cslf_fail("Value -1 is not above 0\n" "x" sample cornell-box -o x.mp4 ${tiny} --exposure -1)
+
+# Image data that is cut short.
+cslf_run(sample cornell-box -o uncut.vti ${tiny})
+file(SIZE "${DIRECTORY}/uncut.vti" bytes)
+foreach (percent IN ITEMS 0 20 50 80 99)
+  math(EXPR kept "${bytes} * ${percent} / 100")
+  execute_process(
+    COMMAND head -c ${kept} uncut.vti
+    WORKING_DIRECTORY "${DIRECTORY}"
+    OUTPUT_FILE short.vti)
+  cslf_fail("short.vti" "x" decode short.vti -o x)
+endforeach ()
+
 # Meshes with nothing to show.
 file(WRITE "${DIRECTORY}/empty.obj" "v 0 0 0\nv 1 0 0\n")
 function (write_vtp name offset points)

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the numbers of options may be. Ranges of CLI11 let pass what is no number, and its open ones
+ * spell out the largest double in their messages.
+ */
+#ifndef cslfNumberChecks_h
+#define cslfNumberChecks_h
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace cslf
+{
+namespace tool
+{
+/// Numbers that are not below the least one.
+inline CLI::Validator AtLeast(double least, const std::string& fault, const std::string& name)
+{
+  return CLI::Validator(
+    [least, fault](std::string& text)
+    {
+      double number = 0.0;
+      return CLI::detail::lexical_cast(text, number) && number >= least
+        ? std::string()
+        : "Value " + text + " is " + fault;
+    },
+    name);
+}
+
+inline CLI::Validator Positive()
+{
+  return AtLeast(std::numeric_limits<double>::min(), "not above 0", "POSITIVE");
+}
+
+inline CLI::Validator NonNegative()
+{
+  return AtLeast(0.0, "below 0", "NONNEGATIVE");
+}
+
+/// Refuses infinity and what is no number in all options of a command that take numbers.
+inline void RequireFiniteNumbers(CLI::App& command)
+{
+  const CLI::Validator finite(
+    [](std::string& text)
+    {
+      double number = 0.0;
+      return CLI::detail::lexical_cast(text, number) && !std::isfinite(number)
+        ? "Value " + text + " is no finite number"
+        : std::string();
+    },
+    "");
+  for (CLI::Option* option : command.get_options())
+  {
+    if (option->get_type_name().find("FLOAT") != std::string::npos)
+    {
+      option->check(finite);
+    }
+  }
+}
+}
+}
+
+#endif
