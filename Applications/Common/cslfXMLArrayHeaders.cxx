@@ -18,10 +18,23 @@ namespace tool
 {
 namespace
 {
+/// What a compressed array begins with.
+constexpr std::size_t HeaderWords = 3;
+
 std::string GetText(vtkXMLDataElement* element, const char* name)
 {
   const char* text = element->GetAttribute(name);
   return text ? text : "";
+}
+
+/// How many bytes one compressed byte may hold at most: zlib has codes of two bits for 258 bytes
+/// each, lengths in LZ4 grow by 255 a byte, and LZMA spends at least 14 choices of 0.022 bits on
+/// 273 bytes.
+double GetLargestRatio(const std::string& compressor)
+{
+  return compressor == "vtkZLibDataCompressor" ? 1032.0
+    : compressor == "vtkLZ4DataCompressor"     ? 255.0
+                                               : 7100.0;
 }
 }
 
@@ -32,7 +45,9 @@ XMLArrayHeaders::XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* 
   const auto size = std::filesystem::file_size(ToPath(fileName), failure);
   this->FileSize = failure ? 0.0 : static_cast<double>(size);
   vtkXMLDataElement* root = parser->GetRootElement();
+  const std::string compressor = GetText(root, "compressor");
   this->IsCompressed = root->GetAttribute("compressor") != nullptr;
+  this->LargestRatio = GetLargestRatio(compressor);
   this->IsBigEndian = GetText(root, "byte_order") == "BigEndian";
   this->WordSize = GetText(root, "header_type") == "UInt64" ? 8 : 4;
   if (vtkXMLDataElement* data = root->FindNestedElementWithName("AppendedData"))
@@ -57,13 +72,39 @@ bool XMLArrayHeaders::Fit(vtkXMLDataElement* array, double mostBytes)
   }
   // The number of blocks, the size of each, and that of the last one if it is not full. The sizes
   // of the compressed blocks follow, a word each.
-  const std::vector<double> words = this->ReadWords(place, 3);
+  const std::vector<double> words = this->ReadWords(place, HeaderWords);
   if (words.empty() || words[0] == 0.0)
   {
     return true;
   }
-  const double full = words[2] > 0.0 ? words[0] - 1.0 : words[0];
-  return words[0] * this->WordSize <= this->FileSize && full * words[1] + words[2] <= mostBytes;
+  // VTK divides by the size of a block.
+  const double blocks = words[0];
+  const double full = words[2] > 0.0 ? blocks - 1.0 : blocks;
+  return words[1] > 0.0 && words[2] <= words[1] && blocks * this->WordSize <= this->FileSize &&
+    full * words[1] + words[2] <= mostBytes && this->FitBlocks(place, words);
+}
+
+bool XMLArrayHeaders::FitBlocks(const Place& place, const std::vector<double>& header)
+{
+  const auto blocks = static_cast<std::size_t>(header[0]);
+  const std::vector<double> words = this->ReadWords(place, HeaderWords + blocks);
+  if (words.empty())
+  {
+    return true;
+  }
+  double bytes = static_cast<double>(words.size() * this->WordSize);
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    const bool isPartial = block + 1 == blocks && header[2] > 0.0;
+    const double compressed = words[HeaderWords + block];
+    if ((isPartial ? header[2] : header[1]) > this->LargestRatio * compressed)
+    {
+      return false;
+    }
+    bytes += compressed;
+  }
+  return bytes * (place.IsBase64 ? 4.0 / 3.0 : 1.0) <=
+    this->FileSize - static_cast<double>(place.Begin);
 }
 
 XMLArrayHeaders::Place XMLArrayHeaders::Find(vtkXMLDataElement* array)

@@ -28,8 +28,8 @@ public:
   XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* parser);
 
   /// Whether the blocks that an array announces fit into the file, and their content into
-  /// `mostBytes`. It is true for arrays that are text or that end within their header, since VTK
-  /// reports these.
+  /// `mostBytes` and into what the compressor can make of so many bytes. It is true for arrays that
+  /// are text or that end within their header, since VTK reports these.
   bool Fit(vtkXMLDataElement* array, double mostBytes);
 
 private:
@@ -41,6 +41,7 @@ private:
   };
 
   Place Find(vtkXMLDataElement* array);
+  bool FitBlocks(const Place& place, const std::vector<double>& header);
   std::vector<double> ReadWords(const Place& place, std::size_t count);
 
   std::ifstream File;
@@ -48,6 +49,7 @@ private:
   std::int64_t AppendedData = -1;
   bool IsAppendedBase64 = true;
   bool IsCompressed = false;
+  double LargestRatio = 1.0; // of the bytes before and after compression
   bool IsBigEndian = false;
   std::size_t WordSize = 4; // in bytes
 };

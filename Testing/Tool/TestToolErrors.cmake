@@ -45,6 +45,24 @@ byte_order=\"LittleEndian\"><ImageData WholeExtent=\"0 4 0 0 0 23\"><FieldData>
 </FieldData><Piece Extent=\"0 4 0 0 0 23\"/></ImageData></VTKFile>
 ")
 cslf_fail("strings.vti declares fewer strings" "" info strings.vti)
+# An array in one block: how many there are, their size, that of the last, and its compressed size.
+function (cslf_test_block header data message)
+  file(WRITE "${DIRECTORY}/block.vti" "<VTKFile type=\"ImageData\" version=\"0.1\"
+byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\"><ImageData
+WholeExtent=\"0 4 0 0 0 23\"><FieldData><DataArray type=\"UInt8\" Name=\"Zeros\"
+NumberOfTuples=\"480\" format=\"binary\">${header}${data}</DataArray></FieldData>
+<Piece Extent=\"0 4 0 0 0 23\"/></ImageData></VTKFile>
+")
+  cslf_fail("${message}" "" info block.vti)
+endfunction ()
+set(block eJxjYBgFwxkAAAHgAAE=)
+set(too_much "block.vti declares an array of too many blocks or bytes")
+cslf_test_block(AQAAAACAAADgAQAADgAAAA== ${block} "no light field")  # 1, 32768, 480, 14
+cslf_test_block(AQAAAACAAADgAQAAAMCzpQ== ${block} "${too_much}")     # 1, 32768, 480, 2780020736
+cslf_test_block(AQAAAACAAADgAQAAkAEAAA== ${block} "${too_much}")     # 1, 32768, 480, 400
+cslf_test_block(AQAAAACAAADgAQAAAAAAAA== ${block} "${too_much}")     # 1, 32768, 480, 0
+cslf_test_block(AQAAAAAAAADgAQAADgAAAA== ${block} "${too_much}")     # 1, 0, 480, 14
+cslf_test_block(AQAAAGQAAADgAQAADgAAAA== ${block} "${too_much}")     # 1, 100, 480, 14
 
 # Outputs.
 cslf_fail("Cannot write nowhere/x.mp4" "x" sample cornell-box -o nowhere/x.mp4 ${tiny})
