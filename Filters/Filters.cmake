@@ -243,6 +243,7 @@ list(APPEND sources
   ../Filters/Coding/cslfHEVC.cxx
   ../Filters/Coding/cslfHeaderText.cxx
   ../Filters/Coding/cslfHeaderVersion1.cxx
+  ../Filters/Coding/cslfMovieBoxes.cxx
   ../Filters/Coding/cslfNALUnits.cxx
   ../Filters/Coding/cslfPerceptualQuantizer.cxx
   ../Filters/Coding/cslfRadianceFrames.cxx
@@ -283,6 +284,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfGroupStages.h
   ../Filters/Coding/cslfHeaderText.h
   ../Filters/Coding/cslfHeaderVersion1.h
+  ../Filters/Coding/cslfMovieBoxes.h
   ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h

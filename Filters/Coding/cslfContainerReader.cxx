@@ -3,6 +3,7 @@
 #include "Coding/cslfContainerReader.h"
 
 #include "Coding/cslfChecksum.h"
+#include "Coding/cslfMovieBoxes.h"
 #include "Files/cslfFileSystem.h"
 
 #include <vtkErrorCode.h>
@@ -107,6 +108,12 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   {
     return Refuse(failure, vtkErrorCode::FileNotFoundError, "there is no such file");
   }
+  constexpr char unknown[] = "it is no MP4 or Matroska file, or it is damaged or cut short";
+  std::vector<std::uint64_t> broken;
+  if (!CanHoldMovieBoxes(this->FileName, broken))
+  {
+    return Refuse(failure, vtkErrorCode::UnrecognizedFileTypeError, unknown);
+  }
   AVDictionary* options = nullptr;
   av_dict_set(&options, "format_whitelist", "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm", 0);
   av_dict_set(&options, "protocol_whitelist", "file", 0);
@@ -123,8 +130,7 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   }
   if (code < 0)
   {
-    return Refuse(failure, vtkErrorCode::UnrecognizedFileTypeError,
-      "it is no MP4 or Matroska file, or it is cut short");
+    return Refuse(failure, vtkErrorCode::UnrecognizedFileTypeError, unknown);
   }
   this->Input.reset(context);
   this->HasBrokenIndex = HasNegativeSize(context);

@@ -4,6 +4,7 @@
 // Files made to do harm: whose checksums are right, but which claim what they do not hold.
 #include "Coding/cslfBitstreams.h"
 #include "Coding/cslfContainerReader.h"
+#include "Coding/cslfMovieBoxes.h"
 #include "Coding/cslfTrackDecoder.h"
 #include "cslfCodecTesting.h"
 #include "cslfRemux.h"
@@ -150,6 +151,63 @@ void TestLargePacket(const std::string& fileName)
   CSLF_CHECK(!observed.HasError("memory"));
 }
 
+/// Puts numbers of 32 bits, the highest byte first, at a place of a file.
+void Put(std::vector<char>& bytes, std::size_t place, const std::vector<std::uint32_t>& words)
+{
+  CSLF_CHECK(place + 4 * words.size() <= bytes.size());
+  for (const std::uint32_t word : words)
+  {
+    for (int shift = 24; shift >= 0; shift -= 8)
+    {
+      bytes[place++] = static_cast<char>(word >> shift);
+    }
+  }
+}
+
+/// Tables of an MP4 file that announce more than it holds, and up to 2 GB. FFmpeg takes memory for
+/// them before it reads them.
+void TestTables(const std::string& fileName)
+{
+  const std::string name = fileName + ".tables.mp4";
+  const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  struct Change
+  {
+    std::string Type;
+    std::string NewType;
+    std::size_t Place; // after the name and the version
+    std::vector<std::uint32_t> Words;
+  };
+  const std::uint32_t sync = 0x73796e63;
+  const std::uint32_t rap = 0x72617020;
+  for (const Change& change :
+    { Change{ "stco", "stco", 0, { 200000000 } }, Change{ "stco", "co64", 0, { 4 } },
+      Change{ "stts", "stts", 0, { 2 } }, Change{ "ctts", "ctts", 0, { 200000000 } },
+      Change{ "stsc", "stsc", 0, { 100000000 } }, Change{ "stss", "stss", 0, { 400000000 } },
+      Change{ "stss", "stps", 0, { 400000000 } }, Change{ "stss", "sgpd", 0, { sync, 2000000000 } },
+      Change{ "stss", "sbgp", 0, { rap, 250000000 } },
+      Change{ "stsz", "stsz", 0, { 0, FramesOfField + 1 } },
+      Change{ "stsz", "stsz", 0, { 1, 65537 } }, Change{ "stsz", "stz2", 0, { 8, 64000000 } },
+      Change{ "stsc", "stsc", 4, { 1, 0x7fffffff } }, Change{ "stsd", "stsd", 0, { 2 } },
+      Change{ "stts", "cmov", 0, {} }, Change{ "moov", "free", 0, {} } })
+  {
+    std::vector<char> changed = bytes;
+    const auto found =
+      std::search(changed.begin(), changed.end(), change.Type.begin(), change.Type.end());
+    CSLF_CHECK(found != changed.end());
+    std::copy(change.NewType.begin(), change.NewType.end(), found);
+    Put(
+      changed, static_cast<std::size_t>(found - changed.begin()) + 8 + change.Place, change.Words);
+    cslf::testing::WriteBytes(name, changed);
+    std::vector<std::uint64_t> broken;
+    if (cslf::CanHoldMovieBoxes(name, broken))
+    {
+      std::cerr << change.Type << " became " << change.NewType << " and was taken\n";
+      CSLF_CHECK(false);
+    }
+    CSLF_CHECK(vtkNew<vtkCSLFDecoder>()->CanReadFile(name.c_str()) == 0);
+  }
+}
+
 /// A file that is gone while it is open.
 void TestVanished(const std::string& fileName)
 {
@@ -267,6 +325,7 @@ int TestCSLFDecoderHostile(int argc, char* argv[])
   TestShortTrack(fileName, ".mkv");
   TestClaims(fileName);
   TestLargePacket(fileName);
+  TestTables(fileName);
   TestVanished(fileName + ".large.mp4");
 
   vtkNew<vtkCSLFEncoder> encoder;
