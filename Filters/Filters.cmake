@@ -245,6 +245,7 @@ list(APPEND sources
   ../Filters/Coding/cslfHeaderVersion1.cxx
   ../Filters/Coding/cslfMovieBoxes.cxx
   ../Filters/Coding/cslfNALUnits.cxx
+  ../Filters/Coding/cslfPatchedFile.cxx
   ../Filters/Coding/cslfPerceptualQuantizer.cxx
   ../Filters/Coding/cslfRadianceFrames.cxx
   ../Filters/Coding/cslfTexelRows.cxx
@@ -288,6 +289,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfNALUnits.h
   ../Filters/Coding/cslfPart.h
   ../Filters/Coding/cslfPartStore.h
+  ../Filters/Coding/cslfPatchedFile.h
   ../Filters/Coding/cslfPerceptualQuantizer.h
   ../Filters/Coding/cslfRadianceFrames.h
   ../Filters/Coding/cslfRateControl.h

@@ -120,6 +120,12 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   // Times are taken relative to each track's first, so edit lists say nothing new.
   av_dict_set(&options, "ignore_editlist", "1", 0);
   AVFormatContext* context = nullptr;
+  if (!broken.empty())
+  {
+    this->Patched = std::make_unique<PatchedFile>(this->FileName, std::move(broken));
+    context = RequireMemory(avformat_alloc_context());
+    context->pb = this->Patched->GetContext();
+  }
   const std::string url = "file:" + this->FileName;
   const int code = avformat_open_input(&context, url.c_str(), nullptr, &options);
   av_dict_free(&options);
@@ -241,11 +247,22 @@ void ContainerReader::FindFirstTimes()
 
 bool ContainerReader::ReadPacket(AVPacket* packet)
 {
-  const int code = av_read_frame(this->Input.get(), packet);
-  return (this->HasBrokenIndex ? code : RequireMemory(code)) >= 0;
+  // Where one group's places in the file are wrong, its packets cannot be read, but those after
+  // them can.
+  const std::size_t most = MaximumGroupLength * this->Streams.size();
+  for (std::size_t failures = 0; failures <= most; ++failures)
+  {
+    const int code = av_read_frame(this->Input.get(), packet);
+    if ((this->HasBrokenIndex ? code : RequireMemory(code)) >= 0)
+    {
+      return true;
+    }
+    this->HasFailed = true;
+  }
+  return false;
 }
 
-bool ContainerReader::SeekTo(int frame)
+bool ContainerReader::SeekTo(int frame, Start start)
 {
   if (this->FirstTimes.empty())
   {
@@ -254,8 +271,11 @@ bool ContainerReader::SeekTo(int frame)
   // MP4 is sought by decoding times, Matroska by presentation times. How far they are apart changes
   // where a file is remuxed, but within a group.
   const int stream = this->Streams.front();
-  const std::int64_t time = this->FirstTimes.front() +
-    av_rescale_q(frame - MaximumGroupLength, FrameTime, this->Input->streams[stream]->time_base);
+  AVStream* track = this->Input->streams[stream];
+  const AVIndexEntry* first = avformat_index_get_entry(track, 0);
+  const bool isExact = start == Start::AtGroup && first;
+  const std::int64_t time = (isExact ? first->timestamp : this->FirstTimes.front()) +
+    av_rescale_q(frame - (isExact ? 0 : MaximumGroupLength), FrameTime, track->time_base);
   // To any frame: a track whose marks of key frames are damaged would stay where it is.
   const int flags = AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY;
   return av_seek_frame(this->Input.get(), stream, time, flags) >= 0;
@@ -270,12 +290,20 @@ long long ContainerReader::FindFrame(std::size_t track, const AVPacket* packet) 
 
 GroupPackets ContainerReader::Read(int group)
 {
+  this->HasFailed = false;
+  GroupPackets packets = this->ReadFrom(Start::BeforeGroup, group);
+  // After packets that cannot be read, of a group before, FFmpeg gives wrong times.
+  return this->HasFailed ? this->ReadFrom(Start::AtGroup, group) : std::move(packets);
+}
+
+GroupPackets ContainerReader::ReadFrom(Start start, int group)
+{
   const std::size_t tracks = this->Streams.size();
   GroupPackets packets;
   packets.Tracks.resize(tracks);
   const int begin = this->GroupStarts[group];
   const int end = this->GroupStarts[group + 1];
-  if (!this->SeekTo(begin))
+  if (!this->SeekTo(begin, start))
   {
     return packets;
   }
@@ -315,7 +343,8 @@ std::vector<std::int64_t> ContainerReader::CountBytes()
 {
   std::vector<std::int64_t> bytes(this->Streams.size(), 0);
   const AVHandle<AVPacket> packet(RequireMemory(av_packet_alloc()));
-  for (const bool isThere = this->SeekTo(0); isThere && this->ReadPacket(packet.get());)
+  for (const bool isThere = this->SeekTo(0, Start::BeforeGroup);
+       isThere && this->ReadPacket(packet.get());)
   {
     const int track = this->FindTrack(packet.get());
     if (track >= 0)

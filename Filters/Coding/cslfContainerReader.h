@@ -8,6 +8,7 @@
 #define cslfContainerReader_h
 
 #include "Coding/cslfFileHeader.h"
+#include "Coding/cslfPatchedFile.h"
 
 #include <memory>
 #include <string>
@@ -56,19 +57,30 @@ public:
   bool IsWhole(int group, const GroupPackets& packets) const;
 
 private:
+  /// Where packets are read from: some frames before a group, or, if FFmpeg's index can be trusted,
+  /// the first one that is decoded.
+  enum class Start
+  {
+    BeforeGroup,
+    AtGroup
+  };
+
   bool OpenContainer(OpenFailure& failure);
   bool ReadHeader(OpenFailure& failure);
   bool FindTracks(OpenFailure& failure);
   void FindFirstTimes();
   bool ReadPacket(AVPacket* packet);
-  bool SeekTo(int frame);
+  bool SeekTo(int frame, Start start);
+  GroupPackets ReadFrom(Start start, int group);
   bool IsTrackWhole(int group, std::size_t track, const GroupPackets& packets) const;
   int FindTrack(const AVPacket* packet) const;
   long long FindFrame(std::size_t track, const AVPacket* packet) const;
 
   std::string FileName;
+  std::unique_ptr<PatchedFile> Patched; ///< where the file has sizes that cannot be; outlives Input
   AVInput Input;
   bool HasBrokenIndex = false; ///< reading a packet may fail for lack of memory that is there
+  bool HasFailed = false;      ///< a packet could not be read
   FileHeader Header;
   std::vector<int> GroupStarts;
   std::vector<int> Streams; ///< of each track

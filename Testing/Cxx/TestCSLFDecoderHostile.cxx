@@ -130,27 +130,6 @@ void TestLargeFrames(const std::string& fileName, int resolution)
   CSLF_CHECK(cslf::TrackDecoder::Open(reader->GetParameters(0), 16) == nullptr);
 }
 
-/// A packet that is larger than any can be, as the file's index says: FFmpeg takes its size to be
-/// negative, and reports that memory is lacking.
-void TestLargePacket(const std::string& fileName)
-{
-  std::ifstream input(fileName, std::ios::binary);
-  std::string bytes{ std::istreambuf_iterator<char>(input), {} };
-  // The name of the box, its version, the size of all packets and their number, and the sizes.
-  constexpr std::size_t packet = 20;
-  const std::size_t sizes = bytes.find("stsz");
-  CSLF_CHECK(sizes != std::string::npos);
-  bytes[sizes + 16 + 4 * packet] = 0x30;
-  const std::string name = fileName + ".packet.mp4";
-  std::ofstream(name, std::ios::binary) << bytes;
-  vtkNew<vtkCSLFDecoder> decoder;
-  decoder->SetFileName(name.c_str());
-  const cslf::testing::Observed observed(decoder);
-  const vtkIdType missing = decoder->FindMissingViewpoints();
-  CSLF_CHECK(missing > 0 && missing <= FramesOfGroup);
-  CSLF_CHECK(!observed.HasError("memory"));
-}
-
 /// Puts numbers of 32 bits, the highest byte first, at a place of a file.
 void Put(std::vector<char>& bytes, std::size_t place, const std::vector<std::uint32_t>& words)
 {
@@ -162,6 +141,52 @@ void Put(std::vector<char>& bytes, std::size_t place, const std::vector<std::uin
       bytes[place++] = static_cast<char>(word >> shift);
     }
   }
+}
+
+/// Wrong entries in an MP4 file's index: a packet that is larger than the file, which FFmpeg may
+/// take for a negative size, and a place behind the end. They cost the group that they belong to.
+void TestBrokenIndex(const std::string& fileName)
+{
+  const std::string name = fileName + ".index.mp4";
+  const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
+  const auto find = [&bytes](const std::string& type)
+  {
+    const auto found = std::search(bytes.begin(), bytes.end(), type.begin(), type.end());
+    CSLF_CHECK(found != bytes.end());
+    return static_cast<std::size_t>(found - bytes.begin());
+  };
+  const cslf::FileHeader header = Open(fileName)->GetHeader();
+  const std::vector<int> starts = header.GetGroupStarts();
+  const auto test = [&](std::size_t place, std::uint32_t value, int frame)
+  {
+    const auto group = std::upper_bound(starts.begin(), starts.end(), frame) - starts.begin() - 1;
+    std::vector<char> changed = bytes;
+    Put(changed, place, { value });
+    cslf::testing::WriteBytes(name, changed);
+    vtkNew<vtkCSLFDecoder> decoder;
+    decoder->SetFileName(name.c_str());
+    const cslf::testing::Observed observed(decoder);
+    const vtkIdType missing = decoder->FindMissingViewpoints();
+    std::cout << "0x" << std::hex << value << std::dec << " in group " << group << ": " << missing
+              << " missing\n";
+    CSLF_CHECK(missing == starts[group + 1] - starts[group]);
+    for (int k = 0; k < FramesOfField; ++k)
+    {
+      const bool isLost = k >= starts[group] && k < starts[group + 1];
+      CSLF_CHECK(decoder->IsViewpointDamaged(header.Slices[k]) == isLost);
+    }
+    CSLF_CHECK(!observed.HasError("memory"));
+  };
+  // After the name: the version, the size of all packets and their number, and the sizes.
+  for (const int packet : { 0, 3, 12, 20 })
+  {
+    for (const std::uint32_t size : { 0x10000000, 0x30000000, 0x7fffffff })
+    {
+      test(find("stsz") + 16 + 4 * packet, size, packet);
+    }
+  }
+  // The version, the number of chunks, and their places, a chunk for each group.
+  test(find("stco") + 12 + 4, 0x10000000, starts[1]);
 }
 
 /// Tables of an MP4 file that announce more than it holds, and up to 2 GB. FFmpeg takes memory for
@@ -324,7 +349,7 @@ int TestCSLFDecoderHostile(int argc, char* argv[])
   TestShortTrack(fileName, ".mp4");
   TestShortTrack(fileName, ".mkv");
   TestClaims(fileName);
-  TestLargePacket(fileName);
+  TestBrokenIndex(fileName);
   TestTables(fileName);
   TestVanished(fileName + ".large.mp4");
 
