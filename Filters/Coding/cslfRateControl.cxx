@@ -35,6 +35,17 @@ constexpr double MostPSNR = 100.0;
 constexpr double Peak = 255.0;
 constexpr double RawTexelBytes = 3.0;
 
+/// Sums and logarithms of costs up to this are finite.
+constexpr double MostCost = 1e18;
+
+/// Whether a run can have found out that.
+bool IsSound(double factor, const GroupCost& cost)
+{
+  return factor >= LeastFactor && factor <= MostFactor && cost.Bytes >= 0.0 &&
+    cost.Bytes <= MostCost && cost.CoverageBytes >= 0.0 && cost.CoverageBytes <= MostCost &&
+    std::abs(cost.SquaredError) <= MostCost;
+}
+
 double Sum(const std::vector<int>& numbers)
 {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0);
@@ -260,7 +271,10 @@ void RateControl::SetTrials(const std::string& text)
     trials.size() == factors.size() * sample.size() &&
     std::all_of(trials.begin(), trials.end(),
       [&sample](const Trial& trial)
-      { return std::binary_search(sample.begin(), sample.end(), trial.Group); });
+      {
+        return std::binary_search(sample.begin(), sample.end(), trial.Group) &&
+          IsSound(trial.Factor, trial.Cost);
+      });
   for (const Trial& trial : isWhole ? trials : std::vector<Trial>())
   {
     this->AddTrial(trial.Group, trial.Factor, trial.Cost);
