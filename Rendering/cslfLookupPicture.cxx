@@ -13,6 +13,7 @@
 #include "cslfPictureFS.h"
 #include "cslfPictureVS.h"
 #include "cslfSceneGridGLSL.h"
+#include "vtkCSLFMapper.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 namespace cslf
 {
@@ -50,8 +52,6 @@ constexpr double StillSeconds = 1.0;
 /// make about a texel, in the middle of the cube, but for no fewer and no more than these.
 constexpr double LeastGuessDivisor = 3.0;
 constexpr double MostGuessDivisor = 12.0;
-/// In the order of vtkCSLFMapper::LookupType.
-constexpr int DepthLookup = 4;
 /// What the passes of the depth lookup mark their pixels with, as z of DC: each leaves alone those
 /// that an earlier one has marked.
 constexpr float NothingMark = -1.0F;
@@ -184,7 +184,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   double seconds, int mostSamples)
 {
   const bool isSearched =
-    asked.Lookup == DepthLookup && field.GetField().FindChannel(DepthName) != nullptr;
+    asked.Lookup == vtkCSLFMapper::DEPTH && field.GetField().FindChannel(DepthName) != nullptr;
   View view = asked;
   view.Samples = isSearched ? asked.Samples : 1;
   if (this->Window && this->Window != window)
@@ -294,8 +294,11 @@ void LookupPicture::Allocate(const FieldTexture& field)
 // Branches cost their time even where nothing takes them, so each program knows what it looks up.
 void LookupPicture::BuildProgram(const FieldTexture& field)
 {
+  // By vtkCSLFMapper::LookupType. The last is for fields without depth: others are searched.
   static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
     "LookupFocal", "LookupFocal" };
+  static_assert(
+    std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
   const bool hasDepth = field.GetField().FindChannel(DepthName) != nullptr;
   std::string fragment = cslfPictureFS;
   vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -128,8 +129,15 @@ vtkImageData* vtkCSLFMapper::GetInput()
 //------------------------------------------------------------------------------
 const char* vtkCSLFMapper::GetLookupAsString()
 {
+  return vtkCSLFMapper::GetLookupName(this->Lookup);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkCSLFMapper::GetLookupName(int lookup)
+{
   static const char* const names[] = { "nearest", "linear", "bilinear", "focal", "depth" };
-  return names[this->Lookup];
+  static_assert(std::size(names) == NUMBER_OF_LOOKUPS, "each lookup needs a name");
+  return lookup >= 0 && lookup < NUMBER_OF_LOOKUPS ? names[lookup] : nullptr;
 }
 
 //------------------------------------------------------------------------------

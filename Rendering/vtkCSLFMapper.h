@@ -79,7 +79,8 @@ public:
     LINEAR = 1,   ///< nearest viewpoint, interpolated texels
     BILINEAR = 2, ///< both interpolated; sharp on the far faces of the cube
     FOCAL = 3,    ///< both interpolated, re-aimed: sharp at the focal point
-    DEPTH = 4     ///< re-aimed at the surface found from the depth channel: sharp everywhere
+    DEPTH = 4,    ///< re-aimed at the surface found from the depth channel: sharp everywhere
+    NUMBER_OF_LOOKUPS
   };
 
   /**
@@ -97,7 +98,7 @@ public:
    * The lookup. Default: DEPTH. Where the field has no depth channel, DEPTH draws as FOCAL about
    * the cube's centre.
    */
-  vtkSetClampMacro(Lookup, int, NEAREST, DEPTH);
+  vtkSetClampMacro(Lookup, int, NEAREST, NUMBER_OF_LOOKUPS - 1);
   vtkGetMacro(Lookup, int);
   void SetLookupToNearest() { this->SetLookup(NEAREST); }
   void SetLookupToLinear() { this->SetLookup(LINEAR); }
@@ -106,6 +107,11 @@ public:
   void SetLookupToDepth() { this->SetLookup(DEPTH); }
   const char* GetLookupAsString();
   ///@}
+
+  /**
+   * The name of a lookup in lower case, such as "bilinear"; null if there is no such lookup.
+   */
+  static const char* GetLookupName(int lookup);
 
   ///@{
   /**

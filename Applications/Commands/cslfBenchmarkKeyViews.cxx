@@ -149,8 +149,10 @@ std::vector<Series> MeasureAll(
   const Options& options, const FieldFile& file, const std::vector<NovelView>& views)
 {
   auto* image = vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0));
-  const LookupName bilinear{ vtkCSLFMapper::BILINEAR, "bilinear" };
-  const LookupName depth{ vtkCSLFMapper::DEPTH, "depth" };
+  const LookupName bilinear{ vtkCSLFMapper::BILINEAR,
+    vtkCSLFMapper::GetLookupName(vtkCSLFMapper::BILINEAR) };
+  const LookupName depth{ vtkCSLFMapper::DEPTH,
+    vtkCSLFMapper::GetLookupName(vtkCSLFMapper::DEPTH) };
   std::vector<Series> all;
   // Without depth, its rate factor says nothing.
   all.push_back(Measure(options, "paper: all views, no depth", MakePlainField(image, file.Field),

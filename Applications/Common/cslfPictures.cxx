@@ -95,9 +95,15 @@ void RequireDisplay()
 
 const std::vector<LookupName>& GetLookups()
 {
-  static const std::vector<LookupName> lookups = { { vtkCSLFMapper::NEAREST, "nearest" },
-    { vtkCSLFMapper::LINEAR, "linear" }, { vtkCSLFMapper::BILINEAR, "bilinear" },
-    { vtkCSLFMapper::FOCAL, "focal" }, { vtkCSLFMapper::DEPTH, "depth" } };
+  static const std::vector<LookupName> lookups = []
+  {
+    std::vector<LookupName> all;
+    for (int lookup = 0; lookup < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++lookup)
+    {
+      all.push_back({ lookup, vtkCSLFMapper::GetLookupName(lookup) });
+    }
+    return all;
+  }();
   return lookups;
 }
 

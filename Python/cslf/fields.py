@@ -8,7 +8,8 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from .vtkCSLF import vtkCSLFDecoder, vtkCSLFMapper
 
-LOOKUPS = ("Nearest", "Linear", "Bilinear", "Focal", "Depth")
+LOOKUPS = tuple(vtkCSLFMapper.GetLookupName(lookup).capitalize()
+                for lookup in range(vtkCSLFMapper.NUMBER_OF_LOOKUPS))
 
 
 def make_actor(field, lookup="Depth"):
@@ -29,7 +30,7 @@ def make_actor(field, lookup="Depth"):
         mapper.SetInputConnection(field.GetOutputPort())
     else:
         mapper.SetInputData(field)
-    getattr(mapper, f"SetLookupTo{lookup}")()
+    mapper.SetLookup(LOOKUPS.index(lookup))
     actor = vtkActor()
     actor.SetMapper(mapper)
     bounds = actor.GetBounds()

@@ -22,7 +22,7 @@ int TestCSLFMapperImage(int argc, char* argv[])
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
   window->SetSize(750, 150);
-  for (int lookup = vtkCSLFMapper::NEAREST; lookup <= vtkCSLFMapper::DEPTH; ++lookup)
+  for (int lookup = vtkCSLFMapper::NEAREST; lookup < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++lookup)
   {
     vtkNew<vtkCSLFMapper> mapper;
     mapper->SetInputData(field);

@@ -99,7 +99,7 @@ struct Fixture
     cslf::Lookup lookup(field, image);
     lookup.LeaveOut(this->FindSeenFaces(field.Box));
     const FocalPoints focalPoints = cslf::FindFocalPoints(field, image);
-    for (int mode = vtkCSLFMapper::NEAREST; mode <= vtkCSLFMapper::DEPTH; ++mode)
+    for (int mode = vtkCSLFMapper::NEAREST; mode < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++mode)
     {
       this->Mapper->SetLookup(mode);
       this->Window->Render();
