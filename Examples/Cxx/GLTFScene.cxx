@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A glTF file becomes a light field, lit by an image of the surroundings. The file is written here
-// by VTK's own exporter; any other .gltf or .glb file will do.
-// GLTFScene [viewpoints a side] [texels a side] [samples]
+// by VTK's own exporter; any other .gltf or .glb file can be used.
+// GLTFScene [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
 #include <vtkCSLFGLTFReader.h>
@@ -25,7 +25,7 @@
 
 namespace
 {
-/// Shows what a source makes, of a physically based material.
+/// Shows the output of a source with a physically based material.
 vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* source,
   const double color[3], double metallic, double roughness)
 {
@@ -116,7 +116,7 @@ int main(int argc, char* argv[])
   reader->Update();
   vtkMultiBlockDataSet* scene = reader->GetOutput();
 
-  // Light travels with the data. The image's middle column lies towards +X, its top towards +Y.
+  // Light travels with the data. The image's middle column is in the direction +X, its top in +Y.
   const double up[] = { 0.0, 1.0, 0.0 };
   const double right[] = { 1.0, 0.0, 0.0 };
   vtkCSLFLight::SetEnvironmentImage(scene, MakeSurroundings(), up, right);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The shortest way from a scene to a light field and back: the Cornell box is sampled into a video
+// The shortest complete program: the Cornell box is sampled into a video
 // file, and a view of it is drawn from that file.
-// HelloLightField [viewpoints a side] [texels a side] [samples]
+// HelloLightField [viewpoints per side] [texels per side] [samples]
 #include <vtkCSLFCornellBoxSource.h>
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFEncoder.h>
@@ -31,7 +31,7 @@ int main(int argc, char* argv[])
   sampler->SetSamples(argc > 3 ? std::atoi(argv[3]) : 16);
   sampler->SetEnvironmentModeToNone(); // the box has a lamp
 
-  // Write the field; the encoder pulls viewpoints from the sampler, a few at a time.
+  // Write the field; the encoder requests a few viewpoints at a time from the sampler.
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(sampler->GetOutputPort());
   encoder->SetFileName("HelloLightField.mp4");
@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Draw what is in the file.
+  // Draw the field in the file.
   vtkNew<vtkCSLFDecoder> decoder;
   decoder->SetFileName("HelloLightField.mp4");
   vtkNew<vtkCSLFMapper> mapper;
@@ -55,7 +55,7 @@ int main(int argc, char* argv[])
   window->SetSize(320, 320);
   window->AddRenderer(renderer);
 
-  // Keep the picture.
+  // Save the picture.
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
   vtkNew<vtkPNGWriter> writer;

@@ -3,7 +3,7 @@
 
 // A light field in a VTK pipeline and scene: a contour of image data, coloured by how steeply the
 // data changes there, becomes a light field, which is shown with an outline, axes and a scalar bar.
-// Isosurface [viewpoints a side] [texels a side] [samples]
+// Isosurface [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
 #include <vtkCamera.h>
@@ -24,7 +24,7 @@
 
 int main(int argc, char* argv[])
 {
-  // The data: a surface of equal value, with the magnitude of the gradient on it.
+  // The data: an isosurface, coloured by the magnitude of the gradient.
   vtkNew<vtkRTAnalyticSource> image;
   image->SetWholeExtent(-20, 20, -20, 20, -20, 20);
   image->SetStandardDeviation(0.35);
@@ -54,7 +54,7 @@ int main(int argc, char* argv[])
   colors->AddRGBPoint(0.5 * (range[0] + range[1]), 0.1, 0.6, 0.6);
   colors->AddRGBPoint(range[1], 1.0, 0.9, 0.25);
 
-  // Its light field, under a sky brighter above than below.
+  // Its light field, under a sky that is brighter at the top.
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(surface->GetOutputPort());
   sampler->SetLookupTable(colors);

@@ -4,7 +4,7 @@
 // A light field among live actors: two golden rings come from one field, an ordinary ring is linked
 // with each, and a translucent plane cuts them all. The live ring turns, and the field is moved,
 // without being sampled again.
-// LiveActors [viewpoints a side] [texels a side] [samples]
+// LiveActors [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
 #include <vtkCSLFMaterial.h>
@@ -21,7 +21,7 @@
 
 namespace
 {
-/// A ring about the z axis.
+/// A ring around the z axis.
 vtkSmartPointer<vtkParametricFunctionSource> MakeRing(double radius, double thickness)
 {
   vtkNew<vtkParametricTorus> torus;
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkParametricFunctionSource> MakeRing(double radius, double thic
 
 int main(int argc, char* argv[])
 {
-  // The field: one ring of rough gold, without anything else.
+  // The field: one ring of rough gold and nothing else.
   const auto ring = MakeRing(1.0, 0.25);
   ring->Update();
   vtkPolyData* gold = ring->GetOutput();
@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
   sampler->SetEnvironmentModeToGradient();
   example::SetSizes(sampler, argc, argv);
 
-  // Drawn twice: a field is sampled once and placed like any other actor.
+  // Draw the field twice: it is sampled once and placed like any other actor.
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.16, 0.18, 0.22);
   const auto left = example::MakeFieldActor(sampler);
@@ -63,7 +63,8 @@ int main(int argc, char* argv[])
   renderer->AddActor(left);
   renderer->AddActor(right);
 
-  // Live: a ring through both, and a plane that both pierce. Depth decides, pixel by pixel.
+  // Live actors: a ring through both, and a plane that intersects both. Depth decides at each
+  // pixel.
   const auto live = example::MakeActor(MakeRing(1.2, 0.12));
   live->GetProperty()->SetColor(0.2, 0.7, 0.9);
   live->GetProperty()->SetSpecular(0.4);

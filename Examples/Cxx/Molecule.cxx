@@ -3,7 +3,7 @@
 
 // A molecule of balls and sticks becomes a light field: buckminsterfullerene, C60, as glyphs of a
 // vtkGlyph3DMapper, of which one ball and one stick are kept, however many there are.
-// Molecule [viewpoints a side] [texels a side] [samples]
+// Molecule [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
 #include <vtkCamera.h>
@@ -55,7 +55,7 @@ std::set<Point> MakeAtoms()
   return atoms;
 }
 
-/// Points with an array of a name; the array's tuples are to be added with the points.
+/// Points with a named array; add the array's tuples together with the points.
 vtkSmartPointer<vtkPolyData> MakePoints(const char* name, int components)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -105,7 +105,7 @@ void AddBalls(vtkRenderer* renderer, const std::set<Point>& atoms)
   balls->SetScalarRange(-5.0, 5.0);
 }
 
-/// Sticks between neighbours, turned along the bonds: glyphs point along x.
+/// Sticks between neighbours, rotated along the bonds: glyphs point along x.
 void AddSticks(vtkRenderer* renderer, const std::set<Point>& atoms)
 {
   const auto data = MakePoints("direction", 3);
@@ -150,7 +150,7 @@ int main(int argc, char* argv[])
   AddBalls(molecule, atoms);
   AddSticks(molecule, atoms);
 
-  // What the renderer shows, as a light field; its headlight becomes light from all around.
+  // The scene of the renderer as a light field; its headlight becomes light from all around.
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetRenderer(molecule);
   example::SetSizes(sampler, argc, argv);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A baked light field as the baseline of another project's tests: one file stands for pictures of a
+// A baked light field as the baseline of another project's tests: one file replaces pictures of a
 // pipeline's result from all around. Documentation/RegressionTests.md explains it.
-// RegressionFixture --bake    writes the fixture first, as is done once
+// RegressionFixture --bake    writes the fixture; do this once
 // RegressionFixture           tests the pipeline against it
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFEncoder.h>
@@ -26,7 +26,7 @@ namespace
 {
 const char* const Fixture = "RegressionFixture.mp4";
 
-/// What is tested: the project's own pipeline and the actors that show it.
+/// The object of the test: the project's own pipeline and the actors that show it.
 void FillRenderer(vtkRenderer* renderer, double isovalue)
 {
   vtkNew<vtkRTAnalyticSource> image;
@@ -42,7 +42,7 @@ void FillRenderer(vtkRenderer* renderer, double isovalue)
   renderer->AddActor(actor);
 }
 
-/// Writes the fixture from the pipeline as it is now.
+/// Writes the fixture from the current pipeline.
 bool Bake()
 {
   vtkNew<vtkRenderer> renderer;
@@ -60,7 +60,7 @@ bool Bake()
   return encoder->Write() != 0;
 }
 
-/// The fixture's PSNR in dB against what the pipeline shows with an isovalue, at 2000 texels.
+/// The fixture's PSNR in dB against the pipeline with an isovalue, at 2000 texels.
 double Compare(double isovalue)
 {
   vtkNew<vtkRenderer> renderer;

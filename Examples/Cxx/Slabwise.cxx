@@ -3,8 +3,8 @@
 
 // A light field is image data, and ordinary VTK filters take it apart, slab by slab: one viewpoint
 // as a picture, an epipolar-plane image, and how bright the scene is from each face. Only the
-// viewpoints that are asked for are ever sampled.
-// Slabwise [viewpoints a side] [texels a side] [samples]
+// viewpoints that are requested are sampled.
+// Slabwise [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
 #include <vtkCSLFCornellBoxSource.h>
@@ -55,8 +55,8 @@ vtkSmartPointer<vtkAlgorithm> ExtractViewpoint(vtkCSLFSampler* sampler)
   return upright;
 }
 
-/// An epipolar-plane image: one row of texels towards the face -Z, of all viewpoints along u. What
-/// is near the face moves fast from viewpoint to viewpoint: the flatter a line, the nearer the
+/// An epipolar-plane image: one row of texels towards the face -Z, of all viewpoints along u.
+/// Objects near the face move fast from viewpoint to viewpoint: the flatter a line, the nearer the
 /// surface.
 vtkSmartPointer<vtkAlgorithm> ExtractEpipolarPlane(vtkCSLFSampler* sampler)
 {
@@ -90,7 +90,7 @@ bool WritePicture(vtkAlgorithm* picture, const char* fileName)
   return writer->GetErrorCode() == 0;
 }
 
-/// The mean of green of a face's middle viewpoint. Only by its open side is the box lit.
+/// The mean of green of a face's middle viewpoint. Light leaves the box only through its open side.
 double GetBrightness(vtkCSLFSampler* sampler, int face)
 {
   const int n = sampler->GetResolution();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A bake within a time: as many samples are taken as the seconds allow, progress is shown, and a
-// bake can be aborted, after which nothing is left of it.
-// TimedBake [viewpoints a side] [texels a side] [seconds]
+// A bake within a given time: it takes as many samples as fit, shows its progress, and can be
+// aborted, after which none of its files remain.
+// TimedBake [viewpoints per side] [texels per side] [seconds]
 #include "Example.h"
 
 #include <vtkCSLFBakeEstimator.h>
@@ -27,7 +27,7 @@ struct Progress
   int Tenths = 0;
 };
 
-/// Prints how far a bake is, and aborts it where it is told to.
+/// Prints the progress of a bake, and aborts it at a given progress.
 void OnProgress(vtkObject* caller, unsigned long, void* clientData, void*)
 {
   auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
@@ -44,7 +44,7 @@ void OnProgress(vtkObject* caller, unsigned long, void* clientData, void*)
   }
 }
 
-/// Whether the file was written.
+/// Returns whether the file was written.
 bool Bake(vtkCSLFEncoder* encoder, double abortAt)
 {
   Progress progress;
@@ -72,7 +72,7 @@ int main(int argc, char* argv[])
   encoder->SetInputConnection(sampler->GetOutputPort());
   encoder->SetFileName("TimedBake.mp4");
 
-  // A short probe tells what the bake will cost, and how many samples fit.
+  // A short probe predicts the cost of the bake, and how many samples fit.
   vtkNew<vtkCSLFBakeEstimator> estimator;
   estimator->SetSampler(sampler);
   estimator->SetEncoder(encoder);
@@ -86,7 +86,7 @@ int main(int argc, char* argv[])
   std::cout << sampler->GetSamples() << " samples, in at most " << estimator->GetSeconds()
             << " s: " << estimator->GetBytes() / 1e3 << " kB\n";
 
-  // Aborted, as by a user who pressed a button: neither the file nor its parts are left.
+  // Abort the bake, as if a user pressed a button: neither the file nor its parts remain.
   std::filesystem::remove("TimedBake.mp4");
   if (Bake(encoder, 0.3) || std::filesystem::exists("TimedBake.mp4"))
   {

@@ -26,7 +26,7 @@ for cell, source in ((1, contour), (2, reopened)):
 SaveScreenshot("contour.png", layout, ImageResolution=[1024, 512])
 SaveScreenshot("field.png", view, ImageResolution=[512, 512])
 
-# How close the field is to the same view, path-traced.
+# The PSNR of the field against the same view, path-traced.
 truth = cslf.vtkCSLFViewTracer()
 truth.SetInputData(servermanager.Fetch(contour))
 truth.SetLookupTable(field.LookupTable.GetClientSideObject())

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# Bakes the Cornell box into a video, by all processes that mpiexec starts:
+# Bakes the Cornell box into a video with all processes that mpiexec starts:
 #   mpiexec -n 4 python3 bake_parallel.py
 # Arguments: M N samples.
 import sys
-from mpi4py import MPI  # first: it begins and ends MPI
+from mpi4py import MPI  # import first: it initializes and finalizes MPI
 import cslf
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.vtkParallelMPI import vtkMPIController
@@ -19,7 +19,7 @@ sampler.SetInputConnection(box.GetOutputPort())
 sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
 sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
 sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
-sampler.SetEnvironmentModeToNone()  # the box has a lamp
+sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 encoder = cslf.vtkCSLFEncoder()
 encoder.SetInputConnection(sampler.GetOutputPort())
 encoder.SetFileName("CornellBox.mp4")

@@ -16,7 +16,7 @@ renderer.SetBackground(0.2, 0.22, 0.28)
 
 
 def show(source):
-    """Adds an actor of what a source makes."""
+    """Adds an actor for the output of a source."""
     actor = make_actor(source)
     renderer.AddActor(actor)
     return actor
@@ -39,7 +39,7 @@ plane.SetPoint1(2.2, -1.5, 0.0)
 plane.SetPoint2(-2.2, 1.5, 0.0)
 show(plane).SetTexture(texture)
 
-# A ball of brushed gold, and one of glass: VTK has no refraction, so that is told by the data.
+# A ball of brushed gold, and one of glass: VTK has no refraction, so the data defines the glass.
 ball = vtkSphereSource()
 ball.SetRadius(0.5)
 ball.SetThetaResolution(96)
@@ -80,7 +80,7 @@ ring.RotateX(70.0)
 ring.SetPosition(1.2, 0.4, 0.6)
 ring.GetMapper().InterpolateScalarsBeforeMappingOn()
 
-# A light in the scene beside the one at the camera.
+# A light in the scene, in addition to the one at the camera.
 lamp = vtkLight()
 lamp.SetLightTypeToSceneLight()
 lamp.PositionalOn()
@@ -93,7 +93,7 @@ head.SetIntensity(0.4)
 renderer.AddLight(lamp)
 renderer.AddLight(head)
 
-# The light field of all that.
+# The light field of this scene.
 sampler = cslf.vtkCSLFSampler()
 sampler.SetRenderer(renderer)
 set_sizes(sampler, read_sizes(__doc__))

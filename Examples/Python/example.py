@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples have in common: sizes from the command line, actors, and saving a picture."""
+"""Code shared by the examples: sizes from the command line, actors, and saving a picture."""
 import argparse
 
 import cslf
@@ -18,14 +18,14 @@ def read_sizes(description, viewpoints=5, resolution=64, samples=16):
 
 
 def set_sizes(sampler, sizes):
-    """Gives a sampler what read_sizes found."""
+    """Applies the result of read_sizes to a sampler."""
     sampler.SetViewpoints(sizes.M)
     sampler.SetResolution(sizes.N)
     sampler.SetSamples(sizes.samples)
 
 
 def make_field_actor(algorithm):
-    """An actor of the light field that a filter, source or reader makes."""
+    """An actor of the light field from a filter, source or reader."""
     mapper = cslf.vtkCSLFMapper()
     mapper.SetInputConnection(algorithm.GetOutputPort())
     actor = vtkActor()
@@ -43,7 +43,7 @@ def make_actor(algorithm):
 
 
 def save_picture(window, file_name):
-    """Draws a window and writes what it shows as PNG."""
+    """Draws a window and saves it as PNG."""
     picture = vtkWindowToImageFilter()
     picture.SetInput(window)
     writer = vtkPNGWriter()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """A glTF file becomes a light field, lit by an image of the surroundings. The file is written here
-by VTK's own exporter; any other .gltf or .glb file will do. Arguments: M N samples."""
+by VTK's own exporter; any other .gltf or .glb file can be used. Arguments: M N samples."""
 import math
 
 import cslf
@@ -82,12 +82,12 @@ reader.SetFileName("GLTFScene.gltf")
 reader.Update()
 scene = reader.GetOutput()
 
-# Light travels with the data. The image's middle column lies towards +X, its top towards +Y.
+# Light travels with the data. The image's middle column is in the direction +X, its top in +Y.
 up, right = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)
 cslf.vtkCSLFLight.SetEnvironmentImage(scene, make_surroundings(), up, right)
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputData(scene)
-sampler.SetCacheSamples(128)  # of light that varies little, few do
+sampler.SetCacheSamples(128)  # few are enough for smooth light
 set_sizes(sampler, read_sizes(__doc__))
 
 renderer = vtkRenderer()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The shortest way from a scene to a light field and back: the Cornell box is sampled into a video
+"""The shortest complete program: the Cornell box is sampled into a video
 file, and a view of it is drawn from that file. Arguments: M N samples."""
 import sys
 
@@ -14,16 +14,16 @@ sampler.SetInputConnection(box.GetOutputPort())
 sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
 sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
 sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
-sampler.SetEnvironmentModeToNone()  # the box has a lamp
+sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 
-# Write the field; the encoder pulls viewpoints from the sampler, a few at a time.
+# Write the field; the encoder requests a few viewpoints at a time from the sampler.
 encoder = cslf.vtkCSLFEncoder()
 encoder.SetInputConnection(sampler.GetOutputPort())
 encoder.SetFileName("HelloLightField.mp4")
 if not encoder.Write():
     sys.exit("The light field was not written.")
 
-# Draw what is in the file.
+# Draw the field in the file.
 decoder = cslf.vtkCSLFDecoder()
 decoder.SetFileName("HelloLightField.mp4")
 mapper = cslf.vtkCSLFMapper()
@@ -38,7 +38,7 @@ window = vtkRenderingCore.vtkRenderWindow()
 window.SetSize(320, 320)
 window.AddRenderer(renderer)
 
-# Keep the picture.
+# Save the picture.
 picture = vtkRenderingCore.vtkWindowToImageFilter()
 picture.SetInput(window)
 writer = vtkIOImage.vtkPNGWriter()

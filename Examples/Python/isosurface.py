@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor, vtkScalarBarActo
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkRenderWindow
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
 
-# The data: a surface of equal value, with the magnitude of the gradient on it.
+# The data: an isosurface, coloured by the magnitude of the gradient.
 image = vtkRTAnalyticSource()
 image.SetWholeExtent(-20, 20, -20, 20, -20, 20)
 image.SetStandardDeviation(0.35)
@@ -43,11 +43,11 @@ colors.AddRGBPoint(low, 0.25, 0.1, 0.45)
 colors.AddRGBPoint(0.5 * (low + high), 0.1, 0.6, 0.6)
 colors.AddRGBPoint(high, 1.0, 0.9, 0.25)
 
-# Its light field, under a sky brighter above than below.
+# Its light field, under a sky that is brighter at the top.
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(surface.GetOutputPort())
 sampler.SetLookupTable(colors)
-sampler.SetCacheSamples(256)  # of light that varies little, few do
+sampler.SetCacheSamples(256)  # few are enough for smooth light
 set_sizes(sampler, read_sizes(__doc__))
 sampler.SetEnvironmentModeToGradient()
 sampler.SetEnvironmentUp(0.0, 0.0, 1.0)

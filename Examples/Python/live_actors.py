@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
 
 def make_ring(radius, thickness):
-    """A ring about the z axis."""
+    """A ring around the z axis."""
     torus = vtkParametricTorus()
     torus.SetRingRadius(radius)
     torus.SetCrossSectionRadius(thickness)
@@ -23,7 +23,7 @@ def make_ring(radius, thickness):
     return source
 
 
-# The field: one ring of rough gold, without anything else.
+# The field: one ring of rough gold and nothing else.
 ring = make_ring(1.0, 0.25)
 ring.Update()
 gold = ring.GetOutput()
@@ -35,7 +35,7 @@ sampler.SetInputData(gold)
 sampler.SetEnvironmentModeToGradient()
 set_sizes(sampler, read_sizes(__doc__))
 
-# Drawn twice: a field is sampled once and placed like any other actor.
+# Draw the field twice: it is sampled once and placed like any other actor.
 renderer = vtkRenderer()
 renderer.SetBackground(0.16, 0.18, 0.22)
 left = make_field_actor(sampler)
@@ -48,7 +48,7 @@ right.SetScale(0.8)
 renderer.AddActor(left)
 renderer.AddActor(right)
 
-# Live: a ring through both, and a plane that both pierce. Depth decides, pixel by pixel.
+# Live actors: a ring through both, and a plane that intersects both. Depth decides at each pixel.
 live = make_actor(make_ring(1.2, 0.12))
 live.GetProperty().SetColor(0.2, 0.7, 0.9)
 live.GetProperty().SetSpecular(0.4)

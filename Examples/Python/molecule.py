@@ -28,7 +28,7 @@ print(f"{len(atoms)} atoms, {len(bonds)} bonds")
 
 
 def make_points(places, name, values):
-    """Points at places, each with a tuple of values."""
+    """Points at given positions, each with a tuple of values."""
     points = vtkPoints()
     array = vtkDoubleArray()
     array.SetName(name)
@@ -70,7 +70,7 @@ balls.SetScalarModeToUsePointFieldData()
 balls.SelectColorArray("height")
 balls.SetScalarRange(-5.0, 5.0)
 
-# Sticks, turned along the bonds: glyphs point along x.
+# Sticks, rotated along the bonds: glyphs point along x.
 cylinder = vtkCylinderSource()
 cylinder.SetRadius(0.22)
 cylinder.SetHeight(2.0)
@@ -87,7 +87,7 @@ sticks.SetOrientationArray("direction")
 sticks.SetOrientationModeToDirection()
 sticks.ScalarVisibilityOff()
 
-# What the renderer shows, as a light field; its headlight becomes light from all around.
+# The scene of the renderer as a light field; its headlight becomes light from all around.
 sampler = cslf.vtkCSLFSampler()
 sampler.SetRenderer(renderer)
 set_sizes(sampler, read_sizes(__doc__))

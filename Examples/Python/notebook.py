@@ -9,16 +9,16 @@ from example import read_sizes, set_sizes
 box = cslf.vtkCSLFCornellBoxSource()
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
-sampler.SetEnvironmentModeToNone()  # the box has a lamp
+sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 set_sizes(sampler, read_sizes(__doc__))
 
 # %% A cell that ends with a picture shows it.
 picture = cslf.show(sampler, size=(300, 300))
 picture  # noqa: B018
 
-# %% From elsewhere, by another lookup.
+# %% From another position, with another lookup.
 other = cslf.show(sampler, size=(300, 300), position=(-0.8, 0.6, 3.6), lookup="Focal")
 other  # noqa: B018
 
-# %% Pictures can be kept.
+# %% Pictures can be saved.
 picture.save("Notebook.png")

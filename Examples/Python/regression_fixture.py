@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A baked light field as the baseline of another project's tests: one file stands for pictures of
+"""A baked light field as the baseline of another project's tests: one file replaces pictures of
 a pipeline's result from all around. Documentation/RegressionTests.md explains it.
 
-    regression_fixture.py --bake    writes the fixture first, as is done once
+    regression_fixture.py --bake    writes the fixture; do this once
     regression_fixture.py           tests the pipeline against it
 """
 import argparse
@@ -20,7 +20,7 @@ FIXTURE = "RegressionFixture.mp4"
 
 
 def make_renderer(isovalue=150.0):
-    """What is tested: the project's own pipeline and the actors that show it."""
+    """The object of the test: the project's own pipeline and the actors that show it."""
     image = vtkRTAnalyticSource()
     contour = vtkContourFilter()
     contour.SetInputConnection(image.GetOutputPort())
@@ -37,25 +37,25 @@ def make_renderer(isovalue=150.0):
 
 
 def bake():
-    """Writes the fixture from the pipeline as it is now. Whether that worked."""
+    """Writes the fixture from the current pipeline. Returns whether that succeeded."""
     sampler = cslf.vtkCSLFSampler()
     sampler.SetRenderer(make_renderer())
     sampler.SetViewpoints(3)
     sampler.SetResolution(32)
     sampler.SetSamples(64)
-    sampler.SetIntegratorToPathTracing()  # as the comparison does
+    sampler.SetIntegratorToPathTracing()  # like the comparison
     encoder = cslf.vtkCSLFEncoder()
     encoder.SetInputConnection(sampler.GetOutputPort())
     encoder.SetFileName(FIXTURE)
     encoder.SetCRF(12.0)
     if not encoder.Write():
         return False
-    cslf.show(FIXTURE).save("RegressionFixture.png")  # for a look at what is kept
+    cslf.show(FIXTURE).save("RegressionFixture.png")  # shows the fixture
     return True
 
 
 def compare(renderer):
-    """The fixture's PSNR in dB against what the renderer shows now, at 2000 texels."""
+    """The fixture's PSNR in dB against the current scene of the renderer, at 2000 texels."""
     decoder = cslf.vtkCSLFDecoder()
     decoder.SetFileName(FIXTURE)
     reference = cslf.vtkCSLFFieldReference()
@@ -63,7 +63,7 @@ def compare(renderer):
     reference.SetInputConnection(1, decoder.GetOutputPort())
     reference.SetTexels(2000)
     reference.SetSamples(64)
-    reference.GlobalWarningDisplayOff()  # that the scene is not the one that was baked
+    reference.GlobalWarningDisplayOff()  # hides the warning that the scene has changed
     reference.Update()
     reference.GlobalWarningDisplayOn()
     print(f"{reference.GetPSNR():.1f} dB, noise floor {reference.GetNoiseFloor():.1f} dB")
@@ -75,7 +75,7 @@ class TestContour(unittest.TestCase):
         self.assertGreater(compare(make_renderer()), 30.0)
 
     def test_changed(self):
-        """The fixture notices what a single camera might not see."""
+        """The fixture detects changes that a single camera might not see."""
         self.assertLess(compare(make_renderer(isovalue=160.0)), 25.0)
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A light field is image data, and ordinary VTK filters take it apart, slab by slab: one viewpoint
 as a picture, an epipolar-plane image, and how bright the scene is from each face. Only the
-viewpoints that are asked for are ever sampled. Arguments: M N samples."""
+viewpoints that are requested are sampled. Arguments: M N samples."""
 import cslf
 from example import read_sizes, set_sizes
 from vtkmodules.vtkImagingCore import (vtkExtractVOI, vtkImageExtractComponents, vtkImageFlip,
@@ -15,7 +15,7 @@ M, N = sizes.M, sizes.N
 sampler = cslf.vtkCSLFSampler()
 box = cslf.vtkCSLFCornellBoxSource()
 sampler.SetInputConnection(box.GetOutputPort())
-sampler.SetEnvironmentModeToNone()  # the box has a lamp
+sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 set_sizes(sampler, sizes)
 FRONT = 4  # the face +Z, before the box's open side
 
@@ -48,8 +48,8 @@ upright = vtkImageFlip()  # row 0 of a field is the top, that of VTK's images th
 upright.SetInputConnection(strip.GetOutputPort())
 upright.SetFilteredAxis(1)
 
-# An epipolar-plane image: one row of texels towards the face -Z, of all viewpoints along u. What is
-# near the face moves fast from viewpoint to viewpoint: the flatter a line, the nearer the surface.
+# An epipolar-plane image: one row of texels towards the face -Z, of all viewpoints along u. Objects
+# near the face move fast from viewpoint to viewpoint: the flatter a line, the nearer the surface.
 x = get_tile(FRONT, 5)
 y = N * 2 // 3
 row = extract((x, x + N - 1), (y, y),
@@ -68,7 +68,8 @@ for picture, name in ((upright, "SlabwiseViewpoint.png"), (wide, "SlabwiseEpipol
     writer.SetFileName(name)
     writer.Write()
 
-# Statistics of one viewpoint of each face: the mean of green. Only by its open side is the box lit.
+# Statistics of one viewpoint of each face: the mean of green. Light leaves the box only through its
+# open side.
 for face in range(6):
     z = get_viewpoint(face, M // 2, M // 2)
     part = vtkExtractVOI()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bake within a time: as many samples are taken as the seconds allow, progress is shown, and a
-bake can be aborted, after which nothing is left of it. Arguments: M N seconds."""
+"""A bake within a given time: it takes as many samples as fit, shows its progress, and can be
+aborted, after which none of its files remain. Arguments: M N seconds."""
 import argparse
 import os
 import sys
@@ -22,25 +22,25 @@ sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
 sampler.SetViewpoints(options.M)
 sampler.SetResolution(options.N)
-sampler.SetEnvironmentModeToNone()  # the box has a lamp
+sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 encoder = cslf.vtkCSLFEncoder()
 encoder.SetInputConnection(sampler.GetOutputPort())
 encoder.SetFileName("TimedBake.mp4")
 
-# A short probe tells what the bake will cost, and how many samples fit.
+# A short probe predicts the cost of the bake, and how many samples fit.
 estimator = cslf.vtkCSLFBakeEstimator()
 estimator.SetSampler(sampler)
 estimator.SetEncoder(encoder)
 estimator.SetProbeSeconds(2.0)
 if not estimator.ChooseSamples(options.seconds):
     sys.exit("Not even one sample for each texel fits.")
-sampler.SetSamples(min(sampler.GetSamples(), 64))  # in this scene more are not seen
+sampler.SetSamples(min(sampler.GetSamples(), 64))  # more make no visible difference in this scene
 print(f"{sampler.GetSamples()} samples, in at most {estimator.GetSeconds():.1f} s: "
       f"{estimator.GetBytes() / 1e3:.0f} kB")
 
 
 class Progress:
-    """Prints how far a bake is, and aborts it where it is told to."""
+    """Prints the progress of a bake, and aborts it at a given progress."""
 
     def __init__(self, abort_at):
         self.abort_at = abort_at
@@ -56,7 +56,7 @@ class Progress:
 
 
 def bake(abort_at):
-    """Whether the file was written."""
+    """Returns whether the file was written."""
     encoder.SetAbortExecute(0)
     observer = encoder.AddObserver(vtkCommand.ProgressEvent, Progress(abort_at))
     written = bool(encoder.Write())
@@ -64,7 +64,7 @@ def bake(abort_at):
     return written
 
 
-# Aborted, as by a user who pressed a button: neither the file nor its parts are left.
+# Abort the bake, as if a user pressed a button: neither the file nor its parts remain.
 if os.path.exists("TimedBake.mp4"):
     os.remove("TimedBake.mp4")
 if bake(abort_at=0.3) or os.path.exists("TimedBake.mp4"):
