@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Actors of light fields, whatever the field comes from."""
+"""Actors of light fields from files, algorithms or image data."""
 
 import os
 
@@ -15,9 +15,10 @@ LOOKUPS = tuple(vtkCSLFMapper.GetLookupName(lookup).capitalize()
 def make_actor(field, lookup="Depth"):
     """Returns a ``vtkActor`` that draws a light field.
 
-    ``field`` is the name of a video, an algorithm that makes a field (a ``vtkCSLFSampler``, say),
-    or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``.
-    Raises ``ValueError`` where the field is none or the lookup is unknown.
+    ``field`` is the name of a video, an algorithm that makes a field, such as
+    ``vtkCSLFSampler``, or image data. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``,
+    ``Focal`` or ``Depth``.
+    Raises ``ValueError`` if the field is not a light field or the lookup is unknown.
     """
     if lookup not in LOOKUPS:
         raise ValueError(f"The lookup must be one of {', '.join(LOOKUPS)}; it is {lookup!r}.")
@@ -35,5 +36,5 @@ def make_actor(field, lookup="Depth"):
     actor.SetMapper(mapper)
     bounds = actor.GetBounds()
     if bounds is None or bounds[0] > bounds[1]:
-        raise ValueError("This is no light field.")
+        raise ValueError("The field is not a light field.")
     return actor

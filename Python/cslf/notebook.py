@@ -15,7 +15,7 @@ DIRECTION = (0.35, 0.25, 1.0)
 
 
 class Picture:
-    """A picture as a PNG file in memory. A notebook shows one that a cell ends with."""
+    """A PNG picture in memory. A notebook shows it if it is the last expression of a cell."""
 
     def __init__(self, png):
         self.png = png
@@ -29,10 +29,10 @@ class Picture:
 
 
 def capture(window):
-    """What a render window shows, as a Picture."""
+    """Captures a render window as a Picture."""
     if window.GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
-        raise RuntimeError("VTK draws through an X server here, and there is none: start the "
-                           "program with xvfb-run -a, or set DISPLAY.")
+        raise RuntimeError("Drawing needs an X server: start the program with xvfb-run -a, "
+                           "or set DISPLAY.")
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     writer = vtkPNGWriter()
@@ -44,12 +44,14 @@ def capture(window):
 
 def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
          background=(0.0, 0.0, 0.0), lookup="Depth"):
-    """A view of a light field, as a Picture.
+    """Draws a view of a light field and returns it as a Picture.
 
-    ``field`` is the name of a video, what makes a field (a ``vtkCSLFSampler``, say), or image data.
-    ``position`` is where the eye is, in the world, and ``focal_point`` where it looks: by default
-    two edges of the cube from its centre, in front, and the centre. ``lookup`` is ``Nearest``,
-    ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``.
+    ``field`` is the name of a video, an algorithm that makes a field, such as ``vtkCSLFSampler``,
+    or image data. ``size`` is the width and height in pixels. ``position`` is the position of the
+    camera in world coordinates, by default two edges of the cube in front of its centre, and
+    ``focal_point`` the point that it looks at, by default the centre. ``background`` is a colour
+    with components in [0,1]. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or
+    ``Depth``.
     """
     actor = make_actor(field, lookup)
     bounds = actor.GetBounds()

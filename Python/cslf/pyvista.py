@@ -24,7 +24,7 @@ from .fields import make_actor
 
 
 class _Errors:
-    """Turns what algorithms report as errors into one exception."""
+    """Converts errors that algorithms report to one exception."""
 
     def __init__(self, *algorithms):
         self._algorithms = algorithms
@@ -49,14 +49,14 @@ class _Errors:
 
 
 class PlotterComponent:
-    """What ``plotter.cslf`` is."""
+    """The object ``plotter.cslf``."""
 
     def __init__(self, plotter):
         self._plotter = plotter
 
     def bake(self, file_name=None, *, viewpoints=None, resolution=None, samples=None,
              noise_target=None, crf=None, sampler=None):
-        """Samples what the active renderer shows as a light field.
+        """Samples the scene of the active renderer as a light field.
 
         Returns the field as ``pyvista.ImageData``; with ``file_name`` (``.mp4`` or ``.mkv``) it
         writes the field to that video instead, slab by slab, and returns the name.
@@ -66,7 +66,7 @@ class PlotterComponent:
         rays for each texel, ``noise_target`` the noise at which a texel gets no more of them, and
         ``crf`` the video's constant rate factor, 0 to 51: less is better and larger. ``sampler``
         is a ``vtkCSLFSampler`` with further settings. What is None keeps the default of
-        ``vtkCSLFSampler`` or ``vtkCSLFEncoder``. Raises ``RuntimeError`` where sampling or writing
+        ``vtkCSLFSampler`` or ``vtkCSLFEncoder``. Raises ``RuntimeError`` if sampling or writing
         fails.
         """
         plotter = self._plotter
@@ -104,7 +104,7 @@ class PlotterComponent:
         ``field`` is the name of a video, image data, or an algorithm such as ``vtkCSLFDecoder``.
         ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``. Further
         arguments (``name``, ``reset_camera``, ``pickable``, ``render``) are those of
-        ``Plotter.add_actor``. Raises ``ValueError`` where the field is none.
+        ``Plotter.add_actor``. Raises ``ValueError`` if it is not a light field.
         """
         actor = make_actor(field, lookup)
         self._plotter.add_actor(actor, **arguments)
