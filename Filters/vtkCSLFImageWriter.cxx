@@ -5,7 +5,6 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
-#include "Files/cslfFileSystem.h"
 #include "Files/cslfWholeFile.h"
 #include "Pipeline/cslfSlabs.h"
 
@@ -35,15 +34,8 @@ double CountBytes(const std::string& folder)
 /// less, so half of that is enough.
 bool HasRoom(const std::string& folder, int done, int all, std::string& error)
 {
-  const double needed = CountBytes(folder) / done * (all - done);
-  const double free = cslf::GetFreeBytes(folder);
-  if (0.5 * needed > free)
-  {
-    error = "it takes about " + cslf::DescribeBytes(needed) + " more, of which the disk lacks " +
-      cslf::DescribeBytes(needed - free);
-    return false;
-  }
-  return true;
+  const double bytes = CountBytes(folder) / done * (all - done);
+  return cslf::HasRoom(folder, bytes, 0.5 * bytes, error);
 }
 
 bool WriteSlab(const cslf::SlabStream& stream, const cslf::Slab& slab, const std::string& folder,

@@ -49,9 +49,8 @@ bool EncodeSession::Fail(unsigned long code, const std::string& text)
   return false;
 }
 
-bool EncodeSession::FailWriting(unsigned long code, std::string error)
+bool EncodeSession::FailWriting(unsigned long code, const std::string& error)
 {
-  error += this->Writer ? this->Writer->DescribeKept() : "";
   return this->Fail(code, this->Job.FileName + " was not written: " + error + ".");
 }
 
@@ -218,10 +217,12 @@ bool EncodeSession::Write(bool hasInput)
   if (this->Choice.Step > 0 || this->ChooseKeyViews(isReady))
   {
     const bool hasBegun = isReady && this->BeginWriting();
-    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string()) && isSettled)
+    int stored = this->Writer->CountStored();
+    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) && isSettled)
     {
-      this->Work();
+      stored = this->Work();
     }
+    this->TellKept(stored);
   }
   if (!this->IsWell())
   {
@@ -235,7 +236,18 @@ bool EncodeSession::Write(bool hasInput)
   return this->IsWell();
 }
 
-void EncodeSession::Work()
+// The rank that tells of the fault need not be the one that keeps the groups.
+void EncodeSession::TellKept(int stored)
+{
+  std::string& text = this->Fault.Text;
+  if (stored > 0 && !text.empty())
+  {
+    text.erase(text.find_last_not_of('.') + 1);
+    text += this->Writer->DescribeKept(stored) + ".";
+  }
+}
+
+int EncodeSession::Work()
 {
   if (this->Crew.GetRank() == 0)
   {
@@ -246,7 +258,9 @@ void EncodeSession::Work()
   {
     this->Follow();
   }
-  this->Agree({});
+  int stored = this->Writer->CountStored();
+  this->Agree({}, &stored);
+  return stored;
 }
 
 void EncodeSession::Lead()

@@ -89,7 +89,8 @@ public:
 
 private:
   bool Fail(unsigned long code, const std::string& text);
-  bool FailWriting(unsigned long code, std::string error);
+  bool FailWriting(unsigned long code, const std::string& error);
+  void TellKept(int stored);
   bool IsWell() const;
   bool Agree(const std::string& shared, int* told = nullptr);
   bool CheckHere();
@@ -99,7 +100,7 @@ private:
   bool BeginWriting();
   bool OpenParts();
 
-  void Work();
+  int Work(); ///< how many groups are stored in the end
   void Lead();
   void Follow();
   void Conclude();

@@ -4,8 +4,8 @@
 
 #include "Coding/cslfContainerWriter.h"
 #include "Coding/cslfPart.h"
-#include "Files/cslfFileSystem.h"
 #include "Files/cslfLibraries.h"
+#include "Files/cslfWholeFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -101,7 +101,8 @@ std::string FieldWriter::MakeManifest(std::uint32_t sample) const
 {
   const EncodeSettings& settings = this->Settings;
   const nlohmann::json manifest = { { "version", 3 }, { "cslf", CSLF_VERSION },
-    { "codec", avcodec_version() }, { "libraries", FindLibraries(LibrariesOf(settings.Codec)) },
+    { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
+    { "libraries", FindLibraries(LibrariesOf(settings.Codec)) },
     { "description", this->Header.Field.ToJSON() }, { "sample", sample },
     { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
@@ -343,16 +344,8 @@ bool FieldWriter::HasRoom(std::string& error) const
                                    : (frames > 0.0 ? stored / frames * missing : 0.0);
   // The rest is written twice: as parts, and in the file that all parts are joined to.
   const double needed = stored + 2.0 * rest;
-  const double free = GetFreeBytes(this->Parts.GetFolder());
   const bool isGuessed = wanted <= 0.0;
-  if (free >= (isGuessed ? stored + rest : needed))
-  {
-    return true;
-  }
-  error = "it takes " + std::string(missing > 0.0 ? "about " : "") + DescribeBytes(needed) +
-    " more for a while, and the disk has only " + DescribeBytes(free) + " left: make room for " +
-    DescribeBytes(needed - free) + " more";
-  return false;
+  return cslf::HasRoom(this->Parts.GetFolder(), needed, isGuessed ? stored + rest : needed, error);
 }
 
 int FieldWriter::CountStored() const
@@ -360,13 +353,11 @@ int FieldWriter::CountStored() const
   return this->HasParts ? this->GetGroupCount() - static_cast<int>(this->Missing.size()) : 0;
 }
 
-std::string FieldWriter::DescribeKept() const
+std::string FieldWriter::DescribeKept(int stored) const
 {
-  const int kept = this->CountStored();
-  return kept > 0 ? "; " + std::to_string(kept) + " of " + std::to_string(this->GetGroupCount()) +
-      " groups of viewpoints are kept in " + this->Parts.GetFolder() +
-      ", and the next run goes on from there"
-                  : "";
+  return "; " + std::to_string(stored) + " of " + std::to_string(this->GetGroupCount()) +
+    " groups of viewpoints are kept in " + this->Parts.GetFolder() +
+    ", and the next run goes on from there";
 }
 
 bool FieldWriter::Finish(

@@ -80,7 +80,7 @@ public:
   const std::vector<int>& GetMissingGroups() const { return this->Missing; }
   bool IsMissing(int group) const;
 
-  /// After OpenParts: how many groups are stored.
+  /// How many groups are stored: none before OpenParts, and where the file is not written.
   int CountStored() const;
 
   /// What a group's parts cost.
@@ -113,9 +113,9 @@ public:
   bool Finish(
     const std::function<bool(double)>& progress, std::string& warning, std::string& error);
 
-  /// After OpenParts: how many groups are kept where a run ends before the file is whole, as the
-  /// end of a message; empty if none is.
-  std::string DescribeKept() const;
+  /// After Begin, also where the file is not written: the end of a message on a run that ends
+  /// before the file is whole, with so many groups stored.
+  std::string DescribeKept(int stored) const;
 
 private:
   /// What is known of a track from its groups.

@@ -111,6 +111,18 @@ bool WholeFolder::Publish(std::string& warning, std::string& error)
   return true;
 }
 
+bool HasRoom(const std::string& fileName, double bytes, double least, std::string& error)
+{
+  const double free = GetFreeBytes(fileName);
+  if (free >= std::min(least, bytes))
+  {
+    return true;
+  }
+  error = "it takes about " + DescribeBytes(bytes) + " more, and the disk has only " +
+    DescribeBytes(free) + " left: make room for " + DescribeBytes(bytes - free) + " more";
+  return false;
+}
+
 std::string DescribeShortage(const std::string& fileName)
 {
   const double bytes = GetFreeBytes(fileName);

@@ -59,6 +59,11 @@ private:
   std::string Temporary;
 };
 
+/// Whether the disk has room for the bytes that a file or folder still takes, about. They may be
+/// guessed: then so many as `least` are enough. Otherwise `error` says how many are missing.
+VTKCSLF_EXPORT bool HasRoom(
+  const std::string& fileName, double bytes, double least, std::string& error);
+
 /// What to add to a message on a file that was not written: how little the disk has left, if that
 /// is the likely reason.
 VTKCSLF_EXPORT std::string DescribeShortage(const std::string& fileName);
