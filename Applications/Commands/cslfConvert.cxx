@@ -5,6 +5,7 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
+#include "cslfOutputFiles.h"
 #include "cslfParallel.h"
 
 #include <vtkAlgorithm.h>
@@ -14,6 +15,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace cslf
@@ -27,6 +29,7 @@ struct Options
   FieldInput Input;
   std::string Output;
   CodingOptions Coding;
+  std::optional<std::string> Part; ///< that is wanted instead of the field
 };
 
 /// The bytes of all channels, uncoded.
@@ -41,20 +44,43 @@ double CountRawBytes(const Description& description)
   return texel * grid.GetStripWidth() * grid.GetResolution() * grid.GetSlices();
 }
 
-Result Run(const Options& options, bool toVideo)
+void CheckOutput(const Options& options)
 {
-  const FieldWriter writer(options.Output, options.Coding);
-  if ((writer.GetFormat() == FieldFormat::Video) != toVideo)
-  {
-    throw Failure(toVideo ? "cslf encode writes .mp4 or .mkv; see cslf decode for other formats."
-                          : "cslf decode writes .vti or a folder; see cslf encode for video.");
-  }
   std::error_code failure;
   if (std::filesystem::equivalent(options.Input.FileName, options.Output, failure))
   {
     throw Failure("The input and the output are the same.");
   }
+}
+
+/// Writes what a video carries into a file.
+Result Extract(const Options& options)
+{
+  CheckOutput(options);
+  RequireWritable(options.Output);
+  const FieldFile file = OpenField(options.Input.FileName);
+  const FieldPart part = FindPart(GetParts(file), *options.Part, options.Input.FileName);
+  const vtkIdType bytes = part.Bytes->GetNumberOfValues();
+  WriteWholeBytes(part.Bytes->GetPointer(0), static_cast<std::size_t>(bytes), options.Output);
+  Result result;
+  result.JSON = { { "output", options.Output }, { "name", part.Name }, { "type", part.Type },
+    { "bytes", bytes } };
+  result.Text =
+    options.Output + ": " + std::to_string(bytes) + " bytes of type " + part.Type + "\n";
+  return result;
+}
+
+Result Run(const Options& options, bool toVideo)
+{
+  FieldWriter writer(options.Output, options.Coding);
+  if ((writer.GetFormat() == FieldFormat::Video) != toVideo)
+  {
+    throw Failure(toVideo ? "cslf encode writes .mp4 or .mkv; see cslf decode for other formats."
+                          : "cslf decode writes .vti or a folder; see cslf encode for video.");
+  }
+  CheckOutput(options);
   const FieldFile file = OpenField(options.Input);
+  writer.TakeParts(file);
   const nlohmann::json coding =
     writer.Write(file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding");
   ThrowOnError();
@@ -84,17 +110,27 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
   options->Input.AddTo(*command, "input");
   command
     ->add_option("-o,--output", options->Output,
-      toVideo ? "the video: .mp4 or .mkv" : "the light field: .vti or a folder of cube maps")
+      toVideo ? "the video: .mp4 or .mkv"
+              : "the light field: .vti or a folder of cube maps; with --part any file")
     ->required();
   if (toVideo)
   {
     options->Coding.AddTo(*command);
   }
+  else
+  {
+    command
+      ->add_option("--part", options->Part,
+        "write what a video carries under that name (see cslf info) instead of the light field; "
+        "NAME=TYPE where names repeat")
+      ->type_name("NAME");
+  }
   command->callback(
     [=, &chosen]
     {
-      SetShared(IsVideo(options->Output));
-      chosen = [options, toVideo] { return Run(*options, toVideo); };
+      SetShared(IsVideo(options->Output) && !options->Part);
+      chosen = [options, toVideo]
+      { return options->Part ? Extract(*options) : Run(*options, toVideo); };
     });
 }
 }

@@ -108,8 +108,9 @@ Result Run(const Options& options)
   writer->SetInputData(triangles);
   OutputFile file(options.Output);
   const vtkIdType count = triangles->GetNumberOfPolys();
-  WriteWhole(writer.Get(), file,
+  WriteTemporary(writer.Get(), file,
     [count](const std::string& fileName) { return CountFaces(fileName) == count; });
+  file.Publish();
   Result result;
   result.JSON = { { "output", options.Output }, { "triangles", triangles->GetNumberOfPolys() },
     { "points", triangles->GetNumberOfPoints() } };

@@ -5,10 +5,8 @@
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfTable.h"
-#include "vtkCSLFDecoder.h"
 
 #include <vtkAlgorithm.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <CLI/CLI.hpp>
 
@@ -30,16 +28,13 @@ std::string JoinNumbers(const nlohmann::json& numbers)
   return text;
 }
 
-/// What a video carries besides the light field.
 nlohmann::json ListParts(const FieldFile& file)
 {
   nlohmann::json parts = nlohmann::json::array();
-  auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader);
-  for (int part = 0; decoder && part < decoder->GetNumberOfParts(); ++part)
+  for (const FieldPart& part : GetParts(file))
   {
-    parts.push_back(
-      { { "type", decoder->GetPartType(part) }, { "name", decoder->GetPartName(part) },
-        { "bytes", decoder->GetPart(part)->GetNumberOfValues() } });
+    parts.push_back({ { "type", part.Type }, { "name", part.Name },
+      { "bytes", part.Bytes->GetNumberOfValues() } });
   }
   return parts;
 }

@@ -36,13 +36,14 @@ struct Options
 
 Result Run(const Options& options)
 {
-  const FieldWriter writer(options.Output, options.Coding);
+  FieldWriter writer(options.Output, options.Coding);
   std::error_code failure;
   if (std::filesystem::equivalent(options.Input.FileName, options.Output, failure))
   {
     throw Failure("The input and the output are the same.");
   }
   const FieldFile input = OpenField(options.Input);
+  writer.TakeParts(input);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(input.Reader->GetOutputPort());
   resample->SetResolutionDivisor(options.ResolutionDivisor);

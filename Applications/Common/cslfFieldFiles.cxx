@@ -27,8 +27,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -128,6 +132,62 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
   }
   return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
 }
+
+vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->EncodeAppendedDataOff();
+  return writer;
+}
+
+/// How large the .vti file of a field will be, judged by that of one of its viewpoints.
+double GuessImageDataBytes(vtkImageData* viewpoint, int count, OutputFile& file)
+{
+  const auto writer = MakeImageDataWriter();
+  writer->SetInputData(viewpoint);
+  WriteTemporary(writer.Get(), file);
+  std::ifstream stream(ToPath(file.GetTemporaryName()), std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  const std::size_t header = std::min(text.size(), text.find("<AppendedData"));
+  return static_cast<double>(header) + static_cast<double>(text.size() - header) * count;
+}
+
+/// Throws a Failure if the disk has no room for a field's .vti file, before all of the field is
+/// made. Viewpoints may differ, so room for half of what the middle one of a face tells is enough.
+void RequireRoom(vtkAlgorithmOutput* connection, OutputFile& file)
+{
+  vtkAlgorithm* producer = connection->GetProducer();
+  producer->UpdateInformation();
+  ThrowOnError();
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(
+    producer->GetOutputInformation(connection->GetIndex()), extent);
+  const int count = extent[5] - extent[4] + 1;
+  const auto side = static_cast<int>(std::lround(std::sqrt(count / 6.0)));
+  extent[4] += side / 2 * side + side / 2;
+  extent[5] = extent[4];
+  producer->UpdateExtent(extent);
+  ThrowOnError();
+  vtkNew<vtkImageData> viewpoint;
+  viewpoint->ShallowCopy(producer->GetOutputDataObject(connection->GetIndex()));
+  const double bytes = GuessImageDataBytes(viewpoint, count, file);
+  std::string error;
+  if (!HasRoom(file.GetName(), bytes, 0.5 * bytes, error))
+  {
+    FailWriting(file.GetName(), error);
+  }
+}
+
+#ifdef CSLF_HAS_ENCODER
+void AddParts(vtkCSLFEncoder* encoder, const std::vector<FieldPart>& parts)
+{
+  for (const FieldPart& part : parts)
+  {
+    encoder->AddPart(part.Type.c_str(), part.Bytes, part.Name.c_str());
+    ThrowOnError();
+  }
+}
+#endif
 }
 
 FieldFormat GetFormat(const std::string& fileName)
@@ -367,6 +427,14 @@ void CodingOptions::AddTo(CLI::App& command)
     .add_flag("--restart,!--no-restart", this->Restart,
       "go on from what a run that was killed has left in OUTPUT.partial (default), or begin anew")
     ->group(group);
+  command
+    .add_option("--part", this->Parts,
+      "a file that the video shall carry, such as scene=model/gltf-binary:scene.glb; may be "
+      "repeated")
+    ->allow_extra_args(false)
+    ->type_name("NAME=TYPE:FILE")
+    ->check(FindPartFault)
+    ->group(group);
 }
 
 bool CodingOptions::HasTarget() const
@@ -421,10 +489,11 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   , Coding(coding)
 {
   this->Format = tool::GetFormat(fileName);
-  if (this->Format != FieldFormat::Video && (coding.HasTarget() || coding.HasKeyViews()))
+  if (this->Format != FieldFormat::Video &&
+    (coding.HasTarget() || coding.HasKeyViews() || !coding.Parts.empty()))
   {
-    throw Failure("--target-ratio, --target-size, --target-psnr and --key-views are for video: "
-                  ".mp4 or .mkv.");
+    throw Failure("--target-ratio, --target-size, --target-psnr, --key-views and --part are for "
+                  "video: .mp4 or .mkv.");
   }
 #ifndef CSLF_HAS_ENCODER
   if (this->Format == FieldFormat::Video)
@@ -436,6 +505,14 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   {
     RequireWritable(fileName);
   }
+#ifdef CSLF_HAS_ENCODER
+  if (IsFirstRank())
+  {
+    // Before days of sampling.
+    this->Parts = ReadParts(coding.Parts);
+    AddParts(vtkNew<vtkCSLFEncoder>(), this->Parts);
+  }
+#endif
 }
 
 nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label) const
@@ -464,6 +541,7 @@ nlohmann::json FieldWriter::WriteVideo(
   encoder->SetInputConnection(connection);
   encoder->SetFileName(this->FileName.c_str());
   this->Coding.Apply(encoder);
+  AddParts(encoder, this->Parts);
   const ProgressBar bar(encoder, label);
   bool isWritten = false;
   {
@@ -501,13 +579,14 @@ void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::stri
   OutputFile file(this->FileName);
   {
     const ProgressBar bar(connection->GetProducer(), label);
+    RequireRoom(connection, file);
     connection->GetProducer()->UpdateWholeExtent();
   }
   ThrowOnError();
-  vtkNew<vtkXMLImageDataWriter> writer;
+  const auto writer = MakeImageDataWriter();
   writer->SetInputConnection(connection);
-  writer->EncodeAppendedDataOff();
-  WriteWhole(writer.Get(), file);
+  WriteTemporary(writer.Get(), file);
+  file.Publish();
 }
 
 void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const

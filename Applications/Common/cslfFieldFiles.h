@@ -9,6 +9,7 @@
 #define cslfFieldFiles_h
 
 #include "cslfDescription.h"
+#include "cslfFieldParts.h"
 
 #include <vtkSmartPointer.h>
 
@@ -16,6 +17,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
@@ -111,6 +113,7 @@ struct CodingOptions
   int GroupLength = 16;
   bool Lossless = false;
   bool Restart = true;
+  std::vector<std::string> Parts; ///< as ReadParts takes them
 
   void AddTo(CLI::App& command);
   void Apply(vtkCSLFEncoder* encoder) const; ///< only with the video encoder
@@ -130,8 +133,8 @@ private:
 class FieldWriter
 {
 public:
-  /// The format follows from the extension; a name without one is a folder's. Throws a Failure
-  /// where the place cannot be written.
+  /// The format follows from the extension; a name without one is a folder's. Reads the parts that
+  /// a video shall carry. Throws a Failure where the place cannot be written.
   FieldWriter(const std::string& fileName, const CodingOptions& coding);
 
   /// Pulls the field from the connection and writes it. Throws a Failure. Under mpirun, all
@@ -140,6 +143,9 @@ public:
   nlohmann::json Write(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   FieldFormat GetFormat() const { return this->Format; }
+
+  /// Gives a video what another field's file carries, except for what it has of its own.
+  void TakeParts(const FieldFile& file) { MergeParts(this->Parts, GetParts(file)); }
 
 private:
   /// Only with the video encoder.
@@ -150,6 +156,7 @@ private:
   std::string FileName;
   CodingOptions Coding;
   FieldFormat Format = FieldFormat::Folder;
+  std::vector<FieldPart> Parts; ///< on the first process
 };
 
 /// Throws a Failure unless a file of that name can be made.

@@ -80,10 +80,10 @@ inline std::string DescribeDisk(int code)
   return isDisk ? " " + std::generic_category().message(code) : "";
 }
 
-/// Writes with one of VTK's writers, which has all but its file name. Where the writer does not
-/// notice all failures of the disk, `isWhole` judges the file.
+/// Writes the temporary file with one of VTK's writers, which has all but its file name. Where the
+/// writer does not notice all failures of the disk, `isWhole` judges the file.
 template <typename Writer>
-void WriteWhole(
+void WriteTemporary(
   Writer* writer, OutputFile& file,
   const std::function<bool(const std::string&)>& isWhole = [](const std::string&) { return true; })
 {
@@ -95,14 +95,14 @@ void WriteWhole(
   {
     FailWriting(file.GetName(), GetFirstError() + disk);
   }
-  file.Publish();
 }
 
 template <typename Writer>
 void WriteWhole(Writer* writer, const std::string& fileName)
 {
   OutputFile file(fileName);
-  WriteWhole(writer, file);
+  WriteTemporary(writer, file);
+  file.Publish();
 }
 
 /// Writes bytes likewise.

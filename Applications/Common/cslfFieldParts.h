@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What videos carry besides the light field: from files, and into files.
+ */
+#ifndef cslfFieldParts_h
+#define cslfFieldParts_h
+
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+namespace tool
+{
+struct FieldFile;
+
+struct FieldPart
+{
+  std::string Name; ///< may be empty
+  std::string Type; ///< a media type
+  vtkSmartPointer<vtkUnsignedCharArray> Bytes;
+
+  bool IsLike(const FieldPart& other) const
+  {
+    return this->Name == other.Name && this->Type == other.Type;
+  }
+};
+
+/// Says in one line why an option "NAME=TYPE:FILE" is none; empty if it is one.
+std::string FindPartFault(const std::string& option);
+
+/// Reads the files of options that have no fault. Throws a Failure where a file cannot be read, or
+/// two parts have the same name and type.
+std::vector<FieldPart> ReadParts(const std::vector<std::string>& options);
+
+/// The parts of an open field; none where it is no video.
+std::vector<FieldPart> GetParts(const FieldFile& file);
+
+/// Brings parts together. Of those that have the same name and type the first one stays.
+void MergeParts(std::vector<FieldPart>& parts, const std::vector<FieldPart>& others);
+
+/// The part of that name, or of "NAME=TYPE". Throws a Failure unless there is just one. `fileName`
+/// is the field's.
+FieldPart FindPart(
+  const std::vector<FieldPart>& parts, const std::string& name, const std::string& fileName);
+}
+}
+
+#endif
