@@ -98,8 +98,8 @@ bool WorkFolder::Lock(std::string& error)
 {
   for (int attempt = 0; attempt < LockAttempts; ++attempt)
   {
-    this->IsMade = MakeFolder(this->Folder, error);
-    if (!this->IsMade && error.empty() && !IsRealFolder(this->Folder))
+    const bool isMade = MakeFolder(this->Folder, error);
+    if (!isMade && error.empty() && !IsRealFolder(this->Folder))
     {
       error = "cannot make the folder " + this->Folder + ": something else has that name";
     }
@@ -117,7 +117,7 @@ bool WorkFolder::Lock(std::string& error)
       return true;
     }
     this->Holder.Remove();
-    if (this->IsMade)
+    if (isMade)
     {
       RemoveEmptyFolder(this->Folder);
     }
@@ -155,7 +155,6 @@ bool WorkFolder::Claim(FileLock::Outcome outcome, std::string& error)
   {
     return false;
   }
-  this->IsMade = this->IsMade || isKnown;
   this->Known = isKnown;
   this->IsLocked = true;
   return true;
@@ -281,12 +280,10 @@ void WorkFolder::Close(std::string& warning)
 
 void WorkFolder::RemoveAll()
 {
-  // The lock goes last: as long as its file is there, nobody else touches the folder.
+  // The lock goes last: as long as its file is there, nobody else touches the folder. A folder in
+  // which nothing lies is taken for that of a run that was killed before it marked the folder.
   this->Holder.Remove();
-  if (this->IsMade)
-  {
-    RemoveEmptyFolder(this->Folder);
-  }
+  RemoveEmptyFolder(this->Folder);
   this->IsLocked = false;
   this->Scratch.clear();
 }

@@ -103,8 +103,7 @@ private:
   Lister List;
   FileLock Holder;
   bool IsLocked = false;
-  bool IsMade = false; ///< by this run or an earlier one
-  bool Known = false;  ///< an earlier run has marked it
+  bool Known = false; ///< an earlier run has marked it
 };
 
 /// What OUT is meant by a name: what a link leads to, without a separator at the end.

@@ -63,7 +63,9 @@ class Bench:
         self.wanted = {}
         self.old = {}
         self.seconds = {}
-        self.run(FIELD + ["1", "--integrator", "path"], self.input)
+        error, code = self.run(FIELD + ["1", "--integrator", "path"], self.input)
+        if code != 0:
+            raise SystemExit(f"the field to work with was not made ({code}): {error}")
 
     def run(self, command, output, fault="", at=0, delay=None):
         """The exit code and what was said on standard error."""
@@ -82,13 +84,13 @@ class Bench:
                 process.kill()
         return process.communicate()[1], process.returncode
 
-    def prepare(self, output):
-        """A new place with files of others, and an old output if there shall be one."""
+    def prepare(self, output, foreign=True):
+        """A new place, with files of others, and an old output if there shall be one."""
         place = self.folder / "place"
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir()
         path = place / output.name
-        for pattern in FOREIGN:
+        for pattern in FOREIGN if foreign else []:
             file = place / pattern.format(output.name)
             file.parent.mkdir(exist_ok=True)
             file.write_text("thesis")
@@ -164,6 +166,19 @@ class Bench:
         self.counts["failures told"] += code == 1
         self.check_again(output, path, what)
 
+    def kill_alone(self, output, at):
+        """Without files of others, nothing may be left beside the output."""
+        what = f"{output.name}, killed alone at {at}"
+        path = self.prepare(output, foreign=False)
+        self.run(output.command, path, "kill", at)
+        self.counts["kill alone"] += 1
+        error, code = self.run(output.command, path)
+        if code != 0 or digest(path) != self.wanted[output.name]:
+            raise Fault(f"{what}: the next run ended with {code}: {error}")
+        left = {file.name for file in path.parent.iterdir()} - {path.name}
+        if left:
+            raise Fault(f"{what}: the next run left {left}")
+
     def kill(self, output, delay):
         what = f"{output.name}, killed after {delay:.3f} s"
         path = self.prepare(output)
@@ -189,6 +204,8 @@ def inject_all(bench, outputs, points):
         for fault, count in faults.items():
             for at in choose(count, points):
                 bench.inject(output, fault, at)
+                if fault == "kill":
+                    bench.kill_alone(output, at)
         if output.name == "images":
             bench.inject(output, "noexchange", 0)
     # A file system without locks.

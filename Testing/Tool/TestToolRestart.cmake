@@ -118,6 +118,14 @@ cslf_expect_bytes("^cslf: warning: [^\n]*discarded[^\n]*\n$" other.mp4 killed.mp
 cslf_kill(killed.mp4 sample ${slow})
 cslf_expect_bytes("^$" seed.mp4 killed.mp4 sample ${slow} --seed 1 --no-restart)
 
+# A run that was killed as soon as it had made the folder, or the lock in it, leaves nothing either.
+set(short cornell-box -M 2 -N 16 --spp 1 --max-depth 1 --integrator path --preset ultrafast)
+cslf_run(sample ${short} -o short.mp4)
+file(MAKE_DIRECTORY "${DIRECTORY}/killed.mp4.partial")
+cslf_expect_bytes("^$" short.mp4 killed.mp4 sample ${short})
+file(WRITE "${DIRECTORY}/killed.mp4.partial/cslf.lock" "")
+cslf_expect_bytes("^$" short.mp4 killed.mp4 sample ${short})
+
 # A run that is killed while its cache is made begins that anew; one that is killed later finds the
 # cache whole, unless it is damaged or that of another scene.
 set(cached cornell-box -M 3 -N 16 --spp 32 --cache-samples 64 --cache-spacing 0.05
