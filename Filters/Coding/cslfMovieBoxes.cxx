@@ -172,14 +172,16 @@ private:
   /// Boxes after one that is called "hdlr", before which there may be a version.
   bool CheckMetadata(const Box& box, int level)
   {
-    for (std::uint64_t place = box.Begin; place + 8 <= box.End; place += 4)
+    std::size_t place = 4;
     {
-      if (this->ReadText(place + 4, 4) == "hdlr")
+      const std::string text = this->ReadText(box.Begin, box.GetSize());
+      while (place + 4 <= text.size() && text.compare(place, 4, "hdlr") != 0)
       {
-        return this->CheckBoxes({ box.Type, place, box.End }, level + 1);
+        place += 4;
       }
     }
-    return true;
+    return place + 4 > box.GetSize() ||
+      this->CheckBoxes({ box.Type, box.Begin + place - 4, box.End }, level + 1);
   }
 
   /// FFmpeg reads boxes after a description, whose length depends on its kind. There are no
