@@ -78,7 +78,7 @@ void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
   if (commands.empty())
   {
     app->add_flag("--json", isJSON, "print one JSON object instead of text");
-    app->add_option("--threads", threads, "threads to work with (default: as many as cores)")
+    app->add_option("--threads", threads, "number of threads (default: number of cores)")
       ->check(Positive());
   }
 }
@@ -88,12 +88,12 @@ int main(int argc, char* argv[])
 {
   const ParallelRun parallel(&argc, &argv);
   CLI::App app(
-    "Cube surface light fields: sample a scene, code it as video, look at it from anywhere.",
+    "Cube surface light fields: sample a scene, encode it as video, view it from anywhere.",
     "cslf");
   app.set_version_flag("--version", CSLF_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 is success, 2 means that a field's file lacks viewpoints and "
-             "--allow-missing was not given, 1 is any other error.");
+  app.footer("Exit codes: 0: success. 2: a field's file lacks viewpoints, and --allow-missing was "
+             "not given. 1: any other error.");
   Command chosen;
   for (const auto add :
     { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace, AddCompare, AddInfo,
@@ -120,7 +120,7 @@ int main(int argc, char* argv[])
       return app.exit(error);
     }
     const bool isUnknown = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
-    PrintError(isUnknown ? std::string("There is no command ") + argv[1] + ": see cslf --help."
+    PrintError(isUnknown ? std::string("There is no command ") + argv[1] + "; see cslf --help."
                          : error.what());
     return EXIT_FAILURE;
   }

@@ -13,7 +13,7 @@ namespace tool
 {
 void AddBenchmark(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("benchmark", "Measure qualities and rates");
+  CLI::App* command = app.add_subcommand("benchmark", "Measure quality and speed");
   command->require_subcommand(1);
   AddBenchmarkRender(*command, chosen);
   AddBenchmarkOpening(*command, chosen);
@@ -24,7 +24,8 @@ void AddBenchmark(CLI::App& app, Command& chosen)
 #else
   for (const char* name : { "codec", "key-views" })
   {
-    CLI::App* missing = command->add_subcommand(name, "Needs the video encoder, left out here");
+    CLI::App* missing =
+      command->add_subcommand(name, "Not available: built without the video encoder");
     missing->allow_extras();
     missing->callback(
       [&chosen] {

@@ -271,36 +271,36 @@ Result Run(Options options)
 void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
-    "codec", "Code a light field in many ways: quality against size, and rates");
+    "codec", "Measure quality against size, and speed, of several codec settings");
   command->footer(
-    "Writes codec.md, codec.json and plots into FOLDER. PSNR is that of red, green and blue over "
-    "all texels, against FIELD; with --scene also that of novel views in every lookup, as in "
-    "cslf evaluate. The ratio is that to 24 bits a texel, all tracks counted. Rates are the "
-    "medians of --repeats, in millions of texels a second, all tracks together, files included. "
-    "Of several coders, all combinations of the lists, the bytes at equal PSNR are compared with "
-    "those of the first (Bjontegaard's delta rate). Depth and coverage keep the encoder's own rate "
-    "factors.");
+    "Codes the field with all combinations of the lists and writes codec.md, codec.json and plots "
+    "into the folder. PSNR is measured for red, green and blue over all texels, against the given "
+    "field; with --scene also for novel views with every lookup, as in cslf evaluate. The ratio "
+    "compares 24 bits per texel with all tracks. Speeds are the medians of --repeats runs, in "
+    "millions of texels per second, for all tracks together, including file access. The bytes of "
+    "each coder at equal PSNR are compared with those of the first (Bjontegaard delta rate). Depth "
+    "and coverage use the encoder's default rate factors.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
-  command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,24,28")
+  command->add_option("--crfs", options->CRFs, "rate factors of colour, for example 20,24,28")
     ->delimiter(',')
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str();
-  command->add_option("--codecs", options->Codecs, "codecs, as in hevc,av1")
+  command->add_option("--codecs", options->Codecs, "codecs, for example hevc,av1")
     ->delimiter(',')
     ->capture_default_str();
-  command->add_option("--presets", options->Presets, "presets, as in fast,medium")
+  command->add_option("--presets", options->Presets, "presets, for example fast,medium")
     ->delimiter(',')
     ->capture_default_str();
   command
-    ->add_option(
-      "--pixel-formats", options->PixelFormats, "formats of colour, as in yuv444p,yuv420p")
+    ->add_option("--pixel-formats", options->PixelFormats,
+      "pixel formats of colour, for example yuv444p,yuv420p")
     ->delimiter(',')
     ->capture_default_str();
   command->add_option("--group-length", options->GroupLength, "viewpoints per group of pictures")
     ->check(CLI::Range(1, 16))
     ->capture_default_str();
-  command->add_option("--repeats", options->Repeats, "how often each is coded, for the rates")
+  command->add_option("--repeats", options->Repeats, "repetitions for measuring the speed")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

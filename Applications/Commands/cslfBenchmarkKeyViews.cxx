@@ -257,14 +257,14 @@ std::string MakeSeriesTable(const std::vector<Series>& all)
 std::string MakeComparisonTable(const std::vector<Comparison>& comparisons)
 {
   Table table;
-  table.AddRow({ "paper's way: bytes", "dB", "key views: times fewer bytes at its dB",
-    "dB more at its bytes" });
+  table.AddRow({ "paper's method: bytes", "dB", "key views: ratio of bytes at equal dB",
+    "gain (dB) at equal bytes" });
   for (const Comparison& comparison : comparisons)
   {
     table.AddRow({ Format(comparison.Paper.Bytes, 0), Format(comparison.Paper.PSNR, 2),
-      !comparison.Ratio ? "never as good"
+      !comparison.Ratio ? "not reached"
                         : (comparison.IsBound ? "more than " : "") + Format(*comparison.Ratio, 1),
-      comparison.Gain ? Format(*comparison.Gain, 2) : "never as small" });
+      comparison.Gain ? Format(*comparison.Gain, 2) : "not reached" });
   }
   return table.ToMarkdown();
 }
@@ -274,8 +274,8 @@ std::string DescribeLimits(const std::vector<Series>& all)
 {
   const auto best = std::max_element(
     all.begin() + 1, all.end(), [](const Series& a, const Series& b) { return a.Limit < b.Limit; });
-  return "\nUncoded, the paper's way has " + Format(all.front().Limit, 2) +
-    " dB with M = " + std::to_string(all.front().Viewpoints) + ", the other at best " +
+  return "\nWithout coding, the paper's method has " + Format(all.front().Limit, 2) +
+    " dB with M = " + std::to_string(all.front().Viewpoints) + ", and key views at best " +
     Format(best->Limit, 2) + " dB with M = " + std::to_string(best->Viewpoints) + ".\n";
 }
 
@@ -315,7 +315,7 @@ void CheckField(const Options& options, const Description& field)
 {
   if (!field.FindChannel(DepthName))
   {
-    throw Failure("The field has no depth, which key views are looked up with.");
+    throw Failure("Key views need a depth channel, which the field does not have.");
   }
   for (const int step : options.Steps)
   {
@@ -378,41 +378,45 @@ Result Run(Options options)
 
 void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
 {
-  CLI::App* command = benchmark.add_subcommand("key-views",
-    "Code a light field as key views with depth and as the paper does: novel views against size");
+  CLI::App* command = benchmark.add_subcommand(
+    "key-views", "Compare key views with depth and the paper's method: novel views against size");
   command->footer(
-    "Writes key-views.md, key-views.json and a plot into FOLDER. The paper's way is all viewpoints "
-    "as colour over black, without coverage and depth, in the bilinear lookup; the other is every "
-    "STEP-th viewpoint with coverage and depth, perhaps of fewer texels, in the depth-corrected "
-    "lookup, which draws still views with four rays a pixel. Both are coded by the same encoder "
-    "with the same preset and rate factors of colour. PSNR is that of novel views, as in cslf "
-    "evaluate. At equal PSNR and at equal bytes, each of the paper's files is compared with those "
-    "of key views than which none is both smaller and better: between these the logarithm of bytes "
-    "is linear in dB.");
+    "Writes key-views.md, key-views.json and a plot into the folder. The paper's method codes all "
+    "viewpoints as colour over black, without coverage and depth, and uses the bilinear lookup. "
+    "The other method codes every STEP-th viewpoint with coverage and depth, optionally with fewer "
+    "texels, and uses the depth lookup, which draws still views with four rays per pixel. Both use "
+    "the same encoder, preset and rate factors of colour. PSNR is that of novel views, as in cslf "
+    "evaluate. Each of the paper's files is compared, at equal PSNR and at equal bytes, with the "
+    "best key-view files: those for which no other is both smaller and better. Between these, the "
+    "logarithm of bytes is interpolated linearly in dB.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
-  command->add_option("--steps", options->Steps, "of key views, as in 2,4; each divides M - 1")
+  command
+    ->add_option(
+      "--steps", options->Steps, "steps of key views, for example 2,4; each must divide M - 1")
     ->delimiter(',')
     ->check(CLI::Range(1, 4096))
     ->capture_default_str();
   command
     ->add_option("--divisors", options->Divisors,
-      "of key views' resolution, as in 1,2; each divides N into 16 or more")
+      "divisors of the resolution of key views, for example 1,2; each must divide N into at least "
+      "16")
     ->delimiter(',')
     ->check(CLI::Range(1, 16384))
     ->capture_default_str();
-  command->add_option("--crfs", options->CRFs, "rate factors of colour, as in 20,28,36")
+  command->add_option("--crfs", options->CRFs, "rate factors of colour, for example 20,28,36")
     ->delimiter(',')
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str();
-  command->add_option("--depth-crfs", options->DepthCRFs, "likewise, of key views' depth")
+  command->add_option("--depth-crfs", options->DepthCRFs, "rate factors of the key views' depth")
     ->delimiter(',')
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str();
-  command->add_option("--coverage-crf", options->CoverageCRF, "of key views' coverage")
+  command
+    ->add_option("--coverage-crf", options->CoverageCRF, "rate factor of the key views' coverage")
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str();
-  command->add_option("--preset", options->Preset, "x265's preset, for both ways")
+  command->add_option("--preset", options->Preset, "x265 preset for both methods")
     ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

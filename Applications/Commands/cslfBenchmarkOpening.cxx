@@ -160,8 +160,8 @@ void AddRow(Table& table, const std::string& name, const std::vector<Duration>& 
 std::string MakeTable(const Findings& findings)
 {
   Table table;
-  table.AddRow({ "", "first time (ms)", "then: least", "median", "CPU, first time (ms)",
-    "then: least", "median" });
+  table.AddRow({ "", "first time (ms)", "then: minimum", "median", "CPU, first time (ms)",
+    "then: minimum", "median" });
   const auto collect = [&findings](const auto& get)
   {
     std::vector<Duration> durations;
@@ -204,7 +204,7 @@ Result Run(const Options& options)
   const std::string size = std::to_string(options.Size);
   result.Text = MakeTable(findings) + "\n" + options.Field + ", " +
     std::to_string(CountBytes(options.Field)) + " bytes: " + findings.Lookup + " lookup, " + size +
-    " x " + size + ", drawn by " + findings.Device + ".\n";
+    " x " + size + ", drawn with " + findings.Device + ".\n";
   WriteResult(result, options.Folder, "opening");
   return result;
 }
@@ -213,26 +213,26 @@ Result Run(const Options& options)
 void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
-    "opening", "Open a light field again and again: how long until there is a first picture");
+    "opening", "Measure the time from opening a light field to the first picture");
   command->footer(
-    "Writes opening.md, opening.json and the first picture into FOLDER. Each time a new window is "
-    "made and cleared, the file opened, and a picture drawn from its coarsest viewpoints, as "
-    "vtkCSLFMapper does it with Streaming. Milliseconds are told by the clock, and by the "
-    "processor's, which counts all threads together and other programs not at all. The first time "
-    "counts by itself: drivers and systems remember much for the others. What a driver keeps on "
-    "disk is there already unless it is told another place: Mesa by MESA_SHADER_CACHE_DIR.");
+    "Writes opening.md, opening.json and the first picture into the folder. Each repetition "
+    "creates and clears a new window, opens the file and draws a picture from its coarsest "
+    "viewpoints, as vtkCSLFMapper does with Streaming. Times are wall-clock milliseconds and CPU "
+    "milliseconds; the latter include all threads, but not other programs. The first repetition is "
+    "listed separately, because drivers and the system cache data for the others. The driver's "
+    "shader cache on disk is used; to avoid that with Mesa, set MESA_SHADER_CACHE_DIR to an empty "
+    "folder.");
   const auto options = std::make_shared<Options>();
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
-  command->add_option("-o,--output", options->Folder, "the folder for what is found out")
-    ->required();
+  command->add_option("-o,--output", options->Folder, "folder for the results")->required();
   command->add_option("--lookup", options->Lookup, "nearest, linear, bilinear, focal or depth")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
-  command->add_option("--size", options->Size, "of a picture, in pixels")
+  command->add_option("--size", options->Size, "width and height of a picture, in pixels")
     ->check(CLI::Range(1, 8192))
     ->capture_default_str();
-  command->add_option("--repeats", options->Repeats, "how often it is opened")
+  command->add_option("--repeats", options->Repeats, "repetitions")
     ->check(CLI::Range(1, 10000))
     ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -263,10 +263,9 @@ std::string MakeText(const Options& options, const FieldFile& file, const Findin
     ", M = " + std::to_string(file.Field.Grid.GetViewpoints()) +
     ", N = " + std::to_string(file.Field.Grid.GetResolution()) + ": medians of " +
     std::to_string(options.Frames) + " frames of " + size + " x " + size + " along the " +
-    findings.Path + ", drawn by " + findings.Device +
-    ". One ray a pixel; still: as when nothing moves; moving: with as many rays as there is time "
-    "for at " +
-    Format(options.Rate, 1) + " pictures a second. PSNR is that of still views.\n";
+    findings.Path + ", drawn with " + findings.Device +
+    ". One ray per pixel; still: as a still view; moving: with an adaptive number of rays for " +
+    Format(options.Rate, 1) + " frames per second. PSNR is that of still views.\n";
   if (findings.Triangles > 0)
   {
     text += "\nThe mesh has " + std::to_string(findings.Triangles) + " triangles.\n";
@@ -293,8 +292,8 @@ ChartCurve MakeCurve(const std::string& name, const std::vector<double>& seconds
 
 void WriteCharts(const Options& options, const Findings& findings)
 {
-  Chart times{ "Along the " + findings.Path, "frame", "time to draw (ms)", ChartScale::Linear, {} };
-  Chart qualities{ "Novel views", "frames a second", "PSNR (dB)", ChartScale::Linear, {} };
+  Chart times{ "Along the " + findings.Path, "frame", "drawing time (ms)", ChartScale::Linear, {} };
+  Chart qualities{ "Novel views", "frames per second", "PSNR (dB)", ChartScale::Linear, {} };
   for (const Score& score : findings.Scores)
   {
     times.Curves.push_back(MakeCurve(score.Lookup.Name, score.Seconds));
@@ -309,7 +308,7 @@ void WriteCharts(const Options& options, const Findings& findings)
   {
     const Score& last = findings.Scores.back();
     times.Curves.push_back(
-      MakeCurve(std::string("mesh, beside ") + last.Lookup.Name, last.MeshSeconds));
+      MakeCurve(std::string("mesh, drawn with ") + last.Lookup.Name, last.MeshSeconds));
   }
   WriteChart(options.Folder + "/frames.png", times);
   if (!options.Scene.IsEmpty())
@@ -350,33 +349,31 @@ Result Run(Options options)
 void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command = benchmark.add_subcommand(
-    "render", "Draw a light field along an orbit in every lookup: frame rates, memory, quality");
+    "render", "Measure frame rate, memory and quality of every lookup along an orbit");
   command->footer(
-    "Writes render.md, render.json and plots into FOLDER. The camera goes once around the cube, "
-    "two of its edges from the centre; with the Cornell box as the scene to and fro within 35 "
-    "degrees of its opening. Frame rates are those of the median frame: drawn, and waited for. The "
-    "first time along the path it is drawn from what is there while more comes (streaming); then "
-    "until all is there, which does not count; then for frames/s; all of these with one ray a "
-    "pixel; "
-    "then as it is drawn while nothing moves, with more rays a pixel (still); and with as many as "
-    "there is time for at --update-rate (moving). First is the time from opening "
-    "the file to a first picture, from the "
-    "coarsest viewpoints; "
-    "loading is that to the complete one, with nothing shown before. With the "
-    "scene, PSNR and SSIM of novel views, as in cslf evaluate. With --mesh, VTK draws that mesh in "
-    "turn with each frame, on the same path around its own cube; the ratio is that of the field's "
-    "frame rate to the mesh's.");
+    "Writes render.md, render.json and plots into the folder. The camera moves once around the "
+    "cube at a distance of two cube edges from the centre, or, if the scene is the Cornell box, "
+    "back and forth within 35 degrees of its opening. Frame rates are those of the median frame, "
+    "including the time until it is finished. The field is drawn along the path several times: "
+    "while viewpoints are loaded (streaming); until all are loaded, which is not counted; with one "
+    "ray per pixel (frames/s), as in the previous runs; as a still view, with more rays per pixel "
+    "(still); and with as many rays as --update-rate allows (moving). First is the time from "
+    "opening the file to the first picture, from the coarsest viewpoints. Loading is the time to "
+    "the complete picture without any intermediate picture. With the scene, PSNR and SSIM of novel "
+    "views are measured as in cslf evaluate. With --mesh, VTK draws that mesh alternately with "
+    "each frame, on the same path around its own cube; the ratio is the field's frame rate divided "
+    "by that of the mesh.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
-  command->add_option("--frames", options->Frames, "pictures along the orbit")
+  command->add_option("--frames", options->Frames, "number of pictures along the orbit")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
   AddLookups(*command, options->Lookups);
   command
-    ->add_option("--update-rate", options->Rate, "pictures a second that are wanted of moving ones")
+    ->add_option("--update-rate", options->Rate, "frames per second requested while the view moves")
     ->check(CLI::Range(1.5, 1000.0))
     ->capture_default_str();
-  command->add_option("--mesh", options->Mesh, "a mesh to compare with, as files of scenes");
+  command->add_option("--mesh", options->Mesh, "a mesh to compare with: a scene file");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -214,7 +214,7 @@ Result Report(const Options& options, const Outcome& cached, const std::vector<O
     { "reference_spp", options.ReferenceSamples }, { "noise_floor", noiseFloor },
     { "path_seconds_at_equal_psnr", seconds }, { "ratio", seconds / cached.SecondsOfAll } };
   Table table;
-  table.AddRow({ "integrator", "PSNR (dB)", "cache (s)", "views measured (s)", "whole field (s)" });
+  table.AddRow({ "integrator", "PSNR (dB)", "cache (s)", "measured views (s)", "whole field (s)" });
   std::vector<Outcome> all = paths;
   all.push_back(cached);
   for (const Outcome& outcome : all)
@@ -258,12 +258,12 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
 {
   CLI::App* command =
     benchmark.add_subcommand("sampler", "Compare an integrator with path tracing at equal quality");
-  command->footer(
-    "Samples some viewpoints of a field as the options under \"Light transport\" tell, radiance "
-    "caching by default, and path-traced with several numbers of samples. PSNR is that of texels "
-    "chosen at random, as in cslf evaluate-texels. The seconds of the whole field are those of the "
-    "cache and, extrapolated from the viewpoints measured, of rendering. Of path tracing, the "
-    "seconds for the quality that the other has lie between or beyond those measured.");
+  command->footer("Samples some viewpoints of a field with the options under \"Light transport\", "
+                  "by default with radiance caching, and by path tracing with several numbers of "
+                  "samples. PSNR is that of random texels, as in cslf evaluate-texels. The time "
+                  "for the whole field is that of the cache plus the rendering time extrapolated "
+                  "from the measured viewpoints. The time that path tracing needs for the quality "
+                  "of the other integrator is interpolated or extrapolated from its measurements.");
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   options->Integrator.AddTo(*command);
@@ -275,15 +275,15 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
     ->capture_default_str();
   command
     ->add_option("--path-spp", options->PathSamples,
-      "samples per texel of path tracing, at least two, as in 16,64")
+      "numbers of samples per texel for path tracing, at least two, for example 16,64")
     ->delimiter(',')
     ->expected(2, 16)
     ->check(CLI::Range(1, 1 << 20))
     ->capture_default_str();
-  command->add_option("--views", options->Views, "viewpoints measured, spread over the field")
+  command->add_option("--views", options->Views, "viewpoints to measure, spread over the field")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
-  command->add_option("--texels", options->Texels, "texels measured, of all views together")
+  command->add_option("--texels", options->Texels, "texels to measure in all views together")
     ->check(CLI::Range(1, 100000000))
     ->capture_default_str();
   command
@@ -293,7 +293,7 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
     ->capture_default_str();
   command
     ->add_option("--reference-seed", options->ReferenceSeed,
-      "of the choice of viewpoints and texels and of the reference")
+      "random seed of viewpoints, texels and the reference")
     ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

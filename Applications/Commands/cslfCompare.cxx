@@ -86,14 +86,13 @@ Result CompareFields(const Options& options)
 void AddCompare(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
-    app.add_subcommand("compare", "Measure how close one picture or light field comes to another");
-  command->footer(
-    "Pictures: PSNR (at most 60 dB) of red, green and blue, alpha left out, and SSIM of luma. "
-    "Light fields: PSNR (at most 100 dB) of each channel; of colours of floats also as they are "
-    "displayed at 1/16, 1/4, 1, 4 and 16 times the exposure.");
+    app.add_subcommand("compare", "Measure the difference between two pictures or light fields");
+  command->footer("Pictures: PSNR (at most 60 dB) of red, green and blue without alpha, and SSIM "
+                  "of luma. Light fields: PSNR (at most 100 dB) of each channel; for float colours "
+                  "also as displayed at 1/16, 1/4, 1, 4 and 16 times the exposure.");
   const auto options = std::make_shared<Options>();
   command->add_option("a", options->First, "a .png picture or a light field")->required();
-  command->add_option("b", options->Second, "another one")->required();
+  command->add_option("b", options->Second, "a picture or light field to compare with")->required();
   AddAllowMissing(*command, options->AllowMissing);
   command->callback(
     [options, &chosen]

@@ -110,7 +110,7 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
   options->Input.AddTo(*command, "input");
   command
     ->add_option("-o,--output", options->Output,
-      toVideo ? "the video: .mp4 or .mkv"
+      toVideo ? "the output: .mp4 or .mkv"
               : "the light field: .vti or a folder of cube maps; with --part any file")
     ->required();
   if (toVideo)
@@ -137,12 +137,12 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
 
 void AddEncode(CLI::App& app, Command& chosen)
 {
-  Add(app, chosen, "encode", "Code a light field as video", true);
+  Add(app, chosen, "encode", "Encode a light field as video", true);
 }
 
 void AddDecode(CLI::App& app, Command& chosen)
 {
-  Add(app, chosen, "decode", "Read a light field into image data or cube maps", false);
+  Add(app, chosen, "decode", "Decode a light field to image data or cube maps", false);
 }
 }
 }

@@ -257,8 +257,8 @@ Result Report(const Options& options, const Findings& findings)
   result.Text = options.Field.FileName + ": " + std::to_string(CountBytes(options.Field.FileName)) +
     " bytes, " + std::to_string(findings.NoiseFloors.size()) + " views of " + size + " x " + size +
     "\n" + (options.Path.IsEmpty() ? "" : MakePathTable(findings.Scores)) +
-    MakeTable(findings.Scores) + "noise floor of the truth: " + Format(noiseFloor, 2) + " dB (" +
-    std::to_string(options.Novel.Samples) + " samples per pixel)\n";
+    MakeTable(findings.Scores) + "noise floor of the reference: " + Format(noiseFloor, 2) +
+    " dB (" + std::to_string(options.Novel.Samples) + " samples per pixel)\n";
   WarnOfNoise(noiseFloor, best, "the best lookup", "--spp");
   return result;
 }
@@ -309,18 +309,18 @@ Result Run(Options options)
 void AddEvaluate(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
-    "evaluate", "Measure novel views of a light field, in every lookup, against path-traced ones");
+    "evaluate", "Measure novel views of a light field with every lookup against path-traced views");
   command->footer(
-    "Cameras stand two cube edges from the centre, with a view angle of 40 degrees; for the "
-    "Cornell box within 35 degrees of its opening. PSNR of red, green and blue over black, in "
-    "the pixels whose ray meets the cube: the mean of the views' dB, each at most 60. The truth "
-    "is the mean of two halves traced with different seeds; its noise floor is the PSNR of one "
-    "half against the other plus 6.02 dB, as the mean has a quarter of their difference's "
-    "variance. Give the scene, light and material that the field was sampled with. With --path, "
-    "the views are those along a camera path that begins two edges in front of the cube, each has "
-    "a row of its own, and the changes from view to view are compared too: their PSNR is that of "
-    "the difference between the errors of a view and of the one before, which tells what flickers "
-    "from what is wrong but stays.");
+    "Cameras are two cube edges from the centre, with a view angle of 40 degrees, and for the "
+    "Cornell box within 35 degrees of its opening. PSNR is measured for red, green and blue over "
+    "black, in the pixels whose ray meets the cube, and averaged over the views in dB, each at "
+    "most 60. The reference is the mean of two halves traced with different seeds. Its noise floor "
+    "is the PSNR of one half against the other plus 6.02 dB, because the mean has a quarter of the "
+    "variance of their difference. Specify the scene, light and material that the field was "
+    "sampled with. With --path, the views are those along a camera path that begins two edges in "
+    "front of the cube. Each view then has its own row, and the changes from view to view are "
+    "measured as well: their PSNR is that of the difference between the errors of a view and of "
+    "the previous one, which distinguishes flicker from constant errors.");
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
@@ -330,9 +330,9 @@ void AddEvaluate(CLI::App& app, Command& chosen)
   options->Tone.AddTo(*command);
   AddLookups(*command, options->Lookups);
   AddPixelSamples(*command, options->PixelSamples);
-  command->add_option("-o,--output", options->OutputFolder, "a folder for the views' pictures");
-  command->add_option("--contact-sheet", options->ContactSheet, "a .png of all of them");
-  command->add_option("--title", options->Title, "the scene's name on the contact sheet");
+  command->add_option("-o,--output", options->OutputFolder, "folder for the pictures of the views");
+  command->add_option("--contact-sheet", options->ContactSheet, "a .png file with all pictures");
+  command->add_option("--title", options->Title, "name of the scene on the contact sheet");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -64,7 +64,7 @@ Result Run(Options options)
     const double exposure = reference->GetViewExposure(i);
     result.JSON["view_exposures"].push_back({ { "exposure", exposure },
       { "psnr", reference->GetPSNR(i) }, { "noise_floor", reference->GetNoiseFloor(i) } });
-    result.Text += "shown at " + Format(exposure, 4) + " times the exposure: PSNR " +
+    result.Text += "displayed at " + Format(exposure, 4) + " times the exposure: PSNR " +
       Format(reference->GetPSNR(i), 2) + " dB\n";
   }
   WarnOfNoise(reference->GetNoiseFloor(), reference->GetPSNR(), "the field", "--reference-spp");
@@ -75,16 +75,14 @@ Result Run(Options options)
 void AddEvaluateTexels(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
-    "evaluate-texels", "Measure texels of a light field against path-traced ones");
+    "evaluate-texels", "Measure texels of a light field against path-traced texels");
   command->footer(
-    "PSNR (at most 60 dB) of red, green and blue as 8 bits over black; of floating-point fields "
-    "also "
-    "at 1/16, 1/4, 4 and 16 times the exposure, at which a viewer may show them. The texels are "
-    "chosen at "
-    "random, evenly over all viewpoints, and path-traced in two halves with different random "
-    "numbers; the noise floor is the PSNR of one half against the other plus 6.02 dB, as their "
-    "mean has a quarter of their difference's variance. Give the scene, light and material that "
-    "the field was sampled with.");
+    "Prints the PSNR (at most 60 dB) of 8-bit red, green and blue over black, for float fields "
+    "also at 1/16, 1/4, 4 and 16 times the exposure. The texels are chosen at random, evenly over "
+    "all viewpoints, and path-traced in two halves with different random numbers. The noise floor "
+    "is the PSNR of one half against the other plus 6.02 dB, because their mean has a quarter of "
+    "the variance of their difference. Specify the scene, light and material that the field was "
+    "sampled with.");
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
@@ -93,10 +91,10 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
     ->capture_default_str();
   command
     ->add_option("--reference-spp", options->Samples,
-      "samples per texel of the reference, both halves; rounded up to a multiple of 32")
+      "samples per texel of the reference, in both halves together; rounded up to a multiple of 32")
     ->check(CLI::Range(1, 1 << 24))
     ->capture_default_str();
-  command->add_option("--seed", options->Seed, "of the choice and of the reference")
+  command->add_option("--seed", options->Seed, "random seed of texels and the reference")
     ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }

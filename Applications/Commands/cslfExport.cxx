@@ -123,12 +123,12 @@ Result Run(const Options& options)
 void AddExport(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
-    app.add_subcommand("export", "Write the triangles of a scene to one file, for other programs");
-  command->footer("Materials and lights, points and lines are left out. Normals and texture "
-                  "coordinates are written where all parts of the scene have them.");
+    app.add_subcommand("export", "Write the triangles of a scene to a file for other programs");
+  command->footer("Materials, lights, points and lines are left out. Normals and texture "
+                  "coordinates are written if all parts of the scene have them.");
   const auto options = std::make_shared<Options>();
   options->Scene.AddInputsTo(*command);
-  command->add_option("-o,--output", options->Output, "the triangles, .obj")->required();
+  command->add_option("-o,--output", options->Output, "the output: .obj")->required();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

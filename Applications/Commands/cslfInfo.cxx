@@ -84,12 +84,11 @@ Result Run(const std::string& fileName)
 
 void AddInfo(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("info", "Tell what a light field's file holds");
+  CLI::App* command = app.add_subcommand("info", "List the contents of a light field's file");
   command->footer(
-    "JSON: views (M, along each side of a face), slices (6 M^2), resolution (N), center, "
-    "edge (one number, or three where they differ), channels, sampling, codec, bytes, "
-    "missing (viewpoints that cannot be read), parts (what a video carries besides: type, name, "
-    "bytes).");
+    "JSON keys: views (M, along each side of a face), slices (6 M^2), resolution (N), center, edge "
+    "(one number, or three if they differ), channels, sampling, codec, bytes, missing (viewpoints "
+    "that cannot be read), parts (additional parts of a video: type, name, bytes).");
   const auto fileName = std::make_shared<std::string>();
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
     ->required();

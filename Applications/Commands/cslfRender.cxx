@@ -84,7 +84,7 @@ Result RunPath(const Options& options)
   writer->Finish();
   Result result;
   result.Text = options.Output + ": " + std::to_string(cameras.size()) + " frames, " +
-    Format(1000.0 * Median(seconds), 2) + " ms to draw one, in the median\n";
+    Format(1000.0 * Median(seconds), 2) + " ms drawing time per picture (median)\n";
   result.JSON = { { "output", options.Output }, { "lookup", name }, { "frames", cameras.size() },
     { "path", options.Path.GetPath() }, { "device", renderer.GetDeviceName() },
     { "median_frame_seconds", Median(seconds) }, { "frame_seconds", seconds } };
@@ -105,23 +105,23 @@ Result Run(const Options& options)
 void AddRender(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand(
-    "render", "Look a novel view up in a light field, or those along a camera path, over black");
+    "render", "Draw a novel view of a light field, or the views along a camera path, over black");
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   command
     ->add_option(
-      "-o,--output", options->Output, std::string("the picture, .png; with --path ") + FrameFormats)
+      "-o,--output", options->Output, std::string("the output: .png; with --path ") + FrameFormats)
     ->required();
   command
     ->add_option("--lookup", options->Lookup,
-      "nearest, linear, bilinear, focal or depth; without depth in the field, depth is focal")
+      "nearest, linear, bilinear, focal or depth; if the field has no depth, depth becomes focal")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
   AddPixelSamples(*command, options->PixelSamples);
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   options->Path.AddTo(*command);
-  command->add_option("--frame-rate", options->FrameRate, "pictures of a video in a second")
+  command->add_option("--frame-rate", options->FrameRate, "frames per second of a video")
     ->check(CLI::Range(1.0, 1000.0))
     ->capture_default_str()
     ->group("Camera path");

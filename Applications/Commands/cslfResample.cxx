@@ -73,7 +73,7 @@ Result Run(const Options& options)
 void AddResample(CLI::App& app, Command& chosen)
 {
   CLI::App* command =
-    app.add_subcommand("resample", "Make a coarser light field: fewer texels, fewer viewpoints");
+    app.add_subcommand("resample", "Make a coarser light field with fewer texels or viewpoints");
   const auto options = std::make_shared<Options>();
   options->Input.AddTo(*command, "input");
   command
@@ -82,12 +82,12 @@ void AddResample(CLI::App& app, Command& chosen)
     ->required();
   command
     ->add_option("--resolution-divisor", options->ResolutionDivisor,
-      "texels along each side that become one; divides N")
+      "texels along each side to combine into one; must divide N")
     ->check(Positive())
     ->capture_default_str();
   command
     ->add_option("--viewpoint-stride", options->ViewpointStride,
-      "every which viewpoint along each side is kept; divides M - 1")
+      "keep every n-th viewpoint along each side; must divide M - 1")
     ->check(Positive())
     ->capture_default_str();
   options->Coding.AddTo(*command);

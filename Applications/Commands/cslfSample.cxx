@@ -71,7 +71,7 @@ void CheckCube(const Options& options)
 {
   if (options.Edges.size() == 2 || options.Edges.empty() != options.Center.empty())
   {
-    throw Failure("A cube is given by --center and one or three --edges.");
+    throw Failure("Specify a cube by --center and one or three --edges.");
   }
 }
 
@@ -84,7 +84,8 @@ void CheckFormat(const Options& options, FieldFormat format)
   if (format != FieldFormat::Video &&
     (options.SuggestForPSNR > 0.0 || options.SuggestForSize > 0.0))
   {
-    throw Failure("--suggest-for-novel-psnr and --suggest-for-size are for video: .mp4 or .mkv.");
+    throw Failure(
+      "--suggest-for-novel-psnr and --suggest-for-size need a video as output: .mp4 or .mkv.");
   }
 }
 
@@ -149,8 +150,9 @@ void AddSuggestion(
     : estimator->SuggestForBytes(options.SuggestForSize);
   if (!isFound)
   {
-    throw Failure(options.SuggestForPSNR > 0.0 ? "No field reaches that --suggest-for-novel-psnr."
-                                               : "No field is as small as --suggest-for-size.");
+    throw Failure(options.SuggestForPSNR > 0.0
+        ? "No field reaches the PSNR of --suggest-for-novel-psnr."
+        : "No field is as small as --suggest-for-size.");
   }
   const int viewpoints = estimator->GetSuggestedViewpoints();
   const int resolution = estimator->GetSuggestedResolution();
@@ -255,18 +257,18 @@ void AddField(CLI::App& command, Options& options)
   command.add_option(
     "-o,--output", options.Output, std::string("the light field: ") + FieldFormats);
   command.add_flag("--estimate", options.Estimate,
-    "write nothing, but tell the seconds and bytes that it would take, after a short probe");
+    "predict the time and file size by a short probe, and write nothing");
   command
     .add_option("--time-budget", options.TimeBudget,
-      "take as many samples per texel as that many seconds allow, instead of --spp")
+      "take as many samples per texel as fit into this number of seconds, instead of --spp")
     ->check(Positive());
   CLI::Option* psnr = command.add_option("--suggest-for-novel-psnr", options.SuggestForPSNR,
-    "with --estimate: suggest -M and -N of the smallest video whose novel views reach that many "
+    "with --estimate: suggest -M and -N of the smallest video whose novel views reach this PSNR in "
     "dB");
   psnr->check(Positive());
   command
     .add_option("--suggest-for-size", options.SuggestForSize,
-      "with --estimate: suggest -M and -N of the best video of at most that many bytes")
+      "with --estimate: suggest -M and -N of the best video of at most this number of bytes")
     ->check(Positive())
     ->excludes(psnr);
   const std::string field = "Light field";
@@ -280,27 +282,29 @@ void AddField(CLI::App& command, Options& options)
     ->group(field);
   command
     .add_option("--offset", options.Offset,
-      "margin around the scene on each side, in parts of its longest side")
+      "margin around the scene on each side, as a fraction of its longest side")
     ->check(CLI::Range(1e-6, 1e6))
     ->capture_default_str()
     ->group(field);
-  command.add_option("--center", options.Center, "of the cube, instead of the scene's")
+  command
+    .add_option("--center", options.Center, "centre of the cube, instead of the scene's centre")
     ->expected(3)
     ->type_name("X Y Z")
     ->group(field);
-  command.add_option("--edges", options.Edges, "of the cube: one length, or three along X, Y, Z")
+  command
+    .add_option("--edges", options.Edges, "edges of the cube: one length, or three along X, Y, Z")
     ->expected(1, 3)
     ->check(Positive())
     ->group(field);
-  command.add_flag("--no-depth", options.NoDepth, "leave the depth channel out")->group(field);
-  command.add_flag("--float", options.Float, "linear float colours instead of sRGB bytes")
+  command.add_flag("--no-depth", options.NoDepth, "omit the depth channel")->group(field);
+  command.add_flag("--float", options.Float, "store linear float colours instead of sRGB bytes")
     ->group(field);
 }
 }
 
 void AddSample(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("sample", "Sample a scene into a light field");
+  CLI::App* command = app.add_subcommand("sample", "Sample a light field from a scene");
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   AddField(*command, *options);
@@ -317,7 +321,7 @@ void AddSample(CLI::App& app, Command& chosen)
       if (options->Estimate && (options->Coding.HasTarget() || options->Coding.HasKeyViews()))
       {
         throw CLI::ValidationError(
-          "--estimate", "is for a given --crf and all viewpoints, not for targets or key views");
+          "--estimate", "supports only a given --crf and all viewpoints, no targets or key views");
       }
       if (options->Output.empty() && !options->Estimate)
       {

@@ -52,14 +52,15 @@ Result Run(const Options& options)
 
 void AddSheet(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("sheet", "Put pictures side by side in one");
+  CLI::App* command = app.add_subcommand("sheet", "Put pictures side by side");
   const auto options = std::make_shared<Options>();
-  command->add_option("picture", options->Inputs, "the pictures, .png, row by row")->required();
-  command->add_option("-o,--output", options->Output, "the sheet, .png")->required();
-  command->add_option("--columns", options->Columns, "pictures in a row")
+  command->add_option("picture", options->Inputs, "the pictures (.png), row by row")->required();
+  command->add_option("-o,--output", options->Output, "the output: .png")->required();
+  command->add_option("--columns", options->Columns, "pictures per row")
     ->check(Positive())
     ->capture_default_str();
-  command->add_option("--label", options->Labels, "a line below each picture, one option each");
+  command->add_option(
+    "--label", options->Labels, "a line of text below each picture; one option per picture");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

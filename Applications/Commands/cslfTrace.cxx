@@ -61,12 +61,11 @@ Result Run(const Options& options)
 
 void AddTrace(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("trace",
-    "Path-trace a novel view of a scene, over black: the truth that a light field is measured "
-    "against");
+  CLI::App* command = app.add_subcommand(
+    "trace", "Path-trace a view of a scene, over black, as a reference for light fields");
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
-  command->add_option("-o,--output", options->Output, "the picture, .png")->required();
+  command->add_option("-o,--output", options->Output, "the output: .png")->required();
   options->Integrator.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -144,7 +144,7 @@ void PressKeys(Viewer& viewer, const std::string& keys)
   {
     if (!viewer.Press(key))
     {
-      throw Failure(std::string("The key ") + key + " has no meaning.");
+      throw Failure(std::string("The key ") + key + " is not defined.");
     }
   }
 }
@@ -191,26 +191,28 @@ Result Run(const Options& options)
 
 void AddView(CLI::App& app, Command& chosen)
 {
-  CLI::App* command = app.add_subcommand("view", "Look at a light field in an interactive window");
+  CLI::App* command = app.add_subcommand("view", "View a light field in an interactive window");
   command->footer(std::string("Keys and mouse:\n") + Viewer::Help +
-    "\n\nGive the scene, light and material that the field was sampled with to see the path-traced "
-    "truth refine beside the lookups (key t), and their PSNR against it.");
+    "\n\nSpecify the scene, light and material that the field was sampled with to show the "
+    "path-traced scene beside the lookups (key t) and their PSNR against it.");
   const auto options = std::make_shared<Options>();
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
   options->Scene.AddOptionalTo(*command);
-  command->add_option("--lookup", options->Lookup, "the lookup at first")
+  command->add_option("--lookup", options->Lookup, "the initial lookup")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
-  command->add_option("--keys", options->Keys, "keys that are pressed at first, such as sto");
+  command->add_option("--keys", options->Keys, "keys to press at the start, for example sto");
   command->add_option("--screenshot", options->Screenshot,
-    "draw into this .png, without a window, once the truth is done if it is shown");
+    "draw into this .png file without a window; if the path-traced scene is shown, when it is "
+    "finished");
   command
-    ->add_option("--truth-samples", options->TruthSamples,
-      "samples per pixel until which the truth is refined")
+    ->add_option(
+      "--truth-samples", options->TruthSamples, "samples per pixel of the path-traced scene")
     ->check(CLI::Range(1, 1 << 20))
     ->capture_default_str();
-  command->add_option("--close-after", options->Seconds, "close the window after so many seconds")
+  command
+    ->add_option("--close-after", options->Seconds, "close the window after this number of seconds")
     ->check(Positive());
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);

@@ -27,7 +27,7 @@ void BenchmarkOptions::AddTo(CLI::App& command)
 {
   command.add_option("field", this->Field, std::string("the light field: ") + FieldFormats)
     ->required();
-  command.add_option("-o,--output", this->Folder, "the folder for what is found out")->required();
+  command.add_option("-o,--output", this->Folder, "folder for the results")->required();
   this->Novel.AddTo(command, "Novel views (with --scene)");
   this->Scene.AddOptionalTo(command);
 }
@@ -75,7 +75,7 @@ nlohmann::json BenchmarkOptions::DescribeViews(double noiseFloor) const
 
 std::string BenchmarkOptions::DescribeNoise(double noiseFloor)
 {
-  return "\nNoise floor of the novel views' truth: " + Format(noiseFloor, 2) + " dB.\n";
+  return "\nNoise floor of the novel views' reference: " + Format(noiseFloor, 2) + " dB.\n";
 }
 
 }

@@ -58,27 +58,29 @@ void CameraOptions::AddTo(CLI::App& command)
   const std::string group = "Camera (world coordinates)";
   command
     .add_option("--position", this->Position,
-      "where the eye is (default: two cube edges from the centre, in front)")
+      "position of the camera (default: two cube edges in front of the centre)")
     ->expected(3)
     ->check(CheckFinite)
     ->type_name("X Y Z")
     ->group(group);
-  command.add_option("--focal-point", this->FocalPoint, "where it looks (default: the centre)")
+  command
+    .add_option(
+      "--focal-point", this->FocalPoint, "point that the camera looks at (default: the centre)")
     ->expected(3)
     ->check(CheckFinite)
     ->type_name("X Y Z")
     ->group(group);
-  command.add_option("--view-up", this->ViewUp, "what is up in the picture")
+  command.add_option("--view-up", this->ViewUp, "up direction of the picture")
     ->expected(3)
     ->check(CheckFinite)
     ->type_name("X Y Z")
     ->capture_default_str()
     ->group(group);
-  command.add_option("--view-angle", this->ViewAngle, "from bottom to top, in degrees")
+  command.add_option("--view-angle", this->ViewAngle, "vertical view angle in degrees")
     ->check(CLI::Range(0.01, 179.0))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--size", this->Size, "of the picture, in pixels")
+  command.add_option("--size", this->Size, "size of the picture in pixels")
     ->expected(2)
     ->check(CLI::Range(1, MaximumSize))
     ->type_name("WIDTH HEIGHT")

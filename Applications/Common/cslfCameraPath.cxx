@@ -88,8 +88,8 @@ vtkSmartPointer<vtkCamera> ReadCamera(
   }
   if (!(glm::length(vectors[1] - vectors[0]) > 0.0) || !(glm::length(vectors[2]) > 0.0))
   {
-    throw Failure(
-      name + " looks nowhere: position and focal point must differ, and view-up not be zero.");
+    throw Failure(name +
+      " has no direction: position and focal point must differ, and view-up must not be zero.");
   }
   return MakeCamera(vectors[0], vectors[1], vectors[2], viewAngle);
 }
@@ -100,7 +100,8 @@ Cameras ReadPath(const std::string& fileName, int frames, double viewAngle)
   const nlohmann::json keys = ReadPathFile(fileName);
   if (!keys.is_array() || keys.size() < 2)
   {
-    throw Failure(fileName + " is no camera path: a JSON array of two or more cameras.");
+    throw Failure(
+      fileName + " is not a camera path: it must be a JSON array of two or more cameras.");
   }
   vtkNew<vtkCameraInterpolator> interpolator;
   interpolator->SetInterpolationTypeToSpline();
@@ -120,7 +121,7 @@ Cameras ReadPath(const std::string& fileName, int frames, double viewAngle)
     const glm::dvec3 focalPoint = ToVector(between->GetFocalPoint());
     if (!(glm::length(focalPoint - position) > 0.0))
     {
-      throw Failure(fileName + ": frame " + std::to_string(frame) + " looks nowhere.");
+      throw Failure(fileName + ": frame " + std::to_string(frame) + " has no direction.");
     }
     cameras.push_back(MakeCamera(position, focalPoint, ToVector(between->GetViewUp()), viewAngle));
   }
@@ -162,10 +163,10 @@ void CameraPathOptions::AddTo(CLI::App& command)
   const std::string group = "Camera path";
   command
     .add_option("--path", this->Path,
-      "orbit, a full turn from the camera; swing, to and fro within 35 degrees of +Z; or a JSON "
-      "file of key cameras: [[position, focal point, view up], ...]")
+      "orbit: a full turn that begins at the camera; swing: back and forth within 35 degrees of "
+      "+Z; or a JSON file of key cameras: [[position, focal point, view up], ...]")
     ->group(group);
-  command.add_option("--frames", this->Frames, "pictures along the path")
+  command.add_option("--frames", this->Frames, "number of pictures along the path")
     ->check(CLI::Range(1, 1000000))
     ->capture_default_str()
     ->group(group);

@@ -52,7 +52,7 @@ CodecSweep::CodecSweep(
 {
   if (std::filesystem::exists(ToPath(this->FileName)))
   {
-    throw Failure(this->FileName + " exists already.");
+    throw Failure(this->FileName + " already exists.");
   }
 }
 

@@ -217,7 +217,7 @@ FieldFile OpenField(const std::string& fileName)
   const auto format = FindFormat(fileName);
   if (!format)
   {
-    throw Failure(fileName + " is no light field: known are " + FieldFormats + ".");
+    throw Failure(fileName + " is not a light field: the formats are " + FieldFormats + ".");
   }
   FieldFile file;
   file.Format = *format;
@@ -247,8 +247,8 @@ void FieldInput::AddTo(CLI::App& command, const std::string& name)
 void AddAllowMissing(CLI::App& command, bool& isAllowed)
 {
   command.add_flag("--allow-missing", isAllowed,
-    "go on without viewpoints that are missing from a damaged file, with a warning; otherwise "
-    "nothing is written, and the exit code is 2");
+    "continue with a warning if viewpoints are missing from a damaged file; otherwise nothing is "
+    "written, and the exit code is 2");
 }
 
 FieldFile OpenField(const FieldInput& input)
@@ -263,8 +263,8 @@ FieldFile OpenField(const FieldInput& input)
     {
       throw MissingViewpoints(input.FileName + " is damaged: " + std::to_string(missing) + " of " +
         std::to_string(slices) +
-        " viewpoints are missing (all commands but benchmark go on without them if told "
-        "--allow-missing).");
+        " viewpoints are missing (all commands except benchmark continue without them if "
+        "--allow-missing is given).");
     }
     return file;
   }
@@ -337,24 +337,24 @@ std::uintmax_t CountBytes(const std::string& fileName)
 
 void CodingOptions::AddTargetsTo(CLI::App& command)
 {
-  CLI::Option* factor =
-    command
-      .add_option("--crf", this->CRF,
-        "constant rate factor on x265's scale, with every codec: less is better and larger")
-      ->check(CLI::Range(0.0, 51.0))
-      ->capture_default_str()
-      ->group(VideoGroup);
+  CLI::Option* factor = command
+                          .add_option("--crf", this->CRF,
+                            "constant rate factor on x265's scale for all codecs; smaller values "
+                            "give better and larger files")
+                          ->check(CLI::Range(0.0, 51.0))
+                          ->capture_default_str()
+                          ->group(VideoGroup);
   CLI::Option* ratio =
     command
       .add_option("--target-ratio", this->TargetRatio,
-        "how many times smaller than the raw 24-bit colours the file shall be, instead of --crf")
+        "target size of the raw 24-bit colours divided by that of the file, instead of --crf")
       ->check(CLI::Range(1e-3, 1e9))
       ->excludes(factor)
       ->group(VideoGroup);
   CLI::Option* size =
     command
       .add_option("--target-size", this->TargetSize,
-        "bytes that the file shall have, such as 20M or 1.5G, instead of --crf")
+        "target size of the file in bytes, for example 20M or 1.5G, instead of --crf")
       ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
       ->check(CLI::Range(1.0, 1e18))
       ->excludes(factor)
@@ -362,7 +362,7 @@ void CodingOptions::AddTargetsTo(CLI::App& command)
       ->group(VideoGroup);
   command
     .add_option("--target-psnr", this->TargetPSNR,
-      "dB that the coded colours shall have against the uncoded ones, instead of --crf")
+      "target PSNR in dB of the coded colours against the input, instead of --crf")
     ->check(CLI::Range(1.0, 100.0))
     ->excludes(factor)
     ->excludes(ratio)
@@ -375,14 +375,15 @@ void CodingOptions::AddKeyViewsTo(CLI::App& command)
   CLI::Option* keys =
     command
       .add_option("--key-views", this->KeyViews,
-        "keep one of so many viewpoints along each side of a face, those on the edges always; or "
-        "\"auto\": as few as reach --target-novel-psnr")
+        "step of key views: keep every n-th viewpoint along each side of a face, including those "
+        "on the edges; or \"auto\": as few as reach --target-novel-psnr")
       ->check(CLI::Range(1, 4096) | CLI::IsMember({ AutomaticKeyViews }))
       ->capture_default_str()
       ->group(VideoGroup);
   command
     .add_option("--target-novel-psnr", this->TargetNovelPSNR,
-      "dB that viewpoints left out shall have when they are looked up, for --key-views auto (35)")
+      "target PSNR in dB of omitted viewpoints, reconstructed by the lookup, for --key-views auto "
+      "(default: 35)")
     ->check(CLI::Range(1.0, 100.0))
     ->needs(keys)
     ->group(VideoGroup);
@@ -395,25 +396,25 @@ void CodingOptions::AddTo(CLI::App& command)
     ->capture_default_str()
     ->group(group);
   this->AddTargetsTo(command);
-  command.add_option("--coverage-crf", this->CoverageCRF, "likewise, of coverage")
+  command.add_option("--coverage-crf", this->CoverageCRF, "constant rate factor of coverage")
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--depth-crf", this->DepthCRF, "likewise, of depth")
+  command.add_option("--depth-crf", this->DepthCRF, "constant rate factor of depth")
     ->check(CLI::Range(0.0, 51.0))
     ->capture_default_str()
     ->group(group);
   this->AddKeyViewsTo(command);
   command
-    .add_option(
-      "--preset", this->Preset, "x265's preset, or what is like it: ultrafast ... slow ... placebo")
+    .add_option("--preset", this->Preset,
+      "x265 preset, or the equivalent of another encoder: ultrafast ... slow ... placebo")
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--pixel-format", this->PixelFormat,
-      "auto, which is the codec's best, yuv444p, yuv420p and their 10 bit kin, or gbrp, which "
-      "keeps "
-      "saturated colour maps best")
+      "auto (the default of the codec), yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le, or "
+      "gbrp, which preserves saturated colour maps best; for float colour auto, yuv444p10le or "
+      "yuv444p12le")
     ->capture_default_str()
     ->group(group);
   command
@@ -422,10 +423,10 @@ void CodingOptions::AddTo(CLI::App& command)
     ->check(CLI::Range(1, 16))
     ->capture_default_str()
     ->group(group);
-  command.add_flag("--lossless", this->Lossless, "code every bit")->group(group);
+  command.add_flag("--lossless", this->Lossless, "lossless coding")->group(group);
   command
     .add_flag("--restart,!--no-restart", this->Restart,
-      "go on from what a run that was killed has left in OUTPUT.partial (default), or begin anew")
+      "resume an interrupted run from OUTPUT.partial (default), or start from the beginning")
     ->group(group);
   command
     .add_option("--part", this->Parts,
@@ -455,7 +456,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
   const bool isAutomatic = this->KeyViews == AutomaticKeyViews;
   if (this->TargetNovelPSNR > 0.0 && !isAutomatic)
   {
-    throw Failure("--target-novel-psnr is for --key-views auto.");
+    throw Failure("--target-novel-psnr needs --key-views auto.");
   }
   encoder->SetKeyViewStep(
     isAutomatic ? vtkCSLFEncoder::AutomaticKeyViews : std::stoi(this->KeyViews, nullptr, 0));
@@ -623,7 +624,7 @@ std::string DescribeCoding(const nlohmann::json& coding)
   }
   if (coding.contains("novel_psnr"))
   {
-    text << " with " << coding["novel_psnr"].get<double>() << " dB between them";
+    text << " with " << coding["novel_psnr"].get<double>() << " dB for the viewpoints between them";
   }
   return text.str();
 }

@@ -98,7 +98,8 @@ std::unique_ptr<FrameWriter> MakeFrameWriter(
   std::error_code failure;
   if (folder.has_extension() && !fs::is_directory(folder, failure))
   {
-    throw Failure("Cannot write " + output + ": pictures along a path go to " + FrameFormats + ".");
+    throw Failure(
+      "Cannot write " + output + ": pictures along a path are written to " + FrameFormats + ".");
   }
   return std::make_unique<FolderWriter>(output);
 }

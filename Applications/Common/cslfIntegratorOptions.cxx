@@ -21,8 +21,8 @@ void IntegratorOptions::AddTo(CLI::App& command)
   const std::string group = "Light transport";
   command
     .add_option("--integrator", this->Integrator,
-      "path: trace every path to its end, the reference; cache: work out once what diffuse "
-      "surfaces shine with")
+      "path: path tracing, the reference; cache: radiance caching, which computes the light of "
+      "diffuse surfaces once")
     ->check(CLI::IsMember({ PathTracing, RadianceCaching }))
     ->capture_default_str()
     ->group(group);
@@ -32,35 +32,34 @@ void IntegratorOptions::AddTo(CLI::App& command)
     ->group(group);
   command
     .add_option("--noise", this->NoiseTarget,
-      "take fewer samples where the standard error is at most this, in parts of displayed white; "
-      "0: "
+      "take fewer samples where the standard error is at most this fraction of displayed white; 0: "
       "take all")
     ->check(CLI::Range(0.0, 1.0))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--seed", this->Seed, "of the random numbers")
-    ->capture_default_str()
-    ->group(group);
+  command.add_option("--seed", this->Seed, "random seed")->capture_default_str()->group(group);
   command
     .add_option("--cache-tolerance", this->CacheTolerance,
-      "the cache's bias and noise, in parts of displayed white")
+      "bias and noise of the cache, as a fraction of displayed white")
     ->check(CLI::Range(1e-6, 1.0))
     ->capture_default_str()
     ->group(group);
   command
     .add_option("--cache-spacing", this->CacheSpacing,
-      "the smallest distance of the cache's points, in parts of the scene's diagonal; 0: by the "
-      "resolution")
+      "smallest distance between points of the cache, as a fraction of the scene's diagonal; 0: "
+      "from the resolution")
     ->check(CLI::Range(0.0, 1.0))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--cache-samples", this->CacheSamples, "the most paths for a point of it")
+  command
+    .add_option(
+      "--cache-samples", this->CacheSamples, "maximum number of paths for a point of the cache")
     ->check(CLI::Range(64, 1 << 20))
     ->capture_default_str()
     ->group(group);
   command
     .add_flag("--cache-check,--no-cache-check{false}", this->CacheCheck,
-      "compare the cache with path tracing at random texels (default), or not")
+      "whether to compare the cache with path tracing at random texels (default: yes)")
     ->group(group);
 }
 

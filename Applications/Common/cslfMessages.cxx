@@ -197,7 +197,7 @@ void WarnOfNoise(
   constexpr double margin = 10.0;
   if (noiseFloor < psnr + margin)
   {
-    AddWarning("The truth's noise floor of " + Format(noiseFloor, 2) +
+    AddWarning("The reference's noise floor of " + Format(noiseFloor, 2) +
       " dB is less than 10 dB above " + figure + ": use more " + option + ".");
   }
 }

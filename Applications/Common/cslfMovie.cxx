@@ -110,8 +110,8 @@ private:
     this->Encoder.reset(codec ? avcodec_alloc_context3(codec) : nullptr);
     if (!this->Encoder)
     {
-      throw Failure(std::string("This FFmpeg has no ") + EncoderName +
-        ", which videos of pictures are coded with: write a folder.");
+      throw Failure(std::string("This FFmpeg lacks ") + EncoderName +
+        ", which is needed for videos of pictures: write a folder.");
     }
     constexpr int most = 1001000;
     const AVRational rate = av_d2q(frameRate, most);
@@ -179,7 +179,7 @@ std::unique_ptr<FrameWriter> MakeMovieWriter(
 {
   if (width % 2 != 0 || height % 2 != 0)
   {
-    throw Failure("A video wants pictures of even width and height: choose another --size.");
+    throw Failure("A video needs pictures of even width and height: choose another --size.");
   }
   auto writer = std::make_unique<MovieWriter>(fileName);
   writer->Open(width, height, frameRate);

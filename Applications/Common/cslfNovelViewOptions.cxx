@@ -10,25 +10,27 @@ namespace tool
 {
 void NovelViewOptions::AddTo(CLI::App& command, const std::string& group)
 {
-  command.add_option("--views", this->Views, "novel views")
+  command.add_option("--views", this->Views, "number of novel views")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--size", this->Size, "of a view, in pixels")
+  command.add_option("--size", this->Size, "width and height of a view, in pixels")
     ->check(CLI::Range(1, 8192))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--spp", this->Samples, "samples per pixel of the truth, both halves")
+  command
+    .add_option(
+      "--spp", this->Samples, "samples per pixel of the reference, in both halves together")
     ->check(CLI::Range(2, 1 << 20))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--seed", this->Seed, "of the views and of the truth")
+  command.add_option("--seed", this->Seed, "random seed of the views and the reference")
     ->check(CLI::Range(0, 1 << 29))
     ->capture_default_str()
     ->group(group);
   command
-    .add_option("--truth", this->TruthFolder,
-      "a folder that keeps the truth: what is there already is not traced again")
+    .add_option(
+      "--truth", this->TruthFolder, "folder that stores the path-traced reference for later runs")
     ->group(group);
 }
 }

@@ -204,7 +204,7 @@ private:
     if (element.Count > 0 && !element.Properties.empty())
     {
       AddWarning("The elements " + element.Name +
-        " of the PLY file were left out: vertices, faces and triangle strips are read.");
+        " of the PLY file were left out: only vertices, faces and triangle strips are read.");
       for (std::size_t i = 0; i < element.Count; ++i)
       {
         this->ReadRow(element, -1);

@@ -45,7 +45,7 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
   vtkNew<vtkPNGReader> reader;
   if (!reader->CanReadFile(fileName.c_str()))
   {
-    throw Failure(fileName + " is no PNG.");
+    throw Failure(fileName + " is not a PNG file.");
   }
   reader->SetFileName(fileName.c_str());
   reader->Update();
@@ -88,7 +88,7 @@ void RequireDisplay()
     XOpenDisplay(nullptr), XCloseDisplay);
   if (!display)
   {
-    throw Failure("There is no X server to draw with: set DISPLAY, or use xvfb-run -a cslf ...");
+    throw Failure("Drawing needs an X server: set DISPLAY, or use xvfb-run -a cslf ...");
   }
 #endif
 }
@@ -136,7 +136,7 @@ std::vector<LookupName> ChooseLookups(
   { return names.empty() || std::count(names.begin(), names.end(), lookup.Name) > 0; };
   if (std::count(names.begin(), names.end(), "depth") > 0 && !description.FindChannel(DepthName))
   {
-    throw Failure("The field has no depth, which the depth lookup needs.");
+    throw Failure("The depth lookup needs a depth channel, which the field does not have.");
   }
   std::vector<LookupName> lookups;
   const std::vector<LookupName> all = GetLookups(description);
@@ -148,7 +148,8 @@ void AddPixelSamples(CLI::App& command, int& samples)
 {
   command
     .add_option("--pixel-samples", samples,
-      "rays along each side of a pixel, at least, in the depth lookup; 1 leaves silhouettes jagged")
+      "minimum number of rays along each side of a pixel in the depth lookup; with 1, silhouettes "
+      "are jagged")
     ->check(CLI::Range(1, 4))
     ->capture_default_str();
 }
@@ -157,7 +158,8 @@ void AddLookups(CLI::App& command, std::vector<std::string>& names)
 {
   command
     .add_option("--lookups", names,
-      "those to measure, as in bilinear,depth; by default all that the field has channels for")
+      "lookups to measure, for example bilinear,depth (default: all that the field has channels "
+      "for)")
     ->delimiter(',')
     ->check(CLI::IsMember(GetLookupNames()));
 }

@@ -372,7 +372,7 @@ public:
     const bool isParsed = parser->Parse() != 0;
     if (parser->HasDeepElements())
     {
-      this->Fail("elements on more than " + std::to_string(MostLevels) + " levels");
+      this->Fail("elements nested on more than " + std::to_string(MostLevels) + " levels");
     }
     const std::string error = isParsed ? std::string() : GetFirstError();
     if (!error.empty())

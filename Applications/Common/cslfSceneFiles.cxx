@@ -146,8 +146,8 @@ constexpr const char* InputHelp =
   "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box";
 
 constexpr const char* EnvironmentHelp =
-  "the light from around: white, gradient (white above, dark below), none, or a lat-long image "
-  "(default: none with cornell-box, else white)";
+  "environment light: white, gradient (white above, dark below), none, or the file of a lat-long "
+  "image (default: none for cornell-box, otherwise white)";
 
 bool IsNamedEnvironment(const std::string& environment)
 {
@@ -174,7 +174,7 @@ void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<
     }
     catch (const std::exception&)
     {
-      AddWarning(std::string("The field's sampling parameter ") + key + " is not understood.");
+      AddWarning(std::string("The field's sampling parameter ") + key + " is invalid.");
     }
   }
 }
@@ -219,7 +219,7 @@ Part ReadScenePart(const std::string& input)
   catch (const std::exception&)
   {
     // What the standard library says of sizes that are wrong does not help.
-    throw Failure("Cannot read " + input + ": it is damaged, or too large.");
+    throw Failure("Cannot read " + input + ": it is damaged or too large.");
   }
   const std::string error = GetFirstError();
   vtkIdType cells = 0;
@@ -285,23 +285,26 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
   const std::string light = "Light";
   command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
   command
-    .add_option("--environment-intensity", this->EnvironmentIntensity, "its factor (default: 1)")
+    .add_option("--environment-intensity", this->EnvironmentIntensity,
+      "factor of the environment's radiance (default: 1)")
     ->check(NonNegative())
     ->group(light);
   command
-    .add_flag("--show-environment", this->ShowEnvironment, "show it where rays miss the scene")
+    .add_flag(
+      "--show-environment", this->ShowEnvironment, "show the environment where rays miss the scene")
     ->group(light);
-  command.add_option("--exposure", this->Exposure, "factor of the radiance (default: 1)")
+  command.add_option("--exposure", this->Exposure, "factor of the stored radiance (default: 1)")
     ->check(Positive())
     ->group(light);
   command
-    .add_option(
-      "--max-depth", this->MaximumDepth, "reflections of the longest light path (default: 8)")
+    .add_option("--max-depth", this->MaximumDepth,
+      "maximum number of reflections of a light path (default: 8)")
     ->check(CLI::Range(0, 1000))
     ->group(light);
   const std::string material = "Material of the files";
   command
-    .add_option("--roughness", this->Roughness, "0 is a mirror, 1 matte; makes the surface glossy")
+    .add_option("--roughness", this->Roughness,
+      "0 is a mirror, 1 is rough; gives the surface a glossy boundary")
     ->check(CLI::Range(0.0, 1.0))
     ->group(material);
   command.add_option("--metallic", this->Metallic, "0 is a dielectric, 1 a metal (default: 0)")
@@ -309,7 +312,8 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
     ->group(material);
   command
     .add_option("--base-color", this->BaseColor,
-      "sRGB, each in [0,1]; replaces the colours of the files (default: theirs, or gray)")
+      "sRGB colour, each component in [0,1]; replaces the colours of the files (default: their "
+      "colours, or gray)")
     ->expected(3)
     ->check(CLI::Range(0.0, 1.0))
     ->group(material);
@@ -327,14 +331,15 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
   const std::string mode = named != environment.end() && named->is_string() ? *named : "";
   if (!this->Environment && mode == "image")
   {
-    throw Failure("The field was sampled under an image: give it by --environment.");
+    throw Failure("The field was sampled with an environment image: specify it by --environment.");
   }
   if (!this->Environment && !mode.empty() && mode != "scene")
   {
     const nlohmann::json white = { 1.0, 1.0, 1.0 };
     if (environment.value("color", white) != white)
     {
-      AddWarning("The field was sampled under a coloured environment; it is measured under white.");
+      AddWarning(
+        "The field was sampled with a coloured environment; it is measured with a white one.");
     }
     this->Environment = mode == "none" ? NoEnvironment
       : mode == "gradient"             ? GradientEnvironment

@@ -19,13 +19,11 @@ void ToneOptions::AddTo(CLI::App& command)
 {
   command
     .add_option("--view-exposure", this->Exposure,
-      "factor of the field's radiance when it is shown; above 1 it needs a field of float colour "
-      "to "
-      "show what was brighter than white")
+      "factor of the displayed radiance; values below 1 reveal details brighter than white in "
+      "float fields")
     ->check(Positive())
     ->capture_default_str();
-  command
-    .add_option("--tone-mapping", this->Curve, "what becomes of what is brighter than white then")
+  command.add_option("--tone-mapping", this->Curve, "curve for values above white")
     ->check(CLI::IsMember({ "clamp", "reinhard", "aces" }))
     ->capture_default_str();
 }

@@ -78,7 +78,7 @@ vtkSmartPointer<vtkImageData> ReadHalf(const std::string& fileName, int size)
   if (dimensions[0] != size || dimensions[1] != size || image->GetScalarType() != VTK_FLOAT ||
     image->GetNumberOfScalarComponents() != 4)
   {
-    throw Failure("There is no traced view of " + std::to_string(size) + " x " +
+    throw Failure("There is no path-traced view of " + std::to_string(size) + " x " +
       std::to_string(size) + " in " + fileName + ".");
   }
   return image;
@@ -164,7 +164,7 @@ vtkSmartPointer<vtkImageData> TruthTracer::TraceHalf(
   this->Tracer->SetSamples(samples);
   this->Tracer->SetSeed(seed);
   {
-    const ProgressBar bar(this->Tracer, "Tracing the truth");
+    const ProgressBar bar(this->Tracer, "Tracing the reference");
     this->Tracer->Update();
   }
   ThrowOnError();

@@ -75,14 +75,11 @@ std::string MakeScreenshotName()
 }
 }
 
-const char* const Viewer::Help = "1 to 5: nearest, linear, bilinear, focal, depth\n"
-                                 "s: all side by side, and back\n"
-                                 "t: the path-traced truth beside (with --scene)\n"
-                                 "o: outline of the cube   a: axes   v: viewpoints\n"
-                                 "[ and ]: exposure   m: tone mapping\n"
-                                 "i: figures   p: write a picture   h: this help\n"
-                                 "left button: rotate, middle: pan, right or wheel: zoom\n"
-                                 "r: reset the camera   q: quit";
+const char* const Viewer::Help =
+  "1 to 5: nearest, linear, bilinear, focal, depth\ns: all lookups side by side, or one\nt: "
+  "path-traced scene (with --scene)\no: outline of the cube   a: axes   v: viewpoints\n[ and ]: "
+  "exposure   m: tone mapping\ni: figures   p: write a picture   h: this help\nleft button: "
+  "rotate, middle: pan, right or wheel: zoom\nr: reset the camera   q: quit";
 
 Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   std::unique_ptr<RefiningTruth> truth)

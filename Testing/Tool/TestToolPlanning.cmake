@@ -37,7 +37,7 @@ if (bytes GREATER 2000000)
   message(FATAL_ERROR "${bytes} bytes were suggested where 2000000 were allowed.")
 endif ()
 cslf_fail("No field reaches" "" sample ${scene} --estimate --suggest-for-novel-psnr 59)
-cslf_fail("are for video" "" sample ${scene} --estimate --suggest-for-novel-psnr 20 -o x.vti)
+cslf_fail("need a video" "" sample ${scene} --estimate --suggest-for-novel-psnr 20 -o x.vti)
 cslf_fail("estimate" "" sample ${scene} --suggest-for-novel-psnr 30 -o x.mp4)
 cslf_fail("output" "" sample ${scene})
 

@@ -49,5 +49,5 @@ cslf_fail("key-views auto" x encode box.vti -o x.mp4 --key-views 2 --target-nove
 cslf_fail("excludes" x encode box.vti -o x.mp4 --crf 20 --target-psnr 30)
 cslf_fail("excludes" x encode box.vti -o x.mp4 --target-size 1M --target-psnr 30)
 cslf_fail("lossless" x encode box.vti -o x.mp4 --lossless --target-psnr 30)
-cslf_fail("for video" "x.vti" sample ${scene} -o x.vti --target-psnr 30)
+cslf_fail("need a video" "x.vti" sample ${scene} -o x.vti --target-psnr 30)
 cslf_fail("estimate" x sample ${scene} -o x.mp4 --estimate --target-psnr 30)

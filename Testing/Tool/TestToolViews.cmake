@@ -71,7 +71,7 @@ cslf_run(evaluate box.vti cornell-box --path still.json --frames 2 --size 48 --s
   --lookups depth --json)
 expect_json_at_least(42 lookups depth change_psnr_of_steps 0)
 cslf_run(sample cornell-box -o flat.vti -M 2 -N 16 --spp 1 --no-depth ${light})
-cslf_fail("no depth" "x" evaluate flat.vti cornell-box --lookups depth)
+cslf_fail("needs a depth channel" "x" evaluate flat.vti cornell-box --lookups depth)
 cslf_fail("--views" "x" evaluate box.vti cornell-box --path orbit --views 3)
 cslf_fail("no camera path" "x" evaluate box.vti cornell-box --path nowhere.json)
 
@@ -97,7 +97,7 @@ if (NOT halves EQUAL 4)
 endif ()
 list(GET kept 0 half)
 file(COPY_FILE "${DIRECTORY}/box.vti" "${half}")
-cslf_fail("no traced view" "x" evaluate box.vti cornell-box ${light} ${novel})
+cslf_fail("no path-traced view" "x" evaluate box.vti cornell-box ${light} ${novel})
 
 # Texels: noise is all that parts the field from the reference.
 cslf_run(sample cornell-box -o noisy.vti -M 3 -N 16 --spp 4 --integrator path ${light})
