@@ -254,7 +254,7 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
     if (fixed + single > seconds)
     {
       vtkErrorMacro("The field takes about "
-        << std::ceil(fixed + single) << " s with a single sample a texel, more than " << seconds
+        << std::ceil(fixed + single) << " s with a single sample per texel, more than " << seconds
         << " s.");
       return 0;
     }

@@ -322,7 +322,7 @@ bool vtkCSLFDecoder::CheckRange(int first, int last)
   if (!cslf::AreEnough(this->Internal->Reader->GetHeader().Field, there, count))
   {
     std::ostringstream text;
-    text << "only " << there << " of the " << count << " viewpoints asked for can be read";
+    text << "only " << there << " of the " << count << " requested viewpoints can be read";
     return this->Fail(vtkErrorCode::PrematureEndOfFileError, text.str());
   }
   return true;
@@ -363,7 +363,7 @@ bool vtkCSLFDecoder::ReportFileDamage()
   std::ostringstream text;
   if (missing.size() == static_cast<std::size_t>(slices))
   {
-    text << "its video is damaged or cut short, none of the " << slices
+    text << "its video is damaged or truncated: none of the " << slices
          << " viewpoints can be read";
     return this->Fail(vtkErrorCode::FileFormatError, text.str());
   }

@@ -197,7 +197,7 @@ int vtkCSLFEncoder::Write()
   }
   else if (!this->GetInputAlgorithm()->GetExecutive()->UpdateInformation())
   {
-    fault = { vtkErrorCode::UnknownError, "The input could not tell what it is." };
+    fault = { vtkErrorCode::UnknownError, "The input could not provide its information." };
   }
   std::optional<cslf::CacheKeeper> keeper;
   cslf::EncodeJob job = this->MakeJob();

@@ -240,8 +240,8 @@ private:
     const auto remembered = sampling.find("scene");
     if (remembered != sampling.end() && *remembered != scene.Fingerprint)
     {
-      vtkWarningWithObjectMacro(this->Self,
-        "The field was sampled from another scene, or with other materials or lights in it.");
+      vtkWarningWithObjectMacro(
+        this->Self, "The field was sampled from another scene, or with other materials or lights.");
     }
   }
 

@@ -70,7 +70,8 @@ struct Pair
     {
       const auto toText = [](const int* size)
       { return std::to_string(size[0]) + " x " + std::to_string(size[1]); };
-      return "The pictures must be of one size, but are " + toText(a) + " and " + toText(b) + ".";
+      return "The pictures must have the same size, but are " + toText(a) + " and " + toText(b) +
+        ".";
     }
     if (this->GetColors(0) != this->GetColors(1))
     {

@@ -227,9 +227,9 @@ bool vtkCSLFImageReader::ReadDescription()
       }
       for (const std::string& name : this->Internal->Folder->Field.Unknown)
       {
-        vtkWarningMacro("The channel \"" << cslf::MakePrintable(name) << "\" of " << this->FileName
-                                         << " is of a type that this version does not know, and "
-                                            "left out.");
+        vtkWarningMacro("The channel \""
+          << cslf::MakePrintable(name) << "\" of " << this->FileName
+          << " has a type that this version does not support, and is left out.");
       }
       this->Internal->Text = this->Internal->Folder->Field.ToText();
       return true;

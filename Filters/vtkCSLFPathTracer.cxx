@@ -378,7 +378,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   }
   if (hasTexts)
   {
-    vtkWarningMacro("The array to color by is not numeric and was ignored: choose another one by "
+    vtkWarningMacro("The array to color by is not numeric and was ignored: choose another one with "
                     "SetInputArrayToProcess.");
   }
   return true;

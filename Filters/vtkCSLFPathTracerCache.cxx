@@ -184,9 +184,10 @@ void vtkCSLFPathTracer::TellCache()
   this->Internals->IsToldOf = true;
   if (cache.IsCoarsened())
   {
-    vtkWarningMacro("The radiance cache would need too many points, so their spacing was raised to "
+    vtkWarningMacro(
+      "The radiance cache would need too many points, so their spacing was increased to "
       << this->UsedCacheSpacing
-      << " of the scene's diagonal. Trace paths if shadow edges must be sharper.");
+      << " of the scene's diagonal. Use path tracing if shadow edges must be sharper.");
   }
   if (check.IsExceeded(this->CacheTolerance))
   {
@@ -195,7 +196,7 @@ void vtkCSLFPathTracer::TellCache()
       << 100.0 * check.MeanError << " %; bound 2 %), and its displayed colours by " << check.RMS
       << " of white in the root mean square (+- " << check.RMSError << "; bound "
       << cslf::CacheCheck::GetRMSBound(this->CacheTolerance)
-      << "). Try a smaller CacheTolerance or CacheSpacing or more CacheSamples, or trace paths.");
+      << "). Use a smaller CacheTolerance or CacheSpacing, more CacheSamples, or path tracing.");
   }
 }
 

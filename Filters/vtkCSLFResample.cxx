@@ -132,7 +132,7 @@ private:
     }
     if (!holds())
     {
-      this->Fail("The input did not give the viewpoints " + std::to_string(first) + " to " +
+      this->Fail("The input did not deliver the viewpoints " + std::to_string(first) + " to " +
         std::to_string(last) + ".");
       return nullptr;
     }

@@ -47,7 +47,7 @@ const char* NameOfType(int type)
       return row.Name;
     }
   }
-  throw std::invalid_argument("a channel's type is none of uint8, uint16, float32, float64");
+  throw std::invalid_argument("the type of a channel is not uint8, uint16, float32 or float64");
 }
 
 /// VTK_VOID for a type that this version does not know.
@@ -106,7 +106,8 @@ void CheckRequired(const JSON& json)
   }
   if (!names.empty())
   {
-    throw std::invalid_argument("it needs what this version does not know: " + names);
+    throw std::invalid_argument(
+      "it requires features that this version does not support: " + names);
   }
 }
 
@@ -145,7 +146,7 @@ Description Parse(const JSON& json)
   const JSON sampling = json.value("sampling", JSON::object());
   if (!sampling.is_object())
   {
-    throw std::invalid_argument("its \"sampling\" is no object");
+    throw std::invalid_argument("its \"sampling\" is not an object");
   }
   description.Sampling = sampling.dump();
   const std::string fault = description.FindFault();
@@ -165,7 +166,7 @@ std::string FindMisfit(const Description& description, vtkImageData* image)
   if (extent[0] != whole[0] || extent[1] != whole[1] || extent[2] != whole[2] ||
     extent[3] != whole[3] || extent[4] < whole[4] || extent[5] > whole[5] || extent[4] > extent[5])
   {
-    return "its extent is not a range of whole viewpoints of the field described";
+    return "its extent is not a range of complete viewpoints of the described field";
   }
   const double* spacing = image->GetSpacing();
   const double* origin = image->GetOrigin();
@@ -190,7 +191,7 @@ std::string FindMisfit(const Description& description, vtkImageData* image)
     }
     if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
     {
-      return "its array \"" + channel.Name + "\" has not one value for each texel";
+      return "its array \"" + channel.Name + "\" does not have one value for each texel";
     }
   }
   return {};
@@ -304,7 +305,7 @@ std::optional<Description> Description::ReadFrom(vtkImageData* image, std::strin
     : nullptr;
   if (!text || text->GetNumberOfValues() != 1)
   {
-    error = "The image data is no light field: its field data has no description.";
+    error = "The image data is not a light field: its field data has no description.";
     return std::nullopt;
   }
   auto description = Description::FromText(text->GetValue(0), error);

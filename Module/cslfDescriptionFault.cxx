@@ -102,7 +102,7 @@ std::string FindFault(const Cube& box)
     }
     if (!(edge >= MinimumRelativeEdge * center))
     {
-      return "the cube is too small for how far from the origin it is";
+      return "the cube is too small for its distance from the origin";
     }
   }
   return {};
@@ -164,7 +164,7 @@ std::string Description::FindFault() const
     components = std::max(components, channel.Components);
   }
   return texels > VTK_ID_MAX / components || this->GetBytes() > MaximumFieldBytes
-    ? "it has more texels than can be worked with"
+    ? "it has too many texels"
     : std::string();
 }
 }

@@ -58,7 +58,7 @@ Integer ToInteger(const nlohmann::json& json)
 {
   if (!IsInteger<Integer>(json))
   {
-    throw std::invalid_argument("a value is no whole number within its range");
+    throw std::invalid_argument("a value is not an integer within its range");
   }
   return json.get<Integer>();
 }
@@ -76,7 +76,7 @@ inline const nlohmann::json& RequireArray(const nlohmann::json& json)
 {
   if (!json.is_array())
   {
-    throw std::invalid_argument("a value is no list");
+    throw std::invalid_argument("a value is not a list");
   }
   return json;
 }

@@ -290,8 +290,8 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   if (cubeMapper->GetSight().IsInside() && !internals.HasWarnedOfInside)
   {
     internals.HasWarnedOfInside = true;
-    vtkWarningMacro("The eye is inside the light field's cube: only what can also be seen from "
-                    "outside, along the same lines of sight, is drawn.");
+    vtkWarningMacro("The eye is inside the light field's cube: only surfaces that are also visible "
+                    "from outside, along the same lines of sight, are drawn.");
   }
   if (!cubeMapper->IsComplete())
   {
@@ -309,12 +309,12 @@ void vtkCSLFMapper::ReportDamage(int damaged, int undamaged)
   this->Internals->HasReportedDamage = true;
   if (undamaged > 0)
   {
-    vtkWarningMacro(<< "The light field is damaged: viewpoints that are needed are missing ("
-                    << damaged << " so far), and others are drawn in their place.");
+    vtkWarningMacro(<< "The light field is damaged: required viewpoints are missing (" << damaged
+                    << " so far), and others are used instead.");
   }
   else
   {
-    vtkErrorMacro("The light field is damaged: none of the viewpoints needed can be read.");
+    vtkErrorMacro("The light field is damaged: none of the required viewpoints can be read.");
   }
 }
 

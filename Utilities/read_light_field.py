@@ -96,7 +96,7 @@ def read_header(tags):
         print("One copy of the description is damaged.", file=sys.stderr)
     header = json.loads(whole[0])
     require(header["version"][0] == FORMAT, "it has another format")
-    require(not header.get("required"), "it needs what this reader does not know")
+    require(not header.get("required"), "it requires features that this reader does not support")
     for track in header["coding"]["tracks"]:
         crcs = base64.b64decode(track["crc"], validate=True)
         track["crc"] = numpy.frombuffer(crcs, ">u4").tolist()
@@ -301,7 +301,7 @@ def read_light_field(path):
     """The arrays of a file, by name, and its parts."""
     tags, streams = probe(path)
     header = read_header(tags)
-    require(header["format"] == "cube surface light field", "it is no light field")
+    require(header["format"] == "cube surface light field", "it is not a light field")
     coding, size = header["coding"], header["resolution"]
     count = 6 * len(header["nodes"])**2
     slices = list_slices(coding["order"], count)

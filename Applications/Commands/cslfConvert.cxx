@@ -111,7 +111,7 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
   command
     ->add_option("-o,--output", options->Output,
       toVideo ? "the output: .mp4 or .mkv"
-              : "the light field: .vti or a folder of cube maps; with --part any file")
+              : "the output: .vti or a folder of cube maps; with --part any file")
     ->required();
   if (toVideo)
   {
@@ -121,8 +121,8 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
   {
     command
       ->add_option("--part", options->Part,
-        "write what a video carries under that name (see cslf info) instead of the light field; "
-        "NAME=TYPE where names repeat")
+        "write the part of the video with this name (see cslf info) instead of the light field; "
+        "NAME=TYPE if names repeat")
       ->type_name("NAME");
   }
   command->callback(

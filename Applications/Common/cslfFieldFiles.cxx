@@ -430,7 +430,7 @@ void CodingOptions::AddTo(CLI::App& command)
     ->group(group);
   command
     .add_option("--part", this->Parts,
-      "a file that the video shall carry, such as scene=model/gltf-binary:scene.glb; may be "
+      "a file to store in the video, for example scene=model/gltf-binary:scene.glb; may be "
       "repeated")
     ->allow_extra_args(false)
     ->type_name("NAME=TYPE:FILE")
@@ -493,8 +493,8 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   if (this->Format != FieldFormat::Video &&
     (coding.HasTarget() || coding.HasKeyViews() || !coding.Parts.empty()))
   {
-    throw Failure("--target-ratio, --target-size, --target-psnr, --key-views and --part are for "
-                  "video: .mp4 or .mkv.");
+    throw Failure("--target-ratio, --target-size, --target-psnr, --key-views and --part need a "
+                  "video as output: .mp4 or .mkv.");
   }
 #ifndef CSLF_HAS_ENCODER
   if (this->Format == FieldFormat::Video)

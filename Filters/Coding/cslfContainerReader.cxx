@@ -108,7 +108,7 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   {
     return Refuse(failure, vtkErrorCode::FileNotFoundError, "there is no such file");
   }
-  constexpr char unknown[] = "it is no MP4 or Matroska file, or it is damaged or cut short";
+  constexpr char unknown[] = "it is not an MP4 or Matroska file, or it is damaged or truncated";
   std::vector<std::uint64_t> broken;
   if (!CanHoldMovieBoxes(this->FileName, broken))
   {

@@ -24,7 +24,7 @@ bool EncodeProbe::Begin(std::string& error)
   const auto grid = FindGrid(information);
   if (!grid)
   {
-    error = "The sampler does not say what it makes.";
+    error = "The sampler gives no information about its output.";
     return false;
   }
   error = FindFault(this->Settings, grid->GetResolution());

@@ -231,7 +231,7 @@ bool EncodeSession::Write(bool hasInput)
   else if (this->Puller->HasClipped())
   {
     this->Job.Warn("Colour that is negative, above " + std::to_string(MaximumRadiance) +
-      " or no number is clipped.");
+      " or not a number is clipped.");
   }
   return this->IsWell();
 }
@@ -467,7 +467,8 @@ bool EncodeSession::Take(ByteBuffer& results)
     }
     if (!good || (trials == 0 && !this->TakeGroup(static_cast<int>(group), results)))
     {
-      return this->FailWriting(vtkErrorCode::UnknownError, "a coded group was damaged on its way");
+      return this->FailWriting(
+        vtkErrorCode::UnknownError, "a coded group was damaged during transfer");
     }
   }
   // The first groups tell about what all will take.

@@ -158,11 +158,11 @@ std::string FindFault(const EncodeSettings& settings, const Description& field)
   }
   if (settings.Target.Kind == RateTarget::Kinds::PSNR)
   {
-    return "A target of PSNR is for colour of bytes, the field's is float.";
+    return "A target PSNR needs byte colour, but the field has float colour.";
   }
   if (settings.Lossless)
   {
-    return "Float colour cannot be coded without loss: keep it as .vti or a folder.";
+    return "Float colour cannot be coded without loss: write .vti or a folder instead.";
   }
   const EncoderChoice choice = ChooseEncoder(settings, true, field.Grid.GetResolution());
   if (!choice.Encoder)

@@ -93,8 +93,8 @@ bool Names(const std::string& text, const std::string& name)
 
 std::string Refuse(const VideoEncoder& encoder, const EncoderOption& option)
 {
-  return std::string("the encoder ") + encoder.Name + " does not take the option \"" + option.Name +
-    "=" + option.Value + "\"";
+  return std::string("the encoder ") + encoder.Name + " does not accept the option \"" +
+    option.Name + "=" + option.Value + "\"";
 }
 
 /// The last of a library's options, which counts, that one of the messages names, or null.

@@ -143,7 +143,7 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   {
     if (text.size() > MaximumTagBytes)
     {
-      error = "the description of so many groups takes more than the 16 MiB that readers accept";
+      error = "the description of this number of groups exceeds the 16 MiB that readers accept";
       return false;
     }
   }
@@ -267,7 +267,7 @@ bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std
   }
   if (part.ParameterSets != state.ParameterSets)
   {
-    error = "the encoder gave groups that do not fit together";
+    error = "the encoder produced groups that do not fit together";
     return false;
   }
   coded.GroupCRCs[group] = part.CRC;
@@ -357,7 +357,7 @@ std::string FieldWriter::DescribeKept(int stored) const
 {
   return "; " + std::to_string(stored) + " of " + std::to_string(this->GetGroupCount()) +
     " groups of viewpoints are kept in " + this->Parts.GetFolder() +
-    ", and the next run goes on from there";
+    ", and the next run resumes from them";
 }
 
 bool FieldWriter::Finish(

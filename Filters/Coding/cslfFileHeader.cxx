@@ -118,7 +118,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   const std::string siting = json.value(SitingKey, "");
   if (!siting.empty() && siting != LeftName)
   {
-    throw TrackFault(NameOfRole(role), "an unknown location of chroma");
+    throw TrackFault(NameOfRole(role), "an unknown chroma location");
   }
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
   if (role == TrackRole::Coverage)
@@ -143,11 +143,11 @@ void ReadTracks(const JSON& json, FileHeader& header)
     if (!role)
     {
       header.Warnings.push_back(
-        "its track \"" + MakePrintable(name) + "\" is of a kind that this version does not know");
+        "its track \"" + MakePrintable(name) + "\" has a kind that this version does not support");
     }
     else if (!roles.insert(*role).second)
     {
-      throw std::invalid_argument("it has two tracks of one role");
+      throw std::invalid_argument("it has two tracks with the same role");
     }
     if (codec)
     {
@@ -172,7 +172,7 @@ void CheckTracks(const FileHeader& header)
   if (header.Tracks.empty() || header.Tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
     header.Tracks.front().Kind.IsRadiance != isFloat)
   {
-    throw std::invalid_argument("its tracks are not those of its channels");
+    throw std::invalid_argument("its tracks do not match its channels");
   }
   // A texel's chroma comes from its own tile, which odd tiles would share with their neighbours.
   if (NeedsEvenSize(header.Tracks.front().Kind.Format) &&
@@ -247,7 +247,7 @@ void ReadChannels(FileHeader& header)
   for (const std::string& name : header.Field.Unknown)
   {
     header.Warnings.push_back(
-      "its channel \"" + MakePrintable(name) + "\" is of a kind that this version does not know");
+      "its channel \"" + MakePrintable(name) + "\" has a kind that this version does not support");
   }
   header.Field.Unknown.clear();
   const Channel* depth = header.Field.FindChannel(DepthName);
@@ -280,12 +280,12 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   if (!equal || header.Groups.size() != groups ||
     std::accumulate(header.Groups.begin(), header.Groups.end(), 0LL) != slices)
   {
-    throw std::invalid_argument("its groups do not add up to its viewpoints");
+    throw std::invalid_argument("its groups do not match the number of its viewpoints");
   }
   header.Slices = ToSlices(coding.at("order"), slices);
   if (header.Slices.empty())
   {
-    throw std::invalid_argument("its frames are not each viewpoint once");
+    throw std::invalid_argument("its frames do not contain each viewpoint exactly once");
   }
   header.Coarsest = ToInteger(coding.at("coarsest"));
   if (coding.at("frame_rate") != FrameRate || header.Coarsest < 0 || header.Coarsest > slices)
@@ -325,7 +325,7 @@ std::optional<JSON> FindJSON(
     }
     if (header.State != States::Whole)
     {
-      warning = std::string("of the two copies of its description the one in the tag \"") + name +
+      warning = std::string("one of the two copies of its description, in the tag \"") + name +
         "\" is damaged";
     }
   }

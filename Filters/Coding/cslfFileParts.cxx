@@ -62,7 +62,7 @@ ListedPart ToListedPart(const JSON& json)
   if (listed.Part.Type.empty() || !IsShort(listed.Part.Type) || !IsShort(listed.Part.Name) ||
     listed.Count > MaximumTagBytes)
   {
-    throw std::invalid_argument("a part is not listed rightly");
+    throw std::invalid_argument("a part has an invalid entry");
   }
   return listed;
 }
@@ -78,7 +78,7 @@ std::string FindFault(const std::vector<FilePart>& others, const FilePart& part)
   if (part.Type.empty() || !IsShort(part.Type) || !IsShort(part.Name) || !IsUTF8(part.Type) ||
     !IsUTF8(part.Name))
   {
-    return "A part needs a type, and type and name must be at most " +
+    return "A part needs a type. Its type and name must have at most " +
       std::to_string(MaximumNameLength) + " bytes of UTF-8 without control characters.";
   }
   std::size_t bytes = CountTagBytes(part.Bytes.size());
@@ -88,8 +88,8 @@ std::string FindFault(const std::vector<FilePart>& others, const FilePart& part)
   }
   if (bytes > MaximumTagBytes || others.size() >= MaximumParts)
   {
-    return "The parts of a file can have 12 MiB in all and be " + std::to_string(MaximumParts) +
-      " in number: " + Describe(part) + " does not fit.";
+    return "The parts of a file are limited to 12 MiB in total and to " +
+      std::to_string(MaximumParts) + " parts: " + Describe(part) + " does not fit.";
   }
   return {};
 }
@@ -130,13 +130,13 @@ std::vector<FilePart> SplitParts(
     catch (const std::exception&)
     {
       // Where the next one begins is not known then.
-      warnings.emplace_back("its list of parts is not valid from one of them on");
+      warnings.emplace_back("its list of parts is invalid from one of its entries on");
       break;
     }
     if (!listed.IsInTag)
     {
       warnings.push_back(
-        "its " + Describe(listed.Part) + " is kept in a way that this version does not know");
+        "its " + Describe(listed.Part) + " is stored in a way that this version does not support");
       continue;
     }
     const std::size_t length = CountTagBytes(listed.Count) - 1;

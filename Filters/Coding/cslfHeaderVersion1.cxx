@@ -45,7 +45,7 @@ std::optional<JSON> ReadVersion1(const std::string& text, bool& isOurs, std::str
   isOurs = json.is_object() && json.contains(CodingKey) && json.contains(ChecksumKey);
   if (!isOurs)
   {
-    error = "it is no light field";
+    error = "it is not a light field";
     return std::nullopt;
   }
   const auto expected = ToInteger<std::uint32_t>(json.at(ChecksumKey));

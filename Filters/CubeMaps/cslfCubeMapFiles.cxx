@@ -202,7 +202,7 @@ bool CheckCubeMapChannels(const Description& description, std::string& error)
   {
     if (!IsFileNamePart(channel.Name))
     {
-      error = "The channel \"" + channel.Name + "\" has a name that is no part of a file name.";
+      error = "The channel \"" + channel.Name + "\" has a name that cannot be part of a file name.";
       return false;
     }
     const bool isKnown = PixelType(channel) != OIIO::TypeDesc::UNKNOWN;
@@ -264,7 +264,7 @@ std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, s
   const auto json = ReadJSON(fileName);
   if (!json.is_object())
   {
-    error = "The folder " + folder + " is no light field: it has no readable " +
+    error = "The folder " + folder + " is not a light field: it has no readable " +
       CubeMapDescriptionName + ".";
     return std::nullopt;
   }
@@ -286,7 +286,7 @@ std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, s
   if (content.Slices.First < 0 || content.Slices.Last >= description->Grid.GetSlices() ||
     content.Slices.GetCount() < 1)
   {
-    error = fileName + " does not say rightly which slices the folder holds.";
+    error = fileName + " does not list the slices of the folder correctly.";
     return std::nullopt;
   }
   return content;

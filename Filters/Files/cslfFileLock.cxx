@@ -88,7 +88,8 @@ bool FileLock::HoldByFile(std::string& error)
   {
     const std::string other{ std::istreambuf_iterator<char>(file), {} };
     error = "another process is writing it: " + other + " holds " + holder +
-      ". This file system cannot tell whether that process still runs; if it does not, remove " +
+      ". This file system does not show whether that process is still running. If it is not, "
+      "remove " +
       holder + " and run again";
   }
   return false;

@@ -48,7 +48,7 @@ bool IsReplaceableByFile(const std::string& name, std::string& error)
   const fs::file_status status = fs::symlink_status(ToPath(name), ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
   {
-    error = name + " is there already and is no file";
+    error = name + " already exists and is not a file";
     return false;
   }
   return true;

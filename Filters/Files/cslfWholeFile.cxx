@@ -85,7 +85,7 @@ bool WholeFolder::IsReplaceable(std::string& error) const
   }
   if (!IsRealFolder(folder))
   {
-    error = folder + " is there already and is no folder";
+    error = folder + " already exists and is not a folder";
     return false;
   }
   const std::vector<std::string> ours = this->List(folder);
@@ -94,7 +94,7 @@ bool WholeFolder::IsReplaceable(std::string& error) const
     const fs::file_status status = fs::symlink_status(ToPath(folder + "/" + name), ignored);
     if (std::find(ours.begin(), ours.end(), name) == ours.end() || !fs::is_regular_file(status))
     {
-      error = "the folder " + folder + " holds other things than " + this->Kind + ": " + name;
+      error = "the folder " + folder + " contains other files than " + this->Kind + ": " + name;
       return false;
     }
   }
@@ -119,7 +119,7 @@ bool HasRoom(const std::string& fileName, double bytes, double least, std::strin
     return true;
   }
   error = "it takes about " + DescribeBytes(bytes) + " more, and the disk has only " +
-    DescribeBytes(free) + " left: make room for " + DescribeBytes(bytes - free) + " more";
+    DescribeBytes(free) + " left: free " + DescribeBytes(bytes - free) + " more";
   return false;
 }
 

@@ -123,7 +123,7 @@ bool WorkFolder::Lock(std::string& error)
     }
     return false;
   }
-  error = "the folder " + this->Folder + " does not stay";
+  error = "the folder " + this->Folder + " is repeatedly removed by another process";
   return false;
 }
 
@@ -140,15 +140,15 @@ bool WorkFolder::Claim(FileLock::Outcome outcome, std::string& error)
   }
   if (outcome == FileLock::Outcome::Foreign)
   {
-    error = this->GetName(LockName) + " is none of CSLF's files: move the folder away";
+    error = this->GetName(LockName) + " was not made by CSLF: move the folder elsewhere";
     return false;
   }
   const bool isKnown = this->Holder.IsMarked();
   const std::vector<std::string> kept = this->FindKept();
   if (!isKnown && !kept.empty())
   {
-    error = "the folder " + this->Folder + " is not what an interrupted run leaves, but has " +
-      kept.front() + ": move it away";
+    error = "the folder " + this->Folder + " was not left by an interrupted run, but contains " +
+      kept.front() + ": move it elsewhere";
     return false;
   }
   if (!this->Holder.Mark(error))
@@ -274,7 +274,8 @@ void WorkFolder::Close(std::string& warning)
   const std::vector<std::string> others = ListFolder(this->Folder);
   if (!others.empty())
   {
-    warning = this->Folder + " was not removed, as it holds other things: " + others.front() + ".";
+    warning =
+      this->Folder + " was not removed, because it contains other files: " + others.front() + ".";
   }
 }
 

@@ -70,7 +70,7 @@ std::optional<std::size_t> GLTFValue::GetIndex() const
   const double number = this->Value->is_number() ? this->Value->get<double>() : -1.0;
   if (!(number >= 0.0) || number > LargestIndex || number != std::floor(number))
   {
-    this->Fail("is not a whole number from 0 on");
+    this->Fail("is not a non-negative integer");
   }
   return static_cast<std::size_t>(number);
 }
@@ -93,7 +93,7 @@ bool GLTFValue::GetBool(bool fallback) const
 {
   if (this->Value && !this->Value->is_boolean())
   {
-    this->Fail("is neither true nor false");
+    this->Fail("is not true or false");
   }
   return this->Value ? this->Value->get<bool>() : fallback;
 }
@@ -102,7 +102,7 @@ std::string GLTFValue::GetText(const std::string& fallback) const
 {
   if (this->Value && !this->Value->is_string())
   {
-    this->Fail("is not a text");
+    this->Fail("is not a string");
   }
   return this->Value ? this->Value->get<std::string>() : fallback;
 }

@@ -160,7 +160,7 @@ bool CacheKeeper::Read(RadianceCache& cache)
   }
   if (state == CacheFileState::Damaged)
   {
-    this->Warn("The radiance cache of the interrupted run is damaged and is built again.");
+    this->Warn("The radiance cache of the interrupted run is damaged and is computed again.");
   }
   int isRead = state == CacheFileState::Read ? 1 : 0;
   if (this->GetCount() > 1)
@@ -199,8 +199,8 @@ bool CacheKeeper::Make(RadianceCache& cache, const std::function<bool()>& fill)
   }
   if (!this->File.Kept.empty() && !this->Write(cache))
   {
-    this->Warn("The radiance cache could not be kept in " + this->File.Kept +
-      ": a run that is started again would have to make it anew.");
+    this->Warn("The radiance cache could not be stored in " + this->File.Kept +
+      ": a rerun would have to compute it again.");
   }
   return true;
 }

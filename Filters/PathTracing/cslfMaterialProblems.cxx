@@ -48,7 +48,7 @@ std::string Judge(vtkAbstractArray* array, int components)
     return "of " + Count(array->GetNumberOfComponents()) + " (" + std::to_string(components) +
       " expected)";
   }
-  return array->GetNumberOfTuples() < 1 ? "without a tuple (1 expected)" : "";
+  return array->GetNumberOfTuples() < 1 ? "without tuples (1 expected)" : "";
 }
 
 template <typename Attributes>
@@ -165,7 +165,7 @@ void MaterialProblems::FindOutOfRange(vtkDataObject* data)
       if (!(value == used))
       {
         std::ostringstream text;
-        text << parameter.Name << " of " << value << " counts as " << used;
+        text << parameter.Name << " of " << value << " is replaced by " << used;
         this->OutOfRange.insert(text.str());
       }
     }
@@ -181,7 +181,7 @@ void MaterialProblems::FindOutOfRange(vtkDataObject* data)
       if (count > 0)
       {
         this->OutOfRange.insert(std::to_string(count) + " value(s) of " + attribute.Name + " of " +
-          place + " that are below 0 or not finite count as 0");
+          place + " that are below 0 or not finite are replaced by 0");
       }
     }
   };

@@ -90,7 +90,7 @@ private:
     count(this->Instances, "instance(s) with matrices that are not finite or not affine");
     count(this->Lights, "light(s) with arrays that do not match or invalid values");
     count(this->Environments, "environment(s) with arrays that do not match or are not finite");
-    count(this->Textures, "block(s)' textures for want of texture coordinates");
+    count(this->Textures, "block(s)' textures because of missing texture coordinates");
     for (const std::string& what : this->Unsound)
     {
       add(true, what);

@@ -179,7 +179,7 @@ bool SlabStream::Read(const Slab& slab)
   const int* delivered = this->Image->GetExtent();
   if (delivered[4] > slab.First || delivered[5] < slab.Last)
   {
-    return this->Fail("The input does not deliver the viewpoints that were asked for.");
+    return this->Fail("The input does not deliver the requested viewpoints.");
   }
   this->Image = ToAOS(this->Image, slab.First, slab.Last);
   if (this->HasDescription && description->ToText() != this->FieldDescription.ToText())

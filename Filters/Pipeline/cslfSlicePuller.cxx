@@ -145,7 +145,7 @@ vtkSmartPointer<vtkImageData> SlicePuller::Update(int first, int last, std::stri
     : nullptr;
   if (!image || image->GetExtent()[4] > first || image->GetExtent()[5] < last)
   {
-    error = "the input did not give the viewpoints " + std::to_string(first) + " to " +
+    error = "the input did not deliver the viewpoints " + std::to_string(first) + " to " +
       std::to_string(last);
     return nullptr;
   }

@@ -25,7 +25,7 @@ std::string Nesting::FindFault() const
   if (extent[0] != 0 || extent[2] != 0 || extent[4] < 0 || extent[5] < extent[4] ||
     resolution < 1 || extent[1] + 1.0 != 1.0 * TileCount * resolution)
   {
-    return "The input is no light field: its extent must be 5 N x N x 6 M^2.";
+    return "The input is not a light field: its extent must be 5 N x N x 6 M^2.";
   }
   if (resolution % this->Divisor != 0)
   {
@@ -39,7 +39,7 @@ std::string Nesting::FindFault() const
   if (this->Viewpoints < 2 || extent[4] != 0 ||
     extent[5] + 1.0 != 1.0 * FaceCount * this->Viewpoints * this->Viewpoints)
   {
-    return "Viewpoints can be left out of whole light fields only.";
+    return "Viewpoints can be left out only of whole light fields.";
   }
   if ((this->Viewpoints - 1) % this->Stride != 0)
   {

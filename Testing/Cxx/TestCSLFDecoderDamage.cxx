@@ -42,9 +42,9 @@ void TestNotOurs(const std::string& folder)
   TestRefused(folder + "/missing.mp4", "there is no such file");
   TestRefused(folder, "there is no such file");
   cslf::testing::WriteBytes(folder + "/text.mp4", std::vector<char>(5000, 'x'));
-  TestRefused(folder + "/text.mp4", "no MP4 or Matroska file");
+  TestRefused(folder + "/text.mp4", "not an MP4 or Matroska file");
   cslf::testing::WriteBytes(folder + "/empty.mp4", {});
-  TestRefused(folder + "/empty.mp4", "no MP4 or Matroska file");
+  TestRefused(folder + "/empty.mp4", "not an MP4 or Matroska file");
 
   vtkNew<vtkCSLFDecoder> decoder;
   const cslf::testing::Observed observed(decoder);
@@ -75,7 +75,7 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
   }
   const vtkIdType missing = decoder->GetNumberOfMissingViewpoints();
   // What is wrong with one copy of the description is told, too, and costs nothing.
-  const int ofHeader = observed.CountWarnings("can be read, but of the two copies");
+  const int ofHeader = observed.CountWarnings("can be read, but one of the two copies");
   CSLF_CHECK(ofHeader <= 1 && observed.GetWarnings() - ofHeader == (missing > 0 ? 1 : 0));
   CSLF_CHECK(output->GetNumberOfPoints() == whole->GetNumberOfPoints());
   if (output->GetNumberOfPoints() != whole->GetNumberOfPoints())

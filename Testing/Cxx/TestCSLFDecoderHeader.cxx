@@ -81,8 +81,9 @@ void TestDeep(const std::string& folder)
   const std::string begin = R"({"coding":0,"checksum":0,"x":)";
   constexpr int depth = 100000;
   CheckRefused(folder, { { "comment", begin + Repeat("[", depth) + Repeat("]", depth) + "}" } },
-    "it is no light field");
-  CheckRefused(folder, { { "comment", begin + Repeat("{\"a\":", depth) } }, "it is no light field");
+    "it is not a light field");
+  CheckRefused(
+    folder, { { "comment", begin + Repeat("{\"a\":", depth) } }, "it is not a light field");
 }
 
 /// The header of the original as this version writes it, with two parts.
@@ -242,7 +243,7 @@ void TestVersions(const std::string& folder)
       [](JSON& json) {
         json["required"] = { "layers", "times" };
       }),
-    "needs what this version does not know: layers, times");
+    "requires features that this version does not support: layers, times");
   const Reading later(folder + "/later.mp4",
     ChangeTags(
       [](JSON& json)
@@ -313,7 +314,7 @@ void TestParts(const std::string& folder)
   {
     const Reading odd(folder + "/parts.mp4",
       ChangeTags([bytes](nlohmann::json& json) { json["parts"][0]["bytes"] = bytes; }));
-    CSLF_CHECK(odd.Says("list of parts is not valid"));
+    CSLF_CHECK(odd.Says("list of parts is invalid"));
     CSLF_CHECK(odd.Decoder->GetNumberOfParts() == 0);
   }
 }
@@ -361,7 +362,7 @@ void TestConstants(const std::string& folder)
   }
   CSLF_CHECK(partly[0] > 100 && partly[1] == 0);
   CheckRefused(folder, set("coverage", "tolerance", 128), "\"tolerance\" is not valid");
-  CheckRefused(folder, set("coverage", "tolerance", 7.5), "no whole number");
+  CheckRefused(folder, set("coverage", "tolerance", 7.5), "not an integer");
   CheckRefused(folder, set("depth", "mu", 0), "\"mu\" is not valid");
   CheckRefused(folder, set("depth", "transfer", "square root"), "unknown transfer curve");
 }

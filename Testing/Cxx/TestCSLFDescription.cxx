@@ -208,7 +208,7 @@ void TestSizes()
   CheckNoFault(setGrid(cslf::Layout(cslf::MaximumViewpoints, 128)));
   CheckNoFault(setGrid(cslf::Layout(2, cslf::MaximumResolution)));
   CheckFault(
-    "more texels", setGrid(cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution)));
+    "too many texels", setGrid(cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution)));
 
   cslf::Description description = MakeDescription();
   CSLF_CHECK(description.GetBytes() == 6 * 54 * 5 * 16);

@@ -101,7 +101,7 @@ void TestFields(const std::string& folder)
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(80, 16, 24);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  TestRefused(folder, "a.mp4", picture, "no light field");
+  TestRefused(folder, "a.mp4", picture, "not a light field");
   picture->SetDimensions(80, 16, 25);
   TestRefused(folder, "a.mp4", picture, "not a whole light field");
   vtkNew<vtkImageData> nothing;

@@ -76,7 +76,7 @@ std::string FindFault(const Case& item, const cslf::VideoEncoder& encoder,
 void TestEncoder(const Case& item, const cslf::VideoEncoder& encoder)
 {
   const std::string refusal =
-    std::string("the encoder ") + encoder.Name + " does not take the option ";
+    std::string("the encoder ") + encoder.Name + " does not accept the option ";
   const auto ofLibrary = &cslf::EncoderOptions::OfLibrary;
   const auto ofFFmpeg = &cslf::EncoderOptions::OfFFmpeg;
   // Again after each refusal: what is checked once must not count for other options.

@@ -209,14 +209,14 @@ void TestForeign(vtkImageData* field, const Remains& remains, const std::string&
   {
     cslf::testing::WriteBytes(remains.Folder + name, thesis);
   }
-  CSLF_CHECK(write("holds other things"));
+  CSLF_CHECK(write("contains other files"));
   CSLF_CHECK(ReadBytes(fileName) == expected);
   for (const char* name : { "/thesis", "/whole.mp4", "/group-thesis.part", "/a.unfinished" })
   {
     CSLF_CHECK(ReadBytes(remains.Folder + name) == thesis);
   }
   // Again, where the folder is not known for ours any more.
-  CSLF_CHECK(write("holds other things"));
+  CSLF_CHECK(write("contains other files"));
   CSLF_CHECK(ReadBytes(remains.Folder + "/thesis") == thesis);
   CSLF_CHECK(std::distance(fs::directory_iterator(remains.Folder), {}) == 4);
   for (const char* name : { "/manifest.json", "/cslf.lock", "/radiance.cache" })
@@ -224,7 +224,7 @@ void TestForeign(vtkImageData* field, const Remains& remains, const std::string&
     fs::remove_all(remains.Folder);
     fs::create_directory(remains.Folder);
     cslf::testing::WriteBytes(remains.Folder + name, thesis);
-    CSLF_CHECK(!write("away"));
+    CSLF_CHECK(!write("elsewhere"));
     CSLF_CHECK(ReadBytes(remains.Folder + name) == thesis);
     CSLF_CHECK(std::distance(fs::directory_iterator(remains.Folder), {}) == 1);
   }

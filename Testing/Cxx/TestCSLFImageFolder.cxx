@@ -327,15 +327,15 @@ void TestBad(const std::string& root)
   CheckReadFails(root + "/file", "has no readable description.json");
 
   vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);
-  CheckWriteFails(field, root + "/other", "holds other things");
+  CheckWriteFails(field, root + "/other", "contains other files");
   CSLF_CHECK(fs::exists(root + "/other/letter.txt"));
-  CheckWriteFails(field, root + "/file", "is no folder");
+  CheckWriteFails(field, root + "/file", "is not a folder");
   CheckWriteFails(field, root + "/nowhere/else", "cannot make the folder");
   CheckWriteFails(field, "", "file name");
   vtkNew<vtkImageData> plain;
   plain->SetDimensions(4, 4, 4);
   plain->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  CheckWriteFails(plain, root + "/plain", "is no light field");
+  CheckWriteFails(plain, root + "/plain", "is not a light field");
   CSLF_CHECK(!fs::exists(root + "/plain"));
 
   CSLF_CHECK(Write(field, root + "/lies"));
@@ -383,7 +383,7 @@ void TestForeign(const std::string& folder)
   writer->SetInputData(field);
   writer->SetFileName(folder.c_str());
   CSLF_CHECK(writer->Write() == 1);
-  CSLF_CHECK(observer->GetWarningMessage().find("holds other things") != std::string::npos);
+  CSLF_CHECK(observer->GetWarningMessage().find("contains other files") != std::string::npos);
   CSLF_CHECK(HasText(folder + ".replaced/thesis") && HasText(folder + ".partial/thesis"));
   CSLF_CHECK(HasText(folder + ".partial/unfinished-abcdef/new/thesis"));
   fs::remove_all(folder + ".partial");
@@ -392,7 +392,7 @@ void TestForeign(const std::string& folder)
   for (const char* name : { "/thesis", "/notes/thesis", "/000099.Color.png", "/000000.Depth.png" })
   {
     WriteText(folder + name);
-    CheckWriteFails(field, folder, "holds other things");
+    CheckWriteFails(field, folder, "contains other files");
     CSLF_CHECK(HasText(folder + name) && fs::exists(folder + "/000000.Color.png"));
     fs::remove_all(folder + "/notes");
     fs::remove(folder + name);
@@ -419,7 +419,7 @@ void TestKilled(const std::string& folder)
   vtkNew<vtkImageData> plain;
   plain->SetDimensions(4, 4, 4);
   plain->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  CheckWriteFails(plain, folder, "is no light field");
+  CheckWriteFails(plain, folder, "is not a light field");
   vtkNew<vtkCSLFImageReader> reader;
   CSLF_CHECK(reader->CanReadFile(folder.c_str()) == 3);
 }

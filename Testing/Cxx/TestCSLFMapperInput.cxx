@@ -61,7 +61,7 @@ void TestRefused(vtkImageData* image, const char* message)
 void TestRefusals()
 {
   vtkNew<vtkImageData> empty;
-  TestRefused(empty, "no light field");
+  TestRefused(empty, "not a light field");
 
   const cslf::Layout layout(3, 16);
   const auto part = cslf::testing::MakeTestField(

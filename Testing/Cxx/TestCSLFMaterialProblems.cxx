@@ -88,7 +88,7 @@ void TestUnused()
   const std::string warning = GetWarning(plane);
   CSLF_CHECK(Contains(warning, "CSLF:Roughness of 3 components (1 expected)"));
   CSLF_CHECK(Contains(warning, "CSLF:BaseColor of type vtkStringArray (numbers expected)"));
-  CSLF_CHECK(Contains(warning, "CSLF:Opacity without a tuple (1 expected)"));
+  CSLF_CHECK(Contains(warning, "CSLF:Opacity without tuples (1 expected)"));
   CSLF_CHECK(Contains(warning, "CSLF:Emission of points of 1 component (3 expected)"));
   CSLF_CHECK(Contains(warning, "CSLF:Metallic of points (expected in the field data)"));
   CSLF_CHECK(Contains(warning, "CSLF:Emission of cells of 2 components (3 expected)"));
@@ -113,9 +113,9 @@ void TestOutOfRange()
   Add(plane->GetFieldData(), vtkCSLFMaterial::OpacityName(), { 1.0 });
   Add(plane->GetPointData(), vtkCSLFMaterial::EmissionName(), { 1.0, -1.0, nan }, 4);
   const std::string warning = GetWarning(plane);
-  CSLF_CHECK(Contains(warning, "CSLF:Roughness of -0.5 counts as 0"));
-  CSLF_CHECK(Contains(warning, "CSLF:BaseColor of 2 counts as 1"));
-  CSLF_CHECK(Contains(warning, "CSLF:BaseColor of nan counts as 0.8"));
+  CSLF_CHECK(Contains(warning, "CSLF:Roughness of -0.5 is replaced by 0"));
+  CSLF_CHECK(Contains(warning, "CSLF:BaseColor of 2 is replaced by 1"));
+  CSLF_CHECK(Contains(warning, "CSLF:BaseColor of nan is replaced by 0.8"));
   CSLF_CHECK(
     Contains(warning, "8 value(s) of CSLF:Emission of points that are below 0 or not finite"));
   CSLF_CHECK(warning.find("Opacity") == std::string::npos);

@@ -167,7 +167,7 @@ void TestBad()
 {
   const Shade shade = [](int, int, int) { return 1; };
   const auto picture = MakePicture(16, 16, 3, shade);
-  CheckFails(picture, MakePicture(15, 16, 3, shade), nullptr, "of one size");
+  CheckFails(picture, MakePicture(15, 16, 3, shade), nullptr, "the same size");
   CheckFails(picture, MakePicture(16, 16, 2, shade), nullptr, "gray");
   vtkNew<vtkImageData> floats;
   floats->SetDimensions(16, 16, 1);

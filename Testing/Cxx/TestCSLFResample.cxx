@@ -268,7 +268,7 @@ void TestParts()
   resample->SetViewpointStride(2);
   const cslf::testing::Observed observed(resample);
   resample->Update();
-  CSLF_CHECK(observed.HasError("whole light fields only"));
+  CSLF_CHECK(observed.HasError("only of whole light fields"));
 }
 
 void TestRefused(vtkImageData* field, int divisor, int stride, const std::string& message)
@@ -293,9 +293,9 @@ void TestErrors()
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(80, 16, 24);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  TestRefused(picture, 2, 1, "no light field");
+  TestRefused(picture, 2, 1, "not a light field");
   picture->SetDimensions(70, 16, 24);
-  TestRefused(picture, 2, 1, "no light field");
+  TestRefused(picture, 2, 1, "not a light field");
 
   // An input that fails, and one that is stopped, leave nothing.
   const auto source = cslf::testing::MakeSource(field);

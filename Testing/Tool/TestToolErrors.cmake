@@ -33,9 +33,9 @@ cslf_fail("text.mp4" "x" decode text.mp4 -o x)
 cslf_fail("no file nowhere.ply" "x" export nowhere.ply -o x.obj)
 cslf_fail("nowhere.vti" "" evaluate-texels nowhere.vti cornell-box)
 cslf_fail("text.vti|XML|parse" "x" encode text.vti -o x.mp4)
-cslf_fail("no light field" "" info text.txt)
+cslf_fail("not a light field" "" info text.txt)
 cslf_fail("other" "" info other)
-cslf_fail("no PNG" "" compare text.png text.png)
+cslf_fail("not a PNG" "" compare text.png text.png)
 cslf_fail("no file" "" compare nowhere.png text.png)
 # More strings than are announced, which VTK would write beyond the array's end.
 string(REPEAT "65 0 " 1000 strings)
@@ -57,7 +57,7 @@ NumberOfTuples=\"480\" format=\"binary\">${header}${data}</DataArray></FieldData
 endfunction ()
 set(block eJxjYBgFwxkAAAHgAAE=)
 set(too_much "block.vti declares an array of too many blocks or bytes")
-cslf_test_block(AQAAAACAAADgAQAADgAAAA== ${block} "no light field")  # 1, 32768, 480, 14
+cslf_test_block(AQAAAACAAADgAQAADgAAAA== ${block} "not a light field")  # 1, 32768, 480, 14
 cslf_test_block(AQAAAACAAADgAQAAAMCzpQ== ${block} "${too_much}")     # 1, 32768, 480, 2780020736
 cslf_test_block(AQAAAACAAADgAQAAkAEAAA== ${block} "${too_much}")     # 1, 32768, 480, 400
 cslf_test_block(AQAAAACAAADgAQAAAAAAAA== ${block} "${too_much}")     # 1, 32768, 480, 0
@@ -73,7 +73,7 @@ cslf_fail("Cannot write" "x" trace cornell-box -o nowhere/x.png --size 8 8 --spp
 cslf_fail("Cannot write nowhere/x.obj" "x" export cornell-box -o nowhere/x.obj)
 cslf_fail("as .obj" "x" export cornell-box -o x.ply)
 cslf_fail("formats" "x" sample cornell-box -o x.avi ${tiny})
-cslf_fail("other things" "" sample cornell-box -o other ${tiny})
+cslf_fail("other files" "" sample cornell-box -o other ${tiny})
 cslf_fail("at least 16" "x" sample cornell-box -o x.mp4 -M 2 -N 15 --spp 1)
 cslf_fail("without loss" "x" sample cornell-box -o x.mp4 ${tiny} --float --lossless)
 
