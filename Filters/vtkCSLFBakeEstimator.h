@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFBakeEstimator
- * @brief   tells how long a light field will take, and how large its file will be
+ * @brief   predicts the time and the file size of a light field
  *
  * The estimator takes a vtkCSLFSampler and, for video, a vtkCSLFEncoder, both set up as for the
- * bake itself, and predicts from a short probe what writing the sampler's field would cost: on this
- * machine, with the threads that vtkSMPTools has now, by one process.
+ * bake. It predicts from a short probe the cost of writing the sampler's field on this machine, by
+ * one process with the current number of threads of vtkSMPTools.
  *
  * - The radiance cache is built for a part of the surfaces, spread over the scene, and roughly
- *   interpolated elsewhere; one that the sampler has already costs nothing.
- * - Groups of viewpoints, spread over the faces, are rendered and coded in a small size; they tell
- *   how the cost is spread over the field.
- * - A few of these groups are rendered and coded in full size, as the encoder would, so frames
- *   that are predicted from others are counted for what they take. Where one such group would take
- *   too long, the largest size that does not is extrapolated.
+ * interpolated elsewhere. If the sampler already has a cache, it costs nothing.
+ * - Groups of viewpoints, spread over the faces, are rendered and coded at a small size. They show
+ * how the cost varies over the field.
+ * - A few of these groups are rendered and coded at full size as by the encoder, so the cost of
+ * predicted frames is included. If one such group would take too long, the cost is extrapolated
+ * from the largest size that does not.
  *
- * Image data and folders of cube maps are predicted from viewpoints that are written to a temporary
- * folder.
+ * For image data and folders of cube maps, the prediction uses viewpoints that are written to a
+ * temporary folder.
  *
- * The sampler's output is not that of its parameters afterwards, which its next update sets right.
- * Nothing is left of the probe.
+ * Afterwards, the sampler's output does not match its parameters until its next update. The probe
+ * leaves no files.
  */
 #ifndef vtkCSLFBakeEstimator_h
 #define vtkCSLFBakeEstimator_h
@@ -59,7 +59,7 @@ public:
 
   ///@{
   /**
-   * What is written. Default: Video.
+   * The kind of file. Default: Video.
    */
   vtkSetClampMacro(Format, int, Video, ImageFolder);
   vtkGetMacro(Format, int);
@@ -67,7 +67,8 @@ public:
 
   ///@{
   /**
-   * What makes the field. Its parameters may be changed meanwhile, and are set back.
+   * The sampler of the field. Required. Its parameters may be changed during a probe, and are
+   * restored afterwards.
    */
   virtual void SetSampler(vtkCSLFSampler* sampler);
   vtkCSLFSampler* GetSampler();
@@ -75,8 +76,8 @@ public:
 
   ///@{
   /**
-   * Whose parameters video is coded with: its CRF, not its targets of size or quality. Null stands
-   * for an encoder's defaults. Default: null.
+   * The encoder whose parameters are used for video: its CRF, not its targets of size or quality.
+   * Null selects the defaults of an encoder. Default: null.
    */
   virtual void SetEncoder(vtkCSLFEncoder* encoder);
   vtkCSLFEncoder* GetEncoder();
@@ -84,39 +85,39 @@ public:
 
   ///@{
   /**
-   * About the most seconds of a probe. At least 1. Default: 10.
+   * The approximate maximum time of a probe in seconds. At least 1. Default: 10.
    */
   vtkSetClampMacro(ProbeSeconds, double, 1.0, 1e6);
   vtkGetMacro(ProbeSeconds, double);
   ///@}
 
   /**
-   * Probes. Returns 1 on success, 0 after an error.
+   * Runs the probe. Returns 1 on success, 0 after an error.
    */
   int Estimate();
 
   /**
-   * Probes, and sets the sampler's Samples to as many as can be taken in about so many seconds, at
-   * least 1: the best quality within the time. Numbers of samples are rounded down to three binary
-   * digits. Where NoiseTarget is above 0, all texels may not need them, so that the bake may end
-   * earlier. Returns 1 on success; 0 after an error, which it is that one sample takes longer.
+   * Runs the probe and sets the sampler's Samples to the number that fits into about this number of
+   * seconds, at least 1. The number is rounded down to three binary digits. If NoiseTarget is above
+   * 0, some texels may need fewer samples, so the bake may end earlier. Returns 1 on success, and 0
+   * after an error; it is an error if a single sample takes longer.
    */
   int ChooseSamples(double seconds);
 
   /**
-   * Sets the sampler's Samples to those of a run that was killed while it wrote the same field to
-   * that file, but for the samples with the same parameters, so that they need not be chosen anew.
-   * Returns 1 if there is such a run, else 0.
+   * Sets the sampler's Samples to those of an interrupted run that wrote the same field to this
+   * file, with the same parameters except for the samples, so that they need not be chosen again.
+   * Returns 1 if there is such a run, otherwise 0.
    */
   int RecallSamples(VTK_FILEPATH const char* fileName);
 
   ///@{
   /**
-   * What the last probe found: the seconds of building the scene, of the radiance cache, of
-   * rendering and of coding, and their sum; and the bytes of the file, or of all files in the
-   * folder. After ChooseSamples, rendering is that with the samples chosen, all else that with 4
-   * samples a texel; after its error that one sample takes too long, all is that with 4. Estimate
-   * tells all for the samples that the sampler has then.
+   * The results of the last probe: the seconds for building the scene, for the radiance cache, for
+   * rendering and for coding, and their sum; and the bytes of the file, or of all files in the
+   * folder. After Estimate, all results are for the sampler's Samples. After ChooseSamples,
+   * rendering is for the chosen number of samples, and the rest for 4 samples per texel; if a
+   * single sample takes too long, everything is for 4.
    */
   vtkGetMacro(SceneSeconds, double);
   vtkGetMacro(CacheSeconds, double);
@@ -128,11 +129,11 @@ public:
 
   ///@{
   /**
-   * What the last probe of a video tells of fields of other numbers of viewpoints and texels: the
-   * PSNR of novel views in dB, looked up with depth, and the bytes of the file. A model with
-   * constants that were measured on a few scenes: Documentation/Planning.md tells how far it can be
-   * trusted. Viewpoints are at least 2, the resolution is at least 1; 0 for other numbers, and
-   * without a probe.
+   * Predictions, from the last probe of a video, for fields with other numbers of viewpoints and
+   * texels: the PSNR of novel views in dB with the depth lookup, and the bytes of the file. The
+   * constants of the model were measured on a few scenes; Documentation/Planning.md states its
+   * accuracy. There must be at least 2 viewpoints and a resolution of at least 1; for other
+   * numbers, and without a probe, the result is 0.
    */
   double PredictPSNR(int viewpoints, int resolution) const;
   double PredictBytes(int viewpoints, int resolution) const;
@@ -141,9 +142,9 @@ public:
   ///@{
   /**
    * Suggests the numbers of viewpoints and texels of the smallest file that reaches a PSNR, or of
-   * the best field whose file is no larger than so many bytes. Chosen among 9, 17, 33 and 65
-   * viewpoints and 32 to 1024 texels, powers of two. Returns 1 where there is one, else 0, which is
-   * no error; both numbers are then 0, as they are by default.
+   * the best field whose file has at most this number of bytes. Candidates are 9, 17, 33 and 65
+   * viewpoints, and powers of two from 32 to 1024 texels. Returns 1 if there is one. Otherwise it
+   * returns 0, which is not an error, and both numbers are 0, as they are by default.
    */
   int SuggestForPSNR(double psnr);
   int SuggestForBytes(double bytes);

@@ -4,33 +4,34 @@
  * @class   vtkCSLFDecoder
  * @brief   reads a cube surface light field from the video that vtkCSLFEncoder wrote
  *
- * The output is the field's image data, with `Color` as 4 unsigned chars, or 4 floats where the
- * field that was coded had these, `Depth` as unsigned short if the file has it, and the field's
- * description in field data. The pipeline's information pass reads the container's header only. A
- * range of viewpoints (z slices) asked for through the update extent is decoded without the rest:
- * only the closed groups of frames that it touches are read, and decoded side by side with
- * vtkSMPTools. Along x and y the output is always whole.
+ * The output is the field's image data, with `Color` as 4 unsigned chars, or as 4 floats if the
+ * coded field had these, `Depth` as unsigned short if the file has it, and the field's description
+ * in field data. The pipeline's information pass reads only the header of the container. If the
+ * update extent requests a range of viewpoints (z slices), only the closed groups of frames that
+ * contain them are read, and are decoded in parallel with vtkSMPTools. Along x and y, the output is
+ * always whole.
  *
- * Single viewpoints, in any order, are had from GetViewpoint, which decodes no more than it takes
- * to get at one, and Prefetch has viewpoints decoded in the background before they are needed. What
- * was decoded is kept within a budget of memory, CacheSize, which the pipeline uses, too: if a
- * range ends within a group, the rest of the group is kept for the range that may come next. A
- * viewer that wants to draw at once and sharpen later goes like this:
+ * GetViewpoint returns single viewpoints in any order and decodes no more than necessary. Prefetch
+ * decodes viewpoints in the background before they are needed. Decoded viewpoints are kept in a
+ * cache of limited size, CacheSize, which the pipeline uses as well: if a range ends within a
+ * group, the rest of the group is kept for the next range. A viewer that draws immediately and
+ * refines later can use the decoder like this:
  *
  * @code
  *   decoder->Prefetch(needed);             // whenever the camera moves: the most urgent first
  *   if (decoder->IsViewpointReady(z))      // for each frame
- *     decoder->GetViewpoint(z, image);     // costs next to nothing
+ *     decoder->GetViewpoint(z, image);     // takes almost no time
  * @endcode
  *
- * One thread at a time may call these methods, as usual. No event is invoked from another thread.
+ * Only one thread at a time may call these methods, as usual in VTK. No event is invoked from
+ * another thread.
  *
- * Every group is checked against its checksums before memory is taken for it and before it is
- * decoded. Viewpoints of groups that are damaged or cut off are left empty (coverage 0, depth 1).
- * The first time that any of them is asked for, one warning tells which of the whole file are
- * missing, so that a field that is pulled in parts is as well reported as one that is pulled at
- * once. It is an error instead, and there is no output, with AllowMissing off, where nothing of the
- * file can be read, or where fewer than one in 64 viewpoints of a large range can be. The file may
+ * Every group is checked by its checksums before memory is allocated for it and before it is
+ * decoded. Viewpoints of damaged or truncated groups are left empty (coverage 0, depth 1). The
+ * first request for one of them gives a single warning that lists the missing viewpoints of the
+ * whole file, so a field that is read in parts is reported like one that is read at once. In the
+ * following cases there is an error instead, and no output: AllowMissing is off, nothing in the
+ * file can be read, or fewer than 1 in 64 viewpoints of a large range can be read. The file may
  * have been remuxed, for instance with `ffmpeg -map 0 -c copy`. Documentation/FileFormat.md
  * specifies it.
  *
@@ -60,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Set/get the file to read.
+   * Set/get the file to read. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -73,7 +74,7 @@ public:
 
   ///@{
   /**
-   * The extensions of the files that may hold light fields, and what to call them in a file dialog.
+   * The file extensions of coded light fields, and their description in file dialogs.
    */
   const char* GetFileExtensions() { return ".mp4 .mkv"; }
   const char* GetDescriptiveName() { return "Cube surface light field"; }
@@ -81,9 +82,9 @@ public:
 
   ///@{
   /**
-   * What the file says of itself, once UpdateInformation has run: the field's description (JSON
-   * text), the codec ("hevc", "av1" or "h264") and the pixel format of colour ("yuv444p"). Empty
-   * before, or where the file could not be read.
+   * Information from the file, available after UpdateInformation: the field's description (JSON
+   * text), the codec ("hevc", "av1" or "h264") and the pixel format of colour (for example
+   * "yuv444p"). Empty before, and if the file could not be read.
    */
   const char* GetDescription() const;
   const char* GetCodecName() const;
@@ -92,9 +93,9 @@ public:
 
   ///@{
   /**
-   * The tracks of the file, once UpdateInformation has run: how many there are, colour first, what
-   * each holds ("color", "coverage", "depth", "depth-high" or "depth-low"), and the bytes of its
-   * coded frames, which is found by reading the whole file. Null and 0 outside the range.
+   * The tracks of the file, available after UpdateInformation: their number, with colour first,
+   * their contents ("color", "coverage", "depth", "depth-high" or "depth-low"), and the bytes of
+   * their coded frames, for which the whole file is read. Null and 0 outside the range.
    */
   int GetNumberOfTracks() const;
   const char* GetTrackName(int track) const;
@@ -103,10 +104,9 @@ public:
 
   ///@{
   /**
-   * What the file carries besides the light field (see vtkCSLFEncoder::AddPart), once
-   * UpdateInformation has run: how many parts there are, what each is, its name, which may be
-   * empty, and its bytes. Parts that are damaged are left out, with a warning. Null outside the
-   * range.
+   * The additional parts of the file (see vtkCSLFEncoder::AddPart), available after
+   * UpdateInformation: their number, and the type, name and bytes of each. The name may be empty.
+   * Damaged parts are left out with a warning. Null outside the range.
    */
   int GetNumberOfParts() const;
   const char* GetPartType(int part) const;
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * The viewpoints (z) found to be missing by the last update or by FindMissingViewpoints, in
-   * ascending order.
+   * The missing viewpoints (z) found by the last update or by FindMissingViewpoints, in ascending
+   * order.
    */
   vtkIdType GetNumberOfMissingViewpoints() const;
   vtkIdTypeArray* GetMissingViewpoints() const;
@@ -125,9 +125,9 @@ public:
 
   ///@{
   /**
-   * Whether viewpoints that are missing from a damaged file are left empty, with a warning. If not,
-   * asking for any of them is an error, whose code is vtkErrorCode::PrematureEndOfFileError.
-   * Default: true.
+   * Whether viewpoints that are missing from a damaged file are left empty, with a warning. If off,
+   * requesting one of them is an error with the code vtkErrorCode::PrematureEndOfFileError.
+   * Default: on.
    */
   vtkSetMacro(AllowMissing, bool);
   vtkGetMacro(AllowMissing, bool);
@@ -136,62 +136,62 @@ public:
 
   /**
    * Checks the whole file by its checksums without decoding it. Returns the number of missing
-   * viewpoints, or -1 with an error if the file is none that can be read, or
-   * without one if it was aborted.
+   * viewpoints, or -1: with an error if the file cannot be read, without an error if the check was
+   * aborted.
    */
   vtkIdType FindMissingViewpoints();
 
   ///@{
   /**
-   * How many bytes of decoded viewpoints are kept at most for GetViewpoint, Prefetch and ranges
-   * that touch the same groups. A viewpoint takes 20 N^2 bytes, 30 N^2 with depth, at a resolution
-   * of N. Those that were used last stay. 0 keeps none, and Prefetch does nothing. What is being
-   * decoded is not counted: in the background that is up to a group of 16 for each thread. Setting
-   * this makes no output outdated. Default: 512 MiB.
+   * The maximum number of bytes of decoded viewpoints to keep for GetViewpoint, Prefetch and ranges
+   * that contain the same groups. A viewpoint takes 20 N^2 bytes, or 30 N^2 with depth, at a
+   * resolution of N. The most recently used viewpoints are kept. With 0 none are kept, and Prefetch
+   * does nothing. Viewpoints being decoded are not counted: in the background, that is up to a
+   * group of 16 for each thread. Setting this does not invalidate the output. Default: 512 MiB.
    */
   void SetCacheSize(vtkTypeInt64 bytes);
   vtkGetMacro(CacheSize, vtkTypeInt64);
   ///@}
 
   /**
-   * Makes `image` one viewpoint: the slice z of the output, with its absolute extent, arrays and
-   * description. It comes from what is kept, or else is decoded now, with its group's frames that
-   * it depends on, the tracks side by side. The arrays are shared with what is kept: copy them
-   * before changing anything. False, with an error, if the file cannot be read, has no such
-   * viewpoint, or is damaged there; then `image` is empty.
+   * Fills `image` with one viewpoint: slice z of the output, with its absolute extent, arrays and
+   * description. The viewpoint comes from the cache, or else is decoded now, together with the
+   * frames of its group that it depends on, with the tracks in parallel. The arrays are shared with
+   * the cache: copy them before changing them. Returns false, with an error and an empty `image`,
+   * if the file cannot be read, has no such viewpoint, or is damaged there.
    */
   bool GetViewpoint(vtkIdType z, vtkImageData* image);
 
   /**
-   * Has viewpoints decoded in the background, the first ones first as far as they lie in different
-   * groups. This replaces what an earlier call asked for and is not yet begun; null or an empty
-   * array ends prefetching. Of more viewpoints than CacheSize holds only the first ones are
-   * decoded. Numbers that are no viewpoints are ignored. Returns at once.
+   * Decodes viewpoints in the background, in the given order as far as they are in different
+   * groups. This replaces requests of an earlier call that are not yet begun; null or an empty
+   * array ends prefetching. If CacheSize cannot hold all viewpoints, only the first ones are
+   * decoded. Numbers outside of the range of viewpoints are ignored. Returns immediately.
    */
   void Prefetch(vtkIdTypeArray* viewpoints);
 
   /**
-   * Whether GetViewpoint(z) need not decode anything, since the viewpoint is kept (or known to be
-   * missing).
+   * Whether GetViewpoint(z) does not need to decode anything, because the viewpoint is in the cache
+   * or known to be missing.
    */
   bool IsViewpointReady(vtkIdType z);
 
   /**
-   * Whether a viewpoint cannot be had since the file is damaged there. Reports no error of that
-   * unless AllowMissing is off, and then one for the whole file. Decodes the viewpoint unless it is
-   * kept. True, with an error, if the file cannot be read or has no such viewpoint.
+   * Whether a viewpoint cannot be read because the file is damaged there. Damage is reported as an
+   * error only if AllowMissing is off, once for the whole file. Decodes the viewpoint unless it is
+   * in the cache. Returns true, with an error, if the file cannot be read or has no such viewpoint.
    */
   bool IsViewpointDamaged(vtkIdType z);
 
   /**
-   * Waits until all that Prefetch was asked for is decoded.
+   * Waits until all requests of Prefetch are decoded.
    */
   void WaitForPrefetch();
 
   /**
-   * All viewpoints in the order in which they lie in the file, the coarsest grid of viewpoints
-   * first. Whoever needs all of them, but not at once, has each group decoded only once by asking
-   * in this order. Empty if the file cannot be read.
+   * Fills `viewpoints` with all viewpoints in file order, beginning with the coarsest grid. To read
+   * all viewpoints in several steps, request them in this order, so that each group is decoded only
+   * once. Empty if the file cannot be read.
    */
   void GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints);
 

@@ -5,54 +5,55 @@
  * @brief   writes a cube surface light field as a video, MP4 or Matroska
  *
  * vtkCSLFEncoder codes the image data of a light field: each viewpoint (z slice) becomes one frame
- * of three tracks, colour, coverage and depth, coded through FFmpeg's libavcodec as HEVC (paper,
- * section 3.4), AV1 or H.264. The coverage track is left out where coverage is full everywhere, the
- * depth track where the field has none. Any player built on FFmpeg shows the file; vtkCSLFDecoder
- * reads it back.
+ * of three tracks, colour, coverage and depth. They are coded through FFmpeg's libavcodec as HEVC
+ * (paper, section 3.4), AV1 or H.264. The coverage track is omitted if coverage is full everywhere,
+ * and the depth track if the field has no depth. Any player based on FFmpeg can show the file, and
+ * vtkCSLFDecoder reads it.
  *
- * The input is pulled in z slabs through the pipeline's update extents, so the whole field never
- * has to fit in memory: a slab has at most 32 viewpoints for each thread of vtkSMPTools, fewer
- * where they would exceed 512 MiB. The input's whole extent must be the whole field; a part that
- * was extracted along z is refused. Needed are `Color` as 4 unsigned chars or 4 floats and, if
- * present, `Depth` as unsigned short; further channels of the field are left out with a warning.
+ * The input is requested in z slabs through the pipeline's update extents, so the whole field never
+ * has to fit in memory. A slab has at most 32 viewpoints for each thread of vtkSMPTools, and fewer
+ * if they would exceed 512 MiB. The input's whole extent must be the whole field; a part that was
+ * extracted along z is refused. The input needs `Color` as 4 unsigned chars or 4 floats and, if
+ * present, `Depth` as unsigned short. Other channels of the field are left out with a warning.
  * Video needs a resolution of at least 16 texels.
  *
  * Float colour, linear radiance times exposure, is coded with 12 bits (H.264: 10) through the
- * perceptual quantiser of SMPTE ST 2084, and comes back as floats, so exposure can still be changed
- * when it is looked at. Radiance 1 stands for 203 cd/m^2 (ITU-R BT.2408); what is negative or above
- * 49.26, the curve's end at 10000 cd/m^2, is clipped, with a warning. Alpha keeps 8 bits. Float
- * colour cannot be lossless.
+ * perceptual quantizer of SMPTE ST 2084 and decoded to floats, so the exposure can still be changed
+ * when the field is viewed. A radiance of 1 corresponds to 203 cd/m^2 (ITU-R BT.2408). Values that
+ * are negative or above 49.26, the end of the curve at 10000 cd/m^2, are clipped with a warning.
+ * Alpha keeps 8 bits. Float colour cannot be lossless.
  *
- * Instead of a rate factor, the file's size, its ratio to the raw colours, or the quality of its
- * colours may be asked for: TargetSize, TargetRatio, TargetPSNR. A sample of the viewpoints is then
- * coded on trial first, which may ask the input for them twice. With KeyViewStep, only a part of
- * the viewpoints, evenly spread, is asked for and coded: the file is a field of fewer viewpoints
- * (paper, section 3.3). Documentation/Compression.md tells how all this works.
+ * Instead of a rate factor, a target can be set: the size of the file (TargetSize), its ratio to
+ * the raw colours (TargetRatio), or the quality of its colours (TargetPSNR). A sample of the
+ * viewpoints is then coded first, for which they may be requested from the input twice. With
+ * KeyViewStep, only an evenly spread subset of the viewpoints is requested and coded: the file is a
+ * field of fewer viewpoints (paper, section 3.3). See Documentation/Compression.md.
  *
- * Viewpoints are coded in closed groups of at most GroupLength, first those of the coarsest nested
- * grid. Groups and tracks are coded side by side with vtkSMPTools, and the file has the same bytes
- * for any number of threads. While it grows, its parts lie in a folder named like the file with
- * `.partial` appended; the file itself appears whole, by renaming, and replaces an older one only
- * then, when its bytes are on the disk. Documentation/FileFormat.md specifies the file.
+ * Viewpoints are coded in closed groups of at most GroupLength, beginning with those of the
+ * coarsest nested grid. Groups and tracks are coded in parallel with vtkSMPTools, and the file has
+ * the same bytes for any number of threads. While the file is written, its parts are in a folder
+ * named like the file with `.partial` appended. The complete file appears by renaming, when its
+ * bytes are on the disk, and replaces an older one only then. Documentation/FileFormat.md specifies
+ * the file.
  *
- * A process that is killed, aborted or fails, on a full disk for instance, leaves that folder if it
- * has finished groups. The next one that writes the same field with the same settings and builds of
- * the libraries to the same file goes on from there: it asks its input for none of the viewpoints
- * whose groups are whole, but for the first one, and ends with the same bytes. What belongs to
- * another field or other settings is discarded, with a warning. To tell that, the field's
- * description and first viewpoint are compared, so an input must change one of them where it
- * changes any viewpoint; vtkCSLFSampler does, since it describes the scene by a hash. Two processes
- * cannot write one file at once: the second one fails.
+ * If a process is killed, is aborted or fails, for example because the disk is full, it leaves that
+ * folder with the groups that are finished. The next process that writes the same field to the same
+ * file, with the same settings and builds of the libraries, resumes from there: it requests only
+ * the viewpoints of missing groups, and the first viewpoint, and produces the same bytes. Parts of
+ * another field or of other settings are discarded with a warning. They are detected by the field's
+ * description and first viewpoint, so an input must change one of these if it changes any
+ * viewpoint; vtkCSLFSampler does, because its description contains a hash of the scene. Two
+ * processes cannot write one file at the same time: the second one fails.
  *
- * Where the input is fed by a path tracer that caches radiance, the finished cache lies in that
- * folder, too, and need not be made again by the next process. Several ranks make it together.
+ * If the input is fed by a path tracer with radiance caching, the finished cache is stored in that
+ * folder, too, and the next process need not compute it again. Several ranks compute it together.
  *
- * With a controller of several ranks, which must be a vtkMPIController, all of them call Write
- * with the same settings and an input of their own that gives the same field. They share the work:
- * each asks for groups as it becomes free, pulls just their viewpoints from its own input, and
- * sends what it has coded to rank 0, which writes the file. The bytes are the same for any number
- * of ranks, and no other rank touches a file. Rank 0 reports the progress, and can abort. Where one
- * rank fails, all fail; the lowest of them reports its error, and Write returns 0 on all.
+ * With a controller of several ranks, which must be a vtkMPIController, all of them call Write with
+ * the same settings and their own inputs that produce the same field. They share the work: each
+ * rank requests groups as it becomes free, reads only their viewpoints from its own input, and
+ * sends the coded groups to rank 0, which writes the file. The bytes are the same for any number of
+ * ranks, and no other rank accesses a file. Rank 0 reports the progress and can abort. If one rank
+ * fails, all fail. The lowest failing rank reports its error, and Write returns 0 on all.
  *
  * @sa
  * vtkCSLFDecoder vtkCSLFSampler
@@ -85,7 +86,7 @@ public:
 
   ///@{
   /**
-   * Set/get the file to write. Its extension, .mp4 or .mkv, chooses the container.
+   * Set/get the file to write. Its extension, .mp4 or .mkv, selects the container. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -93,24 +94,25 @@ public:
 
   ///@{
   /**
-   * Set/get the codec: "hevc", coded by x265; "av1", by SVT-AV1, or by libaom where that cannot
-   * (4:4:4, a resolution below 64); or "h264", by x264. An FFmpeg that lacks them is an error that
-   * lists what it has. Default hevc, the only one that can be lossless.
+   * Set/get the codec: "hevc", coded by x265; "av1", coded by SVT-AV1, or by libaom if SVT-AV1 does
+   * not support the field (4:4:4, a resolution below 64); or "h264", coded by x264. If FFmpeg lacks
+   * the encoder, the error lists the available ones. Default: hevc, the only codec with a lossless
+   * mode.
    */
   vtkSetStringMacro(Codec);
   vtkGetStringMacro(Codec);
   ///@}
 
   /**
-   * Whether this FFmpeg can encode with a codec of that name.
+   * Whether this FFmpeg can encode with the given codec.
    */
   static bool CanEncode(const char* codec);
 
   ///@{
   /**
-   * Set/get the constant rate factor of colour, from 0 (best) to 51 (smallest). About 6 more halve
-   * the size. The scale is x265's; x264 has the same, and for AV1 the whole number on its own scale
-   * is taken that gives about the same quality. Default 22.
+   * Set/get the constant rate factor of colour, from 0 (best) to 51 (smallest). An increase by
+   * about 6 halves the size. The scale is that of x265, which is also that of x264. For AV1, the
+   * integer on its own scale with about the same quality is used. Default: 22.
    */
   vtkSetClampMacro(CRF, double, 0.0, 51.0);
   vtkGetMacro(CRF, double);
@@ -118,10 +120,10 @@ public:
 
   ///@{
   /**
-   * Set/get how many times smaller than the raw colours, 3 bytes a texel, the file shall be: all
-   * tracks and the container count. The rate factors follow; it is met within 3 %. 0 for no such
-   * target. Only one of the three targets may be set, and none together with Lossless; where one is
-   * out of reach, an error tells what is within. Default 0.
+   * Set/get the target ratio of the raw colours, 3 bytes per texel, to the file with all tracks and
+   * the container. The rate factors are chosen accordingly; the ratio is met within 3 %. 0 means no
+   * such target. Only one of the three targets may be set, and none together with Lossless. If a
+   * target cannot be met, an error states what can. Default: 0.
    */
   vtkSetClampMacro(TargetRatio, double, 0.0, 1e9);
   vtkGetMacro(TargetRatio, double);
@@ -129,7 +131,8 @@ public:
 
   ///@{
   /**
-   * Set/get how many bytes the file shall have, likewise. Default 0: no such target.
+   * Set/get the target size of the file in bytes, which is met within 3 %, see TargetRatio.
+   * Default: 0, no such target.
    */
   vtkSetClampMacro(TargetSize, double, 0.0, 1e18);
   vtkGetMacro(TargetSize, double);
@@ -137,9 +140,9 @@ public:
 
   ///@{
   /**
-   * Set/get the PSNR, in dB, that decoded colours shall have against those of the input: red, green
-   * and blue of 8 bits over black, one mean square error over all texels. It is met within 0.3 dB,
-   * otherwise like TargetRatio. Default 0: no such target.
+   * Set/get the target PSNR, in dB, of decoded colours against those of the input: red, green and
+   * blue of 8 bits over black, with one mean square error over all texels. It is met within 0.3 dB,
+   * see also TargetRatio. Default: 0, no such target.
    */
   vtkSetClampMacro(TargetPSNR, double, 0.0, 100.0);
   vtkGetMacro(TargetPSNR, double);
@@ -147,9 +150,9 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of coverage, from 0 to 51. Where a target chooses colour's,
-   * and that is above 22, coverage's rises by as much as colour's is above 22. Default 24: novel
-   * views lose less than 0.3 dB by it, see Documentation/Compression.md.
+   * Set/get the constant rate factor of coverage, from 0 to 51. If a target determines the rate
+   * factor of colour, and it is above 22, that of coverage is increased by the difference. Default:
+   * 24, with which novel views lose less than 0.3 dB, see Documentation/Compression.md.
    */
   vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
   vtkGetMacro(CoverageCRF, double);
@@ -157,9 +160,9 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of depth, from 0 to 51. Where a target chooses colour's, it
-   * rises like coverage's. Default 8: lookups that correct by depth need it exact. It is
-   * coded by a curve that is finer near the entry face.
+   * Set/get the constant rate factor of depth, from 0 to 51. With a target, it is increased like
+   * that of coverage. Depth is coded by a curve that is finer near the entry face. Default: 8,
+   * because lookups with depth correction need accurate depth.
    */
   vtkSetClampMacro(DepthCRF, double, 0.0, 51.0);
   vtkGetMacro(DepthCRF, double);
@@ -167,11 +170,11 @@ public:
 
   ///@{
   /**
-   * Set/get x265's preset, which trades time for size: ultrafast, superfast, veryfast, faster,
-   * fast, medium, slow, slower, veryslow or placebo. x264 has the same, and those of AV1's encoders
-   * are taken that are alike. Default slow, for colour with the rate-distortion analysis of slower:
-   * at equal quality, colour is a fifth to a quarter smaller than with medium, and takes four
-   * times the time.
+   * Set/get the x265 preset, which trades time for size: ultrafast, superfast, veryfast, faster,
+   * fast, medium, slow, slower, veryslow or placebo. x264 has the same presets; the encoders of AV1
+   * use equivalent ones. Default: slow, which uses the rate-distortion analysis of slower for
+   * colour. At equal quality, colour is a fifth to a quarter smaller than with medium, and takes
+   * four times as long.
    */
   vtkSetStringMacro(Preset);
   vtkGetStringMacro(Preset);
@@ -181,9 +184,9 @@ public:
   /**
    * Set/get the pixel format of colour: auto, yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le
    * or gbrp (HEVC only); for float colour auto, yuv444p10le or yuv444p12le. Formats other than
-   * 4:4:4 lose much of saturated colours; yuv420p is what every player and hardware decoder knows.
-   * 4:2:0 and 4:2:2 need an even resolution. Default auto: yuv444p, but for AV1 yuv420p10le, which
-   * is all that SVT-AV1 has; for others it takes libaom, which is slow.
+   * 4:4:4 lose much of saturated colours. Every player and hardware decoder supports yuv420p. 4:2:0
+   * and 4:2:2 need an even resolution. Default: auto, which is yuv444p, but yuv420p10le for AV1,
+   * because SVT-AV1 supports nothing more; other formats of AV1 use libaom, which is slow.
    */
   vtkSetStringMacro(PixelFormat);
   vtkGetStringMacro(PixelFormat);
@@ -191,8 +194,8 @@ public:
 
   ///@{
   /**
-   * Set/get the most frames of a closed group, from 1 to 16: what a decoder has to decode at most
-   * for one viewpoint. Default 16.
+   * Set/get the maximum number of frames of a closed group, from 1 to 16. A decoder decodes at most
+   * this number of frames to get one viewpoint. Default: 16.
    */
   vtkSetClampMacro(GroupLength, int, 1, 16);
   vtkGetMacro(GroupLength, int);
@@ -200,9 +203,9 @@ public:
 
   ///@{
   /**
-   * Set/get whether all channels are kept bit for bit. The rate factors and the pixel format are
-   * then ignored: colour is coded as planar RGB and depth as two tracks, its high and its low
-   * bytes. Default off.
+   * Set/get whether all channels are kept exactly. The rate factors and the pixel format are then
+   * ignored: colour is coded as planar RGB, and depth as two tracks with its high and its low
+   * bytes. Default: off.
    */
   vtkSetMacro(Lossless, bool);
   vtkGetMacro(Lossless, bool);
@@ -211,10 +214,11 @@ public:
 
   ///@{
   /**
-   * Set/get of how many viewpoints along each side of a face one is kept as a key view: those on
-   * the edges, and between them as few as leave no gap of more than that many, evenly spread. It is
-   * at most the number of viewpoints less 1. AutomaticKeyViews stands for the largest step that
-   * reaches TargetNovelViewPSNR. Default 1: all are kept.
+   * Set/get the step of key views: of this number of viewpoints along each side of a face, one is
+   * kept. The viewpoints on the edges are always kept, and between them as few as leave no larger
+   * gap, evenly spread. The step is at most the number of viewpoints minus 1. AutomaticKeyViews
+   * selects the largest step that reaches TargetNovelViewPSNR. Default: 1, which keeps all
+   * viewpoints.
    */
   enum
   {
@@ -227,12 +231,12 @@ public:
 
   ///@{
   /**
-   * Set/get the PSNR, in dB, that viewpoints which are left out shall have when they are looked up
-   * from the key views with depth (without depth, with the focus at the cube's centre), before
-   * coding; red, green and blue of 8 bits over black, of floats at the exposure from 1/16 to 16
-   * times the baked one where it is lowest. It is measured on a seeded sample of viewpoints and
-   * texels. Where no key views reach it, an error tells what the best have. Only
-   * for AutomaticKeyViews. Default 35.
+   * Set/get the target PSNR, in dB, of omitted viewpoints, reconstructed from the key views before
+   * coding by the depth lookup (without depth, with the focus at the cube's centre). It is measured
+   * for red, green and blue of 8 bits over black; for floats, at the exposure from 1/16 to 16 times
+   * the baked one at which it is lowest. A seeded sample of viewpoints and texels is used. If no
+   * key views reach the target, an error states the best PSNR. Used only with AutomaticKeyViews.
+   * Default: 35.
    */
   vtkSetClampMacro(TargetNovelViewPSNR, double, 0.0, 100.0);
   vtkGetMacro(TargetNovelViewPSNR, double);
@@ -240,12 +244,12 @@ public:
 
   ///@{
   /**
-   * What files carry besides the light field, such as a mesh of the scene or a table: bytes, and a
-   * media type such as "model/gltf-binary" or "text/csv" that tells what they are. A name tells
-   * parts of one type apart. Type and name have at most 100 bytes of UTF-8, all parts together 12
-   * MiB; otherwise AddPart returns false, with an error. The bytes are copied. Parts survive where
-   * FFmpeg remuxes a file, and vtkCSLFDecoder gives them back. Only those of rank 0 count. Default:
-   * no parts.
+   * Additional parts that files carry besides the light field, such as a mesh of the scene or a
+   * table. A part consists of bytes and a media type such as "model/gltf-binary" or "text/csv". A
+   * name distinguishes parts of the same type. Type and name may have at most 100 bytes of UTF-8,
+   * and all parts together 12 MiB; otherwise AddPart returns false, with an error. The bytes are
+   * copied. Parts survive remuxing by FFmpeg, and vtkCSLFDecoder returns them. Only the parts of
+   * rank 0 are used. Default: no parts.
    */
   bool AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name = nullptr);
   int GetNumberOfParts() const;
@@ -254,8 +258,8 @@ public:
 
   ///@{
   /**
-   * Set/get whether to go on from what an interrupted run left of the same file. If off, all
-   * begins anew. Default on.
+   * Set/get whether to resume an interrupted run of the same file. If off, writing starts from the
+   * beginning. Default: on.
    */
   vtkSetMacro(Restart, bool);
   vtkGetMacro(Restart, bool);
@@ -264,8 +268,8 @@ public:
 
   ///@{
   /**
-   * Set/get what connects the processes that write the file together; see above. Null for writing
-   * alone. Default: the global controller.
+   * Set/get the controller of the processes that write the file together, see above. Null means
+   * that this process writes alone. Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -280,17 +284,17 @@ public:
   ///@}
 
   /**
-   * Writes the file, on all ranks of the controller together. Returns 1 on success; otherwise 0,
-   * and the error code tells the kind of error.
+   * Writes the file, on all ranks of the controller together. Returns 1 on success. Otherwise it
+   * returns 0, and the error code states the kind of error.
    */
   virtual int Write();
 
   ///@{
   /**
-   * What the last Write made, on rank 0, all 0 if it failed: the mean rate factor of colour over
-   * all viewpoints, the bytes of the file, its ratio in the sense of TargetRatio, and its PSNR in
-   * the sense of TargetPSNR, for which each group is decoded again. The PSNR is at most 100, and 0
-   * for lossless files and float colour, of which it is not measured.
+   * The results of the last Write on rank 0, all 0 if it failed: the mean rate factor of colour
+   * over all viewpoints, the size of the file in bytes, its ratio as defined by TargetRatio, and
+   * its PSNR as defined by TargetPSNR, for which each group is decoded again. The PSNR is at most
+   * 100. It is 0 for lossless files and float colour, for which it is not measured.
    */
   vtkGetMacro(ActualCRF, double);
   vtkGetMacro(ActualSize, double);
@@ -300,15 +304,15 @@ public:
 
   ///@{
   /**
-   * The step of key views of that file, and, where it was chosen, their PSNR in the sense of
-   * TargetNovelViewPSNR, otherwise 0.
+   * The step of key views of that file and, if it was chosen automatically, their PSNR as defined
+   * by TargetNovelViewPSNR, otherwise 0.
    */
   vtkGetMacro(ActualKeyViewStep, int);
   vtkGetMacro(ActualNovelViewPSNR, double);
   ///@}
 
   /**
-   * Writes the file where the pipeline asks for data.
+   * Writes the file when the pipeline requests data.
    */
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCSLFFieldQuality
- * @brief how close one light field comes to another: PSNR of every channel
+ * @brief compares two light fields: PSNR of every channel
  *
  * vtkCSLFFieldQuality compares the samples of two light fields of the same grid (input ports 0 and
- * 1), such as one before and one after coding, over the viewpoints that both offer. It pulls them a
+ * 1), for example before and after coding, over the viewpoints that both provide. It reads them a
  * few viewpoints at a time, so neither has to fit in memory.
  *
- * It yields one figure for the red, green and blue of `Color`, all texels counted; one named
- * `Coverage` for its alpha; one for `Depth`, of the texels that both fields cover, as depth means
- * nothing elsewhere; and one for each further channel that both fields have in the same type. The
- * peak is the largest value of whole numbers, and 1 for float.
+ * There is one figure for the red, green and blue of `Color`, over all texels; one named `Coverage`
+ * for its alpha; one for `Depth`, over the texels that both fields cover, because depth has no
+ * meaning elsewhere; and one for each other channel that both fields have with the same type. The
+ * peak is the largest value of integer types, and 1 for float.
  *
- * A viewer may show `Color` of floats at another exposure than the one that it was sampled with. So
- * such fields have further figures: `Color at 1/16`, `Color at 1/4`, `Color at 1`, `Color at 4` and
- * `Color at 16`, of red, green and blue as 8 bits over black at so many times the exposure, as
- * vtkCSLFFieldReference has them.
+ * A viewer may show float `Color` at another exposure than the one it was sampled with. Such fields
+ * therefore have further figures: `Color at 1/16`, `Color at 1/4`, `Color at 1`, `Color at 4` and
+ * `Color at 16`, for red, green and blue as 8 bits over black at these factors of the exposure, as
+ * in vtkCSLFFieldReference.
  *
  * @sa vtkCSLFImageQuality
  */
@@ -37,21 +37,22 @@ public:
 
   ///@{
   /**
-   * The PSNR in dB that stands for all higher ones, as of identical fields. Default 100.
+   * The upper limit of the PSNR in dB, which identical fields have; higher values are replaced by
+   * it. Default: 100.
    */
   vtkSetMacro(MaximumPSNR, double);
   vtkGetMacro(MaximumPSNR, double);
   ///@}
 
   /**
-   * Pulls both inputs and compares them. Returns 1 on success and 0 on failure.
+   * Reads both inputs and compares them. Returns 1 on success and 0 on failure.
    */
   int Measure();
 
   ///@{
   /**
-   * The figures of the last measurement: how many there are, their names, the PSNR in dB, and
-   * whether all values compared were equal.
+   * The figures of the last measurement: their number, their names, the PSNR in dB, and whether all
+   * compared values were equal.
    */
   int GetNumberOfFigures();
   const char* GetFigureName(int index);

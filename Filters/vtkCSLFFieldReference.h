@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFFieldReference
- * @brief   how close a light field's texels come to path-traced ones
+ * @brief   measures texels of a light field against path-traced texels
  *
- * Traces texels of a light field anew, with as many paths as a converged reference takes, and
- * compares: the scene comes on input port 0 with the parameters of vtkCSLFPathTracer, the field, or
- * any range of its viewpoints, on port 1, in slabs, so it may be larger than memory. As the
- * reference is made of just the texels that are compared, fields of any size are measured in about
- * the same time. Give the scene, light, MaximumDepth, ShowEnvironment and Exposure that the field
- * was sampled with; a scene other than the one that the field's description remembers is reported
- * as a warning.
+ * This filter traces some texels of a light field again, with the number of paths of a converged
+ * reference, and compares them. The scene is on input port 0, with the parameters of
+ * vtkCSLFPathTracer. The field, or any range of its viewpoints, is on port 1. It is read in slabs,
+ * so it may be larger than memory. Only the compared texels are traced, so the time hardly depends
+ * on the size of the field. Set the scene, light, MaximumDepth, ShowEnvironment and Exposure as for
+ * the sampling of the field. If the scene differs from the one recorded in the field's description,
+ * a warning is given.
  *
- * The texels are chosen at random, one in each of so many ranges of equal length of all texels of
- * the field, so every viewpoint has its share. The reference is always path-traced without a cache,
- * whatever the Integrator; each texel with the paths that Samples says, rounded up to a multiple of
- * 32. They are traced in two halves that have no random numbers in common: the reference is their
- * mean, and what they differ by tells how noisy it is.
+ * The texels are chosen at random, one in each of equal ranges of all texels of the field, so every
+ * viewpoint is represented. The reference is always path-traced without a cache, regardless of the
+ * Integrator, with Samples paths for each texel, rounded up to a multiple of 32. The paths are
+ * traced in two halves without common random numbers. The reference is the mean of the halves, and
+ * their difference measures its noise.
  *
- * The output is an image of one row with a pixel for each texel measured, for who wants to see more
- * than the figures. Its point data: `Reference` and `Field`, 3 unsigned chars each, the colours
- * that were compared; `Texel`, a vtkIdType, the texel's index among all points of the whole field.
- * The figures are valid after Update() has succeeded.
+ * The output is an image of one row with one pixel for each measured texel. Its point data:
+ * `Reference` and `Field`, 3 unsigned chars each, the compared colours; `Texel`, a vtkIdType, the
+ * index of the texel among all points of the whole field. The figures are valid after Update() has
+ * succeeded.
  *
  * @sa vtkCSLFFieldQuality vtkCSLFImageQuality
  */
@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * How many texels are measured: at least 1. Where the field has no more than that, each is
+   * The number of texels to measure, at least 1. If the field has no more than that, each texel is
    * measured once. Default: 100000.
    */
   vtkSetClampMacro(Texels, int, 1, 100000000);
@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * The PSNR in dB that stands for all higher ones. Default: 60.
+   * The upper limit of the PSNR in dB; higher values are replaced by it. Default: 60.
    */
   vtkSetMacro(MaximumPSNR, double);
   vtkGetMacro(MaximumPSNR, double);
@@ -63,19 +63,19 @@ public:
   vtkGetMacro(PSNR, double);
 
   /**
-   * The PSNR in dB that the reference's noise alone would leave of a perfect field, before rounding
-   * to 8 bits; at most 100. The halves' difference has four times the variance of their mean's
-   * error, so it is their PSNR plus 6.02 dB. A figure is to be trusted where this lies at least 10
-   * dB above it.
+   * The PSNR in dB that a perfect field would have because of the noise of the reference, before
+   * rounding to 8 bits; at most 100. The difference of the halves has four times the variance of
+   * their mean's error, so this is their PSNR plus 6.02 dB. A PSNR is reliable if the noise floor
+   * is at least 10 dB above it.
    */
   vtkGetMacro(NoiseFloor, double);
 
   ///@{
   /**
-   * A viewer may show a floating-point field at another exposure than the one that it was sampled
-   * with. These are both figures at several exposures, as factors of Exposure: 1/16, 1/4, 1, 4 and
-   * 16 for floating-point fields, 1 alone for fields of bytes. They are in the range where
-   * vtkCSLFPathTracer controls noise. An index that is out of range returns 0.
+   * Both figures at several exposures, as factors of Exposure: 1/16, 1/4, 1, 4 and 16 for
+   * floating-point fields, because a viewer may show these at another exposure; only 1 for byte
+   * fields. This is the range in which vtkCSLFPathTracer controls noise. An index that is out of
+   * range returns 0.
    */
   int GetNumberOfViewExposures();
   double GetViewExposure(int index);
@@ -84,7 +84,7 @@ public:
   ///@}
 
   /**
-   * The number of texels that were measured.
+   * The number of measured texels.
    */
   vtkGetMacro(NumberOfTexels, vtkIdType);
 

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCSLFImageQuality
- * @brief how close one picture comes to another: PSNR and SSIM
+ * @brief compares two pictures: PSNR and SSIM
  *
  * vtkCSLFImageQuality compares two pictures of equal size (input ports 0 and 1; one slice of
- * unsigned char with 1 to 4 components), over all their pixels or over those inside a stencil
- * (port 2, optional), such as the pixels whose ray meets a light field's cube.
+ * unsigned char with 1 to 4 components), over all their pixels or over those inside a stencil (port
+ * 2, optional), such as the pixels whose ray meets a light field's cube.
  *
- * - **PSNR** is that of the mean square error over the pixels and the colour components, with a
- *   peak of 255, at most MaximumPSNR (identical pictures would be infinitely alike).
+ * - **PSNR** is computed from the mean square error over the pixels and the colour components, with
+ * a peak of 255. It is at most MaximumPSNR (for identical pictures it would be infinite).
  * - **SSIM** is the structural similarity of Wang, Bovik, Sheikh and Simoncelli, "Image quality
- *   assessment: from error visibility to structural similarity" (IEEE Transactions on Image
- *   Processing 13(4), 2004), of the luma 0.299 R + 0.587 G + 0.114 B, in a Gaussian window of
- *   11 x 11 pixels and a standard deviation of 1.5, with K1 = 0.01 and K2 = 0.03; the mean over the
- *   pixels whose window lies inside the picture. Where there are none, windows are cut off at the
- *   picture's border.
+ * assessment: from error visibility to structural similarity" (IEEE Transactions on Image
+ * Processing 13(4), 2004), of the luma 0.299 R + 0.587 G + 0.114 B, in a Gaussian window of 11 x 11
+ * pixels with a standard deviation of 1.5, with K1 = 0.01 and K2 = 0.03. It is the mean over the
+ * pixels whose window lies inside the picture. If there are none, windows are cut off at the
+ * picture's border.
  *
- * Alpha is left out. Colours associated with their alpha, such as those of vtkCSLFViewTracer and of
- * the light field itself, are thereby composited over black.
+ * Alpha is ignored. Colours that are associated with their alpha, such as those of
+ * vtkCSLFViewTracer and of light fields, are thereby composited over black.
  *
  * The output is the SSIM of each pixel's window, in double precision. The two figures are valid
  * after Update() has succeeded.
@@ -40,7 +40,7 @@ public:
 
   ///@{
   /**
-   * The pixels to measure. All of them by default.
+   * The pixels to measure. Default: none, which measures all pixels.
    */
   void SetStencilData(vtkImageStencilData* stencil);
   void SetStencilConnection(vtkAlgorithmOutput* connection);
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * The PSNR in dB that stands for all higher ones. Default 60.
+   * The upper limit of the PSNR in dB; higher values are replaced by it. Default: 60.
    */
   vtkSetMacro(MaximumPSNR, double);
   vtkGetMacro(MaximumPSNR, double);
@@ -65,7 +65,7 @@ public:
   vtkGetMacro(SSIM, double);
 
   /**
-   * The number of pixels that were measured.
+   * The number of measured pixels.
    */
   vtkGetMacro(NumberOfPixels, vtkIdType);
 

@@ -4,14 +4,14 @@
  * @class vtkCSLFImageReader
  * @brief read a light field from a folder of cube maps
  *
- * vtkCSLFImageReader reads what vtkCSLFImageWriter wrote, bit for bit. The whole extent comes from
- * the folder's description alone; of the images only those of the viewpoints in the update extent
- * are read, in parallel.
+ * vtkCSLFImageReader reads exactly the values that vtkCSLFImageWriter wrote. The whole extent is
+ * known from the folder's description. Only the images of the viewpoints in the update extent are
+ * read, in parallel.
  *
- * A viewpoint of which an image is missing or damaged is filled with colour 0 and depth 1, and a
- * warning says how many there are. It is an error instead, and there is no output, with
- * AllowMissing off, if none of those asked for can be read, or if fewer than one in 64 of many has
- * images.
+ * If an image of a viewpoint is missing or damaged, the viewpoint is filled with colour 0 and depth
+ * 1, and a warning states how many there are. In the following cases there is an error instead, and
+ * no output: AllowMissing is off, none of the requested viewpoints can be read, or fewer than 1 in
+ * 64 of a large number of viewpoints have images.
  *
  * @sa vtkCSLFImageWriter
  */
@@ -36,7 +36,7 @@ public:
 
   ///@{
   /**
-   * The folder to read.
+   * The folder to read. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -48,20 +48,20 @@ public:
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   /**
-   * What to call such folders in a file dialog.
+   * The description of such folders in file dialogs.
    */
   const char* GetDescriptiveName() { return "Cube surface light field (cube maps)"; }
 
   /**
-   * The field's description (JSON text), once UpdateInformation has run; empty before, and where it
+   * The field's description (JSON text), available after UpdateInformation. Empty before, and if it
    * could not be read.
    */
   const char* GetDescription() const;
 
   ///@{
   /**
-   * The viewpoints (z) found to be missing by the last update or by FindMissingViewpoints, in
-   * ascending order.
+   * The missing viewpoints (z) found by the last update or by FindMissingViewpoints, in ascending
+   * order.
    */
   vtkIdType GetNumberOfMissingViewpoints() const;
   vtkIdTypeArray* GetMissingViewpoints() const;
@@ -69,8 +69,8 @@ public:
 
   ///@{
   /**
-   * Whether viewpoints that are missing are left empty, with a warning. If not, asking for any of
-   * them is an error, whose code is vtkErrorCode::PrematureEndOfFileError. Default: true.
+   * Whether missing viewpoints are left empty, with a warning. If off, requesting one of them is an
+   * error with the code vtkErrorCode::PrematureEndOfFileError. Default: on.
    */
   vtkSetMacro(AllowMissing, bool);
   vtkGetMacro(AllowMissing, bool);
@@ -78,8 +78,8 @@ public:
   ///@}
 
   /**
-   * Checks that all images are there and of the right size and type, and their checksums. Returns
-   * the number of missing viewpoints, or -1 with an error if the folder is none that can be read.
+   * Checks that all images exist with the right size and type, and verifies their checksums.
+   * Returns the number of missing viewpoints, or -1 with an error if the folder cannot be read.
    */
   vtkIdType FindMissingViewpoints();
 

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFInstances
- * @brief   places of polygonal data, as field data
+ * @brief   instances of polygonal data, as field data
  *
- * Polygonal data whose field data has instances is shown at each of their places, and not where it
- * lies; the path tracer keeps one copy of its geometry. Any VTK pipeline carries them along. This
- * class knows the arrays' names; each has one tuple an instance:
+ * If the field data of polygonal data has instances, the data is shown at each of their places, and
+ * not at its own. The path tracer keeps one copy of its geometry. Any VTK pipeline passes instances
+ * on. This class provides the names of the arrays; each has one tuple per instance:
  *
- * - `CSLF:InstanceMatrix`: 16 components, from the data's coordinates to the world, as vtkMatrix4x4
- * has it: row by row, the last 0, 0, 0, 1.
+ * - `CSLF:InstanceMatrix`: 16 components, from the data's coordinates to the world, as in
+ * vtkMatrix4x4: row by row, with the last row 0, 0, 0, 1.
  * - `CSLF:InstanceColor`: 3 or 4 components, unsigned char, optional. The base colour, sRGB, and
  * the opacity, which multiplies that of the material.
- * - `CSLF:InstanceEmission`: 3 components, optional. The emission, linear radiance, in place of
+ * - `CSLF:InstanceEmission`: 3 components, optional. The emission, linear radiance, which replaces
  * that of the material.
  *
- * Instances that are flat show nothing.
+ * Instances that are flat are invisible.
  *
  * @sa vtkCSLFMaterial vtkCSLFSceneImporter
  */
@@ -37,7 +37,7 @@ public:
 
   ///@{
   /**
-   * The arrays' names.
+   * The names of the arrays.
    */
   static const char* InstanceMatrix() { return "CSLF:InstanceMatrix"; }
   static const char* InstanceColor() { return "CSLF:InstanceColor"; }
@@ -45,18 +45,18 @@ public:
   ///@}
 
   /**
-   * Adds an instance without a colour of its own. All instances of a block have colours, or none.
+   * Adds an instance without its own colour. Either all instances of a block have colours, or none.
    */
   static void AddInstance(vtkDataObject* data, vtkMatrix4x4* matrix);
 
   /**
-   * Adds an instance of a colour: red, green, blue and opacity in [0,1], sRGB.
+   * Adds an instance with a colour: red, green, blue and opacity in [0,1], sRGB.
    */
   static void AddInstance(vtkDataObject* data, vtkMatrix4x4* matrix, const double color[4]);
 
   /**
-   * Adds an instance of a colour that emits a radiance: linear, not negative. All instances of a
-   * block have emissions, or none.
+   * Adds an instance with a colour and an emission: linear radiance, not negative. Either all
+   * instances of a block have emissions, or none.
    */
   static void AddInstance(
     vtkDataObject* data, vtkMatrix4x4* matrix, const double color[4], const double emission[3]);

@@ -4,64 +4,66 @@
  * @class   vtkCSLFMaterial
  * @brief   materials that travel with the data, as field data
  *
- * The path tracing filters read the material of a surface from the field data of its block: of the
- * vtkPolyData itself, or, for arrays that it lacks, of the composite data set it is a leaf of. Any
- * VTK pipeline carries them along. This class knows the arrays' names; each holds one tuple:
+ * The path tracing filters read the material of a surface from the field data of its block: from
+ * the vtkPolyData itself or, for arrays that it lacks, from the composite data set that it is a
+ * leaf of. Any VTK pipeline passes materials on. This class provides the names of the arrays; each
+ * holds one tuple:
  *
- * - `CSLF:BaseColor`: 3 components in [0,1], sRGB-encoded, by default 0.8, 0.8, 0.8. A dielectric's
- *   diffuse reflectance, a metal's reflectance at normal incidence, the tint of what glass lets
- *   through.
- * - `CSLF:Metallic`: in [0,1], by default 0. 0 is a dielectric, 1 a metal, a blend between.
- * - `CSLF:Roughness`: in [0,1], by default 1. Perceptual; its square is GGX's alpha; below 0.03
- * smooth.
- * - `CSLF:Emission`: 3 components, not negative, by default 0, 0, 0. Radiance, linear, from all
- * visible sides. An array of this name in the point data, else in the cell data, gives each point
- * or cell its own.
- * - `CSLF:IndexOfRefraction`: at least 1, by default 1. Of a dielectric's glossy boundary; 1 has
- * none.
- * - `CSLF:Transmission`: in [0,1], by default 0. The part of a dielectric that is glass.
- * - `CSLF:ThinWalled`: 0 or 1, by default 0. Whether glass is a thin sheet, which does not bend
+ * - `CSLF:BaseColor`: 3 components in [0,1], sRGB-encoded, default 0.8, 0.8, 0.8. The diffuse
+ * reflectance of a dielectric, the reflectance of a metal at normal incidence, the tint of light
+ * that passes through glass.
+ * - `CSLF:Metallic`: in [0,1], default 0. 0 is a dielectric, 1 a metal; values between blend the
+ * two.
+ * - `CSLF:Roughness`: in [0,1], default 1. Perceptual: its square is the alpha of GGX. Surfaces
+ * with a roughness below 0.03 are smooth.
+ * - `CSLF:Emission`: 3 components, not negative, default 0, 0, 0. Linear radiance from all visible
+ * sides. An array of this name in the point data, or else in the cell data, gives each point or
+ * cell its own emission.
+ * - `CSLF:IndexOfRefraction`: at least 1, default 1. The index of a dielectric's glossy boundary;
+ * with 1 there is no boundary.
+ * - `CSLF:Transmission`: in [0,1], default 0. The fraction of a dielectric that is glass.
+ * - `CSLF:ThinWalled`: 0 or 1, default 0. Whether glass is a thin sheet, which does not refract
  * light.
- * - `CSLF:Opacity`: in [0,1], by default 1. The part of the light that meets the surface; the rest
- *   passes as if there were none.
- * - `CSLF:OpacityCutoff`: in [0,1], by default 0. Above 0, opacities below count as 0, others as 1.
- * - `CSLF:VisibleSides`: 0 for both, 1 for the front, 2 for the back, by default 0. From which
- * sides polygons are there at all; for rays that come from the other side, they are not.
- * - `CSLF:NormalScale`: any number, by default 1. How far the normal texture bends normals.
- * - `CSLF:LineRadius`, `CSLF:PointRadius`: not negative, world units, by default 0. Of the tubes
- * and spheres that lines and vertices are shown as; 0 stands for 0.0005 of the scene's diagonal.
- * - `CSLF:DisplayedWhite`: 3 components, not negative, by default 0, 0, 0. How colours of points
- * and in textures are interpolated in between. 0: as light, as glTF has it. Above 0: as the
- * sRGB-encoded values that are displayed, as VTK's window does, in light that gives a white surface
- * this radiance. The middle between blue and red is displayed as 188, 0, 188 by the first rule and,
- * with a white of 1, as 128, 0, 128 by the second. Emissions are then interpolated as displayed,
- * too.
+ * - `CSLF:Opacity`: in [0,1], default 1. The fraction of the light that meets the surface; the rest
+ * passes as if there were no surface.
+ * - `CSLF:OpacityCutoff`: in [0,1], default 0. If above 0, opacities below it are treated as 0, and
+ * all others as 1.
+ * - `CSLF:VisibleSides`: 0 for both, 1 for the front, 2 for the back, default 0. The sides from
+ * which polygons are visible. Rays that come from the other side pass.
+ * - `CSLF:NormalScale`: any number, default 1. How far the normal texture bends normals.
+ * - `CSLF:LineRadius`, `CSLF:PointRadius`: not negative, world units, default 0. The radii of the
+ * tubes and spheres that represent lines and vertices; 0 selects 0.0005 of the scene's diagonal.
+ * - `CSLF:DisplayedWhite`: 3 components, not negative, default 0, 0, 0. The interpolation of
+ * colours between points and in textures. With 0, they are interpolated as light, as in glTF. Above
+ * 0, they are interpolated as displayed (sRGB-encoded) values, as in VTK's window, in light that
+ * gives a white surface this radiance. The middle between blue and red is displayed as 188, 0, 188
+ * by the first rule and, with a white of 1, as 128, 0, 128 by the second. Emissions are then
+ * interpolated as displayed values as well.
  *
  * The model is the metallic-roughness material of glTF 2.0. The default, metallic 0 and index 1, is
- * purely diffuse. Colours of points or cells, where they are shown, replace the base colour, and
- * their alpha multiplies the opacity (see vtkCSLFPathTracer).
+ * purely diffuse. Colours of points or cells, if shown, replace the base colour, and their alpha
+ * multiplies the opacity (see vtkCSLFPathTracer).
  *
- * Glass is solid unless it is thin-walled: its surfaces should be closed, with the vertices of
- * their polygons counterclockwise seen from outside, since that tells light whether it enters or
- * leaves.
+ * Glass is solid unless it is thin-walled. Its surfaces should be closed, with the vertices of
+ * their polygons counterclockwise as seen from outside, because this determines whether light
+ * enters or leaves.
  *
- * Textures are images that multiply these factors; they lie on the surface by its texture
- * coordinates. They travel as field data too, pixels in an array named `CSLF:BaseColorTexture`,
+ * Textures are images that multiply these factors, mapped by the surface's texture coordinates.
+ * They are field data as well, with pixels in an array named `CSLF:BaseColorTexture`,
  * `CSLF:MetallicRoughnessTexture`, `CSLF:NormalTexture` or `CSLF:EmissionTexture`: unsigned char, 1
- * to 4 components (grey, grey and alpha, RGB, RGBA), one tuple a pixel, the row of v = 0 first. An
- * array of the same name and `Layout` has one tuple of 4 integers: width, height, what the image
- * shows beyond [0,1] (0: its edge goes on, 1: it repeats, 2: it repeats mirrored, 3: its border's
- * colour), and whether it is interpolated; or of 9 integers, where the third is for u alone: then
- * follow that for v, and red, green, blue, alpha of the border in [0,255]. Colours are sRGB; the
- * alpha of the base colour multiplies the opacity; blue is metallic and green roughness;
- * normals are as in glTF.
+ * to 4 components (grey, grey and alpha, RGB, RGBA), one tuple per pixel, beginning with the row of
+ * v = 0. An array of the same name with `Layout` appended has one tuple of 4 integers: width,
+ * height, the wrap beyond [0,1] (0: clamped to the edge, 1: repeated, 2: repeated and mirrored, 3:
+ * the border's colour), and whether the image is interpolated. A tuple of 9 integers has the wrap
+ * of u as the third, and after these four the wrap of v and red, green, blue and alpha of the
+ * border in [0,255]. Colours are sRGB. The alpha of the base colour multiplies the opacity. Blue is
+ * metallic and green roughness. Normals are as in glTF.
  *
- * Values out of range are clamped when they are set and when they are read; what is no number is
- * the default. The path tracing filters warn of such values in arrays, and of arrays that do not
- * match.
+ * Values out of range are clamped when they are set and when they are read; NaN is replaced by the
+ * default. The path tracing filters warn of such values in arrays, and of arrays that do not match.
  *
- * The prefix keeps these names apart from the arrays of simulations and other programs. Version 0.1
- * used the names without it; Documentation/Materials.md says where those are still read.
+ * The prefix distinguishes these names from the arrays of simulations and other programs. Version
+ * 0.1 used the names without it; Documentation/Materials.md explains when those are still read.
  *
  * @sa vtkCSLFLight vtkCSLFPathTracer
  */
@@ -85,7 +87,8 @@ public:
 
   ///@{
   /**
-   * The arrays' names. Arrays of the radii's names in the point data give each point its own.
+   * The names of the arrays. Point-data arrays with the names of the radii give each point its own
+   * radius.
    */
   static const char* BaseColorName() { return "CSLF:BaseColor"; }
   static const char* MetallicName() { return "CSLF:Metallic"; }
@@ -108,22 +111,24 @@ public:
    *
    * With PBR interpolation: base colour, which VTK takes as linear, metallic, roughness, base index
    * of refraction, opacity, normal scale, and the textures `albedoTex`, `materialTex`, `normalTex`
-   * and `emissiveTex`; the emission is the emissive factor where there is an emissive texture,
-   * since VTK multiplies the two, and else 0. Occlusion is left to light transport.
+   * and `emissiveTex`. If there is an emissive texture, the emission is the emissive factor,
+   * because VTK multiplies the two; otherwise it is 0. Occlusion textures are ignored, because
+   * light transport computes occlusion.
    *
-   * Any other interpolation, and any property without lighting, gives the opacity and what VTK's
-   * window displays in light that shows colours as they are: the ambient term, or all without
-   * lighting, as emission; the diffuse term as a diffuse base. A specular coefficient adds
-   * highlights of the same height and width: white ones by a boundary, coloured ones by a part of
-   * metal. Where they would reflect more than a fifth, they brighten the base.
+   * With any other interpolation, and for properties without lighting: the opacity, and the colours
+   * that VTK's window displays in light that shows colours unchanged. The ambient term, or the
+   * whole colour without lighting, becomes emission, and the diffuse term a diffuse base. A
+   * specular coefficient adds highlights of the same height and width: white ones by a glossy
+   * boundary, coloured ones by a metallic factor. If they would reflect more than a fifth, they
+   * brighten the base.
    *
-   * Culling of back or front faces sets the visible sides; where both are culled, VTK culls back
-   * faces.
+   * Culling of back or front faces sets the visible sides. If both are culled, VTK culls back faces
+   * only.
    *
-   * vtkCSLFSceneImporter does the same for the lights that there are.
+   * vtkCSLFSceneImporter does the same for the actual lights of a renderer.
    *
-   * Coats, anisotropy and edge tint are not represented; vtkCSLFSceneImporter represents properties
-   * of back faces, edges, wireframes and points.
+   * Coats, anisotropy and edge tint are not represented. vtkCSLFSceneImporter also represents
+   * properties of back faces, edges, wireframes and points.
    */
   static void SetFromProperty(vtkDataObject* data, vtkProperty* property);
 
@@ -137,7 +142,7 @@ public:
 
   ///@{
   /**
-   * Set or get how metallic the surface is, in [0,1]. Default: 0.
+   * Set or get the metallic factor, in [0,1]. Default: 0.
    */
   static void SetMetallic(vtkDataObject* data, double metallic);
   static double GetMetallic(vtkDataObject* data);
@@ -153,7 +158,8 @@ public:
 
   ///@{
   /**
-   * Set or get the radiance emitted from all visible sides: linear, not negative. Default: 0, 0, 0.
+   * Set or get the emission: linear radiance from all visible sides, not negative. Default: 0, 0,
+   * 0.
    */
   static void SetEmission(vtkDataObject* data, double red, double green, double blue);
   static void GetEmission(vtkDataObject* data, double radiance[3]);
@@ -194,7 +200,7 @@ public:
 
   ///@{
   /**
-   * Set or get the opacity below which a surface is not there, in [0,1]; 0 for none. Default: 0.
+   * Set or get the opacity below which a surface is invisible, in [0,1]; 0 for none. Default: 0.
    */
   static void SetOpacityCutoff(vtkDataObject* data, double cutoff);
   static double GetOpacityCutoff(vtkDataObject* data);
@@ -213,10 +219,10 @@ public:
   ///@{
   /**
    * Set or get the sides from which polygons are visible, by Sides. Rays of all kinds that come
-   * from another side pass as if there were no surface: those of cameras, reflections and shadows.
-   * So what a point is lit by is what a camera there would see. An emission shines to the visible
-   * sides. Glass should be visible from both sides, or its rays do not bend where they leave it.
-   * Spheres and tubes of vertices and lines are visible from outside in any case. Default:
+   * from another side pass as if there were no surface: camera rays, reflections and shadows. A
+   * point is therefore lit by what a camera there would see. An emission shines to the visible
+   * sides. Glass should be visible from both sides; otherwise light is not refracted when it
+   * leaves. Spheres and tubes of vertices and lines are always visible from outside. Default:
    * BothSides.
    */
   static void SetVisibleSides(vtkDataObject* data, int sides);
@@ -233,8 +239,8 @@ public:
 
   ///@{
   /**
-   * Set or get the radius of lines, in world units; 0 for a small part of the scene's size, see
-   * above. Default: 0.
+   * Set or get the radius of lines, in world units; 0 selects a small fraction of the scene's size,
+   * see above. Default: 0.
    */
   static void SetLineRadius(vtkDataObject* data, double radius);
   static double GetLineRadius(vtkDataObject* data);
@@ -242,8 +248,8 @@ public:
 
   ///@{
   /**
-   * Set or get the radius of vertices, in world units; 0 for a small part of the scene's size, see
-   * above. Default: 0.
+   * Set or get the radius of vertices, in world units; 0 selects a small fraction of the scene's
+   * size, see above. Default: 0.
    */
   static void SetPointRadius(vtkDataObject* data, double radius);
   static double GetPointRadius(vtkDataObject* data);
@@ -251,16 +257,17 @@ public:
 
   ///@{
   /**
-   * Set or get the linear radiance of a white surface in the light for which colours of points and
-   * in textures are interpolated as displayed values; 0 where they are interpolated as light: see
-   * above. All components are above 0, or none counts. Default: 0, 0, 0.
+   * Set or get the displayed white: the linear radiance of a white surface in the light for which
+   * colours of points and in textures are interpolated as displayed values. With 0, they are
+   * interpolated as light, see above. The value is used only if all components are above 0.
+   * Default: 0, 0, 0.
    */
   static void SetDisplayedWhite(vtkDataObject* data, double red, double green, double blue);
   static void GetDisplayedWhite(vtkDataObject* data, double radiance[3]);
   ///@}
 
   /**
-   * What a texture is used for.
+   * The uses of textures.
    */
   enum TextureSlots
   {
@@ -271,54 +278,55 @@ public:
   };
 
   /**
-   * What a texture shows beyond coordinates in [0,1].
+   * The ways to extend a texture beyond coordinates in [0,1].
    */
   enum TextureWraps
   {
-    ClampToEdge = 0, ///< its edge goes on
-    Repeat,          ///< it repeats
-    MirroredRepeat,  ///< it repeats, every other time mirrored
-    ClampToBorder    ///< one colour, the border's
+    ClampToEdge = 0, ///< clamped to the edge
+    Repeat,          ///< repeated
+    MirroredRepeat,  ///< repeated and mirrored alternately
+    ClampToBorder    ///< the border's colour
   };
 
   ///@{
   /**
-   * The names of the arrays that hold a texture's pixels and its layout; null for any other slot.
+   * The names of the arrays that hold the pixels and the layout of a texture; null for an invalid
+   * slot.
    */
   static const char* TextureName(int slot);
   static const char* TextureLayoutName(int slot);
   ///@}
 
   /**
-   * Sets a texture: a two-dimensional image of unsigned chars of 1 to 4 components, whose pixels
-   * are shared, not copied. `repeat` tells whether it goes on beyond texture coordinates in [0,1],
-   * and `interpolate` whether it is bilinear between pixels. Returns false, with a warning, for any
-   * other image; null removes the texture.
+   * Sets a texture: a two-dimensional image of unsigned chars with 1 to 4 components, whose pixels
+   * are shared, not copied. `repeat` selects whether it is repeated beyond texture coordinates in
+   * [0,1], and `interpolate` whether it is interpolated bilinearly between pixels. Returns false,
+   * with a warning, for any other image. Null removes the texture.
    */
   static bool SetTexture(vtkDataObject* data, int slot, vtkImageData* image, bool repeat = true,
     bool interpolate = true);
 
   /**
-   * Sets a texture from the input image of a vtkTexture, and its wrap, border and interpolation.
+   * Sets a texture from the input image of a vtkTexture, with its wrap, border and interpolation.
    * Scalars of any type become colours as in VTK's window, by the texture's colour mode and lookup
-   * table; direct colours of floats are clamped to [0,1]. Cube maps are no such textures; the
-   * texture's transform is one of texture coordinates, which vtkCSLFSceneImporter applies. Returns
-   * false, with a warning, where it cannot be used; null removes the texture.
+   * table; direct float colours are clamped to [0,1]. Cube maps are not supported. The texture's
+   * transform is a transform of texture coordinates, which vtkCSLFSceneImporter applies. Returns
+   * false, with a warning, if the texture cannot be used. Null removes the texture.
    */
   static bool SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* texture);
 
   /**
-   * Gets a texture. `repeat` tells whether it repeats along u, not mirrored; see GetTextureWrap.
-   * Returns false, and leaves all else alone, where there is none.
+   * Gets a texture. `repeat` returns whether it repeats along u without mirroring; see
+   * GetTextureWrap. Returns false, and changes nothing, if there is none.
    */
   static bool GetTexture(
     vtkDataObject* data, int slot, vtkImageData* image, bool& repeat, bool& interpolate);
 
   ///@{
   /**
-   * Set or get what a texture shows beyond coordinates in [0,1], by TextureWraps, along u and v.
-   * SetTexture sets Repeat or ClampToEdge for both. Returns false, and does nothing else, where
-   * there is no texture.
+   * Set or get the wrap of a texture beyond coordinates in [0,1], by TextureWraps, along u and v.
+   * SetTexture sets Repeat or ClampToEdge for both. Returns false, and does nothing else, if there
+   * is no texture.
    */
   static bool SetTextureWrap(vtkDataObject* data, int slot, int wrapU, int wrapV);
   static bool GetTextureWrap(vtkDataObject* data, int slot, int wraps[2]);
@@ -326,9 +334,9 @@ public:
 
   ///@{
   /**
-   * Set or get the colour of a texture with ClampToBorder beyond [0,1], encoded as its pixels are:
-   * red, green, blue and alpha, in [0,1]. The alpha counts where the pixels have one, too.
-   * SetTexture sets 0, 0, 0, 0. Returns false, and does nothing else, where there is no texture.
+   * Set or get the border colour of a texture with ClampToBorder, encoded like its pixels: red,
+   * green, blue and alpha, in [0,1]. The alpha is used only if the pixels have one. SetTexture sets
+   * 0, 0, 0, 0. Returns false, and does nothing else, if there is no texture.
    */
   static bool SetTextureBorder(
     vtkDataObject* data, int slot, double red, double green, double blue, double alpha);
@@ -336,7 +344,7 @@ public:
   ///@}
 
   /**
-   * Copies the arrays of `fallback` that `data` lacks. For a block that inherits from its root.
+   * Copies the arrays of `fallback` that `data` lacks, for a block that inherits from its root.
    */
   static void Inherit(vtkDataObject* data, vtkDataObject* fallback);
 

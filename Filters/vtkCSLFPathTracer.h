@@ -2,40 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFPathTracer
- * @brief   what the filters that path-trace a scene have in common
+ * @brief   superclass of the filters that path-trace a scene
  *
- * Superclass of vtkCSLFSampler, which makes a light field, and vtkCSLFViewTracer, which makes the
- * picture of one camera. Input port 0 takes any number of connections, each a vtkPolyData,
- * vtkMultiBlockDataSet or vtkPartitionedDataSetCollection (leaves of vtkPolyData); together they
- * are the scene. So is what a vtkRenderer shows: see SetRenderer.
+ * This is the superclass of vtkCSLFSampler, which makes a light field, and vtkCSLFViewTracer, which
+ * makes the picture of one camera. Input port 0 takes any number of connections, each a
+ * vtkPolyData, vtkMultiBlockDataSet or vtkPartitionedDataSetCollection with leaves of vtkPolyData.
+ * Together they form the scene. A vtkRenderer can contribute to the scene as well, see SetRenderer.
  *
- * - Polygons and triangle strips are traced as triangles, vertex cells as spheres and lines as
- * tubes with round ends, of a radius that vtkCSLFMaterial tells, or for each point an array of
- * point data named `CSLF:PointRadius` or `CSLF:LineRadius`, in world units. Leaves of other types,
- * and cells with coordinates that are not finite, are left out, named in one warning. Triangles
- * without area show nothing and are left out silently. A scene without anything to trace is an
+ * - Polygons and triangle strips are traced as triangles, vertex cells as spheres, and lines as
+ * tubes with round ends. Their radius is set by vtkCSLFMaterial or, for each point, by a point-data
+ * array named `CSLF:PointRadius` or `CSLF:LineRadius`, in world units. Leaves of other types and
+ * cells with coordinates that are not finite are left out, and one warning names them. Triangles
+ * without area are invisible and are left out silently. A scene without anything to trace is an
  * error.
- * - Data is shown at each of its instances, if it has any: see vtkCSLFInstances.
- * - Surfaces are two-sided unless their material says otherwise. Point normals, where present,
- * smooth the shading.
- * - Materials, textures and lights are field data: see vtkCSLFMaterial and vtkCSLFLight.
- * - Rays pass surfaces of an opacity below 1 by chance. Alpha is the share of rays that end on some
- * surface; depth is that of the first surface whose opacity is at least one half.
- * - With ScalarVisibility, the active scalars (or what SetInputArrayToProcess chooses: points, then
- * cells) replace the base colour: unsigned chars of 3 or 4 components are sRGB colours; all else is
- * mapped through LookupTable, or the array's own lookup table, or a default one over the range of
- * all inputs' arrays. Colours of points are interpolated after they are made linear; their alpha
- * multiplies the opacity.
+ * - Data that has instances is shown at each of them, see vtkCSLFInstances.
+ * - Surfaces are two-sided unless their material says otherwise. Point normals, if present, give
+ * smooth shading.
+ * - Materials, textures and lights are field data, see vtkCSLFMaterial and vtkCSLFLight.
+ * - Rays pass surfaces with an opacity below 1 at random. Alpha is the fraction of rays that end on
+ * a surface. Depth is that of the first surface whose opacity is at least one half.
+ * - With ScalarVisibility, the active scalars, or those that SetInputArrayToProcess selects (of
+ * points, then of cells), replace the base colour. Unsigned chars of 3 or 4 components are sRGB
+ * colours. All other scalars are mapped through LookupTable, or the array's own lookup table, or a
+ * default table over the range of the arrays of all inputs. Colours of points are converted to
+ * linear before they are interpolated. Their alpha multiplies the opacity.
  *
- * Light transport: path tracing, where light from surfaces that emit and from environment images
- * is sampled at its source as well as by the surface, combined by the power heuristic; from the
- * fourth reflection on, paths end by Russian roulette. The estimate has no bias but MaximumDepth.
+ * Light transport is path tracing. Light from emissive surfaces and environment images is sampled
+ * both at its source and by the surface, and the power heuristic combines the two. From the fourth
+ * reflection on, paths end by Russian roulette. MaximumDepth is the only bias.
  *
- * Results depend on the parameters only, to the last bit, on processors of one kind with the same
- * libraries: not on the number of threads, nor on the part of the output that is asked for. The
- * record of the sampling has a hash ("arithmetic") that tells processors apart. The scene is built
- * once, and again only when the inputs or the parameters that make it change, so a downstream
- * filter can pull the output piece by piece. Aborting leaves the output empty.
+ * On processors of one kind with the same libraries, results depend only on the parameters, to the
+ * last bit. They do not depend on the number of threads or on the requested part of the output. The
+ * record of the sampling contains a hash ("arithmetic") that identifies the kind of processor. The
+ * scene is built once, and again only if the inputs or the parameters that affect it change, so a
+ * downstream filter can request the output piece by piece. Aborting leaves the output empty.
  */
 #ifndef vtkCSLFPathTracer_h
 #define vtkCSLFPathTracer_h
@@ -74,29 +74,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Takes the lookup table's time into account, and that of all that the renderer shows.
+   * Includes the modification times of the lookup table and of everything that the renderer shows.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * The ways to follow light.
+   * The methods of light transport.
    */
   enum Integrators
   {
-    PathTracing = 0, ///< every path to its end: no bias but MaximumDepth
-    RadianceCaching  ///< paths end where the light of surfaces is worked out beforehand
+    PathTracing = 0, ///< traces every path to its end; MaximumDepth is the only bias
+    RadianceCaching  ///< paths end at surfaces whose light is precomputed
   };
 
   ///@{
   /**
-   * How light is followed. Path tracing is the reference. Radiance caching works out the light that
-   * surfaces diffuse, which looks alike from everywhere, once, at points on them as dense as the
-   * light's detail demands; paths then end at the first diffuse surface, where the light between
-   * points is interpolated. Reflections of rough dielectrics are looked up, too, where the light
-   * that arrives there is smooth enough and none is sampled at its source. What is left of a path
-   * is what all else reflects or transmits: mirrors, metals, glass, the reflections of lamps.
-   * Documentation/LightTransport.md tells more. Default: radiance caching in vtkCSLFSampler, path
-   * tracing in vtkCSLFViewTracer.
+   * The method of light transport. Path tracing is the reference. Radiance caching computes the
+   * light of diffuse surfaces, which looks the same from all directions, once, at points on the
+   * surfaces that are as dense as the detail of the light requires. Paths end at the first diffuse
+   * surface, where the light is interpolated between these points. Reflections of rough dielectrics
+   * are looked up as well, if the arriving light is smooth enough and is not sampled at its source.
+   * The remaining light is traced: mirrors, metals, glass and reflections of lamps. See
+   * Documentation/LightTransport.md. Default: radiance caching in vtkCSLFSampler, path tracing in
+   * vtkCSLFViewTracer.
    */
   vtkSetClampMacro(Integrator, int, PathTracing, RadianceCaching);
   vtkGetMacro(Integrator, int);
@@ -106,13 +106,14 @@ public:
 
   ///@{
   /**
-   * The bias of radiance caching: points are added where interpolation would err by more than this,
-   * in parts of white as it is displayed (sRGB-encoded, Exposure included), until they are as close
-   * as CacheSpacing. One and a half standard errors of each point are kept below it, too, where
-   * CacheSamples allow, and so is the root mean square error of reflections that are looked up.
-   * Where the output is bytes, what is brighter than white is clipped and need not be right. Where
-   * it is floating point, a viewer may change the exposure: all this holds at any exposure from
-   * 1/16 to 16 times Exposure, which takes more paths. Default: 1/128, two levels of 8 bits.
+   * The bias of radiance caching, as a fraction of displayed white (sRGB-encoded, Exposure
+   * included). Points are added where the error of interpolation would exceed this value, until
+   * their distance is CacheSpacing. One and a half standard errors of each point are also kept
+   * below this value, as far as CacheSamples allows, and so is the root mean square error of
+   * reflections that are looked up. For byte output, values above white are clipped and need not be
+   * accurate. For floating-point output, a viewer may change the exposure, so the tolerance holds
+   * at any exposure from 1/16 to 16 times Exposure, which takes more paths. Range: 1e-6 to 1.
+   * Default: 1/128, two levels of 8 bits.
    */
   vtkSetClampMacro(CacheTolerance, double, 1e-6, 1.0);
   vtkGetMacro(CacheTolerance, double);
@@ -120,24 +121,24 @@ public:
 
   ///@{
   /**
-   * The smallest distance of radiance caching's points, in parts of the diagonal of the scene's
-   * bounds: about the width of the sharpest shadow edge. 0 stands for 0.3 divided by the texels or
-   * pixels along the longer side of a picture, about half a texel on the far side of the cube.
-   * Default: 0.
+   * The smallest distance between points of the radiance cache, as a fraction of the diagonal of
+   * the scene's bounds. This is about the width of the sharpest shadow edge. 0 selects 0.3 divided
+   * by the number of texels or pixels along the longer side of a picture, about half a texel on the
+   * far side of the cube. Range: 0 to 1. Default: 0.
    */
   vtkSetClampMacro(CacheSpacing, double, 0.0, 1.0);
   vtkGetMacro(CacheSpacing, double);
   ///@}
 
   /**
-   * The spacing that 0 stands for, in parts of the diagonal of the scene's bounds, of pictures of
-   * so many texels or pixels along the longer side. Sizes below 1 count as 1.
+   * The spacing that 0 selects, as a fraction of the diagonal of the scene's bounds, for pictures
+   * with `size` texels or pixels along the longer side. Sizes below 1 are treated as 1.
    */
   static double GetAutomaticCacheSpacing(int size);
 
   ///@{
   /**
-   * The most paths for one point of radiance caching. At least 64. Default: 1024.
+   * The maximum number of paths for one point of the radiance cache. At least 64. Default: 1024.
    */
   vtkSetClampMacro(CacheSamples, int, 64, VTK_INT_MAX);
   vtkGetMacro(CacheSamples, int);
@@ -145,11 +146,11 @@ public:
 
   ///@{
   /**
-   * Whether each new cache is compared with path tracing: at up to 1024 random points of the texels
-   * or pixels that the update will render, by 64 paths each, fewer where little is to be rendered.
-   * A warning tells where the cache differs by more than the bounds: 2 % of the mean radiance, or
-   * three times CacheTolerance as a root mean square of displayed colours, each exceeded by more
-   * than three standard errors. Default: on.
+   * Whether to compare each new cache with path tracing, at up to 1024 random points of the texels
+   * or pixels that the update will render, with 64 paths each; fewer points if little is to be
+   * rendered. A warning is given if the cache differs by more than its bounds: 2 % of the mean
+   * radiance, or three times CacheTolerance as a root mean square of displayed colours, each
+   * exceeded by more than three standard errors. Default: on.
    */
   vtkSetMacro(CheckCache, bool);
   vtkGetMacro(CheckCache, bool);
@@ -158,11 +159,11 @@ public:
 
   ///@{
   /**
-   * What the check of the cache has found. CheckedTexels: how many texels or pixels were compared;
-   * 0 where there was no check or nothing to see. CacheMeanDifference: the mean radiance by the
-   * cache minus that by path tracing, in parts of the latter. CacheRMSDifference: the root mean
-   * square difference of the displayed colours, in parts of white, without the noise of the paths.
-   * The errors are their standard errors.
+   * The results of the check of the cache. CheckedTexels is the number of compared texels or
+   * pixels; it is 0 if there was no check or nothing was visible. CacheMeanDifference is the mean
+   * radiance of the cache minus that of path tracing, as a fraction of the latter.
+   * CacheRMSDifference is the root mean square difference of the displayed colours, as a fraction
+   * of white, without the noise of the paths. The errors are their standard errors.
    */
   vtkGetMacro(CheckedTexels, int);
   vtkGetMacro(CacheMeanDifference, double);
@@ -172,16 +173,16 @@ public:
   ///@}
 
   /**
-   * The spacing of the cache's points that was used, in parts of the diagonal of the scene's
-   * bounds: larger than CacheSpacing, with a warning, where the scene would need too many bricks. 0
-   * without a cache.
+   * The actual spacing of the cache's points, as a fraction of the diagonal of the scene's bounds.
+   * It is larger than CacheSpacing, with a warning, if the scene would need too many bricks. It is
+   * 0 without a cache.
    */
   vtkGetMacro(UsedCacheSpacing, double);
 
   ///@{
   /**
-   * The paths traced for each texel or pixel, spread over its area; powers of two are spread best.
-   * At least 1. Default: 64.
+   * The number of paths for each texel or pixel, distributed over its area. Powers of two are
+   * distributed best. At least 1. Default: 64.
    */
   vtkSetClampMacro(Samples, int, 1, VTK_INT_MAX);
   vtkGetMacro(Samples, int);
@@ -189,12 +190,13 @@ public:
 
   ///@{
   /**
-   * Where above 0, sampling of a square of 4 x 4 texels ends early, at a power of two of samples,
-   * when the standard error of their colours is at most this, in parts of displayed white: 1/256 is
-   * one level of 8 bits. Where the output is floating point, this holds at any exposure from 1/16
-   * to 16 times Exposure. Texels that see only what radiance caching knows, or nothing, may do with
-   * one sample; all others have at least 4 of the Samples. The mean of a texel is not biased: only
-   * the other texels of its square decide how many samples it takes. Default: 0, take all Samples.
+   * If above 0, sampling of a square of 4 x 4 texels ends early, at a power of two of samples, when
+   * the standard error of their colours is at most this fraction of displayed white. 1/256 is one
+   * level of 8 bits. For floating-point output, this holds at any exposure from 1/16 to 16 times
+   * Exposure. Texels that see only cached light, or nothing, may need only one sample; all others
+   * take at least 4 of the Samples. The mean of a texel is not biased, because only the other
+   * texels of its square determine its number of samples. Range: 0 to 1. Default: 0, which takes
+   * all Samples.
    */
   vtkSetClampMacro(NoiseTarget, double, 0.0, 1.0);
   vtkGetMacro(NoiseTarget, double);
@@ -202,8 +204,9 @@ public:
 
   ///@{
   /**
-   * The number of reflections of the longest path: 0 shows emission only, 1 adds direct light, more
-   * add indirect light. Each passage through a surface of glass counts as one. Default: 8.
+   * The maximum number of reflections of a path: 0 shows emission only, 1 adds direct light, and
+   * higher values add indirect light. Each passage through a glass surface counts as a reflection.
+   * At least 0. Default: 8.
    */
   vtkSetClampMacro(MaximumDepth, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumDepth, int);
@@ -219,7 +222,7 @@ public:
 
   ///@{
   /**
-   * What radiance is multiplied by before it is stored. Not negative. Default: 1.
+   * The factor of the radiance before it is stored. At least 0. Default: 1.
    */
   vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Exposure, double);
@@ -236,19 +239,19 @@ public:
   ///@}
 
   /**
-   * The kinds of light from infinitely far away.
+   * The kinds of environment: light from infinitely far away.
    */
   enum EnvironmentModes
   {
-    NoEnvironment = 0,   ///< darkness
-    ConstantEnvironment, ///< EnvironmentColor all around
+    NoEnvironment = 0,   ///< no light
+    ConstantEnvironment, ///< EnvironmentColor from all directions
     GradientEnvironment, ///< from EnvironmentBottomColor to EnvironmentColor, along EnvironmentUp
     ImageEnvironment     ///< the lat-long image EnvironmentFileName
   };
 
   ///@{
   /**
-   * The light from infinitely far away. Default: constant, and white.
+   * The kind of environment. Default: constant. With the default colour, it is white.
    */
   vtkSetClampMacro(EnvironmentMode, int, NoEnvironment, ImageEnvironment);
   vtkGetMacro(EnvironmentMode, int);
@@ -278,7 +281,7 @@ public:
 
   ///@{
   /**
-   * What the environment's linear radiance is multiplied by. Not negative. Default: 1.
+   * The factor of the environment's linear radiance. At least 0. Default: 1.
    */
   vtkSetClampMacro(EnvironmentIntensity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EnvironmentIntensity, double);
@@ -286,10 +289,10 @@ public:
 
   ///@{
   /**
-   * A lat-long image in any format that OpenImageIO reads: floating-point formats hold linear
-   * radiance, others sRGB, unless the file says otherwise. It lies around the scene like the
-   * environment texture of a vtkRenderer: the image's middle is the direction +X, +Z is a quarter
-   * of its width further right.
+   * The file of a lat-long image, in any format that OpenImageIO reads. Floating-point formats hold
+   * linear radiance and others sRGB, unless the file says otherwise. The image is oriented like the
+   * environment texture of a vtkRenderer: its middle is the direction +X, and +Z is a quarter of
+   * its width further to the right. Default: none.
    */
   vtkSetFilePathMacro(EnvironmentFileName);
   vtkGetFilePathMacro(EnvironmentFileName);
@@ -297,8 +300,8 @@ public:
 
   ///@{
   /**
-   * The direction of a gradient's or an image's top, of any length but 0. For an image, +X is made
-   * perpendicular to it. Default: 0, 1, 0.
+   * The direction of the top of a gradient or an image, of any length but 0. For an image, +X is
+   * made perpendicular to it. Default: 0, 1, 0.
    */
   vtkSetVector3Macro(EnvironmentUp, double);
   vtkGetVector3Macro(EnvironmentUp, double);
@@ -315,11 +318,11 @@ public:
 
   ///@{
   /**
-   * A renderer whose visible actors and lights are a part of the scene, in place of input
-   * connections or beside them: as by an input from a vtkCSLFSceneImporter, where it is told what
-   * becomes of actors, properties and lights. Its lights take the place of the environment
-   * parameters. Nothing is drawn, and no window is needed. Changes of anything it shows are
-   * noticed. Default: none.
+   * A renderer whose visible actors and lights are part of the scene, instead of or in addition to
+   * input connections. The result is the same as for the output of a vtkCSLFSceneImporter as input;
+   * its documentation describes the conversion of actors, properties and lights. The renderer's
+   * lights replace the environment parameters. The renderer is not drawn and needs no window.
+   * Changes of anything it shows are detected. Default: none.
    */
   virtual void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -327,9 +330,9 @@ public:
 
   ///@{
   /**
-   * Whether colours in the renderer's scene are interpolated as its window does: see
-   * vtkCSLFSceneImporter. What comes from inputs is not affected: it is interpolated as its
-   * materials say, by default as light. Default: on.
+   * Whether colours in the renderer's scene are interpolated as in its window, see
+   * vtkCSLFSceneImporter. Inputs are not affected: their materials determine the interpolation,
+   * which is linear in light by default. Default: on.
    */
   vtkSetMacro(InterpolateDisplayedColors, bool);
   vtkGetMacro(InterpolateDisplayedColors, bool);
@@ -338,7 +341,7 @@ public:
 
   ///@{
   /**
-   * What maps scalars to colours, with its own range. Default: none, see above.
+   * The lookup table that maps scalars to colours, with its own range. Default: none, see above.
    */
   virtual void SetLookupTable(vtkScalarsToColors* lookupTable);
   vtkScalarsToColors* GetLookupTable();
@@ -346,9 +349,9 @@ public:
 
   ///@{
   /**
-   * What the output cost: the rays traced for it and the seconds that took; the rays traced to fill
-   * the cache, the seconds that took, and the values stored. Sums over all updates since a
-   * parameter changed, so a downstream filter may pull the output piece by piece.
+   * The cost of the output: the rays traced for it and their seconds, and for the cache, its rays,
+   * seconds and stored values. The numbers are sums over all updates since a parameter changed, so
+   * a downstream filter can request the output piece by piece.
    */
   vtkGetMacro(NumberOfRays, vtkTypeUInt64);
   vtkGetMacro(RenderSeconds, double);
@@ -359,15 +362,19 @@ public:
 
   ///@{
   /**
-   * Whether each rank of the controller holds a piece of the scene. If on, each rank asks its
-   * inputs for its own piece, and every rank traces all, surfaces joined and sorted: the bytes are
-   * the same however the scene is cut, also for one rank. Field data describes the whole of a scene
-   * and may come with every piece, so equal lights of several ranks are one light; the environment
-   * is that of the first rank that has one. All ranks must update together whenever the scene
-   * changes, which they find by the times of their pipelines, not of the data. If the input of one
-   * rank fails, the update fails on all of them, and each tells why. (Not so where an application
-   * such as ParaView replaces the filter's executive.) If off, each rank asks for the whole scene
-   * and traces what it gets: the choice where all ranks read the same files. Default: off.
+   * Whether each rank of the controller holds a piece of the scene.
+   *
+   * If on, each rank requests its own piece from its inputs, and every rank traces the whole scene,
+   * with surfaces joined and sorted. The bytes are the same for any division of the scene,
+   * including a single rank. Field data describes the whole scene and may come with every piece, so
+   * equal lights of several ranks count as one light. The environment is that of the first rank
+   * that has one. All ranks must update together whenever the scene changes; changes are detected
+   * by the times of their pipelines, not of the data. If the input of one rank fails, the update
+   * fails on all ranks, and each reports the reason. (This does not apply if an application such as
+   * ParaView replaces the filter's executive.)
+   *
+   * If off, each rank requests the whole scene and traces what it receives. Use this if all ranks
+   * read the same files. Default: off.
    */
   vtkSetMacro(DistributedScene, bool);
   vtkGetMacro(DistributedScene, bool);
@@ -375,15 +382,15 @@ public:
   ///@}
 
   /**
-   * The bytes of the pieces of all ranks, all of which came to this rank when a distributed scene
-   * was last gathered; 0 if none was. Known before the pieces are sent: the first rank warns if the
-   * scenes of the ranks on its computer may not fit into its memory.
+   * The size in bytes of the pieces of all ranks, which this rank received when a distributed scene
+   * was last gathered; 0 if none was. The size is known before the pieces are sent: the first rank
+   * warns if the scenes of the ranks on its computer may not fit into its memory.
    */
   vtkGetMacro(GatheredBytes, vtkTypeUInt64);
 
   ///@{
   /**
-   * What connects the ranks of a distributed scene. Default: the global controller.
+   * The controller of the ranks of a distributed scene. Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -391,12 +398,11 @@ public:
 
   ///@{
   /**
-   * Where above 0, a radiance cache that is not there is not made but probed, in about so many
-   * seconds: good for a look at what an update will cost, and for pictures that are roughly right.
-   * What a probe found is used for the same scene, even if other parameters change, until this is
-   * set to another number. Below 0 counts as 0.
-   * The expected seconds are those that making the cache would take; 0 where it is there. Used by
-   * vtkCSLFBakeEstimator. Default: 0.
+   * If above 0, a missing radiance cache is not computed but probed, in about this number of
+   * seconds. Use it to predict the cost of an update, or for approximate pictures. The result of a
+   * probe is used for the same scene, even if other parameters change, until this is set to another
+   * number. Values below 0 are treated as 0. ExpectedCacheSeconds is the predicted time to compute
+   * the cache, or 0 if it exists. Used by vtkCSLFBakeEstimator. Default: 0.
    */
   virtual void SetCacheProbeSeconds(double seconds);
   vtkGetMacro(CacheProbeSeconds, double);
@@ -418,15 +424,15 @@ protected:
   const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
 
   /**
-   * The sampling and scene parameters as a JSON object, for the record: everything that the
-   * texels depend on, a hash of the scene, and what the check of the cache has found, if that is
-   * known. Call it after UpdateScene.
+   * The sampling and scene parameters as a JSON object, for the record: everything that affects the
+   * texels, a hash of the scene, and the results of the check of the cache, if known. Call it after
+   * UpdateScene.
    */
   std::string DescribeSampling();
 
   /**
-   * Renders a picture of the scene that UpdateScene returned, with progress. False when aborted.
-   * The layout may be a part of the slices that the whole picture has.
+   * Renders a picture of the scene that UpdateScene returned, with progress. Returns false if
+   * aborted. The layout may be a part of the slices of the whole picture.
    */
   bool Render(const cslf::PictureLayout& layout, int wholeSlices,
     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
@@ -436,8 +442,8 @@ private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
   void operator=(const vtkCSLFPathTracer&) = delete;
 
-  // vtkCSLFEncoder sets, while it writes a field, what shares the next cache with other ranks and
-  // keeps it for a run that is started again; then null. It is not owned.
+  // While it writes a field, vtkCSLFEncoder sets the keeper, which shares the next cache with other
+  // ranks and stores it for a rerun; afterwards null. It is not owned.
   friend class vtkCSLFEncoder;
   void SetCacheKeeper(cslf::CacheKeeper* keeper);
 

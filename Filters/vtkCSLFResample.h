@@ -4,25 +4,25 @@
  * @class   vtkCSLFResample
  * @brief   makes a coarser light field from a light field
  *
- * vtkCSLFResample makes the fields of a multi-resolution representation from one that was sampled
- * (paper, section 3.2): N/2, N/4 ... texels by averaging, and nested grids of viewpoints, which are
- * the "key views" of the paper's section 3.3, by leaving nodes out. The output equals, but for
- * rounding and noise, a field sampled at its own numbers of viewpoints and texels; it is a light
- * field like any other, to be drawn, coded and written.
+ * vtkCSLFResample derives the levels of a multi-resolution representation from a sampled field
+ * (paper, section 3.2): N/2, N/4 ... texels by averaging, and nested grids of viewpoints, the "key
+ * views" of the paper's section 3.3, by omitting nodes. Apart from rounding and noise, the output
+ * equals a field that was sampled with these numbers of viewpoints and texels. It is a light field
+ * like any other and can be drawn, coded and written.
  *
- * - Colours are averaged as light: linear, with the coverage as weight. Alpha is the mean coverage.
- * - Depth is the smallest of the covered texels, so that nothing is lost behind what it hides.
+ * - Colours are averaged as linear light, weighted by coverage. Alpha is the mean coverage.
+ * - Depth is the smallest depth of the covered texels, so that no foreground is lost.
  * - Other channels are averaged over the covered texels.
- * - The description's node list and resolution are rewritten; `resampled` in its `sampling` tells
- *   the divisor and the stride, of several passes their products.
+ * - The node list and the resolution in the description are updated; `resampled` in its `sampling`
+ * holds the divisor and the stride, or for several passes their products.
  *
  * The divisor must divide the resolution N, and the stride must divide M - 1, so that the nodes on
- * the edges, which neighbouring faces share, are kept. What does not divide is refused.
+ * the edges, which neighbouring faces share, are kept. Other values are refused.
  *
- * Any z range of the output can be asked for. The input is pulled for it a few viewpoints at a
- * time, leaving out rows of viewpoints that are not needed, so besides what is asked for it takes
- * no more memory than 64 MiB, or two slices of the input. A part of a field that was extracted
- * along z can be made coarser in its texels, but not in its viewpoints.
+ * Any z range of the output can be requested. The input is then requested a few viewpoints at a
+ * time, without rows of viewpoints that are not needed. Apart from the output, the filter needs at
+ * most 64 MiB, or two slices of the input. If a part of a field was extracted along z, its texels
+ * can be reduced, but not its viewpoints.
  *
  * @sa
  * vtkCSLFSampler vtkCSLFDecoder
@@ -49,7 +49,8 @@ public:
 
   ///@{
   /**
-   * How many texels along each side become one. At least 1. Default: 1, as they are.
+   * The number of texels along each side that are combined into one. At least 1. Default: 1, no
+   * change.
    */
   vtkSetClampMacro(ResolutionDivisor, int, 1, VTK_INT_MAX);
   vtkGetMacro(ResolutionDivisor, int);
@@ -57,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Every which viewpoint along each side of a face is kept, beginning with the first. At least 1.
-   * Default: 1, all of them.
+   * The stride of viewpoints along each side of a face: every n-th is kept, beginning with the
+   * first. At least 1. Default: 1, all of them.
    */
   vtkSetClampMacro(ViewpointStride, int, 1, VTK_INT_MAX);
   vtkGetMacro(ViewpointStride, int);

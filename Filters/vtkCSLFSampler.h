@@ -4,25 +4,26 @@
  * @class   vtkCSLFSampler
  * @brief   path-trace the cube surface light field of a scene
  *
- * The output is the light field of everything on input port 0, as image data of dimensions (5N, N,
- * 6M^2): a slice is the view from one of M x M viewpoints on each of the cube's 6 faces, a strip of
- * 5 tiles of N x N texels, one for each other face. Ai, Wang, Kou, "CSLF: Cube Surface Light Field
- * and Its Sampling, Compression, Real-Time Rendering", 2021, section 3.2. Point data:
+ * The output is the light field of the scene on input port 0, as image data of dimensions (5N, N,
+ * 6M^2). Each slice is the view from one of M x M viewpoints on each of the cube's 6 faces: a strip
+ * of 5 tiles of N x N texels, one for each other face. See Ai, Wang, Kou, "CSLF: Cube Surface Light
+ * Field and Its Sampling, Compression, Real-Time Rendering", 2021, section 3.2. Point data:
  *
  * - `Color`: the radiance that leaves through a texel towards the viewpoint, averaged over the
- * texel, times the exposure; 4 unsigned chars (sRGB-encoded mean of the samples that hit, times
- * alpha) or 4 floats (linear, associated alpha). Alpha is the part of the texel that is covered.
- * - `Depth`: the first hit of the ray to the texel's centre, as a fraction of the way from the
- * viewpoint to there, 0 to 1 as 0 to 65535. Where it misses but alpha is above 0, that of the
- * sample nearest to the centre; where alpha is 0, or the centre shows the environment, 65535.
+ * texel, times the exposure; as 4 unsigned chars (sRGB-encoded mean of the samples that hit a
+ * surface, times alpha) or 4 floats (linear, associated alpha). Alpha is the covered fraction of
+ * the texel.
+ * - `Depth`: the first intersection of the ray to the texel's centre, as a fraction of the distance
+ * from the viewpoint to the texel's centre, with 0 to 1 stored as 0 to 65535. If this ray misses
+ * but alpha is above 0, it is the depth of the sample nearest to the centre. If alpha is 0, or the
+ * centre shows the environment, it is 65535.
  *
- * Field data carries the light field's description. Any range of slices can be asked for
- * (UPDATE_EXTENT along z); x and y come whole.
+ * Field data holds the light field's description.
  *
- * The cube must strictly contain the scene; else the filter reports an error.
+ * The cube must strictly contain the scene; otherwise the filter reports an error.
  *
- * Any range of viewpoints (z slices) can be asked for by update extents. Pieces, as ParaView's
- * ranks ask for them, are such ranges.
+ * Update extents can request any range of viewpoints (z slices); x and y are always whole. Pieces,
+ * as requested by the ranks of ParaView, are such ranges.
  *
  * @sa vtkCSLFViewTracer vtkCSLFMaterial vtkCSLFLight vtkCSLFCornellBoxSource
  */
@@ -57,8 +58,9 @@ public:
 
   ///@{
   /**
-   * Whether the cube is centred on the scene's bounding box, its edge that box's longest side times
-   * (1 + 2 Offset), or set by CubeCenter and CubeEdges. Default: on.
+   * Whether the cube is computed from the scene. If on, it is centred on the scene's bounding box,
+   * and its edge is the longest side of that box times (1 + 2 Offset). If off, CubeCenter and
+   * CubeEdges set it. Default: on.
    */
   vtkSetMacro(AutomaticCube, bool);
   vtkGetMacro(AutomaticCube, bool);
@@ -67,8 +69,8 @@ public:
 
   ///@{
   /**
-   * How much wider than the scene an automatic cube is at each end, as a fraction of the scene's
-   * longest side. At least 1e-6. Default: 0.05.
+   * The margin of an automatic cube on each side of the scene, as a fraction of the scene's longest
+   * side. Range: 1e-6 to 1e6. Default: 0.05.
    */
   vtkSetClampMacro(Offset, double, 1e-6, 1e6);
   vtkGetMacro(Offset, double);
@@ -103,7 +105,7 @@ public:
 
   ///@{
   /**
-   * Whether there is a `Depth`. Default: on.
+   * Whether to generate the array `Depth`. Default: on.
    */
   vtkSetMacro(GenerateDepth, bool);
   vtkGetMacro(GenerateDepth, bool);

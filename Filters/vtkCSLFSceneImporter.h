@@ -2,50 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFSceneImporter
- * @brief   what a renderer shows, as data that can be path-traced
+ * @brief   converts the scene of a renderer to data that can be path-traced
  *
- * A source whose output, a vtkMultiBlockDataSet, holds the surfaces of all visible actors of a
- * vtkRenderer, in the world, with their materials as vtkCSLFMaterial has them, and in a last block
- * the lights as vtkCSLFLight has them. It is the input that vtkCSLFPathTracer::SetRenderer makes.
- * Nothing is drawn, no window is needed, and the renderer is not changed.
+ * This source converts the visible actors of a vtkRenderer to a vtkMultiBlockDataSet of their
+ * surfaces, in world coordinates, with their materials as defined by vtkCSLFMaterial. A last block
+ * holds the lights as defined by vtkCSLFLight. vtkCSLFPathTracer::SetRenderer uses the same
+ * conversion. Nothing is drawn, no window is needed, and the renderer is not changed.
  *
  * Actors, also in assemblies:
  * - Geometry is the input of the mapper, after its pipeline: polygonal data, the surface of any
- *   other data set, or composite data of such, with the visibility, colour and opacity of blocks.
- *   It is placed by the actor's matrix, and by those of its assemblies.
- * - The material is that of the property (see vtkCSLFMaterial::SetFromProperty), and the actor's
- *   texture. Material arrays in the field data of the geometry come before the property, so glass,
- *   say, which a vtkProperty does not know, can be set there.
- * - Scalars become colours as the mapper has it: visibility, mode, array, component, colour mode,
- *   lookup table and range. Where it interpolates scalars before mapping, the table becomes a
- *   texture, as it does in the window; else, or where the actor has a texture, colours are of
- *   points. The table itself is not changed.
- * - Lights, reflectances and emissions are such that a surface which faces the light is traced as
- *   the window shows it, plus the light that bounces: Documentation/Materials.md tells how.
- * - Wireframes, visible edges, points and visible vertices become lines and vertices. Their width
- * in pixels is taken for a width in the world by PixelSize.
- * - vtkMoleculeMapper becomes spheres and tubes of the atoms' and bonds' radii and colours in its
- *   mode, vtkGraphMapper lines and vertices, vtkPointGaussianMapper, vtkOpenGLSphereMapper and
- *   vtkOpenGLStickMapper spheres and tubes. Radii are not scaled by the actor, as in the window.
+ * other data set, or composite data of these, with the visibility, colour and opacity of blocks. It
+ * is placed by the actor's matrix and those of its assemblies.
+ * - The material is that of the property (see vtkCSLFMaterial::SetFromProperty) and the actor's
+ * texture. Material arrays in the field data of the geometry take precedence over the property, so
+ * data can define features that a vtkProperty lacks, such as glass.
+ * - Scalars become colours as in the mapper: visibility, mode, array, component, colour mode,
+ * lookup table and range. If the mapper interpolates scalars before mapping, the table becomes a
+ * texture, as in the window. Otherwise, or if the actor has a texture, colours are those of points.
+ * The table itself is not changed.
+ * - Lights, reflectances and emissions are chosen such that a surface that faces the light is
+ * traced with the colour that the window shows, plus indirect light, see
+ * Documentation/Materials.md.
+ * - Wireframes, visible edges, points and visible vertices become lines and vertices. PixelSize
+ * converts their width from pixels to world units.
+ * - vtkMoleculeMapper becomes spheres and tubes with the radii and colours of its mode,
+ * vtkGraphMapper lines and vertices, and vtkPointGaussianMapper, vtkOpenGLSphereMapper and
+ * vtkOpenGLStickMapper spheres and tubes. The actor does not scale radii, as in the window.
  * - Grids of several levels (vtkUniformGridAMR) become the surface of their visible cells.
- * - Of vtkLODProp3D the selected level is taken, or else the finest.
- * - vtkGlyph3DMapper becomes instances, which share one copy of the geometry: scale mode and
- * factor, range and clamping, orientation mode, masking, source indexing, and a colour for each
- * instance.
+ * - vtkLODProp3D is represented by its selected level, or else by the finest.
+ * - vtkGlyph3DMapper becomes instances that share one copy of the geometry: scale mode and factor,
+ * range and clamping, orientation mode, masking, source indexing, and a colour for each instance.
  *
  * Lights that are switched on:
- * - Scene lights and camera lights become lights of a direction, point lights and spot lights,
- *   camera lights where they stand now.
- * - A headlight shines from wherever the eye is, and a light field has eyes everywhere. With
- *   HeadlightsAllAround it becomes an even environment, in which a matte surface shows the same
- *   colour from everywhere as it does by the headlight straight ahead. A renderer without lights
- *   that creates one is taken to have a headlight.
- * - An environment texture (lat-long) lights the scene where UseImageBasedLighting is on, with the
- *   renderer's EnvironmentUp and EnvironmentRight.
- * - The background does not light, as in VTK.
+ * - Scene lights and camera lights become directional lights, point lights and spot lights. Camera
+ * lights keep their current position.
+ * - A headlight is at the eye, and a light field has eyes everywhere. With HeadlightsAllAround, it
+ * becomes a uniform environment in which a diffuse surface shows, from all directions, the colour
+ * that the headlight gives it head-on. A renderer without lights that creates one is treated as if
+ * it had a headlight.
+ * - An environment texture (lat-long) lights the scene if UseImageBasedLighting is on, with the
+ * renderer's EnvironmentUp and EnvironmentRight.
+ * - The background does not light the scene, as in VTK.
  *
- * What a window shows and what is baked differ in what GetLimitName lists, which is also the table
- * of Documentation/WindowAndBake.md. One warning names what an import has met of it.
+ * GetLimitName lists the differences between a window and its bake, which is also the table of
+ * Documentation/WindowAndBake.md. One warning names those that an import has found.
  *
  * @sa vtkCSLFMaterial vtkCSLFLight vtkCSLFPathTracer
  */
@@ -68,7 +68,7 @@ public:
 
   /**
    * The time of the last change of anything that is imported: props, mappers, properties, lights,
-   * and what their pipelines yield, which are updated for it.
+   * and the output of their pipelines, which are updated for this purpose.
    */
   vtkMTimeType GetMTime() override;
 
@@ -82,7 +82,8 @@ public:
 
   ///@{
   /**
-   * Whether headlights shine from everywhere, or from where the camera is now. Default: on.
+   * Whether headlights become light from all around. If off, they stay at the current position of
+   * the camera. Default: on.
    */
   vtkSetMacro(HeadlightsAllAround, bool);
   vtkGetMacro(HeadlightsAllAround, bool);
@@ -91,9 +92,9 @@ public:
 
   ///@{
   /**
-   * Whether colours of points and in textures are interpolated as the window does: as displayed
-   * values, in classic shading. Off, they are interpolated as light, which is brighter in the
-   * middle between unlike colours. See vtkCSLFMaterial::SetDisplayedWhite. Default: on.
+   * Whether colours of points and in textures are interpolated as in the window: in classic
+   * shading, as displayed values. If off, they are interpolated as light, which is brighter in the
+   * middle between different colours. See vtkCSLFMaterial::SetDisplayedWhite. Default: on.
    */
   vtkSetMacro(InterpolateDisplayedColors, bool);
   vtkGetMacro(InterpolateDisplayedColors, bool);
@@ -102,8 +103,8 @@ public:
 
   ///@{
   /**
-   * What a pixel of a line's width or a point's size is in the world, as a part of the diagonal of
-   * the scene's bounding box. Positive. Default: 0.001.
+   * The size of a pixel of a line's width or a point's size in the world, as a fraction of the
+   * diagonal of the scene's bounding box. Range: 1e-9 to 1. Default: 0.001.
    */
   vtkSetClampMacro(PixelSize, double, 1e-9, 1.0);
   vtkGetMacro(PixelSize, double);
@@ -111,10 +112,10 @@ public:
 
   ///@{
   /**
-   * The list of what a light field shows differently from VTK's window: the name of each
-   * difference, what the window shows, what is baked, and whether the import of such a scene warns
-   * of it; what it does not warn of is so in every scene. The first limit has the number 0. Null or
-   * false for a number that is out of range.
+   * The list of differences between VTK's window and a bake: the name of each difference, what the
+   * window shows, what is baked, and whether the import of such a scene gives a warning.
+   * Differences without a warning exist in every scene. The first has the number 0. Null or false
+   * for a number that is out of range.
    */
   static int GetNumberOfLimits();
   static const char* GetLimitName(int limit);

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFViewTracer
- * @brief   path-trace the picture that a camera sees
+ * @brief   path-trace the picture of a camera
  *
- * The truth that a light field's views are measured against: the scene on input port 0, traced with
- * the parameters of vtkCSLFPathTracer, stored by the same rule as a light field's texels. The
- * output is image data of the size asked for, with row 0 at the bottom, and one point-data array,
- * `Color`: 4 unsigned chars (sRGB-encoded mean of the samples that hit, times alpha) or 4 floats
- * (linear radiance times exposure, associated alpha: exactly the mean over all samples). Each pixel
- * is averaged over its area. The field-data array `Sampling` is one string: the parameters and a
- * fingerprint of the scene as JSON, as a light field's description has them.
+ * The output is the reference against which views of a light field are measured: the scene on input
+ * port 0, traced with the parameters of vtkCSLFPathTracer and stored by the same rule as the texels
+ * of a light field. It is image data of the given size, with row 0 at the bottom, and one
+ * point-data array, `Color`: 4 unsigned chars (sRGB-encoded mean of the samples that hit a surface,
+ * times alpha) or 4 floats (linear radiance times exposure, associated alpha: exactly the mean over
+ * all samples). Each pixel is averaged over its area. The field-data array `Sampling` is one
+ * string: the parameters and a hash of the scene as JSON, as in a light field's description.
  *
- * Rays start at the camera, or for parallel projection on the plane through it, whatever the
+ * Rays start at the camera or, for parallel projection, on the plane through it, regardless of the
  * clipping range.
  *
  * @sa vtkCSLFSampler
@@ -34,18 +34,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The name of the field-data array that tells how the picture was traced.
+   * The name of the field-data array that describes how the picture was traced.
    */
   static const char* SAMPLING_NAME() { return "Sampling"; }
 
   /**
-   * Takes the camera's time into account.
+   * Includes the modification time of the camera.
    */
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * The camera, of perspective or parallel projection. Must be set.
+   * The camera, with perspective or parallel projection. Required.
    */
   virtual void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();

@@ -4,45 +4,47 @@
  * @class   vtkCSLFMapper
  * @brief   draw a cube surface light field with any vtkActor
  *
- * The input is the image data of a whole light field, as vtkCSLFSampler, vtkCSLFDecoder or
- * vtkCSLFImageReader make it. Where it comes right from a vtkCSLFDecoder, the mapper does not have
- * the field decoded as a whole: it asks for the viewpoints that the camera can use, and no other
- * memory than the decoder's CacheSize holds them on their way. The mapper draws the field's cube
- * and looks up, for each pixel, the light ray that comes to the eye (Ai, Wang, Kou: CSLF, 2021,
- * section 3.4 and algorithm 1); in the depth lookup the mean of four, for smooth silhouettes, and
- * where the cube is so far away that texels are smaller than pixels the mean of more. The cost of a
- * picture does not depend on the scene that was sampled.
+ * The input is the image data of a whole light field, as produced by vtkCSLFSampler, vtkCSLFDecoder
+ * or vtkCSLFImageReader. If it is connected directly to a vtkCSLFDecoder, the file is not decoded
+ * completely: the mapper requests the viewpoints that the camera can use, and needs no other memory
+ * than the decoder's CacheSize for viewpoints in transit. The mapper draws the field's cube and
+ * looks up, for each pixel, the light ray that arrives at the eye (Ai, Wang, Kou: CSLF, 2021,
+ * section 3.4 and algorithm 1). The depth lookup uses the mean of four rays, for smooth
+ * silhouettes. If the cube is so far away that texels are smaller than pixels, the mean of more
+ * rays is used. The cost of a picture does not depend on the scene that was sampled.
  *
- * The field takes part in the scene like any other opaque object: its coverage becomes opacity, so
- * that what lies behind it shows around its silhouettes, and where the field has a depth channel
- * the surfaces' depth is written, so that other actors pierce it and are hidden by it correctly.
- * Pixels that the field covers in part are drawn in the translucent pass, with depth peeling or
- * without. Where the field is the last of a renderer's visible props, and the others are opaque
- * actors, it is drawn at once, which is faster.
+ * The field takes part in the scene like any other opaque object. Its coverage becomes opacity, so
+ * objects behind it are visible around its silhouettes. If the field has a depth channel, the depth
+ * of its surfaces is written, so other actors intersect it and are hidden by it correctly. Pixels
+ * that the field covers partly are drawn in the translucent pass, with or without depth peeling. If
+ * the field is the last of a renderer's visible props, and the others are opaque actors, all of it
+ * is drawn in the opaque pass, which is faster.
  *
- * The actor's transform (with a rotation, or a scale of its own along each axis), its opacity and
- * its ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no meaning
- * and change nothing: the light is in the field already, and there are no polygons to show as lines
- * or points. Clipping planes cut the picture: of each pixel the surface that the lookup finds is
- * drawn unless it lies on a plane's negative side. What lies behind it the field does not know.
+ * The actor's transform (with rotation, and a separate scale along each axis), its opacity and its
+ * ForceOpaque and ForceTranslucent apply. The other settings of its vtkProperty have no effect: the
+ * light is part of the field, and there are no polygons to show as lines or points. Clipping planes
+ * cut the picture: the surface that the lookup finds for a pixel is drawn unless it lies on the
+ * negative side of a plane. The field does not know what is behind that surface.
  *
- * The camera may be of any kind: in perspective or parallel, stereo, one tile of a large picture,
+ * Any camera can be used: perspective or parallel projection, stereo, a tile of a large picture, or
  * the camera of a light that casts shadows. A field casts shadows and takes part in ambient
- * occlusion (vtkShadowMapPass, vtkSSAOPass), but receives no shadows.
+ * occlusion (vtkShadowMapPass, vtkSSAOPass), but does not receive shadows.
  *
  * Viewing is defined for eyes outside the cube, where all light rays are known. From inside, each
- * line of sight is followed back out of the cube, and looked up from there: where the first surface
- * on it lies before the eye, that is what the eye sees, and it is drawn; where it lies behind the
- * eye, nothing is known of what is before it, and nothing is drawn. The mapper warns of this once
- * for each field. A field without depth channel cannot tell the two apart and draws all.
+ * line of sight is extended backwards out of the cube and looked up from there. If the first
+ * surface on it lies in front of the eye, it is what the eye sees, and it is drawn. If it lies
+ * behind the eye, nothing is known about the part in front of the eye, and nothing is drawn. The
+ * mapper warns of this once for each field. A field without a depth channel cannot distinguish the
+ * two cases and draws everything.
  *
- * Pickers that ask the graphics hardware find the field: vtkPropPicker and vtkWorldPointPicker give
- * the point of its surface, vtkHardwareSelector the cell: the face of the cube, from +X, -X to +Z,
- * -Z, by which the line of sight enters. Pickers that intersect a mapper's input by themselves
- * (vtkCellPicker, vtkPointPicker) find the image data that holds the samples, which lies elsewhere.
+ * Pickers that use the graphics hardware find the field: vtkPropPicker and vtkWorldPointPicker
+ * return the point on its surface, and vtkHardwareSelector returns as the cell the face of the
+ * cube, from +X, -X to +Z, -Z, through which the line of sight enters. Pickers that intersect a
+ * mapper's input themselves (vtkCellPicker, vtkPointPicker) find the image data that holds the
+ * samples, which lies elsewhere.
  *
- * A mapper may be drawn in several windows. Each has the samples in graphics memory of its own,
- * until its resources are released.
+ * A mapper can be drawn in several windows. Each window keeps the samples in its own graphics
+ * memory until its resources are released.
  *
  * @sa vtkCSLFSampler vtkCSLFDecoder
  */
@@ -71,32 +73,32 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How a light ray is looked up in the samples.
+   * The method of looking up a light ray in the samples.
    */
   enum LookupType
   {
     NEAREST = 0,  ///< nearest viewpoint, nearest texel
     LINEAR = 1,   ///< nearest viewpoint, interpolated texels
     BILINEAR = 2, ///< both interpolated; sharp on the far faces of the cube
-    FOCAL = 3,    ///< both interpolated, re-aimed: sharp at the focal point
-    DEPTH = 4,    ///< re-aimed at the surface found from the depth channel: sharp everywhere
+    FOCAL = 3,    ///< both interpolated, aimed at the focal point: sharp there
+    DEPTH = 4,    ///< aimed at the surface found by the depth channel: sharp everywhere
     NUMBER_OF_LOOKUPS
   };
 
   /**
-   * How radiance is brought into the range that a display shows, as in vtkToneMappingPass.
+   * The mapping of radiance to the range of a display, as in vtkToneMappingPass.
    */
   enum ToneMappingType
   {
-    CLAMP = 0,    ///< what is brighter than white is white
-    REINHARD = 1, ///< divided by one more than its luminance
-    ACES = 2      ///< the curve of film: a fit of the ACES transforms by K. Narkowicz
+    CLAMP = 0,    ///< values above white are displayed as white
+    REINHARD = 1, ///< divided by 1 plus the luminance
+    ACES = 2      ///< a film-like curve: the fit of the ACES transforms by K. Narkowicz
   };
 
   ///@{
   /**
-   * The lookup. Default: DEPTH. Where the field has no depth channel, DEPTH draws as FOCAL about
-   * the cube's centre.
+   * The lookup. If the field has no depth channel, DEPTH is drawn as FOCAL about the cube's centre.
+   * Default: DEPTH.
    */
   vtkSetClampMacro(Lookup, int, NEAREST, NUMBER_OF_LOOKUPS - 1);
   vtkGetMacro(Lookup, int);
@@ -115,10 +117,10 @@ public:
 
   ///@{
   /**
-   * Whether the focal lookup finds its point by itself, rather than by FocalPoint: for the rays
-   * that enter by each face, at the median depth seen from the face's middle towards the opposite
-   * face, but no nearer than the cube's centre; the centre where the field has no depth channel.
-   * Default: on.
+   * Whether the focal lookup chooses its focal point automatically instead of using FocalPoint. The
+   * automatic point of each entry face lies at the median depth seen from the face's middle towards
+   * the opposite face, but no nearer than the cube's centre. If the field has no depth channel, it
+   * is the centre. Default: on.
    */
   vtkSetMacro(AutomaticFocalPoint, bool);
   vtkGetMacro(AutomaticFocalPoint, bool);
@@ -127,8 +129,8 @@ public:
 
   ///@{
   /**
-   * The focal lookup's point, in the field's world coordinates (before the actor's transform), used
-   * where AutomaticFocalPoint is off. Default: the origin.
+   * The focal point of the focal lookup, in the field's world coordinates (before the actor's
+   * transform). It is used only if AutomaticFocalPoint is off. Default: the origin.
    */
   vtkSetVector3Macro(FocalPoint, double);
   vtkGetVector3Macro(FocalPoint, double);
@@ -136,10 +138,11 @@ public:
 
   ///@{
   /**
-   * Whether fewer rays are looked up where those of all pixels would take longer than the window's
-   * desired update rate allows, as while the camera is moved with an interactor: as many as there
-   * is time for, down to one for 4 x 4 pixels, and interpolated between. At less than one picture a
-   * second, as where nothing moves and where nobody has set a rate, all are looked up. Default: on.
+   * Whether to trace fewer rays if rays for all pixels would take longer than the window's desired
+   * update rate allows, for example while the camera moves with an interactor. The number of rays
+   * is adapted to the time available, down to one ray per 4 x 4 pixels, and colours are
+   * interpolated between them. If the desired rate is below one picture per second, as for still
+   * views or if no rate is set, all rays are traced. Default: on.
    */
   vtkSetMacro(AutoAdjustResolution, bool);
   vtkGetMacro(AutoAdjustResolution, bool);
@@ -148,10 +151,11 @@ public:
 
   ///@{
   /**
-   * How many rays along each side of a pixel the depth lookup draws with at least while the view
-   * is still and complete, from 1 to 4. The mean of 2 x 2 has smooth silhouettes, as a path-traced
-   * picture, and takes some 2.5 times as long as one. Other lookups are not sharp enough to gain
-   * by it and have one. Where texels are smaller than pixels all have more anyway. Default: 2.
+   * The minimum number of rays along each side of a pixel for the depth lookup while the view is
+   * still and complete, from 1 to 4. With 2, the mean of 2 x 2 rays gives smooth silhouettes, as in
+   * a path-traced picture, and takes about 2.5 times as long as 1. Other lookups are not sharp
+   * enough to benefit and use 1. If texels are smaller than pixels, all lookups use more. Default:
+   * 2.
    */
   vtkSetClampMacro(PixelSamples, int, 1, 4);
   vtkGetMacro(PixelSamples, int);
@@ -159,10 +163,10 @@ public:
 
   ///@{
   /**
-   * What radiance is multiplied by when it is drawn, besides the exposure that the field was
-   * sampled with. Acts on linear values, also where the field holds sRGB-encoded ones, but cannot
-   * bring back what those were clamped to: sample in `float` to choose the exposure at view time.
-   * Default: 1; at least 0.
+   * The factor of the displayed radiance, in addition to the exposure that the field was sampled
+   * with. It acts on linear values, also if the field holds sRGB-encoded ones, but cannot restore
+   * values that were clamped: sample as `float` to choose the exposure at view time. At least 0.
+   * Default: 1.
    */
   vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Exposure, double);
@@ -170,8 +174,8 @@ public:
 
   ///@{
   /**
-   * What becomes of radiance times exposure before it is sRGB-encoded. Default: CLAMP, with which
-   * the field looks as its path-traced truth.
+   * The mapping of radiance times exposure before it is sRGB-encoded. With CLAMP, the field looks
+   * like its path-traced reference. Default: CLAMP.
    */
   vtkSetClampMacro(ToneMapping, int, CLAMP, ACES);
   vtkGetMacro(ToneMapping, int);
@@ -183,12 +187,12 @@ public:
 
   ///@{
   /**
-   * Whether Render draws what is there rather than wait for all that the camera can use. It waits
-   * for the coarsest viewpoints only; in a few milliseconds of each picture others are brought to
-   * graphics memory, those near to what the camera looks at first. Where some are missing,
-   * UpdateDataEvent is invoked at the end of Render, and IsComplete is false: whoever wants to see
-   * them has to draw again, but not from within the event. Default: off, for pictures that are
-   * drawn once.
+   * Whether Render draws from the viewpoints that are loaded instead of waiting for all viewpoints
+   * that the camera can use. If on, it waits only for the coarsest viewpoints. During a few
+   * milliseconds of each picture, further viewpoints are loaded into graphics memory, beginning
+   * with those near the middle of the view. While viewpoints are missing, UpdateDataEvent is
+   * invoked at the end of Render, and IsComplete returns false: the application must render again
+   * to show them, but not within the event. Default: off, for pictures that are drawn once.
    */
   vtkSetMacro(Streaming, bool);
   vtkGetMacro(Streaming, bool);
@@ -196,18 +200,18 @@ public:
   ///@}
 
   /**
-   * Whether the last picture, in each window, was drawn from all viewpoints that its camera can
-   * use, as far as TextureMemoryLimit allows.
+   * Whether the last picture in each window was drawn from all viewpoints that its camera can use,
+   * within TextureMemoryLimit.
    */
   bool IsComplete();
 
   ///@{
   /**
-   * How many bytes of graphics memory the samples may take in each window, at least those of four
-   * viewpoints. A camera outside the cube can use no more than 30 % of a field: the viewpoints on
-   * the faces that it sees, and what they see of the others. Where that is too much, the grid of
-   * viewpoints is fine around what the camera looks at, and coarser elsewhere. From inside the cube
-   * all of the field is used. Default: 2 GiB.
+   * The maximum number of bytes of graphics memory for the samples in each window. At least the
+   * samples of four viewpoints are always kept. A camera outside the cube can use at most 30 % of a
+   * field: the viewpoints on the visible faces, and what they see of the other faces. If this
+   * exceeds the limit, the grid of viewpoints is fine around the middle of the view and coarser
+   * elsewhere. From inside the cube, the whole field is used. Default: 2 GiB.
    */
   vtkSetClampMacro(TextureMemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(TextureMemoryLimit, vtkTypeInt64);
@@ -215,28 +219,29 @@ public:
 
   ///@{
   /**
-   * The light field drawn, or null. For a pipeline use SetInputConnection.
+   * The light field, or null. In a pipeline, use SetInputConnection instead.
    */
   void SetInputData(vtkImageData* field) { this->SetInputDataInternal(0, field); }
   vtkImageData* GetInput();
   ///@}
 
   /**
-   * The graphics memory set aside for the field's samples, in bytes, in all windows together: 0
-   * before the first Render and after ReleaseGraphicsResources.
+   * The graphics memory allocated for the field's samples, in bytes, in all windows together. It is
+   * 0 before the first Render and after ReleaseGraphicsResources.
    */
   vtkTypeInt64 GetTextureBytes();
 
   using vtkMapper::GetBounds;
   /**
-   * The bounds of the field's cube; uninitialised where there is no valid field.
+   * The bounds of the field's cube; uninitialized if there is no valid field.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
 
   ///@{
   /**
-   * The field covers some pixels wholly and some in part. The second is false where the opaque pass
-   * that was drawn last has drawn these, too; it is true before the first Render.
+   * The field covers some pixels fully and some partly. The second function returns false if the
+   * last opaque pass has also drawn the partly covered pixels. It returns true before the first
+   * Render.
    */
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return this->HasTranslucentPart; }
@@ -258,7 +263,7 @@ public:
   ///@}
 
   /**
-   * Takes over the parameters and the input of another mapper.
+   * Copies the parameters and the input of another mapper.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
