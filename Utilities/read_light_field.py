@@ -210,7 +210,7 @@ def read_planes(path, stream, size, count):
     times = stream["times"]
     numbers = [round((time - times[0]) * FRAME_RATE) for time in times]
     require(numbers == list(range(count)), "its frames have other times")
-    raw = run("ffmpeg", "-v", "error", "-i", path, "-map", "0:%d" % stream["index"], "-vsync",
+    raw = run("ffmpeg", "-v", "error", "-i", path, "-map", "0:%d" % stream["index"], "-fps_mode",
               "passthrough", "-f", "rawvideo", "-")
     kind = stream["pix_fmt"]
     deep = re.search(r"1[02](le|be)$", kind)

@@ -133,11 +133,12 @@ void SilenceSVT()
 }
 
 /// SVT-AV1: as many threads as there are, on which its bytes do not depend; the quality measured as
-/// PSNR; no filtering of the frames that others refer to, which are looked at like all others.
+/// PSNR; no filtering of the frames that others refer to, which are looked at like all others. No
+/// preset above 10: with 12, version 4.2 writes streams that decoders refuse.
 EncoderOptions MakeSVTOptions(const Track&, const EncodeOptions& options)
 {
   SilenceSVT();
-  constexpr std::array<int, 10> presets = { 12, 11, 10, 9, 8, 6, 5, 4, 3, 2 };
+  constexpr std::array<int, 10> presets = { 10, 10, 10, 9, 8, 6, 5, 4, 3, 2 };
   const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
   EncoderOptions all;
   all.OfFFmpeg = { { "preset", std::to_string(presets[IndexOfPreset(options.Preset)]) },

@@ -189,7 +189,7 @@ void TestDamage(const std::string& fileName, vtkImageData* whole)
   const std::string damaged = fileName + ".damaged.mp4";
   std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
   std::mt19937 random(5);
-  for (std::size_t hit = 0; hit < 3; ++hit)
+  for (std::size_t hit = 0; hit < 12; ++hit)
   {
     bytes[bytes.size() / 4 + random() % (bytes.size() / 2)] ^= 0x55;
   }
