@@ -41,6 +41,15 @@ find_package(VTK 9.1 REQUIRED
   OPTIONAL_COMPONENTS opengl glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2
     RenderingLOD CommonImplicitArrays)
 
+# Up to VTK 9.3 a build for X aborts the process where there is no X server.
+set(cslf_vtk_needs_x_server OFF)
+if (VTK_VERSION VERSION_LESS 9.4 AND UNIX AND NOT APPLE)
+  set(cslf_vtk_needs_x_server ON)
+endif ()
+if (cslf_vtk_needs_x_server AND CSLF_BUILD_APPLICATIONS AND NOT CSLF_BUILD_PARAVIEW_PLUGIN)
+  find_package(X11 REQUIRED)
+endif ()
+
 find_package(embree 3 QUIET)
 if (NOT embree_FOUND)
   find_package(embree 4 REQUIRED)

@@ -9,6 +9,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkMapper.h>
+#include <vtkProp.h>
 #include <vtkVersionMacros.h>
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -16,6 +17,8 @@
 #else
 #include <vtkCompositePolyDataMapper2.h>
 #endif
+
+#include <vector>
 
 namespace cslf
 {
@@ -41,6 +44,28 @@ inline vtkCompositeDataDisplayAttributes* GetDisplayAttributes(vtkMapper* mapper
 {
   auto* composite = CompositeMapper::SafeDownCast(mapper);
   return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+}
+
+/// The key of the matrix that transforms a prop's texture coordinates.
+inline vtkInformationDoubleVectorKey* TextureTransformKey()
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return vtkProp::GENERAL_TEXTURE_TRANSFORM();
+#else
+  return vtkProp::GeneralTextureTransform();
+#endif
+}
+
+/// Makes empty levels of grids (vtkOverlappingAMR), with so many grids each.
+template <typename Grids>
+void SetNumbersOfGrids(Grids* grids, const std::vector<unsigned int>& counts)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  grids->Initialize(counts);
+#else
+  const std::vector<int> numbers(counts.begin(), counts.end());
+  grids->Initialize(static_cast<int>(numbers.size()), numbers.data());
+#endif
 }
 
 /// Asks a filter that is at work to stop.

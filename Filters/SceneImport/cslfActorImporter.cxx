@@ -152,7 +152,7 @@ const double* FindTextureTransform(vtkActor* actor)
     return texture->GetTransform()->GetMatrix()->GetData();
   }
   vtkInformation* keys = actor->GetPropertyKeys();
-  return keys ? keys->Get(vtkProp::GeneralTextureTransform()) : nullptr;
+  return keys ? keys->Get(TextureTransformKey()) : nullptr;
 }
 
 /// Applies the transform of texture coordinates that an actor may have.

@@ -208,7 +208,7 @@ void TestPhysicalTextures()
   CSLF_CHECK(coordinates && coordinates->GetComponent(0, 1) == 0.0);
   double turn[16] = { 1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1 };
   vtkNew<vtkInformation> keys;
-  keys->Set(vtkProp::GeneralTextureTransform(), turn, 16);
+  keys->Set(cslf::TextureTransformKey(), turn, 16);
   actor->SetPropertyKeys(keys);
   actor->Modified();
   coordinates = GetBlock(importer, 0)->GetPointData()->GetTCoords();

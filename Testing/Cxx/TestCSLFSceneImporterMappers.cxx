@@ -41,6 +41,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
+#include <vtkStructuredData.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUniformGrid.h>
@@ -347,11 +348,12 @@ void TestGridsOfLevels()
   }
   coarse->GetCellData()->AddArray(ghosts);
   vtkNew<vtkOverlappingAMR> grids;
-  const int blocks[] = { 1, 1 };
-  grids->Initialize(2, blocks);
+  cslf::SetNumbersOfGrids(grids.Get(), { 1, 1 });
   const double origin[3] = { 0.0, 0.0, 0.0 };
   grids->SetOrigin(origin);
-  grids->SetGridDescription(VTK_XYZ_GRID);
+  int size[3];
+  coarse->GetDimensions(size);
+  grids->SetGridDescription(vtkStructuredData::GetDataDescription(size));
   for (unsigned int level : { 0u, 1u })
   {
     const int low[3] = { 0, 0, 0 };

@@ -83,7 +83,7 @@ public:
     vtkNew<vtkActor2D> actor;
     actor->SetMapper(mapper);
     actor->SetPosition(left, this->Height - top - size);
-    this->Renderer->AddActor2D(actor);
+    this->Renderer->AddViewProp(actor);
   }
 
   void AddText(const std::string& text, int left, int top, bool bold = false)
@@ -96,7 +96,7 @@ public:
     style->SetBold(bold);
     style->SetColor(0.1, 0.1, 0.1);
     style->SetVerticalJustificationToTop();
-    this->Renderer->AddActor2D(actor);
+    this->Renderer->AddViewProp(actor);
   }
 
   void AddLegend(int left, int top, int width)
@@ -116,7 +116,7 @@ public:
     bar->GetPositionCoordinate()->SetValue(left, this->Height - top - LegendHeight / 2);
     bar->GetPosition2Coordinate()->SetCoordinateSystemToDisplay();
     bar->GetPosition2Coordinate()->SetValue(width, LegendHeight / 2);
-    this->Renderer->AddActor2D(bar);
+    this->Renderer->AddViewProp(bar);
   }
 
   bool Write(const std::string& fileName)

@@ -44,8 +44,6 @@ constexpr float FoldHeight = 1.5f;
 constexpr float CellsOfChart = 64.0f;
 constexpr float CellsOfArea = 8.0f;
 
-constexpr std::uint32_t None = 0xffffffffu;
-
 struct Facet
 {
   std::uint32_t Triangle;
