@@ -19,9 +19,8 @@ if [ "$#" -eq 0 ]; then
 fi
 for example in "$@"; do
   case "$example" in
-    hello_light_field | notebook) arguments=(7 64 16) ;;
-    isosurface | molecule | gltf_scene | live_actors) arguments=(9 128 16) ;;
-    timed_bake) arguments=(5 64 200) ;;
+    hello_light_field) arguments=(17 256 16) ;;
+    timed_bake) arguments=(9 128 120) ;;
     regression_fixture) arguments=(--bake) ;;
     *) arguments=() ;;
   esac

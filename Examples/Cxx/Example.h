@@ -23,7 +23,7 @@ namespace example
 {
 /// Takes M, N and samples from the command line.
 inline void SetSizes(
-  vtkCSLFSampler* sampler, int argc, char* argv[], int viewpoints = 5, int resolution = 64)
+  vtkCSLFSampler* sampler, int argc, char* argv[], int viewpoints = 9, int resolution = 128)
 {
   sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : viewpoints);
   sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : resolution);

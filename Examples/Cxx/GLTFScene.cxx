@@ -132,7 +132,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.35, 0.0);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(480, 320);
+  window->SetSize(960, 640);
   window->AddRenderer(renderer);
   return example::SavePicture(window, "GLTFScene.png");
 }

@@ -26,8 +26,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : 5);
-  sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : 64);
+  sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : 9);
+  sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : 128);
   sampler->SetSamples(argc > 3 ? std::atoi(argv[3]) : 16);
   sampler->SetEnvironmentModeToNone(); // the box has a lamp
 
@@ -52,7 +52,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(0.7, 0.5, 4.6);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(320, 320);
+  window->SetSize(640, 640);
   window->AddRenderer(renderer);
 
   // Save the picture.

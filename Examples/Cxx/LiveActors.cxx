@@ -81,7 +81,7 @@ int main(int argc, char* argv[])
 
   renderer->GetActiveCamera()->SetPosition(1.0, 2.6, 6.6);
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(480, 320);
+  window->SetSize(960, 640);
   window->AddRenderer(renderer);
   for (const double angle : { 0.0, 30.0, 60.0 }) // an animation of three pictures
   {

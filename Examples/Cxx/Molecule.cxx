@@ -161,7 +161,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(9.0, 7.0, 24.0);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(400, 400);
+  window->SetSize(640, 640);
   window->AddRenderer(renderer);
   return example::SavePicture(window, "Molecule.png");
 }

@@ -115,7 +115,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
   sampler->SetEnvironmentModeToNone(); // the box has a lamp
-  example::SetSizes(sampler, argc, argv, 33);
+  example::SetSizes(sampler, argc, argv, 33, 64);
 
   const bool written = WritePicture(ExtractViewpoint(sampler), "SlabwiseViewpoint.png") &&
     WritePicture(ExtractEpipolarPlane(sampler), "SlabwiseEpipolar.png");

@@ -65,8 +65,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : 5);
-  sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : 64);
+  sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : 9);
+  sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : 128);
   sampler->SetEnvironmentModeToNone(); // the box has a lamp
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(sampler->GetOutputPort());
@@ -77,7 +77,7 @@ int main(int argc, char* argv[])
   estimator->SetSampler(sampler);
   estimator->SetEncoder(encoder);
   estimator->SetProbeSeconds(2.0);
-  if (!estimator->ChooseSamples(argc > 3 ? std::atof(argv[3]) : 10.0))
+  if (!estimator->ChooseSamples(argc > 3 ? std::atof(argv[3]) : 60.0))
   {
     std::cerr << "Not even one sample for each texel fits.\n";
     return EXIT_FAILURE;
@@ -106,7 +106,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(-0.9, 0.6, 4.2);
   renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window;
-  window->SetSize(320, 320);
+  window->SetSize(640, 640);
   window->AddRenderer(renderer);
   return example::SavePicture(window, "TimedBake.png");
 }

@@ -16,8 +16,8 @@ vtkMultiProcessController.SetGlobalController(controller)
 # pipeline, and is asked for a part of the field's viewpoints.
 box, sampler = cslf.vtkCSLFCornellBoxSource(), cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
-sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
-sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
+sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 9)
+sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 128)
 sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
 sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 encoder = cslf.vtkCSLFEncoder()

@@ -8,7 +8,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkWindowToImageFilter
 
 
-def read_sizes(description, viewpoints=5, resolution=64, samples=16):
+def read_sizes(description, viewpoints=9, resolution=128, samples=16):
     """M, N and samples from the command line."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("M", type=int, nargs="?", default=viewpoints, help="viewpoints a side")

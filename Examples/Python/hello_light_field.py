@@ -11,8 +11,8 @@ from vtkmodules import vtkIOImage, vtkRenderingCore
 box = cslf.vtkCSLFCornellBoxSource()
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
-sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
-sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 64)
+sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 9)
+sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 128)
 sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
 sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 
@@ -35,7 +35,7 @@ renderer.AddActor(actor)
 renderer.GetActiveCamera().SetPosition(0.7, 0.5, 4.6)
 renderer.ResetCameraClippingRange()
 window = vtkRenderingCore.vtkRenderWindow()
-window.SetSize(320, 320)
+window.SetSize(640, 640)
 window.AddRenderer(renderer)
 
 # Save the picture.

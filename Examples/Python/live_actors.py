@@ -65,7 +65,7 @@ renderer.AddActor(sheet)
 
 renderer.GetActiveCamera().SetPosition(1.0, 2.6, 6.6)
 window = vtkRenderWindow()
-window.SetSize(480, 320)
+window.SetSize(960, 640)
 window.AddRenderer(renderer)
 for angle in (0.0, 30.0, 60.0):  # an animation of three pictures
     live.SetOrientation(70.0, angle / 4.0, 0.0)

@@ -13,11 +13,11 @@ sampler.SetEnvironmentModeToNone()  # the box has its own lamp
 set_sizes(sampler, read_sizes(__doc__))
 
 # %% A cell that ends with a picture shows it.
-picture = cslf.show(sampler, size=(300, 300))
+picture = cslf.show(sampler, size=(480, 480))
 picture  # noqa: B018
 
 # %% From another position, with another lookup.
-other = cslf.show(sampler, size=(300, 300), position=(-0.8, 0.6, 3.6), lookup="Focal")
+other = cslf.show(sampler, size=(480, 480), position=(-0.8, 0.6, 3.6), lookup="Focal")
 other  # noqa: B018
 
 # %% Pictures can be saved.

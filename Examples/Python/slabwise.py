@@ -10,7 +10,7 @@ from vtkmodules.vtkImagingCore import (vtkExtractVOI, vtkImageExtractComponents,
 from vtkmodules.vtkImagingStatistics import vtkImageAccumulate
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-sizes = read_sizes(__doc__, viewpoints=33)
+sizes = read_sizes(__doc__, viewpoints=33, resolution=64)
 M, N = sizes.M, sizes.N
 sampler = cslf.vtkCSLFSampler()
 box = cslf.vtkCSLFCornellBoxSource()

@@ -12,9 +12,9 @@ from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 parser = argparse.ArgumentParser(description=__doc__)
-parser.add_argument("M", type=int, nargs="?", default=5, help="viewpoints a side")
-parser.add_argument("N", type=int, nargs="?", default=64, help="texels a side")
-parser.add_argument("seconds", type=float, nargs="?", default=10.0, help="for the whole bake")
+parser.add_argument("M", type=int, nargs="?", default=9, help="viewpoints a side")
+parser.add_argument("N", type=int, nargs="?", default=128, help="texels a side")
+parser.add_argument("seconds", type=float, nargs="?", default=60.0, help="for the whole bake")
 options = parser.parse_args()
 
 box = cslf.vtkCSLFCornellBoxSource()
@@ -80,6 +80,6 @@ renderer.AddActor(make_field_actor(decoder))
 renderer.GetActiveCamera().SetPosition(-0.9, 0.6, 4.2)
 renderer.ResetCameraClippingRange()
 window = vtkRenderWindow()
-window.SetSize(320, 320)
+window.SetSize(640, 640)
 window.AddRenderer(renderer)
 save_picture(window, "TimedBake.png")
