@@ -38,7 +38,7 @@ demo()
   fi
   "$cslf" info "$folder/$name.mp4"
   "$cslf" decode "$folder/$name.mp4" -o "$folder/$name.vti"
-  with_display "$cslf" evaluate "$folder/$name.mp4" "$@" --views 3 --size 256 --spp 256 \
+  with_display "$cslf" evaluate "$folder/$name.mp4" "$@" --views 3 --size 256 --spp 1024 \
     --title "$title" --contact-sheet "$folder/$name.png" | tee "$folder/$name.txt"
 }
 
