@@ -42,7 +42,7 @@ if (LINTIAN)
   run("${LINTIAN}" --allow-root --fail-on error,warning --suppress-tags bogus-mail-host
     "${package}")
 else ()
-  message("lintian is not installed, so the package is not checked by it.")
+  message("The package is not checked by lintian, as there is none.")
 endif ()
 run(dpkg-deb --field "${package}")
 message("${output}")
