@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the numbers of options may be. Ranges of CLI11 let pass what is no number, and its open ones
- * spell out the largest double in their messages.
+ * Which numbers options accept. CLI11's own ranges accept NaN, and the messages of those without an
+ * upper limit show the largest double with all its digits.
  */
 #ifndef cslfNumberChecks_h
 #define cslfNumberChecks_h
@@ -18,7 +18,7 @@ namespace cslf
 {
 namespace tool
 {
-/// Numbers that are not below the least one.
+/// Accepts numbers from `least` on.
 inline CLI::Validator AtLeast(double least, const std::string& fault, const std::string& name)
 {
   return CLI::Validator(
@@ -42,7 +42,7 @@ inline CLI::Validator NonNegative()
   return AtLeast(0.0, "below 0", "NONNEGATIVE");
 }
 
-/// Refuses infinity and what is no number in all options of a command that take numbers.
+/// Refuses infinity and NaN in all floating-point options of a command.
 inline void RequireFiniteNumbers(CLI::App& command)
 {
   const CLI::Validator finite(
@@ -50,7 +50,7 @@ inline void RequireFiniteNumbers(CLI::App& command)
     {
       double number = 0.0;
       return CLI::detail::lexical_cast(text, number) && !std::isfinite(number)
-        ? "Value " + text + " is no finite number"
+        ? "Value " + text + " is not a finite number"
         : std::string();
     },
     "");

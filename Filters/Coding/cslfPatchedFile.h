@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A file of which FFmpeg reads zeros in the place of some numbers.
+ * A file that FFmpeg reads with some numbers replaced by zeros.
  */
 #ifndef cslfPatchedFile_h
 #define cslfPatchedFile_h

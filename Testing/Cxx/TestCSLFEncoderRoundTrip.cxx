@@ -50,7 +50,7 @@ void TestDefaults(vtkImageData* field, const std::string& fileName)
   Report(fileName, fileName, field, psnr);
   CSLF_CHECK(psnr.Color > 35.0);
   CSLF_CHECK(psnr.Coverage > 41.0);
-  CSLF_CHECK(psnr.Depth > 44.0);
+  CSLF_CHECK(psnr.Depth > 45.0);
   TestCoverage(field, fileName);
 
   // Any part equals the same part of the whole.

@@ -81,7 +81,7 @@ cslf_fail("without loss" "x" sample cornell-box -o x.mp4 ${tiny} --float --lossl
 foreach (option IN ITEMS exposure noise offset roughness crf environment-intensity)
   cslf_fail("${option}: Value nan is" "x" sample cornell-box -o x.mp4 ${tiny} --${option} nan)
 endforeach ()
-cslf_fail("Value inf is no finite number" "x" sample cornell-box -o x.mp4 ${tiny} --exposure inf)
+cslf_fail("Value inf is not a finite number" "x" sample cornell-box -o x.mp4 ${tiny} --exposure inf)
 cslf_fail("Value -1 is not above 0\n" "x" sample cornell-box -o x.mp4 ${tiny} --exposure -1)
 
 # Image data that is cut short.

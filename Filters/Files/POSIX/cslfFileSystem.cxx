@@ -74,7 +74,8 @@ bool MakeFolder(const std::string& name, std::string& error)
 
 bool MakeUniqueFolder(const std::string& prefix, std::string& name, std::string& error)
 {
-  name = prefix + "XXXXXX";
+  // mkdtemp puts characters of its own in the place of the last six.
+  name = prefix + std::string(6, 'X');
   return ::mkdtemp(name.data()) ? true : Fail("make the folder", name, error);
 }
 
