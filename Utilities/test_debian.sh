@@ -11,6 +11,7 @@
 #   SYSTEM     bookworm (Debian 12), trixie (13), forky (testing)
 #   JOB        test (all tests, the default), plugin (ParaView's plugin and its tests), demo
 #   ARGUMENT   for the command, such as `-R Decoder` for the tests
+# With CCACHE_DIR set, the system has ccache too and keeps what it compiles in that folder.
 #
 # The systems are kept in build/debian/: SYSTEM.bare is copied for every run, SYSTEM holds the last
 # run and what it built, SYSTEM.packages the packages that were downloaded, SYSTEM-JOB.log the log.
@@ -41,6 +42,13 @@ esac
 shift "$(($# < 2 ? $# : 2))"
 [ "$(id -u)" -eq 0 ] || fail "chroot needs root"
 cslf_install debootstrap
+settings=(HOME=/root LANG=C.UTF-8 TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin)
+if [ -n "${CCACHE_DIR:-}" ]; then
+  mkdir -p "$CCACHE_DIR"
+  settings+=(CCACHE_DIR=/var/cache/ccache CMAKE_C_COMPILER_LAUNCHER=ccache
+    CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  command=". Utilities/setup.sh && cslf_install ccache && $command"
+fi
 
 folder="$source/build/debian"
 root="$folder/$system"
@@ -82,7 +90,11 @@ unshare --mount --propagation private bash -c '
     mount --rbind "/$point" "$root/$point"
   done
   mount --bind "$packages" "$root/var/cache/apt/archives"
-  exec env -i HOME=/root LANG=C.UTF-8 TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-    chroot "$root" bash -c "cd /cslf && $command" "$0" "$@"' bash "$@" >"$log" 2>&1 || status=$?
+  if [ -n "${CCACHE_DIR:-}" ]; then
+    mkdir -p "$root/var/cache/ccache"
+    mount --bind "$CCACHE_DIR" "$root/var/cache/ccache"
+  fi
+  exec env -i "$@"' bash "${settings[@]}" \
+  chroot "$root" bash -c "cd /cslf && $command" bash "$@" >"$log" 2>&1 || status=$?
 echo "$system $job: $(tail -n 1 "$log")"
 exit "$status"
