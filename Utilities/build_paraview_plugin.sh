@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the ParaView plugin, on a bare Debian 12 too; afterwards `ctest --preset paraview` tests it.
+# Builds the ParaView plugin, on a bare Debian too; afterwards `ctest --preset paraview` tests it.
 # With ParaView_DIR set to the CMake folder of a ParaView that is installed with its development
 # files, the plugin is built against that one, and Debian's is left alone.
 set -euo pipefail
@@ -10,8 +10,14 @@ set -euo pipefail
 
 sdk="$source/build/paraview-sdk"
 
-# Debian's ParaView has its Python package, which the one of Debian's VTK conflicts with, and its
-# headers in packages of their own. They are unpacked side by side with links to the rest.
+# Up to Debian 13, ParaView's Python package contains a VTK of its own and cannot be installed beside
+# the Python package of Debian's VTK. There it is unpacked, with ParaView's development files and
+# links to the rest.
+has_own_vtk()
+{
+  apt-cache show python3-paraview | grep '^Conflicts:.*python3-vtk9' >/dev/null
+}
+
 unpack_sdk()
 {
   local version file
@@ -39,8 +45,14 @@ unpack_sdk()
 cslf_install "${cslf_packages[@]}"
 if [ -z "${ParaView_DIR:-}" ]; then
   cslf_install paraview libqt5svg5 python3-mpi4py python3-numpy openmpi-bin
-  unpack_sdk
-  ParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)"
+  if has_own_vtk; then
+    unpack_sdk
+    prefix="$sdk/usr"
+  else
+    cslf_install paraview-dev python3-paraview
+    prefix=/usr
+  fi
+  ParaView_DIR="$(echo "$prefix"/lib/*/cmake/paraview-*)"
 fi
 cd "$source"
 cmake --preset paraview "-DParaView_DIR=$ParaView_DIR"

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Shows CSLF from end to end, on a bare Debian 12 too: samples the Cornell box and the Stanford
+# Shows CSLF from end to end, on a bare Debian too: samples the Cornell box and the Stanford
 # dragon into videos, decodes them, looks novel views up in every way and puts them beside
 # path-traced ones, with the figures. Fields that are there from an earlier run are used again.
 #

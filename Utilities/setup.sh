@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sourced by the scripts beside it: brings a bare Debian 12 to a built CSLF.
+# Sourced by the scripts beside it: installs what CSLF needs on a bare Debian, and builds it.
 #   cslf_install PACKAGE...    installs the Debian packages that are missing
 #   cslf_build [TARGET...]     configures and builds the preset "release"
 # Sets `source`, the source folder, and `build`, the build folder.

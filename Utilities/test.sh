@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds everything and runs all tests, on a bare Debian 12 too. The arguments go to ctest, for
+# Builds everything and runs all tests, on a bare Debian too. The arguments go to ctest, for
 # instance `-R Decoder`. The last line tells how many tests passed and failed.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
