@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Regenerates every table and figure of Documentation/evaluation, on a bare Debian 12 too: builds,
-# samples, codes, draws and measures, and writes a page with plots and contact sheets and the JSON
-# behind them. What has been measured into a folder is not measured again: remove its folder `parts`
-# for that. Nothing else should run meanwhile.
+# Regenerates every table and figure of Documentation/evaluation, also on a bare Debian 12. It
+# builds, samples, codes, draws and measures, and writes a page with plots, contact sheets and the
+# JSON behind them. Results are kept in the folder `parts` and used again. Remove this folder to
+# measure again. Run nothing else at the same time.
 #
 # usage: evaluate.sh [--quick] [STUDY...]
-#   --quick   small fields, within 10 minutes, into build/evaluation-quick; without it some 80
-#             minutes, into Documentation/evaluation
+#   --quick   use small fields, take less than 10 minutes and write to build/evaluation-quick;
+#             without it, about 80 minutes, to Documentation/evaluation
 #   STUDY     some of: sampling scaling sizes novel-views key-views frame-rates integrators cycles
 #             limits
 set -euo pipefail

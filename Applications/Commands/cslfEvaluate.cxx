@@ -126,7 +126,7 @@ void MeasureView(const Options& options, const NovelView& view, vtkImageData* pr
 {
   SaveView(options, number, "truth", view.Picture);
   const std::string title = options.Title.empty() ? "" : options.Title + ", ";
-  findings.Sheet.push_back({ view.Picture, title + "view " + number + ", truth" });
+  findings.Sheet.push_back({ view.Picture, title + "view " + number + ", reference" });
   for (Score& score : findings.Scores)
   {
     const auto picture = renderer.Render(view.Camera, score.Lookup.Lookup);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures what evaluate.sh is asked for and writes the page."""
+"""Runs the studies that evaluate.sh is called with and writes the page."""
 import argparse
 import datetime
 import json
@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from report import Report
+from report import Report, paragraph
 from studies import FULL, QUICK, Studies
 from tool import Tool
 
@@ -19,7 +19,7 @@ NAMES = ("sampling", "scaling", "sizes", "novel-views", "key-views", "frame-rate
 
 
 def describe_machine(cslf):
-    """What figures depend on."""
+    """The hardware and software that the figures depend on."""
     def say(*command):
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
     processor = next((line.split(":")[1].strip() for line in
@@ -62,11 +62,13 @@ def main():
 
 
 def write_page(folder, machine):
-    """All parts that there are."""
-    head = ("# Evaluation\n\nMade by `Utilities/evaluate.sh`; the JSON behind it lies in `parts`. "
-            f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
-            f"{machine['system']}, {machine['cslf']}, {machine['packages']}. The "
-            f"measurements took {machine['seconds'] / 60:.0f} minutes together.\n")
+    """Writes the page from all parts that exist."""
+    head = ("# Evaluation\n\n" +
+            paragraph("`Utilities/evaluate.sh` makes this page. The JSON files with all results "
+                      "are in `parts`. The measurements took "
+                      f"{machine['seconds'] / 60:.0f} minutes in total, on this setup: "
+                      f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
+                      f"{machine['system']}, CSLF {machine['cslf']}, {machine['packages']}."))
     parts = [folder / "parts" / f"{name}.txt" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)

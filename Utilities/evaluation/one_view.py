@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One view of the Cornell box by our integrators and by Blender's Cycles: what noise is left after
-how many seconds, and whether both come to the same picture.
+"""One view of the Cornell box by our integrators and by Blender's Cycles: how much noise remains
+after how many seconds, and whether both converge to the same picture.
 
-All have the scene from vtkCSLFCornellBoxSource and the camera from here. Pictures are linear.
+All use the scene of vtkCSLFCornellBoxSource and the camera defined here. Pictures are linear.
 """
 import json
 import math
@@ -20,20 +20,20 @@ import cslf
 from pictures import make_linear, psnr, read, show, write
 from tool import run_program
 
-# The box fills the picture; the angle is that from bottom to top, in degrees.
+# The box fills the picture. The angle is vertical, in degrees.
 CAMERA = {"position": (0.35, 0.2, 3.1), "focal_point": (0.0, 0.0, 0.0), "view_up": (0.0, 1.0, 0.0),
           "view_angle": 40.0}
 REFLECTIONS = 8         # of the longest path
 NOISY_SEED = 0
 HALF_SEEDS = (1, 2)     # of the halves of a converged picture
 REPEATS = 3             # of noisy pictures: seconds are medians
-SQUARE = 16             # the pixels along each side of squares whose means are compared
+SQUARE = 16             # pixels along each side of the squares whose means are compared
 SCRIPT = Path(__file__).with_name("render_cycles.py")
 
 
 class OneView:
-    """`size` is (width, height). Noisy pictures have `counts` samples a pixel, the converged ones
-    of path tracing and Cycles `reference`."""
+    """`size` is (width, height). Noisy pictures have `counts` samples per pixel. The converged ones
+    of path tracing and Cycles have `reference`."""
 
     def __init__(self, tool, size, counts, reference):
         self.tool = tool
@@ -80,7 +80,7 @@ class OneView:
                                         for picture, seconds in zip(pictures, found["seconds"])])}
 
     def measure_cache(self):
-        """Against the picture that path tracing comes to, as the cache has a bias."""
+        """Compares with the converged picture of path tracing, because the cache has a bias."""
         tracer = self.make_tracer()
         tracer.SetIntegratorToRadianceCaching()
         self.trace(tracer, 1, NOISY_SEED)
@@ -96,12 +96,12 @@ class OneView:
                 [(count, NOISY_SEED) for count in self.counts for _ in range(REPEATS)])
 
     def judge(self, renderer, pictures):
-        """Of (picture, seconds, samples), in the order of list_pictures."""
+        """`pictures` are (picture, seconds, samples), in the order of list_pictures."""
         first, second = (picture for picture, _, _ in pictures[:2])
         truth = (first + second) / 2
         write(self.converged(renderer), truth)
         return {"reference_seconds": pictures[0][1] + pictures[1][1],
-                # Of the mean of two halves, a quarter of their difference.
+                # The squared error of the mean is a quarter of the halves' squared difference.
                 "reference_psnr": psnr(show(first), show(second)) + 10 * math.log10(4),
                 "pictures": self.judge_noisy(pictures[2:], show(truth))}
 
@@ -115,7 +115,7 @@ class OneView:
         return found
 
     def compare(self):
-        """How far the converged pictures are apart; and a picture of that, for the page."""
+        """Measures how much the converged pictures differ, and draws this for the page."""
         path, cycles = (read(self.converged(renderer)) for renderer in ("path", "cycles"))
         difference = show(cycles) - show(path)
         gap = numpy.ones((len(path), 4, 3))
@@ -143,7 +143,7 @@ class OneView:
         return tracer
 
     def trace(self, tracer, samples, seed):
-        """The picture and the seconds it took."""
+        """Returns the picture and the seconds it took."""
         tracer.SetSamples(samples)
         tracer.SetSeed(seed)
         tracer.Modified()
@@ -155,7 +155,7 @@ class OneView:
         return colors.reshape(height, width, 4)[::-1, :, :3].astype(float), seconds
 
     def describe_blocks(self):
-        """The scene, as Cycles' script takes it."""
+        """The scene in the form that render_cycles.py reads."""
         data = self.box.GetOutput()
         blocks = []
         for k in range(data.GetNumberOfBlocks()):
@@ -176,7 +176,7 @@ class OneView:
 
 
 def average(picture):
-    """The means of squares of pixels, of those that are whole."""
+    """The means of squares of pixels, without incomplete squares."""
     rows, columns = (length // SQUARE for length in picture.shape[:2])
     whole = picture[:rows * SQUARE, :columns * SQUARE]
     return whole.reshape(rows, SQUARE, columns, SQUARE, 3).mean(axis=(1, 3))

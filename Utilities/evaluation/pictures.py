@@ -8,7 +8,7 @@ import OpenImageIO
 
 
 def read(file):
-    """An OpenEXR picture, linear."""
+    """Reads a linear OpenEXR picture."""
     picture = OpenImageIO.ImageBuf(str(file)).get_pixels(OpenImageIO.FLOAT)
     if picture is None:
         raise SystemExit(f"{file} cannot be read")
@@ -16,7 +16,7 @@ def read(file):
 
 
 def write(file, picture):
-    """As OpenEXR, or what is shown as PNG."""
+    """Writes a picture as OpenEXR, or a displayed picture as PNG."""
     height, width, channels = picture.shape
     kind = OpenImageIO.UINT8 if file.suffix == ".png" else OpenImageIO.FLOAT
     image = OpenImageIO.ImageBuf(OpenImageIO.ImageSpec(width, height, channels, kind))
@@ -26,13 +26,13 @@ def write(file, picture):
 
 
 def show(linear):
-    """Radiance as displayed: 1 is white, and sRGB-encoded."""
+    """Converts radiance to what is displayed: 1 is white, encoded as sRGB."""
     shown = numpy.clip(linear, 0, 1)
     return numpy.where(shown <= 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
 
 
 def make_linear(shown):
-    """What `show` makes of it is `shown`, in [0, 1]."""
+    """The inverse of `show`, for values in [0, 1]."""
     return numpy.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
 
 

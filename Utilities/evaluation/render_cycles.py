@@ -4,8 +4,8 @@
 
 blender --background --factory-startup --python-exit-code 1 --python render_cycles.py -- JOB FOUND
 
-JOB is a JSON file of the scene, the camera and the pictures, as one_view.py writes it. The pictures
-are written as OpenEXR, linear, and FOUND as JSON: the seconds that Blender took for each.
+JOB is a JSON file of the scene, the camera and the pictures, written by one_view.py. The pictures
+are written as linear OpenEXR, and the seconds that Blender took for each as JSON to FOUND.
 """
 import json
 import math
@@ -20,8 +20,8 @@ from mathutils import Matrix, Vector
 
 
 def cut(mesh):
-    """Each quadrilateral into 4 x 4: from points close to the plane of a large triangle, Cycles 3.4
-    comes out too dark."""
+    """Cuts each quadrilateral into 4 x 4. Close to the plane of a large emitting triangle, Cycles
+    3.4 is too dark."""
     whole = bmesh.new()
     whole.from_mesh(mesh)
     bmesh.ops.subdivide_edges(whole, edges=whole.edges[:], cuts=3, use_grid_fill=True)
@@ -30,11 +30,11 @@ def cut(mesh):
 
 
 def add_block(block):
-    """A mesh with flat, two-sided, diffuse faces, that may shine."""
+    """A mesh with flat, two-sided, diffuse faces, which may emit light."""
     mesh = bpy.data.meshes.new(block["name"])
     mesh.from_pydata(block["points"], [], block["polygons"])
     if mesh.validate():
-        raise ValueError(f"Blender does not take all of {block['name']}")
+        raise ValueError(f"Blender rejects parts of {block['name']}")
     strength = max(block["emission"])
     if strength > 0.0:
         cut(mesh)
@@ -62,7 +62,7 @@ def add_block(block):
 
 
 def add_camera(camera):
-    """A pinhole, whose angle is that from bottom to top, in degrees."""
+    """A pinhole camera with a vertical angle in degrees."""
     position = Vector(camera["position"])
     back = (position - Vector(camera["focal_point"])).normalized()
     right = Vector(camera["view_up"]).cross(back).normalized()
@@ -77,7 +77,7 @@ def add_camera(camera):
 
 
 def set_up(job):
-    """Nothing that would make the pictures less noisy but wrong, and the processor alone."""
+    """Uses only the processor, and nothing that reduces noise at the cost of a bias."""
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.render.resolution_x, scene.render.resolution_y = job["size"]
@@ -94,13 +94,13 @@ def set_up(job):
     cycles.sample_clamp_direct = 0.0
     cycles.sample_clamp_indirect = 0.0
     cycles.pixel_filter_type = "BOX"  # a pixel wide
-    # The first reflection, of light straight from a source, is no bounce.
+    # Cycles does not count the first reflection, of direct light, as a bounce.
     cycles.max_bounces = job["reflections"] - 1
     cycles.diffuse_bounces = job["reflections"] - 1
 
 
 def render(samples, seed):
-    """The seconds."""
+    """Renders a picture and returns the seconds this took."""
     cycles = bpy.context.scene.cycles
     cycles.samples = samples
     cycles.seed = seed
@@ -117,7 +117,7 @@ def main():
         add_block(block)
     add_camera(job["camera"])
     set_up(job)
-    render(1, 0)  # what Blender does only once
+    render(1, 0)  # lets Blender do what it does only once
     seconds = []
     for picture in job["pictures"]:
         seconds.append(render(picture["samples"], picture["seed"]))

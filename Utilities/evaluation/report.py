@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page: tables, plots and pictures of what the studies found."""
+"""Makes the page: tables, plots and pictures of the results of the studies."""
 import math
+import textwrap
 
 import matplotlib
 
@@ -19,6 +20,11 @@ def table(head, rows):
     return "\n".join(lines) + "\n"
 
 
+def paragraph(text):
+    """Wrapped to the width of the pages."""
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False) + "\n"
+
+
 def count(number):
     return f"{round(number):,}".replace(",", " ")
 
@@ -34,7 +40,7 @@ class Report:
 
     def plot(self, name, curves, x, y, log=(False, False)):
         """Curves are (label, xs, ys)."""
-        beside = len(curves) > 4  # the legend, which would hide curves
+        beside = len(curves) > 4  # puts the legend there, where it hides no curves
         figure, axes = plt.subplots(figsize=(8.5 if beside else 6, 4), dpi=100)
         for label, xs, ys in curves:
             axes.plot(xs, ys, "o-", markersize=4, label=label)
@@ -63,10 +69,12 @@ class Report:
                              f"{field['peak_bytes'] / 2**20:.0f}"])
         curves = [(TITLES[scene], [field["views"] for field in fields],
                    [field["seconds"] for field in fields]) for scene, fields in found.items()]
-        return ("## Sampling\n\nThe paper's table 1: from 1 536 to 9 600 viewpoints. At most 16 "
-                "samples a texel, fewer where the standard error is 0.004 of white.\n\n" +
+        return ("## Sampling\n\n" +
+                paragraph("Table 1 of the paper, with 1 536 to 9 600 viewpoints. Each texel gets "
+                          "at most 16 samples, and fewer if their standard error falls to 0.004 of "
+                          "white.") + "\n" +
                 table(["scene", "M", "N", "viewpoints", "seconds", "million texels/s",
-                       "most memory (MiB)"], rows) + "\n" +
+                       "peak memory (MiB)"], rows) + "\n" +
                 self.plot("sampling", curves, "M", "seconds"))
 
     def scaling(self, found):
@@ -81,12 +89,14 @@ class Report:
                          f"{field['processor_seconds']:.0f}",
                          f"{texels / field['processor_seconds'] / 1e6:.2f}",
                          f"{field['peak_bytes'] / 2**20:.0f}", megabytes(field["bytes"])])
-        return ("## Scaling\n\nThe Cornell box sampled straight into a coded file, never held as a "
-                "whole: one sample a texel, preset `ultrafast`. Where fewer viewpoints are kept, "
-                "these are key views. Raw: colour, coverage and depth of all. "
-                "Processor seconds are those of all cores together.\n\n" +
+        return ("## Scaling\n\n" +
+                paragraph("The Cornell box, sampled directly into a coded file, with one sample "
+                          "per texel and the preset `ultrafast`. The whole field is never in "
+                          "memory. If not all viewpoints are kept, those kept are key views. Raw: "
+                          "colour, coverage and depth of all viewpoints. Processor seconds are "
+                          "summed over all cores.") + "\n" +
                 table(["M", "N", "viewpoints", "kept", "raw (MB)", "seconds", "processor seconds",
-                       "million texels per processor second", "most memory (MiB)", "file (MB)"],
+                       "million texels per processor second", "peak memory (MiB)", "file (MB)"],
                       rows))
 
     def sizes(self, found):
@@ -103,8 +113,10 @@ class Report:
                 curves.append((f"{TITLES[scene]}, N = {n}",
                                [field["viewpoints"] for field in chosen],
                                [field["coded"]["bytes"] / 1e6 for field in chosen]))
-        return ("## Size\n\nThe paper's figure 3. Raw: 24-bit colours alone. Coded: colour, "
-                f"coverage and depth, rate factor 22, preset `{self.setting.preset}`.\n\n" +
+        return ("## Size\n\n" +
+                paragraph("Figure 3 of the paper. Raw: only colours, with 24 bits each. Coded: "
+                          "colour, coverage and depth, with rate factor 22 and the preset "
+                          f"`{self.setting.preset}`.") + "\n" +
                 table(["scene", "M", "N", "raw (MB)", "coded (MB)", "ratio"], rows) + "\n" +
                 self.plot("sizes", curves, "M", "coded (MB)", log=(False, True)))
 
@@ -113,25 +125,28 @@ class Report:
                 [f"{row['lookups'][lookup]['psnr']:.2f}, {row['lookups'][lookup]['ssim']:.3f}"
                  for lookup in LOOKUPS] for row in found]
         floor = min(row["noise_floor"] for row in found)
-        return ("## Novel views\n\nThe paper's figure 4, which has no figures, and two more "
-                "lookups: PSNR (dB) and SSIM of one view of the Cornell box, from fields that are "
-                f"not coded. Noise floor of the truth: {floor:.1f} dB.\n\n" +
+        return ("## Novel views\n\n" +
+                paragraph("Figure 4 of the paper, which gives no numbers, with two more lookups: "
+                          "PSNR (dB) and SSIM of one view of the Cornell box, from uncoded fields. "
+                          "The reference is path-traced; its noise floor is "
+                          f"{floor:.1f} dB.") + "\n" +
                 table(["M", "N", *LOOKUPS], rows) +
-                "\n![A row for each field: the truth and the lookups](novel-views.png)\n")
+                "\n![A row for each field: the reference and the lookups](novel-views.png)\n")
 
     def key_views(self, found):
-        parts = ["## Novel views against size\n\nThe paper's way codes all viewpoints as colour "
-                 "and looks them up bilinearly. Ours codes every second or fourth viewpoint with "
-                 "coverage and depth and looks those up with depth correction. Same encoder, "
-                 "preset "
-                 f"(`{self.setting.preset}`) and rate factors of colour.\n"]
+        parts = ["## Novel views against size\n\n" +
+                 paragraph("The paper's way codes the colour of all viewpoints and looks it up "
+                           "bilinearly. Our way codes every second or fourth viewpoint with "
+                           "coverage and depth and uses the depth lookup. Both use the same "
+                           f"encoder, preset (`{self.setting.preset}`) and rate factors of "
+                           "colour.")]
         for scene, result in found.items():
             rows = []
             for each in result["comparisons"]:
                 ratio = f"{each['ratio']:.1f}" if each["ratio"] else "not reached"
                 rows.append([count(each["bytes"]), f"{each['psnr']:.2f}",
                              ("more than " if each["ratio_is_bound"] else "") + ratio,
-                             "no file so small" if each["gain"] is None
+                             "no file as small" if each["gain"] is None
                              else f"{each['gain']:.1f}"])
             curves = [(f"{series['name']}, depth's rate factor {rate:g}" if "key" in series["name"]
                        else series["name"],
@@ -140,14 +155,14 @@ class Report:
                       for series in result["series"]
                       for rate in sorted({point["depth_crf"] for point in series["points"]})]
             field = result["series"][0]
-            limits = ", ".join(f"{series['name']}: {series['uncoded_psnr']:.2f}"
-                               for series in result["series"])
+            limits = "; ".join(f"{series['name'].replace('paper: ', '')}: "
+                               f"{series['uncoded_psnr']:.2f}" for series in result["series"])
             parts.append(
                 f"\n{TITLES[scene].capitalize()}, M = {field['viewpoints']}, N = "
                 f"{field['resolution']}:\n\n" +
-                table(["the paper's way (bytes)", "dB", "fewer bytes at its dB (times)",
-                       "more dB at its bytes"], rows) +
-                f"\nNot coded (dB): {limits}.\n\n" +
+                table(["the paper's way (bytes)", "PSNR (dB)", "times fewer bytes at this PSNR",
+                       "dB gained at this size"], rows) +
+                "\n" + paragraph(f"PSNR (dB) of the uncoded fields: {limits}.") + "\n" +
                 self.plot(f"key-views-{scene}", curves, "bytes", "PSNR (dB)", log=(True, False)))
         return "".join(parts)
 
@@ -175,15 +190,18 @@ class Report:
                   (("the mesh, by VTK", lambda lookups: lookups["depth"]["mesh_frames_per_second"]),
                    ("bilinear", lambda lookups: lookups["bilinear"]["frames_per_second"]),
                    ("depth", lambda lookups: lookups["depth"]["frames_per_second"]))]
-        return (f"## Frame rates\n\nPictures of 512 x 512 a second, medians along a path, drawn by "
-                f"{device}. One ray a pixel; where the view moves, as many as there is time for at "
-                "30 pictures a second; where it is still, four. The Cornell box:\n\n" +
+        return ("## Frame rates\n\n" +
+                paragraph("Frames per second of 512 x 512 pixels, medians along a camera path, "
+                          f"drawn by {device}. All columns use one ray per pixel, except two: "
+                          "\"depth, moving\" uses as many rays as 30 frames per second allow, and "
+                          "\"depth, still\" four per pixel. The Cornell box:") + "\n" +
                 table(["M", "N", "bilinear", "focal", "depth", "depth, moving", "depth, still",
                        "textures, depth (MiB)"], rows) +
-                "\nThe dragon's field (M = 9) beside its mesh, with fewer and more triangles, "
-                "drawn in turn:\n\n" +
+                "\n" +
+                paragraph("The field of the dragon (M = 9) and its mesh with different numbers of "
+                          "triangles, drawn alternately:") + "\n" +
                 table(["triangles", "mesh", "bilinear", "depth"], meshes) + "\n" +
-                self.plot("frame-rates", curves, "triangles of the mesh", "frames a second",
+                self.plot("frame-rates", curves, "triangles of the mesh", "frames per second",
                           log=(True, False)))
 
     def integrators(self, found):
@@ -203,10 +221,13 @@ class Report:
                            [told["psnr"]]))
         ratios = ", ".join(f"{TITLES[scene]} {result['ratio']:.1f}"
                            for scene, result in found.items())
-        return ("## Noise against time\n\nTexels of a field (M = 17, N = 128) against a reference, "
-                "and the seconds of the whole field.\n\n" +
+        return ("## Noise against time\n\n" +
+                paragraph("PSNR of texels of a field (M = 17, N = 128) against a reference, and "
+                          "the seconds that sampling the whole field takes.") + "\n" +
                 table(["scene", "integrator", "PSNR (dB)", "seconds"], rows) +
-                f"\nPath tracing takes as many times as long for equal PSNR: {ratios}.\n\n" +
+                "\n" +
+                paragraph("For equal PSNR, path tracing takes longer by these factors: "
+                          f"{ratios}.") + "\n" +
                 self.plot("integrators", curves, "seconds", "PSNR (dB)", log=(True, False)))
 
     def cycles(self, found):
@@ -227,35 +248,43 @@ class Report:
         channels = ", ".join(f"{other / ours - 1:+.3%}" for ours, other in
                              zip(agreement["radiance_path"], agreement["radiance_cycles"]))
         width, height = found["size"]
-        return ("## Noise against time, beside Cycles\n\n"
-                f"One picture of the Cornell box, {width} x {height}, by `vtkCSLFViewTracer` and "
-                f"by Cycles of Blender {found['cycles']['version']}, both on the processor: the "
-                "same quadrilaterals, reflectances, radiance of the lamp and camera, at most "
-                f"{found['reflections']} reflections, each pixel the mean over its area. Cycles "
-                "has neither denoising nor adaptive sampling nor clamping, and the lamp cut into "
-                "4 x 4, as its light from large triangles is too dark close to their plane. PSNR "
-                "of colours as displayed, against the mean of two pictures of "
-                f"{found['reference'] // 2} samples by the same renderer; cached radiance, which "
-                "has a bias, against that of path tracing. Seconds are medians of three, ours "
-                "of a scene that has been built before, Cycles' of Blender's render call. "
-                "The cache serves all views.\n\n" +
+        return ("## Noise against time, compared with Cycles\n\n" +
+                paragraph(
+                    f"One picture of the Cornell box, {width} x {height} pixels, by "
+                    "`vtkCSLFViewTracer` and by Cycles of Blender "
+                    f"{found['cycles']['version']}, both on the processor. The quadrilaterals, "
+                    "reflectances, radiance of the lamp and camera are the same, with at most "
+                    f"{found['reflections']} reflections and a box filter of one pixel. Cycles "
+                    "uses neither denoising nor adaptive sampling nor clamping. Its lamp is cut "
+                    "into 4 x 4 parts, because Cycles makes the light of large triangles too dark "
+                    "close to their plane.") + "\n" +
+                paragraph(
+                    "PSNR is that of displayed colours. The reference is the mean of two pictures "
+                    f"with {found['reference'] // 2} samples by the same renderer. Radiance "
+                    "caching has a bias, so its reference is that of path tracing. Seconds are "
+                    "medians of three. Ours do not include building the scene; those of Cycles "
+                    "are of Blender's render call. The cache serves all views.") + "\n" +
                 table(["renderer", "samples", "cache (s)", "picture (s)", "PSNR (dB)"], rows) +
                 "\n" + self.plot("cycles", curves, "seconds, with the cache", "PSNR (dB)",
                                  log=(True, False)) +
-                "\nThe two converged pictures and 16 times their difference (grey is none). They "
-                f"are {agreement['psnr']:.2f} dB apart; by their own noise, it would be "
-                f"{noise:.2f} dB. Cycles' mean radiance, up to white, differs by {channels} (red, "
-                "green, blue); the means of squares of 16 x 16 pixels differ by at most "
-                f"{255 * agreement['largest_difference_of_squares']:.2f} of 255.\n\n"
+                "\n" +
+                paragraph(
+                    "The two converged pictures and 16 times their difference (grey: no "
+                    f"difference). Their PSNR is {agreement['psnr']:.2f} dB; noise alone would "
+                    f"give {noise:.2f} dB. The mean radiance of Cycles, clamped at white, differs "
+                    f"by {channels} (red, green, blue). The means of squares of 16 x 16 pixels "
+                    "differ by at most "
+                    f"{255 * agreement['largest_difference_of_squares']:.2f} of 255.") + "\n" +
                 "![Path tracing, Cycles and their difference](cycles-pictures.png)\n")
 
     def limits(self, found):
-        parts = ["## What does not work well\n"]
+        parts = ["## Known weaknesses\n"]
         for row in found:
             figures = ", ".join(f"{lookup} {values['psnr']:.2f} dB"
                                 for lookup, values in row["found"]["lookups"].items())
             parts.append(
-                f"\n{row['title'][0].upper()}{row['title'][1:]} (M = {row['viewpoints']}, N = "
-                f"{row['resolution']}): {figures}.\n\n![The truth and the lookups](limits-"
-                f"{row['name']}.png)\n")
+                "\n" +
+                paragraph(f"{row['title'][0].upper()}{row['title'][1:]} (M = {row['viewpoints']}, "
+                          f"N = {row['resolution']}): {figures}.") +
+                f"\n![The reference and the lookups](limits-{row['name']}.png)\n")
         return "".join(parts)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is measured. Each study returns what its part of the page is made from."""
+"""The measurements. Each study returns the data for its part of the page."""
 import dataclasses
 import shutil
 
@@ -19,12 +19,12 @@ QUALITY = ("--spp", 16, "--noise", 0.004)
 
 @dataclasses.dataclass
 class Setting:
-    """How large fields and pictures are, and how long truths are traced. Resolutions of the paper's
+    """The sizes of fields and pictures, and the samples of the references. The paper's resolutions
     are divided by `divisor`."""
     divisor: int
     size: int           # of novel views, in pixels
     views: int
-    spp: int            # of the truth
+    spp: int            # samples per pixel of the reference
     frames: int         # along a path
     key_viewpoints: int
     crfs: str
@@ -38,7 +38,7 @@ class Setting:
         return of_paper // self.divisor
 
     def fine_resolution(self):
-        """Where the scene's details count: small settings have half of 128."""
+        """For studies that depend on the scene's details: 64 in small settings."""
         return 128 if self.divisor == 1 else 64
 
 
@@ -63,7 +63,7 @@ class Studies:
         self.mirror = (data / "dragon.ply", "--roughness", 0.05, "--environment", "white")
 
     def sample(self, scene, viewpoints, resolution, inputs=None, integrator="cache"):
-        """The field's file and what its sampling took."""
+        """Returns the field's file and the measurements of its sampling."""
         name = f"{scene}-{viewpoints}x{resolution}" + ("" if integrator == "cache" else "-path")
         file = self.tool.work / f"{name}.vti"
         return file, self.tool.measure(
@@ -83,7 +83,7 @@ class Studies:
         return {scene: [self.sample(scene, m, n)[1] for m in (16, 32, 40)]
                 for scene in self.scenes}
 
-    # Time and memory of fields that grow beyond what a machine could hold, one sample a texel.
+    # Time and memory of fields that become larger than memory, with one sample per texel.
     def scaling(self):
         rows = []
         for m, n, step in self.setting.scaling:
@@ -131,7 +131,7 @@ class Studies:
             rows.append({"viewpoints": m, "resolution": n, "lookups": found["lookups"],
                          "noise_floor": found["noise_floor"]})
             pictures.append(folder / "view-0-truth.png")
-            labels += ["--label", "truth"]
+            labels += ["--label", "reference"]
             for lookup in LOOKUPS:
                 pictures.append(folder / f"view-0-{lookup}.png")
                 labels += ["--label",
@@ -148,7 +148,7 @@ class Studies:
         for scene, inputs in self.scenes.items():
             field = self.sample(scene, setting.key_viewpoints, setting.fine_resolution())[0]
             folder = self.tool.work / f"key-views-{scene}"
-            shutil.rmtree(folder, ignore_errors=True)  # what a run that was cut short left there
+            shutil.rmtree(folder, ignore_errors=True)  # may be left by an interrupted run
             found[scene] = self.tool.measure(
                 f"key-views-{scene}", "benchmark", "key-views", field, *inputs, "-o", folder,
                 "--preset", setting.preset, "--crfs", setting.crfs, "--depth-crfs",
@@ -156,7 +156,7 @@ class Studies:
                 "--size", setting.size, "--spp", setting.spp, *self.truth)
         return found
 
-    # Frames a second against M, N and the number of triangles.
+    # Frames per second against M, N and the number of triangles.
     def frame_rates(self):
         rows = []
         n = self.setting.resolution(128)
@@ -179,7 +179,7 @@ class Studies:
         return {"fields": rows, "meshes": meshes}
 
     def make_meshes(self):
-        """The dragon's mesh, and with each triangle cut into 4, 2 and 3 times."""
+        """The dragon's mesh as it is, and with its triangles divided twice and three times."""
         reader = ply.vtkPLYReader()
         reader.SetFileName(str(self.scenes["dragon"][0]))
         for passes in (0, 2, 3):
@@ -197,7 +197,7 @@ class Studies:
             writer.Write()
             yield file, last.GetOutput().GetNumberOfPolys()
 
-    # The quality that path tracing and cached radiance reach in how much time.
+    # Quality against time of path tracing and cached radiance.
     def integrators(self):
         setting = self.setting
         return {scene: self.tool.measure(
@@ -206,20 +206,20 @@ class Studies:
             "--texels", 100000 // setting.divisor ** 2, *QUALITY)
             for scene, inputs in self.scenes.items()}
 
-    # The same by a renderer that others made.
+    # The same compared with an independent renderer.
     def cycles(self):
         from one_view import OneView  # only this study needs the Python package and Blender
         return OneView(self.tool, **self.setting.one_view).measure()
 
-    # What does not work well.
+    # Known weaknesses.
     def limits(self):
         n = self.setting.fine_resolution()
         wires = self.tool.work / "wires.vtp"
         make_wires(wires)
         wires = (wires, "--environment", "white")
-        # A cache of points on wires takes longer than tracing all paths.
+        # Caching radiance on wires takes longer than path tracing.
         cases = (("mirror", "a dragon of roughness 0.05", 9, self.mirror, "cache"),
-                 ("wires", "tubes thinner than a texel before a wall, path-traced", 9, wires,
+                 ("wires", "tubes thinner than a texel in front of a wall, path-traced", 9, wires,
                   "path"),
                  ("few", "the Cornell box from 3 x 3 viewpoints", 3, None, "cache"))
         rows = []
@@ -236,7 +236,7 @@ class Studies:
 
 
 def shrink(sheet, file):
-    """A sheet for the page: with less than a megabyte, and labels that can still be read."""
+    """Makes a sheet small enough for the page, with labels that can still be read."""
     with Image.open(sheet) as picture:
         small = picture.convert("RGB")
     small.thumbnail((LONGEST_SIDE, LONGEST_SIDE), Image.LANCZOS)
@@ -244,7 +244,7 @@ def shrink(sheet, file):
 
 
 def make_wires(file):
-    """28 coloured tubes at random places before a wall."""
+    """28 coloured tubes at random places in front of a wall."""
     random = core.vtkMinimalStandardRandomSequence()
     random.SetSeed(3)
 

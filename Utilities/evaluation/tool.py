@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the cslf tool and keeps what it says, so that nothing is measured twice."""
+"""Runs the cslf tool and keeps its results, so that nothing is measured twice."""
 import json
 import os
 import subprocess
@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 class Tool:
-    """The tool, a folder for fields (which may be large) and one for what is found out."""
+    """The tool, a folder for fields (which may be large) and a folder for results."""
 
     def __init__(self, program, work, folder):
         self.program = program
@@ -20,15 +20,15 @@ class Tool:
         (self.folder / "parts").mkdir(parents=True, exist_ok=True)
 
     def measure(self, name, *arguments, output=None):
-        """What a command prints as JSON, with the seconds it took (seconds_of_run), those of all
-        its threads together (processor_seconds) and the most memory it had (peak_bytes). `output`
-        is a file that it makes: it runs again without it."""
+        """Returns what a command prints as JSON, with its time (seconds_of_run), the processor time
+        of all its threads (processor_seconds) and its peak memory (peak_bytes). `output` is a file
+        that it makes: if it is missing, the command runs again."""
         command = [self.program, *map(str, arguments), "--json"]
         return self.keep(name, lambda: run_measured(command), output)
 
     def keep(self, name, measure, output=None):
-        """What `measure` returns, with seconds_of_run, or has returned before, if the file `output`
-        is still there."""
+        """Returns the result of `measure`, with seconds_of_run. The result is kept and used again
+        if the file `output` still exists."""
         kept = self.folder / "parts" / f"{name}.json"
         if kept.exists() and (output is None or Path(output).exists()):
             return json.loads(kept.read_text())
@@ -42,17 +42,17 @@ class Tool:
         return found
 
     def get_seconds(self):
-        """What the measurements that are kept took together."""
+        """The total time of the kept measurements."""
         parts = [json.loads(kept.read_text()) for kept in (self.folder / "parts").glob("*.json")]
         return sum(part.get("seconds_of_run", 0.0) for part in parts)
 
     def run(self, *arguments):
-        """A command of which only the files count."""
+        """Runs a command of which only the files are needed."""
         subprocess.run([self.program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
 
 def run_measured(command):
-    """What Tool.measure returns, but for the seconds of the run."""
+    """Returns what Tool.measure returns, except for seconds_of_run."""
     with tempfile.TemporaryFile() as printed, tempfile.TemporaryFile() as told:
         process = subprocess.Popen(command, stdout=printed, stderr=told)
         _, status, usage = os.wait4(process.pid, 0)
@@ -68,7 +68,7 @@ def run_measured(command):
 
 
 def run_program(*command):
-    """A program other than the tool. What it says is shown only if it fails."""
+    """Runs a program other than the tool. Shows its output only if it fails."""
     command = list(map(str, command))
     process = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if process.returncode != 0:
@@ -76,7 +76,7 @@ def run_program(*command):
 
 
 def strip_paths(found):
-    """Without the folders of files, which say nothing on another machine."""
+    """Removes the folders of files, which mean nothing on another machine."""
     if isinstance(found, dict):
         return {key: strip_paths(value) for key, value in found.items()}
     if isinstance(found, list):
