@@ -37,7 +37,7 @@ inline glm::dvec3 LinearToSRGB(const glm::dvec3& linear)
   return { LinearToSRGB(linear.x), LinearToSRGB(linear.y), LinearToSRGB(linear.z) };
 }
 
-/// A value in [0,1] as the nearest of 256 levels.
+/// A value in [0,1] to the nearest of 256 levels.
 inline unsigned char ToByte(double value)
 {
   return static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
@@ -63,7 +63,7 @@ public:
   unsigned char Encode(double linear) const
   {
     const double clamped = linear > 0.0 ? std::min(linear, 1.0) : 0.0;
-    // There is no step in which more than one level begins.
+    // No step contains the beginnings of two levels.
     const int level = this->Levels[static_cast<int>(clamped * Steps)];
     return static_cast<unsigned char>(level + (clamped >= this->Lower[level + 1] ? 1 : 0));
   }
@@ -74,7 +74,7 @@ private:
   unsigned char Levels[Steps + 1]; // the level of each step's least value
 };
 
-/// What the red, green and blue of a texel are rounded from, in [0,1]: `radiance` is linear, times
+/// The red, green and blue of a texel before rounding, in [0,1]: `radiance` is linear, times
 /// exposure, associated with `alpha` (its coverage). The mean of the samples that hit is encoded,
 /// then multiplied by alpha.
 inline glm::dvec3 EncodeRadiance(const glm::dvec3& radiance, double alpha)

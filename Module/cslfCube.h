@@ -56,7 +56,7 @@ VTKCSLF_EXPORT glm::dvec3 FaceToCube(int face, const glm::dvec2& coordinates);
 VTKCSLF_EXPORT glm::dvec2 CubeToFace(int face, const glm::dvec3& pointCC);
 
 /// The face that a direction from the cube's centre (or a surface point in CC) meets, and where.
-/// On edges and corners the face of the lowest axis is taken.
+/// Edges and corners belong to the face of the lowest axis.
 VTKCSLF_EXPORT SurfacePoint DirectionToFace(const glm::dvec3& directionCC);
 
 /// The four parameters of a light ray: where it enters the cube, (u,v), and leaves it, (s,t).
@@ -68,9 +68,9 @@ struct RayCoordinates
   double ExitDistance = 0.0;  ///< ray parameter at the exit
 };
 
-/// The coordinates of the line through `originCC` along `directionCC`, or nothing where the line
-/// misses the cube. The line is infinite: distances are negative behind the origin. Values that
-/// are not finite, and a direction of length 0, miss.
+/// The coordinates of the line through `originCC` along `directionCC`, or nothing if the line
+/// misses the cube. The line is infinite: distances are negative behind the origin. Lines with
+/// values that are not finite or a direction of length 0 count as misses.
 VTKCSLF_EXPORT std::optional<RayCoordinates> RayToCoordinates(
   const glm::dvec3& originCC, const glm::dvec3& directionCC);
 

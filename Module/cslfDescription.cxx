@@ -50,7 +50,7 @@ const char* NameOfType(int type)
   throw std::invalid_argument("the type of a channel is not uint8, uint16, float32 or float64");
 }
 
-/// VTK_VOID for a type that this version does not know.
+/// VTK_VOID for unknown types.
 int FindType(const std::string& name)
 {
   for (const TypeName& row : TypeNames)
@@ -78,7 +78,7 @@ glm::dvec3 ToVector(const JSON& json)
   return { values[0], values[1], values[2] };
 }
 
-/// Format 1 had one number, later ones have two.
+/// Format 1 had one number, later formats have two.
 void CheckVersion(const JSON& version)
 {
   const bool isPair = version.is_array() && version.size() == 2;
@@ -95,7 +95,7 @@ void CheckVersion(const JSON& version)
   }
 }
 
-/// Refuses what cannot be understood without features of later versions. There are none yet.
+/// Refuses a description that needs features of later versions. There are none yet.
 void CheckRequired(const JSON& json)
 {
   std::string names;
@@ -157,7 +157,7 @@ Description Parse(const JSON& json)
   return description;
 }
 
-/// Says how an image differs from its description; empty where it fits.
+/// Says how an image differs from its description. Empty if they match.
 std::string FindMisfit(const Description& description, vtkImageData* image)
 {
   int whole[6];

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a light field is, besides its samples: one JSON text, read and written here only. It travels
- * in the image data's field data and in the comment of a coded file.
+ * The description of a light field: everything but its samples, as one JSON text, read and written
+ * only here. It is stored in the image data's field data and in the comment of a coded file.
  */
 #ifndef cslfDescription_h
 #define cslfDescription_h
@@ -34,7 +34,7 @@ struct Channel
   std::string Encoding; ///< what the numbers mean, one of the names below
 };
 
-/// The names of the two arrays every consumer knows.
+/// The names of the two arrays that all code knows.
 constexpr const char* ColorName = "Color";
 constexpr const char* DepthName = "Depth";
 
@@ -46,8 +46,8 @@ constexpr const char* LinearEncoding = "linear-associated-alpha";
 constexpr const char* DepthEncoding = "chord-fraction";
 
 ///@{
-/// What a description may have at most. Files that claim more are refused before memory is taken
-/// for it.
+/// The upper limits of a description. Files that exceed them are refused before memory is
+/// allocated.
 constexpr std::size_t MaximumChannels = 16;
 constexpr int MaximumComponents = 64;
 constexpr std::size_t MaximumNameLength = 100;                    ///< of channels, in bytes
@@ -55,8 +55,8 @@ constexpr std::int64_t MaximumFieldBytes = std::int64_t(1) << 50; ///< of all sa
 ///@}
 
 ///@{
-/// The cube's centre and edges and the scene's bounds: within what graphics hardware holds and what
-/// tells the cube's texels apart.
+/// Limits of the cube's centre and edges and of the scene's bounds: graphics hardware can hold the
+/// values, and the cube's texels can be told apart.
 constexpr double MaximumCoordinate = 1e30;
 constexpr double MinimumRelativeEdge = 1e-12; ///< of the distance from the origin, for each axis
 ///@}
@@ -79,14 +79,13 @@ struct VTKCSLF_EXPORT Description
 
   Layout Grid;
   Cube Box;
-  /// Bounds of what is inside, in the world, in VTK's order, where they are known: lookups need not
-  /// search outside of them. Otherwise the cube's.
+  /// The bounds of the scene in the world, in VTK's order, or the cube's bounds if they are not
+  /// known. Lookups do not search outside.
   std::optional<std::array<double, 6>> SceneBounds;
   std::vector<Channel> Channels;
-  /// Sampling and scene parameters, a JSON object as text, for the record: no consumer needs it.
+  /// Sampling and scene parameters, a JSON object as text, for the record only.
   std::string Sampling = "{}";
-  /// The channels left out of `Channels` when it was read, since this version does not know their
-  /// type.
+  /// The channels that were left out of `Channels` because this version does not know their type.
   std::vector<std::string> Unknown;
 
   /// The corners of the scene's bounds in CC, within [-1,1]^3.
@@ -96,18 +95,18 @@ struct VTKCSLF_EXPORT Description
   /// The channel of that name, or null.
   const Channel* FindChannel(const std::string& name) const;
 
-  /// The bytes of all samples of a description without fault.
+  /// The size of all samples of a valid description, in bytes.
   std::int64_t GetBytes() const;
 
-  /// Says in a few words what no consumer could work with: a grid, a cube or bounds outside their
-  /// limits, `Color` or `Depth` of an unknown type, two channels of one name, or too many bytes.
-  /// Empty where there is nothing. All that reads a description asks this.
+  /// Says in a few words what is invalid: a grid, a cube or bounds outside their limits, `Color` or
+  /// `Depth` of an unknown type, two channels of one name, or too many bytes. Empty if the
+  /// description is valid. All readers of descriptions check this.
   std::string FindFault() const;
 
   nlohmann::json ToJSON() const;
   std::string ToText() const;
 
-  /// Reads what ToJSON wrote. On bad input returns nothing and says why, in one line.
+  /// Reads what ToJSON wrote. On bad input returns nothing and gives the reason in one line.
   static std::optional<Description> FromJSON(const nlohmann::json& json, std::string& error);
   static std::optional<Description> FromText(const std::string& text, std::string& error);
 
@@ -116,7 +115,8 @@ struct VTKCSLF_EXPORT Description
 
   /// Reads the description of image data and checks it against extent, spacing, origin and arrays,
   /// since VTK's filters pass field data along even when they change what it describes. Image data
-  /// may hold any z part of the field. On a misfit returns nothing and says why, in one line.
+  /// may hold any z part of the field. On a mismatch returns nothing and gives the reason in one
+  /// line.
   static std::optional<Description> ReadFrom(vtkImageData* image, std::string& error);
 };
 }

@@ -14,7 +14,7 @@ namespace cslf
 {
 namespace
 {
-/// A channel whose meaning every consumer knows, in one of the forms it may have.
+/// A channel whose meaning is known, in one of its possible forms.
 struct KnownChannel
 {
   const char* Name;
@@ -94,7 +94,7 @@ std::string FindFault(const Cube& box)
   {
     const double center = std::abs(box.Center[axis]);
     const double edge = box.Edges[axis];
-    // Written so that they are false for what is no number.
+    // These comparisons are false for NaN.
     if (!(center <= MaximumCoordinate && edge >= 1.0 / MaximumCoordinate &&
           edge <= MaximumCoordinate))
     {

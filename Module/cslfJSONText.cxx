@@ -17,7 +17,7 @@ struct TooDeep
 {
 };
 
-/// Parses with a watch on the depth, which counts the values around one.
+/// Parses with a limit on the depth, which counts the values around a value.
 JSON ParseToDepth(const std::string& text)
 {
   const auto watch = [](int depth, JSON::parse_event_t event, const JSON&)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * JSON texts that come from files. Whoever wrote the file may have meant harm, so size and depth
- * are limited before anything is made of the text, and whole numbers are checked for their range.
+ * JSON texts that come from files. Files may be malicious, so size and depth are limited before the
+ * text is used, and whole numbers are checked for their range.
  */
 #ifndef cslfJSONText_h
 #define cslfJSONText_h
@@ -20,17 +20,17 @@
 
 namespace cslf
 {
-/// The most bytes of a text: what Matroska's demuxer reads of a tag at most.
+/// The largest size of a text in bytes: the most that Matroska's demuxer reads of a tag.
 constexpr std::size_t MaximumJSONBytes = std::size_t(16) << 20;
 
-/// The most objects and arrays inside each other. JSON's functions call themselves for each.
+/// The largest depth of nested objects and arrays. The functions of the JSON library are recursive.
 constexpr int MaximumJSONDepth = 32;
 
-/// The value that a text stands for. Of a text that is no JSON, too long or too deep, a discarded
-/// value; `error` then says in a few words which.
+/// Parses a text. Returns a discarded value if the text is not JSON, too long or too deep; `error`
+/// then says which in a few words.
 VTKCSLF_EXPORT nlohmann::json ParseJSON(const std::string& text, std::string* error = nullptr);
 
-/// The same of a whole file, which is not read if it is too long.
+/// The same for a whole file, which is not read if it is too long.
 VTKCSLF_EXPORT nlohmann::json ReadJSON(const std::string& fileName, std::string* error = nullptr);
 
 /// Whether a value is a whole number that the type can hold.
@@ -51,8 +51,8 @@ bool IsInteger(const nlohmann::json& json)
                    : static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(Limits::max());
 }
 
-/// A whole number. JSON's own conversion wraps what is too large and cuts off fractions; this
-/// throws std::invalid_argument.
+/// A whole number. JSON's own conversion wraps large numbers and truncates fractions; this throws
+/// std::invalid_argument.
 template <typename Integer = int>
 Integer ToInteger(const nlohmann::json& json)
 {
@@ -63,7 +63,7 @@ Integer ToInteger(const nlohmann::json& json)
   return json.get<Integer>();
 }
 
-/// The whole number of that name in an object, or `otherwise` where there is none.
+/// The whole number of that name in an object, or `otherwise` if there is none.
 template <typename Integer = int>
 Integer ToInteger(const nlohmann::json& object, const char* name, Integer otherwise)
 {
@@ -71,7 +71,7 @@ Integer ToInteger(const nlohmann::json& object, const char* name, Integer otherw
   return found != object.end() && IsInteger<Integer>(*found) ? found->get<Integer>() : otherwise;
 }
 
-/// An array as it is; anything else throws std::invalid_argument.
+/// An array as it is. Throws std::invalid_argument for anything else.
 inline const nlohmann::json& RequireArray(const nlohmann::json& json)
 {
   if (!json.is_array())
@@ -83,7 +83,7 @@ inline const nlohmann::json& RequireArray(const nlohmann::json& json)
 
 const nlohmann::json& RequireArray(const nlohmann::json&&) = delete;
 
-/// An array of whole numbers, likewise.
+/// An array of whole numbers, with the same check.
 template <typename Integer = int>
 std::vector<Integer> ToIntegers(const nlohmann::json& json)
 {

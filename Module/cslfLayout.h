@@ -49,7 +49,7 @@ struct NodeBracket
 };
 
 ///@{
-/// What a grid may have at most.
+/// The upper limits of a grid.
 constexpr int MaximumBaseNodes = 65536;
 constexpr int MaximumViewpoints = 1024; ///< M, along each side of a face
 constexpr int MaximumResolution = 8192; ///< N, texels along each side of a tile
