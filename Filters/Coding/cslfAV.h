@@ -62,8 +62,8 @@ struct AVOutputDeleter
 /// A container open for writing.
 using AVOutput = std::unique_ptr<AVFormatContext, AVOutputDeleter>;
 
-/// Makes a video codec's parameters, which know nothing else, know its parameter sets. False if
-/// there is no memory for them.
+/// Adds parameter sets to otherwise empty parameters of a video codec. False if there is not enough
+/// memory.
 inline bool SetParameterSets(
   AVCodecID codec, const std::vector<std::uint8_t>& sets, AVCodecParameters* parameters)
 {
@@ -80,7 +80,7 @@ inline bool SetParameterSets(
   return true;
 }
 
-/// The same code, or std::bad_alloc where it says that there is not enough memory.
+/// Returns the code, or throws std::bad_alloc if it means that there is not enough memory.
 inline int RequireMemory(int code)
 {
   if (code == AVERROR(ENOMEM))
@@ -90,7 +90,7 @@ inline int RequireMemory(int code)
   return code;
 }
 
-/// The same object, or std::bad_alloc where it could not be made.
+/// Returns the object, or throws std::bad_alloc if it is null.
 template <typename T>
 T* RequireMemory(T* object)
 {
@@ -101,7 +101,7 @@ T* RequireMemory(T* object)
   return object;
 }
 
-/// What an error code of FFmpeg means.
+/// The meaning of an error code of FFmpeg.
 inline std::string AVErrorText(int code)
 {
   char text[AV_ERROR_MAX_STRING_SIZE] = {};
@@ -109,8 +109,8 @@ inline std::string AVErrorText(int code)
   return text;
 }
 
-/// Keeps FFmpeg from printing while it lives. Scopes may nest and overlap between threads; the
-/// level found by the first is restored by the last.
+/// Keeps FFmpeg from printing while it lives. Scopes may nest and overlap between threads. The last
+/// one restores the log level that the first one found.
 class AVLogSilence
 {
 public:

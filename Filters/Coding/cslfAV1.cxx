@@ -8,7 +8,7 @@ namespace cslf
 {
 namespace
 {
-/// The types of units that matter (AV1 bitstream specification, section 6.2.2).
+/// The types of units that are used here (AV1 bitstream specification, section 6.2.2).
 enum UnitType
 {
   SequenceHeader = 1,
@@ -97,7 +97,7 @@ public:
     std::uint32_t& crc) const override;
   std::vector<std::uint8_t> Trim(const std::uint8_t* data, std::size_t size) const override;
 
-  /// The sequence header, which every group's first packet holds.
+  /// The sequence header, which the first packet of each group contains.
   std::vector<std::uint8_t> FindParameterSets(const std::vector<std::uint8_t>& configuration,
     const std::vector<std::uint8_t>& packet) const override;
 };

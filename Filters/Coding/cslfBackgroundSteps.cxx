@@ -15,11 +15,11 @@
 
 namespace cslf
 {
-/// What threads pass on their way to the owner's work. It may outlive the owner.
+/// State shared by the owner and its threads. It may outlive the owner.
 struct BackgroundSteps::Gate
 {
   std::mutex Mutex;
-  std::condition_variable Left; ///< someone has gone out
+  std::condition_variable Left; ///< a thread has left
   std::function<void()> Step;
   bool IsOpen = true; ///< while the owner lives
   int Inside = 0;
@@ -49,15 +49,16 @@ struct BackgroundSteps::Gate
       }
       catch (const std::exception&)
       {
-        // The owner finds the step not done, and meets its error where it does it itself.
+        // The owner finds that the step is missing, and gets the error when it does the step
+        // itself.
       }
       gate->Leave();
     }
   }
 
   /// The queue lives as long as the process: in older versions of VTK its destructor may miss a
-  /// thread that is about to sleep, and wait for ever. A forked process has none of the threads of
-  /// its parent, so it makes a queue of its own.
+  /// thread that is about to sleep, and wait forever. A forked process does not have the threads of
+  /// its parent, so it makes its own queue.
   static void Push(const std::shared_ptr<Gate>& gate)
   {
     using Queue = vtkThreadedTaskQueue<void, std::shared_ptr<Gate>>;

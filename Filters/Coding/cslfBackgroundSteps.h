@@ -16,18 +16,18 @@ namespace cslf
 class BackgroundSteps
 {
 public:
-  /// `step` does the next piece of work, or nothing if there is none. Several threads call it at
-  /// once, as many as vtkSMPTools has. An exception that it throws is dropped: it must leave what
-  /// it has not done to be found so.
+  /// `step` does the next piece of work, or nothing if there is none. As many threads as
+  /// vtkSMPTools has call it at once. Its exceptions are ignored, so it must leave work that failed
+  /// marked as not done.
   explicit BackgroundSteps(std::function<void()> step);
 
-  /// Steps that have not begun are dropped, those that have are waited for.
+  /// Drops steps that have not begun and waits for the others.
   ~BackgroundSteps();
 
   BackgroundSteps(const BackgroundSteps&) = delete;
   BackgroundSteps& operator=(const BackgroundSteps&) = delete;
 
-  /// Has one more step done, some time. Returns at once.
+  /// Requests one more step. Returns at once.
   void Post();
 
 private:

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What threads that work in the background need from the operating system.
+ * Operating system functions for background threads.
  */
 #ifndef cslfBackgroundThread_h
 #define cslfBackgroundThread_h
 
 namespace cslf
 {
-/// Lowers the priority of the calling thread, so that threads that draw come first where there are
-/// no cores for both. Works once for each thread; further calls do nothing.
+/// Lowers the priority of the calling thread, so that drawing threads come first if there are not
+/// enough cores. Further calls on the same thread do nothing.
 void LowerThreadPriority();
 
 /// A number that changes in a forked process; constant on systems where VTK programs do not fork.

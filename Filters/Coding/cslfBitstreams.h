@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The data of each codec.
+ * The bitstream of each codec.
  */
 #ifndef cslfBitstreams_h
 #define cslfBitstreams_h
@@ -18,8 +18,8 @@ const Bitstream& GetHEVCBitstream();
 const Bitstream& GetH264Bitstream();
 
 /// AV1: open bitstream units (AV1 bitstream specification, section 5.3). Containers may change
-/// whether a unit tells its size, and leave out temporal delimiters, padding and repeated sequence
-/// headers, so checksums are over the payloads of the other units alone.
+/// whether a unit states its size, and may drop temporal delimiters, padding and repeated sequence
+/// headers. So checksums cover only the payloads of the other units.
 const Bitstream& GetAV1Bitstream();
 }
 

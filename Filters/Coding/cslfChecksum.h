@@ -11,8 +11,8 @@
 
 namespace cslf
 {
-/// Whether a checksum is the expected one. Programs for libFuzzer take any, since they are to get
-/// at what comes behind.
+/// Whether a checksum is the expected one. Programs for libFuzzer accept any checksum, so that they
+/// also test the code behind this check.
 inline bool IsExpected(std::uint32_t checksum, std::uint32_t expected)
 {
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION

@@ -70,7 +70,7 @@ AVCodecID IDOfCodec(Codec codec)
 
 const AVCodec* FindDecoder(AVCodecID codec)
 {
-  // FFmpeg's own decoder of AV1, which it names when it has no other, only drives hardware.
+  // FFmpeg's own AV1 decoder, which it returns if it has no other, only works with hardware.
   const AVCodec* decoder = avcodec_find_decoder(codec);
   return decoder && codec == AV_CODEC_ID_AV1 && std::strcmp(decoder->name, "av1") == 0 ? nullptr
                                                                                        : decoder;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A piece of the work of coding a field, and what it costs.
+ * A part of the work of coding a field, and its cost.
  */
 #ifndef cslfCodingTask_h
 #define cslfCodingTask_h
@@ -15,14 +15,14 @@ namespace cslf
 struct CodingTask
 {
   int Group = 0;
-  bool IsTrial = false; ///< only what it costs is wanted
+  bool IsTrial = false; ///< only the cost is needed
   std::vector<double> Factors;
 };
 
-/// What a coded group costs, with what it takes of the container.
+/// The cost of a coded group, including its share of the container.
 struct GroupCost
 {
-  double Bytes = 0.0; ///< of all tracks but coverage
+  double Bytes = 0.0; ///< of all tracks except coverage
   double CoverageBytes = 0.0;
   /// Of colour, summed over texels, red, green and blue, in units of 1/255; negative if not known.
   double SquaredError = -1.0;

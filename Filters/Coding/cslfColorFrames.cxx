@@ -15,7 +15,7 @@ namespace
 {
 constexpr int ColorBytes = 4;
 
-/// Colours of bytes become samples with so many bits of fraction, and sparse ones.
+/// The bits of fraction of byte colours, and of subsampled ones, when they become samples.
 constexpr int FractionBits = 17;
 constexpr int SparseFractionBits = 14;
 
@@ -68,7 +68,7 @@ void TakeRGB(const AVFrame* frame, unsigned char* colors)
   }
 }
 
-/// A plane that has half the columns and as many rows as luma or half of them.
+/// A plane with half the columns of luma and as many rows, or half of them.
 void PutSparse(const unsigned char* colors, const SampleWeights& weights, int bits, int tile,
   int plane, AVFrame* frame)
 {
@@ -79,7 +79,7 @@ void PutSparse(const unsigned char* colors, const SampleWeights& weights, int bi
   std::vector<int> scratch(tile + 3);
   for (int y = 0; y < frame->height; y += step)
   {
-    const int apart = step - 1; // 0 where each row has its own
+    const int apart = step - 1; // 0 if each row has its own
     const unsigned char* const rows[4] = { getRow(y - apart), getRow(y), getRow(y + apart),
       getRow(y + 2 * apart) };
     ColorsToChroma(
@@ -87,7 +87,7 @@ void PutSparse(const unsigned char* colors, const SampleWeights& weights, int bi
   }
 }
 
-/// Y'CbCr whose chroma has half the columns and as many rows as luma or half of them.
+/// Y'CbCr whose chroma has half the columns of luma and as many rows, or half of them.
 void TakeSpread(const AVFrame* frame, const AVPixFmtDescriptor& format, ChromaSiting siting,
   int tile, unsigned char* colors)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Colour of bytes to video frames and back, 4 bytes a texel, as planar RGB or as Y'CbCr of ITU-R
- * BT.709's matrix; see cslfColorRows.h.
+ * Converts byte colour, 4 bytes per texel, to video frames and back, as planar RGB or as Y'CbCr
+ * with the matrix of ITU-R BT.709; see cslfColorRows.h.
  */
 #ifndef cslfColorFrames_h
 #define cslfColorFrames_h
@@ -13,14 +13,13 @@
 
 namespace cslf
 {
-/// Fills a writable frame with red, green and blue. Chroma of fewer samples lies above the even
-/// ones of luma (AVCHROMA_LOC_LEFT) and mixes no texels of different tiles, `tile` of which are
-/// side by side in a row. The frame's range is narrow where it says so.
+/// Fills a writable frame with red, green and blue. Subsampled chroma lies above the even samples
+/// of luma (AVCHROMA_LOC_LEFT) and does not mix texels of different tiles, which are `tile` texels
+/// wide. The frame's range is narrow if its properties say so.
 VTKCSLF_EXPORT void PutColors(const unsigned char* colors, int tile, AVFrame* frame);
 
-/// Sets red, green and blue from a frame of full range whose samples have that format, and of which
-/// chroma, where it has fewer, lies at AVCHROMA_LOC_LEFT or else at AVCHROMA_LOC_CENTER. Every
-/// fourth byte is written, too.
+/// Sets red, green and blue from a frame of full range and that format. Subsampled chroma lies at
+/// AVCHROMA_LOC_LEFT or else at AVCHROMA_LOC_CENTER. Every fourth byte is written, too.
 VTKCSLF_EXPORT void TakeColors(const AVFrame* frame, AVPixelFormat format,
   AVChromaLocation location, int tile, unsigned char* colors);
 }

@@ -19,10 +19,10 @@ constexpr double BlueShare = 0.0722;
 constexpr double RedRange = 2.0 * (1.0 - RedShare);
 constexpr double BlueRange = 2.0 * (1.0 - BlueShare);
 
-/// Colours of bytes have so many bits of fraction.
+/// The bits of fraction of byte colours.
 constexpr int FractionBits = 20;
 
-/// How many times as large chroma is that was spread.
+/// The scale of chroma after SpreadChroma.
 constexpr int SpreadScale = 16;
 
 int ToInteger(double weight)
@@ -85,7 +85,7 @@ CSLF_VECTORIZE void ConvertSpreadWords(const std::uint8_t* luma, const std::uint
   ConvertRow(Cast<std::uint16_t>(luma), blue, red, weights, count, colors);
 }
 
-/// One tile: the sums of two rows, then each between its neighbours.
+/// One tile: sums two rows, then adds neighbours.
 template <typename Sample>
 inline void Spread(const Sample* near, const Sample* far, ChromaSiting siting, int count,
   std::uint16_t* scratch, std::uint16_t* chroma)
@@ -153,7 +153,7 @@ CSLF_VECTORIZE void MakeWords(
   MakeSamples(colors, weights, count, samples);
 }
 
-/// One tile: the weighted sums of the rows, then every second with its neighbours.
+/// One tile: weighted sums of the rows, then every second one with its neighbours.
 template <typename Sample>
 inline void Gather(const unsigned char* const rows[4], const SampleWeights& weights, int tile,
   int* scratch, Sample* samples)
@@ -216,14 +216,14 @@ SampleWeights MakeSampleWeights(
   int zero = isFullRange ? 0 : 16 * finer;
   if (plane == SamplePlane::Luma)
   {
-    // So that white is the largest sample whatever is rounded.
+    // Makes white the largest sample, whatever the rounding.
     w.Red = ToInteger(RedShare * luma);
     w.Blue = ToInteger(BlueShare * luma);
     w.Green = ToInteger(luma) - w.Red - w.Blue;
   }
   else
   {
-    // So that gray has no chroma.
+    // Makes the chroma of gray 0.
     const bool isBlue = plane == SamplePlane::Blue;
     const double range = isBlue ? BlueRange : RedRange;
     w.Red = ToInteger((isBlue ? -RedShare : 1.0 - RedShare) / range * chroma);

@@ -18,16 +18,16 @@ namespace
 {
 constexpr AVRational FrameTime = { 1, FrameRate };
 
-/// Packets read in search of the first one of each track, at most this many for each.
+/// The most packets read for each track in search of its first one.
 constexpr int FirstPacketSearch = 4 * MaximumGroupLength;
 
-/// Packets of each stream read in search of a group, at most: frames of 10 seconds, within which
-/// all muxers of FFmpeg keep what belongs together. Otherwise each group of a track that ends early
-/// would be searched for through the rest of the file.
+/// The most packets of each stream read in search of a group: frames of 10 seconds, the range
+/// within which FFmpeg's muxers interleave tracks. Without a limit, each group of a track that ends
+/// early would be searched for in the rest of the file.
 constexpr int GroupSearch = 16 * MaximumGroupLength;
 
-/// Whether the times of a group's packets put them in the order in which their pictures say that
-/// they are shown. Times have no checksum, and a wrong one would make one viewpoint of another.
+/// Whether the times of a group's packets agree with the display order stored in their pictures.
+/// Times have no checksum, and a wrong one would exchange viewpoints.
 bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<AVPacket>>& packets)
 {
   const AVHandle<AVCodecParserContext> parser(RequireMemory(av_parser_init(parameters->codec_id)));
@@ -37,7 +37,7 @@ bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<
     return false;
   }
   parser->flags |= PARSER_FLAG_COMPLETE_FRAMES;
-  // Where pictures come as they are shown, they have no numbers.
+  // Pictures in display order have no numbers.
   const AVCodecDescriptor* codec = avcodec_descriptor_get(parameters->codec_id);
   const bool isReordered = codec && (codec->props & AV_CODEC_PROP_REORDER) != 0;
   std::vector<std::pair<std::int64_t, int>> order;
@@ -55,8 +55,8 @@ bool AreInOrder(const AVCodecParameters* parameters, const std::vector<AVHandle<
     order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
-/// Whether the index of a file says that a packet is smaller than nothing, as FFmpeg understands
-/// sizes from 512 MiB on. It then reports that memory is lacking.
+/// Whether the index of a file gives a packet a negative size, which is how FFmpeg reads sizes from
+/// 512 MiB on. FFmpeg then reports a lack of memory.
 bool HasNegativeSize(AVFormatContext* input)
 {
   for (unsigned int k = 0; k < input->nb_streams; ++k)
@@ -73,7 +73,7 @@ bool HasNegativeSize(AVFormatContext* input)
   return false;
 }
 
-/// Whether a packet has a time that can be computed with: those from a damaged file may be
+/// Whether a packet's time is in a range that is safe for arithmetic. In a damaged file it may be
 /// anything.
 bool HasTime(const AVPacket* packet)
 {
@@ -117,7 +117,7 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   AVDictionary* options = nullptr;
   av_dict_set(&options, "format_whitelist", "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm", 0);
   av_dict_set(&options, "protocol_whitelist", "file", 0);
-  // Times are taken relative to each track's first, so edit lists say nothing new.
+  // Times are relative to each track's first one, so edit lists can be ignored.
   av_dict_set(&options, "ignore_editlist", "1", 0);
   AVFormatContext* context = nullptr;
   if (!broken.empty())
@@ -170,7 +170,7 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
 {
   const int resolution = this->Header.Field.Grid.GetResolution();
   const std::size_t tracks = this->Header.Tracks.size();
-  std::size_t place = 0; // among the streams that the header knows
+  std::size_t place = 0; // among the streams listed in the header
   for (unsigned int stream = 0; stream < this->Input->nb_streams; ++stream)
   {
     const AVCodecParameters* parameters = this->Input->streams[stream]->codecpar;
@@ -195,7 +195,7 @@ bool ContainerReader::FindTracks(OpenFailure& failure)
         std::string("its track \"") + NameOfRole(this->Header.Tracks[track].Kind.Role) +
           "\" is damaged");
     }
-    // Copied, since others read them while packets are read.
+    // Copied, because other threads read them while packets are read.
     AVHandle<AVCodecParameters> copy(RequireMemory(avcodec_parameters_alloc()));
     RequireMemory(avcodec_parameters_copy(copy.get(), parameters));
     this->Parameters.push_back(std::move(copy));
@@ -231,7 +231,7 @@ void ContainerReader::FindFirstTimes()
     }
     av_packet_unref(packet.get());
   }
-  // A track whose beginning is lost starts where the colour does.
+  // If the beginning of a track is lost, it starts where the colour does.
   const AVRational colorTime = this->Input->streams[this->Streams.front()]->time_base;
   for (std::size_t track = 0; track < tracks; ++track)
   {
@@ -247,8 +247,7 @@ void ContainerReader::FindFirstTimes()
 
 bool ContainerReader::ReadPacket(AVPacket* packet)
 {
-  // Where one group's places in the file are wrong, its packets cannot be read, but those after
-  // them can.
+  // If one group's places in the file are wrong, its packets cannot be read, but later ones can.
   const std::size_t most = MaximumGroupLength * this->Streams.size();
   for (std::size_t failures = 0; failures <= most; ++failures)
   {
@@ -268,15 +267,15 @@ bool ContainerReader::SeekTo(int frame, Start start)
   {
     this->FindFirstTimes();
   }
-  // MP4 is sought by decoding times, Matroska by presentation times. How far they are apart changes
-  // where a file is remuxed, but within a group.
+  // Seeking uses decoding times in MP4 and presentation times in Matroska. Remuxing may change the
+  // difference between them, but only within a group.
   const int stream = this->Streams.front();
   AVStream* track = this->Input->streams[stream];
   const AVIndexEntry* first = avformat_index_get_entry(track, 0);
   const bool isExact = start == Start::AtGroup && first;
   const std::int64_t time = (isExact ? first->timestamp : this->FirstTimes.front()) +
     av_rescale_q(frame - (isExact ? 0 : MaximumGroupLength), FrameTime, track->time_base);
-  // To any frame: a track whose marks of key frames are damaged would stay where it is.
+  // To any frame: if a track's key frame flags are damaged, seeking would not move.
   const int flags = AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY;
   return av_seek_frame(this->Input.get(), stream, time, flags) >= 0;
 }
@@ -292,7 +291,7 @@ GroupPackets ContainerReader::Read(int group)
 {
   this->HasFailed = false;
   GroupPackets packets = this->ReadFrom(Start::BeforeGroup, group);
-  // After packets that cannot be read, of a group before, FFmpeg gives wrong times.
+  // After unreadable packets of an earlier group, FFmpeg gives wrong times.
   return this->HasFailed ? this->ReadFrom(Start::AtGroup, group) : std::move(packets);
 }
 
@@ -319,7 +318,7 @@ GroupPackets ContainerReader::ReadFrom(Start start, int group)
     {
       packet->pts = frame - begin;
       packet->dts = AV_NOPTS_VALUE;
-      // It may hold other parameter sets, which no checksum covers.
+      // It may contain other parameter sets, which no checksum covers.
       av_packet_free_side_data(packet.get());
       packets.Tracks[track].push_back(std::move(packet));
       packet.reset(RequireMemory(av_packet_alloc()));

@@ -16,15 +16,15 @@
 
 namespace cslf
 {
-/// The packets of one group: for each track of the header in decoding order. Their times are the
+/// The packets of one group, in decoding order for each track of the header. Their times are the
 /// frames' places in the group.
 struct GroupPackets
 {
   std::vector<std::vector<AVHandle<AVPacket>>> Tracks;
 };
 
-/// Why a file could not be opened, unless there was not enough memory: then std::bad_alloc is
-/// thrown here and by all methods that read.
+/// The reason why a file could not be opened. If there is not enough memory, this and all methods
+/// that read throw std::bad_alloc instead.
 struct OpenFailure
 {
   unsigned long Code = 0; ///< one of vtkErrorCode's
@@ -45,20 +45,20 @@ public:
     return this->Parameters[track].get();
   }
 
-  /// Reads the packets of a group and no more than lies between them, at most some seconds of
-  /// frames. What cannot be found there is left out.
+  /// Reads the packets of a group and whatever lies between them, at most some seconds of frames.
+  /// Packets that are not found there are left out.
   GroupPackets Read(int group);
 
-  /// The bytes of all packets of each track. Reads the whole file.
+  /// The size of all packets of each track, in bytes. Reads the whole file.
   std::vector<std::int64_t> CountBytes();
 
-  /// Whether all packets of a group are there, their checksums right and their times in order.
-  /// Several threads may ask at once, and while packets are read.
+  /// Whether all packets of a group exist, with correct checksums and times in order. Several
+  /// threads may call it at once, also while packets are read.
   bool IsWhole(int group, const GroupPackets& packets) const;
 
 private:
-  /// Where packets are read from: some frames before a group, or, if FFmpeg's index can be trusted,
-  /// the first one that is decoded.
+  /// Where reading starts: some frames before a group or, if FFmpeg's index is reliable, at the
+  /// first decoded frame.
   enum class Start
   {
     BeforeGroup,
@@ -77,9 +77,9 @@ private:
   long long FindFrame(std::size_t track, const AVPacket* packet) const;
 
   std::string FileName;
-  std::unique_ptr<PatchedFile> Patched; ///< where the file has sizes that cannot be; outlives Input
+  std::unique_ptr<PatchedFile> Patched; ///< where the file has impossible sizes; outlives Input
   AVInput Input;
-  bool HasBrokenIndex = false; ///< reading a packet may fail for lack of memory that is there
+  bool HasBrokenIndex = false; ///< reading a packet may report a lack of memory falsely
   bool HasFailed = false;      ///< a packet could not be read
   FileHeader Header;
   std::vector<int> GroupStarts;

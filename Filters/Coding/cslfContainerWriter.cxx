@@ -41,7 +41,7 @@ bool ContainerWriter::Allocate(
     return Fail("cannot make the container", code, error);
   }
   this->Output.reset(context);
-  // Without it Matroska files carry random numbers.
+  // Without this, Matroska files contain random numbers.
   context->flags |= AVFMT_FLAG_BITEXACT;
   return true;
 }
@@ -116,7 +116,7 @@ bool ContainerWriter::Begin(std::string& error)
   AVDictionary* options = nullptr;
   if (std::strcmp(this->Output->oformat->name, "mp4") == 0 && !this->InMemory)
   {
-    // The index first: files open at once, and what is left of a cut file can be found.
+    // Puts the index first: files open at once, and truncated files remain readable.
     av_dict_set(&options, "movflags", "+faststart", 0);
   }
   const int code = avformat_write_header(this->Output.get(), &options);
@@ -188,7 +188,7 @@ ContainerWriter::~ContainerWriter()
 double MeasureContainer(const std::string& fileName, const std::vector<Track>& tracks,
   int resolution, const std::vector<CodedGroup>& parts)
 {
-  // The difference between a file that has the group twice and one that has it once.
+  // The difference between a file that contains the group twice and one that contains it once.
   double sizes[2] = { 0.0, 0.0 };
   for (int copies = 1; copies <= 2; ++copies)
   {

@@ -16,11 +16,11 @@
 
 namespace cslf
 {
-/// FFmpeg's name of the container that a file's extension asks for, or null.
+/// FFmpeg's name of the container for a file's extension, or null.
 const char* FindContainer(const std::string& fileName);
 
 /// Open, AddTrack for each track, Begin, Write for each group and track, End. Every step returns
-/// false on failure and says why, in one line; the file is then of no use.
+/// false on failure and gives the reason in one line. The file is then unusable.
 class ContainerWriter
 {
 public:
@@ -31,7 +31,7 @@ public:
 
   bool Open(const std::string& fileName, const HeaderTags& tags, std::string& error);
 
-  /// Opens a container as a file of that name would be, but without a file.
+  /// Opens a container for that file name in memory, without making a file.
   bool OpenInMemory(const std::string& fileName, std::string& error);
 
   bool AddTrack(const Track& track, int resolution, const std::vector<std::uint8_t>& parameterSets,
@@ -43,7 +43,7 @@ public:
   bool Write(std::size_t track, int start, int delay, const CodedGroup& group, std::string& error);
   bool End(std::string& error);
 
-  /// The bytes of what was opened in memory, after End.
+  /// The bytes of the container opened in memory, after End.
   std::size_t GetSize() const { return this->Size; }
 
 private:
@@ -54,8 +54,8 @@ private:
   std::size_t Size = 0;
 };
 
-/// What a container adds to each group of tracks, given by one of their groups: beside the frames'
-/// bytes, and without what it has once only. 0 where that cannot be told.
+/// The bytes that a container adds to each group of the tracks beside the frames, measured with one
+/// group. Excludes what it stores once. 0 if this cannot be measured.
 double MeasureContainer(const std::string& fileName, const std::vector<Track>& tracks,
   int resolution, const std::vector<CodedGroup>& parts);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The curve by which depth is coded: its steps grow with depth, so that what coding leaves is about
- * the same share of all depths. Lookups compare positions along a ray by the inverse of depth, so
- * an error that does no harm far away puts holes into what is near.
+ * The curve by which depth is coded: its steps grow with depth, so that the relative error of
+ * coding is about the same for all depths. Lookups compare positions along a ray by inverse depth,
+ * so an error that is harmless far away makes holes in near surfaces.
  */
 #ifndef cslfDepthCurve_h
 #define cslfDepthCurve_h
@@ -23,7 +23,7 @@ constexpr int DepthMu = 40;
 /// The code of each depth of 16 bits, in 10 or 12 bits.
 const std::vector<std::uint16_t>& GetDepthCodes(int bits);
 
-/// The depth of each code, by a curve of that parameter.
+/// The depth of each code, for a curve with that parameter.
 VTKCSLF_EXPORT std::vector<unsigned short> MakeCodedDepths(int bits, double mu);
 }
 

@@ -13,7 +13,7 @@ namespace cslf
 {
 namespace
 {
-/// How much farther a neighbour on the same surface may be.
+/// How much farther away a neighbour on the same surface may be.
 constexpr float SameSurface = 1.1F;
 
 /// A square of numbers, some of which are known.
@@ -30,10 +30,10 @@ struct Patch
 
   int Size;
   std::vector<float> Values;
-  std::vector<float> Weights; ///< 1 where known, else 0
+  std::vector<float> Weights; ///< 1 where the number is known, else 0
 };
 
-/// The patch at half the size: the means of what is known.
+/// The patch at half the size: the means of the known numbers.
 Patch Shrink(const Patch& fine)
 {
   Patch coarse((fine.Size + 1) / 2);
@@ -58,7 +58,7 @@ Patch Shrink(const Patch& fine)
   return coarse;
 }
 
-/// Gives what is unknown the means of what is known around it.
+/// Sets unknown numbers to the means of known ones around them.
 void Fill(Patch& patch)
 {
   if (patch.Size == 1)
@@ -80,8 +80,8 @@ void Fill(Patch& patch)
   }
 }
 
-/// Moves the known texels beside unknown ones to the farthest of the known around them that belongs
-/// to the same surface.
+/// Moves known texels beside unknown ones to the depth of the farthest known neighbour on the same
+/// surface.
 void PushRim(Patch& patch)
 {
   const Patch before = patch;

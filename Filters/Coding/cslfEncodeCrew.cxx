@@ -11,17 +11,17 @@ namespace
 {
 constexpr std::uint32_t NoRank = 0xffffffffu;
 
-/// What a message is about: its first number.
+/// The kind of a message, which is its first number.
 enum Topic : std::uint32_t
 {
-  State,   ///< to rank 0: whether all is well, and what all ranks must have in common
-  Verdict, ///< from rank 0: the rank that failed, or NoRank, and what it tells
-  Ask,     ///< to rank 0: for tasks
-  Share,   ///< from rank 0: tasks, or none: there is nothing left to do
-  Results, ///< to rank 0: what came out of a share
-  Done,    ///< to rank 0: no more will come
-  Failed,  ///< to rank 0: no more will come, for something went wrong
-  Stop     ///< from rank 0: what is at work need not go on
+  State,   ///< to rank 0: whether there is an error, and what must be the same on all ranks
+  Verdict, ///< from rank 0: the rank that failed, or NoRank, and rank 0's number
+  Ask,     ///< to rank 0: asks for tasks
+  Share,   ///< from rank 0: tasks, or none at the end
+  Results, ///< to rank 0: the results of a share
+  Done,    ///< to rank 0: no more messages follow
+  Failed,  ///< to rank 0: no more messages follow because of an error
+  Stop     ///< from rank 0: stop the work in progress
 };
 
 ByteBuffer MakeMessage(Topic topic)
@@ -75,7 +75,7 @@ EncodeCrew::Verdict EncodeCrew::Agree(bool isWell, const std::string& shared, in
     state.Put(isWell ? 0u : 1u);
     state.Put(std::vector<std::uint8_t>(shared.begin(), shared.end()));
     this->Team.Post(0, state.GetBytes());
-    // Work that was dealt out before another rank failed may still be on its way.
+    // Work that was handed out before another rank failed may still be on its way.
     for (std::uint32_t topic = State; topic != Topic::Verdict;)
     {
       ByteBuffer content(this->Team.Wait().Bytes);
@@ -189,7 +189,7 @@ void EncodeCrew::Follow(const Maker& make)
 
 std::vector<CodingTask> EncodeCrew::Choose(int rank)
 {
-  // A rank may still hold the viewpoints of groups that it has worked on.
+  // A rank may still have the viewpoints of groups that it has worked on.
   const auto begin = this->Undealt.begin();
   const auto own = std::stable_partition(begin, this->Undealt.end(),
     [&](const CodingTask& task)
@@ -199,7 +199,7 @@ std::vector<CodingTask> EncodeCrew::Choose(int rank)
     });
   const int undealt = static_cast<int>(this->Undealt.size());
   const int held = static_cast<int>(own - begin);
-  // Less towards the end, so that all ranks end together.
+  // Smaller shares towards the end, so that all ranks finish together.
   const int fair = this->Team.GetCount() > 1 ? undealt / (2 * this->Team.GetCount()) : undealt;
   int count = std::min(undealt, std::clamp(fair, 1, this->AtOnce));
   count = held > 0 ? std::min(count, held) : count;
@@ -250,7 +250,7 @@ void EncodeCrew::Handle(Ranks::Message message)
       this->HandleShare(content);
       break;
     case State:
-      // From a rank that is done already.
+      // From a rank that has already finished.
       this->States.push_back(std::move(message));
       break;
     default:

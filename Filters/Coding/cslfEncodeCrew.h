@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the ranks that write one file share the work.
+ * Shares the work of writing one file among ranks.
  *
- * Rank 0 deals tasks: each rank asks for some, does them, sends what came out to rank 0, and asks
- * again, always one ahead so that it need not wait. Rank 0 works too, and serves the others
- * whenever it is told to. Where one rank fails, all stop.
+ * Rank 0 hands out tasks. Each rank asks for some, does them, sends the results to rank 0 and asks
+ * again, always one share ahead so that it does not wait. Rank 0 works too, and serves the others
+ * whenever it is called. If one rank fails, all stop.
  */
 #ifndef cslfEncodeCrew_h
 #define cslfEncodeCrew_h
@@ -26,18 +26,19 @@ namespace cslf
 class EncodeCrew
 {
 public:
-  /// How the ranks stand.
+  /// The state of the ranks.
   struct Verdict
   {
-    int Failed = -1;      ///< the lowest rank on which something went wrong, or -1
-    bool Differs = false; ///< rank 0: all is well but for what the ranks should have in common
-    int Told = 0;         ///< what rank 0 had to tell
+    int Failed = -1; ///< the lowest rank with an error, or -1
+    bool Differs =
+      false; ///< rank 0: there is no error, except that the ranks differ in what they should share
+    int Told = 0; ///< the number given by rank 0
   };
 
-  /// Does tasks, and puts what came out behind what is in the buffer. False on failure.
+  /// Does tasks and appends the results to the buffer. False on failure.
   using Maker = std::function<bool(const std::vector<CodingTask>& tasks, ByteBuffer& results)>;
 
-  /// Takes what came out of some rank's tasks. False on failure.
+  /// Takes the results of some rank's tasks. False on failure.
   using Taker = std::function<bool(ByteBuffer& results)>;
 
   explicit EncodeCrew(vtkMultiProcessController* controller);
@@ -46,23 +47,23 @@ public:
   int GetCount() const { return this->Team.GetCount(); }
   bool CanTalk() const { return this->Team.CanTalk(); }
 
-  /// Called by all ranks: tells whether all is well on each, and whether `shared` is the same on
-  /// all. Every rank gets the number that rank 0 tells.
+  /// Called by all ranks: finds out whether any has an error, and whether `shared` is the same on
+  /// all. Every rank gets rank 0's number.
   Verdict Agree(bool isWell, const std::string& shared, int told);
 
-  /// Rank 0: has the tasks done by all ranks, at most `atOnce` at a time. True when all are.
+  /// Rank 0: lets all ranks do the tasks, at most `atOnce` at a time. True when all are done.
   bool Lead(std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take);
 
-  /// Rank 0: lets the others go. Called once after the last Lead, however that ended.
+  /// Rank 0: releases the others. Called once after the last Lead, whether or not it failed.
   void Dismiss();
 
-  /// Other ranks: does what rank 0 deals until it has nothing more.
+  /// Other ranks: does the tasks that rank 0 hands out until there are no more.
   void Follow(const Maker& make);
 
-  /// To be called now and then by whoever works. False if the work is to stop.
+  /// To be called regularly during work. False if the work must stop.
   bool Serve();
 
-  /// Whether the work was broken off, by this rank or another.
+  /// Whether the work was stopped early, by this rank or another.
   bool IsStopped() const { return this->Stopped; }
 
   /// Rank 0: the first of the others that failed, or -1.
@@ -77,21 +78,21 @@ private:
   void StopOthers();
 
   Ranks Team;
-  bool Stopped = false; ///< what is still to be done need not be
+  bool Stopped = false; ///< the remaining work is not needed
 
   // Rank 0
   std::vector<CodingTask> Undealt;
   int AtOnce = 1;
   const Taker* Take = nullptr;        ///< while Lead is at work
-  std::map<int, int> Makers;          ///< who worked on a group last
-  std::vector<int> Waiting;           ///< ranks that asked when there was nothing to deal
-  std::vector<Ranks::Message> States; ///< what the others have said in the end
-  int Outstanding = 0;                ///< how many shares are being worked on
-  int Working = 0;                    ///< how many other ranks are not done
+  std::map<int, int> Makers;          ///< the rank that worked on a group last
+  std::vector<int> Waiting;           ///< ranks that asked when there were no tasks
+  std::vector<Ranks::Message> States; ///< final results of the others
+  int Outstanding = 0;                ///< the number of shares in work
+  int Working = 0;                    ///< the number of other ranks that are not done
   int FailedRank = -1;
   bool Dismissed = false;
 
-  std::optional<std::vector<CodingTask>> Dealt; ///< other ranks: what to do next
+  std::optional<std::vector<CodingTask>> Dealt; ///< other ranks: the next tasks
 };
 }
 

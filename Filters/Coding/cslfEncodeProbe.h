@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Codes single groups of a field without writing a file, to find out what they cost.
+ * Codes single groups of a field without writing a file, to measure their cost.
  */
 #ifndef cslfEncodeProbe_h
 #define cslfEncodeProbe_h
@@ -18,13 +18,13 @@ class vtkAlgorithm;
 
 namespace cslf
 {
-/// What some groups cost.
+/// The cost of some groups.
 struct GroupCosts
 {
   double RenderSeconds = 0.0;       ///< of the input's work
   double RenderThreadSeconds = 0.0; ///< of all threads together
   double CodingThreadSeconds = 0.0; ///< likewise
-  std::vector<double> Bytes;        ///< of each group, with what it takes of the container
+  std::vector<double> Bytes;        ///< of each group, including its share of the container
 
   void operator+=(const GroupCosts& other)
   {
@@ -41,22 +41,22 @@ public:
   /// The producer's output port 0 is the field.
   EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings);
 
-  /// Asks for the field's description, with its first viewpoint. On failure returns false and says
-  /// why, in a sentence.
+  /// Asks for the field's description, with its first viewpoint. On failure returns false and gives
+  /// the reason in a sentence.
   bool Begin(std::string& error);
 
-  /// What a run's parts would depend on.
+  /// What the parts of a run would depend on.
   const std::string& GetManifest() const { return this->Writer->GetManifest(); }
 
   int GetGroupCount() const { return this->Writer->GetGroupCount(); }
 
-  /// Makes and codes some groups. On failure returns false and says why.
+  /// Makes and codes some groups. On failure returns false and gives the reason.
   bool Make(const std::vector<int>& groups, GroupCosts& costs, std::string& error);
 
   /// The viewpoints of the groups that were made last.
   std::vector<ConstSlice> GetSlices() const { return this->Puller->GetSlices(); }
 
-  /// What a file holds beside the groups, about.
+  /// The approximate size of what a file contains beside the groups.
   double GetContainerBytes() const;
 
 private:

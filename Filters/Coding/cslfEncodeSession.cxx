@@ -21,13 +21,13 @@ namespace cslf
 {
 namespace
 {
-/// What a slab's samples may take, in bytes.
+/// The largest size of a slab's samples, in bytes.
 constexpr double SlabBytes = 512.0 * 1024 * 1024;
 
-/// Groups coded at once, for each thread: with several tracks each they keep all threads busy.
+/// Groups coded at once, for each thread. Each has several tracks, which keeps all threads busy.
 constexpr int GroupsPerThread = 2;
 
-/// How much of the progress is left for joining the parts.
+/// The share of the progress for joining the parts.
 constexpr double JoinShare = 0.05;
 }
 
@@ -41,7 +41,7 @@ EncodeSession::~EncodeSession() = default;
 
 bool EncodeSession::Fail(unsigned long code, const std::string& text)
 {
-  // The first fault is the cause.
+  // The first error is the cause.
   if (this->Fault.Code == vtkErrorCode::NoError)
   {
     this->Fault = { code, text };
@@ -63,7 +63,7 @@ bool EncodeSession::Check(const EncodeFault& before)
 {
   if (!this->Crew.CanTalk())
   {
-    // Every rank knows, so the first one tells.
+    // All ranks know it, so the first one reports it.
     this->Fault = { vtkErrorCode::UserError,
       this->Crew.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
                                 : "" };
@@ -154,7 +154,7 @@ bool EncodeSession::BeginPulling(bool hasInput)
   return error.empty() || this->Fail(vtkErrorCode::UserError, error);
 }
 
-// Rank 0 chooses for all, which is what the ranks agree on here.
+// Rank 0 chooses for all; the ranks agree on it here.
 bool EncodeSession::ChooseKeyViews(bool isReady)
 {
   std::string error;
@@ -211,7 +211,7 @@ bool EncodeSession::Write(bool hasInput)
   this->Written = true;
   const AVLogSilence silence;
   const bool isSettled = !this->Job.Settle || this->Job.Settle(hasInput);
-  // Where the input was broken off because another rank failed, that one tells.
+  // If the input was stopped because another rank failed, that rank reports it.
   const bool isReady = (isSettled || !hasInput) && this->BeginPulling(hasInput);
   this->Choice.Step = this->Job.Settings.KeyViewStep;
   if (this->Choice.Step > 0 || this->ChooseKeyViews(isReady))
@@ -236,7 +236,7 @@ bool EncodeSession::Write(bool hasInput)
   return this->IsWell();
 }
 
-// The rank that tells of the fault need not be the one that keeps the groups.
+// The rank that reports the error may differ from the one that keeps the groups.
 void EncodeSession::TellKept(int stored)
 {
   std::string& text = this->Fault.Text;
@@ -271,7 +271,7 @@ void EncodeSession::Lead()
   {
   }
   this->Crew.Dismiss();
-  // What was broken off because another rank failed is no fault of this one's.
+  // Stopping because another rank failed is not an error of this rank.
   if (this->Crew.GetFailedRank() >= 0)
   {
     this->Fault = {};
@@ -471,7 +471,7 @@ bool EncodeSession::Take(ByteBuffer& results)
         vtkErrorCode::UnknownError, "a coded group was damaged during transfer");
     }
   }
-  // The first groups tell about what all will take.
+  // The first groups show about how much space all will take.
   std::string error;
   const bool isFirst = !this->HasCheckedRoom && this->Writer->CountStored() > 0;
   this->HasCheckedRoom = this->HasCheckedRoom || isFirst;

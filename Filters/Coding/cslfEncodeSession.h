@@ -25,7 +25,7 @@ class vtkMultiProcessController;
 
 namespace cslf
 {
-/// What is written, and who wants to know.
+/// What is written, and callbacks.
 struct EncodeJob
 {
   std::string FileName;
@@ -38,25 +38,25 @@ struct EncodeJob
   std::function<bool(double)> Progress; ///< gets numbers from 0 to 1; false stops the work
   std::function<void(const std::string&)> Warn;
 
-  /// Ends what the ranks' inputs may have done together to make their first viewpoint: told whether
-  /// this rank's has it, tells whether no other has failed. May be empty.
+  /// Ends the cooperation of the ranks' inputs in making their first viewpoint. Gets whether this
+  /// rank's input has it, and returns whether no other rank has failed. May be empty.
   std::function<bool(bool)> Settle;
 };
 
-/// What kept a file from being written: one of vtkErrorCode's, and a sentence.
+/// Why a file was not written: one of vtkErrorCode's, and a sentence.
 struct EncodeFault
 {
   unsigned long Code = 0;
   std::string Text;
 };
 
-/// What came out.
+/// The results.
 struct EncodeOutcome
 {
   double CRF = 0.0; ///< the mean of all frames
   double Bytes = 0.0;
   double Ratio = 0.0; ///< raw 24-bit colour to the file
-  double PSNR = 0.0;  ///< of colour, as RateControl finds it
+  double PSNR = 0.0;  ///< of colour, as measured by RateControl
   int KeyViewStep = 1;
   double NovelViewPSNR = 0.0; ///< where it chose the step
 };
@@ -67,24 +67,23 @@ public:
   explicit EncodeSession(EncodeJob job);
   ~EncodeSession();
 
-  /// Checks everything that can be checked before the input works, on all ranks, after what went
-  /// wrong on this one already. False if anything did on any rank.
+  /// Checks everything that can be checked before the input executes, on all ranks. An earlier
+  /// error of this rank comes first. False if there is an error on any rank.
   bool Check(const EncodeFault& before);
 
-  /// Writes the file, on all ranks. The input holds its first viewpoint unless it has failed.
+  /// Writes the file, on all ranks. The input contains its first viewpoint unless it has failed.
   bool Write(bool hasInput);
 
   bool HasWritten() const { return this->Written; }
 
-  /// After Check, where the input may keep what a run that is started again can use; empty on ranks
-  /// that touch no files.
+  /// After Check, the folder where the input may keep data for a restart. Empty on ranks that do
+  /// not touch files.
   KeptFile GetCacheFile() const;
 
-  /// What went wrong, if the code is not NoError. The text is empty where another rank is the one
-  /// to tell.
+  /// The error, if the code is not NoError. The text is empty if another rank reports it.
   const EncodeFault& GetFault() const { return this->Fault; }
 
-  /// What came out, on rank 0 after success.
+  /// The results, on rank 0 after success.
   const EncodeOutcome& GetOutcome() const { return this->Outcome; }
 
 private:
@@ -100,7 +99,7 @@ private:
   bool BeginWriting();
   bool OpenParts();
 
-  int Work(); ///< how many groups are stored in the end
+  int Work(); ///< the number of groups that will be stored in the end
   void Lead();
   void Follow();
   void Conclude();

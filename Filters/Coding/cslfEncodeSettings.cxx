@@ -17,10 +17,10 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// The smallest pictures that are coded.
+/// The size of the smallest pictures that are coded.
 constexpr int MinimumResolution = 16;
 
-/// The pixel format that stands for the codec's default.
+/// Means the codec's default pixel format.
 constexpr const char* AutomaticFormat = "auto";
 
 std::string ListCodecs()

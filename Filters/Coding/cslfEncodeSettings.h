@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a user may choose of a coded file, what is wrong with it, and which encoder it calls for.
+ * The user's settings of a coded file, their checks, and the encoder that they need.
  */
 #ifndef cslfEncodeSettings_h
 #define cslfEncodeSettings_h
@@ -15,7 +15,7 @@
 
 namespace cslf
 {
-/// What a user may choose.
+/// The user's settings.
 struct EncodeSettings
 {
   std::string Preset;
@@ -25,28 +25,27 @@ struct EncodeSettings
   double DepthCRF = 0.0;
   int GroupLength = MaximumGroupLength;
   bool Lossless = false;
-  RateTarget Target{}; ///< in place of CRF, unless its kind is Factor
-  int KeyViewStep = 1; ///< see KeyViews; 0 for what reaches NovelViewPSNR, see ChooseKeyViews
+  RateTarget Target{}; ///< replaces CRF, unless its kind is Factor
+  int KeyViewStep =
+    1; ///< see KeyViews; 0 for the step that reaches NovelViewPSNR, see ChooseKeyViews
   double NovelViewPSNR = 0.0;
   std::string Codec = "hevc";
 };
 
-/// What keeps a file of that name from being written, in one line; empty where nothing does.
-/// Touches no file.
+/// Why a file of that name cannot be written, in one line; empty if it can. Touches no file.
 std::string FindFault(const std::string& fileName);
 
-/// What keeps frames of that resolution from being coded with these settings, likewise.
+/// Why frames of that resolution cannot be coded with these settings, likewise.
 std::string FindFault(const EncodeSettings& settings, int resolution);
 
-/// What keeps a field from being coded, in one line; empty where nothing does.
+/// Why a field cannot be coded, in one line; empty if it can.
 std::string FindFault(const Description& field);
 
-/// What keeps it from being coded with these settings, which have passed the checks above,
-/// likewise.
+/// Why it cannot be coded with these settings, which have passed the checks above, likewise.
 std::string FindFault(const EncodeSettings& settings, const Description& field);
 
-/// The encoder and the format of colour that settings ask for. The encoder is null where this
-/// FFmpeg has none.
+/// The encoder and the format of colour that settings ask for. The encoder is null if this FFmpeg
+/// has none.
 struct EncoderChoice
 {
   const VideoEncoder* Encoder = nullptr;

@@ -17,7 +17,7 @@ namespace cslf
 namespace
 {
 /// Collects the warnings and errors of FFmpeg on this thread while it lives. Those of other threads
-/// go where they go by default.
+/// take FFmpeg's default way.
 class WarningCapture
 {
 public:
@@ -75,7 +75,7 @@ private:
 
 thread_local std::vector<std::string>* WarningCapture::Warnings = nullptr;
 
-/// Whether a text has a name in it, and not as a part of a longer one.
+/// Whether a text contains a name, but not as a part of a longer one.
 bool Names(const std::string& text, const std::string& name)
 {
   const auto isPart = [](char letter)
@@ -97,7 +97,8 @@ std::string Refuse(const VideoEncoder& encoder, const EncoderOption& option)
     option.Name + "=" + option.Value + "\"";
 }
 
-/// The last of a library's options, which counts, that one of the messages names, or null.
+/// The last of a library's options that one of the messages names, or null. The last one takes
+/// effect.
 const EncoderOption* FindNamed(
   const std::vector<EncoderOption>& options, const std::vector<std::string>& messages)
 {
@@ -144,7 +145,7 @@ bool SetOptions(const VideoEncoder& encoder, const EncoderOptions& options, AVCo
   return true;
 }
 
-/// avcodec_open2, and whether the library takes its options.
+/// Calls avcodec_open2 and checks whether the library accepts its options.
 bool Open(const VideoEncoder& encoder, const AVCodec* codec, const EncoderOptions& options,
   AVCodecContext* context, std::string& error)
 {
@@ -209,8 +210,8 @@ AVHandle<AVCodecContext> OpenEncoder(const VideoEncoder& encoder, const Track& t
   context->framerate = { FrameRate, 1 };
   context->thread_count = 1;
   context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-  // For SVT-AV1, whose encoder cannot be closed before it is at the end of a video: it then refuses
-  // unknown options before it begins one.
+  // For SVT-AV1, whose encoder cannot be closed before the end of a video. It refuses unknown
+  // options before it begins a video.
   context->err_recognition |= AV_EF_EXPLODE;
   const bool isOpen = SetOptions(encoder, options, context.get(), error) &&
     Open(encoder, codec, options, context.get(), error);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Opens FFmpeg's encoders, and makes sure that they know what they are told: FFmpeg itself only
- * logs what its libraries do not know, and goes on without.
+ * Opens FFmpeg's encoders, and makes sure that they know their options. FFmpeg itself only logs
+ * options that its libraries do not know, and ignores them.
  */
 #ifndef cslfEncoderContext_h
 #define cslfEncoderContext_h
@@ -15,11 +15,12 @@
 
 namespace cslf
 {
-/// An open encoder of frames of a track with these options, or null with what is wrong, in one
-/// line that names the option where it is one that the encoder does not know or take.
+/// An open encoder of frames of a track with these options, or null with the reason in one line. It
+/// names the option if the encoder does not know or accept it.
 ///
-/// Each library's options are checked once in a process. For that moment FFmpeg's log goes through
-/// a callback, and afterwards to FFmpeg's own: a program that has another sets it again.
+/// Each library's options are checked once in a process. During the check, FFmpeg's log goes
+/// through a callback, and afterwards to FFmpeg's default callback. A program with its own callback
+/// must set it again.
 VTKCSLF_EXPORT AVHandle<AVCodecContext> OpenEncoder(const VideoEncoder& encoder, const Track& track,
   int resolution, const EncoderOptions& options, std::string& error);
 }

@@ -20,7 +20,7 @@ namespace
 /// Texels that a thread decodes between two reports of progress, about a second's work.
 constexpr std::size_t TexelsAtOnce = 64 << 20;
 
-/// How many groups are worked on between two reports of progress.
+/// The number of groups between two reports of progress.
 std::size_t GetGroupsAtOnce(const FileHeader& header)
 {
   const std::size_t groupTexels = static_cast<std::size_t>(header.Field.Grid.GetStripWidth()) *
@@ -30,7 +30,7 @@ std::size_t GetGroupsAtOnce(const FileHeader& header)
 }
 }
 
-/// Slices that are asked for, and where they go.
+/// Slices that are asked for, and their destination.
 class FieldReader::Range
 {
 public:
@@ -65,7 +65,7 @@ public:
       });
   }
 
-  /// The groups that hold what is lacking.
+  /// The groups that contain missing slices.
   std::vector<int> FindGroups()
   {
     std::set<int> groups;
@@ -168,7 +168,7 @@ private:
   std::size_t ColorBytes; ///< of one slice
   int First;
   Slice Begin;
-  std::vector<char> Lacks; ///< of each slice whether it is still to be decoded
+  std::vector<char> Lacks; ///< for each slice, whether it is still to be decoded
   bool KeepsOthers = false;
 };
 

@@ -16,7 +16,7 @@
 
 namespace cslf
 {
-/// Methods that read throw std::bad_alloc where there is not enough memory.
+/// Methods that read throw std::bad_alloc if there is not enough memory.
 class FieldReader
 {
 public:
@@ -30,20 +30,20 @@ public:
 
   const FileHeader& GetHeader() const { return this->Decoder.GetHeader(); }
 
-  /// The bytes of all packets of each track. Reads the whole file.
+  /// The size of all packets of each track, in bytes. Reads the whole file.
   std::vector<std::int64_t> CountBytes() { return this->Decoder.CountBytes(); }
 
   /// Decodes the slices `first` to `last` into arrays of just these; `color` is the memory of
-  /// floats where the field's colour is float, and `depth` may be null. Groups that hold none of
-  /// them are not read, and slices that are kept are not decoded. Of groups that hold others, too,
-  /// these are kept if they fit. Slices of damaged groups are cleared and their numbers returned in
-  /// ascending order.
+  /// floats where the field's colour is float, and `depth` may be null. Groups without any of them
+  /// are not read, and slices that are kept are not decoded. The other slices of these groups are
+  /// kept if they fit. Slices of damaged groups are cleared and their numbers returned in ascending
+  /// order.
   std::vector<int> Read(
     int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress);
 
   /// The slices of damaged groups, all or those from `first` to `last`, in ascending order. Nothing
-  /// is decoded: groups are damaged by their checksums, or since decoding has failed before. Those
-  /// of which this is known are not read again.
+  /// is decoded: groups are damaged if their checksums are wrong or if decoding failed before.
+  /// Groups known to be damaged are not read again.
   std::vector<int> FindMissing(const Progress& progress);
   std::vector<int> FindMissing(int first, int last, const Progress& progress);
 
@@ -54,7 +54,7 @@ private:
   class Range;
 
   GroupDecoder Decoder;
-  ViewpointStore Store; ///< stops the decoder before that goes
+  ViewpointStore Store; ///< stops the decoder before it is destroyed
 };
 }
 

@@ -17,7 +17,7 @@ namespace cslf
 {
 namespace
 {
-/// What a container holds once for the file, beside the header, and for each track: measured.
+/// What a container stores once per file, beside the header, and once per track, as measured.
 struct ContainerBytes
 {
   double File;
@@ -26,7 +26,7 @@ struct ContainerBytes
 constexpr ContainerBytes BytesOfMP4 = { 294.0, 690.0 };
 constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0 };
 
-/// The bytes of raw 24-bit colour in a texel.
+/// The bytes of a texel of raw 24-bit colour.
 constexpr double RawTexelBytes = 3.0;
 
 /// The libraries that the bytes of coded groups depend on.
@@ -342,7 +342,7 @@ bool FieldWriter::HasRoom(std::string& error) const
   const double wanted = this->GetWantedBytes();
   const double rest = wanted > 0.0 ? std::max(0.0, wanted - stored)
                                    : (frames > 0.0 ? stored / frames * missing : 0.0);
-  // The rest is written twice: as parts, and in the file that all parts are joined to.
+  // The remaining data is written twice: as parts, and in the file that joins all parts.
   const double needed = stored + 2.0 * rest;
   const bool isGuessed = wanted <= 0.0;
   return cslf::HasRoom(this->Parts.GetFolder(), needed, isGuessed ? stored + rest : needed, error);

@@ -25,16 +25,17 @@ constexpr const char* CodingKey = "coding";
 constexpr const char* PartsKey = "parts";
 
 ///@{
-/// What tracks of float colour and of depth say of their samples, and the curves' parameters.
+/// The keys of the sample encoding of tracks of float colour and depth, and of the curves'
+/// parameters.
 constexpr const char* TransferKey = "transfer";
 constexpr const char* PQName = "smpte2084";
 constexpr const char* WhiteKey = "reference_white";
 constexpr const char* CurveName = "mu-law";
 constexpr const char* MuKey = "mu";
 ///@}
-/// What a track of coverage says.
+/// The key of coverage tracks.
 constexpr const char* ToleranceKey = "tolerance";
-/// Where tracks of colour have fewer samples of chroma; in the middle where this is absent.
+/// The key for the location of subsampled chroma. If it is absent, chroma lies in the middle.
 constexpr const char* SitingKey = "chroma_location";
 constexpr const char* LeftName = "left";
 
@@ -71,7 +72,7 @@ std::invalid_argument TrackFault(const std::string& role, const char* what)
   return std::invalid_argument("its track \"" + MakePrintable(role) + "\" has " + what);
 }
 
-/// A number of an object, within limits.
+/// A number in an object, within limits.
 double ToNumber(const JSON& object, const char* key, double lowest, double highest)
 {
   const auto number = object.at(key).get<double>();
@@ -131,7 +132,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   return track;
 }
 
-/// Reads the tracks of known roles, and which of the container's streams they are.
+/// Reads the tracks of known roles, and the stream that contains each.
 void ReadTracks(const JSON& json, FileHeader& header)
 {
   std::set<TrackRole> roles;
@@ -174,7 +175,7 @@ void CheckTracks(const FileHeader& header)
   {
     throw std::invalid_argument("its tracks do not match its channels");
   }
-  // A texel's chroma comes from its own tile, which odd tiles would share with their neighbours.
+  // A texel's chroma comes from its own tile, but odd tiles would share it with their neighbours.
   if (NeedsEvenSize(header.Tracks.front().Kind.Format) &&
     header.Field.Grid.GetResolution() % 2 != 0)
   {
@@ -200,7 +201,7 @@ JSON GroupsToJSON(const std::vector<int>& groups)
   return json;
 }
 
-/// `count` is the number of groups that the checksums promise.
+/// `count` is the number of groups according to the checksums.
 std::vector<int> ToGroups(const JSON& json, std::size_t count)
 {
   std::vector<int> groups;
@@ -228,7 +229,7 @@ std::vector<int> ToSlices(const JSON& json, int count)
   return FromRuns(runs, count);
 }
 
-/// Keeps the channels that coded files can hold as this version knows them.
+/// Keeps the channels that coded files can contain in the form that this version knows.
 void ReadChannels(FileHeader& header)
 {
   std::vector<Channel> known;
@@ -301,7 +302,7 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   return header;
 }
 
-/// The header's JSON from the first tag that holds it whole.
+/// The header's JSON from the first tag that contains it completely.
 std::optional<JSON> FindJSON(
   const HeaderTags& tags, std::string& warning, bool& isOurs, std::string& error)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a coded file says about itself: the field's description, how it is coded and what else it
- * carries. See Documentation/FileFormat.md.
+ * The header of a coded file: the field's description, how it is coded and what else the file
+ * contains. See Documentation/FileFormat.md.
  */
 #ifndef cslfFileHeader_h
 #define cslfFileHeader_h
@@ -20,7 +20,7 @@
 
 namespace cslf
 {
-/// A track as the header knows it.
+/// A track in the header.
 struct CodedTrack
 {
   Track Kind;
@@ -28,11 +28,11 @@ struct CodedTrack
   std::vector<std::uint32_t> GroupCRCs; ///< one for each group
 };
 
-/// A video stream of the container, which holds a track.
+/// A video stream of the container, which contains a track.
 struct CodedStream
 {
   Codec Coding = Codec::HEVC;
-  int Track = -1; ///< of the header's, or -1 for one whose role this version does not know
+  int Track = -1; ///< the header's track, or -1 for a role that this version does not know
 };
 
 struct FileHeader
@@ -41,10 +41,10 @@ struct FileHeader
   std::vector<CodedTrack> Tracks;   ///< of the roles that this version knows
   std::vector<CodedStream> Streams; ///< of a file that was read, in the container's order
   std::vector<int> Slices;          ///< the slice of each frame
-  int Coarsest = 0;                 ///< how many of the first frames are the coarsest nested grid
-  std::vector<int> Groups;          ///< the number of frames of each group
+  int Coarsest = 0;        ///< how many of the first frames belong to the coarsest nested grid
+  std::vector<int> Groups; ///< the number of frames of each group
   std::vector<FilePart> Parts;
-  /// What has to be said of a file that was read, each in a part of a sentence.
+  /// Warnings about a file that was read, each in a part of a sentence.
   std::vector<std::string> Warnings;
 
   /// The first frame of each group, and one more: the number of frames.
@@ -53,11 +53,11 @@ struct FileHeader
   /// The track of that role, or null.
   const Track* FindTrack(TrackRole role) const;
 
-  /// All that the container's tags have to hold.
+  /// The contents of all of the container's tags.
   HeaderTags ToTags() const;
 
   /// Reads and checks what ToTags wrote, or what version 1 did. `isOurs` tells whether the texts
-  /// were meant to be that. On bad input returns nothing and says why, in one line.
+  /// were meant to be that. On bad input returns nothing and gives the reason in one line.
   static std::optional<FileHeader> FromTags(
     const HeaderTags& tags, bool& isOurs, std::string& error);
 };

@@ -42,13 +42,13 @@ bool IsUTF8(const std::string& text)
   }
 }
 
-/// What is known of a part from the header's list.
+/// What the header's list says about a part.
 struct ListedPart
 {
   FilePart Part;
   std::size_t Count = 0; ///< of its bytes
   std::uint32_t CRC = 0;
-  bool IsInTag = false; ///< where this version looks for it
+  bool IsInTag = false; ///< where this version expects it
 };
 
 ListedPart ToListedPart(const JSON& json)
@@ -129,7 +129,7 @@ std::vector<FilePart> SplitParts(
     }
     catch (const std::exception&)
     {
-      // Where the next one begins is not known then.
+      // The start of the next one is then unknown.
       warnings.emplace_back("its list of parts is invalid from one of its entries on");
       break;
     }

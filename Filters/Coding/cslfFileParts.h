@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a coded file carries besides the light field, such as a mesh or a table. The header lists
+ * What a coded file contains besides the light field, such as a mesh or a table. The header lists
  * the parts, a tag of the container holds their bytes in base64.
  */
 #ifndef cslfFileParts_h
@@ -22,7 +22,7 @@ struct FilePart
   std::vector<unsigned char> Bytes;
 };
 
-/// Says in one line why a part cannot be added to others; empty if it can.
+/// Says in one line why a part cannot be added to others. Empty if it can.
 std::string FindFault(const std::vector<FilePart>& others, const FilePart& part);
 
 /// The header's list.
@@ -31,8 +31,8 @@ nlohmann::json ListParts(const std::vector<FilePart>& parts);
 /// The tag's text: the base64 of each part, with a blank between two of them.
 std::string JoinParts(const std::vector<FilePart>& parts);
 
-/// The parts of the header's list that the tag's text holds undamaged. Appends what has to be said
-/// of the others.
+/// The parts of the header's list that the tag's text holds undamaged. Appends warnings about the
+/// others.
 std::vector<FilePart> SplitParts(
   const nlohmann::json& list, const std::string& text, std::vector<std::string>& warnings);
 }

@@ -20,7 +20,7 @@ namespace
 constexpr int ColorBytes = 4;
 constexpr unsigned short FarDepth = 65535;
 
-/// FFmpeg's decoder names full-range 8-bit formats apart; they are the same samples.
+/// FFmpeg's decoder has separate names for full-range 8-bit formats. The samples are the same.
 AVPixelFormat WithoutRange(int format)
 {
   switch (format)
@@ -36,8 +36,8 @@ AVPixelFormat WithoutRange(int format)
   }
 }
 
-/// Whether a decoder's frame holds the samples of a track. Gray ones may come with chroma, which
-/// then says nothing.
+/// Whether a decoder's frame contains the samples of a track. Gray frames may have chroma, which is
+/// then ignored.
 bool HoldsSamples(const Track& track, int format)
 {
   const AVPixelFormat plain = WithoutRange(format);
@@ -51,7 +51,7 @@ bool HoldsSamples(const Track& track, int format)
     samples->comp[0].step == expected[0].step && samples->comp[0].depth == expected[0].depth;
 }
 
-/// Fills the chroma of a frame that is to be gray.
+/// Fills the chroma of a frame that should be gray.
 template <typename Sample>
 void PutNeutralChroma(AVFrame* frame, AVPixelFormat format)
 {
@@ -70,7 +70,7 @@ void PutNeutralChroma(AVFrame* frame, AVPixelFormat format)
   }
 }
 
-/// Where the high or the low byte of a number lies in memory.
+/// The offset of the high or the low byte of a number in memory.
 std::size_t ByteOffset(bool high)
 {
   const std::uint16_t one = 1;
@@ -248,7 +248,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
     case TrackRole::DepthHigh:
     case TrackRole::DepthLow:
     {
-      // The two tracks may be taken at once, so each writes its own byte only.
+      // The two tracks may be processed at the same time, so each writes only its own byte.
       auto* bytes = reinterpret_cast<std::uint8_t*>(slice.Depth);
       const std::size_t offset = ByteOffset(this->Kind.Role == TrackRole::DepthHigh);
       VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
@@ -268,7 +268,7 @@ void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
       tolerance, slice.GetRadiance(), slice.Depth);
     return;
   }
-  // Without coverage anything counts as full.
+  // Without coverage, any value counts as full.
   const int tolerance = coverage ? coverage->GetTolerance() : 255;
   const int width = TileCount * resolution;
   for (int y = 0; y < resolution; ++y)

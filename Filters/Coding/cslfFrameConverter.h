@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Slices of the light field to video frames and back.
+ * Converts slices of the light field to video frames and back.
  *
- * Colour is stored as Y'CbCr of ITU-R BT.709's matrix and full range, or as planar RGB; float
- * colour as Y'CbCr, through the perceptual quantiser. Coverage is
- * stored as it is, depth rounded to 10 or 12 bits or as two bytes; where a codec has no gray, both
- * are luma beside chroma that says nothing.
+ * Colour is stored as full-range Y'CbCr with the matrix of ITU-R BT.709, or as planar RGB; float
+ * colour as Y'CbCr, through the perceptual quantiser. Coverage is stored unchanged, depth rounded
+ * to 10 or 12 bits or as two bytes. If a codec has no gray format, both are luma, and chroma is
+ * ignored.
  */
 #ifndef cslfFrameConverter_h
 #define cslfFrameConverter_h
@@ -28,7 +28,7 @@ struct ConstSlice
   bool IsFloat = false;
 
   const float* GetRadiance() const { return reinterpret_cast<const float*>(this->Color); }
-  /// Red, green or blue as it is shown over black, from 0 to 255; floats at so many times the
+  /// Red, green or blue as displayed over black, from 0 to 255; floats at that multiple of the
   /// exposure.
   double GetShown(std::size_t texel, int component, double exposure = 1.0) const;
   /// Alpha as a byte.
@@ -65,7 +65,7 @@ private:
   std::vector<unsigned short> Filled;
 };
 
-/// Turns frames of one track into its part of slices, those of colour before those of coverage.
+/// Converts frames of one track to its part of slices, colour before coverage.
 class FrameToSlice
 {
 public:
@@ -80,13 +80,13 @@ private:
   std::vector<unsigned short> Curve; ///< the depth of each code, where depth has a curve
 };
 
-/// Joins the channels of a decoded slice: coverage within 3/255 of none or full becomes just that
-/// unless its track is lossless, colour is at most coverage (of floats: 0 where nothing is
+/// Combines the channels of a decoded slice. Coverage within 3/255 of none or full becomes none or
+/// full unless its track is lossless. Colour is clamped to coverage (floats: 0 where nothing is
 /// covered), and depth is 1 where nothing is covered. Without a coverage track the slice is covered
 /// everywhere.
 void JoinChannels(int resolution, const Track* coverage, const Slice& slice);
 
-/// What is put in place of a viewpoint that is missing: nothing covered, depth 1.
+/// The substitute for a missing viewpoint: nothing covered, depth 1.
 void ClearSlice(int resolution, const Slice& slice);
 }
 

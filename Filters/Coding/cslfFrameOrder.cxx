@@ -13,7 +13,7 @@ namespace cslf
 {
 namespace
 {
-/// Indices in parts of at most `most`, as equal as may be.
+/// Splits indices into parts of at most `most`, as equal as possible.
 std::vector<std::vector<int>> Split(const std::vector<int>& indices, std::size_t most)
 {
   const std::size_t count = (indices.size() + most - 1) / most;

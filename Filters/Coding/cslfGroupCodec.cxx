@@ -62,10 +62,10 @@ int EncodeFrames(AVCodecContext* context, const Track& track, int resolution,
   return code < 0 ? code : TakePackets(context, bitstream, packet.get(), group);
 }
 
-/// Whether the encoder gave every frame once, the first one first, and the checksum of it all.
+/// Whether the encoder returned every frame once, the first one first; computes the checksum.
 bool SealGroup(const Bitstream& bitstream, std::size_t frames, CodedGroup& group)
 {
-  // Packets are trimmed as encoders give them: NAL units have start codes.
+  // Packets are trimmed in the form of encoders: NAL units have start codes.
   Framing framing;
   if (!bitstream.ReadConfiguration(group.ParameterSets.data(), group.ParameterSets.size(), framing))
   {
@@ -113,7 +113,7 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
       NameOfFormat(track.Format);
     return false;
   }
-  // SVT-AV1 up to version 1 keeps in global variables what depends on the settings.
+  // SVT-AV1 up to version 1 keeps settings in global variables.
   static std::mutex alone;
   std::unique_lock<std::mutex> lock(alone, std::defer_lock);
   if (!encoder->CanShareProcess)

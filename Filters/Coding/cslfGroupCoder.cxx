@@ -15,8 +15,8 @@ namespace cslf
 {
 namespace
 {
-/// Calls `work` with the numbers below `count`, side by side, and `idle` now and then on the
-/// calling thread. False if any work set its error: the first one is told.
+/// Calls `work` with the numbers below `count` in parallel, and `idle` regularly on the calling
+/// thread. False if any work set its error; returns the first one.
 template <typename Work>
 bool DoSideBySide(
   std::size_t count, const std::function<void()>& idle, const Work& work, std::string& error)

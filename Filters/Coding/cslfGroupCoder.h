@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Codes groups of a field, all their tracks, side by side.
+ * Codes groups of a field, all their tracks, in parallel.
  */
 #ifndef cslfGroupCoder_h
 #define cslfGroupCoder_h
@@ -26,12 +26,13 @@ public:
   /// Field and settings have passed FindFault; `groups` has the number of frames of each group.
   GroupCoder(const EncodeSettings& settings, const Description& field, std::vector<int> groups);
 
-  /// The tracks: colour, coverage, and what there is of depth.
+  /// The tracks: colour, coverage, and those of depth.
   std::vector<Track> GetTracks() const;
 
-  /// Does some tasks side by side. `slices` are those of the tasks' groups, one group after the
-  /// other; `parts` has those of the first task, for each of its factors, then those of the next.
-  /// `idle` is called now and then on the calling thread. On failure returns false and says why.
+  /// Does some tasks in parallel. `slices` are those of the tasks' groups, one group after the
+  /// other; `parts` contains those of the first task, for each of its factors, then those of the
+  /// next. `idle` is called regularly on the calling thread. On failure returns false and gives the
+  /// reason.
   bool Encode(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
     const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const;
 

@@ -99,8 +99,8 @@ bool GroupDecoder::DecodeAlone(const GroupRequest& request, const GroupPackets& 
     workers.push_back(this->Begin(track, request, packets));
     isGood = workers.back() != nullptr;
   }
-  // Frame by frame, so that what a frame becomes is still in the cache when the next track adds to
-  // it.
+  // Frame by frame, so that a frame's texels are still in the cache when the next track adds to
+  // them.
   for (std::size_t place = 0; isGood && place < request.Slices.size(); ++place)
   {
     if (request.Slices[place].Color)
@@ -133,7 +133,7 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request, const GroupPackets&
       {
         workers[track] = this->Begin(track, request, packets);
         const AVFrame* frame = nullptr;
-        // A damaged track may hold more frames than there are places.
+        // A damaged track may contain more frames than the group has.
         while (workers[track] && frames[track].size() < places.size() &&
           (frame = workers[track]->Decoder->Next()) != nullptr)
         {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Decodes what is wanted of closed groups of pictures, all tracks of many groups side by side.
+ * Decodes the wanted frames of closed groups of pictures, all tracks of many groups in parallel.
  */
 #ifndef cslfGroupDecoder_h
 #define cslfGroupDecoder_h
@@ -18,7 +18,7 @@
 
 namespace cslf
 {
-/// What is wanted of a group, and where it goes.
+/// The wanted slices of a group, and their destination.
 struct GroupRequest
 {
   int Group = 0;
@@ -26,7 +26,7 @@ struct GroupRequest
 };
 
 /// All methods may be called by several threads at once. Those that decode or read throw
-/// std::bad_alloc where there is not enough memory.
+/// std::bad_alloc if there is not enough memory.
 class GroupDecoder
 {
 public:
@@ -38,30 +38,29 @@ public:
   /// The slices of a group's frames.
   std::vector<int> GetSlices(int group) const;
 
-  /// Whether a group is whole, by its checksums. It is read unless that is known already.
+  /// Whether a group is undamaged, by its checksums. Reads the group unless this is known already.
   bool Check(int group);
 
-  /// Reads a group's packets. Null if it is not whole by its checksums, or is known to be damaged.
-  /// This is asked before memory is taken for what a file claims to hold.
+  /// Reads a group's packets. Null if the checksums are wrong or the group is known to be damaged.
+  /// Called before memory is allocated for what a file claims to contain.
   std::unique_ptr<const GroupPackets> Load(int group);
 
-  /// Fills what is wanted of some groups, with as many threads as vtkSMPTools has. Tells of each
-  /// group whether it is whole; of one that is damaged the wanted slices are cleared.
+  /// Decodes the wanted slices of some groups, with as many threads as vtkSMPTools has. Returns for
+  /// each group whether it is undamaged, and clears the wanted slices of damaged ones.
   std::vector<bool> Decode(const std::vector<GroupRequest>& requests);
 
-  /// The same for one group that is loaded, by the calling thread alone or with a thread for each
-  /// track.
+  /// The same for one loaded group, with the calling thread alone or with a thread for each track.
   bool DecodeAlone(const GroupRequest& request, const GroupPackets& packets);
   bool DecodeTracks(const GroupRequest& request, const GroupPackets& packets);
 
-  /// The bytes of all packets of each track. Reads the whole file.
+  /// The size of all packets of each track, in bytes. Reads the whole file.
   std::vector<std::int64_t> CountBytes();
 
-  /// From now on nothing more is decoded: what is at work ends soon, as if damaged.
+  /// Stops decoding: work in progress ends soon, as if damaged, and no more is begun.
   void Stop() { this->IsStopped = true; }
 
 private:
-  /// A decoder of one track and what turns its frames into slices.
+  /// A decoder of one track, and the converter of its frames to slices.
   struct Worker
   {
     std::unique_ptr<TrackDecoder> Decoder;

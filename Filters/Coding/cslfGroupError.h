@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How far the colours of a coded group are from those that were coded.
+ * The error of the colours of a coded group.
  */
 #ifndef cslfGroupError_h
 #define cslfGroupError_h
@@ -21,9 +21,9 @@ struct TrackPart
   const CodedGroup* Part = nullptr;
 };
 
-/// Decodes colour, as readers do, and sums up the squared errors of red, green and blue over all
-/// texels, in units of 1/255: what is seen over black, as colour has associated alpha. On failure
-/// returns false and says why, in one line.
+/// Decodes colour like readers do, and sums the squared errors of red, green and blue over all
+/// texels, in units of 1/255. Colour has associated alpha, so this is the error over black. On
+/// failure returns false and gives the reason in one line.
 bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
   const std::vector<ConstSlice>& slices, double& sum, std::string& error);
 }

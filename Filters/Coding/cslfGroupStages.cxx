@@ -23,8 +23,8 @@ GroupStages::GroupStages(int count)
   {
     stride *= 2;
   }
-  // Where each stage ends, in parts of all groups. Last come few, so that little is coded on what
-  // is known of others only.
+  // Where each stage ends, as a share of all groups. The last stages are small, so that few groups
+  // depend on predictions only.
   std::vector<double> ends;
   for (int part = stride; part > 1; part /= 2)
   {

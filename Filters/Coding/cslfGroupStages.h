@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * In which stages the groups of a field are coded where its size or quality is controlled: first a
- * sample of them, evenly spread over the coding order, so over all faces and nested grids; then
- * what lies between, in stages that halve the gaps. What is known of earlier stages steers later
- * ones. The order has no period, as the field's costs may have one: a row of viewpoints.
+ * The stages in which the groups of a field are coded if its size or quality is controlled. The
+ * first is a sample of groups, evenly spread over the coding order and so over all faces and nested
+ * grids. Later stages halve the gaps between groups, and use the results of earlier ones. The order
+ * is not periodic, because the field's costs may be, by rows of viewpoints.
  */
 #ifndef cslfGroupStages_h
 #define cslfGroupStages_h
@@ -24,8 +24,8 @@ public:
 
   int GetStageCount() const { return this->StageCount; }
 
-  /// The groups of a stage, ascending. Stage 0 is the sample: one of so many groups, a power of two
-  /// from 1 to 16, such that there are at least 24 of them, unless there are fewer groups.
+  /// The groups of a stage, ascending. Stage 0 is the sample: every n-th group, where n is a power
+  /// of two from 1 to 16 for which there are at least 24, unless there are fewer groups.
   std::vector<int> GetGroups(int stage) const;
 
 private:

@@ -35,8 +35,8 @@ public:
 protected:
   bool VisitRecord(const std::uint8_t* data, std::size_t size, const Visitor& visit) const override
   {
-    // An AVCDecoderConfigurationRecord has the sequence parameter sets, their count in the low bits
-    // of a byte before them, then the picture parameter sets with a byte for theirs.
+    // An AVCDecoderConfigurationRecord contains the sequence parameter sets after a byte with their
+    // count in its low bits, then the picture parameter sets after a byte with theirs.
     constexpr std::size_t countOffset = 5;
     std::size_t position = countOffset + 1;
     if (!this->VisitArray(data, size, data[countOffset] & 0x1f, position, visit) ||

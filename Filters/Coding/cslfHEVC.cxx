@@ -35,8 +35,8 @@ public:
 protected:
   bool VisitRecord(const std::uint8_t* data, std::size_t size, const Visitor& visit) const override
   {
-    // Arrays follow an HEVCDecoderConfigurationRecord's fixed part, whose last byte counts them:
-    // each is a type, a count in two bytes, and the units.
+    // The fixed part of an HEVCDecoderConfigurationRecord ends with the number of arrays that
+    // follow. Each array is a type, a count in two bytes, and the units.
     std::size_t position = MakeSyntax().LeastRecordSize;
     for (int array = data[position - 1]; array > 0; --array)
     {

@@ -22,7 +22,7 @@ namespace
 constexpr std::string_view Mark = "CSLF ";
 constexpr std::size_t ChecksumDigits = 8;
 
-/// Takes a number and the blank behind it from the front of a text.
+/// Takes a number and the blank after it from the start of a text.
 template <typename Number>
 bool TakeNumber(std::string_view& text, int base, Number& number)
 {
@@ -123,7 +123,7 @@ std::string ToText(const std::vector<std::uint32_t>& checksums)
 
 std::vector<std::uint32_t> ToChecksums(const std::string& text)
 {
-  // Up to two of the last four digits are only there to fill them up.
+  // Up to two of the last four digits are padding.
   const std::size_t most = text.size() / 4 * 3;
   const std::size_t padding = text.size() - std::min(text.size(), text.find_last_not_of('=') + 1);
   std::vector<unsigned char> bytes;

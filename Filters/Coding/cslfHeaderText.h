@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the header's JSON text lies in the container: behind its format's number and a checksum over
- * its bytes, in two of the container's tags.
+ * How the header's JSON text is stored: after the number of its format and a checksum of its bytes,
+ * in two of the container's tags.
  */
 #ifndef cslfHeaderText_h
 #define cslfHeaderText_h
@@ -15,15 +15,15 @@
 
 namespace cslf
 {
-/// Texts of a container by the names of its tags.
+/// Texts of a container, by the names of their tags.
 using HeaderTags = std::map<std::string, std::string>;
 
-/// The tags that hold the header, the same in each, and the one that holds the parts. FFmpeg copies
+/// The two tags that contain the same header, and the tag that contains the parts. FFmpeg copies
 /// these from MP4 to Matroska and back.
 constexpr const char* HeaderTagNames[] = { "comment", "description" };
 constexpr const char* PartsTagName = "synopsis";
 
-/// The most bytes of a tag that Matroska's demuxer reads.
+/// The largest tag that Matroska's demuxer reads, in bytes.
 constexpr std::size_t MaximumTagBytes = std::size_t(16) << 20;
 
 /// The CRC-32 of some bytes.
@@ -32,7 +32,7 @@ std::uint32_t ComputeCRC(const void* bytes, std::size_t count);
 /// `CSLF 2 <CRC-32 of the JSON text, 8 hexadecimal digits> <JSON text>`.
 std::string SealHeader(const std::string& json);
 
-/// What a tag's text turned out to be.
+/// The kind of a tag's text.
 struct UnsealedHeader
 {
   enum class States
@@ -49,14 +49,14 @@ struct UnsealedHeader
 UnsealedHeader UnsealHeader(const std::string& text);
 
 ///@{
-/// Bytes as text. Decoding gives nothing where the text is not the base64 of that many bytes.
+/// Bytes as text. Decoding returns nothing if the text is not the base64 of that many bytes.
 std::string ToBase64(const void* bytes, std::size_t count);
 bool FromBase64(const std::string& text, std::size_t count, std::vector<unsigned char>& bytes);
 ///@}
 
 ///@{
 /// Checksums as text: base64 of their bytes, the highest byte of each first. Throws
-/// std::invalid_argument where the text is no such list.
+/// std::invalid_argument if the text is not such a list.
 std::string ToText(const std::vector<std::uint32_t>& checksums);
 std::vector<std::uint32_t> ToChecksums(const std::string& text);
 ///@}

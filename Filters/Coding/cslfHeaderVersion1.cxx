@@ -18,7 +18,7 @@ using JSON = nlohmann::json;
 constexpr const char* CodingKey = "coding";
 constexpr const char* ChecksumKey = "checksum";
 
-/// Files of version 1 leave out what was the same in all of them.
+/// Files of version 1 leave out values that were the same in all of them.
 void Complete(JSON& track)
 {
   const std::string transfer = track.value("transfer", "");

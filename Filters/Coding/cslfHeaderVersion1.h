@@ -15,8 +15,9 @@
 
 namespace cslf
 {
-/// The header as one of version 2 would be. `isOurs` tells whether the text was meant to be one. On
-/// bad input returns nothing and says why, in one line; may throw what JSON's functions throw.
+/// Converts the header to version 2. `isOurs` tells whether the text was meant to be a header. On
+/// bad input returns nothing and gives the reason in one line. May throw what JSON's functions
+/// throw.
 std::optional<nlohmann::json> ReadVersion1(
   const std::string& text, bool& isOurs, std::string& error);
 }

@@ -15,30 +15,30 @@ namespace cslf
 {
 namespace
 {
-/// As deep as FFmpeg reads.
+/// The depth to which FFmpeg reads.
 constexpr int MostLevels = 10;
 
-/// Where there is a fragment for each frame, there are 7 boxes a frame.
+/// With a fragment for each frame, there are 7 boxes per frame.
 constexpr int MostBoxes = 1 << 20;
 
-/// The description of a track's samples holds some parameter sets.
+/// The description of a track's samples contains some parameter sets.
 constexpr std::uint64_t LargestDescription = 1 << 20; // in bytes
 
-/// Files of fewer bytes may announce so many samples.
+/// Smaller files may announce this many samples.
 constexpr std::uint64_t FewSamples = 65536;
 
-/// FFmpeg joins so many samples of audio to one entry of its index.
+/// FFmpeg joins up to this many samples of audio to one entry of its index.
 constexpr std::uint64_t JoinedSamples = 1024;
 
 struct Box
 {
   std::string Type;
-  std::uint64_t Begin = 0; ///< place of what it holds, in bytes
+  std::uint64_t Begin = 0; ///< offset of its contents, in bytes
   std::uint64_t End = 0;
 
   std::uint64_t GetSize() const { return this->End - this->Begin; }
 
-  /// Whether it has `count` entries of `entrySize` bytes from some place in it on.
+  /// Whether it has `count` entries of `entrySize` bytes from an offset on.
   bool Holds(std::uint64_t begin, std::uint64_t count, std::uint64_t entrySize) const
   {
     return begin <= this->GetSize() && count * entrySize <= this->GetSize() - begin;
@@ -64,7 +64,7 @@ public:
     {
       return true;
     }
-    // Without a movie, FFmpeg looks for one within boxes that are free.
+    // If there is no movie, FFmpeg looks for one in free boxes.
     return this->CheckBoxes({ "", 0, this->FileSize }, 0) && this->HasMovie &&
       this->Samples <= this->MostSamples &&
       this->MostChunks * this->MostSamplesOfChunk <= this->MostSamples * JoinedSamples;
@@ -75,7 +75,7 @@ public:
 private:
   using Checker = bool (BoxChecker::*)(const Box& box, int level);
 
-  /// How boxes are checked, wherever they are.
+  /// The checks that apply to all boxes.
   static const std::map<std::string, Checker>& GetCheckers()
   {
     using Self = BoxChecker;
@@ -120,10 +120,10 @@ private:
       const std::uint64_t rest = parent.End - place;
       if (size != 0 && size < box.Begin - place)
       {
-        // No box: FFmpeg reads no further here.
+        // Not a box: FFmpeg stops reading here.
         return level == 0;
       }
-      // Of a file that is cut short there is less.
+      // Less of it is in a truncated file.
       if ((size > rest && level > 0) || box.Begin > parent.End)
       {
         return false;
@@ -142,10 +142,10 @@ private:
 
   bool CheckContainer(const Box& box, int level) { return this->CheckBoxes(box, level + 1); }
 
-  /// There are compressed movies in QuickTime only.
+  /// Only QuickTime has compressed movies.
   bool CheckCompressed(const Box&, int) { return false; }
 
-  /// A version, a number of entries, and these.
+  /// A version, a number of entries, and the entries.
   template <int EntrySize>
   bool CheckTable(const Box& box, int)
   {
@@ -169,7 +169,7 @@ private:
     return holds;
   }
 
-  /// Boxes after one that is called "hdlr", before which there may be a version.
+  /// Boxes after one called "hdlr", which may have a version before it.
   bool CheckMetadata(const Box& box, int level)
   {
     std::size_t place = 4;
@@ -204,7 +204,7 @@ private:
     return isOne && std::none_of(GetCheckers().begin(), GetCheckers().end(), isWithin);
   }
 
-  /// The size of all samples, or that of each.
+  /// The size of all samples, or of each one.
   bool CheckSizes(const Box& box, int)
   {
     const std::uint64_t count = this->ReadNumber(box.Begin + 8, 4);
@@ -222,14 +222,14 @@ private:
     return holds;
   }
 
-  /// The size of each in some bits.
+  /// The size of each sample in a few bits.
   bool CheckSmallSizes(const Box& box, int)
   {
     const std::uint64_t bits = this->ReadNumber(box.Begin + 7, 1);
     return box.Holds(12, this->ReadNumber(box.Begin + 8, 4) * bits / 8, 1);
   }
 
-  /// How many samples each group has.
+  /// The number of samples of each group.
   bool CheckGroups(const Box& box, int)
   {
     const std::uint64_t countAt = this->ReadNumber(box.Begin, 1) == 1 ? 12 : 8;
@@ -243,7 +243,7 @@ private:
     return holds;
   }
 
-  /// What kinds of groups there are, of which FFmpeg knows one.
+  /// The kinds of groups; FFmpeg knows one of them.
   bool CheckGroupKinds(const Box& box, int)
   {
     const std::uint64_t countAt =
@@ -252,7 +252,7 @@ private:
       box.Holds(countAt + 4, this->ReadNumber(box.Begin + countAt, 4), 1);
   }
 
-  /// The samples of a fragment, each of which may have four numbers.
+  /// The samples of a fragment, each with up to four numbers.
   bool CheckRun(const Box& box, int)
   {
     std::uint64_t entrySize = 0;
@@ -265,7 +265,7 @@ private:
     return box.Holds(8, count, entrySize);
   }
 
-  /// What lies behind the end is zeros.
+  /// Bytes after the end count as zeros.
   std::string ReadText(std::uint64_t place, std::uint64_t size)
   {
     std::string text(static_cast<std::size_t>(size), '\0');
@@ -280,7 +280,7 @@ private:
     return Decode(this->ReadText(place, size));
   }
 
-  /// The number of some bytes, the highest first.
+  /// A number of some bytes, in big-endian order.
   static std::uint64_t Decode(const std::string& bytes)
   {
     std::uint64_t number = 0;
@@ -293,7 +293,7 @@ private:
 
   std::ifstream File;
   std::uint64_t FileSize = 0;    ///< in bytes
-  std::uint64_t MostSamples = 0; ///< one a byte
+  std::uint64_t MostSamples = 0; ///< one per byte
   std::uint64_t Samples = 0;     ///< announced without an entry for each
   std::uint64_t MostChunks = 0;  ///< of any track
   std::uint64_t MostSamplesOfChunk = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The boxes of MP4 files, before FFmpeg takes memory for what they announce.
+ * Checks the boxes of MP4 files before FFmpeg allocates memory for what they announce.
  */
 #ifndef cslfMovieBoxes_h
 #define cslfMovieBoxes_h
@@ -13,13 +13,13 @@
 
 namespace cslf
 {
-/// Whether a file can hold the tables and samples that its boxes announce. FFmpeg takes memory for
-/// these, up to 2 GiB a table, before it reads them. It is false where there is no movie, as in
-/// files that are cut short, and true for files that cannot be opened and for Matroska, of which
+/// Whether a file is large enough for the tables and samples that its boxes announce. FFmpeg
+/// allocates memory for these, up to 2 GiB per table, before it reads them. False if there is no
+/// movie, as in truncated files. True for files that cannot be opened and for Matroska, where
 /// FFmpeg limits each element to 256 MiB.
 ///
-/// Then `brokenSizes` are the places of 32-bit numbers, in bytes and ascending order, that are the
-/// sizes of samples but larger than the file. FFmpeg would read none after one of 1 GiB or more.
+/// If true, `brokenSizes` are the offsets, in ascending order, of 32-bit sample sizes that are
+/// larger than the file. FFmpeg would not read any sample after a size of 1 GiB or more.
 bool CanHoldMovieBoxes(const std::string& fileName, std::vector<std::uint64_t>& brokenSizes);
 }
 

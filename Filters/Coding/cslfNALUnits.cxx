@@ -101,7 +101,7 @@ bool NALBitstream::VisitStartCoded(
   {
     start += 3;
     const std::size_t next = FindStartCode(data, size, start);
-    // Zeros before a start code belong to the code: no NAL unit ends with one.
+    // Zeros before a start code belong to it: no NAL unit ends with a zero.
     std::size_t end = next;
     while (end > start && data[end - 1] == 0)
     {

@@ -26,7 +26,7 @@ struct NALSyntax
 {
   std::size_t HeaderSize = 1; ///< of units, in bytes
   ///@{
-  /// Where the first byte of a unit has its type.
+  /// The byte of a unit that contains its type.
   int TypeShift = 0;
   int TypeMask = 0;
   ///@}
@@ -46,7 +46,7 @@ struct NALSyntax
   int Filler = 0;
   ///@}
   std::size_t LeastRecordSize = 0;
-  std::size_t RecordLengthSizeOffset = 0; ///< of the byte that tells how long length prefixes are
+  std::size_t RecordLengthSizeOffset = 0; ///< of the byte with the size of length prefixes
 };
 
 class NALBitstream : public Bitstream
@@ -66,12 +66,12 @@ protected:
   {
   }
 
-  /// Visits the units of a record, which has at least its least size. False if it is cut short.
+  /// Visits the units of a record of at least the minimum size. False if it is truncated.
   virtual bool VisitRecord(
     const std::uint8_t* data, std::size_t size, const Visitor& visit) const = 0;
 
-  /// Visits `count` units that each follow their size in two bytes, and moves `position` behind
-  /// them: records are made of such arrays.
+  /// Visits `count` units, each after its size in two bytes, and moves `position` behind them.
+  /// Records consist of such arrays.
   bool VisitArray(const std::uint8_t* data, std::size_t size, std::size_t count,
     std::size_t& position, const Visitor& visit) const;
 
@@ -81,7 +81,7 @@ private:
   bool IsParameterSet(const NALUnit& unit) const;
   bool IsSkipped(const NALUnit& unit) const;
 
-  /// Visits the unit that follows its size at `position`, and moves `position` behind it.
+  /// Visits the unit after its size at `position`, and moves `position` behind it.
   bool VisitUnit(const std::uint8_t* data, std::size_t size, int lengthSize, std::size_t& position,
     const Visitor& visit) const;
   bool VisitPrefixed(

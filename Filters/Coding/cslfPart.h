@@ -3,7 +3,7 @@
 /**
  * @file
  * A coded group as bytes, sealed by a checksum, for files of unfinished fields and for messages
- * between ranks. The layout is private to machines of one kind.
+ * between ranks. Only machines of the same kind can read it.
  */
 #ifndef cslfPart_h
 #define cslfPart_h
@@ -17,7 +17,7 @@
 
 namespace cslf
 {
-/// Numbers and bytes one after the other.
+/// Numbers and bytes in sequence.
 class ByteBuffer
 {
 public:
@@ -32,7 +32,7 @@ public:
   void Put(const std::vector<std::uint8_t>& data);
 
   ///@{
-  /// Reads what was put next. False where the bytes end before.
+  /// Reads the next item. False if the bytes end before it does.
   bool Take(std::uint32_t& number);
   bool Take(double& number);
   bool Take(std::vector<std::uint8_t>& data);
@@ -53,19 +53,19 @@ private:
   std::size_t Position = 0;
 };
 
-/// The number of a manifest, a text that tells all that parts depend on: its CRC-32.
+/// The number of a manifest, which is its CRC-32. A manifest is a text of all that parts depend on.
 std::uint32_t NumberManifest(const std::string& text);
 
 /// A part with the number of the manifest that it was made under.
 std::vector<std::uint8_t> PackPart(const CodedGroup& part, std::uint32_t manifest);
 
-/// False where the bytes are not what PackPart made under that manifest.
+/// False if the bytes are not a result of PackPart under that manifest.
 bool UnpackPart(std::vector<std::uint8_t> bytes, std::uint32_t manifest, CodedGroup& part);
 
-/// Whether bytes begin as PackPart makes them, and under which manifest.
+/// Whether bytes begin like those of PackPart, and the number of their manifest.
 bool ReadManifest(const std::vector<std::uint8_t>& bytes, std::uint32_t& manifest);
 
-/// How many bytes that takes.
+/// The number of bytes that this takes.
 constexpr std::size_t PartHeadSize = 8;
 }
 

@@ -65,7 +65,7 @@ PartStore::~PartStore()
   {
     this->Work.Remove(CacheName);
   }
-  // A manifest alone is of no use.
+  // A manifest alone is useless.
   const std::vector<std::string> kept = this->Work.FindKept();
   if (kept.size() == 1 && kept.front() == ManifestName)
   {
@@ -98,7 +98,7 @@ bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, st
   const bool isSame = keep && ReadBytes<std::string>(this->Work.GetName(ManifestName)) == manifest;
   if (!keep)
   {
-    // So they are not taken for those of this run if it is interrupted.
+    // Otherwise they would count as this run's parts if it is interrupted.
     for (const std::string& name : this->Work.FindKept())
     {
       if (IsPart(name))
@@ -116,7 +116,7 @@ bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, st
   return this->Work.Write(ManifestName, manifest.data(), manifest.size(), error);
 }
 
-/// Removes parts that were made under another manifest; tells whether there were some.
+/// Removes parts that were made under another manifest. Returns whether there were any.
 bool PartStore::DropOthers() const
 {
   bool dropped = false;

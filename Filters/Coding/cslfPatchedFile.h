@@ -19,14 +19,14 @@ namespace cslf
 class PatchedFile
 {
 public:
-  /// The numbers have 32 bits; `places` tells where they begin, in bytes and ascending order.
+  /// The numbers have 32 bits. `places` are their offsets in bytes, in ascending order.
   PatchedFile(const std::string& fileName, std::vector<std::uint64_t> places);
   ~PatchedFile();
 
   PatchedFile(const PatchedFile&) = delete;
   PatchedFile& operator=(const PatchedFile&) = delete;
 
-  /// What FFmpeg reads from as long as this lives.
+  /// FFmpeg's input, valid as long as this object.
   AVIOContext* GetContext() const { return this->Context; }
 
 private:

@@ -18,8 +18,8 @@ constexpr double C1 = 3424.0 / 4096.0;
 constexpr double C2 = 32.0 * 2413.0 / 4096.0;
 constexpr double C3 = 32.0 * 2392.0 / 4096.0;
 
-/// The code of a radiance is how many codes' least radiances it reaches. Numbers that begin with
-/// the same bits are searched among.
+/// The code of a radiance is the number of codes whose least radiance it reaches. The search is
+/// among numbers that begin with the same bits.
 class CodeFinder
 {
 public:
@@ -68,7 +68,7 @@ private:
 
 double RadianceToPQ(double radiance)
 {
-  // Not a number becomes 0, too.
+  // NaN becomes 0, too.
   const double luminance = radiance > 0.0 ? std::min(radiance / MaximumRadiance, 1.0) : 0.0;
   const double power = std::pow(luminance, M1);
   return std::pow((C1 + C2 * power) / (1.0 + C3 * power), M2);
@@ -84,7 +84,7 @@ double PQToRadiance(double signal)
 int RadianceToPQCode(float radiance)
 {
   static const CodeFinder codes;
-  // Not a number becomes 0, too.
+  // NaN becomes 0, too.
   return radiance > 0.0F ? codes.Find(radiance) : 0;
 }
 

@@ -19,13 +19,13 @@ namespace cslf
 /// The luminance of radiance 1, in cd/m^2.
 constexpr double WhiteLuminance = 203.0;
 
-/// The largest luminance that there is a signal for, in cd/m^2.
+/// The largest luminance that has a signal, in cd/m^2.
 constexpr double PeakLuminance = 10000.0;
 
 /// The largest radiance, about 49.26.
 constexpr double MaximumRadiance = PeakLuminance / WhiteLuminance;
 
-/// Radiance, clamped to 0 and MaximumRadiance, to the signal, from 0 to 1.
+/// Radiance, clamped to [0,MaximumRadiance], to the signal, from 0 to 1.
 VTKCSLF_EXPORT double RadianceToPQ(double radiance);
 
 /// The signal, from 0 to 1, to radiance.
@@ -34,7 +34,7 @@ VTKCSLF_EXPORT double PQToRadiance(double signal);
 /// Signals as codes of 16 bits.
 constexpr int LargestPQCode = 65535;
 
-/// The code nearest to the signal of a radiance, which may be any number or none.
+/// The code nearest to the signal of a radiance, which may be any number or NaN.
 VTKCSLF_EXPORT int RadianceToPQCode(float radiance);
 
 /// The radiance of each code.

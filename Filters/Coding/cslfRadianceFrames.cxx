@@ -15,7 +15,7 @@ namespace
 {
 constexpr int Components = 4;
 
-/// Codes of 16 bits become samples with so many bits of fraction, and samples codes.
+/// The bits of fraction of 16-bit codes that become samples, and of samples that become codes.
 constexpr int FractionBitsOfSamples = 32;
 constexpr int FractionBitsOfCodes = 14;
 

@@ -19,16 +19,16 @@ namespace
 /// The rate factors of the first trials: most targets lie between them.
 const std::vector<double> FirstFactors = { 20.0, 36.0 };
 
-/// How far from a factor that was tried a level may be, where there is no later stage to make good
-/// what the curve between the trials misses.
+/// The largest distance of a level from a tried factor if no later stage can correct the error of
+/// the curve between the trials.
 constexpr double NearEnough = 1.0;
 
-/// By what part bytes may miss, and by what part squared errors: 0.3 dB.
+/// The relative tolerance of bytes, and that of squared errors: 0.3 dB.
 constexpr double BytesTolerance = 0.03;
 constexpr double ErrorTolerance = 0.07;
 
-/// How far a stage's level may be from that of the stage before: small stages at the end shall not
-/// make good by odd quality what others missed.
+/// The largest difference between the levels of successive stages: small stages at the end must not
+/// correct the errors of others by very different quality.
 constexpr double MostChange = 3.0;
 
 constexpr double MostPSNR = 100.0;
@@ -38,7 +38,7 @@ constexpr double RawTexelBytes = 3.0;
 /// Sums and logarithms of costs up to this are finite.
 constexpr double MostCost = 1e18;
 
-/// Whether a run can have found out that.
+/// Whether a run can have had that result.
 bool IsSound(double factor, const GroupCost& cost)
 {
   return factor >= LeastFactor && factor <= MostFactor && cost.Bytes >= 0.0 &&
@@ -105,7 +105,7 @@ bool RateControl::Next(std::vector<CodingTask>& tasks, std::string& error)
       const std::vector<CodingTask> stage = this->MakeStage(this->Target.Value);
       tasks.insert(tasks.end(), stage.begin(), stage.end());
     }
-    // In coding order, as nothing is learned on the way.
+    // In coding order, because there is nothing to learn on the way.
     std::sort(tasks.begin(), tasks.end(),
       [](const CodingTask& a, const CodingTask& b) { return a.Group < b.Group; });
     return true;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which groups are coded when, and with which rate factors, so that a file comes out with the size
- * or the quality that is wanted. See Documentation/Compression.md.
+ * Chooses the order and the rate factors of groups, so that a file gets the wanted size or quality.
+ * See Documentation/Compression.md.
  *
- * First a sample of the groups is coded with a low and a high factor, on trial. Then all groups are
- * coded for good, in stages; before each the factor is worked out anew from all that is known.
+ * First, trials code a sample of the groups with a low and a high factor. Then all groups are coded
+ * in stages. Before each stage the factor is computed again from all results.
  */
 #ifndef cslfRateControl_h
 #define cslfRateControl_h
@@ -20,13 +20,13 @@
 
 namespace cslf
 {
-/// What a user wants of a file.
+/// The user's target for a file.
 struct RateTarget
 {
   enum class Kinds
   {
-    Factor, ///< nothing but a rate factor of colour
-    Ratio,  ///< raw 24-bit colour to the file, as a ratio
+    Factor, ///< only a rate factor of colour
+    Ratio,  ///< the ratio of raw 24-bit colour to the file
     Bytes,  ///< of the file
     PSNR    ///< of decoded colour against the field, in dB
   };
@@ -35,10 +35,10 @@ struct RateTarget
   double Value = 0.0;
 };
 
-/// The target that is set: the one of these that is above 0, if any is.
+/// The target that is set: the one that is above 0, if any is.
 VTKCSLF_EXPORT RateTarget MakeRateTarget(double ratio, double bytes, double psnr);
 
-/// What is wrong with a target, in a sentence; empty where nothing is.
+/// What is wrong with a target, in a sentence. Empty if nothing is.
 std::string FindFault(const RateTarget& target, bool isLossless);
 
 /// What is to be coded.
@@ -57,25 +57,25 @@ public:
 
   const GroupStages& GetStages() const { return this->Stages; }
 
-  /// What is to be done next, after all that was to be done before has been reported; nothing at
-  /// the end. On failure, which is a target out of reach, returns false and says why, in one line.
+  /// The next tasks, after the results of all earlier ones were reported; none at the end. If the
+  /// target cannot be reached, returns false and gives the reason in one line.
   bool Next(std::vector<CodingTask>& tasks, std::string& error);
 
   ///@{
-  /// Reports what came out of tasks.
+  /// Reports the results of tasks.
   void AddTrial(int group, double factor, const GroupCost& cost);
   void AddCoded(int group, const GroupCost& cost);
   ///@}
 
   ///@{
-  /// What all trials brought, as text, so that a run that was killed need not repeat them. Text
-  /// that is not whole is ignored.
+  /// The results of all trials as text, so that a restarted run does not repeat them. Incomplete
+  /// text is ignored.
   std::string GetTrials() const;
   void SetTrials(const std::string& text);
   ///@}
 
-  /// How many codings on trial there have been, and how many are expected: of each group of the
-  /// sample with each of the first factors.
+  /// The number of trials so far, and the expected number: each group of the sample with each of
+  /// the first factors.
   int GetTrialCount() const { return static_cast<int>(this->Trials.size()); }
   int GetExpectedTrials() const;
 
@@ -85,7 +85,8 @@ public:
   /// The mean rate factor of all frames.
   double GetMeanFactor() const;
 
-  /// The PSNR of colour over the groups whose error is known, in dB, at most 100; 0 if none is.
+  /// The PSNR of colour over the groups whose error is known, in dB, at most 100. 0 if none is
+  /// known.
   double GetPSNR() const;
 
 private:
@@ -110,7 +111,7 @@ private:
   std::vector<Trial> Trials;
   int Stage = 0;               ///< the next one
   double Level = 0.0;          ///< of the last one
-  std::vector<double> Factors; ///< of each group, as far as it was dealt
+  std::vector<double> Factors; ///< of each group that was handed out
   double SquaredError = 0.0;
   double MeasuredFrames = 0.0;
 };

@@ -13,10 +13,11 @@ namespace cslf
 {
 namespace
 {
-/// Halvings of the range of levels: far below what one group makes.
+/// Halvings of the range of levels: far finer than the effect of one group.
 constexpr int Halvings = 30;
 
-/// The sum of the trials at any factor: its logarithm is linear between those tried, and beyond.
+/// The sum of the trials at any factor. Its logarithm is linear between and beyond the tried
+/// factors.
 double ReadCurve(const std::map<double, double>& sums, double factor)
 {
   const auto exact = sums.find(factor);
@@ -88,14 +89,14 @@ std::map<double, double> RateModel::SumTrials() const
   }
   for (auto& [factor, sum] : sums)
   {
-    // Logarithms are taken of it.
+    // Its logarithm is taken.
     sum = std::max(sum, 1.0);
   }
   return sums;
 }
 
-// What each group's frame costs in parts of the curve: known of those that were coded or tried,
-// interpolated between them along the coding order, where neighbours are alike.
+// The cost of each group's frames relative to the curve. It is known for groups that were coded or
+// tried, and interpolated for the others along the coding order, where neighbours are similar.
 std::vector<double> RateModel::FindWeights(const std::map<double, double>& sums, double near) const
 {
   const int count = static_cast<int>(this->Frames.size());
@@ -160,7 +161,8 @@ double RateModel::Solve(double goal) const
   const std::map<double, double> sums = this->SumTrials();
   const bool falls = this->Kind == Measures::Bytes;
   double level = 0.5 * (LeastFactor + MostFactor);
-  // The groups that were only tried are weighed at the factor next to the solution, so once more.
+  // Groups that were only tried are weighted at the factor next to the solution, so this is done
+  // again.
   for (int pass = 0; pass < 2; ++pass)
   {
     const std::vector<double> weights = this->FindWeights(sums, level);
@@ -171,7 +173,7 @@ double RateModel::Solve(double goal) const
       level = 0.5 * (low + high);
       ((this->Sum(weights, sums, level) > goal) == falls ? low : high) = level;
     }
-    // Between them one group changes its factor: take the nearer side.
+    // One group changes its factor between them: take the nearer side.
     const double missLow = std::abs(this->Sum(weights, sums, low) - goal);
     const double missHigh = std::abs(this->Sum(weights, sums, high) - goal);
     level = missLow < missHigh ? low : high;

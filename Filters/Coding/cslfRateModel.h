@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a field costs at a rate factor, predicted from some of its groups.
+ * Predicts the cost of a field at a rate factor from some of its groups.
  *
- * A field has one level of quality, a real number. Rate factors are whole numbers, since coders
- * round them sooner or later: of a field of level 24.3 three groups of ten, evenly spread, have the
- * factor 25, the others 24.
+ * A field has one level of quality, a real number. Rate factors are whole numbers, because encoders
+ * round them. At level 24.3, three of ten groups, evenly spread, have the factor 25, the others 24.
  */
 #ifndef cslfRateModel_h
 #define cslfRateModel_h
@@ -27,10 +26,10 @@ constexpr double MostFactor = 51.0;
 class VTKCSLF_EXPORT RateModel
 {
 public:
-  /// What is predicted.
+  /// The predicted quantity.
   enum class Measures
   {
-    Bytes,       ///< of all tracks; of coverage unless it is full everywhere as far as is known
+    Bytes,       ///< of all tracks; of coverage unless all known coverage is full
     SquaredError ///< of colour
   };
 
@@ -41,23 +40,23 @@ public:
   static double GetFactor(int group, double level);
 
   ///@{
-  /// What a group costs at a rate factor, on trial or for good. Trials of one factor are made of
-  /// the same groups as those of any other.
+  /// Adds the cost of a group at a rate factor, from a trial or from the final coding. All factors
+  /// are tried with the same groups.
   void AddTrial(int group, double factor, const GroupCost& cost);
   void AddCoded(int group, double factor, const GroupCost& cost);
   ///@}
 
-  /// Whether coverage is full in all groups known.
+  /// Whether coverage is full in all known groups.
   bool IsCoveredFully() const { return this->CoveredFully; }
 
   /// The rate factors that were tried, ascending.
   std::vector<double> GetTried() const;
 
-  /// What the whole field costs if all groups that are not coded for good have that level. There
-  /// must be trials of two factors.
+  /// The cost of the whole field if all groups without a final coding have that level. Needs trials
+  /// of two factors.
   double Predict(double level) const;
 
-  /// The level at which the whole field costs `goal`, or the nearest one from 0 to 51.
+  /// The level at which the whole field costs `goal`, or the nearest one in [0,51].
   double Solve(double goal) const;
 
 private:
@@ -77,7 +76,7 @@ private:
   bool CoveredFully = true;
   std::vector<int> Frames;
   std::vector<std::map<double, GroupCost>> Trials; ///< of each group, by factor
-  std::vector<std::optional<Coded>> Done;          ///< each group's, if it is coded for good
+  std::vector<std::optional<Coded>> Done;          ///< of each group with a final coding
 };
 }
 

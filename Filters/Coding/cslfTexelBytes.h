@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The four bytes of a texel as one number, so that a texel fits in a vector's lane: by how many
- * bits each is shifted depends on how numbers lie in memory.
+ * The four bytes of a texel as one number, so that a texel fits in a vector's lane. The shift of
+ * each byte depends on the machine's byte order.
  */
 #ifndef cslfTexelBytes_h
 #define cslfTexelBytes_h

@@ -11,7 +11,7 @@ namespace cslf
 {
 namespace
 {
-/// The largest number is a constant, since vectors know no division.
+/// The largest number is a constant, because vectors have no division.
 template <unsigned int Largest>
 inline void Widen(const std::uint16_t* samples, int count, unsigned short* depths)
 {

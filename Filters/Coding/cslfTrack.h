@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The video tracks that a light field is coded as.
+ * The video tracks of a coded light field.
  */
 #ifndef cslfTrack_h
 #define cslfTrack_h
@@ -15,7 +15,7 @@
 
 namespace cslf
 {
-/// What a track's samples are.
+/// The contents of a track's samples.
 enum class TrackRole
 {
   Color,     ///< red, green, blue
@@ -25,19 +25,18 @@ enum class TrackRole
   DepthLow   ///< its low byte
 };
 
-/// What a file says of its samples beside their format.
+/// The information about samples that a file stores beside their format.
 struct ReaderConstants
 {
-  /// Coverage this near to none or full is taken for none or full where it is lossy. On the
-  /// closed-form test field 8 removes 19 of 20 of the false traces of coverage at a rate factor of
-  /// 12.
+  /// Lossy coverage this close to none or full counts as none or full. On the closed-form test
+  /// field, 8 removes 19 of 20 false traces of coverage at a rate factor of 12.
   int CoverageTolerance = 8;
   double Mu = 40.0;     ///< of the curve of cslfDepthCurve.h
   double White = 203.0; ///< of the perceptual quantiser: the luminance of radiance 1, in cd/m^2
 };
 
-/// A track's role and how its samples lie in a frame. Formats of more than 8 bits are those in the
-/// machine's byte order, whose frames FFmpeg's coders take and give.
+/// A track's role and the layout of its samples in a frame. Formats of more than 8 bits are in the
+/// machine's byte order, like the frames of FFmpeg's codecs.
 struct Track
 {
   TrackRole Role = TrackRole::Color;
@@ -51,17 +50,17 @@ struct Track
   AVChromaLocation Siting = AVCHROMA_LOC_LEFT;
   ReaderConstants Constants;
 
-  /// How far coverage may be from none or full to be taken for that.
+  /// How far coverage may be from none or full to count as that.
   int GetTolerance() const { return this->Lossless ? 0 : this->Constants.CoverageTolerance; }
 };
 
 /// The frames of all tracks follow each other at this rate, in Hz.
 constexpr int FrameRate = 25;
 
-/// Closed groups of pictures have at most this many frames.
+/// The most frames of a closed group of pictures.
 constexpr int MaximumGroupLength = 16;
 
-/// The names that files use.
+/// The names in files.
 const char* NameOfRole(TrackRole role);
 std::optional<TrackRole> RoleOfName(const std::string& name);
 
@@ -71,8 +70,7 @@ std::optional<AVPixelFormat> FindPixelFormat(TrackRole role, const std::string& 
 /// The pixel formats that a user may choose for colour, for messages: "yuv444p, ...".
 std::string ListColorFormats();
 
-/// FFmpeg's name of a pixel format, in files and for users: that of low bytes first, whatever the
-/// machine's order.
+/// FFmpeg's name of a pixel format, in files and for users: the little-endian one on all machines.
 std::string NameOfFormat(AVPixelFormat format);
 
 /// Whether float colour can have that format: full resolution and more than 8 bits.
@@ -81,7 +79,7 @@ bool CanHoldRadiance(AVPixelFormat format);
 /// The bits of a sample.
 int BitsOfFormat(AVPixelFormat format);
 
-/// Whether there is chroma beside the first plane.
+/// Whether there is chroma besides the first plane.
 bool HasChroma(AVPixelFormat format);
 
 /// Whether a track's colour has less chroma than luma.

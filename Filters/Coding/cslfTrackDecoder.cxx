@@ -27,11 +27,11 @@ std::unique_ptr<TrackDecoder> TrackDecoder::Open(
   }
   context->thread_count = 1;
   context->err_recognition = AV_EF_EXPLODE;
-  // Decoders count whole coding blocks and aligned rows.
+  // Decoders round up to coding blocks and aligned rows.
   constexpr std::int64_t alignment = 128;
   context->max_pixels = FFALIGN(TileCount * std::int64_t(resolution), alignment) *
     FFALIGN(std::int64_t(resolution), alignment);
-  // Film grain, which a message may ask for that no checksum covers, is no light.
+  // A message that no checksum covers may ask for film grain, which is not light.
   context->export_side_data |= AV_CODEC_EXPORT_DATA_FILM_GRAIN;
   return RequireMemory(avcodec_open2(context, codec, nullptr)) < 0 ? nullptr : std::move(decoder);
 }
@@ -39,8 +39,8 @@ std::unique_ptr<TrackDecoder> TrackDecoder::Open(
 void TrackDecoder::Begin(
   const std::vector<AVHandle<AVPacket>>& packets, const std::vector<bool>& wanted)
 {
-  // Frames that were not asked for are taken out, too: since version 7.1 FFmpeg's HEVC decoder
-  // keeps those that are ready beyond a flush, and would give them as frames of the next group.
+  // Takes out unwanted frames, too: since version 7.1, FFmpeg's HEVC decoder keeps finished frames
+  // after a flush, and would return them as frames of the next group.
   while (avcodec_receive_frame(this->Context.get(), this->Frame.get()) >= 0)
   {
   }

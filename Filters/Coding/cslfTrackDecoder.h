@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Closed groups of pictures of one track, decoded one after the other by the same decoder, which
- * costs much less than a decoder for each.
+ * Decodes closed groups of pictures of one track with one decoder, which costs much less than a
+ * decoder for each group.
  */
 #ifndef cslfTrackDecoder_h
 #define cslfTrackDecoder_h
@@ -20,17 +20,17 @@ class TrackDecoder
 {
 public:
   /// Null if FFmpeg cannot decode a track of these parameters, whose frames are strips of 5 N x N
-  /// texels. Frames that are larger are not decoded.
+  /// texels. Larger frames are not decoded.
   static std::unique_ptr<TrackDecoder> Open(const AVCodecParameters* parameters, int resolution);
 
-  /// Begins a group. The packets, whose times are the frames' places in the group, must stay until
-  /// the last wanted frame is taken. What comes after that in decoding order, and unwanted frames
-  /// that no other refers to, are not decoded.
+  /// Begins a group. The packets, whose times are the frames' places in the group, must exist until
+  /// the last wanted frame is taken. Frames after that in decoding order, and unwanted frames that
+  /// no other refers to, are not decoded.
   void Begin(const std::vector<AVHandle<AVPacket>>& packets, const std::vector<bool>& wanted);
 
-  /// The next wanted frame in order of presentation, until the next call, or null: there is none,
-  /// or it cannot be decoded. Its time is its place in the group. Frames do not depend on which
-  /// others are wanted.
+  /// The next wanted frame in order of presentation, valid until the next call. Null if there is
+  /// none or it cannot be decoded. Its time is its place in the group. Frames do not depend on
+  /// which other ones are wanted.
   const AVFrame* Next();
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the tracks of a file share its bytes.
+ * Divides the bytes of a file among its tracks.
  */
 #ifndef cslfTrackFactors_h
 #define cslfTrackFactors_h
@@ -15,8 +15,8 @@ namespace cslf
 constexpr double FixedFactors = 22.0;
 
 /// The rate factor of coverage or depth in a file whose size or quality is controlled: `own` up to
-/// a factor of colour of 22, and beyond as much more as colour's is above that. So small files do
-/// not spend most of their bytes on depth, and good ones keep it exact.
+/// a factor of colour of 22, and higher by the excess above that. So small files do not spend most
+/// of their bytes on depth, and good ones keep exact depth.
 inline double FindTrackFactor(double own, double color)
 {
   return std::min(51.0, own + std::max(0.0, color - FixedFactors));

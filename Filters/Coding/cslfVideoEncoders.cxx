@@ -17,10 +17,10 @@ namespace cslf
 {
 namespace
 {
-/// The smallest picture that HEVC can code; it does for the other codecs, too.
+/// The smallest picture that HEVC can code. It is used for the other codecs, too.
 constexpr int MinimumResolution = 16;
 
-/// What SVT-AV1 up to version 1 takes at least.
+/// The minimum of SVT-AV1 up to version 1.
 constexpr int MinimumResolutionOfSVT = 64;
 
 /// Frames to look ahead: all of any group.
@@ -45,10 +45,10 @@ void Append(const std::vector<EncoderOption>& more, std::vector<EncoderOption>& 
   options.insert(options.end(), more.begin(), more.end());
 }
 
-/// What x265 does for colour besides, which other tracks gain nothing by: "slow" is x265's with the
-/// rate-distortion analysis of "slower", most of what that gains in half its time, and looks at
-/// more references. Chroma is a little finer, since it matters for red, green and blue more than
-/// the analysis knows.
+/// Extra options of x265 for colour; other tracks gain nothing by them. "slow" is x265's preset
+/// with the rate-distortion analysis of "slower", which has most of the gain in half the time, and
+/// more references. Chroma is a little finer, because it matters more for red, green and blue than
+/// the analysis assumes.
 std::vector<EncoderOption> GetColorOptions(AVPixelFormat format, const std::string& preset)
 {
   std::vector<EncoderOption> options = { { "b-intra", "1" } };
@@ -64,9 +64,9 @@ std::vector<EncoderOption> GetColorOptions(AVPixelFormat format, const std::stri
 }
 
 /// x265: one thread, so that bytes do not depend on the machine's load; no weighted prediction, and
-/// skipped blocks ended early, since on both libx265 3.5 otherwise decides by memory that it has
-/// not set, so that bytes would depend on what the process did before; a closed group without scene
-/// cuts; no psycho-visual options, which add detail that is not there.
+/// early skip, because libx265 3.5 otherwise decides both by uninitialised memory, so that bytes
+/// would depend on what the process did before; a closed group without scene cuts; no psycho-visual
+/// options, which add false detail.
 EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
 {
   const std::string length = std::to_string(options.GroupLength);
@@ -93,9 +93,9 @@ EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
   return all;
 }
 
-/// x264, likewise, and without macroblock trees, which without adaptive quantisation read memory
-/// that was never set. Its quantisers are those of x265. Stitchable: parameter sets do not depend
-/// on the rate factor.
+/// x264: likewise, and without macroblock trees, which read uninitialised memory if there is no
+/// adaptive quantisation. Its quantisers are those of x265. Stitchable: parameter sets do not
+/// depend on the rate factor.
 EncoderOptions MakeX264Options(const Track&, const EncodeOptions& options)
 {
   const std::string length = std::to_string(options.GroupLength);
@@ -108,8 +108,8 @@ EncoderOptions MakeX264Options(const Track&, const EncodeOptions& options)
   return all;
 }
 
-/// AV1's rate factor, from 0 to 63, of about the same quality as x265's: between those that a
-/// diffuse and a glossy scene call for, up to 7 apart.
+/// AV1's rate factor, from 0 to 63, with about the same quality as x265's. It is between those that
+/// fit a diffuse and a glossy scene, which differ by up to 7.
 double ToAV1Factor(double crf)
 {
   constexpr std::array<std::array<double, 2>, 9> factors = { { { 0, 1 }, { 10, 11 }, { 16, 22 },
@@ -124,7 +124,7 @@ double ToAV1Factor(double crf)
   return std::round(low[1] + (crf - low[0]) / (high[0] - low[0]) * (high[1] - low[1]));
 }
 
-/// It prints what it does unless the environment forbids it.
+/// It prints messages unless the environment forbids it.
 void SilenceSVT()
 {
   static const bool isSilent =
@@ -132,9 +132,9 @@ void SilenceSVT()
   (void)isSilent;
 }
 
-/// SVT-AV1: as many threads as there are, on which its bytes do not depend; the quality measured as
-/// PSNR; no filtering of the frames that others refer to, which are looked at like all others. No
-/// preset above 10: with 12, version 4.2 writes streams that decoders refuse.
+/// SVT-AV1: all threads, because its bytes do not depend on their number; quality measured as PSNR;
+/// no filtering of reference frames, which are viewed like all others. No preset above 10: with 12,
+/// version 4.2 writes streams that decoders refuse.
 EncoderOptions MakeSVTOptions(const Track&, const EncodeOptions& options)
 {
   SilenceSVT();
@@ -149,7 +149,7 @@ EncoderOptions MakeSVTOptions(const Track&, const EncodeOptions& options)
   return all;
 }
 
-/// libaom: the quality measured as PSNR.
+/// libaom: quality measured as PSNR.
 EncoderOptions MakeAOMOptions(const Track&, const EncodeOptions& options)
 {
   constexpr std::array<int, 10> speeds = { 8, 7, 6, 6, 5, 4, 3, 2, 1, 0 };
@@ -169,7 +169,7 @@ const std::vector<VideoEncoder>& GetEncoders()
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10, AV_PIX_FMT_GBRP },
       AV_PIX_FMT_GRAY8, AV_PIX_FMT_GRAY12, AV_PIX_FMT_YUV444P12, MakeX265Options },
-    // It has no gray: the chroma that is added says nothing and costs next to nothing.
+    // It has no gray format. The added chroma is ignored and costs almost nothing.
     { Codec::AV1, "libsvtav1", "svtav1-params", MinimumResolutionOfSVT, false, false,
       { AV_PIX_FMT_YUV420P10, AV_PIX_FMT_YUV420P }, AV_PIX_FMT_YUV420P, AV_PIX_FMT_YUV420P10,
       AV_PIX_FMT_NONE, MakeSVTOptions },

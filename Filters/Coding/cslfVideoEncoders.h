@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * FFmpeg's encoders that light fields are coded with, what each can do, and how it is set up:
- * closed groups, one thread, and bytes that depend on nothing but the frames and the settings.
+ * FFmpeg's encoders for light fields, their capabilities and their setup: closed groups, one
+ * thread, and bytes that depend only on the frames and the settings.
  */
 #ifndef cslfVideoEncoders_h
 #define cslfVideoEncoders_h
@@ -19,9 +19,9 @@ namespace cslf
 /// How a track is encoded; equal for all its groups.
 struct EncodeOptions
 {
-  /// One of x265's presets; other encoders take what is like it.
+  /// One of x265's presets. Other encoders use a similar one.
   std::string Preset = "slow";
-  /// On x265's scale, from 0 to 51; other encoders take what gives about the same quality.
+  /// On x265's scale, from 0 to 51. Other encoders use a value of about the same quality.
   double CRF = 22.0;
   int GroupLength = MaximumGroupLength;
 };
@@ -32,11 +32,11 @@ struct EncoderOption
   std::string Value;
 };
 
-/// What an encoder is told.
+/// The options of an encoder.
 struct EncoderOptions
 {
   std::vector<EncoderOption> OfFFmpeg;  ///< those that FFmpeg has for the encoder
-  std::vector<EncoderOption> OfLibrary; ///< what the library has besides
+  std::vector<EncoderOption> OfLibrary; ///< the library's other options
   int KeyFrameDistance = 0;             ///< at most, in frames; 0 for the encoder's own
 };
 
@@ -44,10 +44,10 @@ struct VideoEncoder
 {
   Codec Coding;
   const char* Name;          ///< FFmpeg's
-  const char* LibraryOption; ///< FFmpeg's option that takes the library's
+  const char* LibraryOption; ///< FFmpeg's option that contains the library's options
   int MinimumResolution;     ///< in texels along each side of a tile
   bool CanBeLossless;
-  bool CanShareProcess;              ///< whether several may be at work at once
+  bool CanShareProcess;              ///< whether several may run at once
   std::vector<AVPixelFormat> Colors; ///< of bytes of colour; the first is the default
   AVPixelFormat Coverage;
   AVPixelFormat Depth;
@@ -57,17 +57,16 @@ struct VideoEncoder
   bool CanCode(AVPixelFormat format) const;
 };
 
-/// The first encoder of this FFmpeg that codes frames of that format and resolution so, or null.
+/// The first encoder of this FFmpeg that can code frames of that format and resolution, or null.
 VTKCSLF_EXPORT const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);
 
-/// The first one for that codec, with whatever format it has by default for bytes of colour or for
-/// float colour, or null.
+/// The first one for that codec, with its default format for byte colour or float colour, or null.
 const VideoEncoder* FindEncoder(Codec codec, bool isRadiance, int resolution);
 
 /// Whether this FFmpeg has any encoder for a codec.
 bool HasEncoder(Codec codec);
 
-/// The codecs that it has encoders for, for messages: "hevc, h264".
+/// The codecs for which it has encoders, for messages: "hevc, h264".
 std::string ListCodecsToEncode();
 
 /// The presets that x265 knows, fastest first.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Decoded viewpoints that are kept for a while.
+ * A cache of decoded viewpoints.
  */
 #ifndef cslfViewpointCache_h
 #define cslfViewpointCache_h
@@ -17,27 +17,27 @@
 
 namespace cslf
 {
-/// The arrays of one decoded slice. They are shared, so nobody may change them.
+/// The arrays of one decoded slice. They are shared and must not be changed.
 struct DecodedViewpoint
 {
-  bool IsMissing = true; ///< damaged: then the arrays, if any, say nothing
+  bool IsMissing = true; ///< damaged: the arrays, if any, are meaningless
   vtkSmartPointer<vtkDataArray> Color;
   vtkSmartPointer<vtkDataArray> Depth; ///< null where the field has none
 };
 
 using DecodedViewpointPointer = std::shared_ptr<const DecodedViewpoint>;
 
-/// Keeps the viewpoints that were used last, by slice. Only one thread at a time may use it.
+/// Keeps the most recently used viewpoints, by slice. Only one thread may use it at a time.
 class ViewpointCache
 {
 public:
-  /// How many viewpoints are kept at most; what is too many is dropped at once.
+  /// The maximum number of kept viewpoints. Surplus ones are dropped at once.
   void SetCapacity(std::size_t capacity);
   std::size_t GetCapacity() const { return this->Capacity; }
 
   bool Has(int slice) const { return this->Places.count(slice) != 0; }
 
-  /// Null if it is not there. A viewpoint that is found counts as used.
+  /// Null if it is not kept. A viewpoint that is found counts as used.
   DecodedViewpointPointer Find(int slice);
 
   void Insert(int slice, DecodedViewpointPointer viewpoint);
@@ -52,7 +52,7 @@ private:
   void Shrink();
 
   std::size_t Capacity = 0;
-  std::list<Entry> Entries; ///< the one used last comes first
+  std::list<Entry> Entries; ///< the most recently used one comes first
   std::unordered_map<int, std::list<Entry>::iterator> Places;
 };
 }

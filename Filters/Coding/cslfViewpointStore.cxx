@@ -15,7 +15,7 @@ namespace cslf
 {
 namespace
 {
-/// How often a wait asks whether it shall go on.
+/// How often a wait asks whether to continue.
 constexpr std::chrono::milliseconds AskingInterval{ 50 };
 }
 
@@ -52,7 +52,7 @@ ViewpointStore::ViewpointStore(GroupDecoder& decoder)
 
 ViewpointStore::~ViewpointStore()
 {
-  // What has begun ends soon, and the steps, which are destroyed first, wait for it.
+  // Work in progress ends soon, and the steps, which are destroyed first, wait for it.
   this->Decoder.Stop();
 }
 
@@ -149,7 +149,7 @@ std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<int>
     const int group = this->GroupOfSlice[slice];
     if (seen.size() == this->Cache.GetCapacity())
     {
-      // A group that is begun here would have to be decoded again for its rest.
+      // A group begun here would have to be decoded again for the rest.
       if (jobs.size() > 1 && jobs.back().Group == group)
       {
         jobs.pop_back();
@@ -172,12 +172,12 @@ std::vector<ViewpointStore::Job> ViewpointStore::MakeJobs(const std::vector<int>
     }
     jobs[place.first->second].Slices.push_back(slice);
   }
-  // What is asked for first shall be dropped last.
+  // Viewpoints that are asked for first are dropped last.
   std::for_each(kept.rbegin(), kept.rend(), [this](int slice) { this->Cache.Find(slice); });
   return jobs;
 }
 
-/// Slices are in progress as long as this lives, whatever ends their decoding.
+/// Slices are in progress as long as this object exists, however their decoding ends.
 class ViewpointStore::Progress
 {
 public:
@@ -199,7 +199,7 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The mutex must be held.
+  /// The mutex must be locked.
   void Begin(const std::vector<int>& slices)
   {
     std::set<int> added(slices.begin(), slices.end());

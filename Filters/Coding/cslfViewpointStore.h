@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Single viewpoints of a coded light field: decoded when asked for or in the background before
- * that, and kept within a budget of memory.
+ * Single viewpoints of a coded light field: decoded on request or earlier in the background, and
+ * kept within a memory budget.
  */
 #ifndef cslfViewpointStore_h
 #define cslfViewpointStore_h
@@ -22,22 +22,22 @@
 
 namespace cslf
 {
-/// All methods may be called by several threads at once. Those that decode throw std::bad_alloc
-/// where there is not enough memory; in the background viewpoints are then left to who needs them.
+/// All methods may be called by several threads at once. Those that decode throw std::bad_alloc if
+/// there is not enough memory; background work then leaves the viewpoints to later requests.
 class ViewpointStore
 {
 public:
-  /// The decoder must outlive the store, which stops it at its end.
+  /// The decoder must outlive the store, which stops it when it is destroyed.
   explicit ViewpointStore(GroupDecoder& decoder);
   ~ViewpointStore();
 
-  /// How many bytes of viewpoints are kept at most.
+  /// The maximum size of kept viewpoints, in bytes.
   void SetSize(std::uint64_t bytes);
 
-  /// How many viewpoints that is.
+  /// The number of viewpoints in that size.
   std::size_t GetCapacity();
 
-  /// The group that holds a slice.
+  /// The group that contains a slice.
   int GetGroup(int slice) const { return this->GroupOfSlice[slice]; }
 
   /// A viewpoint to be filled.
@@ -54,16 +54,15 @@ public:
 
   void Insert(int slice, DecodedViewpoint viewpoint);
 
-  /// Decodes slices in the background, in this order but group by group. This replaces what an
-  /// earlier call has asked for and nobody has begun yet. Of what would not fit in the budget, the
-  /// end is left out.
+  /// Decodes slices in the background, in this order but group by group. This replaces earlier
+  /// requests that have not begun. Slices at the end that do not fit in the budget are left out.
   void Prefetch(const std::vector<int>& slices);
 
-  /// Waits until all that was asked for is there.
+  /// Waits until all requested slices are decoded.
   void Wait();
 
-  /// Waits for what was asked for of these slices, putting it before all else. Asks `goesOn` now
-  /// and then; false if that was the answer.
+  /// Waits for the requested ones of these slices, and decodes them first. Calls `goesOn`
+  /// regularly, and stops and returns false if that returns false.
   bool WaitFor(int first, int last, const std::function<bool()>& goesOn);
 
 private:
@@ -84,7 +83,7 @@ private:
   std::vector<int> GroupOfSlice;
   std::uint64_t ViewpointBytes = 0;
 
-  std::mutex Mutex; ///< of all that follows but the steps
+  std::mutex Mutex; ///< of all later members except the steps
   std::condition_variable Changed;
   ViewpointCache Cache;
   std::deque<Job> Pending;
