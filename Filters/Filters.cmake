@@ -142,7 +142,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfTriangles.h
   ../Filters/PathTracing/cslfVectorize.h)
 
-# The light that surfaces diffuse, worked out once.
+# The diffuse light of surfaces, computed once.
 list(APPEND sources
   ../Filters/PathTracing/RadianceCache/cslfCacheCheck.cxx
   ../Filters/PathTracing/RadianceCache/cslfCacheFile.cxx
@@ -186,7 +186,7 @@ list(APPEND private_headers
   ../Filters/PathTracing/RadianceCache/cslfSurfaceLattice.h
   ../Filters/vtkCSLFPathTracerInternals.h)
 
-# From renderers and files to scenes.
+# Conversion of renderers and files to scenes.
 list(APPEND sources
   ../Filters/SceneImport/cslfAMRSurface.cxx
   ../Filters/SceneImport/cslfActorImporter.cxx
@@ -303,7 +303,7 @@ list(APPEND private_headers
   ../Filters/Coding/cslfViewpointCache.h
   ../Filters/Coding/cslfViewpointStore.h)
 
-# Files and folders that appear whole. One folder holds what differs between systems.
+# Files and folders that appear complete. One folder has the implementation for each system.
 if (WIN32)
   set(cslf_system Windows)
   list(APPEND private_headers
@@ -343,7 +343,7 @@ list(APPEND private_headers
   ../Filters/Quality/cslfRobertsSequence.h
   ../Filters/Quality/cslfTexelChoice.h)
 
-# Several processes at work together.
+# Cooperation of several processes.
 list(APPEND sources
   ../Filters/Parallel/cslfBroadcast.cxx
   ../Filters/Parallel/cslfCacheKeeper.cxx
@@ -355,7 +355,7 @@ list(APPEND private_headers
   ../Filters/Parallel/cslfRanks.h
   ../Filters/Parallel/cslfSceneGather.h)
 
-# Pulling fields slab by slab.
+# Reading fields slab by slab.
 list(APPEND sources
   ../Filters/Pipeline/cslfArrayLayout.cxx
   ../Filters/Pipeline/cslfFieldArrays.cxx
@@ -373,12 +373,12 @@ list(APPEND private_headers
   ../Filters/Pipeline/cslfSlabs.h
   ../Filters/Pipeline/cslfSlicePuller.h)
 
-# Knowing the cost before.
+# Estimates of costs.
 list(APPEND private_headers
   ../Filters/Planning/cslfBakeProbe.h
   ../Filters/Planning/cslfFieldDetail.h)
 
-# Coarser fields.
+# Reduction of fields.
 list(APPEND sources
   ../Filters/Resampling/cslfNesting.cxx
   ../Filters/Resampling/cslfTexelReducer.cxx)
@@ -387,7 +387,7 @@ list(APPEND private_headers
   ../Filters/Resampling/cslfNesting.h
   ../Filters/Resampling/cslfTexelReducer.h)
 
-# What encodes videos, and what needs that.
+# Video encoding, and classes that need it.
 if (CSLF_ENABLE_ENCODER)
   list(APPEND classes
     ../Filters/vtkCSLFBakeEstimator

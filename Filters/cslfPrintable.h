@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Texts of files in messages.
+ * Prepares texts from files for messages.
  */
 #ifndef cslfPrintable_h
 #define cslfPrintable_h
@@ -12,8 +12,8 @@
 
 namespace cslf
 {
-/// A text without control characters, which could end lines of messages or control terminals. They
-/// become \x and two hexadecimal digits.
+/// Replaces control characters, which could break lines of messages or control terminals, by \x and
+/// two hexadecimal digits.
 inline std::string MakePrintable(const std::string& text)
 {
   const char* const digits = "0123456789abcdef";
@@ -22,7 +22,7 @@ inline std::string MakePrintable(const std::string& text)
   {
     const auto byte = static_cast<unsigned char>(text[i]);
     const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
-    // UTF-8 has the control characters from 0x80 to 0x9f in two bytes.
+    // UTF-8 encodes the control characters from 0x80 to 0x9f in two bytes.
     const bool isTwoBytes = byte == 0xc2 && next >= 0x80 && next <= 0x9f;
     const int control = isTwoBytes ? next : byte;
     if (isTwoBytes || byte < 0x20 || byte == 0x7f)

@@ -11,7 +11,7 @@
 
 namespace cslf
 {
-/// The seconds from a point in time until now.
+/// The seconds since a point in time.
 inline double SecondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -44,7 +44,7 @@ void RemoveShortArrays(
   }
 }
 
-/// The vertices, lines, polygons or strips of polygonal data, and which of them are sound.
+/// The vertices, lines, polygons or strips of polygonal data, and which of them are valid.
 class CellList
 {
 public:
@@ -67,7 +67,7 @@ public:
 
   bool IsSound() const { return this->IsValid && this->Broken == 0; }
 
-  /// The sound cells. Adds their indices in the whole data, from `first` on, to `kept`.
+  /// The valid cells. Adds their indices in the whole data, from `first` on, to `kept`.
   vtkSmartPointer<vtkCellArray> Copy(vtkIdType points, vtkIdType first, vtkIdList* kept) const
   {
     auto copy = vtkSmartPointer<vtkCellArray>::New();
@@ -113,7 +113,7 @@ private:
 
 using CellLists = std::array<CellList, 4>;
 
-/// Replaces the cells by the sound ones, with their data.
+/// Replaces the cells by the valid ones, with their data.
 void RemoveBrokenCells(vtkPolyData* data, const CellLists& lists, vtkIdType points)
 {
   vtkNew<vtkIdList> kept;

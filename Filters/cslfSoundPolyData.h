@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Polygonal data without the cells and arrays that would be read out of bounds.
+ * Removes cells and arrays of polygonal data that would cause reads out of bounds.
  */
 #ifndef cslfSoundPolyData_h
 #define cslfSoundPolyData_h
@@ -22,7 +22,7 @@ struct SoundPolyData
 {
   vtkSmartPointer<vtkPolyData> Data;   ///< the given data itself if nothing had to be changed
   vtkIdType RemovedCells = 0;          ///< with ids of points that do not exist
-  vtkIdType RemovedCellLists = 0;      ///< whole vertices, lines, polygons or strips
+  vtkIdType RemovedCellLists = 0;      ///< all vertices, lines, polygons or strips
   std::set<std::string> RemovedArrays; ///< names of arrays with too few tuples
 
   /// Whether nothing had to be removed.

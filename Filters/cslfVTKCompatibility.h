@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What differs between the versions of VTK, in one place.
+ * All differences between the versions of VTK.
  */
 #ifndef cslfVTKCompatibility_h
 #define cslfVTKCompatibility_h
@@ -56,7 +56,7 @@ inline vtkInformationDoubleVectorKey* TextureTransformKey()
 #endif
 }
 
-/// Makes empty levels of grids (vtkOverlappingAMR), with so many grids each.
+/// Makes empty levels of grids (vtkOverlappingAMR), with that many grids each.
 template <typename Grids>
 void SetNumbersOfGrids(Grids* grids, const std::vector<unsigned int>& counts)
 {
@@ -68,7 +68,7 @@ void SetNumbersOfGrids(Grids* grids, const std::vector<unsigned int>& counts)
 #endif
 }
 
-/// Asks a filter that is at work to stop.
+/// Asks a running filter to stop.
 inline void Abort(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

@@ -24,18 +24,20 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// The part of the probe's seconds for the radiance cache.
+// The share of the probe's seconds for the radiance cache.
 constexpr double CacheShare = 0.4;
 
-// The samples of a texel whose cost is looked at to choose their number, and the most there may be.
+// The samples per texel of the measurements that choose their number, and the most that may be
+// chosen.
 constexpr int FewSamples = 4;
 constexpr int ManySamples = 16;
 constexpr int MostSamples = 1 << 16;
 
-// Numbers of samples with so many leading binary digits: sequences are better at round numbers.
+// Chosen numbers of samples have only this many leading binary digits, because sequences are better
+// at round numbers.
 constexpr int SampleDigits = 3;
 
-/// Tells the seconds of its life when it ends.
+/// Stores the seconds of its lifetime when it ends.
 class Stopwatch
 {
 public:
@@ -66,7 +68,7 @@ int RoundDown(double samples)
   return rounded / step * step;
 }
 
-/// Takes out of a manifest what a bake measures, so that what it is asked for is left.
+/// Removes the measurements of a bake from a manifest, so that only the settings remain.
 void EraseMeasured(nlohmann::json& manifest)
 {
   manifest.erase("sample");
@@ -88,7 +90,7 @@ cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
     std::max(1, encoder->GetKeyViewStep()), 0.0, encoder->GetCodec() };
 }
 
-/// Sets a sampler's parameters back.
+/// Restores a sampler's parameters.
 class Restorer
 {
 public:
@@ -119,7 +121,7 @@ private:
 };
 }
 
-/// What a probe tells of other fields.
+/// The results of a probe that apply to other fields.
 struct vtkCSLFBakeEstimator::Outlook
 {
   cslf::FieldDetail Detail;
@@ -167,7 +169,7 @@ double vtkCSLFBakeEstimator::GetSeconds() const
 
 void vtkCSLFBakeEstimator::BeginProbe()
 {
-  // The spacing that goes with the resolution, whatever size is probed.
+  // The spacing for the resolution, whatever size is probed.
   if (this->Sampler->GetCacheSpacing() <= 0.0)
   {
     this->Sampler->SetCacheSpacing(
@@ -244,8 +246,8 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
       vtkErrorMacro(<< probe.GetError());
       return 0;
     }
-    // What rendering takes is taken as linear in the samples; the estimate's own figure, of more
-    // viewpoints, sets the scale.
+    // Assumes that the time of rendering is linear in the samples. The estimate's own figure, from
+    // more viewpoints, sets the scale.
     const double scale = few > 0.0 ? this->RenderSeconds / few : 1.0;
     const double slope = std::max(scale * (many - few) / (ManySamples - FewSamples), 1e-9);
     const double single =
@@ -275,7 +277,7 @@ int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
   {
     return 0;
   }
-  // Is it that of the same field but for the samples?
+  // Whether it belongs to the same field except for the samples.
   const int samples = manifest[place];
   const int before = this->Sampler->GetSamples();
   nlohmann::json mine;

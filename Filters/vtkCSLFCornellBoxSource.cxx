@@ -52,7 +52,7 @@ glm::dvec3 ToRoom(const glm::dvec3& published)
   return { -unit.x, unit.y, -unit.z };
 }
 
-/// A face and four walls from its edges to a height.
+/// A face, and four walls from its edges up to a height.
 std::vector<Quadrilateral> Extrude(const Quadrilateral& face, double height)
 {
   std::vector<Quadrilateral> faces{ face };
@@ -66,7 +66,7 @@ std::vector<Quadrilateral> Extrude(const Quadrilateral& face, double height)
 }
 
 /// The ceiling, and the rim that closes the gap between it and the lamp: light from the lamp's back
-/// must not come out.
+/// must not escape.
 std::vector<Quadrilateral> MakeCeiling(const Quadrilateral& lamp)
 {
   std::vector<Quadrilateral> faces = Extrude(lamp, RoomSize.y);

@@ -35,10 +35,10 @@ public:
   std::string Description;
   std::string PixelFormat;
   vtkNew<vtkFieldData> Field;           ///< of every output
-  std::vector<std::int64_t> TrackBytes; ///< empty until asked for
+  std::vector<std::int64_t> TrackBytes; ///< empty until requested
   vtkNew<vtkIdTypeArray> Missing;
-  vtkNew<vtkUnsignedCharArray> Part; ///< the one that was asked for last
-  std::vector<int> Damage;           ///< the file's missing viewpoints, once any is met
+  vtkNew<vtkUnsignedCharArray> Part; ///< the last one requested
+  std::vector<int> Damage;           ///< the file's missing viewpoints, after the first was found
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
@@ -64,7 +64,7 @@ public:
     return this->Reader && z >= 0 && z < this->Reader->GetHeader().Field.Grid.GetSlices();
   }
 
-  /// The extent of the whole field but for z.
+  /// The extent of the whole field except z.
   void GetExtent(vtkIdType first, vtkIdType last, int extent[6]) const
   {
     this->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
@@ -201,7 +201,7 @@ vtkIdTypeArray* vtkCSLFDecoder::GetMissingViewpoints() const
   return this->Internal->Missing;
 }
 
-// Does what may lack memory. No exception leaves VTK's methods: it becomes one error.
+// Does work that may run out of memory. No exception leaves VTK's methods: it becomes one error.
 bool vtkCSLFDecoder::Guard(const std::function<bool()>& work)
 {
   const cslf::AVLogSilence silence;
@@ -308,7 +308,7 @@ bool vtkCSLFDecoder::OpenFile()
   return true;
 }
 
-// What of a range is there, to be known before memory is taken for all of it.
+// Finds which slices of a range exist, before memory is allocated for all of it.
 bool vtkCSLFDecoder::CheckRange(int first, int last)
 {
   this->Internal->SetMissing(this->Internal->Reader->FindMissing(
@@ -345,14 +345,14 @@ void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
       [this](double progress) { return this->ReportProgress(progress); }));
 }
 
-// Tells of what is missing of the last range. Whether the rest can be had.
+// Reports the missing slices of the last range. Returns whether the others can be returned.
 bool vtkCSLFDecoder::ReportDamage()
 {
   return this->GetNumberOfMissingViewpoints() == 0 || this->GetAbortExecute() ||
     this->ReportFileDamage();
 }
 
-// Tells of all that is missing of the file: warns, unless that is known, or fails.
+// Reports all missing slices of the file: warns, unless that was done before, or fails.
 bool vtkCSLFDecoder::ReportFileDamage()
 {
   const std::size_t known = this->Internal->Damage.size();
@@ -434,7 +434,7 @@ bool vtkCSLFDecoder::RequireViewpoint(vtkIdType z)
   return true;
 }
 
-// A viewpoint as it is kept, decoded now if need be. Null where there is not enough memory.
+// A viewpoint from the cache, decoded now if necessary. Null if there is not enough memory.
 cslf::DecodedViewpointPointer vtkCSLFDecoder::Internals::GetViewpoint(
   vtkCSLFDecoder* self, vtkIdType z)
 {

@@ -25,7 +25,7 @@
 vtkStandardNewMacro(vtkCSLFEncoder);
 vtkCxxSetObjectMacro(vtkCSLFEncoder, Controller, vtkMultiProcessController);
 
-/// Lets the path tracers that feed a connection use a keeper, for a while.
+/// Lets the path tracers that feed a connection use a cache keeper while this object exists.
 class vtkCSLFEncoder::CacheKeeping
 {
 public:
@@ -207,7 +207,7 @@ int vtkCSLFEncoder::Write()
   {
     keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
     const CacheKeeping keeping(job.Connection, &*keeper);
-    // Writing always writes, whether or not something changed.
+    // Write always writes, even if nothing changed.
     this->Modified();
     this->Session = &session;
     this->GetExecutive()->Update();
@@ -225,7 +225,7 @@ vtkTypeBool vtkCSLFEncoder::ProcessRequest(
 {
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
-    // One viewpoint is enough to begin with: the session asks for what it needs.
+    // One viewpoint is enough at first: the session requests what it needs.
     vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
     int extent[6];
     inInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
@@ -235,7 +235,7 @@ vtkTypeBool vtkCSLFEncoder::ProcessRequest(
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
-    // The error code tells of failures: a failed request would only add the executive's message.
+    // Failures are in the error code: a failed request would only add the executive's message.
     if (this->Session)
     {
       this->Session->Write(true);

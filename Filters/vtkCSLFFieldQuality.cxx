@@ -32,7 +32,7 @@ struct Figure
   int FirstComponent = 0;
   int Components = 1;
   bool WhereCovered = false;
-  double ViewExposure = 0.0; // above 0: compared as displayed at so many times the exposure
+  double ViewExposure = 0.0; // above 0: compared as displayed at this multiple of the exposure
   double Peak = 1.0;
   double Squares = 0.0;
   double Values = 0.0;
@@ -51,7 +51,7 @@ double PeakOf(int type)
   }
 }
 
-/// The figures of floating-point colours as they are displayed.
+/// The results for float colours as displayed.
 void AddDisplayed(const cslf::Channel& channel, std::vector<Figure>& figures)
 {
   if (channel.Type != VTK_FLOAT)
@@ -73,7 +73,7 @@ void AddDisplayed(const cslf::Channel& channel, std::vector<Figure>& figures)
   }
 }
 
-/// What can be compared of two fields of the same grid.
+/// The channels of two fields of the same grid that can be compared.
 std::vector<Figure> MakeFigures(const cslf::Description& first, const cslf::Description& second)
 {
   std::vector<Figure> figures;
@@ -104,7 +104,7 @@ std::vector<Figure> MakeFigures(const cslf::Description& first, const cslf::Desc
   return figures;
 }
 
-/// Where a slab begins in an array of an image that may hold more.
+/// The start of a slab in an array of an image that may contain more.
 template <typename T>
 const T* GetBegin(vtkImageData* image, vtkDataArray* array, const cslf::Slab& slab)
 {
@@ -123,7 +123,7 @@ void ClearUncovered(const T* colors, std::vector<char>& isCounted)
   }
 }
 
-/// Which of a slab's texels count: all, or those that are covered in both images.
+/// The texels of a slab that count: all, or those that are covered in both images.
 std::vector<char> FindCounted(vtkImageData* images[2], const cslf::Slab& slab, const Figure& figure)
 {
   const int* size = images[0]->GetDimensions();
@@ -169,8 +169,8 @@ void AddErrors(
     static_cast<double>(components) * std::count(isCounted.begin(), isCounted.end(), 1);
 }
 
-/// Adds the errors of colours as they are displayed. They are whole numbers, so that their sum does
-/// not depend on the threads.
+/// Adds the errors of colours as displayed. They are integers, so that their sum does not depend on
+/// the threads.
 void AddDisplayedErrors(const float* first, const float* second, vtkIdType texels, Figure& figure)
 {
   std::atomic<std::int64_t> squares(0);
@@ -199,7 +199,7 @@ void AddDisplayedErrors(const float* first, const float* second, vtkIdType texel
   figure.Values += 3.0 * static_cast<double>(texels);
 }
 
-/// Adds the errors of the viewpoints of a slab, whose arrays are of one type.
+/// Adds the errors of the viewpoints of a slab. The arrays have the same type.
 void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
 {
   vtkDataArray* values[2];
@@ -224,7 +224,8 @@ void AddSlab(vtkImageData* images[2], const cslf::Slab& slab, Figure& figure)
   }
 }
 
-/// The slices of `whole` in an order that suits a field that is a video, the first one if both are.
+/// The slices of `whole` in an order that suits the field that is a video, or the first one if both
+/// are.
 std::vector<cslf::Slab> PlanSlabs(cslf::SlabStream streams[2], const cslf::Slab& whole)
 {
   const auto isWanted = [&whole](int slice) { return slice >= whole.First && slice <= whole.Last; };
@@ -235,7 +236,7 @@ std::vector<cslf::Slab> PlanSlabs(cslf::SlabStream streams[2], const cslf::Slab&
   return slabs;
 }
 
-/// Compares the fields; on failure returns why, which is empty where it was reported already.
+/// Compares the fields. On failure returns the reason, which is empty if it was reported already.
 bool Compare(cslf::SlabStream streams[2], vtkAlgorithm* progress, std::vector<Figure>& figures,
   std::string& error)
 {

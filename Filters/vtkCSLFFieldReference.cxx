@@ -39,20 +39,21 @@ vtkStandardNewMacro(vtkCSLFFieldReference);
 
 namespace
 {
-/// A texel is traced as so many times so many smaller ones, of which a packet of rays has one each.
+/// Each side of a texel is divided into this many parts. Each ray of a packet samples one of the
+/// smaller texels.
 constexpr int CellSide = 4;
 constexpr int Cells = CellSide * CellSide;
 constexpr int Halves = 2;
 
-/// Texels traced at once: enough to keep many threads busy.
+/// The number of texels traced at once: enough to keep many threads busy.
 constexpr vtkIdType ChunkTexels = 8192;
 
-/// The share of reading the field in the progress, a guess.
+/// The estimated share of reading the field in the progress.
 constexpr double ReadingShare = 0.1;
 
 constexpr double BestNoiseFloor = 100.0;
 
-/// Sets the reference's random numbers apart from those of a field of the same seed.
+/// Makes the reference's random numbers differ from those of a field with the same seed.
 constexpr std::uint64_t ReferenceSalt = 0x5265666572656e63u;
 
 cslf::Slab GetSlices(vtkInformation* field)
@@ -95,7 +96,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeColors(const char* name, vtkIdType tex
 }
 }
 
-/// One run of the filter. Methods that return false have reported why.
+/// One run of the filter. Methods that return false have reported the reason.
 class vtkCSLFFieldReference::Measurement
 {
 public:
@@ -153,7 +154,7 @@ public:
     return isRead;
   }
 
-  /// Traces the chosen texels and compares. False also where it was aborted.
+  /// Traces the chosen texels and compares them. Also false if aborted.
   bool Trace(const cslf::BuiltScene& scene)
   {
     this->WarnOfOtherScene(scene);
@@ -193,7 +194,7 @@ private:
     return this->First + static_cast<int>(this->Chosen[k] / this->SliceTexels);
   }
 
-  /// The first of the chosen texels that lies in that slice or after it.
+  /// The first of the chosen texels in that slice or after it.
   vtkIdType FindFirst(int slice) const
   {
     vtkIdType first = 0;
@@ -247,7 +248,7 @@ private:
 
   bool TraceChunk(const cslf::BuiltScene& scene, vtkIdType first, vtkIdType last)
   {
-    // A slice is a half of a texel, whose number makes its random numbers.
+    // A slice is a half of a texel. Its number determines its random numbers.
     std::vector<float> cells(4 * Cells * Halves * (last - first));
     cslf::TexelOutput output;
     output.ColorFloats = cells.data();
@@ -339,14 +340,14 @@ private:
   };
 
   vtkCSLFFieldReference* Self;
-  int First; ///< slice that the field offers
+  int First; ///< slice in the field
   std::uint64_t SliceTexels;
   cslf::TexelChoice Chosen;
   vtkSmartPointer<vtkUnsignedCharArray> Reference;
   vtkSmartPointer<vtkUnsignedCharArray> Field;
   vtkNew<vtkIdTypeArray> Indices;
   cslf::Description Description;
-  std::vector<glm::dvec4> Radiance; ///< of the field's chosen texels, where it is of floats
+  std::vector<glm::dvec4> Radiance; ///< of the field's chosen texels, if it has float colour
   std::vector<ErrorSum> Sums;
 };
 
@@ -390,7 +391,7 @@ int vtkCSLFFieldReference::RequestInformation(
 int vtkCSLFFieldReference::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The field is pulled slab by slab when its turn comes; until then, as little as there is.
+  // The field is pulled slab by slab later. Until then, as little as possible is requested.
   vtkInformation* field = inputVector[1]->GetInformationObject(0);
   int extent[6];
   vtkStreamingDemandDrivenPipeline::GetWholeExtent(field, extent);

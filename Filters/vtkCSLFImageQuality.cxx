@@ -33,7 +33,7 @@ constexpr double WindowDeviation = 1.5;
 constexpr double C1 = 0.01 * Peak * 0.01 * Peak;
 constexpr double C2 = 0.03 * Peak * 0.03 * Peak;
 
-/// The components of a pixel that are colours: 1 or 3, the others being alpha.
+/// The number of colours of a pixel: 1 or 3. The other component is alpha.
 int CountColors(int components)
 {
   return components < 3 ? 1 : 3;
@@ -44,14 +44,14 @@ double Luma(const unsigned char* pixel, int colors)
   return colors == 1 ? pixel[0] : 0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2];
 }
 
-/// Two pictures of one size.
+/// Two pictures of the same size.
 struct Pair
 {
   vtkSmartPointer<vtkUnsignedCharArray> Pixels[2];
   int Components[2] = {};
   int Extent[6] = {};
 
-  /// Says what hinders the comparison; empty where nothing does.
+  /// Says why they cannot be compared. Empty if they can.
   std::string Set(vtkImageData* first, vtkImageData* second)
   {
     vtkImageData* images[2] = { first, second };
@@ -122,7 +122,7 @@ double SquaredDifference(const Pair& pair, vtkIdType pixel)
 /// The local SSIM of every pixel's window.
 void ComputeSSIM(const Pair& pair, vtkImageData* output)
 {
-  // Both lumas, their squares and their product, smoothed, give the moments of each window.
+  // The smoothed lumas, their squares and their product give the moments of each window.
   vtkNew<vtkImageData> moments;
   moments->SetDimensions(pair.GetWidth(), pair.GetHeight(), 1);
   moments->AllocateScalars(VTK_DOUBLE, 5);
@@ -159,7 +159,7 @@ void ComputeSSIM(const Pair& pair, vtkImageData* output)
   }
 }
 
-/// The mean SSIM of the windows inside the picture, or of all where there are none.
+/// The mean SSIM of the windows inside the picture, or of all windows if none is.
 double MeanSSIM(const Pair& pair, vtkImageStencilData* stencil, vtkImageData* map)
 {
   const auto* similarity = static_cast<const double*>(map->GetScalarPointer());

@@ -37,7 +37,7 @@ public:
 
 namespace
 {
-/// Reads a viewpoint's channels into the image, or fills them where one cannot be read.
+/// Reads a viewpoint's channels into the image, or fills them if one cannot be read.
 bool ReadViewpoint(const char* folder, const cslf::Description& description, int slice,
   const std::vector<unsigned char*>& targets, std::size_t texels)
 {
@@ -54,7 +54,7 @@ bool ReadViewpoint(const char* folder, const cslf::Description& description, int
   return isRead;
 }
 
-/// Whether all images of a viewpoint are there and fit the description.
+/// Whether all images of a viewpoint exist and fit the description.
 bool ProbeViewpoint(const char* folder, const cslf::Description& description, int slice)
 {
   return std::all_of(description.Channels.begin(), description.Channels.end(),
@@ -62,8 +62,8 @@ bool ProbeViewpoint(const char* folder, const cslf::Description& description, in
     { return cslf::ProbeCubeMap(folder, description.Grid, channel, slice); });
 }
 
-/// How many viewpoints of the slab have images, to be known before memory is taken for what the
-/// description claims. None of them, unless at least one can be read.
+/// The number of the slab's viewpoints that have images. It is checked before memory is allocated
+/// for what the description claims. 0 if none of them can be read.
 vtkIdType CountImages(
   const char* folder, const cslf::Description& description, const cslf::Slab& slab)
 {
@@ -84,7 +84,7 @@ vtkIdType CountImages(
   return isAnyThere ? count : 0;
 }
 
-/// The viewpoints of a slab for which `isThere(slice)` does not hold; asked in parallel.
+/// The viewpoints of a slab for which `isThere(slice)` is false. Calls it in parallel.
 template <typename IsThere>
 void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* missing)
 {
@@ -107,7 +107,7 @@ void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* mis
   }
 }
 
-/// Reads the slab into the image, which holds just that, and collects what cannot be read.
+/// Reads the slab into the image, which contains only the slab, and collects unreadable viewpoints.
 void ReadSlab(const char* folder, const cslf::Description& description, const cslf::Slab& slab,
   vtkImageData* image, vtkIdTypeArray* missing)
 {
@@ -174,7 +174,7 @@ vtkIdTypeArray* vtkCSLFImageReader::GetMissingViewpoints() const
   return this->Internal->Missing;
 }
 
-// Does what may lack memory. No exception leaves VTK's methods: it becomes one error.
+// Does work that may run out of memory. No exception leaves VTK's methods: it becomes one error.
 bool vtkCSLFImageReader::Guard(const std::function<bool()>& work)
 {
   std::string problem;

@@ -18,7 +18,7 @@
 
 namespace
 {
-/// The bytes of the files in a folder.
+/// The size of the files in a folder, in bytes.
 double CountBytes(const std::string& folder)
 {
   double bytes = 0.0;
@@ -30,8 +30,8 @@ double CountBytes(const std::string& folder)
   return bytes;
 }
 
-/// Whether the disk has room for what is to come, judged by the first viewpoints. Others may take
-/// less, so half of that is enough.
+/// Whether the disk has enough space for the remaining viewpoints, judged by the first ones. Others
+/// may take less, so half of that is enough.
 bool HasRoom(const std::string& folder, int done, int all, std::string& error)
 {
   const double bytes = CountBytes(folder) / done * (all - done);

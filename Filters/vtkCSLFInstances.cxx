@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkCSLFInstances);
 
 namespace
 {
-/// The array of a name and a kind; an empty one is made where there is none.
+/// The array of a name and a kind. Makes an empty one if there is none.
 template <typename Array>
 Array* GetOrMake(vtkDataObject* data, const char* name, int components)
 {

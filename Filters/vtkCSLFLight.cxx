@@ -42,8 +42,8 @@ void Append(vtkDataObject* data, const char* name, const double* tuple, int comp
   data->GetFieldData()->AddArray(array);
 }
 
-/// Appends an attenuation for a light that is about to be added, null for the default. There is no
-/// array as long as all lights have the default.
+/// Appends an attenuation for a light that will be added next; null means the default. There is no
+/// array while all lights have the default.
 void AppendAttenuation(
   vtkDataObject* data, const char* name, const char* positions, const double* attenuation)
 {

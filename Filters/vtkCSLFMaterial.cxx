@@ -34,7 +34,7 @@ namespace
 {
 using namespace cslf::material;
 
-// By vtkCSLFMaterial::TextureSlots.
+// Indexed by vtkCSLFMaterial::TextureSlots.
 constexpr const char* TextureNames[] = { "CSLF:BaseColorTexture", "CSLF:MetallicRoughnessTexture",
   "CSLF:NormalTexture", "CSLF:EmissionTexture" };
 constexpr const char* LayoutNames[] = { "CSLF:BaseColorTextureLayout",
@@ -70,7 +70,7 @@ void RemoveTexture(vtkDataObject* data, int slot)
 
 using PixelsAndLayout = std::pair<vtkSmartPointer<vtkUnsignedCharArray>, vtkDataArray*>;
 
-/// The pixels and layout of a texture; null where there is none that can be used.
+/// The pixels and layout of a texture. Null if there is none that can be used.
 PixelsAndLayout FindTexture(vtkDataObject* data, int slot)
 {
   vtkFieldData* fields = data->GetFieldData();
@@ -90,8 +90,8 @@ PixelsAndLayout FindTexture(vtkDataObject* data, int slot)
   return fits ? PixelsAndLayout(pixels, layout) : PixelsAndLayout();
 }
 
-/// The layout of a texture, to be changed, with its border; null where there is no texture. Pieces
-/// of data may share the array that there is.
+/// The layout of a texture, with its border, for changes. Null if there is no texture. Data sets
+/// may share the existing array.
 vtkSmartPointer<vtkIntArray> CopyLayout(vtkDataObject* data, int slot)
 {
   vtkDataArray* layout = data && IsSlot(slot) ? FindTexture(data, slot).second : nullptr;
@@ -118,7 +118,7 @@ void SetColors(vtkDataObject* data, const glm::dvec3& base, const glm::dvec3& em
   vtkCSLFMaterial::SetEmission(data, emission.x, emission.y, emission.z);
 }
 
-/// What the window shows without textures, in the light that shows colours as they are.
+/// What the window shows without textures, in light that displays colours unchanged.
 void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
 {
   const double* color = property->GetDiffuseColor();
@@ -162,7 +162,7 @@ void SetFromPhysicalProperty(vtkDataObject* data, vtkProperty* property)
     data, emissive ? factor[0] : 0.0, emissive ? factor[1] : 0.0, emissive ? factor[2] : 0.0);
 }
 
-/// The sides that culling leaves. VTK culls back faces where both kinds are to be culled.
+/// The sides that culling leaves. VTK culls back faces if both kinds are to be culled.
 int FindVisibleSides(vtkProperty* property)
 {
   return property->GetBackfaceCulling() ? vtkCSLFMaterial::FrontSide
@@ -465,7 +465,7 @@ bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* 
   SetTextureWrap(data, slot, wrap, wrap);
   if (wrap == ClampToBorder)
   {
-    // OpenGL takes the border of textures that are sRGB-encoded as linear.
+    // OpenGL treats the border of sRGB-encoded textures as linear.
     const float* border = texture->GetBorderColor();
     const glm::dvec3 color(border[0], border[1], border[2]);
     const glm::dvec3 encoded = texture->GetUseSRGBColorSpace() ? cslf::LinearToSRGB(color) : color;

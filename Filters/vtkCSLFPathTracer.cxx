@@ -68,7 +68,7 @@ std::vector<vtkDataObject*> GetInputs(vtkInformationVector* connections)
   return inputs;
 }
 
-/// Writes the times of a data object and all its leaves.
+/// Writes the modification times of a data object and all its leaves.
 void WriteTimes(vtkDataObject* data, std::ostream& key)
 {
   key << data->GetMTime() << ' ';
@@ -229,7 +229,8 @@ int vtkCSLFPathTracer::RequestUpdateExtent(
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    // The output's extent would go on to what the inputs are made of, such as image data.
+    // Otherwise the output's extent would be requested from the inputs' sources, such as image
+    // data.
     info->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   }
   return 1;
@@ -272,8 +273,8 @@ const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** in
 
 void vtkCSLFPathTracer::WritePipelineTimes(std::ostream& key)
 {
-  // All ranks must find a change together. Data may change on some ranks alone, as where the source
-  // cannot make pieces and the other ranks have no data; the pipeline changes on all.
+  // All ranks must detect a change together. Data may change on some ranks only, for example if the
+  // source cannot make pieces and the other ranks have no data. The pipeline changes on all ranks.
   for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
   {
     auto* executive = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputExecutive(0, i));
@@ -331,7 +332,7 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     vtkInternals::MakeEnvironment(this, options.Surroundings, error);
   }
   std::vector<vtkSmartPointer<vtkDataObject>> parts(inputs.begin(), inputs.end());
-  // Where one rank cannot take part, the others learn it here.
+  // If one rank cannot take part, the others learn it here.
   if (this->MustGather())
   {
     this->GatherScene(parts, options.Ranks, error);
@@ -498,9 +499,9 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     this->CacheRMSDifferenceError = 0.0;
     this->UsedCacheSpacing = 0.0;
   }
-  // The share of the cache in the progress is a guess.
+  // The share of the cache in the progress is an estimate.
   const double share = this->Integrator == RadianceCaching ? 0.5 : 0.0;
-  // A viewer may change the exposure of floats; bytes are clipped at white.
+  // A viewer may change the exposure of float colours; bytes are clipped at white.
   const double displayRange =
     output.ColorFloats ? cslf::DisplayCurve::FloatRange : cslf::DisplayCurve::ByteRange;
   cslf::RenderSettings settings = this->GetRenderSettings();
@@ -519,7 +520,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     settings.Cache = this->Internals->Cache.get();
     if (!this->Internals->IsProbe)
     {
-      // It may have been made without.
+      // The cache may have been made without it.
       if (this->CheckCache && !settings.Cache->GetCheck().IsMade())
       {
         this->MeasureCache(whole, nullptr);

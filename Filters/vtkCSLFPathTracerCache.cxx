@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The radiance cache of vtkCSLFPathTracer: when it is made, and how far it can be trusted.
+// The radiance cache of vtkCSLFPathTracer: when it is made, and how accurate it is.
 #include "vtkCSLFPathTracer.h"
 
 #include "Files/cslfLibraries.h"
@@ -37,7 +37,7 @@ void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
 {
   if (keeper && this->Internals->Keeper != keeper)
   {
-    // The keeper waits for every rank to execute.
+    // The keeper waits until every rank executes.
     this->Modified();
   }
   this->Internals->Keeper = keeper;
@@ -45,7 +45,7 @@ void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
 
 std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 {
-  // What the texels depend on beyond the cache is left out.
+  // Excludes parameters of the texels that do not affect the cache.
   nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
   for (const char* name : { "samples", "noise_target", "show_environment" })
   {
@@ -85,7 +85,7 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
   {
     return true;
   }
-  // A probe is good for any spacing: coarse as it is, it does not depend on it much.
+  // A probe is valid for any spacing: it is so coarse that the spacing matters little.
   if (!this->Internals->IsProbe)
   {
     const auto start = std::chrono::steady_clock::now();
@@ -152,7 +152,7 @@ bool vtkCSLFPathTracer::UpdateCache(
 
 void vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks)
 {
-  // Of few texels, few are enough: the check shall not take longer than all else.
+  // If there are few texels, a few are enough: the check must not take longer than everything else.
   constexpr std::int64_t most = 1024;
   constexpr std::int64_t least = 16;
   const std::int64_t samples = std::int64_t(this->Samples) * picture.TileWidth *

@@ -32,8 +32,8 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// What the input's slices pulled at once may take, in bytes, at 20 bytes a texel: float colour and
-/// depth.
+/// The largest size of input slices pulled at once, in bytes, at 20 bytes per texel for float
+/// colour and depth.
 constexpr double PullBytes = 64.0 * 1024 * 1024;
 constexpr double TexelBytesEstimate = 20.0;
 
@@ -58,7 +58,7 @@ void Allocate(const cslf::Description& field, vtkImageData* image)
 }
 }
 
-/// Fills the part of the output that is asked for.
+/// Fills the requested part of the output.
 class vtkCSLFResample::Pass
 {
 public:
@@ -72,7 +72,7 @@ public:
     inInfo->Get(Pipeline::WHOLE_EXTENT(), this->Whole);
   }
 
-  /// False on failure, which is reported. An abort leaves the output empty.
+  /// False on failure, which it reports. An abort leaves the output empty.
   bool Run(const cslf::Slab& slices)
   {
     for (int first = slices.First; first <= slices.Last;)
@@ -139,7 +139,7 @@ private:
     return cslf::ToAOS(image, first, last);
   }
 
-  /// Checks what was pulled. The first time, makes the output.
+  /// Checks the pulled slices. Makes the output the first time.
   bool Begin(vtkImageData* input, const cslf::Slab& slices)
   {
     std::string error;
@@ -197,13 +197,13 @@ int vtkCSLFResample::RequestInformation(
 int vtkCSLFResample::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // VTK asks for data even of filters that could not tell what they make.
+  // VTK requests data even from filters that could not describe their output.
   const auto nesting = this->MakeNesting(inputVector);
   if (!nesting)
   {
     return 0;
   }
-  // What is pulled first.
+  // The slices pulled first.
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   int extent[6];
   inInfo->Get(Pipeline::WHOLE_EXTENT(), extent);

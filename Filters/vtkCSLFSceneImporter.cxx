@@ -36,7 +36,7 @@ vtkStandardNewMacro(vtkCSLFSceneImporter);
 
 namespace
 {
-/// The prop that a path ends in, and where; null where the path is not visible.
+/// The prop at the end of a path, and its transform. Null if the path is not visible.
 vtkProp* GetVisibleEnd(vtkAssemblyPath* path)
 {
   vtkCollectionSimpleIterator cookie;
@@ -51,8 +51,8 @@ vtkProp* GetVisibleEnd(vtkAssemblyPath* path)
   return path->GetLastNode()->GetViewProp();
 }
 
-/// What is to be imported of a prop that has levels of detail: the actor that is selected, or else
-/// the one of most cells. The prop itself where that is no actor, or it has no levels.
+/// The actor to import for a prop with levels of detail: the selected one, or else the one with the
+/// most cells. The prop itself if that is not an actor or there are no levels.
 vtkProp* SelectLevel(vtkProp* prop)
 {
   auto* levels = vtkLODProp3D::SafeDownCast(prop);
@@ -103,8 +103,8 @@ void ForEachPart(vtkProp* prop, const std::function<void(vtkProp*, vtkMatrix4x4*
   }
 }
 
-/// Notes a prop that is not imported, unless it shows nothing: an actor by its mapper, if it has
-/// one.
+/// Records a prop that is not imported, unless it shows nothing. An actor is named by its mapper,
+/// if it has one.
 void Omit(vtkProp* prop, cslf::ImportedScene& scene)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -121,7 +121,7 @@ void Omit(vtkProp* prop, cslf::ImportedScene& scene)
   }
   else if (!vtkSmartPointer<vtkActor>::New()->IsA(actor->GetClassName()))
   {
-    // Actors that draw by themselves are of classes of their own.
+    // Actors with their own drawing code belong to separate classes.
     scene.Meet(cslf::ImportLimit::OtherProps, actor->GetClassName());
   }
 }
@@ -167,7 +167,7 @@ double GetTypicalScale(vtkPolyData* data)
   return *middle;
 }
 
-/// Takes widths in pixels for widths in the world.
+/// Converts widths in pixels to widths in the world.
 void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
 {
   vtkBoundingBox box;

@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkCSLFViewTracer);
 
 namespace
 {
-/// Takes normalised device coordinates back to the world.
+/// Transforms normalised device coordinates to the world.
 class ViewToWorld
 {
 public:

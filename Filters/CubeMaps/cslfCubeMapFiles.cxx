@@ -28,7 +28,7 @@ namespace cslf
 {
 namespace
 {
-// The key that the folder's description has besides those of the field's.
+// The key that the folder's description has besides the field's keys.
 constexpr const char* SlicesKey = "slices";
 
 // PNG has checksums, but EXR does not: this attribute of an image is the CRC-32 of its pixels.
@@ -68,8 +68,9 @@ OIIO::ImageSpec MakeSpec(const Layout& grid, const Channel& channel)
 {
   OIIO::ImageSpec spec(
     FaceCount * grid.GetResolution(), grid.GetResolution(), channel.Components, PixelType(channel));
-  // OpenImageIO holds alpha associated and would divide by it on the way into a PNG, which loses
-  // bits. The pixels are said to be what PNG wants already, so they pass unchanged.
+  // OpenImageIO uses associated alpha and would divide by it when it writes a PNG, which loses
+  // precision. The pixels are declared to be in PNG's form already, so that they are written
+  // unchanged.
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", channel.Encoding == SRGBEncoding ? "sRGB" : "Linear");
   if (channel.Type == VTK_FLOAT)
@@ -92,8 +93,8 @@ std::vector<unsigned char> ReadBytes(const std::string& fileName)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
-/// Whether a PNG file is of that size and reaches its end chunk with every checksum right. libpng
-/// would find out too, but prints what it finds.
+/// Whether a PNG file has that size, an end chunk and correct checksums. libpng checks this too,
+/// but prints errors.
 bool IsWholePNG(const std::vector<unsigned char>& content, int width, int height)
 {
   // The first chunk is the header, which begins with the size.
@@ -106,7 +107,7 @@ bool IsWholePNG(const std::vector<unsigned char>& content, int width, int height
   {
     return false;
   }
-  // A chunk is its data's length, a name of 4 letters, the data, and the checksum of both.
+  // A chunk has the length of its data, a name of 4 letters, the data, and the checksum of both.
   for (std::size_t chunk = 8; chunk + 12 <= content.size();)
   {
     const std::size_t length = ReadBigEndian(bytes + chunk);
@@ -142,7 +143,7 @@ std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
   auto input = OIIO::ImageInput::create(isEXR ? "openexr" : "png");
   if (!input || !input->open(fileName, spec, config))
   {
-    // Or they would be printed at exit.
+    // Otherwise they would be printed at exit.
     OIIO::geterror();
     if (input)
     {
@@ -171,7 +172,7 @@ void ForEachRow(const Layout& grid, int entryFace, int texelBytes, Copy copy)
   }
 }
 
-/// Makes the file in memory first: OpenImageIO does not notice all failures of the disk.
+/// Makes the file in memory first, because OpenImageIO does not notice all disk errors.
 bool WritePixels(
   const std::string& fileName, const OIIO::ImageSpec& spec, const void* pixels, std::string& error)
 {
@@ -253,7 +254,7 @@ std::vector<std::string> ListCubeMapFiles(const std::string& folder)
       }
     }
   }
-  // Last, as the others are known by it.
+  // Written last, because it marks a complete folder.
   files.emplace_back(CubeMapDescriptionName);
   return files;
 }
@@ -326,7 +327,7 @@ bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& c
     std::size_t(FaceCount) * grid.GetResolution() * grid.GetResolution() * texelBytes);
   if (!input->read_image(0, 0, 0, -1, PixelType(channel), pixels.data()))
   {
-    input->geterror(); // or it would be printed on destruction
+    input->geterror(); // otherwise printed on destruction
     return false;
   }
   const std::string expected = input->spec().get_string_attribute(ChecksumAttribute);
@@ -361,7 +362,7 @@ void FillEmpty(const Channel& channel, unsigned char* texels, std::size_t count)
   }
   else
   {
-    // All bits set is depth 1 for whole numbers.
+    // In integers, all bits set is depth 1.
     std::memset(texels, isDepth ? 0xff : 0, count * TexelBytes(channel));
   }
 }

@@ -12,7 +12,7 @@ namespace cslf
 {
 namespace
 {
-/// Bytes in the order of a file. Any that are taken beyond its end are zeros, and it has failed.
+/// Reads the bytes of a file in order. Bytes beyond its end are zeros, and set the failure flag.
 class ByteReader
 {
 public:
@@ -36,7 +36,7 @@ public:
     return value;
   }
 
-  /// Up to a zero, which is taken, too.
+  /// Up to and including a zero.
   std::string TakeText()
   {
     const unsigned char* zero = std::find(this->Place, this->End, 0);
@@ -62,7 +62,7 @@ private:
   bool Failed = false;
 };
 
-/// Whether a window's value, which is [xMin, yMin, xMax, yMax], is of that size.
+/// Whether the value of a window, [xMin, yMin, xMax, yMax], has that size.
 bool IsOfSize(ByteReader window, int width, int height)
 {
   std::int64_t corners[4];
@@ -73,11 +73,11 @@ bool IsOfSize(ByteReader window, int width, int height)
   return corners[2] - corners[0] + 1 == width && corners[3] - corners[1] + 1 == height;
 }
 
-/// Whether a list of channels ends where its bytes do. OpenEXR reads on to the empty name that ends
-/// it, and takes what follows that for the next attribute.
+/// Whether a list of channels ends where its bytes do. OpenEXR reads up to the empty name that ends
+/// the list, and takes what follows for the next attribute.
 bool IsWholeChannelList(ByteReader list)
 {
-  // A channel is its name, its type, four bytes, and its two sampling rates.
+  // A channel has its name, its type, four bytes, and its two sampling rates.
   constexpr std::size_t channelSize = 16;
   while (!list.HasFailed() && !list.TakeText().empty())
   {
@@ -86,8 +86,8 @@ bool IsWholeChannelList(ByteReader list)
   return !list.HasFailed() && list.IsAtEnd();
 }
 
-/// Whether OpenEXR reads as many bytes of an attribute's value as the file says that there are. It
-/// knows how many those of most types have, and does not ask the file.
+/// Whether OpenEXR reads as many bytes of an attribute's value as the file states. For most types,
+/// it uses a fixed size and ignores that of the file.
 bool IsWholeValue(const std::string& type, const ByteReader& value, std::size_t size)
 {
   static const std::map<std::string, std::size_t> sizes = { { "box2f", 16 }, { "box2i", 16 },
@@ -114,8 +114,8 @@ bool IsSoundEXR(const std::vector<unsigned char>& content, int width, int height
     return false;
   }
   bool isOfSize = false;
-  // An attribute is its name, its type, the bytes of its value, and the value. An empty name ends
-  // them.
+  // An attribute has its name, its type, the size of its value, and the value. An empty name ends
+  // the list.
   for (std::string name = header.TakeText(); !name.empty(); name = header.TakeText())
   {
     const std::string type = header.TakeText();

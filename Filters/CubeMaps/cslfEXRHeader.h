@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What an EXR file says of itself, checked before OpenEXR sees it.
+ * Checks the header of an EXR file before OpenEXR reads it.
  */
 #ifndef cslfEXRHeader_h
 #define cslfEXRHeader_h
@@ -11,8 +11,8 @@
 
 namespace cslf
 {
-/// Whether an EXR file holds one image of that size, in rows, and its header is one that OpenEXR
-/// reads as it was written: OpenEXR allocates memory for whatever a header claims.
+/// Whether an EXR file contains one image of that size, in rows, and OpenEXR will interpret its
+/// header correctly. OpenEXR allocates memory for whatever a header claims.
 bool IsSoundEXR(const std::vector<unsigned char>& content, int width, int height);
 }
 

@@ -12,7 +12,7 @@ namespace cslf
 {
 namespace
 {
-/// What the file holds, so that it is known again.
+/// The contents that mark the file.
 constexpr const char MarkText[] = "CSLF: a light field is being written here.\n";
 
 constexpr const char* HolderSuffix = ".held";
@@ -69,7 +69,8 @@ FileLock::Outcome FileLock::ReadMark()
   std::size_t count = 0;
   const bool isRead = this->File.Read(text, sizeof(text), count);
   this->Marked = count == std::strlen(MarkText) && std::strcmp(text, MarkText) == 0;
-  // A process that was killed, or found the disk full, may have left the beginning of the mark.
+  // A process that was killed, or that found the disk full, may have written only the start of the
+  // mark.
   const bool isBegun = isRead && std::strncmp(text, MarkText, count) == 0;
   return this->Marked || isBegun ? Outcome::Locked : Outcome::Foreign;
 }

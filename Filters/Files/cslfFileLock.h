@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A file that one process at a time may hold, and by which its folder is known for ours.
+ * A lock file for one process at a time, which also marks its folder as ours.
  *
- * The operating system lets go of it when the process ends, however it ends. Where the file system
- * has no such locks, a second file tells who holds the first one; a killed process leaves it.
+ * The operating system releases the lock when the process ends, also if it is killed. If the file
+ * system has no locks, a second file names the holder; a killed process leaves it behind.
  */
 #ifndef cslfFileLock_h
 #define cslfFileLock_h
@@ -22,29 +22,29 @@ public:
   enum class Outcome
   {
     Locked,
-    Busy,    ///< another holder has it
-    Foreign, ///< a file of that name is none of ours
-    Removed  ///< the file or its folder went away meanwhile: worth another try
+    Busy,    ///< another process holds it
+    Foreign, ///< a file of that name exists and is not ours
+    Removed  ///< the file or its folder was removed meanwhile: try again
   };
 
   FileLock() = default;
 
-  /// Lets go.
+  /// Releases the lock.
   ~FileLock();
 
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// Makes the file where it is missing, and locks it. On other trouble says why, in one line.
+  /// Creates the file if it is missing, and locks it. On other errors gives the reason in one line.
   Outcome Acquire(const std::string& fileName, std::string& error);
 
-  /// After Acquire: whether the file has the mark of ours, from an earlier run.
+  /// After Acquire: whether the file has our mark from an earlier run.
   bool IsMarked() const { return this->Marked; }
 
   /// Marks it.
   bool Mark(std::string& error);
 
-  /// Removes a file that is marked, or that Acquire has made, while it is held.
+  /// Removes a file that is marked or was created by Acquire, while it is locked.
   void Remove();
 
 private:
@@ -55,7 +55,7 @@ private:
 
   LockedFile File;
   std::string FileName;
-  std::string Holder; ///< the second file, where this process has made it
+  std::string Holder; ///< the second file, if this process has made it
   bool Marked = false;
 };
 }

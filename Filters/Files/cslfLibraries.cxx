@@ -35,8 +35,8 @@ bool Contains(const dl_phdr_info& library, const void* address)
   return std::any_of(library.dlpi_phdr, library.dlpi_phdr + library.dlpi_phnum, holds);
 }
 
-/// The build ID in a segment of notes: each is three numbers, a name and its data, which are filled
-/// up to whole words.
+/// The build ID in a segment of notes: each has three numbers, a name and its data, padded to whole
+/// words.
 std::string ReadBuildID(const char* notes, std::size_t size)
 {
   const auto pad = [](std::size_t count) { return (count + 3) / 4 * 4; };
@@ -86,7 +86,7 @@ std::string FindBuildID(const dl_phdr_info& library)
 int Visit(dl_phdr_info* library, std::size_t, void* data)
 {
   auto* search = static_cast<Search*>(data);
-  // The program itself has no name.
+  // The program itself has an empty name.
   std::error_code ignored;
   const std::filesystem::path path(library->dlpi_name);
   const std::string file = std::filesystem::canonical(path, ignored).filename().string();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which builds of the libraries are at work.
+ * The builds of the libraries in use.
  */
 #ifndef cslfLibraries_h
 #define cslfLibraries_h
@@ -13,10 +13,10 @@
 
 namespace cslf
 {
-/// The file names of this library and of the loaded ones whose names begin so, each with its build
-/// ID, by which linkers tell builds apart: versions do not change where a distribution mends a
-/// library or a developer builds anew. Empty where files are not ELF; the callers add the versions
-/// that libraries tell of themselves.
+/// The file names of this library and of loaded libraries whose names begin with the given texts,
+/// each with the linker's build ID. Versions alone do not change when a distribution patches a
+/// library or a developer rebuilds it. Empty if files are not ELF; callers add the versions that
+/// libraries report.
 std::map<std::string, std::string> FindLibraries(const std::vector<std::string>& names);
 }
 

@@ -4,7 +4,7 @@
  * @file
  * An open file that the operating system locks: each system has its own implementation.
  *
- * The lock ends with the process, however the process ends.
+ * The lock ends with the process, also if it is killed.
  */
 #ifndef cslfLockedFile_h
 #define cslfLockedFile_h
@@ -23,8 +23,8 @@ public:
     Locked,
     Unsupported, ///< the file is open, but its file system has no locks
     Busy,        ///< another process has locked it
-    Removed,     ///< the file or its folder went away meanwhile: try again
-    Failed       ///< the error says why
+    Removed,     ///< the file or its folder was removed meanwhile: try again
+    Failed       ///< the error gives the reason
   };
 
   LockedFile() = default;
@@ -35,7 +35,7 @@ public:
   LockedFile(const LockedFile&) = delete;
   LockedFile& operator=(const LockedFile&) = delete;
 
-  /// Opens the file, or creates it where it is missing, and locks it. It never follows a link.
+  /// Opens the file, or creates it if it is missing, and locks it. It never follows a link.
   Outcome Open(const std::string& fileName, std::string& error);
 
   bool IsOpen() const { return this->Handle != Closed; }
@@ -52,7 +52,7 @@ public:
   /// Writes the bytes at the file's beginning.
   bool Write(const char* bytes, std::size_t count, std::string& error);
 
-  /// Removes the file. Where the system can only do that by closing it, it closes it.
+  /// Removes the file. Closes it if the system requires that.
   void Remove();
 
   void Close();

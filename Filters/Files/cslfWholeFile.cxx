@@ -16,10 +16,10 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// A folder on its way, in the scratch folder.
+/// A folder that is being written, in the scratch folder.
 constexpr const char* NewName = "new";
 
-/// A disk with less than this is as good as full.
+/// A disk with less free space counts as full.
 constexpr double FewBytes = 1e6;
 
 bool IsNothing(const std::string&)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A file or folder that appears whole under its name, by renaming, or not at all.
+ * A file or folder that appears complete under its name, by renaming, or not at all.
  */
 #ifndef cslfWholeFile_h
 #define cslfWholeFile_h
@@ -14,22 +14,22 @@
 
 namespace cslf
 {
-/// Open, then write what GetTemporaryName names, then Publish. Where Open or Publish returns false,
-/// `error` says why in one line. What was written but not published goes away.
+/// Call Open, write to GetTemporaryName, and call Publish. If Open or Publish returns false,
+/// `error` gives the reason in one line. What was not published is removed.
 class VTKCSLF_EXPORT WholeFile
 {
 public:
   explicit WholeFile(const std::string& name);
   ~WholeFile();
 
-  /// Keeps other writers of this name out until this object ends.
+  /// Locks this name against other writers until this object is destroyed.
   bool Open(std::string& error);
 
   /// The file to write, with the same extension.
   const std::string& GetTemporaryName() const { return this->Temporary; }
 
-  /// Brings the file to the disk and puts it in the place of an earlier one. A warning tells what
-  /// could not be cleared away.
+  /// Flushes the file to the disk and replaces an earlier one. A warning says what could not be
+  /// removed.
   bool Publish(std::string& warning, std::string& error);
 
 private:
@@ -37,15 +37,15 @@ private:
   std::string Temporary;
 };
 
-/// The same for a folder, which Open makes. An earlier folder is replaced only if it holds nothing
-/// else than `list` tells.
+/// The same for a folder, which Open makes. An earlier folder is replaced only if it contains
+/// nothing but the files that `list` returns.
 class VTKCSLF_EXPORT WholeFolder
 {
 public:
   WholeFolder(const std::string& name, WorkFolder::Lister list);
   ~WholeFolder();
 
-  /// `kind` is what the folder may hold, for messages.
+  /// `kind` describes the folder's contents in messages.
   bool Open(const std::string& kind, std::string& error);
   const std::string& GetTemporaryName() const { return this->Temporary; }
   bool Publish(std::string& warning, std::string& error);
@@ -59,12 +59,12 @@ private:
   std::string Temporary;
 };
 
-/// Whether the disk has room for the bytes that a file or folder still takes, about. They may be
-/// guessed: then so many as `least` are enough. Otherwise `error` says how many are missing.
+/// Whether the disk has enough space for the bytes that a file or folder still needs. If this is an
+/// estimate, `least` bytes are enough. If not, `error` says how many are missing.
 VTKCSLF_EXPORT bool HasRoom(
   const std::string& fileName, double bytes, double least, std::string& error);
 
-/// What to add to a message on a file that was not written: how little the disk has left, if that
+/// An addition to the message on a file that could not be written: the free space, if a full disk
 /// is the likely reason.
 VTKCSLF_EXPORT std::string DescribeShortage(const std::string& fileName);
 }

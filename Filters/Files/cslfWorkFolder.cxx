@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 constexpr const char* LockName = "cslf.lock";
 constexpr const char* ScratchPrefix = "unfinished-";
 
-/// An earlier folder on its way out, where it could not change places with the new one at once.
+/// An earlier folder to be removed, if it could not be exchanged with the new one in one step.
 constexpr const char* ReplacedName = "replaced";
 
-/// How often the folder may vanish under a new run, each time removed by one that ends.
+/// How often a new run tries again when an ending run removes the folder.
 constexpr int LockAttempts = 100;
 
 bool Exists(const std::string& name)
@@ -218,8 +218,7 @@ void WorkFolder::ClearDead() const
     {
       continue;
     }
-    // The run was killed between the two steps in which its folder took the place of an earlier
-    // one.
+    // The run was killed between the two steps that replace an earlier folder.
     const std::string replaced = scratch + "/" + ReplacedName;
     std::string ignored;
     if (this->List && IsRealFolder(replaced) && !Exists(this->Target))
@@ -281,8 +280,8 @@ void WorkFolder::Close(std::string& warning)
 
 void WorkFolder::RemoveAll()
 {
-  // The lock goes last: as long as its file is there, nobody else touches the folder. A folder in
-  // which nothing lies is taken for that of a run that was killed before it marked the folder.
+  // The lock is removed last: while its file exists, nobody else touches the folder. An empty
+  // folder counts as that of a run that was killed before it marked the folder.
   this->Holder.Remove();
   RemoveEmptyFolder(this->Folder);
   this->IsLocked = false;

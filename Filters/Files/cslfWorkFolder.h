@@ -4,10 +4,10 @@
  * @file
  * The folder `OUT.partial` in which the file or folder `OUT` is made.
  *
- * A lock in it keeps other writers of OUT out, and marks it as ours. What is being written lies in
- * a folder of its own in there, whose name nobody else has, and is renamed when it is whole. So
- * what a killed run leaves is known again and the next run clears it away. Nothing else is ever
- * removed: where other files lie in OUT.partial, they stay, and so does the folder.
+ * A lock file in it excludes other writers of OUT, and marks the folder as ours. Files are written
+ * in a subfolder with a unique name, and renamed when they are complete. So the next run recognises
+ * and removes what a killed run leaves. Nothing else is ever removed: other files in OUT.partial
+ * stay, and then the folder stays, too.
  */
 #ifndef cslfWorkFolder_h
 #define cslfWorkFolder_h
@@ -22,8 +22,7 @@
 
 namespace cslf
 {
-/// Where something is written, and where it is kept when it is whole. Empty names stand for
-/// nowhere.
+/// Where something is written, and where it is kept when it is complete. Empty names mean nowhere.
 struct KeptFile
 {
   std::string Unfinished;
@@ -33,24 +32,24 @@ struct KeptFile
 class WorkFolder
 {
 public:
-  /// Whether a file of that name is one that is made in here.
+  /// Whether a file name is one of those that are made in this folder.
   using Judge = std::function<bool(const std::string& name)>;
 
-  /// The names of those files of a folder that are ours, in the order to remove them in.
+  /// The names of those files of a folder that are ours, in the order of removal.
   using Lister = std::function<std::vector<std::string>(const std::string& folder)>;
 
-  /// `isOurs` judges the files that are kept in here for a later run, and those being written.
-  /// Where OUT is a folder, `list` tells what such a folder holds.
+  /// `isOurs` recognises the files that are kept for a later run, and those being written. If OUT
+  /// is a folder, `list` returns the files of such a folder.
   WorkFolder(const std::string& target, Judge isOurs, Lister list = nullptr);
 
-  /// Clears away what was being written. If nothing is kept for a later run, removes the folder.
+  /// Removes what was being written, and the folder if nothing is kept for a later run.
   ~WorkFolder();
 
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
 
-  /// Makes the folder or takes over what a killed run has left, and keeps others out. On failure
-  /// returns false and says why, in one line.
+  /// Makes the folder or takes over that of a killed run, and locks it. On failure returns false
+  /// and gives the reason in one line.
   bool Reserve(std::string& error);
 
   bool IsReserved() const { return !this->Scratch.empty(); }
@@ -62,16 +61,16 @@ public:
   const std::string& GetTarget() const { return this->Target; }
 
   ///@{
-  /// The folder, and something kept in it.
+  /// The folder, and the path of a kept file.
   const std::string& GetName() const { return this->Folder; }
   std::string GetName(const std::string& name) const { return this->Folder + "/" + name; }
   ///@}
 
-  /// Something that is being written.
+  /// The path of a file being written.
   std::string GetScratchName(const std::string& name) const { return this->Scratch + "/" + name; }
 
-  /// Writes a file and keeps it. It is not waited for until it is on the disk, so whoever reads it
-  /// has to check that it is whole.
+  /// Writes a file and keeps it. It is not flushed to the disk, so readers must check that it is
+  /// complete.
   bool Write(
     const std::string& name, const void* bytes, std::size_t count, std::string& error) const;
 
@@ -81,11 +80,12 @@ public:
   /// Removes a file that is kept.
   void Remove(const std::string& name) const;
 
-  /// Gives the finished folder that lies under the scratch name to OUT, in the place of an earlier
-  /// one, of which `list` tells what may be removed.
+  /// Moves the finished folder from the scratch name to OUT. Replaces an earlier folder, whose
+  /// files are removed if `list` returns them.
   bool PublishFolder(const std::string& name, std::string& error) const;
 
-  /// To be called in the end: clears away all that is ours, and tells what keeps the folder there.
+  /// To be called at the end: removes everything that is ours. The warning says why the folder
+  /// stays, if it does.
   void Close(std::string& warning);
 
 private:
@@ -106,7 +106,7 @@ private:
   bool Known = false; ///< an earlier run has marked it
 };
 
-/// What OUT is meant by a name: what a link leads to, without a separator at the end.
+/// The file or folder that a name means: the target of a link, without a separator at the end.
 VTKCSLF_EXPORT std::string ResolveTarget(const std::string& name);
 }
 

@@ -11,7 +11,7 @@ namespace cslf
 {
 namespace
 {
-// Component types are numbers of OpenGL's: glTF 2.0, section 3.6.2.2.
+// Component types are OpenGL's numbers: glTF 2.0, section 3.6.2.2.
 enum ComponentType
 {
   Byte = 5120,
@@ -54,7 +54,7 @@ int GetComponents(const GLTFValue& type)
   type.Fail("is not SCALAR, VEC2, VEC3 or VEC4");
 }
 
-/// The number that little-endian bytes hold.
+/// The number in little-endian bytes.
 double ReadComponent(const unsigned char* bytes, std::size_t type)
 {
   const auto at = [bytes](int i) { return static_cast<std::uint32_t>(bytes[i]); };
@@ -81,7 +81,7 @@ double ReadComponent(const unsigned char* bytes, std::size_t type)
   return number;
 }
 
-/// What 1 is stored as: glTF 2.0, section 3.6.2.2.
+/// The integer that stands for 1: glTF 2.0, section 3.6.2.2.
 double GetUnit(std::size_t type)
 {
   switch (type)
@@ -118,7 +118,7 @@ std::vector<double> ReadView(GLTFDocument& document, const GLTFValue& owner,
   {
     owner.Fail("has elements that are larger than its byteStride");
   }
-  // Written so that nothing can overflow.
+  // Written so that it cannot overflow.
   if (count > 0 &&
     (offset > view.Size || tuple > view.Size - offset ||
       count - 1 > (view.Size - offset - tuple) / stride))

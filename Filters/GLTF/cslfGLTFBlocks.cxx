@@ -108,8 +108,8 @@ private:
       });
   }
 
-  /// The nodes of the default scene, of the first one if none is named, or all that are no
-  /// children if there are no scenes.
+  /// The nodes of the default scene, or of the first one if none is named. If there are no scenes,
+  /// all nodes that are not children.
   std::vector<std::size_t> FindRoots()
   {
     const GLTFValue scenes = this->Document.GetRoot()["scenes"];

@@ -29,12 +29,12 @@ constexpr std::uint32_t BytesChunk = 0x004e4942u;
 constexpr std::size_t BinaryHeader = 12;
 constexpr std::size_t ChunkHeader = 8;
 
-/// Extensions that hold meshes in a form that is not read.
+/// Extensions with meshes in forms that are not supported.
 const std::set<std::string> Unreadable = { "KHR_draco_mesh_compression", "EXT_meshopt_compression",
   "KHR_meshopt_compression" };
 
-// What a file may make of no bytes, and of bytes that it uses more than once. Without that, each
-// element takes a byte at least, as part of an accessor and as part of a block.
+// The number of elements that a file may make without bytes or with bytes that it uses more than
+// once. All other elements take at least one byte, in an accessor and in a block.
 constexpr std::size_t MostZeros = std::size_t(1) << 24;
 constexpr std::size_t MostElements = std::size_t(1) << 26;
 constexpr std::size_t MostElementsPerByte = 4;
@@ -51,7 +51,7 @@ std::uint32_t ReadNumber(const std::string& bytes, std::size_t offset)
 
 std::string ReadFile(const fs::path& path, const std::string& name)
 {
-  // Of a device there might be no end.
+  // A device might be endless.
   std::error_code failure;
   if (!fs::is_regular_file(path, failure))
   {

@@ -23,7 +23,7 @@ struct GLTFBytes
 {
   const unsigned char* Data = nullptr;
   std::size_t Size = 0;
-  std::size_t Stride = 0; ///< between elements; 0 where they follow each other
+  std::size_t Stride = 0; ///< between elements; 0 if they are contiguous
 };
 
 class GLTFDocument
@@ -41,9 +41,8 @@ public:
   /// Bytes of a buffer view, which all lie within its buffer.
   GLTFBytes GetBufferView(std::size_t index);
 
-  /// Counts elements that the file makes. A few bytes may ask for many, by accessors and meshes
-  /// that are used again and again: throws a GLTFError beyond a limit that grows with the bytes
-  /// that were read.
+  /// Counts the elements that the file makes. A few bytes can make many, if accessors and meshes
+  /// are used repeatedly. Throws a GLTFError beyond a limit that grows with the bytes read.
   void CountElements(std::size_t elements);
 
   /// Counts elements of accessors without bytes. Throws a GLTFError if the file has too many.
@@ -64,7 +63,7 @@ private:
   nlohmann::json Root;
   std::string BinaryChunk;
   bool HasBinaryChunk = false;
-  std::map<std::size_t, std::string> Buffers; // that have been read
+  std::map<std::size_t, std::string> Buffers; // that were read
   std::size_t BytesRead = 0;
   std::size_t Elements = 0;
   std::size_t Zeros = 0;

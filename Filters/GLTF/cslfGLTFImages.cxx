@@ -21,13 +21,13 @@ namespace cslf
 {
 namespace
 {
-// A small file may hold a large image of one colour. This one takes a gibibyte.
+// A small file may contain a large image of one colour. An image of this size takes 1 GiB.
 constexpr std::uint64_t MostPixels = std::uint64_t(1) << 28;
 
 constexpr const char* PNGName = "image.png";
 
-/// A file name by which OpenImageIO knows the format of an image; empty for formats that glTF
-/// does not have.
+/// A file name from which OpenImageIO recognises the format of an image. Empty for formats that
+/// glTF does not have.
 const char* FindFormat(const GLTFBytes& bytes)
 {
   const auto startsWith = [&bytes](std::size_t offset, const char* mark)
@@ -58,7 +58,7 @@ std::uint32_t ReadBigEndian(const unsigned char* bytes)
 }
 
 /// The chunks of a PNG file that define pixels. glTF ignores its colour space (section 3.8.2).
-/// Damage is detected here, since the PNG library would print messages.
+/// Damage is detected here, because the PNG library would print messages.
 std::string KeepPixels(const GLTFValue& owner, const GLTFBytes& bytes)
 {
   static const std::set<std::string> kept = { "IHDR", "PLTE", "tRNS", "IDAT", "IEND" };
@@ -88,7 +88,7 @@ std::string KeepPixels(const GLTFValue& owner, const GLTFBytes& bytes)
   return result;
 }
 
-/// An image whose first row is the lowest, as VTK has it.
+/// An image whose first row is the lowest, as in VTK.
 vtkSmartPointer<vtkImageData> MakeImage(
   int width, int height, int components, const std::vector<unsigned char>& pixels)
 {

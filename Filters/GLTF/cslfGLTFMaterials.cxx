@@ -13,7 +13,7 @@ namespace cslf
 {
 namespace
 {
-// Numbers of OpenGL's: glTF 2.0, section 5.26.
+// OpenGL's numbers: glTF 2.0, section 5.26.
 constexpr std::size_t Nearest = 9728;
 constexpr std::size_t ClampToEdge = 33071;
 constexpr std::size_t MirroredRepeat = 33648;
@@ -44,7 +44,7 @@ const GLTFMaterial& GLTFMaterials::Get(std::size_t index)
   const GLTFValue source = this->Document.GetElement("materials", index);
   GLTFMaterial& material = this->Known[index];
   material.Arrays = vtkSmartPointer<vtkPolyData>::New();
-  // What is wrong in one place leaves the others as they are.
+  // An error in one part does not affect the others.
   this->Problems.Attempt([&] { this->ReadFactors(source, material); });
   this->Problems.Attempt([&] { this->ReadAlpha(source, material); });
   this->Problems.Attempt([&] { this->ReadExtensions(source, material); });
@@ -149,7 +149,8 @@ void GLTFMaterials::ReadTexture(int slot, const GLTFValue& info, GLTFMaterial& m
   }
 }
 
-/// Takes the first texture's coordinates for all. False where another one needs different ones.
+/// Uses the coordinates of the first texture for all. False if another texture needs different
+/// ones.
 bool GLTFMaterials::TakeMapping(const GLTFValue& info, GLTFMaterial& material)
 {
   GLTFTextureMapping mapping;

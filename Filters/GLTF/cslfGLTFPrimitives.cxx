@@ -25,7 +25,7 @@ namespace cslf
 {
 namespace
 {
-// What the indices of a primitive make: glTF 2.0, section 5.24.
+// The topology of a primitive's indices: glTF 2.0, section 5.24.
 enum Mode
 {
   Points,
@@ -39,7 +39,7 @@ enum Mode
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Makes cells of indices, and leaves those out that have indices of vertices that do not exist.
+/// Makes cells of indices, without those that have indices of missing vertices.
 class CellMaker
 {
 public:
@@ -108,7 +108,7 @@ private:
       }
       else
       {
-        // Every other triangle of a strip is turned round.
+        // The orientation of every other triangle of a strip is reversed.
         this->Add({ i, i + 1 + i % 2, i + 2 - i % 2 }, 3);
       }
     }
@@ -135,7 +135,7 @@ private:
   vtkIdType Broken = 0;
 };
 
-/// The positions as floats, which they are in files, or of whole numbers.
+/// The positions as floats, as in most files, or converted from integers.
 vtkSmartPointer<vtkPoints> MakePoints(const GLTFNumbers& positions)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
@@ -157,7 +157,7 @@ vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, vtkId
   return array;
 }
 
-/// Reads an attribute that there must be one of for each vertex.
+/// Reads an attribute that must have one value per vertex.
 GLTFNumbers ReadAttribute(GLTFDocument& document, const GLTFValue& attribute, std::size_t accessor,
   vtkIdType vertices, GLTFIntegers integers)
 {
@@ -314,7 +314,8 @@ void GLTFPrimitives::AddTexCoords(
   data->GetPointData()->SetTCoords(array);
 }
 
-/// Linear colours times the linear factor of the material, as sRGB bytes; alpha if it counts.
+/// Linear colours times the linear factor of the material, as sRGB bytes, with alpha if the
+/// material uses it.
 void GLTFPrimitives::AddColors(
   const GLTFValue& attributes, const GLTFMaterial* material, vtkPolyData* data)
 {

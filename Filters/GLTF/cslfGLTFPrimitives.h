@@ -25,8 +25,8 @@ class GLTFPrimitives
 public:
   GLTFPrimitives(GLTFDocument& document, GLTFProblems& problems);
 
-  /// The primitives of a mesh with their materials, which are read once. Primitives without cells,
-  /// or that cannot be read, are left out.
+  /// The primitives of a mesh with their materials, which are read once. Primitives that have no
+  /// cells or cannot be read are left out.
   const std::vector<vtkSmartPointer<vtkPolyData>>& Get(std::size_t mesh);
 
 private:

@@ -22,7 +22,7 @@ class GLTFProblems
 public:
   std::set<std::string> Omitted; ///< names of unsupported features
 
-  /// Does a part of the work. A GLTFError there is recorded, and the rest continues.
+  /// Does a part of the work. Records a GLTFError in it, and continues.
   template <typename Work>
   void Attempt(const Work& work)
   {

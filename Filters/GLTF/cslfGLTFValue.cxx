@@ -11,7 +11,7 @@ namespace cslf
 {
 namespace
 {
-// JSON's numbers are whole up to this one.
+// JSON's numbers are exact integers up to this one.
 constexpr double LargestIndex = 9007199254740992.0;
 }
 

@@ -17,7 +17,7 @@
 
 namespace cslf
 {
-/// Describes what is wrong with a part of a file.
+/// Describes what is invalid in a part of a file.
 struct GLTFError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -43,7 +43,7 @@ public:
   /// An element. Throws a GLTFError if it does not exist.
   GLTFValue At(std::size_t index) const;
 
-  /// A whole number that is not negative.
+  /// A non-negative integer.
   std::optional<std::size_t> GetIndex() const;
   std::size_t GetIndex(std::size_t fallback) const;
 
@@ -51,7 +51,7 @@ public:
   bool GetBool(bool fallback) const;
   std::string GetText(const std::string& fallback) const;
 
-  /// As many numbers as the fallback has.
+  /// As many numbers as the fallback contains.
   template <std::size_t Size>
   std::array<double, Size> GetNumbers(const std::array<double, Size>& fallback) const
   {
@@ -70,7 +70,7 @@ public:
     return numbers;
   }
 
-  /// Throws a GLTFError with the path and what is wrong.
+  /// Throws a GLTFError with the path and the error.
   [[noreturn]] void Fail(const std::string& what) const;
 
 private:

@@ -17,7 +17,7 @@ namespace cslf
 {
 namespace
 {
-/// Rank 0's values to all others.
+/// Sends rank 0's values to all others.
 class Broadcaster
 {
 public:

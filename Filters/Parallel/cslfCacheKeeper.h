@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes a radiance cache once for all ranks, and keeps it in a file for a run that is started
- * again.
+ * Makes a radiance cache once for all ranks, and keeps it in a file for a restart.
  *
- * The ranks meet once: the first filter that needs a cache joins, and where none did, Settle tells
- * the others. So no rank waits in vain for one whose input failed.
+ * The ranks synchronise once: the first filter that needs a cache joins. If a rank has none, Settle
+ * informs the others. So no rank waits forever for one whose input failed.
  */
 #ifndef cslfCacheKeeper_h
 #define cslfCacheKeeper_h
@@ -26,7 +25,7 @@ class RadianceCache;
 class CacheKeeper : private CacheShare
 {
 public:
-  /// What is to be done about a rank's cache.
+  /// What to do about a rank's cache.
   enum class Plan
   {
     Alone,    ///< the rank makes its own
@@ -34,34 +33,34 @@ public:
     Break     ///< another rank has failed: none is needed
   };
 
-  /// The controller may be null. The file is rank 0's; empty names stand for none.
+  /// The controller may be null. The file is rank 0's. An empty name means no file.
   CacheKeeper(vtkMultiProcessController* controller, KeptFile file,
     std::function<void(const std::string&)> warn);
 
-  /// A rank needs the cache of this key. `isThere` says whether it has it. Ranks make it together
-  /// if `shared`, which names the cache and what is done with it, is the same on all of them.
+  /// A rank needs the cache of this key. `isThere` says whether it has it already. Ranks make it
+  /// together if `shared`, which identifies the cache and its use, is the same on all.
   Plan Join(const std::string& key, const std::string& shared, bool isThere);
 
-  /// A rank needs no cache any more: it has or it will not get what it wanted one for. `isWell`
-  /// tells that nothing went wrong. False where something did on a rank that did not join.
+  /// A rank needs no more cache, because its work is done or failed. `isWell` says whether there
+  /// was no error. False if there was an error on a rank that did not join.
   bool Settle(bool isWell);
 
-  /// Whether all ranks that joined had the cache.
+  /// Whether all joined ranks had the cache.
   bool IsEverywhere() const { return this->AllHave; }
 
-  /// The ranks that the cache is to be filled by; null for this one alone.
+  /// The ranks that fill the cache together; null for this one alone.
   CacheShare* GetShare() { return this->GetCount() > 1 ? this : nullptr; }
 
-  /// Gets the cache from the file of rank 0, or by filling it, which `fill` does, and keeps it in
-  /// the file. A cache that is everywhere is only kept. False where `fill` has failed.
+  /// Reads the cache from rank 0's file, or fills it with `fill`, and keeps it in the file. If all
+  /// ranks have it, only keeps it. False if `fill` has failed.
   bool Make(RadianceCache& cache, const std::function<bool()>& fill);
 
 private:
-  /// How a rank comes to the meeting, worst first.
+  /// A rank's state when it joins, worst first.
   enum Arrival
   {
     Failed,
-    Absent, ///< all is well, but it needs no cache
+    Absent, ///< no error, but it needs no cache
     Needing,
     Having
   };

@@ -18,7 +18,7 @@ namespace cslf
 {
 namespace
 {
-/// How long a rank that waits sleeps between two looks.
+/// How long a waiting rank sleeps between two checks.
 constexpr std::chrono::microseconds Nap(200);
 }
 
@@ -29,7 +29,7 @@ namespace
 /// The tag of all messages.
 constexpr int Tag = 17235;
 
-/// What is on its way.
+/// Messages in transit.
 struct Transfer
 {
   Ranks::Message Content;
@@ -106,7 +106,7 @@ std::optional<Ranks::Message> Ranks::Poll()
   }
   this->KeepSending();
   this->Pending->BeginReceiving();
-  // Only the first may be taken, or a rank's messages would come out of order.
+  // Only the first one may be taken, to keep the order of a rank's messages.
   std::list<Transfer>& incoming = this->Pending->Incoming;
   if (incoming.empty() || !incoming.front().Request.Test())
   {
@@ -119,7 +119,7 @@ std::optional<Ranks::Message> Ranks::Poll()
 
 void Ranks::Flush()
 {
-  // Nothing is received meanwhile: it may be for whoever comes after this object.
+  // Receives nothing meanwhile: messages may be for a successor of this object.
   for (this->KeepSending(); !this->Pending->Outgoing.empty(); this->KeepSending())
   {
     std::this_thread::sleep_for(Nap);

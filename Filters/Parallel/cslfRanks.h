@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Messages between the ranks of a controller that never make one wait for another: sending returns
- * at once, and receiving takes what has come. Waiting, where there is nothing else to do, leaves
- * the processor to others.
+ * Non-blocking messages between the ranks of a controller: sending returns at once, and receiving
+ * takes messages that have arrived. Waiting, for a rank without other work, leaves the processor to
+ * others.
  */
 #ifndef cslfRanks_h
 #define cslfRanks_h
@@ -27,10 +27,10 @@ public:
     std::vector<std::uint8_t> Bytes;
   };
 
-  /// A controller that is null stands for one rank.
+  /// A null controller means one rank.
   explicit Ranks(vtkMultiProcessController* controller);
 
-  /// What was posted must have been sent: see Flush.
+  /// All posted messages must have been sent: see Flush.
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
@@ -41,16 +41,16 @@ public:
   /// Whether messages can be sent: there is one rank, or the controller is MPI's.
   bool CanTalk() const;
 
-  /// Sends. Messages from one rank to another come in order.
+  /// Sends. Messages from one rank to another arrive in order.
   void Post(int to, std::vector<std::uint8_t> bytes);
 
-  /// The next message that has come whole, from any rank. Also keeps sending.
+  /// The next complete message, from any rank. Also continues sending.
   std::optional<Message> Poll();
 
-  /// The next message.
+  /// Waits for the next message.
   Message Wait();
 
-  /// Waits until all is sent.
+  /// Waits until everything is sent.
   void Flush();
 
 private:

@@ -21,14 +21,14 @@ namespace cslf
 {
 namespace
 {
-/// What a rank needs at most while its scene is built, for each byte of the pieces: these
-/// themselves, the meshes made of them and Embree's tree. Measured with spheres of triangles.
+/// The memory that a rank needs at most while its scene is built, per byte of the pieces: these,
+/// their meshes and Embree's tree. Measured with spheres of triangles.
 constexpr double BytesPerByte = 6.0;
 
-/// What stands before the bytes of each object.
+/// The header before the bytes of each object.
 using Size = std::uint64_t;
 
-/// Puts one object after the other. False where one cannot be sent.
+/// Appends one object after the other. False if one cannot be sent.
 bool Pack(const std::vector<vtkDataObject*>& inputs, vtkCharArray* bytes)
 {
   for (vtkDataObject* input : inputs)
@@ -123,7 +123,7 @@ void SceneGather::FindCost()
 
 bool SceneGather::Finish(std::string& error)
 {
-  // One rank's bytes at a time: each rank holds the objects, and the largest piece once more.
+  // One rank's bytes at a time: each rank has the objects, and a second copy of the largest piece.
   std::vector<char> bytes;
   try
   {

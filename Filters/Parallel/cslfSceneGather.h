@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A scene whose pieces lie on several ranks, brought together on each.
+ * Gathers a scene from several ranks on each of them.
  */
 #ifndef cslfSceneGather_h
 #define cslfSceneGather_h
@@ -24,19 +24,19 @@ class vtkMultiProcessController;
 
 namespace cslf
 {
-/// What the ranks will hold, in bytes.
+/// The memory that the ranks will need, in bytes.
 struct GatherCost
 {
-  std::uint64_t Pieces = 0; ///< of all ranks together, which each rank gets
-  std::uint64_t Node = 0;   ///< what all ranks on this rank's computer need for their scenes
-  std::uint64_t Memory = 0; ///< of this rank's computer; 0 where it is not known
+  std::uint64_t Pieces = 0; ///< of all ranks together, received by each rank
+  std::uint64_t Node = 0;   ///< what the scenes of all ranks on this rank's computer need
+  std::uint64_t Memory = 0; ///< of this rank's computer; 0 if unknown
 
-  /// A warning where the memory may not be enough, or nothing.
+  /// A warning if there may not be enough memory, or nothing.
   std::string FindWarning() const;
 };
 
-/// All ranks make the same calls together. Where one rank fails, the call returns false on all of
-/// them, and the error says which and why.
+/// All ranks make the same calls together. If one rank fails, the call returns false on all, and
+/// the error gives that rank and its reason.
 class VTKCSLF_EXPORT SceneGather
 {
 public:
@@ -44,16 +44,16 @@ public:
   explicit SceneGather(
     vtkMultiProcessController* controller, std::size_t partSize = LargestMessage);
 
-  /// Prepares a rank's inputs for the others and tells how much all ranks have. If a rank has no
-  /// inputs to give, `error` says why.
+  /// Prepares a rank's inputs for the others and determines the size of all ranks' inputs. If a
+  /// rank cannot give its inputs, `error` gives the reason.
   bool Begin(const std::vector<vtkDataObject*>& inputs, std::string& error);
 
   const GatherCost& GetCost() const { return this->Cost; }
 
-  /// Whether all ranks compute alike: see GetArithmetic.
+  /// Whether all ranks compute identically: see GetArithmetic.
   bool AreAlike() const { return this->Alike; }
 
-  /// Brings the inputs of all ranks here.
+  /// Gathers the inputs of all ranks.
   bool Finish(std::string& error);
 
   /// All ranks' inputs in the order of the ranks, and the rank that each comes from.

@@ -30,7 +30,7 @@ bool AreAOS(vtkFieldData* fields)
   return true;
 }
 
-/// A copy of some of an array's tuples, with all that goes with them.
+/// A copy of some of an array's tuples, with its name and other properties.
 vtkSmartPointer<vtkDataArray> CopyTuples(vtkDataArray* array, vtkIdType first, vtkIdType count)
 {
   auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkDataArray> CopyTuples(vtkDataArray* array, vtkIdType first, v
   return copy;
 }
 
-/// The arrays that stand for those of the fields, in the same order.
+/// The arrays that replace those of the fields, in the same order.
 std::vector<vtkSmartPointer<vtkAbstractArray>> CopyArrays(vtkFieldData* fields)
 {
   std::vector<vtkSmartPointer<vtkAbstractArray>> arrays;

@@ -3,11 +3,10 @@
 /**
  * @file
  * Arrays of any layout in memory. The values of a vtkAOSDataArrayTemplate, such as vtkFloatArray,
- * lie in memory tuple by tuple. Those of other arrays that users may hand in do not: the components
- * of a vtkSOADataArrayTemplate lie apart, and implicit arrays compute their values.
+ * lie in memory tuple by tuple. Those of other arrays do not: a vtkSOADataArrayTemplate stores
+ * components separately, and implicit arrays compute their values.
  *
- * Whatever comes from outside passes through these functions before its values are read by
- * pointers.
+ * All data from users passes through these functions before pointers read its values.
  */
 #ifndef cslfArrayLayout_h
 #define cslfArrayLayout_h
@@ -23,19 +22,18 @@ class vtkImageData;
 
 namespace cslf
 {
-/// The array itself if its values lie in memory tuple by tuple, else a copy of which that is true.
-/// Null for null.
+/// The array itself if its values lie in memory tuple by tuple, else such a copy. Null for null.
 VTKCSLF_EXPORT vtkSmartPointer<vtkDataArray> ToAOS(vtkDataArray* array);
 
-/// The same as an array of that class, such as vtkFloatArray; null for an array of other values.
+/// The same as an array of that class, such as vtkFloatArray. Null for arrays of other values.
 template <typename Array>
 vtkSmartPointer<Array> ToAOS(vtkDataArray* array)
 {
   return Array::SafeDownCast(ToAOS(array));
 }
 
-/// The image itself if the values of its points' arrays lie in memory tuple by tuple. Else an image
-/// with copies of those arrays, which holds the z slices from `first` to `last` only. All arrays of
+/// The image itself if the values of its points' arrays lie in memory tuple by tuple. Otherwise an
+/// image with copies of those arrays, and only the z slices from `first` to `last`. All arrays of
 /// the image must have a tuple for each point.
 VTKCSLF_EXPORT vtkSmartPointer<vtkImageData> ToAOS(vtkImageData* image, int first, int last);
 

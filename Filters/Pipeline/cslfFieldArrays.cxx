@@ -15,10 +15,10 @@ namespace cslf
 {
 namespace
 {
-/// So little is always allocated.
+/// Arrays up to this size are always allocated.
 constexpr double LittleBytes = 64.0 * 1024 * 1024;
 
-/// Of more than that, one of so many slices must be there.
+/// For larger arrays, at least one of this many slices must exist.
 constexpr double MostMissing = 64.0;
 }
 

@@ -16,16 +16,16 @@ class vtkImageData;
 
 namespace cslf
 {
-/// An array of a channel. Throws std::bad_alloc where there is not enough memory; VTK would also
-/// report an error of the array, of which nobody knows.
+/// An array of a channel. Throws std::bad_alloc if there is not enough memory. VTK would also
+/// report an error of the internal array.
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples);
 
-/// Gives image data a range of slices, with arrays of all channels to be filled, of which the first
-/// is the active one. Throws std::bad_alloc.
+/// Sets the range of slices of image data, and allocates arrays for all channels. The first becomes
+/// the active one. Throws std::bad_alloc.
 void AllocateSlices(const Description& field, int first, int last, vtkImageData* image);
 
-/// Whether a file is trusted to hold as much as it claims: `there` of `count` slices are. What a
-/// damaged or hostile header claims could otherwise take any amount of memory, for nothing.
+/// Whether memory may be allocated for a range of `count` slices, `there` of which exist in the
+/// file. Otherwise a damaged or malicious header could take any amount of memory.
 bool AreEnough(const Description& field, vtkIdType there, vtkIdType count);
 }
 

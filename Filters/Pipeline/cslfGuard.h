@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What keeps exceptions within VTK's methods.
+ * Keeps exceptions within VTK's methods.
  */
 #ifndef cslfGuard_h
 #define cslfGuard_h
@@ -13,8 +13,8 @@
 
 namespace cslf
 {
-/// Does `work()`, which may lack memory, and returns what that does. No exception may leave VTK's
-/// methods: of one it returns false and says what was wrong.
+/// Does `work()`, which may run out of memory, and returns its result. No exception may leave VTK's
+/// methods, so it catches them, returns false and gives the reason.
 template <typename Work>
 bool Guard(const Work& work, std::string& problem)
 {

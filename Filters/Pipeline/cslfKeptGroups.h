@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Viewpoints that will be needed once more, kept as far as memory allows.
+ * Viewpoints that will be needed again, kept if memory allows.
  */
 #ifndef cslfKeptGroups_h
 #define cslfKeptGroups_h
@@ -18,7 +18,7 @@ namespace cslf
 class KeptGroups
 {
 public:
-  /// At most so many slices are kept.
+  /// Keeps at most this many slices.
   explicit KeptGroups(int slices)
     : Room(slices)
   {

@@ -14,9 +14,9 @@
 
 namespace cslf
 {
-/// Calls `functor(begin, end)` for parts of a range, in threads. An exception that left a thread of
-/// vtkSMPTools would end the process. So the first one is kept, what has not begun is left out, and
-/// the caller gets the exception once all threads are done.
+/// Calls `functor(begin, end)` for parts of a range, in threads. An exception in a thread of
+/// vtkSMPTools would end the process. So the first one is stored, parts that have not begun are
+/// skipped, and the exception is thrown to the caller when all threads are done.
 template <typename Functor>
 void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Functor& functor)
 {

@@ -65,7 +65,7 @@ void PipelineWatch::Add(vtkAlgorithm* algorithm)
   command->SetCallback(
     [](vtkObject* caller, unsigned long, void* self, void*)
     {
-      // Filters may report from threads of their own.
+      // Filters may report progress from their own threads.
       auto* watch = static_cast<PipelineWatch*>(self);
       if (std::this_thread::get_id() == watch->Thread && !watch->Act())
       {

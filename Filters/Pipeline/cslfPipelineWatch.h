@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Something to do while the filters above one's own are at work: whenever one of them reports
- * progress.
+ * Calls a function whenever an upstream filter reports progress.
  */
 #ifndef cslfPipelineWatch_h
 #define cslfPipelineWatch_h
@@ -20,14 +19,14 @@ class vtkAlgorithmOutput;
 
 namespace cslf
 {
-/// The filters that feed a connection, which may be null: its own first, each once.
+/// The filters that feed a connection, which may be null, nearest first, each once.
 std::vector<vtkSmartPointer<vtkAlgorithm>> FindProducers(vtkAlgorithmOutput* connection);
 
 class PipelineWatch
 {
 public:
-  /// From now on calls `act` at the progress of everything that feeds the connection. The filter
-  /// at work is asked to stop when it returns false. Only the calling thread acts.
+  /// Calls `act` from now on when a filter that feeds the connection reports progress. If it
+  /// returns false, that filter is asked to stop. Only the calling thread calls it.
   PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool()> act);
   ~PipelineWatch();
   PipelineWatch(const PipelineWatch&) = delete;

@@ -42,7 +42,7 @@ vtkTypeBool ScenePipeline::ProcessRequest(
     this->EndUpdate(done != 0);
     return done;
   }
-  // Whoever asks must go on to the data, where the other ranks are.
+  // The caller must continue to the data request, where the other ranks are.
   const bool isBroken = this->IsBroken && isExtent;
   this->IsBroken = isBroken || !this->Superclass::ProcessRequest(request, inputs, outputs);
   return 1;

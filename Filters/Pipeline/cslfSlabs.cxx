@@ -27,12 +27,12 @@ namespace cslf
 {
 namespace
 {
-// A slab's memory, estimated from texels of float colour and depth.
+// A slab's memory, estimated for texels of float colour and depth.
 constexpr double SlabBytes = 64.0 * 1024 * 1024;
 constexpr double TexelBytesEstimate = 20.0;
-// At least this many slabs, where there are as many slices.
+// The minimum number of slabs, if there are as many slices.
 constexpr int SlabCount = 64;
-// How far a video is decoded ahead, if the decoder keeps that much.
+// How many slices a video is decoded ahead, if the decoder keeps that many.
 constexpr vtkIdType SlicesAhead = 512;
 }
 

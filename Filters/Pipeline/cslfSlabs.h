@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pulling a light field through the pipeline a few viewpoints at a time, so that the whole of it
- * never has to fit in memory.
+ * Pulls a light field through the pipeline a few viewpoints at a time, so that it never has to fit
+ * in memory as a whole.
  */
 #ifndef cslfSlabs_h
 #define cslfSlabs_h
@@ -34,8 +34,8 @@ struct Slab
   int GetCount() const { return this->Last - this->First + 1; }
 };
 
-/// Reads a filter's input connection slab by slab. Every method but the getters returns false on
-/// failure; then GetError() says why in one line, or is empty where the upstream filter has
+/// Reads a filter's input connection slab by slab. Every method except the getters returns false on
+/// failure; then GetError() gives the reason in one line, or is empty if the upstream filter has
 /// reported it already.
 class SlabStream
 {
@@ -45,23 +45,23 @@ public:
   /// Asks upstream for the whole extent.
   bool Open();
 
-  /// The slices that upstream offers.
+  /// The slices that the upstream filter offers.
   const Slab& GetWhole() const { return this->Whole; }
 
-  /// How many slices make a slab of moderate memory, yet enough slabs to show progress.
+  /// The number of slices of a slab with moderate memory, but small enough to show progress.
   int GetSlabSize() const { return this->SlabSize; }
 
   /// The slab that begins at `first`, which must be one of the whole's slices.
   Slab MakeSlab(int first) const;
 
-  /// Whether upstream decodes a video.
+  /// Whether the upstream filter decodes a video.
   bool IsVideo() const { return this->Decoder != nullptr; }
 
-  /// The wanted slices as slabs, in an order in which upstream has the least to do: that of the
+  /// The wanted slices as slabs, in the order of least work for the upstream filter: that of the
   /// file if it is a video, else ascending.
   std::vector<Slab> PlanSlabs(const std::function<bool(int)>& isWanted) const;
 
-  /// Tells which slabs will be read, in this order, so that a video is decoded ahead.
+  /// Announces the slabs that will be read, in this order, so that a video is decoded ahead.
   void Announce(const std::vector<Slab>& slabs);
 
   /// Updates upstream to the slab and checks what it delivers. The first read fixes the
@@ -92,8 +92,8 @@ private:
   std::string Error;
 };
 
-/// Pieces of the output of that pipeline information are ranges of z slices, which meet in one
-/// slice as pieces of image data do.
+/// Splits the output of that pipeline information into pieces, which are ranges of z slices. They
+/// share one slice, like pieces of image data.
 void SplitAlongZ(vtkInformation* information);
 
 /// The bytes of one texel of a channel.

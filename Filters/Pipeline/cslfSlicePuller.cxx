@@ -98,7 +98,7 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
 {
   if (this->Pulled.use_count() != 1)
   {
-    // Nobody else holds the new ones.
+    // Nobody else references the new ones.
     this->Pulled = std::make_shared<Samples>();
   }
   this->Pulled->Color.resize(this->ColorBytes * this->Texels * slices.size());

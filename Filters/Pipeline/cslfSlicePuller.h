@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pulling a light field of byte or float colours and 16-bit depth through the pipeline in an order
- * of one's own.
+ * Pulls a light field of byte or float colours and 16-bit depth through the pipeline in any order.
  */
 #ifndef cslfSlicePuller_h
 #define cslfSlicePuller_h
@@ -25,8 +24,8 @@ class vtkInformation;
 
 namespace cslf
 {
-/// The grid of viewpoints and texels that the whole extent of that pipeline information stands for,
-/// if it is a whole light field's.
+/// The grid of viewpoints and texels for the whole extent of that pipeline information, if it is
+/// that of a whole light field.
 std::optional<Layout> FindGrid(vtkInformation* information);
 
 class SlicePuller
@@ -35,24 +34,25 @@ public:
   /// Pulls from the connection of that pipeline information, whose whole extent is `grid`'s.
   SlicePuller(vtkInformation* information, const Layout& grid);
 
-  /// From now on, fields and slices are those of the key views only. All are key views at first.
+  /// From now on, fields and slices are those of the key views only. At first, all viewpoints are
+  /// key views.
   void SetKeyViewStep(int step) { this->Keys = KeyViews(this->Grid.GetViewpoints(), step); }
 
-  /// Reads the description of what the input holds already. On failure returns false and says why,
-  /// in a sentence.
+  /// Reads the description in the input's current output. On failure returns false and gives the
+  /// reason in a sentence.
   bool Begin(std::string& error);
 
   Description GetField() const { return this->Keys.Apply(this->Field); }
 
-  /// The CRC-32 of the first viewpoint that the input holds already.
+  /// The CRC-32 of the first viewpoint in the input's current output.
   std::uint32_t GetFirstChecksum() const;
 
-  /// Pulls slices, in any order, in as few slabs as possible. On failure returns false and says
-  /// why, in one line.
+  /// Pulls slices, in any order, in as few slabs as possible. On failure returns false and gives
+  /// the reason in one line.
   bool Pull(const std::vector<int>& slices, std::string& error);
 
-  /// What was pulled last, in the order asked for: valid until the next pull, or as long as what
-  /// GetHold returns is kept.
+  /// The slices pulled last, in the requested order. Valid until the next pull, or as long as the
+  /// result of GetHold is kept.
   std::vector<ConstSlice> GetSlices() const;
   std::shared_ptr<const void> GetHold() const { return this->Pulled; }
 

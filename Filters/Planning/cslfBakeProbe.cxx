@@ -31,20 +31,21 @@ namespace
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// The part of the probe's seconds for groups in full size.
+// The share of the probe's seconds for groups of full size.
 constexpr double GroupShare = 0.4;
 
-// What of the expected seconds is enough for groups in full size, and the least.
+// The share of the expected seconds that is enough for groups of full size, and the minimum.
 constexpr double EnoughShare = 0.03;
 constexpr double LeastSeconds = 0.4;
 
-// Groups in small size, their texels along a tile's side, and their most samples. Where an encoder
-// takes no such small pictures, there are fewer groups, of as many texels.
+// The number of groups of small size, their texels along a tile's side, and their most samples. If
+// an encoder does not accept such small pictures, there are fewer groups with as many texels in
+// total.
 constexpr int SmallGroups = 24;
 constexpr int SmallResolution = 32;
 constexpr int SmallSamples = 16;
 
-// The fewest groups in full size.
+// The fewest groups of full size.
 constexpr int FullGroups = 2;
 
 // The most viewpoints that are written as images.
@@ -67,7 +68,7 @@ double Sum(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// A folder for what the probe writes.
+/// A folder for the files that the probe writes.
 class TemporaryFolder
 {
 public:
@@ -89,10 +90,10 @@ public:
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  std::string Name; // empty where it could not be made
+  std::string Name; // empty if it could not be made
 };
 
-/// What a file of image data holds in vtkXMLImageDataWriter's way.
+/// The size of a file of image data as vtkXMLImageDataWriter writes it, in bytes.
 double CountFile(vtkImageData* image)
 {
   vtkNew<vtkXMLImageDataWriter> writer;
@@ -102,7 +103,7 @@ double CountFile(vtkImageData* image)
   return writer->Write() ? static_cast<double>(writer->GetOutputString().size()) : 0.0;
 }
 
-/// What its arrays take of that: they are compressed in blocks.
+/// The part of it for arrays, which are compressed in blocks.
 double CountArrays(vtkImageData* image)
 {
   constexpr std::size_t blockSize = 32768;
@@ -188,7 +189,7 @@ bool BakeProbe::TimeRendering(int samples, double& seconds)
   const auto start = Clock::now();
   double elapsed = 0.0;
   int done = 0;
-  // One viewpoint of each face at least.
+  // At least one viewpoint of each face.
   for (const int slice : Spread(std::min(slices, FirstImageSlices), slices))
   {
     if (!stream.Read({ slice, slice }))
@@ -205,7 +206,7 @@ bool BakeProbe::TimeRendering(int samples, double& seconds)
 
 int BakeProbe::ChooseSmallResolution() const
 {
-  // Small pictures must not fall to another encoder than the field's.
+  // Small pictures must use the same encoder as the field.
   const bool isRadiance = this->Sampler->GetColorType() == VTK_FLOAT;
   const EncoderChoice choice = ChooseEncoder(this->Settings, isRadiance, this->Resolution);
   const int least = choice.Encoder ? choice.Encoder->MinimumResolution : SmallResolution;
@@ -244,7 +245,7 @@ bool BakeProbe::EstimateVideo()
   {
     return false;
   }
-  // How is the cost spread?
+  // Measure how the cost is distributed.
   const int small = this->ChooseSmallResolution();
   this->SetSize(small, std::min(this->Samples, SmallSamples));
   EncodeProbe smallProbe(this->Sampler, this->Settings);
@@ -276,7 +277,7 @@ bool BakeProbe::EstimateVideo()
   int count = 0;
   const int resolution = this->ChooseSize(smallSeconds, small, groups, count);
 
-  // Take groups in full size, each as likely as it is large.
+  // Choose groups of full size, with probabilities in proportion to their sizes.
   std::vector<int> full;
   std::vector<std::size_t> places;
   if (count >= static_cast<int>(chosen.size()))
@@ -308,7 +309,7 @@ bool BakeProbe::EstimateVideo()
     return false;
   }
 
-  // Extrapolate: the small size tells how the chosen groups differ from the others.
+  // Extrapolate: the small size shows how the chosen groups differ from the others.
   this->Costs.Rendering = costs.RenderSeconds / full.size() * groups;
   this->Costs.Coding = this->GetCodingSeconds(costs) / full.size() * groups;
   double bytes = Sum(costs.Bytes) / full.size() * groups;
@@ -420,7 +421,7 @@ bool BakeProbe::EstimateImages()
   }
   const double times = static_cast<double>(slices) / done;
   this->Costs.Rendering = times * render;
-  // Image data is written by one thread, folders by all.
+  // One thread writes image data, all threads write folders.
   this->Costs.Coding = times * write / (this->Kind == Format::ImageFolder ? this->Threads : 1.0);
   this->Costs.Bytes = header + times * bytes;
   return true;

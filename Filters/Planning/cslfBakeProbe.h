@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A short look at what a bake costs: see vtkCSLFBakeEstimator.
+ * A short measurement of the cost of a bake: see vtkCSLFBakeEstimator.
  */
 #ifndef cslfBakeProbe_h
 #define cslfBakeProbe_h
@@ -16,7 +16,7 @@ class vtkCSLFSampler;
 
 namespace cslf
 {
-/// Seconds of wall-clock time, and the bytes of what is written.
+/// Seconds of wall-clock time, and the bytes that are written.
 struct BakeCosts
 {
   double Scene = 0.0;
@@ -38,25 +38,25 @@ public:
     ImageFolder
   };
 
-  /// Changes the sampler's resolution and samples, and does not set them back. `seconds` are about
-  /// the most that an estimate takes.
+  /// Changes the sampler's resolution and samples, and does not restore them. `seconds` is about
+  /// the maximum time of an estimate.
   BakeProbe(vtkCSLFSampler* sampler, EncodeSettings settings, Format kind, double seconds);
 
   ///@{
-  /// False on failure: GetError says why.
+  /// False on failure; then GetError gives the reason.
   bool Estimate();
 
-  /// The seconds of rendering all viewpoints with so many samples, from some of them.
+  /// The seconds for rendering all viewpoints with that many samples, from a subset of them.
   bool TimeRendering(int samples, double& seconds);
   ///@}
 
   const BakeCosts& GetCosts() const { return this->Costs; }
-  /// Of the field that is probed.
+  /// Of the probed field.
   int GetResolution() const { return this->Resolution; }
 
   const FieldDetail& GetDetail() const { return this->Detail; }
 
-  /// By what power of the texels along a tile's side the bytes grow.
+  /// The exponent by which the bytes grow with the texels along a tile's side.
   double GetGrowth() const { return this->Growth; }
 
   const std::string& GetError() const { return this->Error; }
@@ -68,13 +68,13 @@ private:
   void NoteScene(double seconds, double cacheSecondsBefore);
   void SetSize(int resolution, int samples);
 
-  /// The resolution of groups in small size.
+  /// The resolution of groups of small size.
   int ChooseSmallResolution() const;
 
-  /// How large groups in full size may be, and how many are probed.
+  /// The size and the number of probed groups of full size.
   int ChooseSize(double smallSeconds, int small, int groups, int& fullGroups) const;
 
-  /// Wall-clock seconds of coding, on a machine as busy as while it rendered.
+  /// Wall-clock seconds of coding, on a machine as busy as during rendering.
   double GetCodingSeconds(const GroupCosts& costs) const;
 
   vtkCSLFSampler* Sampler;

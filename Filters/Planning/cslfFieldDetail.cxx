@@ -18,7 +18,7 @@ constexpr double HiddenShare = 0.19;
 
 constexpr double White = 255.0;
 
-/// The square error of 2 x 2 texels that get their mean, over red, green and blue.
+/// The squared error if 2 x 2 texels get their mean, over red, green and blue.
 double SquareError(const ConstSlice& slice, std::size_t texel, std::size_t width)
 {
   double sum = 0.0;
@@ -41,7 +41,7 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
   FieldDetail detail;
   detail.Resolution = resolution;
   const std::size_t width = static_cast<std::size_t>(TileCount) * resolution;
-  const std::size_t squares = resolution / 2; // beside each other in a tile
+  const std::size_t squares = resolution / 2; // adjacent texels in a tile
   double sum = 0.0;
   std::size_t count = 0;
   std::vector<unsigned short> depths;

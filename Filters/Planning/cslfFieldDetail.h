@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How good novel views of a field will be, and how large it gets, for other numbers of viewpoints
- * and texels. Documentation/Planning.md derives the formulas.
+ * Predicts the quality of novel views of a field, and its size, for other numbers of viewpoints and
+ * texels. Documentation/Planning.md derives the formulas.
  */
 #ifndef cslfFieldDetail_h
 #define cslfFieldDetail_h
@@ -14,28 +14,28 @@
 
 namespace cslf
 {
-/// By what power of the viewpoints along a face's side the bytes of a video grow: measured. Nearer
-/// viewpoints are predicted better from each other, so it is less than their number's.
+/// The measured exponent by which the bytes of a video grow with the viewpoints along a face's
+/// side. It is less than that of the number of viewpoints, because denser viewpoints predict each
+/// other better.
 constexpr double GrowthWithViewpoints = 1.8;
 
-/// What viewpoints of a field show.
+/// The detail in viewpoints of a field.
 struct FieldDetail
 {
-  double Error = 0.0; ///< mean square of what half the resolution loses, in parts of 255 squared
+  double Error = 0.0; ///< mean square of what half the resolution loses, in units of 255 squared
   /// The difference of the depths' 10th and 90th percentiles, in parts of their sum; 1 if unknown.
   double DepthRange = 0.0;
   int Resolution = 0; ///< at which this was found
 };
 
-/// Finds the detail of some slices of a field: of squares of 2 x 2 texels, none of which crosses
-/// tiles.
+/// Measures the detail of some slices of a field, with squares of 2 x 2 texels within tiles.
 FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution);
 
-/// That of what there is to look at: the most detailed quarter.
+/// The detail of the relevant part: the most detailed quarter.
 FieldDetail MergeDetails(std::vector<FieldDetail> details);
 
-/// The PSNR of novel views in dB, of a field of M x M viewpoints a face, at least 2 x 2, and N x N
-/// texels, at least one; 0 for other numbers.
+/// The PSNR of novel views in dB, for M x M viewpoints per face (at least 2 x 2) and N x N texels
+/// (at least one); 0 for other numbers.
 double PredictPSNR(const FieldDetail& detail, int viewpoints, int resolution);
 }
 

@@ -31,22 +31,22 @@ namespace
 {
 constexpr std::uint32_t Seed = 20210831;
 
-/// The viewpoints looked at of each face.
+/// The viewpoints tested on each face.
 constexpr int ViewsPerFace = 4;
 
-/// Those looked at of all faces together in addition, where they differ most, as of many scenes one
-/// side shows nearly all: at least so many, and one of so many of the field's.
+/// The additional viewpoints tested on faces where the error is largest, because one side of many
+/// scenes shows nearly everything: at least this many, and this share of the field's.
 constexpr int FurtherViews = 40;
 constexpr int FurtherShare = 80;
 
-/// The texels compared of each viewpoint.
+/// The texels compared in each viewpoint.
 constexpr int TexelsPerView = 1024;
 
 constexpr double Peak = 255.0;
 constexpr double MostPSNR = 100.0;
 
-/// The viewpoints of a face that are no key views, each once, such that the first ones of them are
-/// evenly spread however many they are.
+/// The viewpoints of a face that are not key views, each once. Any number of the first ones is
+/// evenly spread.
 class ViewSequence
 {
 public:
@@ -61,7 +61,7 @@ public:
   int Next()
   {
     const int side = this->Grid.GetViewpoints();
-    // After as many tries as that all viewpoints have come.
+    // This many tries include all viewpoints.
     for (const int end = this->Try + 16 * side * side; this->Try < end;)
     {
       ++this->Try;
@@ -88,7 +88,7 @@ private:
   std::set<int> Seen;
 };
 
-/// Mean square errors, by the exposure.
+/// Mean square errors at each exposure.
 using ExposureErrors = std::vector<double>;
 
 /// The mean square errors of some viewpoints of a face.
@@ -106,7 +106,7 @@ struct FaceErrors
     return sum / static_cast<double>(std::max<std::size_t>(1, this->Errors.size()));
   }
 
-  /// That of the exposure at which they differ most.
+  /// The error at the exposure where it is largest.
   double GetDeviation() const
   {
     double largest = 0.0;
@@ -124,7 +124,7 @@ struct FaceErrors
   }
 };
 
-/// The slices, of the key views, that surround a viewpoint.
+/// The slices of the key views that surround a viewpoint.
 std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, double v)
 {
   const NodeBracket i = keyGrid.FindNodes(u);
@@ -139,7 +139,7 @@ std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, dou
   return slices;
 }
 
-/// Image data of some slices, which the arrays do not own.
+/// Image data of some slices; its arrays do not own the memory.
 template <typename Array, typename Value>
 void AddArray(vtkImageData* image, const char* name, int components, const Value* values)
 {
@@ -204,7 +204,7 @@ ExposureErrors Compare(const Lookup& lookup, const Layout& grid, int slice, cons
 }
 
 /// The mean square errors of a viewpoint of the whole field, looked up from key views. On failure
-/// returns false and says why.
+/// returns false and gives the reason.
 bool MeasureView(
   SlicePuller& puller, const KeyViews& keys, int view, ExposureErrors& errors, std::string& error)
 {
@@ -221,7 +221,7 @@ bool MeasureView(
   {
     return false;
   }
-  // What was pulled lies in one piece.
+  // The pulled slices are contiguous.
   const std::vector<ConstSlice> pulled = puller.GetSlices();
   vtkNew<vtkImageData> image;
   image->SetDimensions(
@@ -263,7 +263,7 @@ double FindLargestMean(const std::vector<FaceErrors>& faces)
   return largest;
 }
 
-/// The steps that keep different key views, ascending, the smallest of each.
+/// The steps that keep different key views, ascending. Of equal ones, the smallest.
 std::vector<int> ListSteps(int viewpoints)
 {
   std::vector<int> steps;
@@ -338,9 +338,9 @@ bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()
   KeyViewChoice& choice, std::string& error)
 {
   const std::vector<int> steps = ListSteps(puller.GetField().Grid.GetViewpoints());
-  KeyViewChoice best; // of those that are not good enough
+  KeyViewChoice best; // of steps that are not good enough
   choice = {};
-  std::size_t good = 0; // so many steps are good enough
+  std::size_t good = 0; // the number of steps known to be good enough
   for (std::size_t bad = steps.size(); good < bad;)
   {
     const std::size_t middle = (good + bad) / 2;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How well viewpoints that are left out of a field are looked up from its key views, and how few
- * key views do (paper, section 3.3).
+ * Measures how well a field's other viewpoints are looked up from its key views, and how few key
+ * views are enough (paper, section 3.3).
  *
- * A sample of the viewpoints that are left out, always the same, is compared at some texels each
- * with what the lookup corrected by depth finds there; without depth, the focal one about the
- * cube's centre. Only those viewpoints and the four key views around each are pulled.
+ * A fixed sample of the other viewpoints is compared, at some texels each, with the result of the
+ * depth lookup or, without depth, of the focal lookup about the cube's centre. Only those
+ * viewpoints and the four key views around each are pulled.
  */
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
@@ -21,8 +21,9 @@ namespace cslf
 {
 /// The PSNR, in dB and at most 100, of the viewpoints that a step of key views leaves out, before
 /// coding: red, green and blue of 8 bits over black, one mean square error over all texels
-/// compared. Of colours of floats, the lowest of the PSNRs at the exposures of GetViewExposures.
-/// `puller` has begun and pulls all viewpoints. On failure returns false and says why, in one line.
+/// compared. For float colours, the lowest of the PSNRs at the exposures of GetViewExposures.
+/// `puller` has begun and pulls all viewpoints. On failure returns false and gives the reason in
+/// one line.
 bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool()>& proceed,
   double& psnr, std::string& error);
 
@@ -33,9 +34,10 @@ struct KeyViewChoice
   double PSNR = 0.0;
 };
 
-/// Finds the largest step of key views whose PSNR, as above, is at least `goal`, taking it that
-/// larger steps have smaller ones. `proceed` is called now and then, and returns false to stop. On
-/// failure, as where no step above 1 is good enough, returns false and says why, in one line.
+/// Finds the largest step of key views whose PSNR, as above, is at least `goal`. Assumes that
+/// larger steps have smaller PSNRs. `proceed` is called regularly, and returns false to stop. On
+/// failure, for example if no step above 1 is good enough, returns false and gives the reason in
+/// one line.
 bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()>& proceed,
   KeyViewChoice& choice, std::string& error);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which texels of a field stand for all of them.
+ * Chooses texels that represent all texels of a field.
  */
 #ifndef cslfTexelChoice_h
 #define cslfTexelChoice_h
@@ -15,12 +15,12 @@
 namespace cslf
 {
 /// A choice of `count` of the texels 0 to `total` - 1: one at random from each of `count` ranges of
-/// equal length, up to one texel. So it ascends, no texel comes twice, and what needs the texels in
-/// order needs no list of them.
+/// equal length, up to one texel. So the texels ascend without duplicates, and can be visited in
+/// order without a list.
 class TexelChoice
 {
 public:
-  /// A count above the total is the total; then each texel is chosen.
+  /// A count above the total means the total; then each texel is chosen.
   TexelChoice(std::uint64_t total, std::uint64_t count, std::uint32_t seed)
     : Total(total)
     , Count(std::min(total, count))
@@ -34,7 +34,8 @@ public:
   std::uint64_t operator[](std::uint64_t index) const
   {
     const std::uint64_t length = this->Total / this->Count;
-    const std::uint64_t longer = this->Total % this->Count; // ranges with a texel more
+    const std::uint64_t longer =
+      this->Total % this->Count; // the number of ranges with one texel more
     const std::uint64_t first = index * length + std::min(index, longer);
     return first + MixBits(MixBits(this->Seed, 0), index) % (length + (index < longer ? 1 : 0));
   }

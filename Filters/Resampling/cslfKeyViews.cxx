@@ -14,11 +14,11 @@ KeyViews::KeyViews(int viewpoints, int step)
 {
   const int last = viewpoints - 1;
   int gaps = (last + step - 1) / step;
-  // A symmetric list of an odd number has a middle, which the nodes 0 to an odd one lack.
+  // A symmetric list of an odd number has a middle, but the nodes 0 to an odd number have none.
   gaps += last % 2 == 1 && gaps % 2 == 0 ? 1 : 0;
   for (int gap = 0; gap <= gaps; ++gap)
   {
-    // Rounded as seen from the nearer end, so that both halves are alike.
+    // Rounded from the nearer end, so that both halves are symmetric.
     const bool isUpper = 2 * gap > gaps;
     const int fromEnd = (2 * (isUpper ? gaps - gap : gap) * last + gaps) / (2 * gaps);
     this->Indices.push_back(isUpper ? last - fromEnd : fromEnd);

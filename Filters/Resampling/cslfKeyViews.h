@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Key views (paper, section 3.3): the viewpoints of a light field that are kept where lookups make
- * up for the others.
+ * Key views (paper, section 3.3): the viewpoints of a light field that are kept, while lookups
+ * replace the others.
  */
 #ifndef cslfKeyViews_h
 #define cslfKeyViews_h
@@ -18,19 +18,19 @@ namespace cslf
 class VTKCSLF_EXPORT KeyViews
 {
 public:
-  /// Of `viewpoints` along each side of a face, about every `step`-th is kept: the ends, and in
-  /// between as few as leave no gap larger than `step`, evenly spread and symmetric. Where `step`
-  /// divides `viewpoints` - 1, every `step`-th exactly. From 1, which keeps all, to `viewpoints`
-  /// - 1, which keeps the ends.
+  /// Keeps about every `step`-th of `viewpoints` along each side of a face: the ends, and between
+  /// them as few as possible without a gap larger than `step`, evenly spread and symmetric. If
+  /// `step` divides `viewpoints` - 1, it is exactly every `step`-th. A step of 1 keeps all, and a
+  /// step of `viewpoints` - 1 keeps only the ends.
   KeyViews(int viewpoints, int step);
 
-  /// What keeps a step from being used, in a sentence; empty where nothing does.
+  /// Why a step cannot be used, in a sentence. Empty if it can.
   static std::string FindFault(int viewpoints, int step);
 
   /// The indices of the kept viewpoints along a side, ascending.
   const std::vector<int>& GetIndices() const { return this->Indices; }
 
-  /// The whole field's slice that a slice of the key views is.
+  /// The whole field's slice for a slice of the key views.
   int ToWhole(int slice) const;
 
   /// Whether a slice of the whole field is one of the key views.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which slices of a light field a nested, coarser one has.
+ * The slices of a light field that belong to a nested, coarser one.
  */
 #ifndef cslfNesting_h
 #define cslfNesting_h
@@ -16,22 +16,21 @@ namespace cslf
 class Nesting
 {
 public:
-  /// For an input of that extent, of which every `stride`-th viewpoint along each side is kept, and
-  /// squares of `divisor` texels a side become one.
+  /// For an input of that extent: keeps every `stride`-th viewpoint along each side, and reduces
+  /// squares of `divisor` x `divisor` texels to one.
   Nesting(const int extent[6], int divisor, int stride);
 
-  /// What keeps it from being made, in a sentence; empty where nothing does.
+  /// Why it cannot be made, in a sentence. Empty if it can.
   std::string FindFault() const;
 
   /// The whole extent of the output, in VTK's order.
   void GetWholeExtent(int extent[6]) const;
 
-  /// The input's slice that becomes a slice of the output.
+  /// The input's slice for a slice of the output.
   int ToInput(int slice) const;
 
   /// The last of the output's slices from `first` to `last` whose input slices are pulled together
-  /// with the first one's: as many as fit into `limit` slices of the
-  /// input without a row that is left out.
+  /// with those of the first. They fit into `limit` slices of the input and skip no row.
   int FindEnd(int first, int last, int limit) const;
 
   /// The description of the output.

@@ -20,7 +20,7 @@ namespace cslf
 {
 namespace
 {
-/// The input's texels that each texel of an output slice stands for.
+/// The input's texels for each texel of an output slice.
 struct Squares
 {
   int Width; ///< of the input's strip
@@ -51,7 +51,7 @@ struct Squares
   }
 };
 
-/// A byte that is not weakened by alpha, made linear.
+/// A byte that is not multiplied by alpha, converted to linear.
 double ByteToLinear(unsigned char value)
 {
   static const std::array<double, 256> table = []
@@ -96,7 +96,7 @@ void ReduceColorBytes(const Squares& squares, const unsigned char* input, unsign
     });
 }
 
-/// For each texel of a slice, whether something is seen there.
+/// Whether each texel of a slice has coverage.
 using CoveredTexels = std::vector<bool>;
 
 template <typename Value>
@@ -110,7 +110,7 @@ CoveredTexels FindCovered(const Value* color, std::int64_t count)
   return covered;
 }
 
-/// Without colours everything counts.
+/// Without colours, all texels count.
 CoveredTexels FindCovered(
   const Description& field, vtkImageData* image, std::int64_t first, std::int64_t count)
 {
@@ -136,7 +136,7 @@ Value FromDouble(double value)
                                         : static_cast<Value>(value);
 }
 
-/// The mean of the covered texels, or of all where none is.
+/// The mean of the covered texels, or of all if none is covered.
 template <typename Value>
 void ReduceMean(const Squares& squares, int components, const CoveredTexels& covered,
   const Value* input, Value* output)
@@ -163,7 +163,7 @@ void ReduceMean(const Squares& squares, int components, const CoveredTexels& cov
     });
 }
 
-/// The smallest of the covered texels; 1, or what stands for it, where none is.
+/// The smallest of the covered texels; 1, or its integer code, if none is covered.
 template <typename Value>
 void ReduceDepth(
   const Squares& squares, const CoveredTexels& covered, const Value* input, Value* output)
@@ -192,7 +192,7 @@ void ReduceChannel(const Squares& squares, const Channel& channel, const Covered
   }
   else if (channel.Encoding == LinearEncoding)
   {
-    // Associated with alpha: what is empty counts, as darkness.
+    // With associated alpha, empty texels count as dark.
     ReduceMean(squares, channel.Components, CoveredTexels(covered.size(), true), input, output);
   }
   else

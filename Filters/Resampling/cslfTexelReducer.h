@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Squares of texels become one texel.
+ * Reduces squares of texels to one texel.
  */
 #ifndef cslfTexelReducer_h
 #define cslfTexelReducer_h
@@ -28,7 +28,7 @@ public:
   /// The divisor divides the input's resolution.
   TexelReducer(const Description& input, int divisor);
 
-  /// Fills a slice of `output`, whose arrays are allocated, from one of `input`.
+  /// Fills a slice of `output`, whose arrays are allocated, from a slice of `input`.
   void Reduce(vtkImageData* input, int inputSlice, vtkImageData* output, int outputSlice) const;
 
 private:

@@ -22,7 +22,7 @@ bool Fail(const std::string& what, const std::string& name, std::string& error)
   return false;
 }
 
-/// A file's number, closed in the end.
+/// A file descriptor that is closed on destruction.
 class Handle
 {
 public:
@@ -47,11 +47,11 @@ private:
   int Number;
 };
 
-/// Some file systems have nothing to do for a folder, and say so.
+/// Some file systems cannot flush folders, and return this error.
 bool SyncHandle(int handle, bool isFolder)
 {
 #ifdef F_FULLFSYNC
-  // On macOS fsync leaves the bytes in the disk's own memory.
+  // On macOS, fsync leaves the bytes in the disk's cache.
   if (handle >= 0 && ::fcntl(handle, F_FULLFSYNC) == 0)
   {
     return true;
@@ -74,7 +74,7 @@ bool MakeFolder(const std::string& name, std::string& error)
 
 bool MakeUniqueFolder(const std::string& prefix, std::string& name, std::string& error)
 {
-  // mkdtemp puts characters of its own in the place of the last six.
+  // mkdtemp replaces the last six characters.
   name = prefix + std::string(6, 'X');
   return ::mkdtemp(name.data()) ? true : Fail("make the folder", name, error);
 }
@@ -157,7 +157,7 @@ bool SyncFolder(const std::string& name, std::string& error)
 bool SyncTree(const std::string& name, std::string& error)
 {
 #ifdef __linux__
-  // At once: a field has thousands of images, and a disk turns for each file that is waited for.
+  // All at once: a field has thousands of images, and flushing each file separately is slow.
   const Handle handle(name, O_RDONLY | O_DIRECTORY);
   return (handle.Get() >= 0 && ::syncfs(handle.Get()) == 0) ||
     Fail("write to the folder", name, error);

@@ -16,7 +16,7 @@ namespace cslf
 {
 namespace
 {
-/// What flock says where the file system has no locks.
+/// flock's error if the file system has no locks.
 bool HasNoLocks(int code)
 {
   return code == ENOLCK || code == ENOTSUP || code == EOPNOTSUPP || code == ENOSYS ||

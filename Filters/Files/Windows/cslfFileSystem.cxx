@@ -16,7 +16,7 @@ bool Fail(const std::string& what, const std::string& name, std::string& error)
   return false;
 }
 
-/// A file or folder opened by name, closed in the end.
+/// A handle of a file or folder, closed on destruction.
 class Handle
 {
 public:
@@ -151,7 +151,7 @@ bool SyncFile(const std::string& name, std::string& error)
 
 bool SyncFolder(const std::string&, std::string&)
 {
-  return true; // Rename writes through, and Windows cannot wait for other names.
+  return true; // Rename writes through, and Windows cannot flush other names.
 }
 
 bool SyncTree(const std::string& name, std::string& error)

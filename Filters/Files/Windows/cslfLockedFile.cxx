@@ -14,7 +14,7 @@ HANDLE GetHandle(std::intptr_t handle)
   return reinterpret_cast<HANDLE>(handle);
 }
 
-/// Nobody else can open the file meanwhile, which is the lock.
+/// Nobody else can open the file while it is open. This is the lock.
 std::intptr_t OpenAlone(const std::string& fileName, DWORD disposition)
 {
   constexpr DWORD access = GENERIC_READ | GENERIC_WRITE | DELETE;
@@ -103,7 +103,7 @@ bool LockedFile::Write(const char* bytes, std::size_t count, std::string& error)
 
 void LockedFile::Remove()
 {
-  // The name goes when the file is closed, so nobody can get hold of it in between.
+  // The name disappears when the file is closed, so nobody can take it in between.
   FILE_DISPOSITION_INFO disposition = {};
   disposition.DeleteFile = TRUE;
   ::SetFileInformationByHandle(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Windows' own header without what collides with C++, and its error messages.
+ * Includes Windows' header without macros that conflict with C++, and gives its error messages.
  */
 #ifndef cslfWindows_h
 #define cslfWindows_h
@@ -20,7 +20,7 @@
 
 namespace cslf
 {
-/// "cannot WHAT NAME: REASON", where the reason is that of the last call that failed.
+/// "cannot WHAT NAME: REASON", with the reason of the last call that failed.
 inline std::string ExplainLastError(const std::string& what, const std::string& name)
 {
   const auto code = static_cast<int>(::GetLastError());
