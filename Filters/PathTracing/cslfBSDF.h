@@ -23,26 +23,26 @@ struct BSDFSample
   glm::vec3 Direction{ 0.0f }; ///< local
   glm::vec3 Weight{ 0.0f };    ///< BSDF times cosine, over the density
   float Pdf = 0.0f;            ///< per solid angle; infinite for a mirror's direction
-  float Compression = 1.0f;    ///< the factor of the weight that refraction accounts for
+  float Compression = 1.0f;    ///< the factor of the weight due to refraction
 };
 
-/// The parts of a BSDF that a question is about.
+/// The parts of a BSDF that a function covers.
 enum class Lobes
 {
   All,
-  Diffuse, ///< what looks alike from everywhere, but for BSDF::DiffuseAlbedo
-  Specular ///< the facets: what they reflect and what they let through
+  Diffuse, ///< parts that look the same from all directions, except for BSDF::DiffuseAlbedo
+  Specular ///< the facets: their reflection and transmission
 };
 
 /**
  * How a surface point scatters light towards one outgoing direction. Directions are local: z is the
- * shading normal, both point away from the surface. The outgoing one must be above it; incident
- * ones below bring light that comes through.
+ * shading normal, both point away from the surface. The outgoing one must be above it. Incident
+ * ones below are those of transmitted light.
  *
  * A metal of reflectance "base colour" and a dielectric are blended by "metallic", an opaque
- * dielectric and glass by "transmission". All have the same facets, GGX; what glass lets through is
- * tinted by the base colour. Under the opaque boundary lies a diffuse base, which gets what the
- * boundary lets through, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
+ * dielectric and glass by "transmission". All have the same GGX facets. Light through glass is
+ * tinted by the base colour. Under the opaque boundary lies a diffuse base, which gets the light
+ * that the boundary transmits, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
  * albedo: unlike glTF's example code, this never reflects more than it receives (Kelemen and
  * Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 short
  * papers).
@@ -54,7 +54,7 @@ public:
   BSDF(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
     bool inside);
 
-  /// Of a material that no texture varies, seen from outside.
+  /// For a material without varying textures, seen from outside.
   BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing)
     : BSDF(material, { baseColor, material.Metallic, material.Alpha }, outgoing, false)
   {
@@ -68,14 +68,14 @@ public:
       (lobes == Lobes::Specular ? this->HasSpecular() : this->HasDiffuse());
   }
 
-  /// The chance that Sample takes the specular lobe.
+  /// The probability that Sample takes the specular lobe.
   float GetSpecularProbability(Lobes lobes) const
   {
     return lobes == Lobes::All ? this->SpecularProbability : lobes == Lobes::Specular ? 1.0f : 0.0f;
   }
 
-  /// Whether light from given directions is scattered at all: not so for a pure mirror, and for
-  /// clear glass.
+  /// Whether light from given directions is scattered at all. False for a pure mirror and for clear
+  /// glass.
   bool IsMirror(Lobes lobes = Lobes::All) const
   {
     return this->GetSpecularProbability(lobes) >= 1.0f && this->Specular.IsSmooth();
@@ -84,17 +84,17 @@ public:
   /// The factor of the diffuse lobe that does not depend on the incident direction.
   glm::vec3 DiffuseAlbedo() const;
 
-  /// BSDF times the cosine at the incident direction, a mirror's part left out.
+  /// BSDF times the cosine at the incident direction, without a mirror's part.
   glm::vec3 EvaluateCosine(const glm::vec3& incident, Lobes lobes = Lobes::All) const;
 
-  /// The density with which Sample takes a direction, a mirror's part left out.
+  /// The density with which Sample takes a direction, without a mirror's part.
   float Pdf(const glm::vec3& incident, Lobes lobes = Lobes::All) const;
 
-  /// Samples an incident direction. False where the path ends.
+  /// Samples an incident direction. False if the path ends.
   bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes = Lobes::All) const;
 
-  /// The factor of the diffuse lobe that does: what an incident direction of this cosine lets in,
-  /// relative to the mean.
+  /// The factor of the diffuse lobe that depends on it: the transmission at an incident direction
+  /// of this cosine, relative to the mean.
   float DiffuseTransmission(float cosine) const;
 
 private:
@@ -102,7 +102,7 @@ private:
   MaterialPoint Point;
   glm::vec3 Outgoing;
   Facets Specular;
-  float DiffusePart; // what is neither metal nor glass
+  float DiffusePart; // the part that is neither metal nor glass
   float SpecularProbability = 0.0f;
 };
 }

@@ -52,7 +52,7 @@ bool DirectLight::CanSampleOne() const
 
 LightSample DirectLight::SampleOne(const LightReceiver& receiver, const glm::vec2& u) const
 {
-  // Light without extent is sampled even where light sampling is off.
+  // Lights without extent are sampled even if light sampling is off.
   LightSample sample = this->World.GetLocalLights().Sample(receiver, u);
   sample.Pdf = this->LightSampling || std::isinf(sample.Pdf) ? sample.Pdf : 0.0f;
   return sample;
@@ -86,7 +86,7 @@ glm::vec3 DirectLight::Sample(
 glm::vec3 DirectLight::Arrive(
   const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const
 {
-  // Is there light, and does the surface see it?
+  // Check that there is light and that it is visible.
   const glm::vec3 none(0.0f);
   if (!(light.Pdf > 0.0f))
   {
@@ -106,7 +106,7 @@ glm::vec3 DirectLight::Arrive(
     return none;
   }
 
-  // Share the estimate with the BSDF's own samples, which never meet a light without extent.
+  // Combine the estimate with the BSDF's own samples, which never hit a light without extent.
   if (std::isinf(light.Pdf))
   {
     return reflected * light.Radiance;

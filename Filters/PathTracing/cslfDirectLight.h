@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Light that reaches a surface point without detour, estimated in two ways that share the work:
- * sampled at its sources, or found by directions that the BSDF samples (multiple importance
- * sampling, Veach and Guibas, SIGGRAPH 1995).
+ * Direct light at a surface point, estimated in two ways: by samples of its sources and by
+ * directions that the BSDF samples (multiple importance sampling, Veach and Guibas, SIGGRAPH 1995).
  */
 #ifndef cslfDirectLight_h
 #define cslfDirectLight_h
@@ -23,20 +22,20 @@ struct ScatterLanes;
 struct StreamLanes;
 struct Vec3Lanes;
 
-/// A surface point and how it reflects towards the one before it on the path.
+/// A surface point and its reflection towards the previous point of the path.
 struct ScatteringPoint
 {
   const SurfaceHit& Surface;
   const Frame& Local;
   const BSDF& Reflection;
-  Lobes Open; ///< the lobes that are asked about
+  Lobes Open; ///< the lobes that are included
 };
 
 class VTKCSLF_EXPORT DirectLight
 {
 public:
-  /// Either estimator alone gives the same light, a mirror's reflections and what no light sampling
-  /// knows apart.
+  /// Either estimator alone gives the same light, except for reflections in mirrors and light that
+  /// light sampling cannot find.
   DirectLight(const Scene& scene, bool lightSampling, bool bsdfSampling)
     : World(scene)
     , LightSampling(lightSampling)
@@ -44,16 +43,16 @@ public:
   {
   }
 
-  /// What a ray that leaves the scene adds, if its direction was sampled with density `pdf`:
-  /// infinite for a ray that was given.
+  /// The light of a ray that leaves the scene, if its direction was sampled with density `pdf`,
+  /// which is infinite for a given ray.
   glm::vec3 GetEnvironment(const glm::vec3& direction, float pdf) const;
 
-  /// What a ray's first hit adds by its own emission. The normal is that of the LightReceiver which
-  /// the ray starts from; it does not count where the density is infinite.
+  /// The emission at a ray's first hit. The normal is that of the LightReceiver where the ray
+  /// starts. It is ignored if the density is infinite.
   glm::vec3 GetEmission(const Ray& ray, const glm::vec3& normal, const Hit& hit,
     const SurfaceHit& surface, float pdf) const;
 
-  /// The reflected light of the sources that are sampled. Counts the rays it traces.
+  /// The reflected light of the sampled sources. Counts the rays it traces.
   glm::vec3 Sample(
     const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const;
 
@@ -62,11 +61,11 @@ public:
   std::uint64_t Sample(const ScatterLanes& points, const StreamLanes& streams, std::uint32_t vertex,
     Vec3Lanes& radiance) const;
 
-  /// Whether Sample can give anything but darkness.
+  /// Whether Sample can return light.
   bool CanSample() const;
 
 private:
-  /// Whether one of the lights at a finite distance is to be sampled, and its sample.
+  /// Whether to sample one of the lights at a finite distance, and its sample.
   bool CanSampleOne() const;
   LightSample SampleOne(const LightReceiver& receiver, const glm::vec2& u) const;
 

@@ -20,10 +20,10 @@ namespace
 struct ReflectedLanes
 {
   Vec3Lanes Part;
-  Lanes<float> Pdf; // with which the BSDF's own samples take the direction
+  Lanes<float> Pdf; // the density of the BSDF's own samples for the direction
 };
 
-/// As if all surfaces were matte.
+/// As if all surfaces were diffuse.
 CSLF_VECTORIZE void ReflectMatte(const ScatterLanes& points, const LightLanes& light,
   ReflectedLanes& reflected, ShadowLanes& shadows)
 {
@@ -44,7 +44,7 @@ CSLF_VECTORIZE void ReflectMatte(const ScatterLanes& points, const LightLanes& l
   }
 }
 
-/// One that is not matte.
+/// A surface that is not diffuse.
 void Reflect(const ScatterLanes& points, int lane, const LightLanes& light,
   ReflectedLanes& reflected, ShadowLanes& shadows)
 {
@@ -65,8 +65,8 @@ void Reflect(const ScatterLanes& points, int lane, const LightLanes& light,
   }
 }
 
-/// Adds what arrives, and shares the estimate with the BSDF's own samples, which never meet a light
-/// without extent.
+/// Adds the arriving light, and combines the estimate with the BSDF's own samples, which never hit
+/// a light without extent.
 CSLF_VECTORIZE void AddLight(const LightLanes& light, const ReflectedLanes& reflected,
   const Lanes<float>& transmittance, bool shared, Vec3Lanes& radiance)
 {

@@ -22,9 +22,9 @@ namespace cslf
  * times that one. Then a difference on this scale is at least the displayed difference at any of
  * these exposures, and small differences equal that of the most demanding exposure. Up to the white
  * of the brightest exposure, the scale is sRGB's function at that exposure. Beyond, differences are
- * most visible at the exposure that makes the radiance white. As that exposure is inverse to the
- * radiance, the scale is a logarithm there, as steep as sRGB's function at white. From the white of
- * the darkest exposure on, the scale is constant.
+ * most visible at the exposure that makes the radiance white. That exposure is inverse to the
+ * radiance, so the scale is a logarithm there, with the slope of sRGB's function at white. From the
+ * white of the darkest exposure on, the scale is constant.
  */
 class DisplayCurve
 {
@@ -54,8 +54,8 @@ public:
     {
       return 12.92f * std::max(bright, 0.0f);
     }
-    // A power takes several times as long as this fit of 1.055 x^(1/2.4) - 0.055 by least squares.
-    // Its error is below 0.0006, and that of its slope below 2.1 %.
+    // This least-squares fit of 1.055 x^(1/2.4) - 0.055 is several times as fast as a power. Its
+    // error is below 0.0006, and that of its slope below 2.1 %.
     const float root = std::sqrt(bright);
     return 0.2920498f * std::sqrt(root) + 0.8402028f * root - 0.0567833f * bright - 0.0754708f;
   }
@@ -73,7 +73,7 @@ public:
 
 private:
   float Brightest; // the largest exposure
-  float White;     // what the smallest exposure makes white, times the largest exposure
+  float White;     // what is white at the smallest exposure, times the largest exposure
 };
 }
 

@@ -15,8 +15,8 @@ class vtkDataObject;
 
 namespace cslf
 {
-/// The displayed value of linear light, not negative, by sRGB's transfer function, which continues
-/// above white.
+/// The displayed value of non-negative linear light, by sRGB's transfer function, continued above
+/// white.
 VTKCSLF_EXPORT glm::vec3 ToDisplayed(const glm::vec3& light);
 
 /// The inverse. Up to white it uses a table, which is accurate to 1e-6.

@@ -32,7 +32,7 @@ public:
   /// Weights must not be negative.
   explicit Distribution1D(const std::vector<double>& weights);
 
-  /// The sum of the weights; 0 where nothing can be sampled.
+  /// The sum of the weights. 0 if nothing can be sampled.
   double GetTotal() const { return this->Total; }
   std::size_t GetSize() const { return this->Cumulative.size(); }
   DiscreteSample Sample(float u) const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Embree 3 and 4 behind one set of names: handles that release themselves, and the ray queries the
- * tracer uses. The only file that knows the difference between the two.
+ * A common interface to Embree 3 and 4: handles that release themselves, and the tracer's ray
+ * queries. This is the only file that depends on the version.
  */
 #ifndef cslfEmbree_h
 #define cslfEmbree_h
@@ -31,23 +31,23 @@ using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, EmbreeRel
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, EmbreeRelease>;
 using EmbreeGeometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, EmbreeRelease>;
 
-/// How a ray deals with surfaces whose opacity is neither 0 nor 1.
+/// How a ray treats surfaces whose opacity is neither 0 nor 1.
 enum class Passing
 {
-  ByChance,  ///< passes with the chance that the opacity says
-  ByHalf,    ///< passes where the opacity is below one half
-  Attenuated ///< passes, and its light is attenuated: of queries for occlusion only
+  ByChance,  ///< passes with the probability given by the opacity
+  ByHalf,    ///< passes if the opacity is below one half
+  Attenuated ///< passes, and its light is attenuated; only in occlusion queries
 };
 
 #if RTC_VERSION_MAJOR < 4
 
-/// What the filters of opacity get of a query; all queries go with one.
+/// The data of a query for the opacity filters. All queries pass it.
 struct EmbreeQuery
 {
-  RTCIntersectContext Context; // first, since that is what filters get a pointer to
+  RTCIntersectContext Context; // first, because filters get a pointer to it
   Passing Rule;
-  float* Transmittance = nullptr; // of the rays by their id, where they are attenuated
-  bool* MeetsVeils = nullptr;     // set where an opacity is neither 0 nor 1
+  float* Transmittance = nullptr; // of the rays by their id, if they are attenuated
+  bool* MeetsVeils = nullptr;     // set if an opacity is neither 0 nor 1
 
   explicit EmbreeQuery(Passing rule)
     : Rule(rule)
@@ -62,14 +62,14 @@ inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit
   rtcIntersect1(scene, &query.Context, &rayHit);
 }
 
-/// Whether anything lies along the ray: sets tfar to -infinity if so.
+/// Whether anything lies along the ray. If so, sets tfar to -infinity.
 inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
 {
   rtcOccluded1(scene, &query.Context, &ray);
 }
 
-/// The first hits of a packet of rays, which may run alike; lanes with valid == 0 are left alone.
-/// The packet must not be wider than GetPacketWidth.
+/// The first hits of a packet of rays, which may be coherent. Lanes with valid == 0 are not
+/// changed. The packet must not be wider than GetPacketWidth.
 template <typename RayHits>
 void EmbreeIntersectPacket(
   RTCScene scene, EmbreeQuery query, bool alike, const int* valid, RayHits& rayHits)
@@ -90,8 +90,8 @@ void EmbreeIntersectPacket(
   }
 }
 
-/// Whether anything lies along each ray of a packet, which do not run alike: sets tfar to -infinity
-/// if so. The packet must not be wider than GetPacketWidth.
+/// Whether anything lies along each ray of an incoherent packet. If so, sets tfar to -infinity. The
+/// packet must not be wider than GetPacketWidth.
 template <typename Rays>
 void EmbreeOccludedPacket(RTCScene scene, EmbreeQuery query, const int* valid, Rays& rays)
 {
@@ -187,7 +187,7 @@ void EmbreeOccludedPacket(RTCScene scene, EmbreeQuery query, const int* valid, R
 
 #endif
 
-/// How many rays Embree traces side by side on this machine: 16, 8 or 4.
+/// The number of rays that Embree traces side by side on this machine: 16, 8 or 4.
 inline int GetPacketWidth(RTCDevice device)
 {
   return rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) ? 16
@@ -195,8 +195,8 @@ inline int GetPacketWidth(RTCDevice device)
                                                                                   : 4;
 }
 
-/// Calls `trace(first, part)` for each `Part` of a packet of 16, which gets its lanes from `first`
-/// on and gives them back. The packet and its parts must be Embree's structures of one kind, whose
+/// Calls `trace(first, part)` for each `Part` of a packet of 16, whose lanes from `first` on are
+/// copied to it and back. The packet and its parts must be Embree's structures of one kind, whose
 /// members are each a 4-byte value of every lane.
 template <typename Part, typename Packet, typename Trace>
 void ForEachPart(Packet& packet, const Trace& trace)
@@ -222,9 +222,9 @@ void ForEachPart(Packet& packet, const Trace& trace)
   }
 }
 
-/// The first hits of 16 rays, which may run alike; lanes with valid == 0 are left alone. They are
-/// traced in packets of GetPacketWidth: wider ones Embree 3 traces without a look at `valid`, and
-/// stops the process where a lane's numbers are not finite.
+/// The first hits of 16 rays, which may be coherent. Lanes with valid == 0 are not changed. They
+/// are traced in packets of GetPacketWidth: Embree 3 ignores `valid` in wider packets, and ends the
+/// process if a lane's numbers are not finite.
 inline void EmbreeIntersect16(RTCScene scene, int width, const EmbreeQuery& query, bool alike,
   const int valid[16], RTCRayHit16& rayHits)
 {
@@ -244,7 +244,7 @@ inline void EmbreeIntersect16(RTCScene scene, int width, const EmbreeQuery& quer
   }
 }
 
-/// Whether anything lies along each of 16 rays that do not run alike: sets tfar to -infinity if so.
+/// Whether anything lies along each of 16 incoherent rays. If so, sets tfar to -infinity.
 inline void EmbreeOccluded16(
   RTCScene scene, int width, const EmbreeQuery& query, const int valid[16], RTCRay16& rays)
 {

@@ -17,11 +17,11 @@ namespace cslf
 {
 namespace
 {
-// What is added to the cone of a spot light, in radians, so that rounding leaves none of it out.
+// Added to the cone of a spot light, in radians, so that rounding excludes nothing.
 constexpr double SpotSlack = 1e-3;
 
-/// How much denser directions are in the scene than in an instance's mesh, where they are stretched
-/// by a factor.
+/// The ratio of the densities of directions in the scene and in an instance's mesh, if they are
+/// stretched by a factor.
 float GetCrowding(const MeshInstance& instance, float stretch)
 {
   const float size = GetSize(instance);
@@ -175,7 +175,7 @@ LightSample Emitter::SampleTriangle(const glm::vec3& from, const glm::vec2& u) c
 
 LightSample Emitter::SampleRound(const glm::vec3& from, const glm::vec2& u) const
 {
-  // An instance is sampled as its mesh is, which is seen from where the instance sees the point.
+  // An instance is sampled like its mesh, with the point transformed to the mesh's space.
   const Mesh& mesh = *this->Source;
   const MeshInstance* instance = this->GetInstance();
   const glm::vec3 place = instance ? InvertLinear(*instance) * (from - instance->Offset) : from;

@@ -31,16 +31,16 @@ public:
   {
   }
 
-  /// Bounds with the power of all the emitter's light: 0 if it emits none.
+  /// Bounds with the power of all the emitter's light, which is 0 if it emits none.
   LightBounds GetBounds() const;
 
   /// Samples light from a point of the emitter: uniformly by area on triangles, as in
-  /// cslfRoundView.h on spheres and tubes. There is no sample from within a sphere or a tube, since
-  /// all rays hit it.
+  /// cslfRoundView.h on spheres and tubes. There is no sample from within a sphere or a tube,
+  /// because all rays hit it.
   LightSample Sample(const glm::vec3& from, const glm::vec2& u) const;
 
   /// The density, per solid angle, with which Sample chooses the direction of a ray that first hits
-  /// the emitter, which must not be a point light, at a distance.
+  /// the emitter at a distance. The emitter must not be a point light.
   float GetPdf(const glm::vec3& from, const glm::vec3& direction, float distance) const;
 
 private:

@@ -16,8 +16,8 @@ namespace cslf
 {
 namespace
 {
-/// The integral of the interpolated image over each pixel, times the pixel's solid angle: nowhere 0
-/// where the image is not.
+/// The integral of the interpolated image over each pixel, times the pixel's solid angle. It is
+/// above 0 wherever the image is.
 std::vector<double> MakeImportance(const EnvironmentImage& image)
 {
   const int width = image.Width;
@@ -49,7 +49,7 @@ std::vector<double> MakeImportance(const EnvironmentImage& image)
   return weights;
 }
 
-/// Whether all components are numbers.
+/// Whether no component is NaN.
 bool IsDirection(const glm::vec3& direction)
 {
   return std::isfinite(direction.x + direction.y + direction.z);

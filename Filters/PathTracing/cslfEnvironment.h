@@ -20,15 +20,15 @@
 
 namespace cslf
 {
-/// The environment's own axes in the world: `Up` as asked for, `Right` the world's x made
-/// perpendicular to it, as of a vtkRenderer whose EnvironmentRight is left alone.
+/// The environment's axes in the world. `Right` is the world's x axis made perpendicular to `Up`,
+/// as in a vtkRenderer with the default EnvironmentRight.
 struct VTKCSLF_EXPORT EnvironmentAxes
 {
   glm::vec3 Right{ 1.0f, 0.0f, 0.0f };
   glm::vec3 Up{ 0.0f, 1.0f, 0.0f };
   glm::vec3 Front{ 0.0f, 0.0f, 1.0f };
 
-  /// `up` must have a length.
+  /// `up` must not have length 0.
   static EnvironmentAxes FromUp(const glm::dvec3& up);
 };
 
@@ -46,7 +46,7 @@ struct SkyGradient
   }
 };
 
-/// A lat-long image, linear, its first row at the zenith.
+/// A linear lat-long image. Its first row is at the zenith.
 struct EnvironmentImage
 {
   int Width = 0;
@@ -54,16 +54,16 @@ struct EnvironmentImage
   std::vector<glm::vec3> Pixels;
 };
 
-/// Reads an image through OpenImageIO and makes it linear. On failure returns false and says why,
-/// in one line.
+/// Reads an image through OpenImageIO and makes it linear. On failure returns false and gives the
+/// reason in one line.
 VTKCSLF_EXPORT bool ReadEnvironmentImage(
   const std::string& fileName, EnvironmentImage& image, std::string& error);
 
 /**
  * The radiance of every direction. A constant or a vertical gradient is left to the BSDF's own
- * samples: under a constant one, those of a diffuse or mirror surface are without noise but for
- * visibility, which no sampling of the environment knows either. An image is sampled in proportion
- * to its luminance.
+ * samples: under a constant one, those of a diffuse or mirror surface have no noise except that of
+ * visibility, which no sampling of the environment removes. An image is sampled in proportion to
+ * its luminance.
  */
 class VTKCSLF_EXPORT Environment
 {
@@ -74,19 +74,19 @@ public:
   /// From `bottom` to `top`, linear in the height of the direction's end.
   Environment(const glm::vec3& bottom, const glm::vec3& top, const EnvironmentAxes& axes);
 
-  /// A lat-long image as VTK's environment textures lie: its middle column is the right axis, the
-  /// front axis a quarter of the width further.
+  /// A lat-long image oriented like VTK's environment textures: its middle column is the right
+  /// axis, and the front axis is a quarter of the width further.
   Environment(EnvironmentImage image, float intensity, const EnvironmentAxes& axes);
 
-  /// Whether Sample and Pdf are of use.
+  /// Whether Sample and Pdf are useful.
   bool CanSample() const { return this->Importance.GetTotal() > 0.0; }
 
-  /// The image, without pixels where there is none.
+  /// The image, without pixels if there is none.
   const EnvironmentImage& GetImage() const { return this->Image; }
 
   glm::vec3 GetRadiance(const glm::vec3& direction) const;
 
-  /// What GetRadiance tells where there is no image.
+  /// The result of GetRadiance without an image.
   const SkyGradient& GetGradient() const { return this->Gradient; }
 
   const EnvironmentAxes& GetAxes() const { return this->Axes; }

@@ -26,7 +26,7 @@ vtkDataArray* Find(vtkDataObject* data, const char* name)
   return data->GetFieldData()->GetArray(name);
 }
 
-/// A tuple of three finite numbers. False where there is none.
+/// A tuple of three finite numbers. False if there is none.
 bool ReadVector(vtkDataArray* array, vtkIdType tuple, glm::dvec3& vector)
 {
   if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() <= tuple)
@@ -39,7 +39,7 @@ bool ReadVector(vtkDataArray* array, vtkIdType tuple, glm::dvec3& vector)
   return IsFinite(vector);
 }
 
-/// The axes, by default of a vtkRenderer. False where they are parallel, or 0.
+/// The axes; by default those of a vtkRenderer. False if they are parallel or 0.
 bool ReadAxes(vtkDataObject* data, EnvironmentAxes& axes)
 {
   glm::dvec3 up(0.0, 1.0, 0.0);
@@ -72,7 +72,7 @@ bool ReadAxes(vtkDataObject* data, EnvironmentAxes& axes)
   return true;
 }
 
-/// Bottom and top. False where there is neither.
+/// Bottom and top. False if there is neither.
 bool ReadRadiance(vtkDataObject* data, glm::dvec3& bottom, glm::dvec3& top)
 {
   vtkDataArray* radiance = Find(data, vtkCSLFLight::EnvironmentRadiance());
@@ -96,7 +96,7 @@ float ToRadiance(double value, bool encoded)
   return std::isfinite(linear) ? static_cast<float>(std::max(linear, 0.0)) : 0.0f;
 }
 
-/// The image, its first row at the top. False where there is none that fits.
+/// The image, its first row at the top. False if there is no suitable image.
 bool ReadImage(vtkDataObject* data, EnvironmentImage& image)
 {
   vtkDataArray* pixels = Find(data, vtkCSLFLight::EnvironmentImage());

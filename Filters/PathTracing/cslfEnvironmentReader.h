@@ -13,10 +13,10 @@ class vtkDataObject;
 
 namespace cslf
 {
-/// Whether a data object, which may be null, brings an environment.
+/// Whether a data object, which may be null, contains an environment.
 bool HasEnvironment(vtkDataObject* data);
 
-/// Reads it. False where its arrays do not fit each other, or are not finite.
+/// Reads it. False if its arrays do not fit each other or are not finite.
 bool ReadEnvironment(vtkDataObject* data, Environment& environment);
 }
 

@@ -11,10 +11,11 @@ namespace cslf
 {
 namespace
 {
-// Light through glass of an index closer to 1 than this bends by less than a degree at most angles.
+// Light through glass with an index closer to 1 than this is refracted by less than a degree at
+// most angles.
 constexpr float SmallestContrast = 1e-2f;
 
-/// Whether facets reflect in this direction; else they refract.
+/// Whether facets reflect in this direction. Otherwise they refract.
 bool IsReflected(const glm::vec3& incident)
 {
   return incident.z > 0.0f;
@@ -42,7 +43,7 @@ Facets::Facets(const SurfaceMaterial& material, const MaterialPoint& point, bool
   this->Straight = this->Thin || this->Eta == 1.0f;
 }
 
-/// What glass reflects. In a thin sheet light goes back and forth between its boundaries.
+/// The reflection of glass. In a thin sheet, light goes back and forth between its boundaries.
 float Facets::GlassFresnel(float cosine) const
 {
   const float fresnel = DielectricFresnel(cosine, this->Eta);
@@ -82,7 +83,7 @@ glm::vec3 Facets::EvaluateCosine(const glm::vec3& outgoing, const glm::vec3& inc
   if (IsReflected(incident))
   {
     const float cosine = glm::dot(outgoing, glm::normalize(outgoing + incident));
-    // Light that goes straight meets no facets, so what they reflect of it is told by the angle.
+    // Light that goes straight on meets no facets, so the angle determines their reflection.
     return this->GetReflectance(cosine, this->Straight ? outgoing.z : cosine) *
       GGX(this->Alpha).EvaluateCosine(outgoing, incident);
   }
@@ -90,7 +91,7 @@ glm::vec3 Facets::EvaluateCosine(const glm::vec3& outgoing, const glm::vec3& inc
   {
     return glm::vec3(0.0f);
   }
-  // Masking and shadowing on opposite sides are taken as independent, as Walter et al. do.
+  // Masking and shadowing on opposite sides are assumed to be independent, as in Walter et al.
   float cosine = 0.0f;
   const float density = this->RefractionDensity(outgoing, incident, cosine);
   return this->GetTransmittance(cosine) *
@@ -118,7 +119,7 @@ float Facets::Pdf(const glm::vec3& outgoing, const glm::vec3& incident) const
   return (1.0f - this->ReflectionProbability(cosine)) * density;
 }
 
-/// The density of the directions that the visible facets refract to, and the cosine at the facet:
+/// The density of the directions to which visible facets refract, and the cosine at the facet:
 /// Walter et al., equation 17.
 float Facets::RefractionDensity(
   const glm::vec3& outgoing, const glm::vec3& incident, float& cosine) const

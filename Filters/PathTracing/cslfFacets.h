@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The boundary of a surface, smooth or of microfacets: what it reflects, and what it refracts.
+ * Reflection and refraction at the boundary of a surface, smooth or with microfacets.
  */
 #ifndef cslfFacets_h
 #define cslfFacets_h
@@ -17,14 +17,14 @@
 namespace cslf
 {
 /**
- * Facets of metal, of an opaque dielectric and of glass, in the parts that the material says, with
- * normals by GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR
+ * Facets of metal, of an opaque dielectric and of glass, in the proportions given by the material,
+ * with GGX normals: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR
  * 2007. Directions are local and point away from the surface, z being the normal on the outgoing
  * direction's side; incident directions below the surface are those of refracted light.
  *
- * Radiance grows with the squared index of refraction of its medium, as its rays are squeezed into
- * a smaller solid angle; the factor is called compression here. Where the index is 1, glass lets
- * light go on straight, whatever the roughness.
+ * Radiance grows with the squared index of refraction of its medium, because its rays are
+ * compressed into a smaller solid angle; this factor is called compression here. If the index is 1,
+ * light goes straight through glass of any roughness.
  */
 class VTKCSLF_EXPORT Facets
 {
@@ -39,29 +39,29 @@ public:
   /// `inside` tells whether the outgoing direction lies behind the surface, in the glass.
   Facets(const SurfaceMaterial& material, const MaterialPoint& point, bool inside);
 
-  /// Whether nothing is scattered: light goes on in one or two directions.
+  /// Whether nothing is scattered: light continues in one or two directions.
   bool IsSmooth() const
   {
     return this->Alpha == 0.0f || (this->Metallic == 0.0f && this->Index == 1.0f);
   }
 
-  /// What a facet reflects of light at an angle acos(`cosine`) to its normal.
+  /// The reflection of a facet at an angle acos(`cosine`) to its normal.
   glm::vec3 GetReflectance(float cosine) const { return this->GetReflectance(cosine, cosine); }
 
-  /// What a facet lets through, without the compression.
+  /// The transmission of a facet, without the compression.
   glm::vec3 GetTransmittance(float cosine) const;
 
-  /// What radiance is multiplied by as it comes through from the far side.
+  /// The factor of radiance that comes through from the far side.
   float GetCompression() const { return this->Straight ? 1.0f : 1.0f / (this->Eta * this->Eta); }
 
-  /// BSDF times the cosine at the incident direction, what is smooth left out.
+  /// BSDF times the cosine at the incident direction, without smooth parts.
   glm::vec3 EvaluateCosine(const glm::vec3& outgoing, const glm::vec3& incident) const;
 
-  /// The density with which Sample takes a direction, what is smooth left out.
+  /// The density with which Sample takes a direction, without smooth parts.
   float Pdf(const glm::vec3& outgoing, const glm::vec3& incident) const;
 
-  /// Chooses a facet by `u`, and whether it reflects or refracts by `which`. False where the
-  /// direction lies on the wrong side.
+  /// Chooses a facet by `u`, and whether it reflects or refracts by `which`. False if the direction
+  /// lies on the wrong side.
   bool Sample(const glm::vec3& outgoing, float which, const glm::vec2& u, Choice& choice) const;
 
 private:
@@ -74,13 +74,13 @@ private:
 
   glm::vec3 BaseColor;
   float Metallic;
-  float Opaque; // the part of the opaque dielectric
-  float Glass;  // the part of the glass
+  float Opaque; // the share of the opaque dielectric
+  float Glass;  // the share of the glass
   float Index;  // of refraction, behind the surface
   float Eta;    // the index of the far side over that of the outgoing direction's
   float Alpha;  // GGX's
   bool Thin;
-  bool Straight; // whether light goes through without a bend
+  bool Straight; // whether light goes through without refraction
 };
 }
 

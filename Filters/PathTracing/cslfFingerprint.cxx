@@ -17,7 +17,7 @@ namespace cslf
 {
 namespace
 {
-/// MD5 takes its input in pieces of an int's length.
+/// MD5 takes its input in parts, whose size is an int.
 constexpr std::size_t LargestPiece = std::size_t(1) << 30;
 
 constexpr int DigitCount = 32;

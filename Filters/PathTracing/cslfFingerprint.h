@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A hash that tells one scene from another.
+ * A hash that identifies a scene.
  */
 #ifndef cslfFingerprint_h
 #define cslfFingerprint_h
@@ -20,7 +20,7 @@ namespace cslf
 struct LightSet;
 struct Mesh;
 
-/// Takes everything in order; equal contents give equal text in every process.
+/// Adds everything in order. Equal contents give equal text in every process.
 class Fingerprint
 {
 public:

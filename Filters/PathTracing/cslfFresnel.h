@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How much of the light a smooth boundary reflects.
+ * The reflectance of a smooth boundary.
  */
 #ifndef cslfFresnel_h
 #define cslfFresnel_h
@@ -14,8 +14,9 @@
 
 namespace cslf
 {
-/// Unpolarised light that meets a dielectric of relative index `ior` at angle acos(`cosine`): the
-/// exact equations. An index of 1 reflects nothing; below 1, flat angles are reflected totally.
+/// The exact reflectance of a dielectric of relative index `ior` for unpolarised light at angle
+/// acos(`cosine`). An index of 1 reflects nothing; below 1, there is total reflection at grazing
+/// angles.
 inline float DielectricFresnel(float cosine, float ior)
 {
   if (ior == 1.0f)

@@ -15,7 +15,7 @@ namespace cslf
 {
 namespace
 {
-/// Two floats' bits as one number.
+/// The bits of two floats as one number.
 std::uint64_t GetBits(float a, float b)
 {
   std::uint32_t bits[2];
@@ -24,8 +24,8 @@ std::uint64_t GetBits(float a, float b)
   return (std::uint64_t(bits[0]) << 32) | bits[1];
 }
 
-/// A number in [0,1) for a ray's meeting with a triangle: the same whenever it is asked for, in
-/// whatever order Embree finds the triangles, and how often.
+/// A number in [0,1) for the hit of a ray on a triangle. It does not depend on when, how often and
+/// in which order Embree finds the triangles.
 float GetChance(const RTCFilterFunctionNArguments* query, unsigned int lane)
 {
   RTCRayN* ray = query->ray;
@@ -47,8 +47,8 @@ glm::vec3 GetDirection(const RTCFilterFunctionNArguments* query, unsigned int la
     RTCRayN_dir_z(query->ray, query->N, lane) };
 }
 
-/// A normal of any length: on the front of triangles, which reflections keep, as it is that in the
-/// space of the mesh.
+/// A normal of any length. On triangles, it is on the front, also in mirrored instances, because it
+/// is in the space of the mesh.
 glm::vec3 GetNormal(const RTCFilterFunctionNArguments* query, unsigned int lane)
 {
   return { RTCHitN_Ng_x(query->hit, query->N, lane), RTCHitN_Ng_y(query->hit, query->N, lane),
@@ -62,8 +62,8 @@ bool IsHidden(const RTCFilterFunctionNArguments* query, unsigned int lane, const
     mesh.Material.Hides(glm::dot(GetDirection(query, lane), GetNormal(query, lane)) > 0.0f);
 }
 
-/// Whether a ray leaves a sphere or a tube that it has entered. These are one surface, where they
-/// are met first: no ray meets the other side as well.
+/// Whether a ray leaves a sphere or a tube that it has entered. These count as one surface at the
+/// first hit, so that no ray hits the other side as well.
 bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, const Mesh& mesh)
 {
   if (mesh.Shape == Mesh::Shapes::Triangles)
@@ -85,21 +85,21 @@ bool IsFarSide(const RTCFilterFunctionNArguments* query, unsigned int lane, cons
     : glm::distance(origin, mesh.Vertices[shape]) > mesh.Radii[shape];
 }
 
-/// Whether a ray meets the round end of a tube within the one that goes on there.
+/// Whether a ray hits the round end of a tube inside the tube that continues it.
 bool IsWithinJoint(const RTCFilterFunctionNArguments* query, unsigned int lane, const Mesh& mesh)
 {
   if (mesh.Joints.empty())
   {
     return false;
   }
-  // Embree tells the exact numbers for round ends.
+  // Embree reports these exact numbers for round ends.
   const float along = RTCHitN_u(query->hit, query->N, lane);
   const std::size_t first = 2 * std::size_t(RTCHitN_primID(query->hit, query->N, lane));
   return (along <= 0.0f && mesh.Joints[first] != 0) ||
     (along >= 1.0f && mesh.Joints[first + 1] != 0);
 }
 
-/// Refuses the hits of opaque triangles from hidden sides.
+/// Rejects hits on hidden sides of opaque triangles.
 void RefuseHidden(const RTCFilterFunctionNArguments* query)
 {
   const auto& mesh = *static_cast<const Mesh*>(query->geometryUserPtr);
@@ -112,7 +112,7 @@ void RefuseHidden(const RTCFilterFunctionNArguments* query)
   }
 }
 
-/// Refuses the hits that rays pass.
+/// Rejects hits of rays that pass.
 void RefusePassed(const RTCFilterFunctionNArguments* query)
 {
   const auto& mesh = *static_cast<const Mesh*>(query->geometryUserPtr);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets rays pass surfaces: at random by opacity, or where they come from a hidden side.
+ * Lets rays pass surfaces: at random by opacity, or if they come from a hidden side.
  */
 #ifndef cslfHitFilter_h
 #define cslfHitFilter_h

@@ -16,7 +16,7 @@ namespace cslf
 {
 namespace
 {
-/// A vector at unit length, or another where it has no length that a float can hold.
+/// A vector with unit length, or another one if a float cannot hold its length.
 glm::vec3 NormalizeOr(const glm::vec3& vector, const glm::vec3& other)
 {
   const float length = glm::length(vector);
@@ -27,14 +27,14 @@ glm::vec3 NormalizeOr(const glm::vec3& vector, const glm::vec3& other)
 struct HitTriangle
 {
   glm::vec3 Corners[3];
-  glm::vec3 Normals[3]; // of any length; where it is smooth
+  glm::vec3 Normals[3]; // of any length; if it is smooth
   glm::vec3 Front;      // the normal of the side from which the corners run counterclockwise
   bool IsSmooth;        // whether all corners have a normal
-  glm::vec3 Reach;      // as FindOffset takes it, of the first corner
+  glm::vec3 Reach;      // for FindOffset, of the first corner
   float Length;         // of its rounding
 };
 
-/// Takes a mesh's normal to the scene, at unit length.
+/// Transforms a mesh's normal to the scene, with unit length.
 glm::vec3 PlaceNormal(const MeshInstance& instance, const glm::vec3& normal)
 {
   return NormalizeOr(glm::transpose(InvertLinear(instance)) * normal, normal);
@@ -59,12 +59,12 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
   if (place.Instance != TrianglePoint::None)
   {
     const MeshInstance& instance = mesh.Instances[place.Instance];
-    // Rays are taken to the instance's mesh, which rounds, too.
+    // Rays are transformed to the instance's mesh, which causes rounding, too.
     const glm::mat3 sizes(
       glm::abs(instance.Linear[0]), glm::abs(instance.Linear[1]), glm::abs(instance.Linear[2]));
     triangle.Length *= GetSize(instance);
     triangle.Reach = 2.0f * (sizes * triangle.Reach + glm::abs(instance.Offset));
-    // The offset's digits would swallow the edges of small instances.
+    // Rounding of the offset would remove the edges of small instances.
     const glm::vec3 edges[3] = { glm::vec3(0.0f),
       instance.Linear * (triangle.Corners[1] - triangle.Corners[0]),
       instance.Linear * (triangle.Corners[2] - triangle.Corners[0]) };
@@ -86,8 +86,8 @@ HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
   return triangle;
 }
 
-/// The interpolated normal, bent by the normal texture, turned to the ray's side, and so that the
-/// ray sees its front.
+/// The interpolated normal, bent by the normal texture, turned to the ray's side so that the ray
+/// sees its front.
 glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
   const TrianglePoint& place, const SurfaceHit& surface, const glm::vec3& outgoing)
 {
@@ -108,7 +108,7 @@ glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
 void LocateOnTriangle(
   const Mesh& mesh, const Ray& ray, const Hit& hit, const TrianglePoint& place, SurfaceHit& surface)
 {
-  // Where a ray query found the place, it tells the normal and the point of flat triangles.
+  // If a ray query found the place, it gives the normal and the point of flat triangles.
   const glm::vec3 outgoing = -ray.Direction;
   const bool isFound = hit.Front != glm::vec3(0.0f) && mesh.Instances.empty();
   HitTriangle triangle = GetTriangle(mesh, place);

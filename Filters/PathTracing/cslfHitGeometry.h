@@ -12,7 +12,7 @@
 
 namespace cslf
 {
-/// The largest element of an instance's matrix: about its size.
+/// The largest element of an instance's matrix, which is about its size.
 float GetSize(const MeshInstance& instance);
 
 /// The inverse of its matrix, also of instances so small that the determinant is 0 as a float.
@@ -24,7 +24,8 @@ glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& poi
 /// One of a mesh's tubes, where the mesh lies.
 Tube GetTube(const Mesh& mesh, std::uint32_t tube);
 
-/// Finds a hit's normals and positions. On tubes, `place` is moved to where the surface belongs to.
+/// Finds a hit's normals and positions. On tubes, `place` is moved to the point along the tube that
+/// the surface belongs to.
 void Locate(
   const Mesh& mesh, const Ray& ray, const Hit& hit, TrianglePoint& place, SurfaceHit& surface);
 }

@@ -18,7 +18,7 @@ bool StartsWith(const std::string& text, const char* prefix)
   return text.rfind(prefix, 0) == 0;
 }
 
-/// The exponent that a name such as "gamma2.2" or "g22_rec709_scene" tells; 0 for other names.
+/// The exponent in a name such as "gamma2.2" or "g22_rec709_scene"; 0 for other names.
 double FindGamma(const std::string& name)
 {
   if (StartsWith(name, "gamma"))

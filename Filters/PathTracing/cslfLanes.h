@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values of 16 rays side by side, so that one instruction treats many. Loops over lanes that are to
- * become such instructions stand in functions marked CSLF_VECTORIZE, call nothing that is not
- * inlined, and have no branches but choices between values.
+ * Values of 16 rays side by side, for vector instructions. Loops over lanes that should be
+ * vectorised are in functions marked CSLF_VECTORIZE, call only inlined functions, and have no
+ * branches except selections between values.
  */
 #ifndef cslfLanes_h
 #define cslfLanes_h
@@ -42,7 +42,7 @@ struct Vec3Lanes
   }
 };
 
-/// Which lanes take part: -1 for those that do, else 0.
+/// The active lanes: -1 for active ones, else 0.
 using LaneMask = Lanes<std::int32_t>;
 
 inline bool IsAny(const LaneMask& mask)

@@ -16,10 +16,10 @@ namespace
 {
 constexpr double DoublePi = 3.14159265358979323846;
 
-// What is added to a joint cone's angle, so that rounding does not leave parts of it out.
+// Added to a joint cone's angle, so that rounding excludes nothing.
 constexpr double Slack = 1e-5;
 
-/// The narrowest cone that holds those of both; of all directions if that is no cone.
+/// The narrowest cone that contains both. If there is no such cone, one of all directions.
 void JoinCones(const LightBounds& a, const LightBounds& b, LightBounds& joint)
 {
   const bool isTwoSided = a.Kind == LightBounds::Kinds::Surfaces;
@@ -77,7 +77,7 @@ double MeasureDirections(const LightBounds& bounds)
   {
     return cone;
   }
-  // Beyond the cone of normals, the cosine to it falls to 0 a quarter of a turn further on.
+  // Beyond the cone of normals, the cosine falls to 0 over a quarter of a turn.
   const double end = std::min(angle + 0.5 * DoublePi, DoublePi);
   return cone +
     0.5 * DoublePi *

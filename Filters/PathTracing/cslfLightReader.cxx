@@ -28,7 +28,7 @@ glm::dvec3 GetTuple3(vtkDataArray* array, vtkIdType index)
   return { tuple[0], tuple[1], tuple[2] };
 }
 
-/// Whether irradiance is finite everywhere but at the light.
+/// Whether irradiance is finite everywhere except at the light.
 bool IsAttenuation(const glm::dvec3& attenuation, double exponent)
 {
   return IsFinite(attenuation) && std::isfinite(exponent) && exponent >= 0.0 &&
@@ -214,8 +214,8 @@ void LightReader::MoveTo(LightSet& lights, const SceneFrame& frame) const
   }
   for (const Light& light : this->Points.Lights)
   {
-    // Distances are those of the scene, which is smaller by its radius. The polynomial is divided
-    // by its largest coefficient, so that floats hold it.
+    // Distances are in scene space, so they are divided by the scene's radius. The polynomial is
+    // divided by its largest coefficient, so that it fits in floats.
     const glm::dvec3 inScene =
       light.Attenuation * glm::dvec3(1.0, frame.Radius, frame.Radius * frame.Radius);
     const double largest = std::max({ inScene.x, inScene.y, inScene.z });

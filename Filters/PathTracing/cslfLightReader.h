@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the lights that data objects carry (vtkCSLFLight).
+ * Reads the lights of data objects (vtkCSLFLight).
  */
 #ifndef cslfLightReader_h
 #define cslfLightReader_h
@@ -25,12 +25,12 @@ public:
   /// Reads the field data of a data object, which may be null.
   void Add(vtkDataObject* data);
 
-  /// What is added from now on comes from another rank.
+  /// Lights added from now on come from another rank.
   void BeginRank();
 
-  /// Makes the lights depend on nothing but what they are: sorts them, and takes lights that
-  /// several ranks have once, since field data comes with every piece of what it belongs to. A
-  /// light that one rank has several times is kept as often.
+  /// Makes the lights independent of order and ranks. Sorts them, and keeps one copy of lights that
+  /// several ranks have, because field data comes with every piece of a data set. If one rank has a
+  /// light several times, keeps as many copies.
   void Join();
 
   /// The lights or pairs of arrays that could not be used.
@@ -43,7 +43,7 @@ private:
   struct Light
   {
     glm::dvec3 Place; // position, or direction
-    glm::dvec3 Power; // intensity, or irradiance; what is negative counts as 0
+    glm::dvec3 Power; // intensity, or irradiance; negative values count as 0
     glm::dvec3 Axis{ 0.0 };
     double ConeAngle = 0.0; // in degrees
     double Exponent = 0.0;
@@ -58,7 +58,7 @@ private:
     }
   };
 
-  /// The lights of one kind, and where those of each rank but the first begin.
+  /// The lights of one kind, and the start of the lights of each rank after the first.
   struct LightList
   {
     std::vector<Light> Lights;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a light says of one of its points or directions.
+ * A sample of one of a light's points or directions.
  */
 #ifndef cslfLightSample_h
 #define cslfLightSample_h
@@ -13,9 +13,9 @@
 
 namespace cslf
 {
-/// Light that arrives at a surface point if nothing lies between. A density of 0 says that there is
-/// none; a light without extent has an infinite one, and its radiance is then its irradiance on a
-/// surface that faces it.
+/// Light that arrives at a surface point if nothing lies between. A density of 0 means that there
+/// is none. The density of a light without extent is infinite, and its radiance is then its
+/// irradiance on a surface that faces it.
 struct LightSample
 {
   glm::vec3 Direction{ 0.0f }; ///< from the surface point to the light, of unit length

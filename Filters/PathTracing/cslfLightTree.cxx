@@ -16,34 +16,34 @@ namespace cslf
 {
 namespace
 {
-// The parts of an axis between which lights can be split.
+// The bins of an axis, between which lights can be split.
 constexpr int BinCount = 16;
 
-// The most lights that may share a leaf, and the part of the cost of a leaf that a split must not
-// exceed to be worth it.
+// The most lights that may share a leaf, and the largest cost of a useful split, relative to that
+// of a leaf.
 constexpr std::size_t MostInLeaf = 4;
 constexpr double LeastGain = 0.8;
 
 // The least squared distance that counts, in scene space.
 constexpr float LeastDistance2 = 1e-12f;
 
-// How far below the horizon rounding may put what lies on it, in scene space.
+// How far below the horizon rounding may move a light that lies on it, in scene space.
 constexpr float HorizonSlack = 1e-6f;
 
-// The least cosine that a surface's light is counted with.
+// The smallest cosine that is used for a surface's light.
 constexpr float LeastCosine = 1e-4f;
 
-// The least power of a light, as a part of that of all.
+// The smallest power of a light, relative to that of all.
 constexpr double LeastPower = 1e-30;
 
-/// The measure of a group that its split should make small.
+/// The measure of a group that its split should minimise.
 double GetCost(const LightBounds& bounds)
 {
   if (bounds.IsEmpty())
   {
     return 0.0;
   }
-  // The diagonal, unlike the area, also tells lights apart that lie in one line.
+  // Unlike the area, the diagonal also separates lights that lie on a line.
   const glm::vec3 diagonal = bounds.Upper - bounds.Lower;
   return bounds.Power * MeasureDirections(bounds) * glm::dot(diagonal, diagonal);
 }
@@ -192,8 +192,8 @@ std::vector<LightTree::Range> LightTree::Divide(std::vector<Item>& items, const 
   return parts;
 }
 
-/// Sorts lights into two parts, and returns where the second begins: the end if they are best left
-/// together.
+/// Sorts lights into two parts, and returns where the second begins. Returns the end if it is best
+/// not to split them.
 std::size_t LightTree::Split(std::vector<Item>& items, const Range& range)
 {
   const std::size_t begin = range.Begin;
@@ -227,7 +227,7 @@ std::size_t LightTree::Split(std::vector<Item>& items, const Range& range)
       LightBounds& bin = bins[binning.GetBin(items[i].Bounds)];
       bin = Join(bin, items[i].Bounds);
     }
-    // Splits across a short side leave long groups.
+    // Splits across a short side would leave elongated groups.
     int split = 0;
     const double cost = double(longest / extent[axis]) * FindBestSplit(bins, split);
     if (cost < best)
@@ -247,7 +247,7 @@ std::size_t LightTree::Split(std::vector<Item>& items, const Range& range)
     ? first
     : std::stable_partition(
         first, last, [&](const Item& item) { return bestBins.GetBin(item.Bounds) < bestSplit; });
-  // Lights in one place are split in their order.
+  // Lights at the same place are split in their order.
   return middle == first || middle == last ? begin + (end - begin) / 2
                                            : static_cast<std::size_t>(middle - items.begin());
 }
@@ -295,7 +295,7 @@ double LightTree::Node::FindImportances(
     const float z = this->Center.Z[i] - position.z;
     const float radius2 = this->Radius[i] * this->Radius[i];
     const float distance2 = std::max(std::max(x * x + y * y + z * z, radius2), LeastDistance2);
-    // How high above the receiver's horizon the lights reach.
+    // How far above the receiver's horizon the lights reach.
     const float height = x * normal.x + y * normal.y + z * normal.z +
       this->HalfSize.X[i] * sides.x + this->HalfSize.Y[i] * sides.y +
       this->HalfSize.Z[i] * sides.z + HorizonSlack;
@@ -310,7 +310,7 @@ double LightTree::Node::FindImportances(
   return double(importances[0]) + importances[1] + importances[2] + importances[3];
 }
 
-/// Multiplies importances by the part of their light that lights send towards a point at most.
+/// Multiplies importances by the largest share of their light that lights send towards a point.
 void LightTree::Node::ThinByCones(const glm::vec3& position, Parts<float>& importances) const
 {
   CSLF_LANE_LOOP
@@ -330,7 +330,7 @@ void LightTree::Node::ThinByCones(const glm::vec3& position, Parts<float>& impor
     const float sine = std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
     const float cosBeyond = cosine * this->CosCone[i] + sine * this->SinCone[i];
     const float sinBeyond = sine * this->CosCone[i] - cosine * this->SinCone[i];
-    // ... and from the place in the sphere around them from which it is least.
+    // ... and from the place in the bounding sphere where this is smallest.
     const float sinSphere = std::min(radius * inverse, 1.0f);
     const float cosSphere = std::sqrt(1.0f - sinSphere * sinSphere);
     const float outside =
@@ -359,7 +359,7 @@ LightTree::Choice LightTree::Sample(const LightReceiver& receiver, double u) con
         return choice;
       }
       u *= sum;
-      int last = 0; // that has a chance
+      int last = 0; // with a probability above 0
       for (; part < node->PartCount && u >= importances[part]; ++part)
       {
         u -= importances[part];

@@ -23,7 +23,7 @@ namespace cslf
 struct LightReceiver
 {
   glm::vec3 Position{ 0.0f };
-  glm::vec3 Normal{ 0.0f }; ///< on the side from which light comes; 0 if it may come from both
+  glm::vec3 Normal{ 0.0f }; ///< on the side from which light comes; 0 if light may come from both
 };
 
 /**
@@ -48,7 +48,7 @@ public:
   struct Choice
   {
     std::uint32_t Light = 0;
-    double Probability = 0.0; ///< 0 where there is no light for the receiver
+    double Probability = 0.0; ///< 0 if there is no light for the receiver
     double Remainder = 0.0;   ///< the random number used, stretched to [0,1]
   };
 
@@ -96,7 +96,7 @@ private:
     std::uint32_t Parent;
     int ParentPart;
     int PartCount;
-    bool HasCones = false; // whether some part's light does not go all around
+    bool HasCones = false; // whether any light does not emit all around
 
     void Set(int part, const LightBounds& bounds, double totalPower);
 

@@ -12,11 +12,11 @@ namespace cslf
 {
 namespace
 {
-// Up to this many lights, a float's bits serve to choose one and a point of it.
+// Up to this many lights, a float has enough bits to choose one and a point of it.
 constexpr std::size_t MostForOne = 64;
 
-/// A number in [0,1) with more bits than the first of a pair: choosing among many lights uses them
-/// up. What is added is smaller than the last bit there was.
+/// A number in [0,1) with more bits than the first of a pair, because choosing among many lights
+/// uses up the bits. The added part is below the last bit.
 double AddBits(const glm::vec2& u)
 {
   std::uint32_t bits[2];

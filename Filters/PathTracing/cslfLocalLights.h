@@ -25,7 +25,7 @@ namespace cslf
 class VTKCSLF_EXPORT LocalLights
 {
 public:
-  /// Up to this many point lights are each sampled: without noise, but at the cost of a ray each.
+  /// Up to this many point lights are all sampled, without noise but at the cost of one ray each.
   static constexpr std::size_t MostPoints = 8;
 
   LocalLights() = default;
@@ -36,10 +36,10 @@ public:
   /// Whether there are emissive surfaces, which rays can hit, too.
   bool HasSurfaces() const { return this->SurfaceCount > 0; }
 
-  /// The point lights that are each sampled, since there are only a few.
+  /// The point lights that are all sampled, because there are only a few.
   const std::vector<PointLight>& GetFewPoints() const { return this->Few; }
 
-  /// Whether Sample chooses among point lights, too.
+  /// Whether Sample also chooses among point lights.
   bool HasPoints() const { return this->Emitters.size() > this->SurfaceCount; }
 
   /// Samples light from one of the lights. The radiance of a point light is divided by the

@@ -36,7 +36,7 @@ std::string Count(int components)
   return std::to_string(components) + (components == 1 ? " component" : " components");
 }
 
-/// What is wrong with an array, or nothing.
+/// The problem of an array, or nothing.
 std::string Judge(vtkAbstractArray* array, int components)
 {
   if (!vtkDataArray::SafeDownCast(array))

@@ -24,7 +24,7 @@ public:
   /// type, number of components or place.
   void FindUnused(vtkDataObject* data);
 
-  /// Collects the values that are out of range, and what replaces them.
+  /// Collects values that are out of range, with their replacements.
   void FindOutOfRange(vtkDataObject* data);
 
   /// The text of a warning; empty if there are no problems.

@@ -16,8 +16,8 @@ namespace cslf
 {
 namespace
 {
-// The points of a triangle that its emission is estimated from, along each side of a square; and
-// those along a tube.
+// The number of points from which a triangle's emission is estimated, along each side of a square,
+// and the number along a tube.
 constexpr int EmissionSamples = 8;
 }
 
@@ -174,14 +174,14 @@ float Mesh::EstimateEmission(std::uint32_t shape) const
   const auto get = [&](float u, float v) { return Luminance(this->GetEmission({ shape, u, v })); };
   if (isPlain && this->HoldsDisplayed() && this->EmissionsOf == ColorsOf::Vertices)
   {
-    // Light is about the square of displayed values, which these rules integrate exactly.
+    // Light is about the square of displayed values. These rules integrate it exactly.
     return this->Shape == Shapes::Triangles
       ? (get(0.5f, 0.0f) + get(0.0f, 0.5f) + get(0.5f, 0.5f)) / 3.0f
       : (get(0.0f, 0.0f) + 4.0f * get(0.5f, 0.0f) + get(1.0f, 0.0f)) / 6.0f;
   }
   if (isPlain)
   {
-    // The mean of what is linear is that of the middle.
+    // The mean of linear values is the value in the middle.
     const float middle = this->Shape == Shapes::Triangles ? 1.0f / 3.0f : 0.5f;
     return get(middle, middle);
   }

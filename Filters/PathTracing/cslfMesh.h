@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles, spheres or tubes of one material, and what varies over them.
+ * Triangles, spheres or tubes of one material, and the values that vary over them.
  */
 #ifndef cslfMesh_h
 #define cslfMesh_h
@@ -34,22 +34,22 @@ struct TrianglePoint
   std::uint32_t Instance = None;
 };
 
-/// One of the places of a mesh, and its colour there.
+/// An instance of a mesh, and its colour.
 struct MeshInstance
 {
   glm::mat3 Linear{ 1.0f }; ///< with the offset: from the mesh to the scene
   glm::vec3 Offset{ 0.0f };
-  glm::vec3 Color{ 1.0f }; ///< linear; counts if the mesh has colours of instances
+  glm::vec3 Color{ 1.0f }; ///< linear; used if the mesh has colours of instances
   float Opacity = 1.0f;
-  glm::vec3 Emission{ 0.0f }; ///< radiance; counts if the mesh has emissions of instances
+  glm::vec3 Emission{ 0.0f }; ///< radiance; used if the mesh has emissions of instances
 };
 
-/// Images that factors of the material are multiplied by; null where there is none.
+/// Images that multiply factors of the material. Null if there is none.
 struct MaterialTextures
 {
   std::shared_ptr<const Texture> BaseColor;         ///< its alpha is opacity
   std::shared_ptr<const Texture> MetallicRoughness; ///< blue and green
-  std::shared_ptr<const Texture> Normal;            ///< in the texture's own frame, [-1,1] as [0,1]
+  std::shared_ptr<const Texture> Normal; ///< in the texture's own frame, [-1,1] stored as [0,1]
   std::shared_ptr<const Texture> Emission;
 };
 
@@ -71,28 +71,28 @@ struct VTKCSLF_EXPORT Mesh
 
   Shapes Shape = Shapes::Triangles;
   std::vector<glm::vec3> Vertices;
-  std::vector<float> Radii; ///< of spheres and tubes, one a vertex
+  std::vector<float> Radii; ///< of spheres and tubes, one per vertex
   /// Of tubes, one a vertex, or none at all: 1 where the tube goes straight on in another one, so
   /// that its round end lies within that one and is no surface.
   std::vector<std::uint32_t> Joints;
   std::vector<glm::uvec3> Triangles;
-  std::vector<glm::vec3> Normals;   ///< one a vertex, or none at all; of length 0 where unknown
-  std::vector<glm::vec2> TexCoords; ///< one a vertex; there are some if there is a texture
+  std::vector<glm::vec3> Normals;   ///< one per vertex, or none at all; of length 0 if unknown
+  std::vector<glm::vec2> TexCoords; ///< one per vertex; required if there is a texture
   std::vector<glm::vec3> Colors;    ///< linear, replacing the material's base colour
   std::vector<float> Opacities;     ///< those of the colours, or none at all
   ColorsOf Coloring = ColorsOf::None;
   std::vector<glm::vec3> Emissions; ///< radiance, replacing the material's, which is their maximum
   ColorsOf EmissionsOf = ColorsOf::None;
 
-  /// Above 0 where colours and emissions of vertices are displayed (sRGB-encoded) values, and
-  /// interpolated as such: emissions as they are, colours times this radiance of a white surface.
+  /// Above 0 if colours and emissions of vertices are displayed (sRGB-encoded) values, and
+  /// interpolated as such: emissions unchanged, colours times this radiance of a white surface.
   glm::vec3 DisplayedWhite{ 0.0f };
   SurfaceMaterial Material;
   MaterialTextures Textures;
-  std::string Appearance; ///< tells the material and the textures from others
+  std::string Appearance; ///< identifies the material and the textures
 
-  /// Where the mesh is, if it is not where it lies; its vertices may then be in a space of their
-  /// own.
+  /// The instances of the mesh, if it has any. Its vertices may then be in another space than the
+  /// scene's.
   std::vector<MeshInstance> Instances;
   bool HasInstanceColors = false;
   bool HasInstanceEmissions = false;
@@ -100,7 +100,7 @@ struct VTKCSLF_EXPORT Mesh
 
   std::uint32_t GetNumberOfShapes() const;
 
-  /// What is given at the vertices, at a point.
+  /// Interpolated values of the vertices at a point.
   template <typename Value>
   Value Interpolate(const std::vector<Value>& values, const TrianglePoint& point) const
   {
@@ -119,58 +119,58 @@ struct VTKCSLF_EXPORT Mesh
       point.V * values[corners.z];
   }
 
-  /// Whether each of its points is one place of the scene, given by a triangle.
+  /// Whether each of its points is one point of the scene, on a triangle.
   bool CanHoldLattice() const
   {
     return this->Shape == Shapes::Triangles && this->Instances.empty();
   }
 
-  /// Whether it looks alike from everywhere, and does not shine by itself.
+  /// Whether it looks the same from all directions, and does not emit light.
   bool IsDiffuse() const { return this->Material.IsMatte() && !this->Material.IsEmissive(); }
 
-  /// Whether it reflects no light at all, as surfaces without lighting do, which only shine.
+  /// Whether it reflects no light, like surfaces without lighting, which only emit.
   bool IsBlack() const
   {
     return this->Material.IsMatte() && this->IsUniform() &&
       this->Material.BaseColor == glm::vec3(0.0f);
   }
 
-  /// Whether the material alone tells its colour and roughness everywhere.
+  /// Whether the material alone determines its colour and roughness everywhere.
   bool IsUniform() const
   {
     return this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
       !this->Textures.BaseColor && !this->Textures.MetallicRoughness;
   }
 
-  /// Whether its base colour is the material's everywhere.
+  /// Whether its base colour is that of the material everywhere.
   bool HasOneColor() const;
 
   glm::vec3 GetBaseColor(const TrianglePoint& point) const;
   MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
 
-  /// Whether light passes through the surface somewhere as if it were not there.
+  /// Whether light passes anywhere through the surface as if it did not exist.
   bool IsTranslucent() const;
 
-  /// The chance that light meets the surface, in [0,1].
+  /// The probability that light hits the surface, in [0,1].
   float GetOpacity(const TrianglePoint& point) const;
 
-  /// The radiance of the surface where light meets it.
+  /// The radiance of the surface where light hits it.
   glm::vec3 GetEmission(const TrianglePoint& point) const;
 
-  /// Of each triangle, FindLengthOfRounding: how exactly its plane is known. Set by
-  /// PrepareRounding, once its corners are known.
+  /// FindLengthOfRounding of each triangle: the precision of its plane. Set by PrepareRounding when
+  /// its corners are known.
   std::vector<float> LengthsOfRounding;
   void PrepareRounding();
 
-  /// Works out what the light of each shape is worth; once, when all else is known.
+  /// Computes the weight of each shape's light. Call it once, after everything else is set.
   void PrepareEmission();
 
-  /// About the mean luminance of a shape's emission, thinned by its opacity, that of instances
-  /// apart: what its light is worth to a sampler.
+  /// The approximate mean luminance of a shape's emission times its opacity, without that of
+  /// instances: the weight of its light in sampling.
   float GetEmissionImportance(std::uint32_t shape) const;
 
-  /// A normal on the front side, bent by the normal texture, which there must be. The edges are
-  /// those from the triangle's first corner. Lengths of normals do not matter.
+  /// A normal on the front side, bent by the normal texture, which must exist. The edges are those
+  /// from the triangle's first corner. Lengths of normals do not matter.
   glm::vec3 BendNormal(
     const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const;
 
@@ -180,7 +180,7 @@ private:
   glm::vec3 GetEmissionFactor(const TrianglePoint& point) const;
   float EstimateEmission(std::uint32_t shape) const;
 
-  std::vector<float> EmissionImportances; // one a shape where it varies, or none at all
+  std::vector<float> EmissionImportances; // one per shape if it varies, or none at all
 };
 }
 

@@ -19,7 +19,7 @@ namespace cslf
 {
 namespace
 {
-/// What meshes must share to be joined: the appearance and the places first.
+/// What meshes must share to be joined: the appearance and the instances first.
 using Kind = std::tuple<std::string, std::string, Mesh::Shapes, Mesh::ColorsOf, Mesh::ColorsOf,
   bool, bool, bool>;
 
@@ -42,7 +42,7 @@ void Append(std::vector<Value>& whole, const std::vector<Value>& piece)
   whole.insert(whole.end(), piece.begin(), piece.end());
 }
 
-/// The same where one of the two may lack its values, which are `none` then.
+/// The same if one of the two may lack its values, which are then `none`.
 template <typename Value>
 void AppendOptional(std::vector<Value>& whole, std::size_t wholeCount,
   const std::vector<Value>& piece, std::size_t pieceCount, const Value& none)
@@ -73,8 +73,8 @@ void Append(Mesh& whole, const Mesh& piece)
   }
 }
 
-/// Values word by word, which gives them an order, whatever they mean; there, only what is the same
-/// to the last bit is equal.
+/// Compares values as words, which gives an order regardless of their meaning. Only identical bits
+/// are equal.
 template <std::size_t Size>
 class Words
 {
@@ -87,7 +87,7 @@ public:
     this->Count += sizeof(Value) / sizeof(std::uint32_t);
   }
 
-  /// What an array holds at an index, if it holds anything.
+  /// The value of an array at an index, if it has any.
   template <typename Value>
   void AddFrom(const std::vector<Value>& values, std::size_t index)
   {
@@ -271,8 +271,8 @@ private:
   }
 
   Mesh& Sorted;
-  Indices Distinct; // one of the vertices that are alike each
-  Indices Ranks;    // of each vertex, its place among the distinct ones
+  Indices Distinct; // one representative of each set of equal vertices
+  Indices Ranks;    // of each vertex, its index among the distinct ones
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Surfaces that came in pieces, made whole.
+ * Joins surfaces that were divided into pieces.
  */
 #ifndef cslfMeshJoin_h
 #define cslfMeshJoin_h
@@ -13,9 +13,9 @@
 
 namespace cslf
 {
-/// Joins meshes of equal materials and equal instances, and sorts meshes, shapes and vertices by
-/// what they are, vertices that are alike becoming one. So the result does not depend on how the
-/// surfaces were cut into pieces, nor on the order of these.
+/// Joins meshes of equal materials and equal instances, merges equal vertices, and sorts meshes,
+/// shapes and vertices by their values. So the result depends neither on how the surfaces were
+/// divided into pieces nor on the order of these.
 std::vector<Mesh> JoinMeshes(std::vector<Mesh> pieces);
 }
 

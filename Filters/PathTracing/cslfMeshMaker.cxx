@@ -28,11 +28,11 @@ namespace
 {
 constexpr std::uint32_t Unused = 0xffffffffu;
 
-// The least radius of a tube's end, in radii of the other end. Tubes may end in a point, but
-// divisions by a radius need one that is not 0.
+// The smallest radius of a tube's end, relative to the other end. Tubes may end in a point, but
+// divisions need a radius above 0.
 constexpr double SmallestEnd = 1e-4;
 
-/// The normal of a point, of unit length, or of length 0 where it has none.
+/// The normal of a point, of unit length, or of length 0 if it has none.
 glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
 {
   double normal[3];
@@ -42,7 +42,7 @@ glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
   return std::isfinite(length) && length > 0.0 ? glm::vec3(vector / length) : glm::vec3(0.0f);
 }
 
-/// The space that a block's mesh is in: the scene's, or, where the block has instances, its own.
+/// The space of a block's mesh: the scene's or, if the block has instances, its own.
 SceneFrame FindFrame(const SceneBlock& block, const SceneFrame& frame)
 {
   if (block.Instances.empty())
@@ -135,7 +135,7 @@ private:
     this->Cells.push_back(cell);
   }
 
-  /// Each sphere has a vertex of its own, each part of a line two.
+  /// Each sphere has its own vertex, each part of a line two.
   void AddRound()
   {
     const int count = this->Source.Shape == Mesh::Shapes::Tubes ? 2 : 1;
@@ -183,7 +183,7 @@ private:
     }
   }
 
-  /// Whether the mesh holds displayed values of what is given at points or cells.
+  /// Whether the mesh stores displayed values for arrays of points or cells.
   bool HoldsDisplayed(bool ofCells) const
   {
     return !ofCells && this->Result.DisplayedWhite != glm::vec3(0.0f);

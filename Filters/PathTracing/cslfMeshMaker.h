@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From blocks to meshes.
+ * Converts blocks to meshes.
  */
 #ifndef cslfMeshMaker_h
 #define cslfMeshMaker_h
@@ -13,8 +13,8 @@
 
 namespace cslf
 {
-/// Copies what has an extent, and the points that it uses, into scene space; what has instances
-/// into a space of its own, in which it is of about the size of 1.
+/// Copies shapes that have an extent, and the points that they use, to scene space. Those with
+/// instances are copied to their own space, in which their size is about 1.
 Mesh MakeMesh(const SceneBlock& block, const SceneFrame& frame, SurfaceColors& colors);
 }
 

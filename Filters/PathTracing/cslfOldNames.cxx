@@ -23,10 +23,10 @@ namespace
 {
 constexpr const char* Prefix = "CSLF:";
 
-/// What version 0.1 wrote.
+/// The arrays of version 0.1.
 struct OldArray
 {
-  const char* Name; ///< today's
+  const char* Name; ///< the current name
   int Type;
   int Components; ///< 0 for any number
   int Tuples;     ///< 0 for any number
@@ -35,9 +35,9 @@ struct OldArray
 /// Arrays that version 0.1 wrote together.
 struct OldGroup
 {
-  std::vector<OldArray> Signs;  ///< if all of these are there, the group is ours
-  std::vector<OldArray> Others; ///< that may be there too
-  bool IsAmbiguous = false;     ///< whether a user must be told where only others are there
+  std::vector<OldArray> Signs;  ///< if all of these exist, the group is ours
+  std::vector<OldArray> Others; ///< optional ones
+  bool IsAmbiguous = false;     ///< whether to warn if only the others exist
 };
 
 const char* GetOldName(const OldArray& array)
@@ -107,7 +107,7 @@ bool IsThere(vtkFieldData* fields, const OldArray& array)
     (array.Tuples == 0 || found->GetNumberOfTuples() == array.Tuples);
 }
 
-/// Adds a group's arrays that count, if it is ours, to `names`, else those that a user may miss.
+/// Adds a group's arrays to `names` if it is ours. Otherwise adds those that a user may miss.
 void Look(
   vtkFieldData* fields, const OldGroup& group, std::set<const char*>& names, OldNames& found)
 {
@@ -131,7 +131,7 @@ void Look(
   }
 }
 
-/// Adds, under today's name, what is there under the old one. The old array stays.
+/// Adds an array with an old name under the current name. The old array stays.
 void AddRenamed(vtkFieldData* fields, const char* name)
 {
   vtkDataArray* old = fields->GetArray(name + std::strlen(Prefix));
@@ -141,7 +141,7 @@ void AddRenamed(vtkFieldData* fields, const char* name)
   fields->AddArray(array);
 }
 
-/// The arrays of the points' own radii, which count where the material is ours.
+/// The arrays of the points' own radii, which are used if the material is ours.
 std::set<const char*> LookForRadii(vtkDataObject* data, bool isOurs, OldNames& found)
 {
   const bool isMissed = !isOurs && !HasNewNames(data->GetFieldData());

@@ -22,7 +22,7 @@ namespace cslf
 struct OldNames
 {
   std::set<std::string> Read;    ///< of arrays that are ours
-  std::set<std::string> Ignored; ///< of arrays that may be anybody's
+  std::set<std::string> Ignored; ///< of arrays that may be others'
 
   /// The text of a warning; empty if there are no old names.
   std::string ToText() const;

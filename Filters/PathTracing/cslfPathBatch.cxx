@@ -10,7 +10,7 @@ namespace cslf
 {
 namespace
 {
-/// Leaves the last packet's lanes after the last path empty.
+/// Leaves lanes of the last packet empty after the last path.
 void Close(std::vector<PathPacket>& packets, int paths)
 {
   for (int lane = paths % LaneCount; lane > 0 && lane < LaneCount; ++lane)

@@ -21,19 +21,18 @@
 namespace cslf
 {
 /**
- * Filled by Add, followed by PathIntegrator::Follow, then read and cleared. Which paths are in one
- * batch decides which rays share a packet, and thereby the last bits of what they find: what has to
- * be told alike again and again must put the same paths into the same batches. One thread at a
- * time.
+ * Filled by Add, followed by PathIntegrator::Follow, then read and cleared. The paths of one batch
+ * determine which rays share a packet, and thereby the last bits of the results. Reproducible
+ * results need the same paths in the same batches. Only one thread may use a batch at a time.
  */
 class VTKCSLF_EXPORT PathBatch
 {
 public:
-  /// The most paths: enough for several packets to each octant after some reflections, which bins
-  /// keep together, and few enough to stay in a core's cache.
+  /// The most paths: enough for several packets per octant after some reflections, which bins keep
+  /// together, and few enough for a core's cache.
   static constexpr int Capacity = 4096;
 
-  /// How a path begins.
+  /// The start of a path.
   struct Start
   {
     Ray First;
@@ -41,7 +40,7 @@ public:
     std::uint32_t Index = 0; ///< of the texel's samples
     float Pdf =
       std::numeric_limits<float>::infinity(); ///< of the first direction; infinite if given
-    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver that it starts from, unless it is given
+    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver where it starts, unless it is given
   };
 
   /// Paths begin after `depth` reflections.
@@ -55,9 +54,9 @@ public:
 
   void Clear() { this->Size = 0; }
 
-  /// Adds a path whose first ray is known to hit or miss, or one whose first ray is to be traced,
-  /// and counted, too: all of a batch must be alike in that. Paths are numbered from 0; there must
-  /// be no more than Capacity.
+  /// Adds a path whose first ray was traced already, or one whose first ray is to be traced and
+  /// counted. All paths of a batch must be of the same kind. Paths are numbered from 0; there must
+  /// be at most Capacity.
   void Add(const Start& start, const Hit& seen)
   {
     const int path = this->Size;
@@ -67,37 +66,37 @@ public:
   }
   void Add(const Start& start);
 
-  /// What each path's first ray hits; once it is followed, at the latest.
+  /// The hit of each path's first ray, available at least after Follow.
   Hit GetSeen(int path) const { return this->Seen[path / LaneCount].Get(path % LaneCount); }
 
-  /// The radiance that comes along each path's first ray, once it is followed.
+  /// The radiance along each path's first ray, after Follow.
   const glm::vec3& GetRadiance(int path) const { return this->Radiances[path]; }
 
   ///@{
-  /// Of those who follow the paths: packets of the paths that go on, and what they find.
+  /// For the functions that follow the paths: packets of the active paths, and their results.
   void Begin();
   int GetNumberOfPackets() const { return (this->Living + LaneCount - 1) / LaneCount; }
   PathPacket& GetPacket(int packet) { return this->Packets[packet]; }
   glm::vec3* GetRadiances() { return this->Radiances.data(); }
   ///@}
 
-  /// What the first rays of a packet hit, to be set where it is not known.
+  /// The hits of a packet's first rays, to be set if unknown.
   HitLanes& GetFirstHits(int packet) { return this->Seen[packet]; }
   bool AreFirstHitsKnown() const { return this->AreSeen; }
 
-  /// Gathers the paths that go on anew, those of the same bin side by side.
+  /// Gathers the active paths again, with those of a bin side by side.
   void GoOn();
 
 private:
   int Depth;
   int Size = 0;
-  int Living = 0;             // the paths that go on, in the first packets
+  int Living = 0;             // the active paths, in the first packets
   bool AreSeen = false;       // whether first rays were traced before
   std::vector<HitLanes> Seen; // by packets of all paths
   std::vector<glm::vec3> Radiances;
   std::vector<PathPacket> Packets;
   std::vector<PathPacket> Next;
-  std::vector<int> Order; // the places of paths in the packets, as they are gathered anew
+  std::vector<int> Order; // the places of paths in the packets, as they are gathered again
 };
 }
 

@@ -14,7 +14,7 @@ namespace cslf
 {
 namespace
 {
-// What a look-up may err by, in the cache's tolerances, where hundreds of paths are averaged.
+// The allowed error of a look-up, in the cache's tolerances, if hundreds of paths are averaged.
 constexpr float TolerancesOfMany = 8.0f;
 }
 
@@ -107,7 +107,7 @@ glm::vec3 PathIntegrator::GetRadiance(
       return radiance + beta * this->Light.GetEnvironment(ray.Direction, pdf);
     }
 
-    // End where the cache knows all.
+    // End if the cache knows everything.
     glm::vec3 known;
     if (depth > 0 && depth < this->Settings.MaximumDepth &&
       this->LookUp(ray, hit, known, tolerances))
@@ -123,7 +123,7 @@ glm::vec3 PathIntegrator::GetRadiance(
       return radiance;
     }
 
-    // Add the diffuse light that the cache knows, and leave it out of what follows.
+    // Add the diffuse light that the cache knows, and exclude it from later steps.
     stream.NextVertex();
     const Frame frame(surface.ShadingNormal);
     const BSDF bsdf(
@@ -151,7 +151,7 @@ glm::vec3 PathIntegrator::GetRadiance(
       radiance += beta * this->Light.Sample({ surface, frame, bsdf, lit }, stream, rays);
     }
 
-    // Choose the direction in which the path goes on.
+    // Choose the direction in which the path continues.
     BSDFSample sample;
     if (!bsdf.Has(open) || !bsdf.Sample(lobe, stream.Get2D(Dimension::Direction), sample, open))
     {
@@ -162,7 +162,7 @@ glm::vec3 PathIntegrator::GetRadiance(
     pdf = sample.Pdf;
     normal = surface.GetReceiver().Normal;
 
-    // End paths that carry little.
+    // End paths of little weight.
     if ((depth >= RouletteDepth || start.IsOneOfMany) &&
       !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
     {

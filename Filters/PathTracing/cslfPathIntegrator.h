@@ -3,8 +3,7 @@
 /**
  * @file
  * Path tracing with next-event estimation and multiple importance sampling: the estimate of the
- * radiance along a ray, unbiased unless a cache stands in for the light that surfaces diffuse and
- * that rough ones reflect.
+ * radiance along a ray. It is unbiased unless a cache replaces diffuse light and rough reflections.
  */
 #ifndef cslfPathIntegrator_h
 #define cslfPathIntegrator_h
@@ -24,11 +23,11 @@ class RadianceCache;
 
 struct PathSettings
 {
-  /// The reflections of the longest path: 0 sees emission only, 1 adds direct light.
+  /// The largest number of reflections of a path: 0 gives emission only, 1 adds direct light.
   int MaximumDepth = 8;
 
   /// Which of the two estimators of light from extended lights are used. Either alone converges to
-  /// the same picture, a mirror's reflections and what no light sampling knows apart.
+  /// the same picture, except for reflections in mirrors and light that light sampling cannot find.
   bool LightSampling = true;
   bool BSDFSampling = true;
 };
@@ -36,7 +35,7 @@ struct PathSettings
 class VTKCSLF_EXPORT PathIntegrator
 {
 public:
-  /// With a cache, which may be null and may be unfinished, paths end where it knows the rest.
+  /// With a cache, which may be null or unfinished, paths end where the cache knows the rest.
   PathIntegrator(
     const Scene& scene, const PathSettings& settings, const RadianceCache* cache = nullptr);
 
@@ -48,30 +47,31 @@ public:
     int Depth = 0;                                      ///< reflections before
     float Pdf = std::numeric_limits<float>::infinity(); ///< of the direction, per solid angle;
                                                         ///< infinite if given
-    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver that it starts from, unless it is given
-    bool IsOneOfMany = false; ///< whether its own error hardly counts, as it is averaged with many
+    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver where it starts, unless it is given
+    bool IsOneOfMany =
+      false; ///< whether its own error hardly matters, because it is averaged with many
   };
 
-  /// The radiance that comes along a given ray from its first hit, which must be valid, by a single
-  /// path: what batches are compared with. Adds the rays traced.
+  /// The radiance along a given ray from its first hit, which must be valid, by a single path, for
+  /// comparison with batches. Adds the rays traced.
   glm::vec3 GetRadiance(
     const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const;
 
-  /// The radiance that a path goes on to find.
+  /// The radiance found by the rest of a path.
   glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
   /// Follows all paths of a batch to their ends. Adds the rays traced.
   void Follow(PathBatch& batch, std::uint64_t& rays) const;
 
-  /// Whether the cache alone knows what leaves a hit towards anywhere.
+  /// Whether the cache alone determines the light that leaves a hit in any direction.
   bool CanLookUp(const Hit& hit) const;
 
   /// That radiance.
   glm::vec3 LookUp(const Hit& hit) const;
 
-  /// The radiance that comes along a given ray from its first hit, which must be valid, if the
-  /// cache alone knows it: of diffuse surfaces, and of rough ones where their lobes see nothing
-  /// sharp, up to this many of the cache's tolerances.
+  /// The radiance along a given ray from its first hit, which must be valid, if the cache alone
+  /// determines it: for diffuse surfaces, and for rough ones whose lobes see nothing sharp, up to
+  /// this many of the cache's tolerances.
   bool LookUp(const Ray& ray, const Hit& hit, glm::vec3& radiance, float tolerances = 1.0f) const;
 
   const DirectLight& GetLight() const { return this->Light; }
@@ -87,7 +87,8 @@ private:
   PathSettings Settings;
   DirectLight Light;
   const RadianceCache* Cache;
-  std::vector<char> LookUps; // whether the cache knows all of a mesh; none if it is not complete
+  std::vector<char>
+    LookUps; // whether the cache covers a mesh completely; empty if the cache is not complete
 };
 }
 

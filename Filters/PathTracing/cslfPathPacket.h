@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Paths on their way, side by side.
+ * The state of paths that are being followed, side by side.
  */
 #ifndef cslfPathPacket_h
 #define cslfPathPacket_h
@@ -14,16 +14,16 @@ namespace cslf
 {
 struct PathPacket
 {
-  RayLanes Rays;            ///< active where the path goes on
-  Vec3Lanes Beta;           ///< the weight of what it finds
+  RayLanes Rays;            ///< lanes of continuing paths are active
+  Vec3Lanes Beta;           ///< the weight of the light it finds
   Lanes<float> Pdf;         ///< of the ray's direction, per solid angle; infinite for a given ray
-  Vec3Lanes Normal;         ///< of the LightReceiver that the ray starts from
-  Lanes<float> Compression; ///< the factor of the weight that leaving glass undoes
+  Vec3Lanes Normal;         ///< of the LightReceiver where the ray starts
+  Lanes<float> Compression; ///< the factor of the weight that is undone on leaving glass
   StreamLanes Streams;
   Lanes<std::int32_t> Path;  ///< its number in the batch
-  Lanes<std::int32_t> Bin{}; ///< of the ray, see GetRayBin; not taken over
+  Lanes<std::int32_t> Bin{}; ///< of the ray, see GetRayBin; not copied
 
-  /// Takes over one path.
+  /// Copies one path.
   void Take(int lane, const PathPacket& from, int fromLane)
   {
     this->Rays.Active[lane] = -1;

@@ -16,7 +16,7 @@ namespace cslf
 {
 namespace
 {
-/// Adds an environment without image where rays miss, and ends these paths.
+/// Adds an environment without image to rays that miss, and ends these paths.
 CSLF_VECTORIZE void AddGradient(
   const SkyGradient& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
 {
@@ -40,7 +40,7 @@ CSLF_VECTORIZE void AddWeighted(const Vec3Lanes& beta, const Vec3Lanes& light, V
   }
 }
 
-/// The next directions as if all surfaces were matte: what a sample weighs is the base colour.
+/// The next directions if all surfaces were diffuse: the weight of a sample is the base colour.
 CSLF_VECTORIZE void ChooseMatte(const Lanes<float>& x, const Lanes<float>& y,
   const SurfaceLanes& surfaces, const LaneMask& open, PathPacket& paths, Vec3Lanes& local)
 {
@@ -85,7 +85,7 @@ CSLF_VECTORIZE void Leave(const SurfaceLanes& surfaces, const Vec3Lanes& local, 
   }
 }
 
-/// Adds what the paths of a packet found to the radiances of the batch.
+/// Adds the results of a packet's paths to the radiances of the batch.
 void Deposit(const Vec3Lanes& found, const PathPacket& paths, glm::vec3* radiances)
 {
   for (int lane = 0; lane < LaneCount; ++lane)
@@ -167,7 +167,7 @@ void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
   }
 }
 
-/// Adds the light of surfaces of which the cache knows all, and ends these paths.
+/// Adds the light of surfaces that the cache covers completely, and ends these paths.
 void PathStep::EndWhereKnown(PathPacket& paths, const HitLanes& hits)
 {
   for (int lane = 0; lane < LaneCount; ++lane)
@@ -193,7 +193,7 @@ void PathStep::AddEmission(const PathPacket& paths, const HitLanes& hits)
     });
 }
 
-/// Makes the BSDFs of what is not matte.
+/// Makes the BSDFs of surfaces that are not diffuse.
 void PathStep::MakeScattering(const PathPacket& paths)
 {
   const SurfaceLanes& surfaces = this->Points.Surfaces;
@@ -217,7 +217,7 @@ void PathStep::MakeScattering(const PathPacket& paths)
     });
 }
 
-/// Adds the diffuse light that the cache knows, and leaves it out of what follows.
+/// Adds the diffuse light that the cache knows, and excludes it from later steps.
 void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
 {
   std::fill_n(this->GoesOn.Values, LaneCount, -1);
@@ -282,7 +282,7 @@ std::uint64_t PathStep::AddLight(const PathPacket& paths)
   return rays;
 }
 
-/// Chooses the directions in which the paths go on.
+/// Chooses the directions in which the paths continue.
 void PathStep::ChooseDirections(PathPacket& paths)
 {
   Lanes<float> x;
@@ -312,7 +312,7 @@ void PathStep::ChooseDirections(PathPacket& paths)
     });
 }
 
-/// Ends paths that carry little.
+/// Ends paths of little weight.
 void PathStep::EndByChance(PathPacket& paths)
 {
   Lanes<float> x;

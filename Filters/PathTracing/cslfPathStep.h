@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What happens to paths between the end of one ray and the start of the next.
+ * Advances paths from the end of one ray to the start of the next.
  */
 #ifndef cslfPathStep_h
 #define cslfPathStep_h
@@ -21,10 +21,10 @@ struct PathSettings;
 class PathStep
 {
 public:
-  /// After `depth` reflections, of which `vertex` were made by these paths.
+  /// After `depth` reflections; these paths made `vertex` of them.
   PathStep(const PathIntegrator& paths, int depth, int vertex);
 
-  /// Lets the paths see what their rays hit, and go on. Adds what they find to the radiances of the
+  /// Evaluates the rays' hits and continues the paths. Adds the results to the radiances of the
   /// batch's paths. Returns the number of shadow rays.
   std::uint64_t Advance(PathPacket& paths, const HitLanes& hits, glm::vec3* radiances);
 
@@ -49,9 +49,9 @@ private:
   // Of the packet.
   Vec3Lanes Found; // the radiance that the step adds
   ScatterLanes Points;
-  LaneMask GoesOn;       // whether paths may go on from what is matte
-  Lanes<float> Lobe;     // of what is not matte: the random number that chooses it
-  Lobes Open[LaneCount]; // of what is not matte: the lobes in which the path may go on
+  LaneMask GoesOn;       // whether paths may continue from diffuse surfaces
+  Lanes<float> Lobe;     // on other surfaces, the random number that chooses it
+  Lobes Open[LaneCount]; // on other surfaces, the lobes in which the path may continue
   Lanes<float> OpenProbability;
   Vec3Lanes Local; // the next direction
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Light from one point, alike in all directions or within a cone.
+ * Light from one point, uniform in all directions or within a cone.
  */
 #ifndef cslfPointLight_h
 #define cslfPointLight_h
@@ -22,7 +22,7 @@ struct PointLight
   glm::vec3 Intensity{ 0.0f }; ///< irradiance where the falloff is 1
   glm::vec3 Axis{ 0.0f };      ///< of the cone, of unit length; 0 for light all around
   float ConeCosine = 0.0f;     ///< of the angle between the axis and the cone's surface
-  float Exponent = 0.0f;       ///< of the cosine to the axis that the intensity falls off with
+  float Exponent = 0.0f;       ///< of the cosine to the axis, by which the intensity falls off
   glm::vec3 Attenuation{ 0.0f, 0.0f, 1.0f }; ///< 1 over the falloff, by powers of the distance
   float AttenuationExponent = 1.0f;          ///< of the falloff with the distance
 
@@ -43,7 +43,7 @@ struct PointLight
   }
 
 private:
-  /// What the irradiance at a distance is divided by.
+  /// The divisor of the irradiance at a distance.
   float GetDivisor(float distance) const
   {
     const float polynomial =
@@ -52,7 +52,7 @@ private:
                                              : std::pow(polynomial, this->AttenuationExponent);
   }
 
-  /// The part of the intensity that goes to a point from which the light is seen in a direction.
+  /// The share of the intensity in the direction of a point that sees the light in a direction.
   float GetFalloff(const glm::vec3& direction) const
   {
     if (this->Axis == glm::vec3(0.0f))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which rays are best traced together: those that start near each other and run alike.
+ * Groups rays to be traced together: those with similar origins and directions.
  */
 #ifndef cslfRayBin_h
 #define cslfRayBin_h
@@ -12,11 +12,10 @@
 namespace cslf
 {
 // The scene's bounding sphere is the unit sphere; the cube around it is split into 4 cells along
-// each edge. Rays of a bin start in the same cell and run to the same octant.
+// each edge. Rays of a bin start in the same cell, with directions in the same octant.
 constexpr int RayBinCount = 4 * 4 * 4 * 8;
 
-/// The bits of a coordinate's cell, two places left free after each. What is not a number is in the
-/// first cell.
+/// The bits of a coordinate's cell, with two zero bits after each. NaN is in the first cell.
 inline int GetCellBits(float coordinate)
 {
   const float place = 2.0f * coordinate + 2.0f;
@@ -25,8 +24,8 @@ inline int GetCellBits(float coordinate)
   return (cell & 1) | (cell & 2) << 2;
 }
 
-/// In [0,RayBinCount). Bins of an octant follow each other along Morton's curve, so that neighbours
-/// in number mostly are so in space.
+/// In [0,RayBinCount). Bins of an octant are ordered along a Morton curve, so that successive bins
+/// are mostly neighbours in space.
 inline int GetRayBin(const glm::vec3& origin, const glm::vec3& direction)
 {
   const int cell = GetCellBits(origin.x) | GetCellBits(origin.y) << 1 | GetCellBits(origin.z) << 2;

@@ -16,18 +16,19 @@ namespace cslf
 {
 namespace
 {
-// Rays that start further from the scene, whose radius is 1, are moved closer, for a float's sake.
+// Rays that start further from the scene, whose radius is 1, are moved closer, to keep the
+// precision of floats.
 constexpr double FarAway = 8.0;
 constexpr double Near = 2.0;
 
-// Rays of neighbouring texels that start closer to each other than this start from one point: over
-// a hundred thousand texels that is less than a float can tell.
+// Rays of neighbouring texels count as starting at one point if they start closer together than
+// this: over a hundred thousand texels, the difference is below the precision of floats.
 constexpr double SameOrigin = 1e-12;
 
-// What rays may differ by from those of exact arithmetic, in radii of the scene.
+// The allowed difference of rays from exact arithmetic, in radii of the scene.
 constexpr double Rounding = 1e-5;
 
-/// Whether all rays may be taken to start at the same point.
+/// Whether all rays count as starting at the same point.
 bool StartAtOnePoint(const RayGrid& grid)
 {
   return glm::length(grid.OriginX) < SameOrigin && glm::length(grid.OriginY) < SameOrigin &&
@@ -81,7 +82,7 @@ CSLF_VECTORIZE void SetBundle(
   }
 }
 
-/// Any ray: where it starts far from the scene, it is moved to a sphere around it.
+/// Any ray. If it starts far from the scene, its origin is moved to a sphere around the scene.
 void SetRay(
   const RayGrid& grid, double x, double y, int lane, RayPacket& packet, PacketScale& scale)
 {
@@ -136,7 +137,7 @@ bool MayMeet(const RayGrid& grid, const glm::dvec2& low, const glm::dvec2& high,
   const glm::dvec3 corners[4] = { getDirection(low.x, low.y), getDirection(high.x, low.y),
     getDirection(high.x, high.y), getDirection(low.x, high.y) };
   const glm::dvec3 middle = corners[0] + corners[2];
-  // The rays fill a pyramid. Is the box on the outer side of one of its four sides?
+  // The rays fill a pyramid. Test whether the box is on the outer side of one of its four sides.
   for (int side = 0; side < 4; ++side)
   {
     glm::dvec3 inwards = glm::cross(corners[side], corners[(side + 1) % 4]);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rays that need not run alike, and what they meet, side by side.
+ * Rays, which may be incoherent, and their hits, side by side.
  */
 #ifndef cslfRayLanes_h
 #define cslfRayLanes_h
@@ -21,7 +21,7 @@ struct RayLanes
   Ray Get(int lane) const { return { this->Origin.Get(lane), this->Direction.Get(lane) }; }
 };
 
-/// The hits of rays; what is not active has none.
+/// The hits of rays. Inactive lanes have none.
 struct HitLanes
 {
   Lanes<float> Distance;
@@ -52,12 +52,12 @@ struct HitLanes
   }
 };
 
-/// Rays to lights, and how much of the light arrives.
+/// Rays to lights, and the share of light that arrives.
 struct ShadowLanes
 {
   RayLanes Rays;
   Lanes<float> Distance;      ///< of the light
-  Lanes<float> Transmittance; ///< the answer; 0 where no ray is active
+  Lanes<float> Transmittance; ///< the result; 0 for inactive rays
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rays, alone and in packets, and what they hit.
+ * Single rays and packets of rays, and their hits.
  */
 #ifndef cslfRayPacket_h
 #define cslfRayPacket_h
@@ -23,7 +23,7 @@ struct Ray
   glm::vec3 Direction{ 0.0f, 0.0f, 1.0f }; ///< of unit length
 };
 
-/// Where a ray first meets a triangle, a sphere or a tube.
+/// The first hit of a ray on a triangle, a sphere or a tube.
 struct Hit
 {
   static constexpr std::uint32_t None = 0xffffffffu;
@@ -34,27 +34,27 @@ struct Hit
   std::uint32_t Mesh = None;
   std::uint32_t Triangle = None;
   std::uint32_t Instance = None; ///< of the mesh, if it has any
-  bool Back = false;             ///< whether the ray comes from where the vertices run clockwise
-  glm::vec3 Front{ 0.0f };       ///< a mesh's own normal of any length; 0 where it is not known
+  bool Back = false;       ///< whether the ray comes from the side where the vertices run clockwise
+  glm::vec3 Front{ 0.0f }; ///< a mesh's own normal of any length; 0 if unknown
 
   bool IsValid() const { return this->Mesh != None; }
   TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V, this->Instance }; }
 };
 
-/// Rays that are traced together, held as Embree takes them.
+/// Rays that are traced together, in Embree's layout.
 struct RayPacket
 {
   static constexpr int Size = 16;
 
   RTCRayHit16 Query; ///< of each ray its origin, its direction of unit length, and what it hit
 
-  alignas(64) int Active[Size]; ///< -1 where there is a ray, else 0
+  alignas(64) int Active[Size]; ///< -1 for rays, else 0
 
-  /// Whether surfaces count where their opacity is at least one half, and else do not: what depths
-  /// are found by, so that they do not depend on chance.
+  /// Whether surfaces count exactly where their opacity is at least one half. Used for depths, so
+  /// that they do not depend on chance.
   bool PassByHalf = false;
 
-  /// Whether Scene::Intersect met a surface that rays pass by chance.
+  /// Whether Scene::Intersect met a surface that rays pass at random.
   bool MeetsVeils = false;
 
   Ray GetRay(int lane) const

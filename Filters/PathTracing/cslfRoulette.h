@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which paths end by chance.
+ * Russian roulette, which ends paths at random.
  */
 #ifndef cslfRoulette_h
 #define cslfRoulette_h
@@ -16,18 +16,18 @@ namespace cslf
 // From this many reflections on, paths of little weight end early.
 constexpr int RouletteDepth = 3;
 
-// The largest chance of going on, so that paths end between white surfaces too.
+// The largest probability of continuing, so that paths between white surfaces end, too.
 constexpr float LargestSurvival = 0.95f;
 
-/// The chance that a path goes on, by its weight without the compression that leaving the glass
-/// undoes.
+/// The probability that a path continues, from its weight without the compression that is undone on
+/// leaving glass.
 inline float GetSurvival(const glm::vec3& beta, float compression)
 {
   const float weight = std::max(std::max(beta.x, beta.y), beta.z) / compression;
   return std::min(weight, LargestSurvival);
 }
 
-/// Russian roulette. False where the path ends.
+/// Russian roulette. False if the path ends.
 inline bool Survive(glm::vec3& beta, float compression, float u)
 {
   const float survival = GetSurvival(beta, compression);

@@ -12,12 +12,12 @@ namespace cslf
 {
 namespace
 {
-// The least part of a round end, and of all for the side, that is counted as visible: estimates are
-// exact far away only, and nothing that is seen may have no chance.
+// The smallest share of a round end, and of everything for the side, that counts as visible:
+// estimates are exact only far away, and everything visible needs a probability above 0.
 constexpr float LeastPart = 0.05f;
 
 // Steps of Newton's method that bring a ray's hit to the surface, and the cosine to the normal that
-// they need: Embree's tubes of a length of 100 radii or more are met a little beside it.
+// they need: Embree's hits on tubes of 100 radii or more in length are slightly off the surface.
 constexpr int NewtonSteps = 2;
 constexpr float SmallestNewtonCosine = 0.05f;
 }
@@ -122,7 +122,7 @@ void TubeView::LookAtSide()
     this->LineHeight * this->LineHeight - this->LinePlace * (length - this->LinePlace));
 }
 
-/// About the solid angle of an end's part of its sphere.
+/// The approximate solid angle of an end's part of its sphere.
 float TubeView::EstimateEnd(int end) const
 {
   const Tube& tube = this->Shape;
@@ -133,7 +133,7 @@ float TubeView::EstimateEnd(int end) const
   return std::clamp(part, LeastPart, 1.0f) * this->Ends[end].GetSolidAngle();
 }
 
-/// About the solid angle of what is between the ends: exact for an infinite cylinder.
+/// The approximate solid angle of the side, exact for an infinite cylinder.
 float TubeView::EstimateSide() const
 {
   const float length = this->CosSlant * this->Shape.Length;

@@ -21,7 +21,7 @@ struct RoundSample
 {
   glm::vec3 Direction{ 0.0f }; ///< of unit length, towards the shape
   float Distance = 0.0f;
-  float Along = 0.0f; ///< on a tube: as Tube::FindAlong
+  float Along = 0.0f; ///< on a tube: as in Tube::FindAlong
   float Pdf = 0.0f;   ///< per solid angle
 };
 
@@ -51,8 +51,8 @@ private:
  * azimuth uniformly over the visible part, which is the same all along a cone, the place along the
  * tube in proportion to the inverse squared distance from the point (Kulla and Fajardo, "Importance
  * Sampling Techniques for Path Tracing in Participating Media", EGSR 2012). The three parts are
- * chosen approximately by the solid angles in which they are seen; ends at joints are not. Samples
- * of an end's sphere inside the tube are rejected, so the density's integral may be less than 1.
+ * chosen approximately by their solid angles; ends at joints are not chosen. Samples of an end's
+ * sphere inside the tube are rejected, so the density's integral may be less than 1.
  */
 class VTKCSLF_EXPORT TubeView
 {
@@ -75,10 +75,10 @@ private:
   glm::vec3 From;
   Tube Shape;
   SphereView Ends[2];
-  float Shares[3] = { 0.0f, 0.0f, 0.0f }; // the chances of the start, the end and the side
+  float Shares[3] = { 0.0f, 0.0f, 0.0f }; // the probabilities of the start, the end and the side
 
-  // Of the side: the plane through the axis and the point, and the line of the surface in it that
-  // is nearest to the point.
+  // Of the side: the plane through the axis and the point, and the line of the surface in that
+  // plane that is nearest to the point.
   glm::vec3 Towards{ 0.0f }; // from the axis to the point, of unit length
   float AxisDistance = 0.0f; // of the point
   float CosSlant = 1.0f;     // of the angle between the surface and the axis

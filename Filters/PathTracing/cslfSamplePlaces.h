@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where in their texels samples lie, and which of them share a packet of rays.
+ * The positions of samples in their texels, and the samples that share a packet of rays.
  */
 #ifndef cslfSamplePlaces_h
 #define cslfSamplePlaces_h
@@ -15,8 +15,7 @@
 
 namespace cslf
 {
-/// Which texels of a block the rays of a packet are of: several samples of a few texels, one texel
-/// after the other, sample by sample.
+/// The texels of a block for a packet's rays: several samples of a few texels, texel by texel.
 struct TexelGroup
 {
   int First = 0; ///< of its texels
@@ -35,12 +34,12 @@ struct TexelGroup
   int GetSample(int lane) const { return lane >> this->Shift; }
 };
 
-/// The texels of a block: what their samples' places depend on.
+/// The texels of a block, as far as their samples' positions depend on them.
 struct TexelPlaces
 {
   alignas(64) float X[RayPacket::Size]; ///< of the texels, in the tile
   alignas(64) float Y[RayPacket::Size];
-  alignas(64) std::uint32_t Low[RayPacket::Size]; ///< the scramble of their samples' places
+  alignas(64) std::uint32_t Low[RayPacket::Size]; ///< the scramble of their samples' positions
   alignas(64) std::uint32_t High[RayPacket::Size];
 
   /// Texels lie in a square, one square of 2 x 2 after the other.
@@ -48,7 +47,7 @@ struct TexelPlaces
   static int GetRow(int texel) { return (texel >> 1 & 1) | (texel >> 2 & 2); }
 };
 
-/// Where the samples of a packet lie.
+/// The positions of the samples of a packet.
 struct SamplePlaces
 {
   alignas(64) float X[RayPacket::Size]; ///< in the texel, in [0,1]
@@ -57,8 +56,8 @@ struct SamplePlaces
   alignas(64) float TileY[RayPacket::Size];
 };
 
-/// Finds the places of the next samples, from one on, of the texels of a group and of the groups
-/// after it, a packet each: together, as each takes long but not much.
+/// Computes the positions of the next samples of the texels of a group and of the groups after it,
+/// one packet each. Doing several at once hides the latency of each.
 VTKCSLF_EXPORT void FindPlaces(const TexelGroup& group, int packets, int firstSample,
   const TexelPlaces& texels, SamplePlaces places[]);
 }

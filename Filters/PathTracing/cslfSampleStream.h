@@ -14,15 +14,15 @@
 
 namespace cslf
 {
-/// The numbers that a path's vertex consumes; each vertex has its own set.
+/// The numbers for a path's vertex. Each vertex has its own set.
 enum class Dimension : std::uint32_t
 {
-  Pixel,       ///< the position in the texel; once a path
+  Pixel,       ///< the position in the texel, once per path
   Lobe,        ///< which part of the BSDF
   Direction,   ///< the direction of the BSDF's sample
   LocalLight,  ///< the choice of a light at a finite distance, and of its point
   Environment, ///< the direction to the environment
-  Roulette,    ///< whether the path goes on
+  Roulette,    ///< whether the path continues
   Count
 };
 
@@ -52,7 +52,7 @@ public:
     return HashRow(HashColumn(HashSlice(seed, z), x), y);
   }
 
-  /// The same step by step.
+  /// The same in steps.
   static std::uint64_t HashSlice(std::uint32_t seed, int z) { return MixBits(seed, z); }
   static std::uint64_t HashColumn(std::uint64_t slice, int x) { return MixBits(slice, x); }
   static std::uint64_t HashRow(std::uint64_t column, int y) { return MixBits(column, y); }
@@ -63,7 +63,7 @@ public:
   {
   }
 
-  /// Goes to the numbers of the path's next vertex.
+  /// Advances to the numbers of the path's next vertex.
   void NextVertex() { this->Vertex += static_cast<std::uint32_t>(Dimension::Count); }
 
   /// Two numbers in [0,1).
@@ -75,7 +75,7 @@ public:
     return point;
   }
 
-  /// What makes the pair of dimensions of a texel its own.
+  /// The number that makes the pair of dimensions of a texel unique.
   struct Scramble
   {
     std::uint32_t Low;

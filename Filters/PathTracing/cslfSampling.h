@@ -27,7 +27,7 @@ inline float Luminance(const glm::vec3& color)
   return 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z;
 }
 
-/// Sine and cosine of an angle given in turns, from 0 to 1: to a float's precision, and without
+/// Sine and cosine of an angle in turns, from 0 to 1, with the precision of floats, and without
 /// branches, for loops over lanes.
 inline void SinCosOfTurn(float turn, float& sine, float& cosine)
 {
@@ -78,8 +78,8 @@ inline glm::vec2 SampleTriangle(const glm::vec2& u)
   return { u.x - y, y };
 }
 
-/// The weight of a sample taken with density `pdf` where another strategy would have taken it with
-/// `otherPdf`: the power heuristic of Veach and Guibas, SIGGRAPH 1995.
+/// The weight of a sample with density `pdf` if another strategy would have density `otherPdf`: the
+/// power heuristic of Veach and Guibas, SIGGRAPH 1995.
 inline float PowerHeuristic(float pdf, float otherPdf)
 {
   if (std::isinf(pdf))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Surface points and how they scatter light towards the ones before them on their paths, side by
- * side. What matte surfaces do is told by lanes; all others have a BSDF each.
+ * Surface points and their scattering towards the previous points of their paths, side by side.
+ * Lanes describe diffuse surfaces; all others have a BSDF each.
  */
 #ifndef cslfScatterLanes_h
 #define cslfScatterLanes_h
@@ -18,12 +18,12 @@ namespace cslf
 struct ScatterLanes
 {
   SurfaceLanes Surfaces;
-  std::optional<BSDF> Scattering[LaneCount]; ///< of what is not matte
-  LaneMask Lit;                              ///< whether light is asked for
-  Lobes LitLobes[LaneCount];                 ///< of what is not matte: the lobes asked about
+  std::optional<BSDF> Scattering[LaneCount]; ///< of surfaces that are not diffuse
+  LaneMask Lit;                              ///< whether light is requested
+  Lobes LitLobes[LaneCount]; ///< of surfaces that are not diffuse: the requested lobes
 };
 
-/// Light that arrives at surface points, as LightSample.
+/// Light that arrives at surface points, like LightSample.
 struct LightLanes
 {
   Vec3Lanes Direction;

@@ -21,17 +21,16 @@ namespace cslf
 {
 namespace
 {
-// The part of the way to a light that must be free.
+// The share of the way to a light that must be free.
 constexpr float ShadowLength = 0.9999f;
 
-// Up to this many shapes, packets of rays that run to one octant are best traced as if they ran
-// alike: measured in closed boxes, where it pays half at 100 triangles and costs a bit at 600.
+// Up to this many shapes, packets of rays to one octant are traced as coherent. Measured in closed
+// boxes: it saves half of the time at 100 triangles, and costs a little at 600.
 constexpr std::size_t SmallCount = 400;
 
 bool IsTraceable(const Ray& ray)
 {
-  // Embree stops the process at a ray that is not finite. A sum is finite only if all its terms
-  // are.
+  // Embree ends the process at a ray that is not finite. A sum is finite only if all its terms are.
   const glm::vec3 sum = ray.Origin + ray.Direction;
   return std::isfinite(sum.x + sum.y + sum.z) && ray.Direction != glm::vec3(0.0f);
 }
@@ -54,14 +53,14 @@ RTCRay ToEmbree(const Ray& ray, float distance)
   return result;
 }
 
-/// Makes a packet ready to be traced: `valid` gets its rays that are finite.
+/// Prepares a packet for tracing: `valid` marks its finite rays.
 CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* valid)
 {
   for (int i = 0; i < RayPacket::Size; ++i)
   {
     const float sum = query.ray.org_x[i] + query.ray.org_y[i] + query.ray.org_z[i] +
       query.ray.dir_x[i] + query.ray.dir_y[i] + query.ray.dir_z[i];
-    // Only what is finite is equal to itself less nothing.
+    // x - 0 == x is false for values that are not finite.
     valid[i] = sum - sum == 0.0f ? active[i] : 0;
     query.ray.tnear[i] = 0.0f;
     query.ray.tfar[i] = std::numeric_limits<float>::infinity();
@@ -74,8 +73,8 @@ CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* val
   }
 }
 
-/// Makes as many lanes a query as it holds, from the first on; valid are those that are active and
-/// that Embree can trace.
+/// Makes a query of as many lanes as it has, from the first on. Lanes that are active and that
+/// Embree can trace are valid.
 template <int Size, typename Query>
 inline void FillRays(const RayLanes& rays, int first, Query& query, int* valid)
 {
@@ -194,7 +193,7 @@ bool FillTriangles(RTCGeometry geometry, const Mesh& mesh)
   return vertices && triangles;
 }
 
-/// Spheres around vertices, or tubes around each two.
+/// Spheres around vertices, or tubes around pairs of vertices.
 bool FillRound(RTCGeometry geometry, const Mesh& mesh)
 {
   const std::size_t count = mesh.Vertices.size();
@@ -253,7 +252,7 @@ void AddInstance(
   rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
-/// Prepares meshes, which must stay where they are, and makes their lights.
+/// Prepares meshes, which must not move in memory, and makes their lights.
 LocalLights PrepareMeshes(std::vector<Mesh>& meshes, const std::vector<PointLight>& points)
 {
   for (Mesh& mesh : meshes)
@@ -287,7 +286,7 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     this->FirstTriangles.push_back(triangles);
     triangles += mesh.CanHoldLattice() ? mesh.Triangles.size() : 0;
   }
-  // Without a configuration: Embree's "threads" would bind every other user of TBB as well.
+  // Without a configuration, because Embree's "threads" would bind every other user of TBB as well.
   this->Tree->Device.reset(rtcNewDevice(nullptr));
   RTCDevice device = this->Tree->Device.get();
   if (!device)
@@ -297,8 +296,8 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
   }
   rtcSetDeviceErrorFunction(device, ReportError, &this->Error);
   this->Tree->PacketWidth = GetPacketWidth(device);
-  // The builder of high quality refers to triangles more than once; rays that are attenuated must
-  // meet each only once.
+  // The high-quality builder references triangles more than once, but attenuated rays must meet
+  // each only once.
   const bool translucent = std::any_of(this->Meshes.begin(), this->Meshes.end(),
     [](const Mesh& mesh) { return mesh.IsTranslucent(); });
   const auto makeScene = [device, translucent]
@@ -434,7 +433,7 @@ void Scene::Intersect(const RayLanes& rays, HitLanes& hits) const
   }
   else
   {
-    // Rays that share little are traced a little faster in smaller packets.
+    // Incoherent rays are traced a little faster in smaller packets.
     for (int first = 0; first < LaneCount; first += LaneCount / 2)
     {
       RTCRayHit8 query;
@@ -474,7 +473,7 @@ SurfaceHit Scene::GetSurface(const Ray& ray, const Hit& hit) const
   SurfaceHit surface;
   Locate(mesh, ray, hit, place, surface);
 
-  // What it is made of.
+  // Its contents.
   const MaterialPoint point = mesh.GetMaterialPoint(place);
   surface.Material = &mesh.Material;
   surface.BaseColor = point.BaseColor;
@@ -496,7 +495,7 @@ SurfaceHit Scene::GetSurface(const Hit& hit) const
   const glm::vec3 front = glm::normalize(
     glm::cross(mesh.Vertices[corners.y] - corner, mesh.Vertices[corners.z] - corner));
   Hit place = hit;
-  place.Front = glm::vec3(0.0f); // as no ray found it
+  place.Front = glm::vec3(0.0f); // as if no ray found it
   return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, place);
 }
 }

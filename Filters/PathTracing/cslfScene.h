@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is traced: triangles, materials and lights, in a space of their own in which the scene's
- * bounding sphere is the unit sphere, so that floats serve scenes of any place and size.
+ * The traced scene: triangles, materials and lights, in a space where the bounding sphere is the
+ * unit sphere, so that floats are precise enough for scenes of any position and size.
  */
 #ifndef cslfScene_h
 #define cslfScene_h
@@ -31,27 +31,27 @@ struct HitLanes;
 struct RayLanes;
 struct ShadowLanes;
 
-/// A surface point as a ray sees it.
+/// A surface point as seen by a ray.
 struct SurfaceHit
 {
   glm::vec3 GeometricNormal; ///< on the side the ray comes from
   glm::vec3 ShadingNormal;   ///< on that side too, and facing the ray
-  glm::vec3 LeavePosition;   ///< where rays start that leave on that side: a little off the surface
-  glm::vec3 PassPosition;    ///< where rays start that leave on the other side
-  bool Inside;               ///< whether the ray comes from behind: its triangle is clockwise
+  glm::vec3 LeavePosition; ///< the origin of rays that leave on that side: a little off the surface
+  glm::vec3 PassPosition;  ///< the origin of rays that leave on the other side
+  bool Inside;             ///< whether the ray comes from behind: its triangle is clockwise
   glm::vec3 BaseColor;
   float Metallic;
   float Alpha;
   glm::vec3 Emission;
   const SurfaceMaterial* Material;
 
-  /// Where rays start that leave at a cosine to the shading normal.
+  /// The origin of rays that leave at a cosine to the shading normal.
   const glm::vec3& GetStart(float cosine) const
   {
     return cosine < 0.0f ? this->PassPosition : this->LeavePosition;
   }
 
-  /// What light is sampled for: both sides of a surface that lets it through.
+  /// The receiver of light samples: both sides of a surface that transmits light.
   LightReceiver GetReceiver() const
   {
     return { this->LeavePosition,
@@ -77,7 +77,7 @@ struct SceneFrame
   glm::dvec3 VectorToScene(const glm::dvec3& vectorWC) const { return vectorWC / this->Radius; }
 };
 
-/// The lights besides surfaces that shine.
+/// The lights other than emissive surfaces.
 struct LightSet
 {
   Environment Surroundings;
@@ -94,23 +94,23 @@ public:
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// What went wrong in the making; empty if nothing did.
+  /// The error of the construction; empty if there was none.
   const std::string& GetError() const { return this->Error; }
 
   Hit Intersect(const Ray& ray) const;
   void Intersect(RayPacket& packet) const;
 
-  /// The part of the light that passes all surfaces on a ray before the distance, that of a light:
-  /// its own surface does not count. Partly opaque surfaces attenuate, glass and all else blocks.
+  /// The share of a light at a distance that passes all surfaces on a ray. The light's own surface
+  /// does not count. Partly opaque surfaces attenuate; glass and all other surfaces block.
   float GetTransmittance(const Ray& ray, float distance) const;
 
-  /// The same for rays that need not run alike.
+  /// The same for incoherent rays.
   void Intersect(const RayLanes& rays, HitLanes& hits) const;
   void FindTransmittances(ShadowLanes& shadows) const;
 
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
 
-  /// The surface as seen along its normal, from the hit's side.
+  /// The surface as seen along its normal, from the side of the hit.
   SurfaceHit GetSurface(const Hit& hit) const;
 
   glm::vec3 GetBaseColor(const Hit& hit) const
@@ -123,7 +123,7 @@ public:
   /// The box around all surfaces; empty if there are none.
   Box GetBounds() const;
 
-  /// The number of a triangle among those of all meshes that can hold a lattice.
+  /// The number of a triangle among those of all meshes that can have a lattice.
   std::size_t GetTriangleIndex(std::uint32_t mesh, std::uint32_t triangle) const
   {
     return this->FirstTriangles[mesh] + triangle;
@@ -149,7 +149,7 @@ private:
   LocalLights Locals;
   std::string Error;
   std::unique_ptr<Acceleration> Tree;
-  bool Small = false; // rays to the same octant are best traced together, wherever they start
+  bool Small = false; // trace rays to the same octant together, wherever they start
 };
 }
 

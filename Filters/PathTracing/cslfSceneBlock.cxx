@@ -26,7 +26,7 @@ namespace cslf
 {
 namespace
 {
-// An instance of a smaller volume than this, to its extent cubed, is flat.
+// Instances with a smaller volume, relative to the cube of their extent, are flat.
 constexpr double SmallestVolume = 1e-12;
 
 // The tracer computes in floats.
@@ -41,7 +41,7 @@ vtkDataArray* FindRadii(const SceneBlock& block)
   return radii && radii->GetNumberOfComponents() == 1 ? radii : nullptr;
 }
 
-/// A matrix of vtkMatrix4x4's order: by rows. False where it is no finite affine transform.
+/// A matrix in vtkMatrix4x4's order, by rows. False if it is not a finite affine transform.
 bool ReadMatrix(vtkDataArray* matrices, vtkIdType index, glm::dmat4& matrix)
 {
   for (int i = 0; i < 16; ++i)
@@ -124,7 +124,7 @@ InstanceSelection SelectInstances(vtkPolyData* data)
   {
     return selection;
   }
-  // Arrays of texts are present, and null here.
+  // Arrays of strings exist, but are null here.
   vtkDataArray* matrices = fields->GetArray(vtkCSLFInstances::InstanceMatrix());
   vtkDataArray* colors = fields->GetArray(vtkCSLFInstances::InstanceColor());
   const bool hasColors = fields->HasArray(vtkCSLFInstances::InstanceColor()) != 0;

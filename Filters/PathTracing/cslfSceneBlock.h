@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What one polygonal data object contributes to a scene: its triangles, its vertices or its lines.
+ * The contents of one polygonal data object in a scene: its triangles, vertices or lines.
  */
 #ifndef cslfSceneBlock_h
 #define cslfSceneBlock_h
@@ -32,13 +32,13 @@ struct RoundPart
 struct RoundSelection
 {
   std::vector<RoundPart> Parts;
-  vtkIdType Removed = 0; ///< how many had coordinates that are not finite
+  vtkIdType Removed = 0; ///< the number with coordinates that are not finite
 };
 
 /// The vertices (as spheres) or the parts of lines (as tubes) of polygonal data.
 RoundSelection SelectRound(vtkPolyData* data, Mesh::Shapes shape);
 
-/// A place of a block, in the world.
+/// An instance of a block, in the world.
 struct BlockInstance
 {
   glm::dmat4 ToWorld{ 1.0 };
@@ -49,15 +49,15 @@ struct BlockInstance
   bool HasEmission = false;
 };
 
-/// A tuple of radiance; what is negative or no finite number is 0.
+/// A tuple of radiance. Values that are negative or not finite become 0.
 glm::vec3 GetRadiance(vtkDataArray* array, vtkIdType tuple);
 
 struct InstanceSelection
 {
-  std::vector<BlockInstance> Places; ///< without those that have no extent
+  std::vector<BlockInstance> Places; ///< without those of zero size
   bool IsPresent = false;
   bool IsBroken = false; ///< whether arrays do not match
-  vtkIdType Removed = 0; ///< how many had a matrix that is no finite affine transform
+  vtkIdType Removed = 0; ///< the number with a matrix that is not a finite affine transform
 };
 
 /// The instances in a block's field data: see vtkCSLFInstances.
@@ -77,7 +77,7 @@ struct SceneBlock
   glm::vec3 DisplayedWhite{ 0.0f }; ///< see vtkCSLFMaterial
   SurfaceMaterial Material;
   MaterialTextures Textures;
-  std::string Appearance; ///< tells the material and the textures from others
+  std::string Appearance; ///< identifies the material and the textures
   std::vector<BlockInstance> Instances;
 
   bool HasTextures() const;
@@ -89,7 +89,7 @@ struct SceneBlock
   double GetRadius(vtkIdType point) const;
   double GetLargestRadius() const;
 
-  /// Removes spheres, and parts of lines, of no radius at any end. Returns their number.
+  /// Removes spheres and parts of lines with a radius of 0 at both ends. Returns their number.
   vtkIdType RemovePartsWithoutRadius();
 };
 }

@@ -39,10 +39,10 @@ namespace cslf
 {
 namespace
 {
-// The radius of lines and vertices that are given none, in diagonals of the scene's bounding box.
+// The default radius of lines and vertices, in diagonals of the scene's bounding box.
 constexpr double StandardRadius = 0.0005;
 
-/// What the user is told of, once.
+/// Warnings for the user, each given once.
 struct Omissions
 {
   vtkIdType Triangles = 0;
@@ -54,7 +54,7 @@ struct Omissions
   vtkIdType Lights = 0;
   vtkIdType Environments = 0;
   vtkIdType Textures = 0;
-  std::set<std::string> Unsound; ///< what would be read out of bounds
+  std::set<std::string> Unsound; ///< cells that would be read out of bounds
   std::set<std::string> DataTypes;
   OldNames Old;
   MaterialProblems Materials;
@@ -289,7 +289,7 @@ private:
     this->Blocks.push_back(std::move(block));
   }
 
-  /// Adds to the bounds what spheres and tubes reach beyond their points.
+  /// Extends the bounds by the parts of spheres and tubes beyond their points.
   void SetRadii()
   {
     const double diagonal = glm::length(this->Upper - this->Lower);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From VTK's data objects to the scene that is traced.
+ * Converts VTK's data objects to the traced scene.
  */
 #ifndef cslfSceneBuilder_h
 #define cslfSceneBuilder_h
@@ -25,34 +25,34 @@ namespace cslf
 {
 struct SceneOptions
 {
-  /// Finds the array that colours a block's surface, or null; says whether it is of the cells.
+  /// Finds the array that colours a block's surface, or null, and whether it belongs to the cells.
   std::function<vtkDataArray*(vtkPolyData*, bool& ofCells)> FindScalars;
 
-  /// What maps arrays that hold no colours; null for the array's own, or a default one.
+  /// Maps arrays that contain no colours. Null for the array's own table, or a default one.
   vtkScalarsToColors* LookupTable = nullptr;
 
-  Environment Surroundings; ///< unless an input brings its own
+  Environment Surroundings; ///< unless an input has its own
 
-  /// Whether the inputs are pieces, cut no matter how, of a scene that is to be the same always.
+  /// Whether the inputs are pieces of a scene that must not depend on the division into pieces.
   bool InPieces = false;
 
-  /// Of each input, the rank that it comes from, in ascending order; empty if all come from one.
+  /// The rank of each input, in ascending order. Empty if all come from one.
   std::vector<int> Ranks;
 };
 
 struct BuiltScene
 {
-  std::unique_ptr<Scene> World; ///< null where the scene cannot be used
+  std::unique_ptr<Scene> World; ///< null if the scene cannot be used
   SceneFrame Frame;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
-  bool HasEnvironment = false;                         ///< whether an input brought it
-  bool IsEmpty = false;                                ///< whether there is nothing to be seen
-  std::string Error;                                   ///< why not, in one line
-  std::string Warning;                                 ///< what was left out, in one line, or empty
-  std::string Fingerprint; ///< tells the scene from others: a hash of all that is seen of it
+  bool HasEnvironment = false;                         ///< whether an input contains it
+  bool IsEmpty = false;                                ///< whether nothing is visible
+  std::string Error;                                   ///< the reason, in one line
+  std::string Warning;                                 ///< the omitted parts, in one line, or empty
+  std::string Fingerprint; ///< identifies the scene: a hash of everything visible
 };
 
-/// Builds the scene of polygonal data and composite data sets of such.
+/// Builds the scene from polygonal data and composite data sets of polygonal data.
 VTKCSLF_EXPORT BuiltScene BuildScene(
   const std::vector<vtkDataObject*>& inputs, const SceneOptions& options);
 }

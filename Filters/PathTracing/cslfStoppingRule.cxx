@@ -14,14 +14,14 @@ namespace cslf
 {
 namespace
 {
-// Where one sample is to do, colours may differ by this many noise targets across the 4 texels of a
-// square's side and half a texel around it. On a gradient, the root mean square error of a sample
-// at a random place in its texel is then about half the target.
+// If one sample is to be enough, colours may differ by this many noise targets across the 4 texels
+// of a square's side and half a texel around it. On a gradient, the root mean square error of a
+// sample at a random place in its texel is then about half the target.
 constexpr float RangeOfTarget = 8.0f;
 
 constexpr int Size = TexelSums::Size;
 
-/// Takes the bounds of two halves together.
+/// Joins the bounds of two halves.
 template <int Half>
 inline void Fold(float* lows, float* highs)
 {
@@ -32,7 +32,7 @@ inline void Fold(float* lows, float* highs)
   }
 }
 
-/// Makes bounds hold the values that are inside.
+/// Extends bounds by the values inside.
 CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& low, float& high)
 {
   float lows[Size];
@@ -190,7 +190,7 @@ bool StoppingRule::IsNoisy(const TexelSums& sums, int texel, const glm::vec3& el
     variance = ((count - 1.0f) * variance + elsewhere) / count;
   }
   const glm::vec3 error = glm::sqrt(variance / count);
-  // Above and below: a mean that is clipped at white may be that of a single bright sample.
+  // Upwards and downwards: a mean that is clipped at white may be that of a single bright sample.
   const glm::vec3 shown = this->Display(mean + error) - this->Display(mean - error);
   return std::max({ shown.x, shown.y, shown.z }) > 2.0f * this->Target;
 }

@@ -4,12 +4,12 @@
  * @file
  * Decides when a texel has enough samples.
  *
- * A mean is biased if the number of its samples depends on the samples themselves: where the first
- * few miss a small light, sampling would end, and where they find it, sampling would continue until
- * the light's share is right. So the samples of a texel never decide about that texel. They only
- * decide about the other texels of its square, whose random numbers are independent of its own.
- * (Kirk and Arvo, "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991, describe the
- * bias, and a remedy that discards the samples that decide.)
+ * A mean is biased if the number of its samples depends on the samples themselves: if the first few
+ * miss a small light, sampling would end, and if they find it, sampling would continue until the
+ * light's share is right. So the samples of a texel never decide about that texel. They only decide
+ * about the other texels of its square, whose random numbers are independent. (Kirk and Arvo,
+ * "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991, describe the bias, and a
+ * remedy that discards the samples that decide.)
  */
 #ifndef cslfStoppingRule_h
 #define cslfStoppingRule_h
@@ -36,13 +36,13 @@ public:
     this->Add(radiance.Red, radiance.Green, radiance.Blue, covered, inside);
   }
 
-  /// Adds the only samples of the texels that are inside.
+  /// Adds the only samples of the texels inside.
   void Add(const TexelSums& sums, const int inside[RayPacket::Size])
   {
     this->Add(sums.Red, sums.Green, sums.Blue, sums.Covered, inside);
   }
 
-  /// Adds only whether the rays that are inside hit a surface.
+  /// Adds only whether the rays inside hit a surface.
   void AddCoverage(const int covered[RayPacket::Size], const int inside[RayPacket::Size]);
 
   /// The largest difference of a component, in the units of the curve.
@@ -73,7 +73,7 @@ struct PathVariance
     this->Texels += other.Texels;
   }
 
-  /// The mean without some that were added; 0 where there are no others.
+  /// The mean without some of the added values. 0 if there are no others.
   glm::vec3 GetMeanWithout(const PathVariance& some) const
   {
     const int texels = this->Texels - some.Texels;
@@ -97,14 +97,14 @@ public:
   /// Whether a single sample of each texel may suffice where rays see such colours.
   bool IsPlain(const ColorBounds& seen) const;
 
-  /// Accepts the means of the texels that have enough samples. With a single sample each, that is
-  /// where all others of the square see what is expected.
+  /// Accepts the means of the texels that have enough samples. With a single sample each, a texel
+  /// has enough if all others of the square see what is expected.
   void TakeSingle(const ColorBounds& expected, const int inside[TexelSums::Size],
     const TexelSums& sums, TexelMeans& means) const;
 
-  /// With more samples, it is where the standard error of all others is at most the target. Where
-  /// an outline is expected, it must be for a texel of which half is covered, too. The variance of
-  /// traced paths elsewhere counts like one sample.
+  /// With more samples, a texel has enough if the standard error of all others is at most the
+  /// target. If an outline is expected, this must also hold for a half-covered texel. The variance
+  /// of traced paths elsewhere counts like one sample.
   void Take(const ColorBounds& expected, const glm::vec3& elsewhere,
     const int inside[TexelSums::Size], const TexelSums& sums, TexelMeans& means) const;
 

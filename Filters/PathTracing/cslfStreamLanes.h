@@ -17,10 +17,10 @@ struct StreamLanes
   Lanes<std::uint64_t> Hash;  ///< of the path's texel
   Lanes<std::uint32_t> Index; ///< of the texel's samples
 
-  /// The numbers of each path's vertex, as SampleStream::Get2D; vertices are numbered from 0.
+  /// The numbers of each path's vertex, like SampleStream::Get2D. Vertices are numbered from 0.
   void Get2D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x, Lanes<float>& y) const;
 
-  /// The first of them alone, as SampleStream::Get1D.
+  /// Only the first number, like SampleStream::Get1D.
   void Get1D(std::uint32_t vertex, Dimension dimension, Lanes<float>& x) const;
 };
 }

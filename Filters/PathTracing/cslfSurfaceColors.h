@@ -22,13 +22,13 @@ namespace cslf
 struct MappedColors
 {
   std::vector<glm::vec3> Colors; ///< linear
-  std::vector<float> Opacities;  ///< none where all are 1
+  std::vector<float> Opacities;  ///< empty if all are 1
 };
 
-/// Whether a table holds any colours. VTK reads past the end of those that hold none.
+/// Whether a table contains any colours. VTK reads past the end of tables without colours.
 bool HasColors(vtkScalarsToColors* table);
 
-/// Maps the arrays of all blocks of a scene alike.
+/// Maps the arrays of all blocks of a scene in the same way.
 class SurfaceColors
 {
 public:
@@ -38,11 +38,11 @@ public:
   /// Announces an array: arrays without a lookup table share a default one over all their values.
   void AddToRange(vtkDataArray* array);
 
-  /// Whether an array holds colours, or its lookup table does.
+  /// Whether an array or its lookup table contains colours.
   bool CanMap(vtkDataArray* array) const;
 
   /// A colour for each tuple of an array that can be mapped. Unsigned chars of 3 or 4 components
-  /// are sRGB colours themselves; all else is mapped.
+  /// are sRGB colours themselves; all other arrays are mapped.
   MappedColors Map(vtkDataArray* array);
 
 private:

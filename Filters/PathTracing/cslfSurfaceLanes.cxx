@@ -9,13 +9,13 @@ namespace cslf
 {
 namespace
 {
-/// The triangles that are hit.
+/// The hit triangles.
 struct TriangleLanes
 {
   Vec3Lanes Front; // of any length
   LaneMask Smooth;
   Lanes<float> Length;  // of its rounding
-  Vec3Lanes Corners[3]; // the last two of the smooth ones only
+  Vec3Lanes Corners[3]; // the last two only of smooth triangles
   Vec3Lanes Normals[3];
   bool AnySmooth = false;
 };
@@ -51,7 +51,8 @@ void FetchTriangle(const Mesh& mesh, const HitLanes& hits, int lane, TriangleLan
   triangles.AnySmooth = triangles.AnySmooth || smooth;
 }
 
-/// What decides how a mesh's surface is fetched; neighbours mostly hit the same mesh.
+/// The properties of a mesh that decide how its surface is read. Neighbouring rays mostly hit the
+/// same mesh.
 struct MeshTraits
 {
   std::uint32_t Index = Hit::None;
@@ -68,7 +69,7 @@ struct MeshTraits
       const Mesh& mesh = scene.GetMeshes()[index];
       this->Index = index;
       this->Surface = &mesh;
-      // Triangles are told by their corners and the normals there.
+      // The corners of triangles and the normals there.
       this->IsPlain = mesh.CanHoldLattice() && !mesh.Textures.Normal;
       this->IsUniform = mesh.IsUniform();
       this->IsEmissive = mesh.Material.IsEmissive();
@@ -100,7 +101,7 @@ void FetchMaterial(const MeshTraits& traits, const HitLanes& hits, int lane, Sur
   }
 }
 
-/// As if all triangles were flat.
+/// If all triangles are flat.
 CSLF_VECTORIZE void LocateFlat(const RayLanes& rays, const HitLanes& hits,
   const TriangleLanes& triangles, SurfaceLanes& surfaces)
 {
@@ -187,7 +188,7 @@ void SurfaceLanes::Set(int lane, const SurfaceHit& surface)
 void FindSurfaces(
   const Scene& scene, const RayLanes& rays, const HitLanes& hits, SurfaceLanes& surfaces)
 {
-  // Fetch what is hit.
+  // Read the hit surfaces.
   TriangleLanes triangles;
   triangles.Front = hits.Front;
   MeshTraits traits;
@@ -218,7 +219,7 @@ void FindSurfaces(
     }
   }
 
-  // Find where the points are.
+  // Compute the positions of the points.
   if (plain != 0)
   {
     LocateFlat(rays, hits, triangles, surfaces);

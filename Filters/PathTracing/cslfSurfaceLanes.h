@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Surface points as rays see them, side by side.
+ * Surface points as seen by rays, side by side.
  */
 #ifndef cslfSurfaceLanes_h
 #define cslfSurfaceLanes_h
@@ -11,7 +11,7 @@
 
 namespace cslf
 {
-/// As SurfaceHit. Lanes without a hit are not set.
+/// Like SurfaceHit. Lanes without a hit are not set.
 struct SurfaceLanes
 {
   Vec3Lanes GeometricNormal;
@@ -22,13 +22,13 @@ struct SurfaceLanes
   Vec3Lanes BaseColor;
   Lanes<float> Metallic;
   Lanes<float> Alpha;
-  Vec3Lanes Emission; ///< of the lanes that shine
+  Vec3Lanes Emission; ///< of emissive lanes
   const SurfaceMaterial* Material[LaneCount];
 
-  std::uint32_t Shining = 0;    ///< a bit for each lane that shines
-  std::uint32_t Scattering = 0; ///< a bit for each lane that is not matte
+  std::uint32_t Shining = 0;    ///< a bit for each emissive lane
+  std::uint32_t Scattering = 0; ///< a bit for each lane that is not diffuse
 
-  /// As SurfaceHit::GetReceiver.
+  /// Like SurfaceHit::GetReceiver.
   LightReceiver GetReceiver(int lane) const
   {
     return { this->LeavePosition.Get(lane), this->GetReceiverNormal(lane) };

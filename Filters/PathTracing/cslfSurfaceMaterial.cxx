@@ -11,11 +11,12 @@ namespace cslf
 {
 namespace
 {
-// Facets of a smaller alpha deviate from the normal by less than a float's worth of a texel: a
-// mirror.
+// With a smaller alpha, facets deviate from the normal by less than the precision of floats within
+// a texel: the surface is a mirror.
 constexpr float SmallestAlpha = 1e-3f;
 
-// The reflected part of what leaves at `cosine`: the mean of GGX's sample weights, F G2 / G1.
+// The reflected share of light that leaves at `cosine`: the mean of GGX's sample weights, F G2 /
+// G1.
 float IntegrateSpecular(float ior, const GGX& facets, float cosine)
 {
   constexpr int side = 24;
@@ -63,7 +64,7 @@ SpecularAlbedo::Row SpecularAlbedo::MakeRow(float ior, float alpha)
     row.Values[i] =
       alpha > 0.0f ? IntegrateSpecular(ior, facets, cosine) : DielectricFresnel(cosine, ior);
   }
-  // The integral of 2 E(c) c dc; Simpson's rule is exact, since Get is linear in each step.
+  // The integral of 2 E(c) c dc. Simpson's rule is exact, because Get is linear in each step.
   float sum = 0.0f;
   for (int i = 0; i < Steps; ++i)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A material as the tracer uses it: everything linear, and what depends on the material alone
- * worked out once.
+ * A material in the tracer's form, with linear values and everything precomputed that depends only
+ * on the material.
  */
 #ifndef cslfSurfaceMaterial_h
 #define cslfSurfaceMaterial_h
@@ -17,18 +17,18 @@
 
 namespace cslf
 {
-/// The part of the light that a dielectric's glossy boundary reflects: the BSDF's integral over all
-/// incident directions, by the outgoing cosine.
+/// The share of the light that a dielectric's glossy boundary reflects: the BSDF's integral over
+/// all incident directions, by the outgoing cosine.
 class VTKCSLF_EXPORT SpecularAlbedo
 {
 public:
   /// A boundary that reflects nothing.
   SpecularAlbedo() = default;
 
-  /// Of one roughness: `alpha` of 0 is a smooth boundary.
+  /// For one roughness. An `alpha` of 0 is a smooth boundary.
   SpecularAlbedo(float ior, float alpha);
 
-  /// Of any roughness, where a texture varies it.
+  /// For any roughness, if a texture varies it.
   explicit SpecularAlbedo(float ior);
 
   float Get(float cosine, float alpha) const;
@@ -54,10 +54,10 @@ private:
   template <typename Read>
   float Interpolate(float alpha, const Read& read) const;
 
-  std::vector<Row> Rows; // none, the one of the material, or one a step of the roughness
+  std::vector<Row> Rows; // empty, one row for the material, or one row per step of the roughness
 };
 
-/// What textures vary over a surface.
+/// The parameters that textures vary over a surface.
 struct MaterialPoint
 {
   glm::vec3 BaseColor{ 0.6f }; ///< linear
@@ -65,11 +65,11 @@ struct MaterialPoint
   float Alpha = 1.0f;          ///< GGX's; 0 is a perfect mirror
 };
 
-/// From where triangles are there at all.
+/// The sides on which triangles are visible.
 enum class VisibleSides
 {
   Both,
-  Front, ///< where the corners run counterclockwise
+  Front, ///< the side where the corners run counterclockwise
   Back
 };
 
@@ -80,34 +80,33 @@ public:
   SurfaceMaterial(const glm::vec3& baseColor, float metallic, float roughness,
     float indexOfRefraction, const glm::vec3& emission);
 
-  /// GGX's alpha of a perceptual roughness; 0 where facets deviate too little to be seen.
+  /// GGX's alpha of a perceptual roughness. 0 if the deviation of facets is invisible.
   static float ToAlpha(float roughness);
 
-  glm::vec3 BaseColor{ 0.6f };             ///< linear
-  float Metallic = 0.0f;                   ///< in [0,1]
-  float Roughness = 1.0f;                  ///< perceptual, in [0,1]
-  float Alpha = 1.0f;                      ///< GGX's; 0 is a perfect mirror
-  float IndexOfRefraction = 1.0f;          ///< at least 1; 1 has no boundary that reflects
-  float Transmission = 0.0f;               ///< the part of a dielectric that is glass, in [0,1]
-  bool Thin = false;                       ///< whether glass is a sheet, else solid
-  float Opacity = 1.0f;                    ///< the chance that light meets the surface, in [0,1]
-  float OpacityCutoff = 0.0f;              ///< above 0: opacities below count as 0, others as 1
-  float NormalScale = 1.0f;                ///< how far the normal texture bends normals
-  glm::vec3 Emission{ 0.0f };              ///< radiance, from all visible sides
+  glm::vec3 BaseColor{ 0.6f };    ///< linear
+  float Metallic = 0.0f;          ///< in [0,1]
+  float Roughness = 1.0f;         ///< perceptual, in [0,1]
+  float Alpha = 1.0f;             ///< GGX's; 0 is a perfect mirror
+  float IndexOfRefraction = 1.0f; ///< at least 1; with 1, the boundary reflects nothing
+  float Transmission = 0.0f;      ///< the share of a dielectric that is glass, in [0,1]
+  bool Thin = false;              ///< whether glass is a thin sheet, else solid
+  float Opacity = 1.0f;           ///< the probability that light hits the surface, in [0,1]
+  float OpacityCutoff = 0.0f;     ///< above 0: lower opacities count as 0, others as 1
+  float NormalScale = 1.0f;       ///< how far the normal texture bends normals
+  glm::vec3 Emission{ 0.0f };     ///< radiance, from all visible sides
   VisibleSides Sides = VisibleSides::Both; ///< of triangles
-  SpecularAlbedo
-    DielectricSpecular; ///< of the boundary; of any roughness where a texture varies it
+  SpecularAlbedo DielectricSpecular; ///< of the boundary; for any roughness if a texture varies it
 
-  /// Whether rays that come from the front, or the back, pass as if there were no surface.
+  /// Whether rays from the front, or the back, pass as if there were no surface.
   bool Hides(bool back) const
   {
     return this->Sides == (back ? VisibleSides::Front : VisibleSides::Back);
   }
 
-  /// Whether it shines. No component of an emission is negative.
+  /// Whether it emits light. No component of an emission is negative.
   bool IsEmissive() const { return this->Emission.x + this->Emission.y + this->Emission.z > 0.0f; }
 
-  /// Whether it has a diffuse base alone.
+  /// Whether it has only a diffuse base.
   bool IsMatte() const
   {
     return this->IndexOfRefraction == 1.0f && this->Metallic == 0.0f && this->Transmission == 0.0f;

@@ -17,14 +17,14 @@ namespace cslf
 {
 namespace
 {
-// The samples of a batch: enough to keep many threads busy, about a second's worth on few.
+// The number of samples of a batch: enough for many threads, and about a second's work on a few.
 constexpr std::int64_t BatchSamples = 1 << 20;
 constexpr std::int64_t SmallestBatch = 16;
 
 // The most blocks whose paths are followed together.
 constexpr int MostBlocks = 64;
 
-/// Whether rays of two packets, all of which meet the scene, see the same mesh or all miss.
+/// Whether rays of two packets, all of which hit the scene's box, see the same mesh or all miss.
 bool ShowOneMesh(const RayPacket& a, const RayPacket& b)
 {
   std::uint32_t differences = 0;
@@ -36,7 +36,7 @@ bool ShowOneMesh(const RayPacket& a, const RayPacket& b)
   return differences == 0;
 }
 
-/// Leaves out the rays that are not inside. Returns the number of those left.
+/// Removes the rays that are not inside. Returns the number of the others.
 int KeepInside(const int* inside, RayPacket& packet)
 {
   int rays = 0;
@@ -49,7 +49,7 @@ int KeepInside(const int* inside, RayPacket& packet)
 }
 }
 
-/// A square of texels in one tile, a square of 2 x 2 after the other.
+/// A square of texels in one tile, in order of squares of 2 x 2.
 struct TexelRenderer::Block
 {
   RayGrid Grid;
@@ -58,22 +58,21 @@ struct TexelRenderer::Block
   int Y; // of the first texel, in the tile
   int X;
   std::uint64_t Hash;                      // of the slice
-  alignas(64) int Inside[RayPacket::Size]; // -1 where the tile has the texel, else 0
+  alignas(64) int Inside[RayPacket::Size]; // -1 if the tile has the texel, else 0
   std::uint64_t Hashes[RayPacket::Size];   // of the texels, for their random numbers
   TexelPlaces Texels;
   TexelSums Sums;
   TexelMeans Means;
   ColorBounds Expected;     // what rays see that no texel averages
-  bool MayEndSoon = false;  // whether a single sample may do
-  bool LacksDepths = false; // whether a depth is to be found by the samples
+  bool MayEndSoon = false;  // whether a single sample may be enough
+  bool LacksDepths = false; // whether samples determine the depth
   PathVariance Variance;    // of the first samples
 };
 
-/// Paths that wait to be followed together, those of a run of blocks: which they are depends on the
-/// run alone.
+/// Paths of a run of blocks that wait to be followed together. They depend only on the run.
 struct TexelRenderer::PathQueue
 {
-  /// Where a path started.
+  /// The origin of a path.
   struct Source
   {
     TexelSums* Sums;
@@ -252,7 +251,7 @@ void TexelRenderer::TakeSingles(std::vector<Block>& blocks, PathQueue& queue) co
 
 void TexelRenderer::TakeEnough(std::vector<Block>& blocks, PathQueue& queue) const
 {
-  PathVariance all; // of the first samples, which every block here takes
+  PathVariance all; // of the first samples, which every block takes here
   for (std::int64_t samples = StoppingRule::FewestSamples; samples < this->Settings.Samples;
        samples *= 2)
   {
@@ -442,7 +441,7 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
   this->World.Intersect(packet);
   if (this->Output.Depth)
   {
-    // Where the ray to the centre sees nothing, the samples may.
+    // If the ray to the centre sees nothing, the samples may see something.
     block.Sums.AddDepths(TexelGroup(RayPacket::Size), packet, scale, places.X, places.Y);
     for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
     {
@@ -465,7 +464,7 @@ bool TexelRenderer::IsPlain(const RayPacket& centers, Block& block, std::uint64_
   {
     return false;
   }
-  // What lies along the block's border is missed by the rays to the centres.
+  // Rays to the centres miss what lies along the block's border.
   constexpr float around = 0.5f;
   constexpr float step = (BlockSide + 2.0f * around) / (BlockSide - 1);
   alignas(64) int all[RayPacket::Size];

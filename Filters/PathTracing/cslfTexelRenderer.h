@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From rays to texels: which rays a texel averages, and what it stores.
+ * Computes texels from rays: the rays that a texel averages, and the values that it stores.
  */
 #ifndef cslfTexelRenderer_h
 #define cslfTexelRenderer_h
@@ -31,18 +31,19 @@ struct PictureLayout
   int TileWidth = 0;
   int TileHeight = 0;
   int Tiles = 1;
-  int FirstSlice = 0; ///< slices are numbered absolutely
+  int FirstSlice = 0; ///< slices have absolute numbers
   int Slices = 1;
 
   int GetWidth() const { return this->Tiles * this->TileWidth; }
 };
 
-/// Where texels are written; what is null is not. The first slice comes first, x varies fastest.
+/// The destination of texels; null arrays are not written. The first slice comes first, and x
+/// varies fastest.
 struct TexelOutput
 {
-  unsigned char* ColorBytes = nullptr; ///< 4 a texel, as EncodeColor writes them
-  float* ColorFloats = nullptr;        ///< 4 a texel: linear radiance times exposure, and alpha
-  unsigned short* Depth = nullptr;     ///< the ray's parameter at the hit, [0,1] as [0,65535]
+  unsigned char* ColorBytes = nullptr; ///< 4 per texel, as written by EncodeColor
+  float* ColorFloats = nullptr;        ///< 4 per texel: linear radiance times exposure, and alpha
+  unsigned short* Depth = nullptr; ///< the ray's parameter at the hit, [0,1] stored as [0,65535]
 };
 
 struct RenderSettings
@@ -54,26 +55,26 @@ struct RenderSettings
   double DisplayRange = DisplayCurve::ByteRange; ///< of the noise target: see DisplayCurve
   bool ShowEnvironment = false; ///< whether rays that miss see the environment, with alpha 1
   PathSettings Paths;
-  const RadianceCache* Cache = nullptr; ///< of the scene; null where paths are traced to their end
+  const RadianceCache* Cache = nullptr; ///< of the scene; null if paths are traced to their end
 };
 
-/// Renders the texels of a picture, whichever way they are dealt out: a texel depends on its
-/// absolute position and the settings only.
+/// Renders the texels of a picture. A texel depends only on its absolute position and the settings,
+/// however the texels are distributed.
 class VTKCSLF_EXPORT TexelRenderer
 {
 public:
   TexelRenderer(const Scene& scene, const PictureLayout& layout, const RenderSettings& settings,
     std::function<RayGrid(int slice, int tile)> grids, const TexelOutput& output);
 
-  /// Renders all texels on VTK's threads. Between batches tells the calling thread how much is
-  /// done, which says whether to go on. False where it did not.
+  /// Renders all texels on VTK's threads. Between batches calls a function on the calling thread
+  /// with the progress; if that returns false, stops and returns false.
   bool Render(const std::function<bool(double)>& goOn) const;
 
   /// The rays traced so far.
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
 private:
-  static constexpr int BlockSide = 4; // a packet of rays is one of each texel of a block
+  static constexpr int BlockSide = 4; // a packet has one ray for each texel of a block
 
   struct Block;
   struct PathQueue;

@@ -106,7 +106,7 @@ CSLF_VECTORIZE void TexelSums::AddDepths(const TexelGroup& group, const RayPacke
   const PacketScale& scale, const float x[Size], const float y[Size])
 {
   alignas(64) float depths[Size];
-  alignas(64) float offsets[Size]; // the largest there are where nothing is hit
+  alignas(64) float offsets[Size]; // the largest values if nothing is hit
   CSLF_LANE_LOOP
   for (int lane = 0; lane < Size; ++lane)
   {

@@ -23,7 +23,7 @@ int Modulo(int index, int size)
   return remainder < 0 ? remainder + size : remainder;
 }
 
-/// A pixel's place on one axis, or OnBorder.
+/// The index of a pixel on one axis, or OnBorder.
 int FindPixel(int index, int size, TextureWrap wrap)
 {
   switch (wrap)
@@ -42,7 +42,7 @@ int FindPixel(int index, int size, TextureWrap wrap)
   }
 }
 
-/// Coordinates that show the same and are small, so that pixels can be counted in whole numbers.
+/// Equivalent small coordinates, so that pixels can be counted in integers.
 float Reduce(float coordinate, TextureWrap wrap)
 {
   switch (wrap)

@@ -19,18 +19,17 @@
 
 namespace cslf
 {
-/// What an image's numbers stand for.
+/// The meaning of an image's numbers.
 enum class TextureKind
 {
   Colors, ///< red, green and blue are sRGB-encoded
   Numbers
 };
 
-/// What an image shows beyond coordinates in [0,1]. The numbers are those of
-/// vtkCSLFMaterial::TextureWraps.
+/// The image beyond coordinates in [0,1]. The numbers are those of vtkCSLFMaterial::TextureWraps.
 enum class TextureWrap
 {
-  Edge,   ///< its edge goes on
+  Edge,   ///< its edge is extended
   Repeat, ///< it repeats
   Mirror, ///< it repeats, every other time mirrored
   Border  ///< one colour
@@ -41,14 +40,14 @@ struct TextureImage
   int Width = 0;
   int Height = 0;
   TextureWrap Wraps[2] = { TextureWrap::Repeat, TextureWrap::Repeat }; ///< along u, along v
-  bool Interpolate = true;          ///< bilinear; else the nearest pixel
+  bool Interpolate = true;          ///< bilinear interpolation; else the nearest pixel
   std::vector<std::uint8_t> Pixels; ///< red, green, blue, alpha; the first row is v = 0
 
-  /// Above 0 where colours are interpolated as displayed (sRGB-encoded) values, in light that gives
-  /// a white surface this radiance; else they are made linear in each pixel.
+  /// If above 0, colours are interpolated as displayed (sRGB-encoded) values, in light that gives a
+  /// white surface this radiance. Otherwise pixels are converted to linear values first.
   glm::vec3 DisplayedWhite{ 0.0f };
 
-  std::array<std::uint8_t, 4> Border{}; ///< a pixel; it counts where a wrap says so
+  std::array<std::uint8_t, 4> Border{}; ///< a pixel; used if a wrap says so
 };
 
 class VTKCSLF_EXPORT Texture
@@ -65,7 +64,7 @@ public:
 private:
   using Decoding = std::array<glm::vec3, 256>;
 
-  /// What is interpolated, by the levels of pixels.
+  /// The interpolated values, by the levels of pixels.
   Decoding MakeDecoding(TextureKind kind) const;
 
   glm::vec4 GetPixel(int column, int row) const;

@@ -27,7 +27,7 @@ std::array<std::uint8_t, 4> ToPixel(const unsigned char* pixel, int components)
     hasAlpha ? pixel[components - 1] : std::uint8_t(255) };
 }
 
-/// The colour beyond an image of so many components.
+/// The border colour of an image with that many components.
 std::array<std::uint8_t, 4> ReadBorder(vtkDataObject* material, int slot, int components)
 {
   double color[4];
@@ -70,7 +70,7 @@ std::shared_ptr<const Texture> TextureReader::ReadSlot(
   const glm::vec3 white = GetDisplayedWhite(material);
   if (kind == TextureKind::Colors && white != glm::vec3(0.0f))
   {
-    // Emission is displayed as it is.
+    // Emission is displayed unchanged.
     image.DisplayedWhite = slot == vtkCSLFMaterial::EmissionTexture ? glm::vec3(1.0f) : white;
   }
   image.Width = source->GetDimensions()[0];

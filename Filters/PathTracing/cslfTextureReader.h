@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From the textures of vtkCSLFMaterial to those that are traced.
+ * Converts the textures of vtkCSLFMaterial to those of the tracer.
  */
 #ifndef cslfTextureReader_h
 #define cslfTextureReader_h
@@ -23,7 +23,7 @@ class vtkDataObject;
 
 namespace cslf
 {
-/// Reads each image once, however many blocks share its pixels.
+/// Reads each image once, even if many blocks share its pixels.
 class TextureReader
 {
 public:
@@ -35,8 +35,8 @@ private:
 
   std::shared_ptr<const Texture> ReadSlot(vtkDataObject* material, int slot, TextureKind kind);
 
-  /// The textures, and the pixels that they were made of: the address of pixels that are gone could
-  /// be that of others.
+  /// The textures and their pixels, which are kept because the address of freed pixels could be
+  /// reused.
   std::map<Key, std::pair<vtkSmartPointer<vtkDataArray>, std::shared_ptr<const Texture>>> Known;
 };
 }

@@ -16,23 +16,23 @@
 
 namespace cslf
 {
-// How far rays start off a sphere or a tube, in radii of the scene: Embree meets long tubes less
-// exactly than triangles.
+// How far rays start off a sphere or a tube, in radii of the scene: Embree's hits on long tubes are
+// less exact than on triangles.
 constexpr float RoundOffset = 1e-5f;
 
-// How far rays start off a triangle, as a part of the coordinates that rounding can change: 16
+// How far rays start off a triangle, relative to the coordinates that rounding affects: 16
 // roundings of a float.
 constexpr float OffsetRoundings = 16.0f * 0x1p-24f;
 
-// And at least and at most, in radii of the scene. The planes of the thinnest triangles are too
-// uncertain for any offset.
+// The smallest and the largest offset, in radii of the scene. The planes of the thinnest triangles
+// are too inexact for any offset.
 constexpr float LeastOffset = 1e-9f;
 constexpr float LargestOffset = 1e-5f;
 
-// The least cosine between a shading normal and the direction it is seen from.
+// The smallest cosine between a shading normal and the direction to the viewer.
 constexpr float SmallestCosine = 1e-3f;
 
-// Normals that are shorter than this tell no direction.
+// Shorter normals have no direction.
 constexpr float ShortestNormal = 1e-6f;
 
 /// A normal, turned to the side of another.
@@ -47,7 +47,8 @@ inline glm::vec3 Choose(bool first, const glm::vec3& a, const glm::vec3& b)
   return { first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z };
 }
 
-/// What is given at a triangle's corners, at the barycentric coordinates of its second and third.
+/// The interpolated value of a triangle's corners, with the barycentric coordinates of the second
+/// and third.
 inline glm::vec3 InterpolateCorners(const glm::vec3 values[3], float u, float v)
 {
   return (1.0f - u - v) * values[0] + u * values[1] + v * values[2];
@@ -55,10 +56,10 @@ inline glm::vec3 InterpolateCorners(const glm::vec3 values[3], float u, float v)
 
 /// How far off a triangle a ray can start so that it does not meet the triangle again: a bound of
 /// the rounding, along the normal, of the point, of the triangle's plane and of the ray's query.
-/// `reach` holds the absolute coordinates that they are worked out from, added up, `length` what
-/// FindLengthOfRounding tells of the triangle. After Waechter
-/// and Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019,
-/// and Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8.
+/// `reach` is the sum of the absolute coordinates from which they are computed, and `length` the
+/// result of FindLengthOfRounding for the triangle. After Waechter and Binder, "A Fast and Robust
+/// Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, and Pharr, Jakob and Humphreys,
+/// "Physically Based Rendering", 4th edition, 6.8.
 inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float length)
 {
   const float offset =
@@ -66,7 +67,7 @@ inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float l
   return std::min(offset, LargestOffset);
 }
 
-/// What the rounding of a triangle's normal moves its plane by, in roundings: about the longest
+/// The shift of a triangle's plane by the rounding of its normal, in roundings: about the longest
 /// edge, and more for slivers, whose edges are nearly parallel.
 inline float FindLengthOfRounding(const glm::vec3 corners[3])
 {
@@ -81,15 +82,15 @@ inline float FindLengthOfRounding(const glm::vec3 corners[3])
   return area > 0.0f ? square * std::sqrt(square) / area : 0.0f;
 }
 
-/// The point of a plane that is nearest to a point almost in it.
+/// The point of a plane that is nearest to a point close to the plane.
 inline glm::vec3 MoveToPlane(
   const glm::vec3& point, const glm::vec3& corner, const glm::vec3& normal)
 {
   return point - glm::dot(point - corner, normal) * normal;
 }
 
-/// The normal of the side from which the corners run counterclockwise: of unit length, also where
-/// the triangle is so small that its area is 0 as a float.
+/// The normal of the side where the corners run counterclockwise. It has unit length even if the
+/// triangle's area is 0 as a float.
 inline glm::vec3 FindFront(const glm::vec3 corners[3])
 {
   const glm::vec3 edges[2] = { corners[1] - corners[0], corners[2] - corners[0] };
@@ -108,8 +109,8 @@ inline glm::vec3 InterpolateNormals(
   return Choose(glm::length(normal) > ShortestNormal, normal, front);
 }
 
-/// A normal of any length and side, turned to the side that is seen, and so that the outgoing
-/// direction sees its front.
+/// A normal of any length and side, turned to the visible side, and so that the outgoing direction
+/// sees its front.
 inline glm::vec3 FaceOutgoing(
   const glm::vec3& normal, const glm::vec3& geometric, const glm::vec3& outgoing)
 {

@@ -48,8 +48,8 @@ bool HasArea(vtkPolyData* data, const vtkIdType corners[3])
   return glm::length(normal) > 0.0;
 }
 
-/// The data without polygons of four or more corners that are not all finite, which VTK's
-/// triangulation must not see.
+/// The data without polygons of four or more corners that are not all finite. VTK's triangulation
+/// must not get those.
 vtkSmartPointer<vtkPolyData> RemoveBrokenPolygons(vtkPolyData* data, vtkIdType& removed)
 {
   const vtkIdType firstPolygon = data->GetNumberOfVerts() + data->GetNumberOfLines();

@@ -24,14 +24,14 @@ bool IsFinite(const glm::dvec3& point);
 /// A point of a data object.
 glm::dvec3 GetPoint(vtkPolyData* data, vtkIdType index);
 
-/// Whether a cell of the data, counted over all kinds, is one of another piece, or hidden.
+/// Whether a cell of the data, counted over all kinds, belongs to another piece or is hidden.
 bool IsGhost(vtkPolyData* data, vtkIdType cell);
 
 struct TriangleSelection
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< triangles, with their point and cell data
-  std::vector<vtkIdType> Cells;         ///< those of finite corners and some area, no ghosts
-  vtkIdType Removed = 0;                ///< how many polygons and triangles had others
+  std::vector<vtkIdType> Cells;         ///< with finite corners and some area, without ghosts
+  vtkIdType Removed = 0;                ///< the number of polygons and triangles with other corners
 };
 
 /// Triangulates polygons and strips.

@@ -22,12 +22,12 @@ struct Tube
   float Length = 0.0f;                ///< between the centres of the two ends; 0 for a sphere
   float Radius;                       ///< at the start
   float Slope = 0.0f;                 ///< change of the radius per length, in (-1,1)
-  float OnlyEnd = 0.0f;               ///< of a sphere: which end it is, 0 or 1
+  float OnlyEnd = 0.0f;               ///< of a sphere: the number of its end, 0 or 1
 
-  /// Whether the tube goes straight on in another one at its start and end: see Mesh::Joints.
+  /// Whether another tube continues this one at its start and end: see Mesh::Joints.
   bool Joints[2] = { false, false };
 
-  /// Where one end holds the other, the tube is the larger sphere.
+  /// If one end contains the other, the tube is the larger sphere.
   Tube(const glm::vec3& start, const glm::vec3& end, float startRadius, float endRadius)
     : Start(start)
     , Radius(startRadius)
@@ -70,14 +70,14 @@ struct Tube
     return glm::distance(point, this->GetCenter(along)) <= this->GetRadius(along);
   }
 
-  /// Whether what FindAlong tells is on a round end that is a surface.
+  /// Whether a result of FindAlong is on a round end that is a surface.
   bool IsOnEnd(float along) const
   {
     return along <= 0.0f ? !this->Joints[0] : along >= 1.0f && !this->Joints[1];
   }
 
-  /// Which of the spheres, counted from 0 at the start to 1 at the end, touches the surface at one
-  /// of its points. Below 0 and above 1 the point is on a round end.
+  /// The sphere that touches the surface at one of its points, numbered from 0 at the start to 1 at
+  /// the end. Below 0 and above 1 the point is on a round end.
   float FindAlong(const glm::vec3& point) const
   {
     if (this->IsSphere())

@@ -22,8 +22,8 @@ double GetGrowth(const Mesh& mesh, std::uint32_t tube)
   return std::log(double(mesh.Radii[2 * tube + 1]) / mesh.Radii[2 * tube]);
 }
 
-/// The length of a tube in its radii: the integral of the inverse radius along it; 0 where one end
-/// holds the other, and where a radius is too small for a float.
+/// The length of a tube in its radii: the integral of the inverse radius along it; 0 if one end
+/// contains the other, or a radius is too small for a float.
 double MeasureTube(const Mesh& mesh, std::uint32_t tube)
 {
   const double length =
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /// Pieces are equally long in their radii, which grow or shrink by equal factors.
+  /// Pieces have equal lengths relative to their radii, which change by equal factors.
   void AddVertex(std::uint32_t tube, int piece, int pieces)
   {
     const double growth = GetGrowth(this->Whole, tube);
@@ -114,9 +114,9 @@ private:
   }
 
   const Mesh& Whole;
-  std::vector<TrianglePoint> Places; // of each new vertex, in the tubes as they were
+  std::vector<TrianglePoint> Places; // of each new vertex, in the original tubes
   std::vector<std::uint32_t> Joints;
-  std::vector<std::uint32_t> Tubes; // of each piece, that which it is of
+  std::vector<std::uint32_t> Tubes; // of each piece, the tube it belongs to
 };
 }
 

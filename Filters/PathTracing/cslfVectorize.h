@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Marks functions whose loops run over the lanes of a packet: compiled once for every generation of
- * vector instructions, of which the processor's newest is taken when the library is loaded.
+ * Marks functions with loops over the lanes of a packet. They are compiled for every generation of
+ * vector instructions, and the newest one of the processor is chosen when the library is loaded.
  */
 #ifndef cslfVectorize_h
 #define cslfVectorize_h
 
-// Sanitizers are not yet up when the choice is made.
+// Sanitizers are not initialised yet when the choice is made.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) &&       \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #if __GNUC__ >= 12
@@ -20,7 +20,7 @@
 #define CSLF_VECTORIZE
 #endif
 
-// Stands before a loop over lanes: what it writes is nowhere what it reads of other lanes.
+// Precedes a loop over lanes in which no lane reads what another lane writes.
 #if defined(__GNUC__) && !defined(__clang__)
 #define CSLF_LANE_LOOP _Pragma("GCC ivdep")
 #else

@@ -18,18 +18,18 @@ namespace cslf
 {
 namespace
 {
-// The paths of a texel. Each half has random numbers of its own, so that products of the halves'
-// differences have no noise in the mean.
+// The paths of a texel. The halves have independent random numbers, so the mean of products of
+// their differences is free of noise.
 constexpr int Halves = 2;
 constexpr int SamplesOfHalf = 32;
 
-// Texels whose paths are followed together.
+// The number of texels whose paths are followed together.
 constexpr int TexelsOfBatch = PathBatch::Capacity / (Halves * SamplesOfHalf);
 
-// How many texels are tried at most for each that is wanted: many may see no surface.
+// The most texels tried for each wanted one: many may not see a surface.
 constexpr int MostTries = 16;
 
-// What random numbers are for.
+// The use of random numbers.
 constexpr std::uint64_t ChoiceSalt = 0x6368656b;
 constexpr std::uint64_t PathSalt = 0x70617468;
 constexpr std::uint64_t CacheSalt = 0x63616368;
@@ -75,8 +75,8 @@ double Average(const glm::vec3& color)
   return (double(color.x) + color.y + color.z) / 3.0;
 }
 
-/// How much of a difference between two radiances a display shows: the slope of its curve between
-/// them.
+/// The displayed difference relative to that of two radiances: the slope of the display's curve
+/// between them.
 float GetSlope(const DisplayCurve& display, float a, float b)
 {
   constexpr float least = 1e-4f;
@@ -86,7 +86,8 @@ float GetSlope(const DisplayCurve& display, float a, float b)
 }
 
 /// The product of the displayed differences of both halves. The curve is replaced by its slope
-/// between the means: noise that a bent curve sees alike in both halves would not cancel.
+/// between the means, because the effect of a nonlinear curve on the noise of both halves would not
+/// cancel.
 double MultiplyDifferences(const DisplayCurve& display, const Radiances& texel)
 {
   double sum = 0.0;
@@ -108,7 +109,7 @@ std::vector<Seen> ChooseTexels(
   std::vector<Seen> chosen;
   for (int i = 0; i < MostTries * settings.Texels; ++i)
   {
-    // Random numbers in [0,1): which slice and tile, and where in it.
+    // Random numbers in [0,1) for the slice, the tile and the position in it.
     std::uint64_t bits = MixBits(MixBits(ChoiceSalt, settings.Seed), i);
     const auto next = [&bits](int count)
     {
@@ -142,7 +143,7 @@ std::vector<Seen> ChooseTexels(
   return chosen;
 }
 
-/// Finds the radiance of texels by an integrator.
+/// Computes the radiance of texels with an integrator.
 class Tracer
 {
 public:
@@ -184,7 +185,7 @@ private:
   const PathIntegrator& Integrator;
   std::uint64_t Hash;
   PathBatch Batch;
-  std::vector<glm::vec3*> Sums; // of so many paths each
+  std::vector<glm::vec3*> Sums; // of this many paths each
 };
 
 std::vector<Radiances> Measure(const Scene& scene, const RadianceCache& cache,
@@ -262,12 +263,12 @@ CacheCheck CheckCache(const Scene& scene, const RadianceCache& cache, const Chec
     brightness.Add(Average(traced));
     squares.Add(MultiplyDifferences(display, texel));
   }
-  // Where the paths find nothing, the cache should not either.
+  // Where the paths find no light, the cache should not either.
   const double scale = brightness.Get() > 0.0 ? brightness.Get() : 1.0;
   check.Mean = difference.Get() / scale;
   check.MeanError = difference.GetError() / scale;
   check.RMS = std::sqrt(std::max(squares.Get(), 0.0));
-  // By the error of the square; where it is all noise, of the square root of that.
+  // From the error of the square or, if it is all noise, from the square root of that.
   const double error = squares.GetError();
   check.RMSError = error > 0.0 ? error / std::max(2.0 * check.RMS, std::sqrt(error)) : 0.0;
   return check;

@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 /// The first bytes, with the version of the layout.
 constexpr std::uint64_t Magic = 0x3345484341434643;
 
-/// What is read at once to check a file, in bytes.
+/// The number of bytes read at once to check a file.
 constexpr std::size_t PieceSize = std::size_t(1) << 20;
 
 std::uint32_t UpdateChecksum(std::uint32_t checksum, const void* bytes, std::size_t count)
 {
-  // For zlib, no bytes at all mean to begin anew.
+  // zlib starts a new checksum if it is given no bytes.
   return count == 0
     ? checksum
     : static_cast<std::uint32_t>(::crc32_z(checksum, static_cast<const Bytef*>(bytes), count));
@@ -78,7 +78,7 @@ private:
   std::uint32_t Checksum = 0;
 };
 
-/// Reads what is known to be whole.
+/// Reads a file that is known to be undamaged.
 class FileReader
 {
 public:
@@ -111,7 +111,7 @@ private:
   std::ifstream Stream;
 };
 
-/// Whether a file begins and ends as a cache's.
+/// Whether a file begins and ends like that of a cache.
 bool IsWhole(const std::string& fileName)
 {
   std::ifstream stream(ToPath(fileName), std::ios::binary | std::ios::ate);

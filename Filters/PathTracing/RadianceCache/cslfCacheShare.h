@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Several ranks that work out the points of one cache together. All of them go through the same
- * steps; each estimates a part of the points, and all get the estimates of all.
+ * Several ranks that compute the points of one cache together. All perform the same steps. Each
+ * estimates a part of the points, and all get all estimates.
  */
 #ifndef cslfCacheShare_h
 #define cslfCacheShare_h
@@ -24,20 +24,21 @@ public:
   virtual int GetRank() const = 0;
   virtual int GetCount() const = 0;
 
-  /// Whether all ranks are for it. All ranks call it together.
+  /// Whether all ranks agree. All ranks call it together.
   virtual bool Agree(bool isFor) = 0;
 
-  /// Adds up all ranks' numbers. All ranks call it together.
+  /// Sums all ranks' numbers. All ranks call it together.
   virtual std::uint64_t Sum(std::uint64_t mine) = 0;
 
-  /// Which rank estimates a point: few neighbours go together, so that the ranks have equal work.
+  /// The rank that estimates a point: few neighbours share a rank, so that the ranks have equal
+  /// work.
   int GetOwner(std::size_t point) const
   {
     return static_cast<int>(point / DealtPoints % static_cast<std::size_t>(this->GetCount()));
   }
 
-  /// Completes values of points from number `first` on, of which each rank has made its own. All
-  /// ranks call it together.
+  /// Completes the values of points from number `first` on, of which each rank has computed its
+  /// own. All ranks call it together.
   template <typename Value>
   void Complete(std::vector<Value>& values, std::size_t first)
   {
@@ -50,7 +51,7 @@ public:
 
 private:
   static constexpr std::size_t DealtPoints = 4;
-  static constexpr std::size_t MostAtOnce = std::size_t(1) << 20; // as MPI counts bytes by int
+  static constexpr std::size_t MostAtOnce = std::size_t(1) << 20; // because MPI counts bytes in int
 
   template <typename Value>
   void CompletePart(
@@ -81,7 +82,7 @@ private:
     }
   }
 
-  /// Brings bytes together on all ranks, one rank's after the other's. `sizes` are all ranks'.
+  /// Gathers bytes on all ranks, in the order of the ranks. `sizes` are those of all ranks.
   virtual void Gather(const void* mine, const std::vector<std::size_t>& sizes, void* all) = 0;
 };
 }

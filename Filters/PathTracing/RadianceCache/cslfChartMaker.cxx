@@ -20,27 +20,27 @@ namespace cslf
 {
 namespace
 {
-// Triangles lower than this many spacings are too small for a lattice of their own: the light
+// Triangles with a height below this many spacings are too small for their own lattice: the light
 // within them is not resolved.
 constexpr float SmallHeight = 0.5f;
 
-// Triangles this many times longer than high, and this many spacings long, are too thin: the
-// lattice of a triangle is finest across it.
+// Triangles that are this many times longer than high, and this many spacings long, are too thin,
+// because the lattice of a triangle is finest across it.
 constexpr float ThinAspect = 4.0f;
 constexpr float ThinLength = 4.0f;
 
 // The least cosine between the normal of a chart and those of its triangles.
 constexpr float LeastCosine = 0.8f;
 
-// The least cosine between shading normals where two triangles meet. Those of small triangles are
+// The smallest cosine between shading normals of adjacent triangles. Those of small triangles are
 // not resolved.
 constexpr float SmoothCosine = 0.9998f; // 1 degree
 constexpr float SmallCosine = 0.97f;    // 14 degrees
 
-// A chart folds over itself where two of its triangles are this many spacings apart in height.
+// A chart folds over itself if two of its triangles differ in height by this many spacings.
 constexpr float FoldHeight = 1.5f;
 
-// A chart has at most so many cells, and so many times those that its area would fill.
+// The most cells of a chart, and the most relative to those that its area would fill.
 constexpr float CellsOfChart = 64.0f;
 constexpr float CellsOfArea = 8.0f;
 
@@ -51,7 +51,7 @@ struct Facet
   bool IsSmall;
   glm::vec3 Normal;
   float Area;
-  std::uint32_t Corners[3]; // vertices of one position have one number
+  std::uint32_t Corners[3]; // vertices at the same position have the same number
 };
 
 float Largest(float a, float b, float c)
@@ -59,7 +59,7 @@ float Largest(float a, float b, float c)
   return std::max({ a, b, c });
 }
 
-/// Heights of a surface over a plane, in squares one spacing wide: tells where it would fold.
+/// Heights of a surface over a plane, in squares one spacing wide. Detects folds.
 class HeightMap
 {
 public:
@@ -70,7 +70,7 @@ public:
 
   void Clear() { this->Heights.clear(); }
 
-  /// Adds a triangle, unless it lies over or under what is there.
+  /// Adds a triangle, unless it lies over or under existing ones.
   bool Add(const glm::vec3 corners[3])
   {
     this->Found.clear();
@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  /// Collects the squares of a triangle. False where its height differs from what is there.
+  /// Collects the squares of a triangle. False if its height differs from existing heights.
   bool Rasterize(const glm::vec3 corners[3])
   {
     const float low = std::min({ corners[0].y, corners[1].y, corners[2].y });
@@ -115,7 +115,7 @@ private:
     return true;
   }
 
-  /// Where a triangle lies within a row of squares.
+  /// The extent of a triangle within a row of squares.
   void FindSpan(const glm::vec3 corners[3], int row, float& left, float& right) const
   {
     const float bottom = static_cast<float>(row) * this->Side;
@@ -225,7 +225,7 @@ private:
     this->IsTaken.resize(this->Facets.size(), 0);
   }
 
-  /// Vertices may differ in all but their position.
+  /// Vertices may differ in everything but their position.
   void JoinCorners()
   {
     const auto getPosition = [this](std::uint32_t corner) -> const glm::vec3&
@@ -300,7 +300,7 @@ private:
     }
   }
 
-  /// A facet's normal at a corner, as it is shaded.
+  /// A facet's shading normal at a corner.
   glm::vec3 GetNormal(const Facet& facet, int corner) const
   {
     if (this->Surface.Normals.empty())
@@ -319,7 +319,7 @@ private:
     return this->GetNormal(facet, index);
   }
 
-  /// Whether the light of two facets is the same, or hardly differs, along their edge.
+  /// Whether the light of two facets is equal, or nearly so, along their edge.
   bool IsSmooth(std::uint32_t first, int edge, std::uint32_t second) const
   {
     const Facet& a = this->Facets[first];
@@ -376,8 +376,8 @@ private:
     }
   }
 
-  /// Whether a facet does not fold the chart over itself. While all lie in a plane, none does that
-  /// would matter.
+  /// Whether a facet does not fold the chart over itself. As long as all facets lie in a plane,
+  /// none can do so noticeably.
   bool AddHeight(const glm::vec3 corners[3], bool isFirst)
   {
     const float flat = 0.25f * this->Settings.Spacing;
@@ -442,8 +442,8 @@ private:
   std::vector<Edge> Edges; // of the facets, sorted
   std::vector<std::uint8_t> IsTaken;
 
-  // The chart that grows.
-  std::vector<std::uint32_t> Frontier; // its members, in their order
+  // The current chart.
+  std::vector<std::uint32_t> Frontier; // its members, in order
   Frame Axes{ glm::vec3(0.0f, 0.0f, 1.0f) };
   glm::vec3 Origin{ 0.0f };
   HeightMap Heights;

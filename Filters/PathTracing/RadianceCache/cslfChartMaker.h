@@ -31,7 +31,7 @@ struct ChartSettings
 /// lattice is a member of one chart. A chart
 /// - consists of triangles of one mesh that are connected by edges,
 /// - is flat enough to be projected onto a plane without folds,
-/// - has continuous light, since shading normals hardly differ where two triangles meet.
+/// - has continuous light, because shading normals hardly differ where two triangles meet.
 VTKCSLF_EXPORT std::vector<SurfaceChart> MakeCharts(
   const Scene& scene, const OpenSides& sides, const ChartSettings& settings);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Selects the points of a chart between which a point is interpolated. Where cells are much longer
+ * Selects the points of a chart between which a point is interpolated. If cells are much longer
  * than wide, points are dense along the length and sparse across it.
  */
 #ifndef cslfChartNeighbours_h
@@ -18,9 +18,9 @@ struct ChartNeighbours
   float Weight; // of the high one
 };
 
-/// Points along one side of a chart, `step` finest ones apart, which are to be no closer than half
-/// the distance along the other side: `ratio` is that distance, in steps. A cell has `cell` finest
-/// points, and the whole side `last`.
+/// Points along one side of a chart, `step` finest points apart. They must be at least half as far
+/// apart as points along the other side, whose distance in steps is `ratio`. A cell has `cell`
+/// finest points, and the whole side `last`.
 inline ChartNeighbours FindChartNeighbours(int index, int step, int cell, int last, float ratio)
 {
   for (; step < cell && ratio >= 2.0f; ratio *= 0.5f)

@@ -19,8 +19,8 @@ namespace cslf
 {
 namespace
 {
-// The part of what a point sees that may be nearer than its reach: where a flat angle is seen from
-// its edge, little of it, and of what it adds to the light.
+// The share of directions that may see something closer than the reach. At an edge between surfaces
+// at a flat angle, this share and its light are small.
 constexpr float NearShare = 1.0f / 32.0f;
 
 MaterialPoint MakeWhite(const SurfaceHit& surface)
@@ -31,7 +31,7 @@ MaterialPoint MakeWhite(const SurfaceHit& surface)
 }
 }
 
-/// A point of the surface as a white one.
+/// A surface point as a white one.
 struct DiffuseEstimator::Receiver
 {
   SurfaceHit Surface;
@@ -56,14 +56,14 @@ struct DiffuseEstimator::Batch
   int End;
 };
 
-/// What one half of a point's samples has told so far.
+/// The results so far of one half of a point's samples.
 struct DiffuseEstimator::Progress
 {
   HalfSamples Samples;
-  std::unique_ptr<IncidentFit> Fit; // null where it is not asked for, or not any more
-  std::vector<float> Distances;     // of what the first samples see, in any order
+  std::unique_ptr<IncidentFit> Fit; // null if it is not requested, or no longer
+  std::vector<float> Distances;     // distances of what the first samples see, unsorted
 
-  /// The distance that nearly all of the first samples reach.
+  /// The distance exceeded by nearly all of the first samples.
   float TakeReach(int samples)
   {
     const auto near = static_cast<std::size_t>(NearShare * static_cast<float>(samples));
@@ -79,13 +79,13 @@ struct DiffuseEstimator::Progress
   }
 };
 
-/// A point at work. Only the rank that owns it takes its samples.
+/// A point in progress. Only the rank that owns it takes its samples.
 struct DiffuseEstimator::Work
 {
   SurfaceEstimate Estimate;
   Progress Halves[2];
-  bool IsOpen[2] = { true, true }; // whether a half, as a pilot, asks for more samples
-  glm::vec3 Variances[2] = {};     // of one sample each, as the pilots have told
+  bool IsOpen[2] = { true, true }; // whether a half, as the pilot, requests more samples
+  glm::vec3 Variances[2] = {};     // of one sample each, according to the pilots
 
   bool IsAnyOpen() const { return this->IsOpen[0] || this->IsOpen[1]; }
 };
@@ -153,7 +153,7 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
   for (std::uint32_t half = 0; half < 2; ++half)
   {
     Progress& progress = work.Halves[half];
-    // Of the light that arrives, the first half is stored, and the second is its pilot.
+    // The first half of the incident light is stored, and the second is its pilot.
     if (begin == 0 && wantsIncident && lobe && lobe->IsKnown())
     {
       progress.Fit = std::make_unique<IncidentFit>();
@@ -183,7 +183,7 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
 bool DiffuseEstimator::Decide(
   const Request& request, int samples, const Means& means, std::vector<Work>& works) const
 {
-  // What do the neighbours tell?
+  // Take the neighbours into account.
   std::vector<glm::vec3> pooled[2];
   for (int half = 0; half < 2; ++half)
   {
@@ -201,7 +201,7 @@ bool DiffuseEstimator::Decide(
     pooled[half] = PoolVariances(variances, request.Groups[half]);
   }
 
-  // Which points need more samples?
+  // Decide which points need more samples.
   const bool canGoOn = 4 * samples <= this->Limits.LastSamples;
   std::atomic<bool> goesOn{ false };
   ParallelFor(0, static_cast<vtkIdType>(works.size()), 0,

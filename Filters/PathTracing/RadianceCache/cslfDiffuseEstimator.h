@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The light that points of a surface would diffuse, were they white: estimated to a stated noise.
+ * Estimates the light that points of a surface would reflect diffusely if they were white, up to a
+ * given noise.
  */
 #ifndef cslfDiffuseEstimator_h
 #define cslfDiffuseEstimator_h
@@ -28,23 +29,23 @@ namespace cslf
 class VTKCSLF_EXPORT DiffuseEstimator : public SurfaceEstimator
 {
 public:
-  /// What is estimated.
+  /// The quantity to estimate.
   enum class Light : std::uint32_t
   {
     Sampled, ///< light that is sampled at its sources
-    Gathered ///< light that is found by looking around, in directions spread by the cosine
+    Gathered ///< light found by cosine-distributed directions
   };
 
   struct Settings
   {
     Light Kind = Light::Gathered;
     int FirstSamples = 64;  ///< taken at every point; a power of two, at least 32
-    int LastSamples = 1024; ///< taken where the noise demands it
-    float Noise = 0.004f;   ///< the standard error that is good enough, in the units of `Display`
-    int Depth = 1;          ///< the reflections after which the point's light is seen, at least 1
+    int LastSamples = 1024; ///< taken if the noise requires it
+    float Noise = 0.004f;   ///< the acceptable standard error, in the units of `Display`
+    int Depth = 1; ///< the number of reflections after which the point's light is seen, at least 1
     std::uint32_t Seed = 0;
     DisplayCurve Display;
-    std::vector<GlossyLobe> Lobes; ///< of each mesh: what incident light is looked at for
+    std::vector<GlossyLobe> Lobes; ///< of each mesh: the use of incident light
     CacheShare* Share = nullptr;   ///< the ranks that estimate together; null for this one alone
   };
 
@@ -57,8 +58,8 @@ public:
   {
   }
 
-  /// Each half of a point's samples is doubled until, as far as it and its neighbours tell, both
-  /// together are good enough.
+  /// Doubles each half of a point's samples until both together are good enough, judged by the
+  /// point and its neighbours.
   std::vector<SurfaceEstimate> Estimate(const Request& request) override;
 
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
@@ -70,7 +71,7 @@ private:
   struct Work;
   using Means = std::vector<std::array<SampleMean, 2>>; // of the halves of all points
 
-  /// Takes samples of all points that want more, up to number `end` of each half.
+  /// Takes samples of all points that need more, up to number `end` of each half.
   void TakeSamples(const Request& request, int end, std::vector<Work>& works, Means& means);
   void TakeSamples(const SurfacePoint& point, int end, bool wantsIncident, Work& work,
     std::array<SampleMean, 2>& means);
@@ -78,7 +79,7 @@ private:
   std::uint64_t LookAround(const Batch& batch, Progress& progress) const;
   glm::vec3 Follow(const RayPacket& packet, int lane, float pdf, const glm::vec3& normal,
     const SampleStream& stream, std::uint64_t& rays) const;
-  /// Lets the halves decide after so many samples of each. Whether some want more.
+  /// Lets the halves decide after that many samples of each. Returns whether some need more.
   bool Decide(
     const Request& request, int samples, const Means& means, std::vector<Work>& works) const;
   bool IsEnough(const SurfacePoint& point, const HalfEstimate& pilot) const;

@@ -87,7 +87,7 @@ CSLF_VECTORIZE DiffuseLookUp::Finds DiffuseLookUp::FindPlaces(const Surface* sur
     open[lane] = canBeKnown ? sides[places.Triangle[lane]] : 0;
   };
 
-  // Rays that run alike mostly see one triangle.
+  // Coherent rays mostly see one triangle.
   std::uint32_t differences = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
@@ -128,7 +128,7 @@ CSLF_VECTORIZE DiffuseLookUp::Finds DiffuseLookUp::FindPlaces(const Surface* sur
 CSLF_VECTORIZE int DiffuseLookUp::Colorize(const Surface* surfaces, const RayPacket& packet,
   const int* known, const LatticePacket& values, PacketRadiance& radiance)
 {
-  // Rays that run alike mostly see one mesh, whose record need not be gathered.
+  // Coherent rays mostly see one mesh, whose record need not be gathered.
   int lowest = std::numeric_limits<int>::max();
   int highest = 0;
   for (int lane = 0; lane < RayPacket::Size; ++lane)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The radiance of what a packet of rays sees, where a cache alone knows it.
+ * The radiance of the hits of a packet of rays, if a cache alone determines it.
  */
 #ifndef cslfDiffuseLookUp_h
 #define cslfDiffuseLookUp_h
@@ -38,28 +38,28 @@ struct PacketRadiance
 class VTKCSLF_EXPORT DiffuseLookUp
 {
 public:
-  /// Knows nothing where there is no cache, or one that is not complete.
+  /// Finds nothing if there is no cache, or one that is not complete.
   DiffuseLookUp(const Scene& scene, const RadianceCache* cache);
 
-  /// Sets the radiance of rays whose hits look alike from everywhere, and 0 for all others. `known`
-  /// becomes -1 for those, else 0. False if it is 0 for some that hit.
+  /// Sets the radiance of rays whose hits look the same from all directions, and 0 for all others.
+  /// `known` becomes -1 for those, else 0. False if it is 0 for any hit.
   bool Get(const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const;
 
 private:
   /// Of a mesh.
   struct Surface
   {
-    bool IsKnown = false; // whether the cache alone knows it
+    bool IsKnown = false; // whether the cache alone determines its radiance
     std::uint32_t FirstTriangle = 0;
     glm::vec3 Color{ 1.0f };
-    int Varies = 0; // -1 if its colour is none for all of it, else 0
+    int Varies = 0; // -1 if it is black everywhere, else 0
   };
 
-  /// What a packet sees.
+  /// The hits of a packet.
   struct Finds
   {
-    bool Some;   // whether something that is known
-    bool Others; // whether something that is not
+    bool Some;   // whether any is known
+    bool Others; // whether any is unknown
   };
 
   static Finds FindPlaces(const Surface* surfaces, const std::uint8_t* sides,
@@ -69,7 +69,7 @@ private:
 
   const Scene& World;
   const RadianceCache* Cache;
-  std::vector<Surface> Surfaces; // of the meshes; none where nothing is known
+  std::vector<Surface> Surfaces; // of the meshes; empty if nothing is known
 };
 }
 

@@ -22,8 +22,7 @@ struct Pair
   std::uint16_t Index;
 };
 
-/// The interval of a pair, where the azimuth is split into a power of two of parts, and the angle
-/// into another.
+/// The interval of a pair if azimuth and angle are each divided into a power of two of parts.
 std::uint32_t GetInterval(const Pair& pair, int azimuthBits, int angleBits)
 {
   const std::uint32_t azimuth = azimuthBits > 0 ? pair.Azimuth >> (Bits - azimuthBits) : 0;
@@ -31,8 +30,8 @@ std::uint32_t GetInterval(const Pair& pair, int azimuthBits, int angleBits)
   return azimuth << angleBits | angle;
 }
 
-/// Sorts pairs into intervals of 16: a block of the sequence has as many in each. The hemisphere
-/// is cut into quarters first, then by the angle and the azimuth in turn.
+/// Sorts pairs into intervals of 16; a block of the sequence has equally many in each. The
+/// hemisphere is divided into quarters first, then by angle and azimuth alternately.
 void Sort(std::vector<Pair>::iterator begin, std::vector<Pair>::iterator end)
 {
   int azimuthBits = 0;

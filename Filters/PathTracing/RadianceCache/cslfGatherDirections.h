@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Directions in which points of a surface look around, in packets of rays that run alike.
+ * Directions of rays from points of a surface, in packets of coherent rays.
  */
 #ifndef cslfGatherDirections_h
 #define cslfGatherDirections_h
@@ -15,12 +15,12 @@
 namespace cslf
 {
 /**
- * Directions spread by the cosine to z, made from a (0,2)-sequence. Each point of the surface has
+ * Cosine-distributed directions around z, made from a (0,2)-sequence. Each point of the surface has
  * its own digital shift of that sequence: both numbers of a pair are combined, bit by bit, with a
  * random number (Kollig and Keller, "Efficient Multidimensional Sampling", Eurographics 2002). So
- * every direction is as likely as its density says, and the directions of one point are evenly
- * spread. A shift takes intervals of a power of two to such intervals; so the sequence is sorted
- * once, and each packet's directions stay close to each other.
+ * directions have the right density, and those of one point are evenly spread. A shift maps
+ * intervals whose size is a power of two to such intervals, so it is enough to sort the sequence
+ * once to keep each packet's directions close to each other.
  */
 class GatherDirections
 {
@@ -28,7 +28,7 @@ public:
   /// The length of the sequence; points that need more start again with another shift.
   static constexpr int Length = 1024;
 
-  /// Sixteen directions, and where in the sequence they are.
+  /// Sixteen directions, and their place in the sequence.
   struct Packet
   {
     alignas(64) float X[RayPacket::Size];
@@ -45,7 +45,7 @@ public:
   void Get(std::uint64_t key, int count, Packet& packet) const;
 
 private:
-  /// What is shifted: the numbers that tell the angle to z and the azimuth, as 24 bits each.
+  /// The numbers to be shifted, which determine the angle to z and the azimuth, with 24 bits each.
   struct Numbers
   {
     alignas(64) std::uint32_t Angle[RayPacket::Size];

@@ -22,8 +22,8 @@ struct SampleMean
 };
 
 /**
- * The sums of equal parts of a low-discrepancy sequence, from whose differences the noise is
- * estimated. Each part is such a sequence itself, so the mean of all is better than this estimate.
+ * The sums of equal parts of a low-discrepancy sequence. Their differences give an estimate of the
+ * noise. Each part is such a sequence itself, so the mean of all is better than this estimate.
  */
 class HalfSamples
 {

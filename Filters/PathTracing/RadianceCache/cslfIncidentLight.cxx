@@ -15,10 +15,10 @@ namespace cslf
 {
 namespace
 {
-// Samples that tell of one part of the hemisphere.
+// The number of samples for one part of the hemisphere.
 constexpr int CellSize = 16;
 
-// Zernike's polynomials of the unit disc, on which directions spread by the cosine lie evenly: the
+// Zernike polynomials of the unit disc, on which cosine-distributed directions are uniform: the
 // mean of the product of any two is 0, that of a square is 1. Noll, JOSA 66(3), 1976.
 const float Root3 = std::sqrt(3.0f);
 const float Root6 = std::sqrt(6.0f);
@@ -175,8 +175,8 @@ void IncidentFit::Add(const glm::vec2& place, const glm::vec3& radiance)
 
 float IncidentFit::GetError(const glm::dvec3 factors[Polynomials], float lobeSize) const
 {
-  // What is left in each part of the hemisphere, and how much it varies within: lobes that are
-  // smaller than such a part see that, too.
+  // The residual in each part of the hemisphere, and its variation within the part, which affects
+  // smaller lobes.
   const int cells = std::max(this->Count / CellSize, 1);
   const glm::dvec3 means = this->Cells.GetSquares(factors);
   const glm::dvec3 squares = this->Samples.GetSquares(factors) / double(CellSize);
@@ -234,7 +234,7 @@ IncidentLight Average(const std::vector<IncidentLight>& lights,
     mean.Mean += weight * pilots[light].Mean;
     squares += pilots[light].Error * pilots[light].Error;
   }
-  // How far they differ, in a few directions.
+  // Compare them in a few directions.
   const Frame frame(normal);
   constexpr int directions = 8;
   for (int k = 0; k < directions; ++k)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The light that arrives at a place from all directions above it, as rough surfaces need it:
- * blurred by their lobes. After radiance caching (Krivanek, Gautron, Pattanaik and Bouatouch, IEEE
- * TVCG 11(5), 2005), with other basis functions.
+ * The light that arrives at a point from all directions above it, for rough surfaces, whose lobes
+ * blur it. After radiance caching (Krivanek, Gautron, Pattanaik and Bouatouch, IEEE TVCG 11(5),
+ * 2005), with other basis functions.
  */
 #ifndef cslfIncidentLight_h
 #define cslfIncidentLight_h
@@ -26,13 +26,13 @@ namespace cslf
 /// xx, yy, zz, xy, xz, yz.
 using DirectionMoments = std::array<float, 10>;
 
-/// Radiance as a quadratic polynomial of the direction it comes from.
+/// Radiance as a quadratic polynomial of the incident direction.
 struct IncidentLight
 {
   glm::vec3 Terms[10] = {};                             ///< the factors of DirectionMoments
   glm::vec3 Normal{ 0.0f };                             ///< of the surface that it arrives at
-  glm::vec3 Mean{ 0.0f };                               ///< of directions spread by the cosine
-  float Error = std::numeric_limits<float>::infinity(); ///< about what a lobe's mean errs by
+  glm::vec3 Mean{ 0.0f };                               ///< of cosine-distributed directions
+  float Error = std::numeric_limits<float>::infinity(); ///< the approximate error of a lobe's mean
 
   bool IsKnown() const { return this->Error < std::numeric_limits<float>::infinity(); }
 
@@ -49,13 +49,13 @@ struct IncidentLight
 };
 
 /**
- * The lobe of an opaque, rough dielectric boundary: where the light comes from that it reflects, in
- * the mean.
+ * The lobe of an opaque, rough dielectric boundary: the mean directions of the light that it
+ * reflects.
  */
 class GlossyLobe
 {
 public:
-  /// A lobe that is not known: a mirror's, or of more than one roughness.
+  /// An unknown lobe: that of a mirror, or of several roughnesses.
   GlossyLobe() = default;
   explicit GlossyLobe(const SurfaceMaterial& material);
 
@@ -65,7 +65,7 @@ public:
   /// of unit length.
   DirectionMoments GetMoments(const glm::vec3& normal, const glm::vec3& outgoing) const;
 
-  /// About the part of the hemisphere that it covers, as projected to the surface.
+  /// The approximate share of the hemisphere that it covers, projected to the surface.
   float GetSize() const { return this->Size; }
 
 private:
@@ -87,12 +87,12 @@ private:
   float Size = 0.0f;
 };
 
-/// Fits the light that arrives at a point to samples of it, of which it keeps sums only.
+/// Fits the light that arrives at a point to samples of it. Stores only sums.
 class IncidentFit
 {
 public:
-  /// Adds the radiance from a direction. Directions are spread by the cosine; each 16 in a row are
-  /// close to each other.
+  /// Adds the radiance from a direction. Directions are cosine-distributed; each 16 successive ones
+  /// are close to each other.
   void Add(const glm::vec2& place, const glm::vec3& radiance);
 
   /// The polynomial, its error for lobes of some size, and the mean. Places are coordinates in the
@@ -112,7 +112,7 @@ private:
 
     void Add(const float z[Polynomials], const glm::vec3& l);
 
-    /// The sum of the squares of what a polynomial of these factors leaves.
+    /// The sum of squared residuals of a polynomial with these factors.
     glm::dvec3 GetSquares(const glm::dvec3 factors[Polynomials]) const;
   };
 
@@ -121,14 +121,14 @@ private:
   int Count = 0;
   glm::dvec3 Sums[Polynomials] = {}; // of the radiances times the polynomials
   Moments Samples;                   // of the samples
-  Moments Cells;                     // of the means of each 16 in a row
-  float CellZ[Polynomials] = {};     // the sums of those that are not 16 yet
+  Moments Cells;                     // of the means of each 16 successive samples
+  float CellZ[Polynomials] = {};     // the sums of an incomplete group of 16
   glm::vec3 CellL{ 0.0f };
 };
 
-/// The light that arrives at a surface: the mean of some of its points. Its error is that of other
-/// samples, the pilots, and how much these differ: were it that of the same samples, light that is
-/// too dark by chance would be thought better than it is.
+/// The light that arrives at a surface: the mean of some of its points. Its error is computed from
+/// other samples, the pilots. From the same samples, light that is too dark by chance would seem
+/// too accurate.
 IncidentLight Average(const std::vector<IncidentLight>& lights,
   const std::vector<IncidentLight>& pilots, const glm::vec3& normal);
 
@@ -144,14 +144,14 @@ public:
     this->Lights.push_back(light);
   }
 
-  /// Null where it is not known.
+  /// Null if unknown.
   const IncidentLight* Get(std::size_t brick) const
   {
     const bool isKnown = brick < this->Indices.size() && this->Indices[brick] != None;
     return isKnown ? &this->Lights[this->Indices[brick]] : nullptr;
   }
 
-  /// Hands over all that is known, or takes it back.
+  /// Writes or reads all data.
   template <typename Archive>
   void Exchange(Archive& archive)
   {
@@ -162,7 +162,7 @@ public:
 private:
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  std::vector<std::uint32_t> Indices; // of each brick; none at all if nothing is known
+  std::vector<std::uint32_t> Indices; // of each brick; empty if nothing is known
   std::vector<IncidentLight> Lights;
 };
 }

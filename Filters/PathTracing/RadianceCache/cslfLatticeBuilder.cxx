@@ -19,22 +19,23 @@ namespace cslf
 {
 namespace
 {
-// The finest lattice of one brick: beyond, it is split.
+// The finest lattice of one brick. Finer bricks are split.
 constexpr int LeafLevel = 2;
 
-// How often the spacing is halved where something very bright ends: the error of a point's light is
-// carried far by all surfaces that it lights.
+// How often the spacing is halved at the edges of very bright areas, whose errors affect all
+// surfaces that they light.
 constexpr int ExtraLevels = 5;
 
-// Bricks that are worked on together: enough for all threads, and of bounded memory.
+// The number of bricks processed together: enough for all threads, with bounded memory.
 constexpr std::size_t BatchBricks = std::size_t(1) << 13;
 
-// How far points keep off a triangle's edges, in parts of the finest spacing, lest they lie on the
-// surface that meets it there and see what is behind.
+// The distance of points from a triangle's edges, relative to the finest spacing, so that they do
+// not lie on an adjacent surface and see what is behind it.
 constexpr float Inset = 0.05f;
 constexpr float LargestInset = 0.1f;
 
-// Where the key's parts begin: which triangle or chart and side, and the two coordinates.
+// The bits where the key's parts begin: the triangle or chart and its side, and the two
+// coordinates.
 constexpr int RowShift = LatticeLayout::LargestDepth + ExtraLevels + 1;
 constexpr int SideShift = 2 * RowShift;
 constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
@@ -54,7 +55,7 @@ std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row)
     (std::uint64_t(row) << RowShift) | std::uint64_t(column);
 }
 
-// Stands for the number of a point that is interpolated.
+// The number of an interpolated point.
 constexpr std::uint32_t NotEstimated = 0xffffffffu;
 
 }
@@ -100,7 +101,7 @@ bool LatticeBuilder::AddAll(
   };
   for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
   {
-    // What reflects nothing keeps the value of an empty brick, which is 0.
+    // Surfaces that reflect nothing keep the value of an empty brick, which is 0.
     const bool isBuilt = meshes[mesh].CanHoldLattice() && !meshes[mesh].IsBlack();
     const std::size_t triangles = isBuilt ? meshes[mesh].Triangles.size() : 0;
     for (std::uint32_t triangle = 0; triangle < triangles; ++triangle)
@@ -335,7 +336,7 @@ void LatticeBuilder::Split(std::size_t index)
   const std::size_t first = this->Lattices[parent.Half].SplitBrick(parent.Brick);
   const int half = (parent.Flipped ? -1 : 1) * (1 << (parent.Size - 1));
   bool hasReplaced = false;
-  // The cells in their order: two on the first row and the flipped one between, one on the second.
+  // The cells in order: two on the first row with the flipped one between them, one on the second.
   for (int cell = 0; cell < 4; ++cell)
   {
     Patch child = parent;
@@ -347,7 +348,7 @@ void LatticeBuilder::Split(std::size_t index)
     child.Points.clear();
     if (parent.Chart && this->IsEmpty(child) && (hasReplaced || cell < 3))
     {
-      // No triangle is there.
+      // There is no triangle.
       const HalfEstimate& value = this->Points[parent.Points[0]].Estimate.Halves[1 - parent.Half];
       this->Lattices[parent.Half].SetBrick(
         child.Brick, SurfaceLattice::Constant, { 0.5f * value.Value });
@@ -389,7 +390,7 @@ void LatticeBuilder::RequestAll(Patch& patch)
 
 std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
 {
-  // Where is the point among the finest ones?
+  // The position of the point among the finest ones.
   const int step = (patch.Flipped ? -1 : 1) * (1 << (patch.Size - patch.Level));
   const int column = patch.Column + i * step;
   const int row = patch.Row + j * step;
@@ -399,7 +400,7 @@ std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
 
 std::uint32_t LatticeBuilder::RequestOnTriangle(const Patch& patch, int column, int row)
 {
-  // The corners of smooth triangles are their neighbours', too.
+  // The corners of smooth triangles are shared with their neighbours.
   const int last = 1 << (this->Layout.GetDepth(patch.Domain) + ExtraLevels);
   const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
   std::uint64_t key = MakeKey(patch.Domain, patch.Back, column, row);
@@ -430,7 +431,7 @@ std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int
 {
   const SurfaceChart& chart = *patch.Chart;
   const int cell = 1 << patch.RootSize;
-  // Along one side points may be much closer than along the other.
+  // Points may be much closer along one side than along the other.
   const float scale = 1.0f / static_cast<float>(1 << (patch.RootSize - patch.Size + patch.Level));
   const glm::vec2 distance = scale * chart.GetCellSize();
   const int step = 1 << (patch.Size - patch.Level);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds out how fine a lattice must be, and what values it holds.
+ * Determines the resolution of a lattice and its values.
  */
 #ifndef cslfLatticeBuilder_h
 #define cslfLatticeBuilder_h
@@ -26,14 +26,14 @@ namespace cslf
 {
 struct LatticeSettings
 {
-  /// Points are added where interpolation errs by more than this, in the units of `Display`.
+  /// The error of interpolation above which points are added, in the units of `Display`.
   float Tolerance = 0.004f;
 
   /// Whether points are added only where something bright would bleed over its edges.
   bool OnlyBright = false;
 
-  /// The level that every brick has at least, where its triangle's size allows, so that details are
-  /// not missed: 0 is their corners, 16 spacings apart; each further level halves that.
+  /// The minimum level of every brick, if its triangle's size allows, so that details are not
+  /// missed: level 0 has its corners, 16 spacings apart; each further level halves that.
   int FirstLevel = 0;
 
   /// Flat triangles and charts of at most this many spacings have one value, as a binary logarithm.
@@ -41,18 +41,18 @@ struct LatticeSettings
 
   double Exposure = 1.0;
 
-  /// What a viewer sees of a value on a surface of the given base colour.
+  /// The displayed value on a surface of the given base colour.
   DisplayCurve Display;
 };
 
 /**
- * Builds a lattice twice, once for each half of the points' samples: where it is refined is decided
- * by the one half, what it holds are the values of the other. The lattice is the mean of both.
+ * Builds a lattice twice, once for each half of the points' samples: one half decides where it is
+ * refined, the other provides its values. The lattice is the mean of both.
  */
 class VTKCSLF_EXPORT LatticeBuilder
 {
 public:
-  /// Whether a brick that is no part of another is built, by its index.
+  /// Whether to build a brick that is not part of another, by its index.
   using Choice = std::function<bool(std::size_t brick)>;
 
   /// Values stay 0 on sides that are not open.
@@ -60,26 +60,26 @@ public:
     LatticeSettings settings, SurfaceEstimator& estimator);
   ~LatticeBuilder();
 
-  /// Builds the lattice. `goOn` is told the progress, in [0,1]; false where it returned false.
+  /// Builds the lattice. `goOn` gets the progress, in [0,1]. Returns false if `goOn` did.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// Builds a part of it: may be called for several disjoint ones. `tell`, which may be empty, is
-  /// told all points.
+  /// Builds a part of it. May be called for several disjoint parts. `tell`, which may be empty,
+  /// gets all points.
   void BuildPart(const Choice& choice,
     const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& tell);
 
-  /// Gives the bricks of a part values at their corners, whose estimates nobody doubts.
+  /// Gives the bricks of a part values at their corners, without checking their accuracy.
   void FillPart(const Choice& choice, SurfaceEstimator& estimator);
 
-  /// The number of points that building a part begins with.
+  /// The number of points at which building a part begins.
   std::size_t CountFirstPoints(const Choice& choice);
 
-  /// The lattice; to be called once, at the end.
+  /// The lattice. Call it once, at the end.
   SurfaceLattice TakeLattice();
   std::size_t GetNumberOfBricks() const { return this->Lattices[0].GetNumberOfRoots(); }
   IncidentField& GetIncident() { return this->Incident; }
   std::size_t GetNumberOfEstimates() const { return this->Estimates; }
-  /// Those of them that no other asked for.
+  /// Those that were not requested before.
   std::size_t GetNumberOfFirstEstimates() const { return this->FirstEstimates; }
 
 private:
@@ -127,7 +127,7 @@ private:
   Choice IsChosen; // empty for all bricks
   std::function<void(const Hit&, const SurfaceEstimate&)> Tell;
 
-  // The batch of triangles at work.
+  // The current batch of triangles.
   std::vector<Patch> Patches;
   std::vector<Point> Points;
   std::size_t Evaluated = 0;                              // of the points

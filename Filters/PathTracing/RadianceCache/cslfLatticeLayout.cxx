@@ -13,14 +13,15 @@ namespace cslf
 {
 namespace
 {
-// The most bricks of a scene beside one for each triangle and chart; beyond, the spacing grows.
+// The most bricks of a scene in addition to one for each triangle and chart. Beyond that, the
+// spacing grows.
 constexpr std::size_t MaximumBricks = std::size_t(1) << 23;
 constexpr float SpacingGrowth = 1.5f;
 
 // The largest spacing, of a scene whose radius is 1.
 constexpr float LargestSpacing = 0.5f;
 
-/// How often a length must be halved to be at most the spacing.
+/// How often a length must be halved until it is at most the spacing.
 int FindDepth(float length, float spacing, int largest)
 {
   return std::clamp(static_cast<int>(std::ceil(std::log2(length / spacing))), 0, largest);

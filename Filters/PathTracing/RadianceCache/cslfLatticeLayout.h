@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Divides the surface of a scene into bricks: of large triangles directly, and of charts that join
- * all others.
+ * Divides the surface of a scene into bricks: those of large triangles, and those of charts that
+ * join all other triangles.
  */
 #ifndef cslfLatticeLayout_h
 #define cslfLatticeLayout_h

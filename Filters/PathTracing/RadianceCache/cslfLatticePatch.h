@@ -14,14 +14,14 @@
 
 namespace cslf
 {
-/// A point of the surface at which light is estimated, or interpolated.
+/// A point of the surface at which light is estimated or interpolated.
 struct LatticeBuilder::Point
 {
   Hit Place;
   std::uint64_t Key;
   SurfaceEstimate Estimate;
 
-  // Where it lies between two other points that are close enough together, it is interpolated.
+  // If it lies between two other points that are close enough together, it is interpolated.
   bool IsMean = false;
   std::uint32_t Before = 0;
   std::uint32_t After = 0;
@@ -31,13 +31,14 @@ struct LatticeBuilder::Point
 /// A brick that is being computed, and the points of its lattice, row by row.
 struct LatticeBuilder::Patch
 {
-  int Half; // which of the lattices it is of, and whose values decide
+  int Half; // which of the two lattices it belongs to, and whose values decide
   std::size_t Brick;
-  std::size_t Domain; // the number of its triangle, or that of all triangles and of its chart
+  std::size_t
+    Domain; // the number of its triangle, or the number of all triangles plus that of its chart
   std::uint32_t Mesh;
-  std::uint32_t Triangle = 0;          // if it is one of a triangle
-  const SurfaceChart* Chart = nullptr; // if it is one of a chart
-  float RootEdge;                      // the longest of the brick that it is a part of
+  std::uint32_t Triangle = 0;          // if it belongs to a triangle
+  const SurfaceChart* Chart = nullptr; // if it belongs to a chart
+  float RootEdge;                      // the longest edge of the brick that contains it
   int RootSize;                        // of that brick, as below
   bool Back;
   bool Flipped;

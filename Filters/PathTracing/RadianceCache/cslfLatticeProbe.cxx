@@ -24,36 +24,36 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// Neighbours that are built together.
+// The number of neighbours that are built together.
 constexpr std::size_t RunLength = 32;
 
-// The part of all bricks that is built first; each further step doubles what is built.
+// The share of all bricks that is built first. Each further step doubles it.
 constexpr double FirstShare = 1.0 / 256;
 
 // The fewest bricks of a step, so that all threads have work.
 constexpr std::size_t FewestBricks = 512;
 
-// A pass is built whole if that takes no longer than so many times what the probe may. Of all
-// others some part of the expected time is enough.
+// A pass is built completely if this takes at most this many times the time of the probe. For all
+// others, this share of the expected time is enough.
 constexpr double MostTimes = 2.5;
 constexpr double EnoughShare = 0.025;
 
-// Bricks whose points are counted; beyond, that of more batches is the same.
+// The number of bricks whose points are counted. More batches would give the same result.
 constexpr std::size_t MostCounted = std::size_t(1) << 19;
 constexpr std::size_t CountedRun = std::size_t(1) << 14;
 
-// How many of the nearest points an estimate is made from.
+// The number of nearest points for an estimate.
 constexpr int Neighbours = 6;
 
 constexpr std::uint32_t ChoiceSeed = 20210;
 
-/// Where bricks lie in the order in which they are built: in [0,1), alike for a run of neighbours.
+/// The place of bricks in the order of building, in [0,1). A run of neighbours has the same place.
 double GetTurn(std::size_t brick, std::size_t run)
 {
   return static_cast<double>(MixBits(brick / run, ChoiceSeed) >> 11) / 9007199254740992.0;
 }
 
-/// Estimates from those at points in space, of surfaces that look the same way.
+/// Interpolates estimates from points in space on surfaces of similar orientation.
 class ScatteredEstimates : public SurfaceEstimator
 {
 public:
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  /// The value is interpolated; the light that arrives is that of the point that counts most.
+  /// The value is interpolated; the incident light is that of the point with the largest weight.
   SurfaceEstimate Get(const Hit& place) const
   {
     const SurfaceHit surface = this->World.GetSurface(place);
@@ -137,7 +137,7 @@ private:
   std::vector<SurfaceEstimate> Estimates;
 };
 
-/// What the whole begins with.
+/// The points at which the whole begins.
 struct FirstCounts
 {
   double Bricks = 0.0;
@@ -191,7 +191,7 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
       { estimates.Add(place, estimate); });
     elapsed += SecondsSince(start);
     done = std::min(share, 1.0);
-    // Points that several bricks share are fewer in the whole than in its parts.
+    // The whole has fewer points than the sum of its parts, because bricks share points.
     const double parts = static_cast<double>(built) / all.Bricks;
     const auto first = static_cast<double>(builder.GetNumberOfFirstEstimates());
     const double further = builder.GetNumberOfEstimates() - first;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How long a lattice would take to build, and roughly what it would hold: found out from a part of
- * its bricks, spread over the scene.
+ * Estimates the time to build a lattice, and roughly its values, from a part of its bricks that is
+ * spread over the scene.
  */
 #ifndef cslfLatticeProbe_h
 #define cslfLatticeProbe_h
@@ -12,10 +12,10 @@
 
 namespace cslf
 {
-/// Builds all bricks where that takes no more than a few times `seconds`. Otherwise more and more
-/// of them until it has worked for `seconds`, or for a few per cent of what all would take, and
-/// gives all others estimates made from the built ones' points. The seconds that building the whole
-/// takes.
+/// Builds all bricks if that takes no more than a few times `seconds`. Otherwise builds more and
+/// more of them until it has worked for `seconds`, or for a few per cent of the time for all, and
+/// estimates all others from the points of the built ones. Returns the seconds that building the
+/// whole takes.
 double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds);
 }
 

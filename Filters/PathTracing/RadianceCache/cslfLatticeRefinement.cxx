@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where LatticeBuilder adds points.
+// Decides where LatticeBuilder adds points.
 #include "cslfLatticeBuilder.h"
 
 #include "cslfLatticePatch.h"
@@ -18,15 +18,15 @@ namespace cslf
 {
 namespace
 {
-// How many spacings wide the interpolation between white and black may be; half as many between
-// twice as bright and black, and so on.
+// The largest width of the interpolation between white and black, in spacings. It is half as large
+// for twice the brightness, and so on.
 constexpr double BrightEdge = 2.0;
 
-// Points of this distance, in spacings, or less are close enough: half of it would be closer than
-// was asked for.
+// Points at most this far apart, in spacings, are close enough: half of that would be closer than
+// requested.
 constexpr float CoarseSpacings = 1.5f;
 
-// How many standard errors a difference must have, beyond what is wrong anyway, to be no noise.
+// The number of standard errors by which a difference must exceed the known error to be no noise.
 constexpr float SureErrors = 3.0f;
 
 float Largest(const glm::vec3& difference)
@@ -47,7 +47,7 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
   {
     return this->VariesWithin(patch);
   }
-  // The points that the last level added lie in the middle of edges of the one before.
+  // The points that the last level added lie in the middle of edges of the level before.
   const int splits = 1 << patch.Level;
   for (int j = 0; j <= splits; ++j)
   {
@@ -77,7 +77,7 @@ bool LatticeBuilder::IsMissed(const Patch& patch, int i, int j, int sideI, int s
   const HalfEstimate& after = this->GetPilot(patch, patch.GetPoint(i + sideI, j + sideJ));
   const glm::vec3 interpolated = 0.5f * (before.Pilot + after.Pilot);
   const glm::vec3 variance = here.Variance + 0.25f * (before.Variance + after.Variance);
-  // What is brighter than white lights other places, however narrow it is.
+  // Areas brighter than white light other places, even if they are narrow.
   const float distance = this->GetDistance(patch);
   if (this->IsBright(here.Pilot - interpolated, variance, distance))
   {

@@ -30,7 +30,7 @@ public:
 private:
   using Brick = SurfaceLattice::Brick;
 
-  /// Takes barycentric coordinates of a brick to those of its root.
+  /// Converts barycentric coordinates of a brick to those of its root.
   struct Place
   {
     glm::vec2 Corner{ 0.0f };

@@ -11,7 +11,7 @@
 
 namespace cslf
 {
-/// Adds two lattices of the same roots: as fine everywhere as the finer one.
+/// Adds two lattices with the same roots. The sum is as fine everywhere as the finer one.
 SurfaceLattice AddLattices(const SurfaceLattice& a, const SurfaceLattice& b);
 }
 

@@ -17,19 +17,20 @@ namespace cslf
 {
 namespace
 {
-// Walks from each side, until one leads out. Where one in a hundred would, as into a body through a
-// small hole, most sides are left to path tracing, which then seldom needs them.
+// The number of walks from each side, until one leads out. If only one in a hundred would, as
+// inside a body with a small hole, most sides are left to path tracing, which then rarely needs
+// them.
 constexpr std::uint32_t Walks = 16;
 
-// The surfaces that a walk comes to.
+// The number of surfaces on a walk.
 constexpr int Steps = 4;
 
-// Triangles lower than this many spacings are taken together with their neighbours, if the spacing,
-// or this part of their lengths, is larger than the distance of their centres.
+// Triangles with a height below this many spacings are combined with their neighbours, if the
+// spacing, or this share of their lengths, is larger than the distance of their centres.
 constexpr float LowHeight = 0.5f;
 constexpr float LengthPart = 0.125f;
 
-/// A walk over surfaces that are white, so that it ends nowhere by chance.
+/// A walk over surfaces that count as white, so that it does not end by chance.
 class Walk
 {
 public:
@@ -86,7 +87,7 @@ private:
   SampleStream Stream;
 };
 
-/// Triangles of a mesh that are taken as one.
+/// Triangles of a mesh that are combined.
 class Groups
 {
 public:
@@ -130,8 +131,8 @@ public:
   }
 
 private:
-  /// What a low triangle has in common with its neighbours: where its centre is, as exactly as its
-  /// length and the spacing demand, and the axis that its normal is closest to. False for others.
+  /// The key that a low triangle shares with its neighbours: the position of its centre, rounded by
+  /// its length and the spacing, and the axis closest to its normal. False for other triangles.
   bool FindKey(std::uint32_t triangle, std::uint64_t& key) const
   {
     const glm::uvec3& corners = this->Surface.Triangles[triangle];

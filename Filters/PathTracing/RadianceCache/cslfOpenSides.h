@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which sides of triangles are worth a cache's values: not those inside closed bodies.
+ * The sides of triangles that need values in a cache: all but those inside closed bodies.
  */
 #ifndef cslfOpenSides_h
 #define cslfOpenSides_h
@@ -19,21 +19,22 @@
 namespace cslf
 {
 /**
- * The sides of triangles from which a way out of the scene, or to light, is found by chance. Light
- * goes ways in both directions: where no way leads out, hardly any path leads in, and where none
- * leads to light either, there is nothing to store.
+ * The sides of triangles from which random walks find a way out of the scene, or to light. Light
+ * paths are reversible: if no walk leads out, hardly any path leads in, and if none leads to light
+ * either, there is nothing to store.
  */
 class VTKCSLF_EXPORT OpenSides
 {
 public:
-  /// No side of any triangle.
+  /// No side of any triangle is open.
   OpenSides() = default;
 
-  /// Walks at random from both sides of all triangles that can hold a lattice. Neighbours that are
-  /// lower than half the spacing and face alike are taken as one. The spacing is in scene space.
+  /// Walks at random from both sides of all triangles that can hold a lattice. Neighbours with a
+  /// height below half the spacing and similar orientation are combined. The spacing is in scene
+  /// space.
   OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing);
 
-  /// Tells of a triangle, numbered by Scene::GetTriangleIndex.
+  /// The sides of a triangle, numbered by Scene::GetTriangleIndex.
   bool Has(std::size_t triangle, bool back) const
   {
     return (this->Sides[triangle] & (back ? Back : Front)) != 0;
@@ -42,10 +43,10 @@ public:
   /// Makes them the same on all ranks, whose processors may round differently.
   void Agree(CacheShare& share) { share.Complete(this->Sides, 0); }
 
-  /// The sides of all triangles: 1 for the front and 2 for the back, added up where both are open.
+  /// The sides of all triangles: 1 for the front plus 2 for the back, if open.
   const std::uint8_t* GetData() const { return this->Sides.data(); }
 
-  /// Hands over all that is known, or takes it back.
+  /// Writes or reads all data.
   template <typename Archive>
   void Exchange(Archive& archive)
   {

@@ -19,30 +19,30 @@ namespace cslf
 {
 namespace
 {
-// Light from sources has the sharpest edges: every quarter of a brick is looked at.
+// Light from sources has the sharpest edges, so every quarter of a brick is checked.
 constexpr int FirstLightLevel = 2;
 
-// The paths of a point whose light is only seen by other points, hundreds of them at once.
+// The paths of a point whose light is only seen by other points, by hundreds of them at once.
 constexpr int RoughSamples = 64;
 
-// Triangles of up to 8 spacings, in which hardly any of the light is that of other places, need
-// only one such point; of up to 2, which is a texel, they need no more at all.
+// Triangles of up to 8 spacings, which contribute little to the light of other places, need only
+// one such point. Triangles of up to 2 spacings, the size of a texel, need only one point at all.
 constexpr int RoughSmallLevels = 3;
 constexpr int FineSmallLevels = 1;
 
-// The fewest paths of a point that is seen itself.
+// The fewest paths of a point that is seen directly.
 constexpr int FirstLightSamples = 64;
 constexpr int FirstGatherSamples = 128;
 
-// The standard error of a point, in parts of the tolerance, as the differences between parts of its
-// samples tell it. All parts together are better than that where the light is smooth.
+// The standard error of a point relative to the tolerance, as estimated from differences between
+// parts of its samples. All parts together are better than that where the light is smooth.
 constexpr float NoiseShare = 2.0f / 3.0f;
 
-// The parts of the work, for the progress.
+// The shares of the work, for the progress.
 constexpr double LightShare = 0.2;
 constexpr double RoughShare = 0.1;
 
-/// Whether what a mesh reflects besides diffuse light is all blurred alike.
+/// Whether all non-diffuse reflections of a mesh have the same blur.
 bool IsRough(const Mesh& mesh)
 {
   const SurfaceMaterial& material = mesh.Material;
@@ -50,7 +50,7 @@ bool IsRough(const Mesh& mesh)
     material.Transmission == 0.0f && !mesh.Textures.MetallicRoughness && !material.IsEmissive();
 }
 
-/// Tells a part of the progress.
+/// Reports a part of the progress.
 std::function<bool(double)> Within(
   const std::function<bool(double)>& goOn, double start, double end)
 {
@@ -80,12 +80,12 @@ bool RadianceCache::Build(const Progress& goOn)
 
 bool RadianceCache::Fill(const Progress& goOn)
 {
-  // Where is anything to be stored?
+  // Find where anything is to be stored.
   const auto start = std::chrono::steady_clock::now();
   const PathIntegrator paths(this->World, this->Settings.Paths);
   const auto spacing = static_cast<float>(this->Settings.Spacing);
   this->Sides = OpenSides(this->World, paths, this->Settings.Seed, spacing);
-  // All ranks do that, which counts once.
+  // All ranks do this, but it counts once.
   CacheShare* share = this->Settings.Share;
   const bool isFirst = !share || share->GetRank() == 0;
   if (share)
@@ -98,12 +98,12 @@ bool RadianceCache::Fill(const Progress& goOn)
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  // Light that is sampled at its sources has sharp shadows, which need many points of few samples.
+  // Light sampled at its sources has sharp shadows, which need many points with few samples.
   if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
   {
     return false;
   }
-  // All other light, roughly, by whole paths.
+  // All other light: first roughly, with complete paths.
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.OnlyBright = true;
   lattice.SmallLevels = RoughSmallLevels;
@@ -116,7 +116,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   this->Second = std::move(rough);
   this->HasSecond = true;
   this->Complete = true;
-  // And finely, by paths that end at what they see first.
+  // Then accurately, with paths that end at the first surface.
   SurfaceLattice fine;
   IncidentField incident;
   lattice = this->GetLatticeSettings();
@@ -135,7 +135,7 @@ bool RadianceCache::Fill(const Progress& goOn)
 
 void RadianceCache::FindLobes()
 {
-  // What is sampled at its source is sharper than what is kept here.
+  // Light sampled at its sources is sharper than what is stored here.
   const bool isSampled = PathIntegrator(this->World, this->Settings.Paths).GetLight().CanSample();
   for (const Mesh& mesh : this->World.GetMeshes())
   {
@@ -164,7 +164,7 @@ bool RadianceCache::GetReflected(const Hit& hit, const IncidentLight& light,
   const glm::vec3& normal, const glm::vec3& outgoing, float albedo, float tolerances,
   glm::vec3& reflected) const
 {
-  // Whether it is good enough must not depend on what is looked up.
+  // The accuracy must not depend on what is looked up.
   const glm::vec3 seen = ((1.0f - albedo) * this->World.GetBaseColor(hit) + albedo) * light.Mean;
   const glm::vec3 error = this->Display(seen + albedo * light.Error) - this->Display(seen);
   if (std::max({ error.x, error.y, error.z }) > tolerances * this->Settings.Tolerance)

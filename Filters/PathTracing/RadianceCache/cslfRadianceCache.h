@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The light that surfaces diffuse, worked out once for all viewpoints: it looks alike from
- * everywhere, so a texel that sees a diffuse surface needs no path but a look-up. And the light
- * that arrives at rough dielectrics, from where: what they reflect is looked up, too, unless that
- * may be seen.
+ * Diffusely reflected light, computed once for all viewpoints: it is the same in all directions, so
+ * a texel that sees a diffuse surface needs a look-up instead of a path. The cache also stores the
+ * directional light that arrives at rough dielectrics. Their reflections are looked up, too, unless
+ * the error might be visible.
  *
- * Stored of diffuse light is the radiance of a white surface: the irradiance over pi, weighted by
- * what a dielectric's boundary lets in. The surface's own colour, and what the boundary lets out,
- * are multiplied at the look-up, so textures stay as sharp as they are.
+ * Diffuse light is stored as the radiance of a white surface: the irradiance over pi, weighted by
+ * the transmission of a dielectric's boundary. The look-up multiplies by the surface's colour and
+ * the boundary's outgoing transmission, so textures stay sharp.
  */
 #ifndef cslfRadianceCache_h
 #define cslfRadianceCache_h
@@ -34,8 +34,8 @@ namespace cslf
 {
 struct CacheSettings
 {
-  /// The largest error of interpolation between stored points that adds no further points, in parts
-  /// of white as it is displayed, on the scale of DisplayCurve.
+  /// The largest error of interpolation between stored points that adds no points, relative to
+  /// displayed white, on the scale of DisplayCurve.
   double Tolerance = 1.0 / 128;
 
   /// The smallest distance of stored points, in scene space.
@@ -52,8 +52,8 @@ struct CacheSettings
   std::uint32_t Seed = 0;
   PathSettings Paths;
 
-  /// Where above 0, the cache is filled only roughly, in about so many seconds, to find out how
-  /// long filling it would take.
+  /// If above 0, the cache is filled only roughly, in about this many seconds, to estimate the time
+  /// for filling it.
   double ProbeSeconds = 0.0;
 
   /// The ranks that fill the cache together, with the same settings; null for this one alone.
@@ -65,19 +65,18 @@ class VTKCSLF_EXPORT RadianceCache
 public:
   RadianceCache(const Scene& scene, const CacheSettings& settings);
 
-  /// Fills the cache. `goOn` is told the progress, in [0,1]; false where it returned false, on any
-  /// rank.
+  /// Fills the cache. `goOn` gets the progress, in [0,1]. Returns false if `goOn` did on any rank.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// Whether the cache knows a surface: spheres, tubes, instances and the insides of closed bodies
-  /// it does not.
+  /// Whether the cache covers a surface. It does not cover spheres, tubes, instances and the
+  /// insides of closed bodies.
   bool Covers(const Hit& hit) const
   {
     return this->World.GetMeshes()[hit.Mesh].CanHoldLattice() &&
       this->Sides.Has(this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back);
   }
 
-  /// The diffuse radiance of a surface point that it covers, were it white.
+  /// The diffuse radiance of a covered surface point, if it were white.
   glm::vec3 Get(const Hit& hit) const
   {
     const std::size_t triangle = this->World.GetTriangleIndex(hit.Mesh, hit.Triangle);
@@ -88,7 +87,7 @@ public:
   /// The same for a packet.
   void Get(LatticePacket& packet) const;
 
-  /// The light that arrives at a surface that it covers; null where that is not known.
+  /// The light that arrives at a covered surface. Null if unknown.
   const IncidentLight* GetIncident(const Hit& hit) const
   {
     return this->Lobes[hit.Mesh].IsKnown()
@@ -97,14 +96,14 @@ public:
       : nullptr;
   }
 
-  /// What the specular lobe of a dielectric reflects, given its albedo. False where its error,
-  /// beside diffuse light, may be seen as more than this many tolerances.
+  /// What the specular lobe of a dielectric reflects, given its albedo. False if its displayed
+  /// error, in addition to diffuse light, may exceed this many tolerances.
   bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
     const glm::vec3& outgoing, float albedo, float tolerances, glm::vec3& reflected) const;
 
   const OpenSides& GetSides() const { return this->Sides; }
 
-  /// Whether the values hold all light, or only what is sampled at its sources.
+  /// Whether the values contain all light, or only light sampled at its sources.
   bool IsComplete() const { return this->Complete; }
 
   std::size_t GetNumberOfValues() const { return this->Values.GetNumberOfValues(); }
@@ -115,18 +114,17 @@ public:
   /// The rays traced to fill it, by all ranks.
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
-  /// The smallest distance of stored points, in scene space: that of the settings, or more where
-  /// the scene would need too many bricks.
+  /// The smallest distance of stored points, in scene space: that of the settings, or more if the
+  /// scene would need too many bricks.
   double GetSpacing() const { return this->Spacing; }
 
   bool IsCoarsened() const { return this->Spacing > 1.001 * this->Settings.Spacing; }
 
-  /// How far it differs from path tracing, if that was measured.
+  /// The difference from path tracing, if it was measured.
   const CacheCheck& GetCheck() const { return this->Check; }
   void SetCheck(const CacheCheck& check) { this->Check = check; }
 
-  /// Hands over all that a finished cache knows, to be kept, or taken back where the settings are
-  /// the same.
+  /// Writes the data of a finished cache, or reads it with the same settings.
   template <typename Archive>
   void Exchange(Archive& archive)
   {
@@ -139,19 +137,19 @@ public:
   }
 
 private:
-  /// Told the progress, in [0,1]; the work ends where it returns false.
+  /// Gets the progress, in [0,1]; the work ends if it returns false.
   using Progress = std::function<bool(double)>;
 
   LatticeSettings GetLatticeSettings() const;
   void FindLobes();
 
-  /// Builds one pass's lattice, or probes it in a part of the seconds for that.
+  /// Builds one pass's lattice, or probes it in a share of the seconds for that.
   bool BuildLattice(LatticeBuilder& builder, double part, const Progress& goOn);
 
   /// Estimates the light that is sampled at its sources.
   bool SampleLights(const Progress& goOn);
 
-  /// Estimates the light that is found by looking around, after `depth` reflections at least.
+  /// Estimates the light found by sampling directions, after at least `depth` reflections.
   bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
     SurfaceLattice& values, IncidentField& incident, const Progress& goOn);
 
@@ -165,7 +163,7 @@ private:
   IncidentField Incident;        // by the bricks of the values
   std::vector<GlossyLobe> Lobes; // of each mesh that reflects it
   std::unique_ptr<const LatticeLayout> Layout;
-  SurfaceLattice Second; // while the cache is built: a second summand
+  SurfaceLattice Second; // while the cache is built: a second term of the sum
   bool HasSecond = false;
   bool Complete = false;
   double Spacing = 0.0;

@@ -12,7 +12,7 @@ namespace cslf
 {
 namespace
 {
-// How much the neighbours' mean error counts beside that of a point itself, and that of all.
+// The weights of the neighbours' mean error and of that of all, relative to a point's own.
 constexpr double ShareOfNeighbours = 0.07;
 constexpr double ShareOfAll = 0.03;
 }

@@ -26,7 +26,7 @@ std::vector<glm::vec3> PoolVariances(
   const std::vector<glm::vec3>& variances, const std::vector<PointGroup>& groups);
 
 /// The displayed error of a value, upwards or downwards, on a surface with a base colour: the
-/// largest component. Where the value is clipped, the error downwards counts.
+/// largest component. If the value is clipped, the error downwards counts.
 float GetDisplayedError(const DisplayCurve& display, const glm::vec3& value, const glm::vec3& error,
   const glm::vec3& baseColor);
 }

@@ -14,10 +14,11 @@ namespace cslf
 {
 namespace
 {
-// Triangles that are this far apart, in cells, count as overlapping: look-ups round by less.
+// Triangles that are this close, in cells, count as overlapping. It exceeds the rounding of
+// look-ups.
 constexpr float Touch = 1e-4f;
 
-// The least extent of a chart, in parts of the other: a chart must have an area.
+// The smallest extent of a chart relative to the other one: a chart must have an area.
 constexpr float LeastAspect = 1e-6f;
 
 struct Range
@@ -70,8 +71,7 @@ float Cross(const glm::vec2& a, const glm::vec2& b)
   return a.x * b.y - a.y * b.x;
 }
 
-/// The barycentric coordinates of the point of a triangle that is nearest to a place, and the
-/// square of the distance.
+/// The barycentric coordinates of a triangle's point nearest to a place, and the squared distance.
 struct NearestPoint
 {
   float U = 0.0f;
@@ -86,7 +86,7 @@ struct NearestPoint
     const float area = Cross(alongU, alongV);
     const float u = Cross(to, alongV) / area;
     const float v = Cross(alongU, to) / area;
-    if (u >= 0.0f && v >= 0.0f && u + v <= 1.0f) // false where there is no area
+    if (u >= 0.0f && v >= 0.0f && u + v <= 1.0f) // false if the area is 0
     {
       this->U = u;
       this->V = v;
@@ -158,7 +158,7 @@ SurfaceChart::SurfaceChart(std::uint32_t mesh, std::vector<Member> members, floa
 
 void SurfaceChart::MakeBins()
 {
-  // About as many bins as members, as square as that allows.
+  // About as many bins as members, as square as possible.
   const int count = static_cast<int>(this->Members.size());
   const float side = std::sqrt(this->Size.x * this->Size.y / static_cast<float>(count));
   const auto countBins = [count, side](float size)
@@ -193,7 +193,7 @@ SurfaceChart::Box SurfaceChart::GetBins(const glm::vec2* points, int count) cons
     low = glm::min(low, points[i]);
     high = glm::max(high, points[i]);
   }
-  // Their borders may be met by rounding.
+  // Rounding may reach their borders.
   const glm::vec2 margin = Touch * this->CellSize;
   const auto getBin = [this](const glm::vec2& point)
   {
@@ -251,7 +251,7 @@ TrianglePoint SurfaceChart::Find(bool back, const glm::vec2& place) const
   const glm::ivec2 center = this->GetBins(&point, 1).First;
   const float step = std::min(this->BinSize.x, this->BinSize.y);
   Nearest nearest;
-  // Rings of bins around the place, until all further ones are farther away than what was found.
+  // Search rings of bins around the place until all further ones are farther away than the result.
   for (int ring = 0; ring < std::max(this->Bins.x, this->Bins.y); ++ring)
   {
     const float reach = static_cast<float>(std::max(ring - 1, 0)) * step;

@@ -30,7 +30,7 @@ public:
   struct Member
   {
     std::uint32_t Triangle;
-    std::uint8_t Sides;   ///< those that are open, as in OpenSides::GetData
+    std::uint8_t Sides;   ///< the open ones, as in OpenSides::GetData
     glm::vec2 Corners[3]; ///< on the chart, in scene space
   };
 
@@ -86,10 +86,10 @@ private:
   glm::vec2 CellSize{ 1.0f };
   std::vector<Member> Members;
 
-  // A grid of bins tells which members are where.
+  // A grid of bins with the members in each.
   glm::ivec2 Bins{ 1 };
   glm::vec2 BinSize{ 1.0f };
-  std::vector<std::uint32_t> FirstOfBin; // in the list below; of one bin more than there are
+  std::vector<std::uint32_t> FirstOfBin; // into the list below, with one more at the end
   std::vector<std::uint32_t> BinMembers;
 };
 }

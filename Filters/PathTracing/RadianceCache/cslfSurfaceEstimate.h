@@ -6,8 +6,8 @@
  *
  * The samples of a point are two independent halves. One half decides how many samples the other
  * half takes and where the other half's values are stored, and vice versa; both are then averaged.
- * So no value is selected by its own noise, and the mean of the stored values is right however
- * rarely a sample finds light. Such halves are known from adaptive rendering (Rousselle, Knaus and
+ * So no value is selected by its own noise, and the mean of the stored values is correct even if
+ * samples rarely find light. Such halves are known from adaptive rendering (Rousselle, Knaus and
  * Zwicker, ACM TOG 31(6), 2012) and as cross-fitting in statistics.
  */
 #ifndef cslfSurfaceEstimate_h
@@ -37,14 +37,14 @@ struct SurfacePoint
 /// One half of the estimate of a point.
 struct HalfEstimate
 {
-  /// The value that decides: it is never stored.
+  /// The value that decides. It is never stored.
   glm::vec3 Pilot{ 0.0f };
 
   /// The variance of the pilot's mean, estimated with the help of neighbouring points.
   glm::vec3 Variance{ 0.0f };
 
-  /// How far away nearly all that it sees is, in scene space: at distances larger than this, the
-  /// value may change although the estimates around do not.
+  /// The distance in scene space beyond which nearly everything it sees lies. Between points
+  /// farther apart than this, the value may change although their estimates do not.
   float Reach = std::numeric_limits<float>::infinity();
 
   /// The value to be stored where the other half has decided.
@@ -56,10 +56,10 @@ struct SurfaceEstimate
 {
   HalfEstimate Halves[2];
 
-  /// The incident light, if it was requested, from the first half: to be stored.
+  /// The incident light, if requested, from the first half, which is stored.
   IncidentLight Incident;
 
-  /// The incident light from the second half: to decide where the first is looked up.
+  /// The incident light from the second half, which decides where the first is looked up.
   IncidentLight IncidentPilot;
 
   SurfaceEstimate() = default;

@@ -13,10 +13,10 @@ namespace cslf
 {
 namespace
 {
-// The bits that tell the depth of a triangle which is not on a chart.
+// The bits for the depth of a triangle that is not on a chart.
 constexpr std::uint32_t DepthBits = 15;
 
-// What one instruction loads and scales at once, whatever loop it stands in.
+// Four floats that one instruction loads and scales, in any loop.
 #if defined(__GNUC__)
 using Float4 = float __attribute__((vector_size(16)));
 #else
@@ -36,19 +36,19 @@ inline void Store(const Float4& value, float* values)
 }
 }
 
-/// Where the points of a packet are: in which bricks, and where in them.
+/// The positions of a packet's points: their bricks, and their places in them.
 struct SurfaceLattice::PacketPlaces
 {
   alignas(64) int First[LatticePacket::Size];
-  alignas(64) int Level[LatticePacket::Size]; // below 0 where there are no splits along edges
+  alignas(64) int Level[LatticePacket::Size]; // negative if there are no splits along edges
   alignas(64) float U[LatticePacket::Size];
   alignas(64) float V[LatticePacket::Size];
 };
 
-/// Between which values the points of a packet lie, and their weights.
+/// The values between which the points of a packet lie, and their weights.
 struct SurfaceLattice::PacketCorners
 {
-  alignas(64) int A[LatticePacket::Size]; // the places of their first components
+  alignas(64) int A[LatticePacket::Size]; // the indices of their first components
   alignas(64) int B[LatticePacket::Size];
   alignas(64) int C[LatticePacket::Size];
   alignas(64) float W[LatticePacket::Size];
@@ -223,7 +223,7 @@ CSLF_VECTORIZE void SurfaceLattice::FindCorners(const PacketPlaces& places, Pack
   CSLF_LANE_LOOP
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
-    // A brick of one value is a lattice whose points are all the first.
+    // A brick with one value is a lattice whose points are all the first.
     const int varies = places.Level[lane] < 0 ? 0 : -1;
     const int splits = 1 << (places.Level[lane] & varies);
     const LatticeCell cell(places.U[lane], places.V[lane], splits);
@@ -241,7 +241,7 @@ CSLF_VECTORIZE void SurfaceLattice::FindCorners(const PacketPlaces& places, Pack
 CSLF_VECTORIZE void SurfaceLattice::Interpolate(
   const glm::vec3* values, const PacketCorners& corners, LatticePacket& packet)
 {
-  // The fourth number is the next value's, or the spare one's, and not used.
+  // The fourth number is that of the next value or the spare one, and is not used.
   const float* components = &values->x;
   alignas(64) float sums[LatticePacket::Size][4];
   for (int lane = 0; lane < LatticePacket::Size; ++lane)

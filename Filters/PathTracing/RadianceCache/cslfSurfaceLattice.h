@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values on the surface of triangles, as fine as each place needs.
+ * Values on the surface of triangles, with adaptive resolution.
  *
  * Every triangle has two sides. Each side is split into bricks, triangles of about the same size.
  * Triangles that are too small or too thin for that share the bricks of a chart, a rectangle of
- * cells onto which they are projected; each cell is two bricks. A brick holds values at the points
- * of a small triangular lattice, between which they are interpolated linearly (after Yuksel, Keyser
- * and House, "Mesh Colors", ACM TOG 29(2), 2010), or is split into four bricks. So no texture
- * coordinates are needed, and a look-up descends only where there is detail.
+ * cells onto which they are projected; each cell is two bricks. A brick has values at the points of
+ * a small triangular lattice, which are interpolated linearly (after Yuksel, Keyser and House,
+ * "Mesh Colors", ACM TOG 29(2), 2010), or it is split into four bricks. So no texture coordinates
+ * are needed, and a look-up descends only where there is detail.
  */
 #ifndef cslfSurfaceLattice_h
 #define cslfSurfaceLattice_h
@@ -27,13 +27,13 @@
 namespace cslf
 {
 /// A small triangle of a triangle that is split into `splits` parts along each edge. Every second
-/// one stands on its head; its coordinates run from the corner opposite to the triangle's own
-/// first.
+/// one is flipped; its coordinates run from the corner opposite to the first corner of the
+/// triangle.
 struct LatticeCell
 {
   int I = 0;       ///< along the triangle's second vertex
-  int J = 0;       ///< and its third
-  int Flipped = 0; ///< 1 if it stands on its head, else 0
+  int J = 0;       ///< along its third
+  int Flipped = 0; ///< 1 if it is flipped, else 0
   float U = 0.0f;  ///< barycentric coordinates within
   float V = 0.0f;
 
@@ -61,7 +61,7 @@ struct ChartCell
 {
   int I = 0;       ///< the cell's column
   int J = 0;       ///< and row
-  int Flipped = 0; ///< 1 for the triangle of the corner that is farthest from the chart's first
+  int Flipped = 0; ///< 1 for the triangle with the corner that is farthest from the chart's first
   float U = 0.0f;  ///< barycentric coordinates within
   float V = 0.0f;
 
@@ -100,7 +100,7 @@ struct LatticePacket
 {
   static constexpr int Size = 16;
 
-  alignas(64) std::uint32_t Triangle[Size]; ///< any of the lattice's where no point is wanted
+  alignas(64) std::uint32_t Triangle[Size]; ///< any of the lattice where no point is wanted
   alignas(64) int Back[Size];               ///< 1 on the back, else 0
   alignas(64) float U[Size];                ///< barycentric coordinates
   alignas(64) float V[Size];
@@ -109,7 +109,7 @@ struct LatticePacket
   alignas(64) float Blue[Size];
 };
 
-/// A chart, and where its triangles are on it.
+/// A chart, and the positions of its triangles on it.
 struct LatticeChart
 {
   struct Member
@@ -128,21 +128,21 @@ struct LatticeChart
 class VTKCSLF_EXPORT SurfaceLattice
 {
 public:
-  /// A brick that holds one value for all of it.
+  /// A brick with a single value.
   static constexpr std::uint32_t Constant = 0xffffffffu;
   /// A brick that is split into four.
   static constexpr std::uint32_t Split = 0xfffffffeu;
 
   struct Brick
   {
-    std::uint32_t First = 0; ///< its first value, or the first of the bricks it is split into
+    std::uint32_t First = 0;        ///< its first value, or the first brick that it is split into
     std::uint32_t Level = Constant; ///< the binary logarithm of the splits along its edges
   };
 
   SurfaceLattice() = default;
 
-  /// Bricks that are 0 everywhere. `splits` holds, for each triangle, the binary logarithm of the
-  /// number of bricks along its edges; it does not count for the members of charts.
+  /// Bricks that are 0 everywhere. `splits` has the binary logarithm of the number of bricks along
+  /// each triangle's edges. It is ignored for members of charts.
   explicit SurfaceLattice(
     const std::vector<std::uint8_t>& splits, const std::vector<LatticeChart>& charts = {});
 
@@ -150,7 +150,7 @@ public:
   SurfaceLattice MakeEmpty() const;
 
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
-  /// Bricks that are not parts of others come first.
+  /// The number of bricks that are not parts of others. They come first.
   std::size_t GetNumberOfRoots() const { return this->NumberOfRoots; }
   std::size_t GetNumberOfValues() const { return this->Values.size() - Spare; }
   /// The number of bricks along the edges of a triangle that is not on a chart.
@@ -163,7 +163,7 @@ public:
     return this->Triangles[triangle].FirstBrick + (back ? splits * splits : 0) + cell;
   }
 
-  /// A brick of a chart, which are numbered row by row.
+  /// A brick of a chart. They are numbered row by row.
   std::size_t GetChartBrickIndex(std::size_t chart, bool back, int cell) const
   {
     const ChartBricks& bricks = this->Charts[chart];
@@ -180,8 +180,8 @@ public:
   /// Gives a brick its values: one, or those of a lattice's points.
   void SetBrick(std::size_t index, std::uint32_t level, const std::vector<glm::vec3>& values);
 
-  /// Splits a brick into four and returns the index of the first, which stands for the cell 0; they
-  /// are in the cells' order.
+  /// Splits a brick into four and returns the index of the first. They are in the order of the
+  /// cells.
   std::size_t SplitBrick(std::size_t index);
 
   /// The value at a point, given by barycentric coordinates.
@@ -219,7 +219,7 @@ public:
       cell.V * values[alongV];
   }
 
-  /// Hands over all that it holds, or takes it back.
+  /// Writes or reads all data.
   template <typename Archive>
   void Exchange(Archive& archive)
   {
@@ -240,7 +240,7 @@ private:
 
   static constexpr std::uint32_t OnChart = 0x80000000u;
 
-  // Where a triangle is on its chart, in cells.
+  // The position of a triangle on its chart, in cells.
   struct Placement
   {
     glm::vec2 Corner;
@@ -256,7 +256,7 @@ private:
     std::uint32_t CountOfSide;
   };
 
-  // A point in a brick that is no part of another.
+  // A point in a brick that is not part of another.
   struct Place
   {
     std::size_t Root;
@@ -298,7 +298,7 @@ private:
   static void Interpolate(
     const glm::vec3* values, const PacketCorners& corners, LatticePacket& packet);
 
-  // Values after the last that are never used, so that values can be loaded four numbers at once.
+  // Unused values at the end, so that values can be loaded four numbers at a time.
   static constexpr std::size_t Spare = 1;
 
   std::size_t NumberOfRoots = 0;
