@@ -60,7 +60,7 @@ CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* val
   {
     const float sum = query.ray.org_x[i] + query.ray.org_y[i] + query.ray.org_z[i] +
       query.ray.dir_x[i] + query.ray.dir_y[i] + query.ray.dir_z[i];
-    // x - 0 == x is false for values that are not finite.
+    // False for values that are not finite.
     valid[i] = sum - sum == 0.0f ? active[i] : 0;
     query.ray.tnear[i] = 0.0f;
     query.ray.tfar[i] = std::numeric_limits<float>::infinity();

@@ -212,7 +212,7 @@ void TexelRenderer::RenderBlocks(std::vector<Block>& blocks, PathQueue& queue) c
     }
     else
     {
-      // Any sample would see nothing.
+      // No sample would see anything.
       block.Sums.Samples = 1;
       block.Means.TakeAll(block.Sums);
     }
