@@ -24,7 +24,7 @@ namespace cslf
 {
 namespace
 {
-// How far beyond a face another grid's cell is looked for, in widths of the face's own cell: less
+// How far beyond a face to look for another grid's cell, in widths of the face's cell. It is less
 // than half a cell that is finer by any usual ratio.
 constexpr double ProbeDistance = 0.01;
 
@@ -63,7 +63,7 @@ struct CellCounts
   bool IsFlat[3];
 };
 
-/// Whether a visible cell of some grid has a point.
+/// Whether a visible cell of any grid contains a point.
 bool IsInside(const std::vector<vtkImageData*>& grids, const double point[3])
 {
   return std::any_of(grids.begin(), grids.end(),
@@ -77,7 +77,7 @@ bool IsInside(const std::vector<vtkImageData*>& grids, const double point[3])
     });
 }
 
-/// Makes the surface that one grid has a part in.
+/// Makes one grid's part of the surface.
 class GridSurface
 {
 public:
@@ -152,7 +152,7 @@ private:
     double probe[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      // A little off the middle, which may lie between finer cells.
+      // Slightly off the middle, which may lie between finer cells.
       probe[axis] = low[axis] + (0.5 + 0.1 * ProbeDistance) * (high[axis] - low[axis]);
     }
     const int axis = face / 2;
@@ -188,7 +188,7 @@ private:
   vtkSmartPointer<vtkPolyData> Result;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Faces;
-  vtkNew<vtkIdList> Corners;                          // of the cell at hand
+  vtkNew<vtkIdList> Corners;                          // of the current cell
   std::unordered_map<vtkIdType, vtkIdType> NewPoints; // by the grid's points
 };
 }
@@ -217,7 +217,7 @@ vtkSmartPointer<vtkPolyData> ExtractAMRSurface(vtkUniformGridAMR* grids)
   }
   whole->Update();
   vtkSmartPointer<vtkPolyData> surface = whole->GetOutput();
-  // Its cells are visible, whatever the grids said of them.
+  // Its cells are visible, whatever the grids' arrays said.
   surface->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   return surface;
 }

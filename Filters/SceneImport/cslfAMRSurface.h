@@ -17,7 +17,7 @@ namespace cslf
 /// The outer faces of the visible cells of all grids, without the faces of cells that finer ones
 /// replace and without faces between grids. Cells of two-dimensional grids are faces themselves.
 /// Each face has the data of its cell, and its corners have the data of the grid's points. It has
-/// the data arrays that all grids have.
+/// the data arrays that all grids share.
 vtkSmartPointer<vtkPolyData> ExtractAMRSurface(vtkUniformGridAMR* grids);
 }
 

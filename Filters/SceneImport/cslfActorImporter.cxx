@@ -64,7 +64,7 @@ struct BlockStyle
   std::optional<std::array<double, 3>> Color;
   std::optional<double> Opacity;
 
-  /// What the attributes of the mapper say of a data object, which its children inherit.
+  /// The mapper's attributes of a data object, which its children inherit.
   BlockStyle Of(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data) const
   {
     BlockStyle style = *this;
@@ -100,12 +100,12 @@ void UpdateInputs(vtkMapper* mapper)
   }
 }
 
-// The radii that points may have. They are in the world, as those of materials are: VTK's mappers
-// of spheres and sticks do not scale theirs by the actor's matrix either.
+// The radii that points may have. They are in the world, like those of materials: VTK's mappers of
+// spheres and sticks do not scale them by the actor's matrix either.
 const char* const RadiusNames[] = { vtkCSLFMaterial::LineRadiusName(),
   vtkCSLFMaterial::PointRadiusName() };
 
-/// Whether points or lines are spheres and tubes in the window as well.
+/// Whether points or lines are also spheres and tubes in the window.
 bool HasRadii(vtkPolyData* data)
 {
   return vtkCSLFMaterial::GetLineRadius(data) > 0.0 ||
@@ -114,7 +114,7 @@ bool HasRadii(vtkPolyData* data)
       [data](const char* name) { return data->GetPointData()->HasArray(name) != 0; });
 }
 
-/// Keeps the geometry only: points, cells, normals of both, texture coordinates, radii, and
+/// Keeps only the geometry: points, cells, normals of both, texture coordinates, radii, and
 /// emissions of points and cells.
 vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
 {
@@ -143,7 +143,7 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
 }
 
 /// The matrix of texture coordinates: that of the actor's texture, which VTK sets before it draws,
-/// or one that the actor has among its property keys. Null where there is none.
+/// or one in the actor's property keys. Null if there is none.
 const double* FindTextureTransform(vtkActor* actor)
 {
   vtkTexture* texture = actor->GetTexture();
@@ -155,7 +155,7 @@ const double* FindTextureTransform(vtkActor* actor)
   return keys ? keys->Get(TextureTransformKey()) : nullptr;
 }
 
-/// Applies the transform of texture coordinates that an actor may have.
+/// Applies the transform of an actor's texture coordinates, if there is one.
 void TransformTCoords(vtkActor* actor, vtkPolyData* block)
 {
   vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
@@ -181,7 +181,7 @@ void TransformTCoords(vtkActor* actor, vtkPolyData* block)
   block->GetPointData()->SetTCoords(moved);
 }
 
-/// Whether shaders of its own may change what the window shows of an actor.
+/// Whether the actor has shaders that may change its appearance in the window.
 bool HasShaders(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -195,7 +195,7 @@ bool IsProjective(vtkMatrix4x4* matrix)
   return row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0 || row[3] != 1.0;
 }
 
-/// Notes what is not imported of any actor, whatever its mapper.
+/// Records what is not imported from any actor, whatever its mapper.
 void FindActorLimits(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
   if (HasShaders(actor))
@@ -226,7 +226,7 @@ public:
   {
   }
 
-  /// Returns whether geometry was found, or was named as broken.
+  /// Returns whether geometry was found or reported as broken.
   bool Import()
   {
     this->FindLimits();
@@ -239,7 +239,7 @@ public:
       {
         this->AddRepresentation(source);
       }
-      return true; // sources without instances show nothing, and broken ones have been named
+      return true; // sources without instances show nothing, and broken ones were reported
     }
     this->ImportData(this->Mapper->GetInputDataObject(0, 0), BlockStyle());
     return this->Found;
@@ -268,8 +268,7 @@ private:
   }
 
   /// The texture of the actor. Classic shading also multiplies by those that its property has under
-  /// names other than those of PBR's textures; the first of them stands in where the actor has
-  /// none.
+  /// names other than those of PBR's textures; the first of them is used if the actor has none.
   vtkTexture* FindTexture()
   {
     vtkTexture* found = this->Actor->GetTexture();
@@ -340,7 +339,7 @@ private:
     }
     vtkSmartPointer<vtkPolyData> block = CopyGeometry(surface);
     TransformTCoords(this->Actor, block);
-    // What the data itself says of its material comes before the property.
+    // The data's own material takes precedence over the property.
     const vtkSmartPointer<vtkDataObject> named = RenameOldArrays(leaf, this->Scene.Old);
     this->Scene.Materials.FindUnused(named);
     vtkCSLFMaterial::Inherit(block, named);
@@ -390,7 +389,7 @@ private:
     this->Found = this->Found || block->GetNumberOfCells() > 0;
   }
 
-  /// Whether scalars, or the attributes of its block, give a block its colours.
+  /// Whether a block gets its colours from scalars or from its attributes.
   bool IsColored(vtkPolyData* block) const
   {
     return this->Look.HasTable || this->Look.Color || block->GetPointData()->GetScalars() ||
@@ -398,7 +397,7 @@ private:
       block->GetFieldData()->HasArray(vtkCSLFInstances::InstanceColor());
   }
 
-  /// Whether the window leaves out the lights, as it does for lines and points without normals.
+  /// Whether the window omits the lights, as for lines and points without normals.
   bool IsDrawnUnlit(vtkPolyData* block) const
   {
     const bool points = this->Property->GetRepresentation() == VTK_POINTS;
@@ -409,8 +408,8 @@ private:
       !HasRadii(block);
   }
 
-  /// The physically based model shows the property's textures, the others those that FindTexture
-  /// finds.
+  /// The physically based model shows the property's textures, the other models those of
+  /// FindTexture.
   bool IsTextured() const
   {
     return this->Property->GetInterpolation() == VTK_PBR ? this->Property->GetNumberOfTextures() > 0
@@ -437,7 +436,7 @@ private:
     }
   }
 
-  /// Adds what clipping planes leave of a block.
+  /// Adds the part of a block that clipping planes leave.
   void Add(vtkPolyData* block)
   {
     this->Found = this->Found || block->GetNumberOfCells() > 0;
@@ -484,14 +483,14 @@ private:
   {
     vtkNew<vtkExtractEdges> edges;
     edges->SetInputData(block);
-    edges->UseAllPointsOn(); // since points that it merges become floats
+    edges->UseAllPointsOn(); // because points that it merges become floats
     edges->Update();
     vtkPolyData* lines = edges->GetOutput();
     lines->SetFieldData(block->GetFieldData());
     this->Add(lines);
   }
 
-  /// Edges and vertices that are drawn on the surface, in colours of their own.
+  /// Edges and vertices that are drawn on the surface with their own colours.
   void AddDecoration(vtkPolyData* block)
   {
     const BlockLook look = this->Look;
@@ -519,7 +518,7 @@ private:
     return look;
   }
 
-  /// A block's geometry alone, in the block's places.
+  /// Only a block's geometry, with the block's instances.
   static vtkSmartPointer<vtkPolyData> MakeBare(vtkPolyData* block)
   {
     auto bare = vtkSmartPointer<vtkPolyData>::New();
@@ -579,7 +578,7 @@ vtkMTimeType GetTextureTime(vtkTexture* texture)
 bool IsImportable(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
-  // A light field in the scene that it is sampled from would show itself.
+  // A light field in the scene that is being sampled would show itself.
   return mapper && !mapper->IsA("vtkCSLFMapper") && !actor->IsA("vtkSkybox") &&
     mapper->GetNumberOfInputConnections(0) > 0;
 }
@@ -637,7 +636,7 @@ bool ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene)
   {
     found = Importer(actor, matrix, scene).Import();
   }
-  // Whatever the kind of mapper: if there is something to be seen of it, something must come of it.
+  // For any kind of mapper: if it shows something, something must be imported.
   const double* bounds = found ? nullptr : actor->GetMapper()->GetBounds();
   if (bounds && vtkMath::AreBoundsInitialized(bounds))
   {
@@ -665,14 +664,14 @@ vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matr
   vtkNew<vtkTransformPolyDataFilter> filter;
   filter->SetInputData(surface);
   filter->SetTransform(transform);
-  // Floats far from the origin would lose what they had about it.
+  // Far from the origin, floats would lose precision.
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->Update();
   if (matrix->Determinant() > 0.0)
   {
     return filter->GetOutput();
   }
-  // A reflection turns fronts to backs.
+  // A reflection exchanges fronts and backs.
   vtkNew<vtkReverseSense> reverse;
   reverse->SetInputConnection(filter->GetOutputPort());
   reverse->ReverseCellsOn();

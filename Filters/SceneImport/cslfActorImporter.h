@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From actors to polygonal data with materials.
+ * Converts actors to polygonal data with materials.
  */
 #ifndef cslfActorImporter_h
 #define cslfActorImporter_h
@@ -18,16 +18,17 @@ class vtkDataSet;
 
 namespace cslf
 {
-/// Whether an actor can be imported: all but those without a mapper of surfaces.
+/// Whether an actor can be imported: all except those without a mapper of surfaces.
 bool IsImportable(vtkActor* actor);
 
-/// The time of the last change of what ImportActor reads. Updates the pipelines of its mapper.
+/// The time of the last change of anything that ImportActor reads. Updates the pipelines of its
+/// mapper.
 vtkMTimeType GetImportTime(vtkActor* actor);
 
-/// Adds what an importable actor shows, placed by a matrix. Returns whether it found something.
+/// Adds the surfaces of an importable actor, placed by a matrix. Returns whether there are any.
 bool ImportActor(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
 
-/// The surface of a data set, in the world. Points that a matrix moves become doubles.
+/// The surface of a data set, in the world. Points that a matrix transforms become doubles.
 vtkSmartPointer<vtkPolyData> ExtractSurface(vtkDataSet* data, vtkMatrix4x4* matrix);
 }
 

@@ -24,7 +24,7 @@ class vtkUnsignedCharArray;
 
 namespace cslf
 {
-/// A part of what an actor draws. Its vertices and its lines may have their own radii: see
+/// A part of an actor. Its vertices and its lines may have their own radii: see
 /// vtkCSLFMaterial::LineRadiusName and PointRadiusName.
 struct ActorPart
 {
@@ -34,23 +34,23 @@ struct ActorPart
 
 using ActorParts = std::vector<ActorPart>;
 
-/// The parts of an actor, placed by a matrix, whose mapper is up to date; none where the mapper
-/// draws the polygons, lines and vertices of its input, or is of an unknown kind.
+/// The parts of an actor with an up-to-date mapper, placed by a matrix. Empty if the mapper draws
+/// the polygons, lines and vertices of its input, or is of an unknown kind.
 std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
 
-/// A part of surface representation, with the property and texture of the whole.
+/// A part with surface representation, with the property and texture of the whole.
 ActorPart MakePart(vtkPolyData* data, vtkActor* whole, vtkMatrix4x4* matrix);
 
-/// Spheres around points: radii of the points, and their colours or null.
+/// Spheres around points, with the points' radii, and their colours or null.
 vtkSmartPointer<vtkPolyData> MakeSpheres(
   vtkPoints* points, vtkDataArray* radii, vtkUnsignedCharArray* colors);
 
-/// Cylinders around points: of the points, the length and radius (the first two components of the
-/// scales), the direction of the axis, and the colours or null.
+/// Cylinders around points, with the points' lengths and radii (the first two components of the
+/// scales), directions of the axes, and colours or null.
 vtkSmartPointer<vtkPolyData> MakeSticks(
   vtkPoints* centers, vtkDataArray* scales, vtkDataArray* directions, vtkUnsignedCharArray* colors);
 
-/// The parts of one kind of mapper each.
+/// The parts for each kind of mapper.
 ActorParts TakeMoleculeApart(
   vtkActor* actor, vtkMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
 ActorParts TakeGraphApart(vtkGraphMapper* mapper, ImportedScene& scene);

@@ -28,13 +28,13 @@ namespace cslf
 {
 namespace
 {
-// What a texture's levels may change by before the texture is worth a copy.
+// The smallest change of a texture's levels that is worth a copy of the texture.
 constexpr int UnseenDifference = 1;
 
-/// Levels of red, green and blue, by those before.
+/// The new levels of red, green and blue, indexed by the old ones.
 using LevelMap = std::array<std::array<unsigned char, 256>, 3>;
 
-/// Calls `get(value)` with grey values, which tells linear colours, for each of 256 levels.
+/// Calls `get(value)` with a grey value, which yields linear colours, for each of 256 levels.
 template <typename Get>
 LevelMap MakeLevelMap(const Get& get)
 {
@@ -65,7 +65,7 @@ bool IsSame(const LevelMap& map)
   return true;
 }
 
-/// Colours, of 1 to 4 components, through a map: of 3 components, or 4 with alpha.
+/// Maps colours of 1 to 4 components to 3 components, or 4 with alpha.
 vtkSmartPointer<vtkUnsignedCharArray> MapLevels(vtkUnsignedCharArray* colors, const LevelMap& map)
 {
   const int components = colors->GetNumberOfComponents();
@@ -95,7 +95,7 @@ glm::dvec3 ToColor(const double* color)
   return { color[0], color[1], color[2] };
 }
 
-/// `a / b`, 0 where b is.
+/// `a / b`, or 0 where b is 0.
 glm::dvec3 Divide(const glm::dvec3& a, const glm::dvec3& b)
 {
   glm::dvec3 result(0.0);
@@ -106,7 +106,7 @@ glm::dvec3 Divide(const glm::dvec3& a, const glm::dvec3& b)
   return result;
 }
 
-/// The image of a texture, and how it goes on beyond its edges.
+/// The image of a texture, and its continuation beyond its edges.
 struct TextureSource
 {
   vtkNew<vtkImageData> Image;
@@ -114,7 +114,7 @@ struct TextureSource
   int Wraps[2];
   double Border[4];
 
-  /// False where there is none.
+  /// False if there is none.
   bool Read(vtkDataObject* holder, int slot)
   {
     bool repeat = false;
@@ -142,7 +142,7 @@ struct TextureSource
   }
 };
 
-/// Sets the looks of one block.
+/// Sets the appearance of one block.
 class BlockFinisher
 {
 public:
@@ -198,8 +198,8 @@ private:
 
   bool IsPhysical() const { return this->Look.Property->GetInterpolation() == VTK_PBR; }
 
-  /// Whether the window interpolates displayed values. Physically based shading takes textures, and
-  /// in older versions of VTK scalars as well, for light.
+  /// Whether the window interpolates displayed values. Physically based shading treats textures,
+  /// and in older versions of VTK scalars as well, as light.
   bool IsInterpolatedAsDisplayed() const
   {
     const bool hasTexture = this->Look.HasTable || this->Look.Property->GetNumberOfTextures() > 0;
@@ -207,7 +207,7 @@ private:
       (PhysicalScalarsAreEncoded && !hasTexture);
   }
 
-  /// The radiance of a white surface in the block's light; 1 where there is none.
+  /// The radiance of a white surface in the block's light; 1 if there is none.
   glm::dvec3 GetDisplayedWhite() const
   {
     const glm::dvec3 light = this->Level.Direct + this->Level.Around;
@@ -221,8 +221,8 @@ private:
                                : ToColor(color);
   }
 
-  /// That of the property; greys from black to white where colours vary. Those of the block itself
-  /// would make the pieces of one surface differ.
+  /// The colour of the property, or greys from black to white if colours vary. The block's own
+  /// colours would make the pieces of one surface differ.
   std::vector<glm::dvec3> GetTypicalColors() const
   {
     const bool varies = this->Look.HasTable || this->Look.Texture ||
@@ -275,7 +275,7 @@ private:
     SetTexture(holder, slot, source, MakeLevelMap(reflect));
   }
 
-  /// Whether the window makes the texture's colours linear.
+  /// Whether the window converts the texture's colours to linear values.
   bool IsLinearTexture() const
   {
     if (this->Look.HasTable)
@@ -306,7 +306,7 @@ private:
     vtkCSLFMaterial::SetTextureBorder(holder, slot, get(0), get(1), get(2), get(3));
   }
 
-  /// The colour that the window's shading takes for a scalar's level.
+  /// The colour that the window's shading uses for a scalar's level.
   glm::dvec3 Decode(double value) const
   {
     return glm::dvec3(
@@ -384,7 +384,7 @@ private:
   SurfaceLook Surface;
 };
 
-/// The middle of a box and half its largest side; of an empty box, the origin and 1.
+/// The middle of a box and half its largest side. For an empty box, the origin and 1.
 std::pair<glm::dvec3, double> GetExtent(const vtkBoundingBox& box)
 {
   if (!box.IsValid())

@@ -19,7 +19,7 @@ vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
 
 /// Computes the lights for the blocks, and sets the blocks' materials, colours and textures so that
 /// tracing shows what the window shows: see cslfSurfaceLook.h. Material arrays of the data are
-/// kept. `interpolateDisplayed` selects interpolation of displayed values where the window
+/// kept. `interpolateDisplayed` selects interpolation of displayed values if the window
 /// interpolates them.
 void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed);
 }

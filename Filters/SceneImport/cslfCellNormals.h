@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Normals of cells, by which VTK's window shades polygons whose points have none.
+ * Normals of cells, which VTK's window uses to shade polygons whose points have none.
  */
 #ifndef cslfCellNormals_h
 #define cslfCellNormals_h
@@ -12,9 +12,8 @@
 
 namespace cslf
 {
-/// Gives each cell points of its own, with the cell's normal as their normal. Returns the block
-/// itself where it has no
-/// polygons, where cells have no normals, or where points have some.
+/// Gives each cell its own points, with the cell's normal. Returns the block itself if it has no
+/// polygons, if cells have no normals, or if points have normals.
 vtkSmartPointer<vtkPolyData> SpreadCellNormals(vtkPolyData* block);
 }
 

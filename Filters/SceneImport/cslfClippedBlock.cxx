@@ -42,8 +42,8 @@ void ForEachPlane(vtkPlaneCollection* planes, Visit visit)
   }
 }
 
-/// Vertices, lines and polygons (with strips), each with its own cell data: vtkClipPolyData
-/// confuses the data of cells of several kinds.
+/// Vertices, lines and polygons (with strips), each with its cell data, because vtkClipPolyData
+/// mixes up the data of cells of several kinds.
 Pieces SplitKinds(vtkPolyData* data)
 {
   const vtkIdType counts[3] = { data->GetNumberOfVerts(), data->GetNumberOfLines(),
@@ -78,7 +78,7 @@ Pieces SplitKinds(vtkPolyData* data)
   return kinds;
 }
 
-/// Cuts geometry where it lies.
+/// Cuts geometry at its position.
 Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
 {
   Pieces clipped;
@@ -90,7 +90,7 @@ Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
         vtkNew<vtkClipPolyData> clip;
         clip->SetInputData(piece);
         clip->SetClipFunction(plane);
-        // Points of one place may have normals or texture coordinates of their own.
+        // Points at one position may have different normals or texture coordinates.
         vtkNew<vtkNonMergingPointLocator> locator;
         clip->SetLocator(locator);
         clip->Update();
@@ -105,7 +105,7 @@ Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
   return clipped;
 }
 
-/// How a box lies to planes.
+/// The position of a box relative to planes.
 enum class Sides
 {
   Kept,
@@ -141,7 +141,7 @@ Sides FindSides(vtkPolyData* data, vtkMatrix4x4* matrix, vtkPlaneCollection* pla
   return sides;
 }
 
-/// Sorts the instances of a block: those that stay, and the geometry of those that are cut.
+/// Divides the instances of a block into those that stay and the geometry of those that are cut.
 class InstanceClipper
 {
 public:
@@ -234,7 +234,7 @@ private:
   vtkPlaneCollection* Planes;
   vtkDataArray* Matrices;
   vtkUnsignedCharArray* Colors;
-  vtkNew<vtkAppendPolyData> CutPieces; // what is cut, in the world
+  vtkNew<vtkAppendPolyData> CutPieces; // geometry to be cut, in the world
   vtkIdType CutCount = 0;
 };
 }

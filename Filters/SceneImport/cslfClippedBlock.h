@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Cuts a block by clipping planes.
+ * Cuts a block with clipping planes.
  */
 #ifndef cslfClippedBlock_h
 #define cslfClippedBlock_h
@@ -16,9 +16,9 @@ class vtkPlaneCollection;
 
 namespace cslf
 {
-/// Cuts a block in world coordinates by planes, as VTK's mappers do: everything on the negative
+/// Cuts a block in world coordinates with planes, like VTK's mappers: everything on the negative
 /// side of any plane is removed, and the cut is not capped. Points keep their normals, texture
-/// coordinates and colours, which are interpolated where cells are cut. Of a block with instances,
+/// coordinates and colours, which are interpolated where cells are cut. If a block has instances,
 /// those that the planes cut become geometry; the others stay instances. Field data is kept. The
 /// result is in pieces, none of which is empty.
 std::vector<vtkSmartPointer<vtkPolyData>> ClipBlock(vtkPolyData* block, vtkPlaneCollection* planes);

@@ -15,7 +15,7 @@ namespace cslf
 {
 namespace
 {
-/// Blocks of the same geometry, those that reflections place apart from the others.
+/// Blocks with the same geometry, divided into reflected and other instances.
 struct PlacedBlock
 {
   vtkSmartPointer<vtkPolyData> Block;
@@ -94,7 +94,7 @@ vtkIdType CountRound(vtkPolyData* block)
   return block->GetNumberOfVerts() + block->GetNumberOfLines();
 }
 
-/// The polygons of a block alone, or its vertices and lines.
+/// Only the polygons of a block, or only its vertices and lines.
 vtkSmartPointer<vtkPolyData> TakeCells(vtkPolyData* block, bool round)
 {
   const vtkSmartPointer<vtkPolyData> copy = CopyWithOwnFields(block);
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkPolyData> TakeCells(vtkPolyData* block, bool round)
   if (count > 0)
   {
     const vtkSmartPointer<vtkFieldData> fields = copy->GetFieldData();
-    copy->DeepCopy(block); // cells that are deleted must not be shared
+    copy->DeepCopy(block); // cells to be deleted must not be shared
     copy->SetFieldData(fields);
     copy->BuildCells();
     const vtkIdType end = round ? block->GetNumberOfCells() : count;
@@ -115,8 +115,8 @@ vtkSmartPointer<vtkPolyData> TakeCells(vtkPolyData* block, bool round)
   return copy;
 }
 
-/// What VTK draws back faces by: coefficients, colours and opacity of their own property, all else
-/// of the front's.
+/// VTK's properties of back faces: coefficients, colours and opacity are their own, everything else
+/// is the front's.
 vtkSmartPointer<vtkProperty> MakeBackProperty(vtkProperty* front, vtkProperty* back)
 {
   auto property = vtkSmartPointer<vtkProperty>::New();
@@ -132,13 +132,13 @@ vtkSmartPointer<vtkProperty> MakeBackProperty(vtkProperty* front, vtkProperty* b
   return property;
 }
 
-/// The side of the data that the window takes for the front, or for the back.
+/// The side of the data that is the front, or the back, in the window.
 int FindSide(bool back, bool isReflected)
 {
   return back != isReflected ? vtkCSLFMaterial::BackSide : vtkCSLFMaterial::FrontSide;
 }
 
-/// VTK culls back faces where both kinds are to be culled.
+/// VTK culls back faces if both kinds are to be culled.
 bool IsCulled(vtkProperty* property, bool back)
 {
   return back ? property->GetBackfaceCulling() != 0

@@ -17,7 +17,7 @@ class vtkActor;
 
 namespace cslf
 {
-/// A block that is seen from some sides.
+/// A block that is visible from some sides.
 struct FaceSide
 {
   vtkSmartPointer<vtkPolyData> Block; ///< its field data defines the sides, unless it is both
@@ -29,9 +29,9 @@ struct FaceSide
 bool HasDifferentSides(vtkActor* actor);
 
 /// Divides a block of polygons, and perhaps lines and vertices, by how the actor draws the sides of
-/// its faces. As in VTK's window, the front is where corners run counterclockwise on the screen: a
-/// reflection makes fronts backs. `isReflected` says whether the block's matrix was a reflection;
-/// instances are examined one by one. Where the block has colours of its own, VTK ignores the
+/// its faces. As in VTK's window, the front is where corners run counterclockwise on the screen, so
+/// a reflection turns fronts into backs. `isReflected` says whether the block's matrix was a
+/// reflection; instances are examined one by one. If the block has its own colours, VTK ignores the
 /// property of back faces. Visible sides that the block's data sets take precedence over culling.
 std::vector<FaceSide> DivideBySides(
   vtkActor* actor, vtkPolyData* block, bool isReflected, bool isColored);

@@ -30,7 +30,7 @@ namespace cslf
 {
 namespace
 {
-/// The array of points that the mapper reads for one of its purposes, or null.
+/// The array of points that the mapper reads for a purpose, or null.
 vtkDataArray* FindArray(
   vtkGlyph3DMapper* mapper, int purpose, vtkDataSet* data, ImportedScene& scene)
 {
@@ -65,8 +65,8 @@ double GetNorm(vtkDataArray* array, vtkIdType tuple)
   return std::sqrt(sum);
 }
 
-/// Turns the x axis to a direction, by half a turn around the middle between the two, as the mapper
-/// does.
+/// Rotates the x axis to a direction, by half a turn around the middle between the two, like the
+/// mapper.
 void TurnToDirection(const double direction[3], vtkTransform* transform)
 {
   const double length = vtkMath::Norm(direction);
@@ -94,7 +94,7 @@ void TurnByQuaternion(const double quaternion[4], vtkTransform* transform)
   }
 }
 
-/// Where the mapper puts the glyph of each point of a data set.
+/// The mapper's transform of the glyph of each point of a data set.
 class GlyphPlacer
 {
 public:
@@ -117,7 +117,7 @@ public:
 
   bool IsShown(vtkIdType point) const { return !this->Masks || this->Masks->GetValue(point) != 0; }
 
-  /// Which of the sources a point shows; -1 where its index is no number.
+  /// The source that a point shows; -1 if its index is NaN.
   int GetSource(vtkIdType point, int count) const
   {
     const double index = this->Sources ? GetNorm(this->Sources, point) : 0.0;
@@ -126,7 +126,7 @@ public:
       : static_cast<int>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
   }
 
-  /// After the actor's matrix. Returns whether the place is finite.
+  /// The instance after the actor's matrix. Returns whether it is finite.
   bool Place(vtkIdType point, vtkTransform* transform) const
   {
     double position[3];
@@ -201,7 +201,7 @@ private:
   vtkDataSet* Data;
   vtkDataArray* Scales;
   vtkDataArray* Orientations;
-  vtkBitArray* Masks; // the mapper knows no others
+  vtkBitArray* Masks; // the mapper supports no others
   vtkDataArray* Sources;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From vtkGlyph3DMapper to instances.
+ * Converts vtkGlyph3DMapper to instances.
  */
 #ifndef cslfGlyphImporter_h
 #define cslfGlyphImporter_h
@@ -15,8 +15,8 @@ class vtkMatrix4x4;
 
 namespace cslf
 {
-/// The sources of an actor's glyph mapper as geometry, each with an instance for each of its
-/// points. Their inputs must be up to date.
+/// The sources of an actor's glyph mapper as geometry, with an instance for each of its points.
+/// Their inputs must be up to date.
 std::vector<vtkSmartPointer<vtkPolyData>> ImportGlyphs(
   vtkActor* actor, vtkGlyph3DMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene);
 }

@@ -19,13 +19,13 @@ namespace cslf
 {
 namespace
 {
-/// How vtkGraphMapper draws its edges: a little behind its vertices.
+/// vtkGraphMapper draws its edges a little behind its vertices.
 constexpr double EdgeDepth = -0.003;
 
 /// The sides of the circles of scaled vertices.
 constexpr int CircleSides = 16;
 
-/// What vtkGraphMapper shows to subclasses only: that vertices are circles of their own sizes. (Its
+/// vtkGraphMapper shows only to subclasses whether vertices are circles of different sizes. (Its
 /// GetScaledGlyphs is always false.)
 class GraphAccess : public vtkGraphMapper
 {
@@ -37,7 +37,7 @@ public:
   }
 };
 
-/// A part where vtkGraphMapper draws it, which does not look at its actor's matrix and property.
+/// A part as vtkGraphMapper draws it, without its actor's matrix and property.
 ActorPart MakeGraphPart(vtkPolyDataMapper* mapper, double depth)
 {
   ActorPart part;
@@ -48,7 +48,7 @@ ActorPart MakeGraphPart(vtkPolyDataMapper* mapper, double depth)
   return part;
 }
 
-/// Colours data by an array of a name, or else by its scalars, over the whole range of the values.
+/// Colours data by the array of a name, or else by its scalars, over the full range of values.
 void SetColors(
   vtkPolyDataMapper* mapper, vtkDataSetAttributes* data, const char* name, vtkLookupTable* table)
 {
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkPolyDataMapper> MakeEdges(vtkGraphMapper* graph, vtkGraph* da
   return mapper;
 }
 
-/// The vertices as points of some pixels, or as circles of the sizes of an array.
+/// The vertices as points of some pixels, or as circles with the sizes in an array.
 vtkSmartPointer<vtkPolyDataMapper> MakeVertices(vtkGraphMapper* graph, vtkGraph* data)
 {
   vtkNew<vtkVertexGlyphFilter> vertices;

@@ -63,9 +63,9 @@ enum class ImportLimit
 struct ImportLimitText
 {
   ImportLimit Limit;
-  const char* Name;   ///< as the warning names it
-  const char* Window; ///< what VTK's window shows
-  const char* Bake;   ///< what the light field shows
+  const char* Name;   ///< as named in the warning
+  const char* Window; ///< the appearance in VTK's window
+  const char* Bake;   ///< the appearance in the light field
   bool Warned; ///< whether importing such a scene gives a warning; otherwise the difference always
                ///< exists
 };
@@ -73,8 +73,7 @@ struct ImportLimitText
 /// The row of a limit.
 VTKCSLF_EXPORT const ImportLimitText& GetText(ImportLimit limit);
 
-/// The limits that an import has found, with details such as the classes of props, if there are
-/// any.
+/// The limits that an import has met, with details such as the classes of props.
 using MetLimits = std::map<ImportLimit, std::set<std::string>>;
 
 /// The limits as the text of a warning.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What an import has gathered so far.
+ * The results of an import so far.
  */
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
@@ -28,18 +28,18 @@
 
 namespace cslf
 {
-/// What the window draws a block by. FinishLooks makes its material of it.
+/// The window's parameters for a block, which FinishLooks converts to a material.
 struct BlockLook
 {
-  vtkSmartPointer<vtkProperty> Property;      ///< null where the material is complete
+  vtkSmartPointer<vtkProperty> Property;      ///< null if the material is complete
   vtkSmartPointer<vtkTexture> Texture;        ///< the actor's
-  std::optional<std::array<double, 3>> Color; ///< in place of the property's
+  std::optional<std::array<double, 3>> Color; ///< replaces the property's
   double Opacity = 1.0;
   bool HasTable = false; ///< whether the block's texture is that of a lookup table
-  bool IsUnlit = false;  ///< whether the window shows its colours alone
+  bool IsUnlit = false;  ///< whether the window shows only its colours, without lights
 };
 
-/// Polygonal data with its material, and how wide its lines and points are drawn.
+/// Polygonal data with its material, and the widths of its lines and points.
 struct ImportedBlock
 {
   vtkSmartPointer<vtkPolyData> Data;
@@ -53,14 +53,14 @@ struct ImportedScene
   std::vector<ImportedBlock> Blocks;
   vtkNew<vtkMultiBlockDataSet> Lights; ///< lights and environment, as field data
   bool HasEnvironment = false;         ///< whether an image lights it
-  MetLimits Limits;                    ///< what a renderer shows in another way
-  std::set<std::string> Omitted;       ///< what else cannot be represented, in words
-  vtkIdType BrokenGlyphs = 0;          ///< with places or indices of sources that are not finite
+  MetLimits Limits;                    ///< parts that a renderer shows differently
+  std::set<std::string> Omitted;       ///< other parts that cannot be represented, in words
+  vtkIdType BrokenGlyphs = 0;          ///< with positions or indices of sources that are not finite
 
-  OldNames Old;               ///< of materials that data brings along
+  OldNames Old;               ///< of materials that the data contains
   MaterialProblems Materials; ///< likewise; values are checked when the scene is traced
 
-  /// Notes a limit, perhaps with a detail such as the class of a prop.
+  /// Records a limit, perhaps with a detail such as the class of a prop.
   void Meet(ImportLimit limit, const std::string& detail = std::string())
   {
     std::set<std::string>& details = this->Limits[limit];
@@ -70,7 +70,7 @@ struct ImportedScene
     }
   }
 
-  /// What cannot be represented, with commas.
+  /// The parts that cannot be represented, separated by commas.
   std::string ListOmitted() const
   {
     std::set<std::string> all = this->Omitted;

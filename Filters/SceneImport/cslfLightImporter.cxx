@@ -24,7 +24,7 @@ namespace cslf
 {
 namespace
 {
-/// The renderer's environment texture, where it lights the scene.
+/// The renderer's environment texture, if it lights the scene.
 vtkTexture* FindEnvironment(vtkRenderer* renderer)
 {
   return renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a renderer's environment to that in field data, and when its lights changed.
+ * Converts a renderer's environment to field data, and finds when its lights changed.
  */
 #ifndef cslfLightImporter_h
 #define cslfLightImporter_h
@@ -15,13 +15,13 @@ class vtkRenderer;
 
 namespace cslf
 {
-/// The time of the last change of what ImportLights reads.
+/// The time of the last change of anything that ImportLights reads.
 vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround);
 
-/// Finds out whether an environment texture lights the scene, and notes what cannot be imported.
+/// Finds out whether an environment texture lights the scene, and records what cannot be imported.
 void FindEnvironment(vtkRenderer* renderer, ImportedScene& scene);
 
-/// Adds that texture, its radiance times a factor.
+/// Adds that texture, with its radiance times a factor.
 void ImportEnvironment(vtkRenderer* renderer, double factor, ImportedScene& scene);
 }
 

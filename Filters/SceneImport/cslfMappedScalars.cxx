@@ -25,12 +25,12 @@ namespace cslf
 {
 namespace
 {
-// What vtkMapper says of the place of scalars.
+// vtkMapper's codes for the location of scalars.
 constexpr int ScalarsOfCells = 1;
 constexpr int ScalarsOfFieldData = 2;
 
-/// A mapper's way to colours without its drawing: mapping caches results in the mapper, which here
-/// is not the user's.
+/// Maps scalars like a mapper, without drawing. Mapping caches results in the mapper, so this one
+/// is used instead of the user's.
 class ColorMapper : public vtkMapper
 {
 public:
@@ -55,8 +55,8 @@ vtkSmartPointer<vtkUnsignedCharArray> Spread(
   return spread;
 }
 
-/// Copies what vtkLookupTable::DeepCopy leaves out, and takes the colours as they are, so that they
-/// are not built again from ranges of hues.
+/// Copies what vtkLookupTable::DeepCopy leaves out, and copies the colours, so that they are not
+/// built again from ranges of hues.
 void CopyRest(vtkLookupTable* table, vtkLookupTable* copy)
 {
   vtkNew<vtkUnsignedCharArray> colors;
@@ -101,8 +101,8 @@ void CopyRest(vtkColorTransferFunction* function, vtkColorTransferFunction* copy
   }
 }
 
-/// A table that maps as another one does. A mapper sets the range and alpha of its table, and the
-/// user's table is not to change.
+/// A copy of a table that maps identically. A mapper sets the range and alpha of its table, but the
+/// user's table must not change.
 vtkSmartPointer<vtkScalarsToColors> CopyTable(vtkScalarsToColors* table)
 {
   table->Build();
@@ -120,7 +120,7 @@ vtkSmartPointer<vtkScalarsToColors> CopyTable(vtkScalarsToColors* table)
   return copy;
 }
 
-/// Replaces an array, which may be the scalars, by another one of the same name.
+/// Replaces an array, which may be the scalars, by one of the same name.
 void Replace(vtkFieldData* fields, vtkDataArray* array, vtkDataArray* other)
 {
   auto* attributes = vtkDataSetAttributes::SafeDownCast(fields);
@@ -134,7 +134,7 @@ void Replace(vtkFieldData* fields, vtkDataArray* array, vtkDataArray* other)
   }
 }
 
-/// The array that a mapper shows, or null where it shows none or one of texts.
+/// The array that a mapper shows. Null if it shows none or an array of strings.
 vtkDataArray* FindScalars(vtkMapper* mapper, vtkDataSet* data)
 {
   int cellFlag = 0;
@@ -143,7 +143,7 @@ vtkDataArray* FindScalars(vtkMapper* mapper, vtkDataSet* data)
       mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag));
 }
 
-/// Whether a mapper would show an array by a table that holds no colours.
+/// Whether a mapper would show an array by a table without colours.
 bool NeedsEmptyTable(vtkMapper* mapper, vtkDataSet* data)
 {
   vtkDataArray* array = FindScalars(mapper, data);
@@ -157,8 +157,8 @@ bool NeedsEmptyTable(vtkMapper* mapper, vtkDataSet* data)
   return !HasColors(table ? table : mapper->GetLookupTable());
 }
 
-/// A table of the array itself comes before the mapper's. Where there is one, it is copied with its
-/// array, for the mapper to change.
+/// The array's own table takes precedence over the mapper's. If there is one, it is copied with its
+/// array, because the mapper changes it.
 vtkSmartPointer<vtkDataSet> CopyTableOfArray(vtkMapper* mapper, vtkDataSet* data)
 {
   vtkDataArray* array = FindScalars(mapper, data);

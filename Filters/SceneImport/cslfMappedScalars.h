@@ -22,10 +22,10 @@ namespace cslf
 {
 struct ImportedScene;
 
-/// Either colours, of points or cells, or a texture of the lookup table and where the points lie on
-/// it; or neither, where the mapper shows no scalars. The texture has a colour a step of the table
-/// and is to be shown without interpolation, its edges going on, as VTK draws it: the first pixel
-/// is the colour below the range, the last one that above it, the second row that of NaN.
+/// Either colours, of points or cells, or a texture of the lookup table and the points' coordinates
+/// on it; or neither if the mapper shows no scalars. The texture has one colour per step of the
+/// table. Like VTK's, it is shown without interpolation and with extended edges: the first pixel is
+/// the colour below the range, the last one that above it, and the second row that of NaN.
 struct MappedScalars
 {
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
@@ -35,12 +35,12 @@ struct MappedScalars
   vtkSmartPointer<vtkFloatArray> Coordinates;
 };
 
-/// The colour of NaN, where a mapper of composite data gives it to blocks without its array.
+/// The colour of NaN, if a mapper of composite data uses it for blocks without its array.
 std::optional<std::array<double, 3>> FindColorOfMissing(vtkMapper* mapper, vtkDataSet* data);
 
-/// Maps scalars as the mapper would; neither it, its table nor the data is changed. `useTable`
-/// allows for the texture, where the mapper interpolates before it maps. Notes in the scene a table
-/// without values, by which nothing is mapped.
+/// Maps scalars like the mapper, without changing the mapper, its table or the data. `useTable`
+/// allows the texture, if the mapper interpolates before it maps. Records a table without values,
+/// which maps nothing, in the scene.
 MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, ImportedScene& scene);
 }
 

@@ -18,8 +18,8 @@ namespace cslf
 {
 namespace
 {
-/// What vtkMoleculeMapper shows to subclasses only: the points of its glyphs, which hold the
-/// results of all its modes, and the mappers that colour them.
+/// Members that vtkMoleculeMapper shows only to subclasses: the points of its glyphs, which contain
+/// the results of all its modes, and the mappers that colour them.
 class MoleculeAccess : public vtkMoleculeMapper
 {
 public:

@@ -27,7 +27,7 @@ namespace cslf
 {
 namespace
 {
-/// The names of arrays that these mappers let be set, but show to subclasses only.
+/// The names of arrays that can be set in these mappers, but that only subclasses can read.
 class SphereAccess : public vtkOpenGLSphereMapper
 {
 public:
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkDoubleArray> MakeEqual(double value, vtkIdType count)
   return values;
 }
 
-/// A component, or the magnitude where there is no such component.
+/// A component, or the magnitude if there is no such component.
 double GetValue(vtkDataArray* array, vtkIdType tuple, int component)
 {
   const int count = array->GetNumberOfComponents();
@@ -79,7 +79,7 @@ double GetValue(vtkDataArray* array, vtkIdType tuple, int component)
   return std::sqrt(sum);
 }
 
-/// The same, taken through a function, if there is one, which is constant beyond its range.
+/// The same, mapped by a function if there is one. The function is constant beyond its range.
 double GetValue(vtkDataArray* array, vtkIdType tuple, int component, vtkPiecewiseFunction* function)
 {
   const double value = GetValue(array, tuple, component);
@@ -104,7 +104,7 @@ public:
   {
   }
 
-  /// Spheres of the splats' radii; vertices without radii where splats are pixels.
+  /// Spheres with the splats' radii; vertices without radii if splats are pixels.
   vtkSmartPointer<vtkPolyData> MakeShapes()
   {
     this->AddPoints();
@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  /// All points that vertex cells have, or all points where there are no such cells.
+  /// All points of vertex cells, or all points if there are no such cells.
   void AddPoints()
   {
     this->Points->SetDataType(this->Data->GetPoints()->GetDataType());
@@ -217,7 +217,7 @@ ActorParts TakeSplatsApart(
     {
       parts.push_back(
         MakeClippedPart(SplatReader(mapper, data, scene).MakeShapes(), actor, matrix));
-      // Splats show their colours, unless a shader of the user's computes something else.
+      // Splats show their colours, unless a user's shader computes something else.
       const char* shader = mapper->GetSplatShaderCode();
       const bool lit = shader && *shader && mapper->GetScaleFactor() != 0.0;
       parts.back().Actor->GetProperty()->SetLighting(lit);

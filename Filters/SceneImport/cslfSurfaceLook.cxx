@@ -21,12 +21,12 @@ namespace
 {
 constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
 
-// What a boundary or a part of metal may take of a highlight's surface: broader highlights are
-// rather a brighter diffuse base.
+// The largest share of a surface for the boundary or metal of a highlight. Broader highlights
+// become a brighter diffuse base.
 constexpr double LargestReflectance = 0.2;
 constexpr double LargestMetallic = 0.3;
 
-// VTK encodes physically based shading by this power.
+// VTK encodes physically based shading with this exponent.
 constexpr double PhysicalGamma = 2.2;
 
 glm::dvec3 ToColor(const double* color)
@@ -34,15 +34,15 @@ glm::dvec3 ToColor(const double* color)
   return { color[0], color[1], color[2] };
 }
 
-/// The index of refraction of a boundary that reflects this much of light from straight above.
+/// The index of refraction of a boundary with this reflectance at normal incidence.
 double ToIndexOfRefraction(double reflectance)
 {
   const double root = std::sqrt(reflectance);
   return (1.0 + root) / (1.0 - root);
 }
 
-/// The factors of a colour and of white, not negative, whose sum is nearest to a target for all of
-/// the colours that are added.
+/// The non-negative factors of a colour and of white whose sum is closest to a target for all
+/// colours that were added.
 class ColorAndWhite
 {
 public:
@@ -85,9 +85,9 @@ private:
   double TargetColors = 0.0;
 };
 
-/// The squared alpha of GGX facets whose highlight is as wide, at half its height, as that of a
-/// cosine between reflection and view to a power, which is twice as far from the mirror's direction
-/// as the facet's normal: 1 + tan^2 / alpha^2 is then the square root of 2.
+/// The squared alpha of GGX facets with the same width at half height as a highlight by a power of
+/// the cosine between reflection and view. That angle is twice the angle of the facet's normal, and
+/// 1 + tan^2 / alpha^2 is the square root of 2 there.
 double ToSquaredAlpha(double power)
 {
   const double cosine = std::exp2(-1.0 / std::max(power, 1e-3));
@@ -123,8 +123,8 @@ void SurfaceLook::FindPhysical(const std::vector<glm::dvec3>& typical)
   const double ior = std::max(this->Property->GetBaseIOR(), 1.0);
   this->WindowReflectance = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
 
-  // Metal and diffuse base have one colour here, in the window they do not: the part of metal is
-  // the metal's share of what both reflect.
+  // Metal and diffuse base have the same colour here, but not in the window: the share of metal is
+  // its share of the light that both reflect.
   const double metallic = this->Property->GetMetallic();
   double metal = 0.0;
   double base = 0.0;
@@ -152,7 +152,7 @@ bool SurfaceLook::HasMetallicTexture() const
 
 double SurfaceLook::GetPhysicalDiffuse(double color) const
 {
-  // VTK's diffuse base gets what neither the boundary nor the metal mirrors.
+  // VTK's diffuse base gets the light that neither the boundary nor the metal mirrors.
   const double albedo = this->Property->GetDiffuse() * color;
   const double metallic = this->Property->GetMetallic();
   const double mirrored =
@@ -174,7 +174,7 @@ void SurfaceLook::UpdateResponse()
 
 void SurfaceLook::FindHighlight(const std::vector<glm::dvec3>& typical)
 {
-  // The height above the rest, as far as it can be displayed.
+  // The height above the surroundings, as far as it can be displayed.
   const auto& window = this->Level.Window;
   ColorAndWhite parts;
   glm::dvec3 diffuse(0.0);
@@ -196,8 +196,8 @@ void SurfaceLook::FindHighlight(const std::vector<glm::dvec3>& typical)
     return;
   }
 
-  // A boundary reflects light from straight above by F0 / (4 alpha^2), relative to a white diffuse
-  // surface, and a metal by its base colour in place of F0.
+  // At normal incidence, a boundary reflects F0 / (4 alpha^2), relative to a white diffuse surface,
+  // and a metal its base colour instead of F0.
   const auto [ofColor, ofWhite] = parts.Fit();
   const double squaredAlpha = ToSquaredAlpha(this->Property->GetSpecularPower());
   const double ratio = 4.0 * squaredAlpha * ofColor;
@@ -209,7 +209,7 @@ void SurfaceLook::FindHighlight(const std::vector<glm::dvec3>& typical)
   this->IndexOfRefraction = ToIndexOfRefraction(reflectance);
   this->UpdateResponse();
 
-  // What is missing of the height.
+  // The missing height.
   const double metal = this->Metallic / (part * 4.0 * squaredAlpha);
   const double white = light * part * reflectance / (4.0 * squaredAlpha);
   this->Rest = (ofColor - metal) * diffuse + ofWhite - white;
@@ -252,7 +252,7 @@ double SurfaceLook::GetPhysicalReflectance(int channel, double color) const
     const double displayed = this->Property->GetAmbient() * color + albedo;
     return SRGBToLinear(displayed) / (traced > 0.0 ? traced : 1.0);
   }
-  // The colour with which both diffuse base and metal come nearest to the window's.
+  // The colour with which both diffuse base and metal are closest to the window.
   const double own = this->Reflects.Diffuse;
   const double metal = this->Property->GetMetallic() * albedo;
   const double base = (own * this->GetPhysicalDiffuse(color) + this->Metallic * metal) /
@@ -263,15 +263,15 @@ double SurfaceLook::GetPhysicalReflectance(int channel, double color) const
 
 double SurfaceLook::MakeUpForGamma(double base, double window) const
 {
-  // What is seen from straight above: a diffuse base, a metal in its highlight, which there is
-  // F0 / (4 alpha^2) high, and the highlight of a rough boundary.
+  // The parts of the light at normal incidence: a diffuse base, a metal in its highlight, whose
+  // height is F0 / (4 alpha^2), and the highlight of a rough boundary.
   const double part = 1.0 - this->Metallic;
   const double squaredAlpha = std::max(std::pow(this->Roughness, 4.0), 1e-6);
   double colored = this->Reflects.Diffuse + this->Metallic / (4.0 * squaredAlpha);
   double white = 0.25 * part * this->WindowReflectance;
   if (window * (colored * base + white) >= 1.0)
   {
-    // The highlight is as bright as can be; its surroundings are seen by their base.
+    // The highlight has the maximum brightness; the base determines its surroundings.
     colored = this->Reflects.Diffuse;
     white = 0.0;
   }
@@ -295,7 +295,7 @@ glm::dvec3 SurfaceLook::GetReflectance(const glm::dvec3& ambient, const glm::dve
 
 glm::dvec3 SurfaceLook::GetBaseColor(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
 {
-  constexpr double precision = 1e12; // encoding and decoding err by less
+  constexpr double precision = 1e12; // the error of encoding and decoding is smaller
   const glm::dvec3 color = LinearToSRGB(this->GetReflectance(ambient, diffuse));
   return glm::round(color * precision) / precision;
 }

@@ -17,12 +17,12 @@ class vtkProperty;
 
 namespace cslf
 {
-/// How the window draws a surface.
+/// The window's parameters of a surface.
 enum class Drawing
 {
   Lit,
-  Unlit,       ///< by its colours alone, like lines and points without normals
-  Illuminating ///< likewise, since the property has no lighting: it is emissive
+  Unlit,       ///< shown with its colours only, like lines and points without normals
+  Illuminating ///< likewise, because the property has no lighting: it is emissive
 };
 
 /**
@@ -35,8 +35,8 @@ enum class Drawing
  * height: white ones from a dielectric boundary, coloured ones from a metallic factor.
  *
  * Physically based shading is linear and encoded by an exponent of 2.2 instead of sRGB's curve. Its
- * diffuse base receives what one boundary and the metal leave; here the metal takes none of it.
- * Reflectances compensate for both, and so does a metallic factor between 0 and 1.
+ * diffuse base receives the light left by one boundary and the metal; here the metal takes none of
+ * it. Reflectances compensate for both differences, and so does a metallic factor between 0 and 1.
  */
 class SurfaceLook
 {
@@ -45,7 +45,7 @@ public:
   SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing drawing,
     const std::vector<glm::dvec3>& typical);
 
-  /// The reflectance, linear, in [0,1]. Ambient and diffuse colours differ in properties alone.
+  /// The linear reflectance, in [0,1]. Ambient and diffuse colours differ only in properties.
   glm::dvec3 GetReflectance(const glm::dvec3& ambient, const glm::dvec3& diffuse) const;
   glm::dvec3 GetReflectance(const glm::dvec3& color) const
   {
@@ -67,11 +67,11 @@ public:
   double GetIndexOfRefraction() const { return this->IndexOfRefraction; }
 
 private:
-  /// How much of their incident light boundary, metal and diffuse base reflect.
+  /// The shares of their incident light that boundary, metal and diffuse base reflect.
   struct Response
   {
-    double Diffuse = 1.0;  ///< of lights of a direction, by the diffuse base, over reflectance
-    double Base = 1.0;     ///< of light from all around, by all that the reflectance multiplies
+    double Diffuse = 1.0; ///< of directional light, by the diffuse base, divided by the reflectance
+    double Base = 1.0;    ///< of light from all around, by everything multiplied by the reflectance
     double Boundary = 0.0; ///< of light from all around, by the boundary
   };
 
@@ -82,13 +82,13 @@ private:
   double GetPhysicalLevel() const;
   double GetPhysicalReflectance(int channel, double color) const;
 
-  /// What the window's diffuse base reflects of a surface of a colour.
+  /// The share that the window's diffuse base reflects on a surface of a colour.
   double GetPhysicalDiffuse(double color) const;
 
   /// Whether the metallic factor varies over the surface.
   bool HasMetallicTexture() const;
 
-  /// The base colour that sRGB's curve displays as VTK's power displays another one.
+  /// The base colour that sRGB's curve displays like VTK's exponent displays another one.
   double MakeUpForGamma(double base, double window) const;
 
   vtkProperty* Property;
@@ -98,7 +98,7 @@ private:
   double Metallic = 0.0;
   double Roughness = 1.0;
   double IndexOfRefraction = 1.0;
-  double WindowReflectance = 0.0; // of the boundary in the window, from straight above
+  double WindowReflectance = 0.0; // of the boundary in the window, at normal incidence
   Response Reflects;
   glm::dvec3 Rest{ 0.0 }; // of highlights that are too broad, as radiance of the diffuse base
 };

@@ -19,7 +19,7 @@ namespace cslf
 {
 namespace
 {
-/// Colours of floats in [0,1] or of 16 bits as bytes.
+/// Float colours in [0,1] or 16-bit colours as bytes.
 vtkSmartPointer<vtkUnsignedCharArray> ToBytes(vtkDataArray* colors)
 {
   const double unit = colors->GetDataType() == VTK_FLOAT ? 1.0 : VTK_UNSIGNED_SHORT_MAX;
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkUnsignedCharArray> ToBytes(vtkDataArray* colors)
   return bytes;
 }
 
-/// Maps scalars by the texture's table; the texture is not changed. Null where the table holds no
+/// Maps scalars by the texture's table, without changing the texture. Null if the table has no
 /// colours.
 vtkSmartPointer<vtkUnsignedCharArray> MapByTable(vtkTexture* texture, vtkDataArray* scalars)
 {
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MapByTable(vtkTexture* texture, vtkDataArr
   return colors;
 }
 
-/// What vtkOpenGLTexture::Load gives to OpenGL, as bytes.
+/// The image that vtkOpenGLTexture::Load passes to OpenGL, as bytes.
 vtkSmartPointer<vtkUnsignedCharArray> MakePixels(vtkTexture* texture, vtkDataArray* scalars)
 {
   const int mode = texture->GetColorMode();
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkImageData> MakeTextureImage(vtkTexture* texture)
     {
       return nullptr;
     }
-    // An image that is only one pixel wide is so in its first axis.
+    // An image that is only one pixel wide has its pixels along the first axis.
     if (points > 1 || (axis == 0 && axes == 0))
     {
       size[axes++] = ofCells ? std::max(points - 1, 1) : points;

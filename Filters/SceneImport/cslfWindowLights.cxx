@@ -24,14 +24,14 @@ namespace cslf
 {
 namespace
 {
-// Lights are taken to be no nearer to a surface than this part of its reach: a lamp in the middle
-// of a room lights the walls.
+// Lights count as at least this far from a surface, relative to its reach: a lamp in the middle of
+// a room lights the walls.
 constexpr double NearestPart = 0.5;
 
 constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
 
-/// A light where it stands now. What moves with the camera is placed as before the next drawing,
-/// but the renderer's own light is left alone.
+/// A light at its current position. Lights that move with the camera are placed as for the next
+/// drawing, but the renderer's own light is not changed.
 vtkSmartPointer<vtkLight> Place(vtkLight* light, vtkRenderer* renderer)
 {
   auto placed = vtkSmartPointer<vtkLight>::New();
@@ -69,15 +69,15 @@ glm::dvec3 GetFocalPoint(vtkLight* light)
   return { point[0], point[1], point[2] };
 }
 
-/// 0 where there is no direction.
+/// 0 if there is no direction.
 glm::dvec3 Normalize(const glm::dvec3& vector)
 {
   const double length = glm::length(vector);
   return length > 0.0 ? vector / length : glm::dvec3(0.0);
 }
 
-/// What the light of a displayed level is to be multiplied by. No surface may have to reflect more
-/// than it gets for what the window shows, so the brightest of the shading models decides.
+/// The factor of light for a displayed level. No surface may need to reflect more light than it
+/// receives to look like the window, so the brightest of the shading models decides.
 double GetGain(double level, const ShadingModels& models)
 {
   double gain = models.Physical ? 1.0 / vtkMath::Pi() : 0.0;
@@ -123,7 +123,7 @@ WindowLights::WindowLights(vtkRenderer* renderer, bool headlightsAllAround)
   }
   if (!isAnyOn && renderer->GetAutomaticLightCreation())
   {
-    // The renderer would make a headlight before it draws.
+    // The renderer would create a headlight before it draws.
     vtkNew<vtkLight> headlight;
     headlight->SetLightTypeToHeadlight();
     this->Add(headlight, renderer, headlightsAllAround);
@@ -201,7 +201,7 @@ void WindowLights::Calibrate(const glm::dvec3& center, double reach, const Shadi
   glm::dvec3 sum(0.0);
   for (Source& source : this->Sources)
   {
-    // The level where this light matters: of a surface that faces it.
+    // The level where this light matters: that of a surface facing it.
     const glm::dvec3 direction = GetDirection(source, center);
     glm::dvec3 own = this->GetWindowLevel(center, nearest, direction);
     if (source.ShinesFromAllAround || glm::dot(direction, normal) > 0.0)
@@ -215,7 +215,7 @@ void WindowLights::Calibrate(const glm::dvec3& center, double reach, const Shadi
     source.Power = gain * source.Color * std::pow(falloff, 1.0 - source.Exponent);
     sum += gain;
   }
-  // VTK's physically based surfaces reflect an environment as it is, but lights by 1 / pi.
+  // VTK's physically based surfaces reflect an environment unchanged, but 1 / pi of lights.
   this->EnvironmentFactor = 1.0;
   if (models.Physical && !models.Classic.empty() && !this->Sources.empty())
   {

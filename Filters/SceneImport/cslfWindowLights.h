@@ -6,7 +6,7 @@
  *
  * VTK's classic shading multiplies colours by light as they are displayed: a light of intensity 0.5
  * shows a white surface as 0.5, which is 0.214 of white's light (IEC 61966-2-1). So the power of a
- * light is the linear value of what a white surface that faces it displays. Falloffs, which
+ * light is the linear value of the displayed colour of a white surface facing it. Falloffs, which
  * multiply displayed colours in the window, are raised to the exponent that fits best around the
  * level of the scene. VTK's physically based shading is linear, and a white surface reflects 1 / pi
  * of the intensity.
@@ -31,19 +31,19 @@ namespace cslf
 /// The light that a surface receives, in the window and when traced.
 struct LightLevel
 {
-  glm::dvec3 Window{ 1.0 }; ///< by which the window's classic shading multiplies colours
-  glm::dvec3 Direct{ 1.0 }; ///< the radiance of a white diffuse surface by lights of a direction
-  glm::dvec3 Around{ 0.0 }; ///< and by light from all around
+  glm::dvec3 Window{ 1.0 }; ///< the factor of colours in the window's classic shading
+  glm::dvec3 Direct{ 1.0 }; ///< the radiance of a white diffuse surface in directional light
+  glm::dvec3 Around{ 0.0 }; ///< and in light from all around
 };
 
-/// The shading models of the surfaces that are lit.
+/// The shading models of the lit surfaces.
 struct ShadingModels
 {
   std::set<std::pair<double, double>> Classic; ///< the coefficients, ambient and diffuse
   bool Physical = false;                       ///< whether there are PBR surfaces
 };
 
-/// The slope of sRGB's decoding at a displayed value, both in logarithms.
+/// The slope of sRGB's decoding at a displayed value, in a log-log plot.
 double GetDecodingExponent(double displayed);
 
 /// The falloff of a positional light at a distance, in world units.
@@ -52,17 +52,17 @@ double GetAttenuation(vtkLight* light, double distance);
 class WindowLights
 {
 public:
-  /// The lights with which the renderer would draw now. Headlights may shine from all around.
+  /// The lights that the renderer would use now. Headlights may shine from all around.
   WindowLights(vtkRenderer* renderer, bool headlightsAllAround);
 
-  /// Computes the powers for a scene around a point, about twice `reach` from side to side.
+  /// Computes the powers for a scene around a point, with a size of about twice `reach`.
   void Calibrate(const glm::dvec3& center, double reach, const ShadingModels& models);
 
   /// Whether there is any light, so that the window shades surfaces.
   bool IsLit() const { return !this->Sources.empty(); }
 
-  /// The level of a surface around a point, about twice `reach` from side to side. It faces the
-  /// camera if any light moves with the camera, or else the direction from which most light comes.
+  /// The level of a surface around a point, with a size of about twice `reach`. It faces the camera
+  /// if any light moves with the camera, or else the direction of most light.
   LightLevel GetLevel(const glm::dvec3& center, double reach) const;
 
   /// The factor for the radiance of an environment image.
@@ -77,7 +77,7 @@ private:
     glm::dvec3 Color{ 0.0 }; ///< times the intensity
     bool MovesWithCamera = false;
     bool ShinesFromAllAround = false;
-    glm::dvec3 Power{ 0.0 }; ///< of light transport, over pi, where nothing falls off
+    glm::dvec3 Power{ 0.0 }; ///< of light transport, divided by pi, without falloff
     double Exponent = 1.0;   ///< of the falloff
   };
 
