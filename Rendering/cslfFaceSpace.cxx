@@ -11,7 +11,7 @@ namespace cslf
 {
 namespace
 {
-/// Keeps a point on an edge of the face from dividing by 0; stands in cslfCube.glsl too.
+/// Prevents a division by 0 at edges of the face. Also defined in cslfCube.glsl.
 constexpr double LeastToSide = 1.0e-4;
 }
 
@@ -49,7 +49,7 @@ ExitFrame FindExitFrame(int entryFace, int axis, double sign)
   const glm::dvec3 origin(0.0, 0.0, 1.0);
   glm::dvec3 outward(0.0);
   outward[axis] = sign < 0.0 ? -1.0 : 1.0;
-  // The origin is the cube's centre: what moves away from it moves alike in CC.
+  // The origin is the cube's centre, so directions are transformed like points.
   const glm::dvec3 outwardCC = FaceSpaceToCube(entryFace, origin + outward);
   const int axisCC = outwardCC.x != 0.0 ? 0 : (outwardCC.y != 0.0 ? 1 : 2);
   const int face = FaceOf(axisCC, outwardCC[axisCC]);

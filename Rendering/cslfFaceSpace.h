@@ -26,13 +26,13 @@ glm::dvec3 FaceSpaceToCube(int face, const glm::dvec3& pointFC);
 glm::dvec2 InverseToPositive(const glm::dvec2& from);
 glm::dvec2 InverseToNegative(const glm::dvec2& from);
 
-/// Which share of the ways to the sides (x, y) and to the opposite face (z) a direction covers; the
-/// ray leaves by the face of the largest.
+/// The shares of the distances to the sides (x, y) and to the opposite face (z) that a direction
+/// covers. The ray leaves by the face with the largest share.
 glm::dvec3 ShareOfWays(const glm::dvec3& directionFC, const glm::dvec2& inverseToPositive,
   const glm::dvec2& inverseToNegative);
 
-/// How the points of an exit face, in FC, map to its (s,t): each row holds the factors of x, y and
-/// z - 1. One of them does not vary over the face; its factor is 0.
+/// Maps points of an exit face, in FC, to its (s,t): each row has the factors of x, y and z - 1.
+/// The factor of the coordinate that is constant on the face is 0.
 struct ExitFrame
 {
   int Tile;

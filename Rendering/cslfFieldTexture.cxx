@@ -19,19 +19,19 @@ namespace cslf
 {
 namespace
 {
-/// Room for cameras that see more than one can from outside: several of them, then all faces, as
-/// from inside the cube.
+/// Space for cameras that see more than one camera can from outside: for several of them, then for
+/// all faces, as from inside the cube.
 constexpr int AllBlocks = FaceCount * TileCount;
 constexpr int BlockSteps[] = { Residency::LeastBlocks, 18, AllBlocks };
 
-/// The targets of the textures, in the order of the units.
+/// The targets of the textures, in the order of the texture units.
 constexpr GLenum Targets[] = { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D,
   GL_TEXTURE_3D };
 
-/// Viewpoints along a side of a face that are enough to see where all surfaces are.
+/// The number of viewpoints along a side of a face that is enough to find all surfaces.
 constexpr int MostSceneNodes = 25;
 
-/// Texels of a table for each cell.
+/// Texels of a table per cell.
 constexpr int TableTexels = 2;
 
 std::vector<int> ListSlices(const std::vector<WantedTiles>& wanted)
@@ -111,9 +111,8 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
   return hasRoom;
 }
 
-// The room is made anew where it is too small, or much too large for what is needed now. Drivers
-// may take long to make much room, so that a first picture that nobody waits for begins with
-// little.
+// Allocates again if there is too little space, or far too much. Drivers may take long to allocate
+// much memory, so the first picture, if nobody waits for it, begins with little.
 bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace)
 {
   const bool isFirst = !pace.Waits && this->IsEmpty();
@@ -184,7 +183,7 @@ void FieldTexture::BringAll()
         this->Bring(wanted);
       }
     }
-    // Nothing is kept ready by a source without memory for it.
+    // A source without enough memory keeps nothing ready.
     if (!isAnyReady)
     {
       this->Bring(missing.front());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The OpenGL textures that hold what is drawn of a light field.
+ * The OpenGL textures with the drawn samples of a light field.
  */
 #ifndef cslfFieldTexture_h
 #define cslfFieldTexture_h
@@ -26,14 +26,14 @@ class vtkWindow;
 
 namespace cslf
 {
-/// How samples are brought to graphics memory.
+/// How samples are uploaded to graphics memory.
 struct TexturePace
 {
   std::int64_t Limit = 0; ///< bytes of graphics memory
-  bool Waits = true;      ///< until all is there; otherwise only for the coarsest viewpoints
-  double Seconds = 0.0;   ///< to spend on what is ready otherwise
-  bool Keeps = false;     ///< another pass of the same picture: leaves what is there as it is
-  bool Begins = false;    ///< only has the coarsest viewpoints made ready
+  bool Waits = true;      ///< until everything is there; otherwise only for the coarsest viewpoints
+  double Seconds = 0.0;   ///< for uploads of ready samples in other cases
+  bool Keeps = false;     ///< another pass of the same picture: changes nothing
+  bool Begins = false;    ///< only requests the coarsest viewpoints
 };
 
 /// The samples that cameras can use, and for each entry face a small texture that finds the
@@ -46,33 +46,33 @@ public:
   FieldTexture(const FieldTexture&) = delete;
   FieldTexture& operator=(const FieldTexture&) = delete;
 
-  /// The field; what is in graphics memory is outdated.
+  /// Sets the field. Samples in graphics memory become outdated.
   void SetSource(std::shared_ptr<ViewpointSource> source);
 
-  /// Brings what these cameras can use of the field to the window's graphics memory. On failure
-  /// nothing is kept and `error` says why, in one line.
+  /// Uploads the samples that these cameras can use to the window's graphics memory. On failure
+  /// nothing is kept and `error` gives the reason in one line.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<Sight>& sights,
     const TexturePace& pace, std::string& error);
 
-  /// Whether all that the cameras of the last Update can use is there, as far as it fits.
+  /// Whether all samples for the cameras of the last Update are there, as far as they fit.
   bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
 
-  /// Whether nothing was brought since the source was set.
+  /// Whether nothing was uploaded since the source was set.
   bool IsEmpty() const { return this->Brought + this->Damaged == 0; }
 
-  /// How many viewpoints that were needed turned out to be damaged, and how many not.
+  /// How many required viewpoints turned out to be damaged, and how many intact.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
   int GetNumberOfViewpoints() const { return this->Brought; }
 
-  /// What is known of where the scene's surfaces are, once there is a source.
+  /// What is known about the positions of the scene's surfaces, after a source was set.
   const SceneGrid& GetScene() const { return this->Scene; }
 
-  /// A number that changes with what is there.
+  /// A number that changes with the uploaded samples.
   unsigned int GetChanges() const { return this->Changes; }
 
   const Description& GetField() const { return this->Source->GetDescription(); }
 
-  /// The graphics memory that the samples take, in bytes.
+  /// The size of the samples in graphics memory, in bytes.
   std::int64_t GetBytes() const { return this->Pool.GetBytes(); }
 
   /// Binds the textures of an entry face to texture units, until Deactivate.
@@ -98,9 +98,9 @@ private:
   void Free();
 
   std::shared_ptr<ViewpointSource> Source;
-  vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
+  vtkOpenGLRenderWindow* Window = nullptr; ///< the context to which the textures belong
   std::int64_t Limit = 0;
-  bool IsFirst = false; ///< there is room for the coarsest viewpoints only
+  bool IsFirst = false; ///< there is space only for the coarsest viewpoints
   TilePool Pool;
   Residency Present;
   SceneGrid Scene;

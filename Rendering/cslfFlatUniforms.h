@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the fragments of a shader come by what is the same for all of them. Graphics cards read
- * uniforms at no cost. llvmpipe reads a uniform for each lane of its vectors by itself, in some
- * 30 instructions for each component, but a vertex shader's flat output in one.
+ * Passes constant values to the fragments of a shader. Graphics cards read uniforms at no cost.
+ * llvmpipe reads a uniform separately for each lane of its vectors, in some 30 instructions per
+ * component, but a vertex shader's flat output in one.
  */
 #ifndef cslfFlatUniforms_h
 #define cslfFlatUniforms_h
@@ -19,11 +19,11 @@ namespace cslf
 /// OpenGL, by the renderer's name.
 bool ReadsUniformsByLane();
 
-/// Has the vertex shader of a program hand the uniforms of its fragment shader on as flat outputs,
-/// so that fragments read these in their place. Their names, and how they are set, stay. Numbers,
-/// vectors of floats and square matrices are found where a line begins with their declaration; all
-/// else stays as it is, arrays among it, and all of it where the vertex shader has no line
-/// `void main()` followed by one with its brace.
+/// Makes a program's vertex shader pass the uniforms of its fragment shader as flat outputs, which
+/// fragments read instead. Their names, and the way to set them, do not change. Numbers, vectors of
+/// floats and square matrices are found if a line begins with their declaration; others, such as
+/// arrays, are not changed. Nothing is changed if the vertex shader has no line `void main()`
+/// followed by a line with its brace.
 void VTKCSLF_EXPORT HandUniformsOn(std::string& vertex, std::string& fragment);
 }
 

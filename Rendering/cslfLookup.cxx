@@ -20,71 +20,71 @@ namespace cslf
 {
 namespace
 {
-// These constants stand in cslfLookup.glsl too.
+// These constants are also defined in cslfLookup.glsl.
 
-/// Depth closer than this fraction of a chord is not told apart.
+/// Smaller differences of depth, as a fraction of a chord, are ignored.
 constexpr double LeastDepth = 1.0 / 4096.0;
-/// Neighbouring texels whose inverse depths differ by less than this share are of one surface.
+/// Neighbouring texels are on one surface if their inverse depths differ by less than this share.
 constexpr double SurfaceStep = 0.1;
-/// The search starts no closer to the entry than at this inverse fraction.
+/// The search starts no closer to the entry than this inverse fraction.
 constexpr double NearestStart = 40.0;
-/// The focal lookup looks no closer to the entry than at this fraction of the chord.
+/// The smallest fraction of the chord at which the focal lookup looks.
 constexpr double NearestFocus = 0.05;
-/// How many texels a view's image of the ray may move in a step of the search, unless the step is
-/// less than a share of w.
+/// The most texels by which a view's image of the ray moves in a step of the search, unless the
+/// step is smaller than a share of w.
 constexpr double TexelsPerStep = 3.0;
 constexpr double StepShare = 0.08;
-/// A step is no longer than this in w.
+/// The largest step in w.
 constexpr double MostStride = 0.5;
 constexpr int MostSteps = 96;
-/// How many ends of sight along a ray are looked into.
+/// The number of ends of sight along a ray that are examined.
 constexpr int MostCandidates = 16;
-/// Cuts of a step that holds a crossing: each leaves no less than a share of it, and they end where
-/// the clearance is less than a share of w.
+/// Subdivisions of a step with a crossing: each keeps at least a share of the step, and they end
+/// when the clearance is less than a share of w.
 constexpr int Refinements = 12;
 constexpr double LeastShare = 0.02;
 constexpr double Convergence = 0.0005;
-/// The search goes on behind a crossing that is no surface by this share of a stride.
+/// The search continues behind a crossing that is not a surface by this share of a stride.
 constexpr double RestartShare = 0.02;
-/// A crossing where the clearance leaps over this share of w passed an edge, not a surface.
+/// A crossing where the clearance jumps by more than this share of w is an edge, not a surface.
 constexpr double EdgeStep = 0.03;
-/// A view sees through points that are clear by more than this share of w; coded depth errs by
-/// less.
+/// A view sees through points whose clearance exceeds this share of w; the error of coded depth is
+/// smaller.
 constexpr double ClearanceTolerance = 0.05;
-/// A view colours points within this share of w of the surface that it sees.
+/// A view colours points within this share of w of the surface it sees.
 constexpr double SightTolerance = 0.1;
-/// Viewpoints farther away than the four around a ray must see a surface as well as this, of 1:
-/// what they are mistaken about, nobody else corrects.
+/// Viewpoints farther away than the four around a ray must see a surface at least this well, out of
+/// 1, because nothing else corrects their errors.
 constexpr double OuterSight = 0.97;
-/// They are asked where those of the four that know what lies at the hidden point have more than
-/// this share of the weights. The others lack its tile, and might see the surface.
+/// They are used if the views of the four that know the hidden point have more than this share of
+/// the weights. The others lack its tile, and might see the surface.
 constexpr double KnownShare = 0.7;
-/// Keeps a ray through a viewpoint from depending on that viewpoint alone.
+/// Prevents a ray through a viewpoint from depending only on that viewpoint.
 constexpr double LeastWeight = 0.0001;
 
-/// Where nothing else is found, a surface that is seen through by no more than the share of w that
-/// so many texels make.
+/// If nothing else is found, the largest share of w by which a surface may be seen through, in
+/// texels.
 constexpr double DoubtTexels = 8.0;
-/// A view whose tile is not there has a clearance of less than minus this.
+/// A view with a missing tile has a clearance below minus this.
 constexpr double Unknown = 2000.0;
-/// The clearance of a view that is left out.
+/// The clearance of a view that is not used.
 constexpr double NotAsked = -2.0 * Unknown;
 
-/// Whether some view knows that a point is hidden, and none sees through it.
+/// Whether any view knows that a point is hidden, and none sees through it.
 bool IsHidden(const glm::dvec4& clearances)
 {
   return glm::all(glm::lessThanEqual(clearances, glm::dvec4(0.0))) &&
     glm::any(glm::greaterThan(clearances, glm::dvec4(-Unknown)));
 }
 
-/// For which views sight ends between two points of the ray.
+/// The views whose sight ends between two points of the ray.
 glm::bvec4 EndsOfSight(const glm::dvec4& before, const glm::dvec4& behind)
 {
   return glm::greaterThan(glm::dvec4(glm::greaterThan(before, glm::dvec4(0.0))),
     glm::dvec4(glm::greaterThan(behind, glm::dvec4(0.0))));
 }
 
-/// Which view's sight ends first between `before` and `behind`.
+/// The view whose sight ends first between `before` and `behind`.
 int ChooseCrossing(const glm::dvec4& before, const glm::dvec4& behind)
 {
   const glm::dvec4 share =
@@ -207,7 +207,8 @@ double Lookup::ReadNearestInverseDepth(int slice, int tile, const glm::dvec2& co
   return this->FetchInverseDepth(slice, tile, texel.x, texel.y);
 }
 
-// Within one surface interpolated, which is exact for planes; across an edge the nearer surface's.
+// Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
+// surface.
 double Lookup::ReadInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const
 {
   const glm::dvec2 position = this->TexelPosition(coordinates) - 0.5;
@@ -270,8 +271,8 @@ Lookup::ViewCell Lookup::FindViews(const Ray& ray) const
   return this->MakeCell(ray, grid.FindNodes(ray.Entry.x), grid.FindNodes(ray.Entry.y));
 }
 
-// The viewpoints at the corners of so many rings of cells around those: what the inner ones do not
-// see, these may.
+// The viewpoints at the corners of that many rings of cells around the inner ones. They may see
+// what the inner ones do not.
 Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray, int rings) const
 {
   const auto widen = [this, rings](double coordinate)
@@ -312,9 +313,9 @@ Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
   return { frame.Tile, { glm::dot(frame.S, exit), glm::dot(frame.T, exit) }, 1.0 / depth };
 }
 
-// The guess of a lookup that does not search: where the surface that the nearest view sees in the
-// direction of the ray's point at `fraction` lies along the ray; without a depth channel that point
-// itself.
+// The guess of a lookup that does not search: the position along the ray of the surface that the
+// nearest view sees in the direction of the ray's point at `fraction`. Without a depth channel, it
+// is that point.
 double Lookup::GuessSurface(const Ray& ray, double fraction) const
 {
   if (!this->Depths)
@@ -345,7 +346,7 @@ glm::dvec4 Lookup::ListWeights(const ViewCell& views)
     views.Views[3].Weight };
 }
 
-// What the views see of a point, those that see anything.
+// The mean of what the views see of a point, over those that see anything.
 glm::dvec4 Lookup::BlendColors(
   const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights) const
 {
@@ -423,8 +424,8 @@ SceneGrid::Ray Lookup::CastGridRay(const Ray& ray) const
   return this->Grid.CastGridRay(entryCC, exitCC - entryCC);
 }
 
-// How far before the surface that a view sees in its direction a point lies, in inverse depth:
-// positive where the view sees through the point, negative where it is hidden.
+// The distance, in inverse depth, of a point in front of the surface that a view sees in its
+// direction: positive if the view sees through the point, negative if it is hidden.
 double Lookup::Clearance(const View& view, const glm::dvec3& point) const
 {
   const Projection seen = Project(view, point);
@@ -435,7 +436,7 @@ double Lookup::Clearance(const View& view, const glm::dvec3& point) const
   return seen.InverseDepth - this->ReadInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
 }
 
-// Of the four views; the last is looked into only where asked for.
+// Of the four views. The last one is computed only on request.
 glm::dvec4 Lookup::Clearances(const Ray& ray, const ViewCell& views, double w, bool all) const
 {
   const glm::dvec3 point = ray.Entry + ray.Chord / w;
@@ -444,8 +445,8 @@ glm::dvec4 Lookup::Clearances(const Ray& ray, const ViewCell& views, double w, b
     all ? this->Clearance(views.Views[3], point) : NotAsked };
 }
 
-// Where a view's sight along the ray ends, between two points with these clearances: clearance
-// along the ray is linear where the surface is flat, so that few cuts do.
+// Where a view's sight along the ray ends, between two points with these clearances. Clearance
+// along the ray is linear if the surface is flat, so few subdivisions are enough.
 double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, double behind,
   double clearanceBefore, double clearanceBehind) const
 {
@@ -465,8 +466,8 @@ double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, d
   return w;
 }
 
-// Goes on from `step.Behind` to where some view's sight ends. False where there is no such place.
-// Between cells of the grid that may hold surfaces nothing is looked up.
+// Continues from `step.Behind` to where any view's sight ends. False if there is no such place.
+// Skips cells of the grid without surfaces.
 bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
   const Range& range, bool all, Step& step) const
 {
@@ -503,11 +504,10 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
 }
 
 // Free-space voting: the first point at which a view's sight along the ray ends on a surface and
-// that no view sees through. Where there is none, the first point that no view sees; otherwise the
-// surface that is least seen through, if it is nearly one: texels that are coarse for the scene err
-// by more than coded depth. Without that, 0.
-// Steps are taken by all four views, or by the three nearest, which is nearly as good and takes
-// less time.
+// that no view sees through. If there is none, the first point that no view sees. Otherwise the
+// surface that is least seen through, if it is nearly one, because texels that are coarse for the
+// scene have larger errors than coded depth. Otherwise 0. Steps are taken by all four views, or by
+// the three nearest, which is nearly as good and takes less time.
 Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   const SceneGrid::Ray& gridRay, const Range& range, bool all) const
 {
@@ -533,7 +533,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
     }
     if (!isSeenThrough && isSurface)
     {
-      // A thin sheet's other side is not the ray's: there clearance grows along the ray.
+      // The other side of a thin sheet is not the ray's: there, clearance grows along the ray.
       glm::dvec4 before = step.ClearancesBefore;
       if (!all)
       {
@@ -555,7 +555,8 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   return { step.FirstHidden, glm::dvec4(0.0) };
 }
 
-// The views that see the surface from the ray's side share its colour; where none does, all.
+// The views that see the surface from the ray's side contribute to its colour; if there are none,
+// all.
 glm::dvec4 Lookup::BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const
 {
   const glm::dvec3 point = ray.Entry + ray.Chord / surface.W;
@@ -565,12 +566,12 @@ glm::dvec4 Lookup::BlendVisible(const Ray& ray, const ViewCell& views, const Sur
   return this->BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
 }
 
-// What the four views do not see may be seen by viewpoints farther and farther around them.
+// Viewpoints farther and farther away may see what the four views do not.
 void Lookup::SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, const Range& whole,
   ViewCell& views, Surface& surface) const
 {
-  // From a step before on, where the outer ones may see the surface at once. What they find before
-  // what is hidden is a silhouette, which the inner ones show better.
+  // Starts one step earlier, where the outer ones may see the surface at once. A surface that they
+  // find in front of the hidden point is a silhouette, which the inner ones show better.
   const double hidden = surface.W;
   const double stride = std::max(views.Stride, StepShare * hidden);
   const Range range = { std::min(hidden + stride, whole.Nearest), whole.Farthest };

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a light ray sees, looked up in the field's samples (paper, section 3.4). The functions here
- * and those of cslfLookup.glsl have the same names and the same results; this side serves tests,
- * analysis, and readers who would rather step through C++.
+ * Looks up light rays in the field's samples (paper, section 3.4). The functions here and those of
+ * cslfLookup.glsl have the same names and the same results. The C++ version is for tests, analysis
+ * and debugging.
  *
  * Points are in the entry face's space (FC). Positions along a ray are inverse fractions: the
- * chord's point at `w` is entry + chord / w, from w = 1 at the exit upwards. Depth is read as
- * inverse depth likewise: in these terms a plane's depth is linear over a tile, and the image of a
- * ray moves through a view at a steady pace.
+ * chord's point at `w` is entry + chord / w, from w = 1 at the exit upwards. Depth is also read as
+ * inverse depth: then a plane's depth is linear over a tile, and the image of a ray moves through a
+ * view at constant speed.
  */
 #ifndef cslfLookup_h
 #define cslfLookup_h
@@ -33,29 +33,29 @@ namespace cslf
 /// What a lookup returns.
 struct LookupResult
 {
-  /// As encoded in the field, associated alpha.
+  /// As encoded in the field, with associated alpha.
   glm::dvec4 Color{ 0.0 };
   /// Where the ray meets the surface, as a fraction of the way from entry to exit, or the best
-  /// guess of a lookup that does not know.
+  /// guess of a lookup that does not know it.
   double Fraction = 1.0;
 };
 
-/// Looks rays up in a field, or in some viewpoints of it, held in memory. Not owning: the image
-/// must outlive it.
+/// Looks up rays in a field, or in some viewpoints of it, in memory. The image must outlive this
+/// object.
 class VTKCSLF_EXPORT Lookup
 {
 public:
-  /// `image` must hold the whole field that `description` describes.
+  /// `image` must contain the whole field that `description` describes.
   Lookup(const Description& description, vtkImageData* image);
 
-  /// `image` holds only the slices listed, in that order. All rays looked up must enter between
-  /// those viewpoints.
+  /// `image` contains only the listed slices, in that order. All rays must enter between those
+  /// viewpoints.
   Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices);
 
-  /// Has lookups do with what a camera outside the cube that sees these faces, a bit for each, has
-  /// the mapper keep: nothing of other viewpoints than those on them, and nothing that these see by
-  /// them. No line of sight leaves by such a face, but a viewpoint may see a point of a ray before
-  /// one. 0 for all there is.
+  /// Restricts lookups to the samples that the mapper keeps for a camera outside the cube that sees
+  /// these faces, one bit per face: only viewpoints on these faces, and not what these see through
+  /// them. No line of sight leaves through such a face, but a viewpoint may see a point of a ray in
+  /// front of it. 0 removes the restriction.
   void LeaveOut(int seenFaces);
 
   /// Nearest viewpoint, nearest texel.
@@ -67,13 +67,13 @@ public:
   /// Viewpoints and texels interpolated: quadrilinear in (u,v,s,t).
   LookupResult Bilinear(const RayCoordinates& ray) const;
 
-  /// The four viewpoints around the entry, each looked up where it sees the point of the ray that
-  /// is nearest to the focal point, within the scene's bounds.
+  /// The four viewpoints around the entry, each looked up at its image of the ray's point nearest
+  /// to the focal point, within the scene's bounds.
   LookupResult Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const;
 
-  /// The four viewpoints around the entry, each looked up where it sees the surface that the ray
-  /// meets first, if it sees it. Where none does, four farther around. Without a depth channel:
-  /// as Focal about the cube's centre.
+  /// The four viewpoints around the entry, each looked up at its image of the surface that the ray
+  /// hits first, if it sees it. If none does, four viewpoints farther away are used. Without a
+  /// depth channel: like Focal about the cube's centre.
   LookupResult DepthCorrected(const RayCoordinates& ray) const;
 
 private:
@@ -96,7 +96,7 @@ private:
     double Weight; ///< bilinear, of (u,v)
   };
 
-  /// Where a view sees a point, and how deep the point lies there.
+  /// The image of a point in a view, and the point's depth there.
   struct Projection
   {
     int Tile;
@@ -107,7 +107,7 @@ private:
   /// The views around a ray's entry: 00, 10, 01 and 11.
   struct ViewCell
   {
-    View Views[4]; ///< the nearest, its neighbours along u and v, the one opposite
+    View Views[4]; ///< the nearest, its neighbours along u and v, the opposite one
     double Stride; ///< in w, of the search
   };
 
@@ -122,7 +122,7 @@ private:
     double FirstHidden = 0.0; ///< where no view sees the ray's points first; 0: nowhere so far
   };
 
-  /// What a ray meets.
+  /// The hit of a ray.
   struct Surface
   {
     double W = 0.0;          ///< 0: nothing
@@ -181,12 +181,12 @@ private:
 
   Description Field;
   SceneGrid Grid;
-  std::vector<int> Places; ///< where each slice lies in the arrays
+  std::vector<int> Places; ///< the place of each slice in the arrays
   vtkDataArray* Colors;
   vtkDataArray* Depths;
   double ColorScale;
   double DepthScale;
-  int LeftOut = 0; ///< exit faces, a bit for each
+  int LeftOut = 0; ///< exit faces, one bit each
 };
 }
 

@@ -36,35 +36,35 @@ namespace cslf
 {
 namespace
 {
-/// The share of the time for drawing that goes into looking up; the rest is for uploads and for
-/// putting the picture into the scene. With it, 30 pictures a second come where 30 are wanted.
+/// The share of the drawing time for looking up; the rest is for uploads and for putting the
+/// picture into the scene. With this share, 30 frames per second are reached if 30 are requested.
 constexpr double LookupShare = 0.7;
-/// While the view moves, a picture has no fewer pixels than this share of the viewport's along each
-/// side, in so many steps up to 1. A share that changed with every frame would flicker, so it stays
-/// while there is time for it and not for two steps more.
+/// While the view moves, a picture has at least this share of the viewport's pixels along each
+/// side, in this many steps up to 1. A share that changes with every frame would flicker, so it
+/// stays while there is time for it but not for two steps more.
 constexpr double LeastShare = 0.25;
 constexpr double ShareSteps = 16.0;
-/// No picture is looked up with more than so many for one pixel along each side.
+/// The most rays along each side of a pixel.
 constexpr int MostSamples = 16;
-/// Whoever has as many seconds for a picture is not moving it.
+/// If this many seconds are available for a picture, the view is not moving.
 constexpr double StillSeconds = 1.0;
-/// The depth lookup's guesses come from a picture with one pixel for so many along each side as
-/// make about a texel, in the middle of the cube, but for no fewer and no more than these.
+/// The depth lookup's guesses come from a picture with fewer pixels. Along each side, one pixel
+/// replaces about as many as cover a texel in the middle of the cube, within these limits.
 constexpr double LeastGuessDivisor = 3.0;
 constexpr double MostGuessDivisor = 12.0;
-/// What the passes of the depth lookup mark their pixels with, as z of DC: each leaves alone those
-/// that an earlier one has marked.
+/// The marks of the depth lookup's passes on their pixels, as z of DC. Each pass skips pixels
+/// marked by an earlier one.
 constexpr float NothingMark = -1.0F;
 constexpr float CheckMark = -0.5F;
 constexpr float SearchMark = 0.0F;
 constexpr float RestMark = 0.5F;
-/// The depths of pixels where nothing is seen, and of those that no pass has drawn, as in
+/// The depths of pixels where nothing is seen, and of pixels that no pass has drawn, as in
 /// cslfPictureFS.glsl.
 constexpr float NothingDC = 1.0e30F;
 constexpr float UnknownDC = 2.0e30F;
 
-/// How many pixels long an edge of the cube is around its centre, seen from the side; 0 where the
-/// centre is behind the eye.
+/// The length in pixels of an edge of the cube at its centre, seen from the side. 0 if the centre
+/// is behind the eye.
 double FindEdge(const LookupPicture::View& view, const std::array<int, 4>& viewport)
 {
   if (view.CCDC[3].w <= 0.0)
@@ -76,8 +76,8 @@ double FindEdge(const LookupPicture::View& view, const std::array<int, 4>& viewp
   return std::max(0.5 * (width + height) / view.CCDC[3].w, 1.0);
 }
 
-/// The part of the viewport that shows the cube: x, y, width, height; all of it where the eye is
-/// too near to tell.
+/// The part of the viewport that shows the cube: x, y, width, height; all of it if the eye is too
+/// near.
 std::array<int, 4> FindArea(const LookupPicture::View& view, const std::array<int, 4>& viewport)
 {
   const glm::dvec2 size(viewport[2], viewport[3]);
@@ -97,14 +97,13 @@ std::array<int, 4> FindArea(const LookupPicture::View& view, const std::array<in
     low = glm::min(low, pixel);
     high = glm::max(high, pixel);
   }
-  // A pixel around the edges, as they are rasterised with less precision.
+  // One more pixel around the edges, because they are rasterised with less precision.
   const glm::ivec2 first(glm::clamp(glm::floor(low) - 1.0, glm::dvec2(0.0), size - 1.0));
   const glm::ivec2 last(glm::clamp(glm::ceil(high) + 1.0, glm::dvec2(first) + 1.0, size));
   return { first.x, first.y, last.x - first.x, last.y - first.y };
 }
 
-/// Rays along each side of a pixel, so that they are about as many as texels, and never many more
-/// in all.
+/// Rays along each side of a pixel: about as many rays as texels, within a limit on the total.
 int CountSamples(int resolution, double edge, const std::array<int, 4>& area)
 {
   if (edge <= 0.0)
@@ -116,7 +115,7 @@ int CountSamples(int resolution, double edge, const std::array<int, 4>& area)
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(MostSamples)));
 }
 
-/// The same view for an area of the viewport instead of the whole.
+/// The same view for an area of the viewport.
 DisplayRows CutOut(
   const DisplayRows& ccdc, const std::array<int, 4>& viewport, const std::array<int, 4>& area)
 {
@@ -143,7 +142,7 @@ LookupPicture::LookupPicture() = default;
 
 LookupPicture::~LookupPicture() = default;
 
-// While the view moves, as many rays as there is time for.
+// While the view moves, as many rays as the time allows.
 void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
 {
   const double previous = this->Share;
@@ -151,7 +150,7 @@ void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
   this->Samples = wantedSamples;
   if (seconds < StillSeconds)
   {
-    // What the last lookup took says nothing of another one.
+    // The time of the last lookup says nothing about another kind of lookup.
     const bool isKnown = this->PixelSeconds > 0.0 && lookup == this->Current.Lookup;
     const double all = this->PixelSeconds * this->Area[2] * this->Area[3];
     const double side = isKnown ? std::sqrt(LookupShare * seconds / all) : 0.5;
@@ -203,7 +202,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
     : CountSamples(field.GetField().Grid.GetResolution(), FindEdge(view, viewport), area);
   const int wantedSamples =
     std::clamp(std::min(std::max(ofTexels, view.Samples), fitting), 1, mostSamples);
-  // While the view moves, all passes of a picture share what the first has looked up.
+  // While the view moves, all passes of a picture share the result of the first.
   const bool isComplete = this->Share == 1.0 && this->Samples == wantedSamples;
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
     this->Current == view && this->Changes == field.GetChanges() &&
@@ -291,10 +290,11 @@ void LookupPicture::Allocate(const FieldTexture& field)
   }
 }
 
-// Branches cost their time even where nothing takes them, so each program knows what it looks up.
+// Branches cost time even if they are not taken, so each program has only its own lookup.
 void LookupPicture::BuildProgram(const FieldTexture& field)
 {
-  // By vtkCSLFMapper::LookupType. The last is for fields without depth: others are searched.
+  // Indexed by vtkCSLFMapper::LookupType. The last is for fields without depth; others are
+  // searched.
   static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
     "LookupFocal", "LookupFocal" };
   static_assert(
@@ -422,7 +422,7 @@ void LookupPicture::DrawPicture(FieldTexture& field)
       this->Guess.Depths->Activate();
     }
     this->Begin(this->Picture, true);
-    // What a pass has looked up the next ones leave alone: early depth tests spare them.
+    // Later passes skip the results of earlier ones: early depth tests cull them.
     state->vtkglEnable(GL_DEPTH_TEST);
     if (hasGuess)
     {
@@ -441,8 +441,8 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   state->PopFramebufferBindings();
 }
 
-// All targets share one framebuffer object: vtkOpenGLState takes the draw buffers of two for the
-// same.
+// All targets share one framebuffer object, because vtkOpenGLState confuses the draw buffers of
+// two.
 void LookupPicture::Begin(Target& target, bool marks)
 {
   vtkOpenGLState* state = this->Window->GetState();

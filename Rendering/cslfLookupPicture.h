@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What all rays of a view see, looked up once for all passes that draw it.
+ * The result of all rays of a view, looked up once for all passes that draw it.
  */
 #ifndef cslfLookupPicture_h
 #define cslfLookupPicture_h
@@ -30,17 +30,18 @@ namespace cslf
 {
 class FieldTexture;
 
-/// A texture of colours and one of depths (z of DC) for the viewport. VTK draws an
-/// actor several times, an opaque one with parts that cover their pixels in part twice at least;
-/// lookups cost more than reading their results. Belongs to one render window's context at a time.
+/// A texture of colours and one of depths (z of DC) for the viewport. VTK draws an actor several
+/// times, at least twice if it is opaque with partly covered pixels. Lookups cost more than reading
+/// their results. Belongs to one render window's context at a time.
 class LookupPicture
 {
 public:
-  /// What is seen, and how it is looked up.
+  /// The view, and how it is looked up.
   struct View
   {
-    int Lookup = 0;  ///< vtkCSLFMapper::LookupType
-    int Samples = 1; ///< the least rays along each side of a pixel, by depth in still views
+    int Lookup = 0; ///< vtkCSLFMapper::LookupType
+    int Samples =
+      1; ///< the fewest rays along each side of a pixel, for depth lookups in still views
     DisplayRows CCDC{};
     glm::dvec4 EyeCC{ 0.0 };  ///< w = 1: the eye; w = 0: the direction of a parallel projection
     bool IsEyeInside = false; ///< of the cube
@@ -55,17 +56,18 @@ public:
   LookupPicture(const LookupPicture&) = delete;
   LookupPicture& operator=(const LookupPicture&) = delete;
 
-  /// Looks the view up for the current viewport, unless the picture is that of it, and binds the
-  /// textures until Deactivate. Where the field has more texels than the viewport has pixels for
-  /// them, and by depth in still views, the picture has several for each; where all would take
-  /// longer than `seconds`, fewer. The field must be uploaded to this window.
+  /// Looks up the view for the current viewport, unless the picture has it already, and binds the
+  /// textures until Deactivate. The picture has several pixels for each of the viewport if the
+  /// field has more texels than the viewport has pixels for them, and for depth lookups in still
+  /// views. It has fewer if all would take longer than `seconds`. The field must be uploaded to
+  /// this window.
   void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds);
 
-  /// Has the programs for such pictures compiled.
+  /// Compiles the programs for such pictures.
   void Compile(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field);
 
-  /// How many pixels along each side the picture has for one of the viewport: more than 1 where
-  /// they are to be averaged.
+  /// The number of the picture's pixels along each side of one of the viewport: more than 1 if they
+  /// are to be averaged.
   int GetSamples() const { return this->Samples; }
 
   /// Whether the picture has fewer pixels than the viewport, to be interpolated.
@@ -80,7 +82,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  /// Where lookups are drawn.
+  /// A target of lookups.
   struct Target
   {
     std::array<int, 2> Size{ 1, 1 };
@@ -101,31 +103,33 @@ private:
   void BuildProgram(const FieldTexture& field);
   void DrawPicture(FieldTexture& field);
 
-  /// Clears a target and draws there from now on, perhaps with its marks.
+  /// Clears a target and draws to it from now on, perhaps with its marks.
   void Begin(Target& target, bool marks);
   void DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
 
-  vtkOpenGLRenderWindow* Window = nullptr; ///< whose context the textures belong to
+  vtkOpenGLRenderWindow* Window = nullptr; ///< the context to which the textures belong
   View Current;
   unsigned int Changes = 0; ///< of the field that the picture shows
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
   std::array<int, 4> Area{ 0, 0, 0, 0 }; ///< of the viewport that the picture covers: x, y, size
-  int Samples = 1;    ///< pixels of the picture along a side of one of the viewport
-  double Share = 1.0; ///< of those, what there is time for while the view moves
+  int Samples = 1;    ///< the number of the picture's pixels along a side of one of the viewport
+  double Share = 1.0; ///< the same, as far as there is time while the view moves
   std::array<int, 2> Size{ 1, 1 };
-  double PixelSeconds = 0.0; ///< that a pixel took when it was measured last; 0 before
-  bool IsSearched = false;   ///< by depth, which takes several passes
+  double PixelSeconds = 0.0; ///< for a pixel at the last measurement; 0 before
+  bool IsSearched = false;   ///< depth lookup, which takes several passes
   std::string Source;        ///< of the fragment shaders
   int SourceLookup = -1;
   Target Picture;
   Target Guess;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> GuessSearch; ///< a small picture's depths
-  std::unique_ptr<vtkOpenGLQuadHelper> Nothing; ///< where they have nothing, and there is nothing
-  std::unique_ptr<vtkOpenGLQuadHelper> Check;   ///< looks up what a small picture's depths hold for
-  std::unique_ptr<vtkOpenGLQuadHelper> Search;  ///< what is not known; without depth, all
-  std::unique_ptr<vtkOpenGLQuadHelper> Rest;    ///< what the search has not found to be seen
+  std::unique_ptr<vtkOpenGLQuadHelper> Nothing;     ///< where they and the grid have nothing
+  std::unique_ptr<vtkOpenGLQuadHelper>
+    Check; ///< looks up surfaces that a small picture's depths suggest
+  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< remaining pixels; without depth, all
+  std::unique_ptr<vtkOpenGLQuadHelper>
+    Rest; ///< pixels for which the search found no visible surface
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * OpenGL's functions through the loader that this VTK was built with: glad, or in older ones glew.
+ * OpenGL's functions through VTK's loader: glad, or glew in older versions.
  */
 #ifndef cslfOpenGL_h
 #define cslfOpenGL_h

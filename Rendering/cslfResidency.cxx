@@ -22,8 +22,8 @@ bool Holds(TileSet set, TileSet subset)
   return (set & subset) == subset;
 }
 
-/// The tiles of a face that lines of sight may leave by: all of them, or only those by which some
-/// leave that may meet the scene.
+/// The tiles through which lines of sight may leave: all of them, or only those where some may meet
+/// the scene.
 TileSet FindTilesOf(int face, const std::vector<Sight>& sights, bool onlyThroughScene)
 {
   TileSet tiles = 0;
@@ -143,8 +143,8 @@ bool Residency::IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& ma
     { return sight.CanEnter(face) && sight.PassesThrough(face, minimum, maximum); });
 }
 
-// The viewpoints of the cells by which a line of sight enters, or by whose neighbours: lookups that
-// do not know the surface show up to that far around the scene what they mistake for it.
+// The viewpoints of the cells through which lines of sight enter, and of their neighbours, because
+// lookups that do not know the surface show errors up to this far around the scene.
 std::vector<bool> Residency::FindSeen(int face) const
 {
   const int side = this->Grid.GetViewpoints();
@@ -325,7 +325,7 @@ bool Residency::IsUsable(const FaceState& face, int viewpoint) const
   return face.Present[viewpoint] != 0 && Holds(face.Present[viewpoint], face.Required);
 }
 
-// The finest level whose viewpoints are all there. If none, one that lacks only damaged ones.
+// The finest level with all viewpoints. If there is none, a level that lacks only damaged ones.
 Residency::Corners Residency::ChooseCorners(const FaceState& face, int i, int j) const
 {
   const auto isUsable = [&](int viewpoint) { return this->IsUsable(face, viewpoint); };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which samples of a light field are kept in graphics memory, and where.
+ * Manages which samples of a light field are kept in graphics memory, and where.
  */
 #ifndef cslfResidency_h
 #define cslfResidency_h
@@ -17,10 +17,10 @@
 
 namespace cslf
 {
-/// A set of the tiles of a strip, a bit for each.
+/// A set of tiles of a strip, one bit each.
 using TileSet = std::uint8_t;
 
-/// Samples that are wanted in graphics memory but not there.
+/// Samples that should be in graphics memory but are not.
 struct WantedTiles
 {
   int Slice = 0;
@@ -28,23 +28,23 @@ struct WantedTiles
   TileSet Tiles = 0;
 };
 
-/// Graphics memory is divided into blocks. A block holds one tile of each of some viewpoints: those
-/// of one entry face, and what they see of one exit face. All blocks of a face hold the same
+/// Graphics memory is divided into blocks. A block contains one tile of each of some viewpoints of
+/// one entry face: the tile of one exit face. All blocks of an entry face contain the same
 /// viewpoints in the same slots. Cameras outside the cube need at most nine blocks.
 ///
-/// Viewpoints come level by level. A cell of the grid of viewpoints is looked up in the finest
-/// level whose viewpoints around it are all there.
+/// Viewpoints come level by level. A cell of the grid of viewpoints uses the finest level whose
+/// viewpoints around the cell are all stored.
 class VTKCSLF_EXPORT Residency
 {
 public:
-  /// What one camera outside the cube needs.
+  /// The number of blocks for one camera outside the cube.
   static constexpr int LeastBlocks = 9;
-  /// Tells the shader that there is nothing. Far enough below 0 to stay so whatever is added.
+  /// Means that a viewpoint or block is missing. Small enough to stay negative after additions.
   static constexpr int Absent = -1000000;
 
   Residency() = default;
 
-  /// Nothing is there. `slots` are those of each block; at least 4.
+  /// Begins empty. `slots` is the number of slots per block, at least 4.
   Residency(const Layout& grid, int blocks, int slots);
 
   /// The blocks that these cameras need together.
@@ -53,30 +53,30 @@ public:
   int GetBlocks() const { return static_cast<int>(this->Owners.size()); }
   int GetSlots() const { return this->Slots; }
 
-  /// How many viewpoints along a side of a face belong to a level or a coarser one.
+  /// The number of viewpoints along a side of a face that belong to a level or a coarser one.
   int CountNodes(int level) const { return static_cast<int>(this->Levels.GetNodes(level).size()); }
 
-  /// Makes room for what these cameras can use. What others used before stays where there is room.
+  /// Makes space for the samples that these cameras can use. Other samples stay if there is space.
   void Aim(const std::vector<Sight>& sights);
 
-  /// What is to be brought, the most urgent first: the coarsest level, then what is near to what
-  /// the cameras look at.
+  /// The samples to upload, the most urgent first: the coarsest level, then samples near the points
+  /// that the cameras look at.
   std::vector<WantedTiles> ListMissing() const;
 
-  /// Where a viewpoint's tile belongs.
+  /// The place of a viewpoint's tile.
   int GetSlot(int slice) const;
   int GetBlock(int face, int tile) const { return this->Faces[face].Blocks[tile]; }
 
-  /// Says that a viewpoint's tiles have been brought, or that they never will be.
+  /// Records that a viewpoint's tiles were uploaded, or that they never will be.
   void SetPresent(int slice, TileSet tiles);
   void SetDamaged(int slice);
 
-  /// For the rays that enter by a face.
+  /// For the rays that enter through a face.
   struct Table
   {
     /// For each cell of the base grid, row by row: the slots of the viewpoints at its lower corner,
     /// at upper u, at upper v and at both, then the coordinates of lower u and v and upper u and v.
-    /// The slots of what is not there are Absent.
+    /// The slots of missing viewpoints are Absent.
     std::vector<float> Cells;
     TileSet Tiles = 0; ///< those that can be looked up
   };
@@ -90,11 +90,11 @@ private:
     std::vector<int> Viewpoints;  ///< of each slot, or -1; unused where all viewpoints fit
     std::vector<TileSet> Present; ///< of each viewpoint
     std::vector<bool> Damaged;    ///< of each viewpoint
-    std::vector<int> Order;       ///< viewpoints wanted, by importance where not all have room
-    TileSet Wanted = 0;           ///< lines of sight may leave by these
-    TileSet Required = 0;         ///< and some that may meet the scene do
+    std::vector<int> Order; ///< wanted viewpoints, by importance if there is not space for all
+    TileSet Wanted = 0;     ///< lines of sight may leave through these
+    TileSet Required = 0;   ///< and some that may meet the scene leave through these
   };
-  /// Whose tiles a block holds.
+  /// The faces of a block's tiles.
   struct BlockOwner
   {
     int Face = -1;
@@ -127,7 +127,7 @@ private:
   int Slots = 0;
   std::array<FaceState, FaceCount> Faces;
   std::vector<BlockOwner> Owners; ///< of each block
-  std::vector<Sight> Sights;      ///< what it was aimed at
+  std::vector<Sight> Sights;      ///< the points that were looked at
 };
 }
 

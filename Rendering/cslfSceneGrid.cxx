@@ -16,17 +16,17 @@ namespace cslf
 {
 namespace
 {
-/// The scene's bounds are widened by this, in CC.
+/// The margin of the scene's bounds, in CC.
 constexpr double SceneMargin = 0.01;
-/// A surface's cells begin at least this share of a cell before it.
+/// A surface's cells begin at least this share of a cell in front of it.
 constexpr double LeastReach = 0.35;
-/// Viewpoints along a side of a face that are enough to see all there is to see.
+/// The number of viewpoints along a side of a face that is enough to see everything visible.
 constexpr int MostViewpoints = 17;
-// These stand in cslfSceneGrid.glsl too.
+// These are also defined in cslfSceneGrid.glsl.
 constexpr int MostSkips = 64;
 constexpr double SkipMargin = 1.0e-4;
 constexpr double LeastChord = 1.0e-5;
-/// Where nothing is marked.
+/// The value of unmarked cells.
 constexpr std::uint8_t NoRing = 255;
 
 constexpr int CountCells()
@@ -39,8 +39,8 @@ int IndexOf(const glm::ivec3& cell)
   return (cell.z * SceneGrid::Cells + cell.y) * SceneGrid::Cells + cell.x;
 }
 
-/// Calls `see` with the place of what a viewpoint sees by every so many texels of a tile, and with
-/// how far from each other these are there, in CC.
+/// Calls `see` with the positions that a viewpoint sees at regularly spaced texels of a tile, and
+/// with their distance from each other, in CC.
 template <typename ColorValue, typename DepthValue, typename See>
 void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const ColorValue* colors,
   const DepthValue* depths, double depthScale, const See& see)
@@ -66,7 +66,7 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
   }
 }
 
-/// The viewpoints that are looked through: all, or every so many.
+/// The viewpoints that are used: all, or regularly spaced ones.
 std::vector<vtkIdType> ChoosePlaces(const Layout& grid, const std::vector<int>& slices)
 {
   const int stride = std::max(1, (grid.GetViewpoints() - 1) / (MostViewpoints - 1));
@@ -177,8 +177,8 @@ void SceneGrid::Mark(const glm::dvec3& position, const glm::dvec3& reach)
   }
 }
 
-// Marked cells have 0, others get their distance to these, in the maximum norm: ring by ring around
-// what is new, as far as that is nearer than what was known.
+// Marked cells have 0. Others get their distance to these in the maximum norm, ring by ring around
+// new ones, as far as these are nearer than known ones.
 bool SceneGrid::Spread()
 {
   const bool isAnyNew = !this->New.empty();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the surfaces of a light field's scene may be: a coarse grid over the scene's bounds, which
- * the search along a ray skips the empty parts of. Made from the depth that the viewpoints see, in
- * a time that depends on the field alone. The functions here and those of cslfSceneGrid.glsl have
- * the same names and the same results.
+ * The places where the surfaces of a light field's scene may be: a coarse grid over the scene's
+ * bounds. The search along a ray skips its empty cells. It is made from the viewpoints' depth, in a
+ * time that depends only on the field. The functions here and those of cslfSceneGrid.glsl have the
+ * same names and the same results.
  */
 #ifndef cslfSceneGrid_h
 #define cslfSceneGrid_h
@@ -25,31 +25,31 @@ namespace cslf
 class SceneGrid
 {
 public:
-  /// Along each side.
+  /// The number of cells along each side.
   static constexpr int Cells = 64;
 
-  /// Of a viewpoint: a bit for each.
+  /// A set of a viewpoint's tiles, one bit each.
   static constexpr int AllTiles = (1 << TileCount) - 1;
 
   SceneGrid() = default;
 
-  /// Of a field of which nothing was looked at yet: all cells are empty. Without depth none is.
+  /// For a field that was not examined yet: all cells are empty. Without depth, none is.
   explicit SceneGrid(const Description& description);
 
-  /// Marks what a viewpoint sees by these tiles, a bit for each, unless that is known. The rings
-  /// follow with Spread, which says whether anything is new.
+  /// Marks what a viewpoint sees in these tiles, one bit each, unless it is known. Spread then
+  /// updates the rings, and returns whether anything is new.
   void Add(int slice, const ViewpointSamples& samples, int tiles = AllTiles);
   bool Spread();
 
-  /// `image` holds these slices of the field, in that order, with colour and perhaps depth; without
-  /// depth no cell counts as empty.
+  /// `image` contains these slices of the field, in that order, with colour and perhaps depth.
+  /// Without depth, no cell counts as empty.
   SceneGrid(const Description& description, vtkImageData* image, const std::vector<int>& slices);
 
-  /// Per cell, x fastest, how many rings of empty cells are around it, itself included: 0 where a
-  /// surface may be. At most 255.
+  /// Per cell, x fastest, the number of rings of empty cells around it, including the cell: 0 if it
+  /// may contain a surface. At most 255.
   const std::vector<std::uint8_t>& GetRings() const { return this->Rings; }
 
-  /// What the grid covers, in CC: the scene's bounds, widened so that surfaces on them are crossed.
+  /// The grid's bounds in CC: those of the scene, widened so that surfaces on them are crossed.
   const glm::dvec3& GetMinimum() const { return this->Minimum; }
   const glm::dvec3& GetMaximum() const { return this->Maximum; }
 
@@ -62,13 +62,13 @@ public:
 
   Ray CastGridRay(const glm::dvec3& entryCC, const glm::dvec3& chordCC) const;
 
-  /// The first and last fraction of the chord that the scene can fill; empty where first >= last.
+  /// The first and last fraction of the chord at which the scene may lie. Empty if first >= last.
   static void ClipToScene(const Ray& ray, double& first, double& last);
 
-  /// Whether the cell around the ray's point at w may hold a surface.
+  /// Whether the cell around the ray's point at w may contain a surface.
   bool IsOccupied(const Ray& ray, double w) const;
 
-  /// The first w from `w` on where the grid is not empty; 0 where there is none before `last`.
+  /// The first w from `w` on where the grid is not empty. 0 if there is none before `last`.
   double SkipEmpty(const Ray& ray, double w, double last) const;
 
 private:
@@ -80,7 +80,7 @@ private:
   glm::dvec3 Maximum{ 1.0 };
   std::vector<std::uint8_t> Rings;
   std::vector<int> Known;      ///< the tiles of each slice that were added
-  std::vector<glm::ivec3> New; ///< marks that the rings do not know of
+  std::vector<glm::ivec3> New; ///< new marks that the rings do not include yet
 };
 }
 

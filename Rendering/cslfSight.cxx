@@ -34,7 +34,8 @@ Sight::Sight(
   }
 }
 
-// The eye is where all lines along the display's z meet: for a parallel projection at infinity.
+// The eye is where all lines along the display's z axis meet; for a parallel projection, at
+// infinity.
 void Sight::FindEye(const DisplayRows& ccdc)
 {
   const glm::dmat4 dccc =

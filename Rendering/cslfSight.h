@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which parts of a cube's surface the lines of sight of a camera can enter and leave by.
+ * The parts of a cube's surface through which the lines of sight of a camera can enter and leave.
  */
 #ifndef cslfSight_h
 #define cslfSight_h
@@ -21,15 +21,15 @@ namespace cslf
 /// The rows of a matrix from CC to display coordinates.
 using DisplayRows = std::array<glm::dvec4, 4>;
 
-/// What a camera sees of a cube. From outside at most three faces are seen, by which lines of sight
-/// enter; all of them leave by the other faces. From inside all faces are both.
+/// A camera's view of a cube. From outside at most three faces are visible, through which lines of
+/// sight enter; all of them leave through the other faces. From inside, all faces are both.
 class VTKCSLF_EXPORT Sight
 {
 public:
   Sight() = default;
 
   /// The eye and the sides of the picture follow from the matrix. `sceneMinimum` and `sceneMaximum`
-  /// bound, in CC, what there is to see.
+  /// are the bounds of the scene in CC.
   Sight(const DisplayRows& ccdc, const glm::dvec3& sceneMinimum, const glm::dvec3& sceneMaximum);
 
   /// w = 1: the eye; w = 0: the direction of a parallel projection. In CC.
@@ -37,18 +37,18 @@ public:
 
   bool IsInside() const;
 
-  /// Whether lines of sight can enter by a face.
+  /// Whether lines of sight can enter through a face.
   bool CanEnter(int face) const;
 
-  /// Whether lines of sight that enter by a face can leave by another.
+  /// Whether lines of sight that enter through a face can leave through another.
   bool CanLeave(int entryFace, int exitFace) const;
 
-  /// Whether some line of sight of the picture that may meet the scene passes through this part of
-  /// a face. Sometimes true where none does, never false where one does.
+  /// Whether any line of sight of the picture that may meet the scene passes through this part of a
+  /// face. It may be true if none does, but it is never false if one does.
   bool PassesThrough(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const;
 
-  /// Where the picture's middle enters the cube, or, where it misses the cube, the line of sight to
-  /// the cube's centre does.
+  /// The point where the line of sight of the picture's middle enters the cube or, if it misses the
+  /// cube, that of the cube's centre.
   const glm::dvec3& GetGaze() const { return this->Gaze; }
 
   bool operator==(const Sight& other) const;

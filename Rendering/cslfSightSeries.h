@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The cameras that draw a light field in turn.
+ * The cameras that take turns in drawing a light field.
  */
 #ifndef cslfSightSeries_h
 #define cslfSightSeries_h
@@ -16,12 +16,12 @@
 
 namespace cslf
 {
-/// What is seen by all who draw a field in one window: its renderers, and both eyes in stereo. Who
-/// draws no more is forgotten after a while.
+/// The views of all viewers of a field in one window: its renderers, and both eyes in stereo.
+/// Viewers that stop drawing are removed after a while.
 class SightSeries
 {
 public:
-  /// Who draws: a renderer, which is only compared, and an eye.
+  /// A viewer: a renderer, which is only compared, and an eye.
   using Viewer = std::pair<const void*, int>;
 
   void Update(const Viewer& viewer, const Sight& sight)
@@ -51,7 +51,7 @@ private:
     std::int64_t Time = 0;
   };
 
-  /// In updates: several passes of several viewers.
+  /// In updates: several passes for several viewers.
   static constexpr std::int64_t Patience = 64;
 
   std::map<Viewer, Entry> Entries;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The graphics memory that holds tiles of a light field.
+ * The graphics memory for tiles of a light field.
  */
 #ifndef cslfTilePool_h
 #define cslfTilePool_h
@@ -14,10 +14,10 @@
 
 namespace cslf
 {
-/// An array texture of colour and one of depth. A layer holds one or more tiles, one above the
-/// other, since drivers limit the number of layers (2048 is usual) more than their size. The first
-/// layer holds nothing: colour and depth are 0. Then come the blocks of Residency, each in layers
-/// of its own. All calls need the window's context.
+/// An array texture of colour and one of depth. A layer contains one or more tiles, one above the
+/// other, because drivers limit the number of layers (2048 is usual) more than their size. The
+/// first layer is empty: colour and depth are 0. Then follow the blocks of Residency, each in its
+/// own layers. All calls need the window's context.
 class TilePool
 {
 public:
@@ -28,8 +28,8 @@ public:
   TilePool(const TilePool&) = delete;
   TilePool& operator=(const TilePool&) = delete;
 
-  /// Makes room for `blocks` blocks of up to `mostSlots` slots, as many as fit into `limit` bytes
-  /// and the driver's memory, but at least 4. False where these do not fit the driver's.
+  /// Allocates `blocks` blocks of up to `mostSlots` slots: as many as fit into `limit` bytes and
+  /// the driver's memory, but at least 4. False if these do not fit in the driver's memory.
   bool Create(const Description& field, int blocks, int mostSlots, std::int64_t limit);
   void Free();
 
@@ -44,7 +44,7 @@ public:
   /// The first layer of a block.
   int GetFirstLayer(int block) const { return 1 + block * this->LayersPerBlock; }
 
-  /// Copies tiles to a slot. Between BeginUploads and EndUploads only.
+  /// Copies tiles to a slot. Call it only between BeginUploads and EndUploads.
   void BeginUploads();
   void Upload(const ViewpointSamples& samples, int tile, int block, int slot);
   void EndUploads();
@@ -62,7 +62,7 @@ private:
   int LayersPerBlock = 0;
   std::int64_t Bytes = 0;
   Handle Color = 0;
-  Handle Depth = 0; ///< 0 where the field has none
+  Handle Depth = 0; ///< 0 if the field has none
   int Alignment = 4;
   int RowLength = 0;
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How radiance is brought into the range that a display shows. The functions here and those of
- * cslfToneMapping.glsl have the same names and the same results.
+ * Maps radiance to the range of a display. The functions here and those of cslfToneMapping.glsl
+ * have the same names and the same results.
  */
 #ifndef cslfToneMapping_h
 #define cslfToneMapping_h
@@ -14,20 +14,20 @@
 
 namespace cslf
 {
-/// What becomes of linear radiance before it is clamped to [0,1] and sRGB-encoded.
+/// The mapping of linear radiance before it is clamped to [0,1] and sRGB-encoded.
 struct VTKCSLF_EXPORT ToneMapping
 {
-  /// What the radiance is multiplied by.
+  /// The factor of the radiance.
   double Exposure = 1.0;
   /// vtkCSLFMapper::ToneMappingType.
   int Curve = 0;
 
-  /// Whether colours are shown as they are.
+  /// Whether colours are shown unchanged.
   bool IsIdentity() const { return this->Exposure == 1.0 && this->Curve == 0; }
 
-  /// Linear radiance to linear display values, which are still to be clamped. Reinhard divides by
-  /// one more than the luminance (Rec. 709), so that hues stay; ACES is K. Narkowicz's fit of the
-  /// ACES reference rendering and output transforms for a display in sRGB (2015).
+  /// Maps linear radiance to linear display values, which are not clamped yet. Reinhard divides by
+  /// 1 plus the luminance (Rec. 709), which preserves hues; ACES is K. Narkowicz's fit of the ACES
+  /// reference rendering and output transforms for a display in sRGB (2015).
   glm::dvec3 MapTone(const glm::dvec3& radiance) const;
 };
 }

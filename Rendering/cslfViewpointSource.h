@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the samples that are drawn come from, viewpoint by viewpoint.
+ * The source of the drawn samples, viewpoint by viewpoint.
  */
 #ifndef cslfViewpointSource_h
 #define cslfViewpointSource_h
@@ -20,12 +20,12 @@ class vtkImageData;
 
 namespace cslf
 {
-/// The samples of one viewpoint. The arrays are shared: nobody may change them.
+/// The samples of one viewpoint. The arrays are shared and must not be changed.
 struct ViewpointSamples
 {
   vtkSmartPointer<vtkDataArray> Color;
-  vtkSmartPointer<vtkDataArray> Depth; ///< null where the field has none
-  vtkIdType First = 0;                 ///< the tuple that the strip begins with
+  vtkSmartPointer<vtkDataArray> Depth; ///< null if the field has none
+  vtkIdType First = 0;                 ///< the first tuple of the strip
 };
 
 class ViewpointSource
@@ -35,20 +35,19 @@ public:
 
   const Description& GetDescription() const { return this->Field; }
 
-  /// Has viewpoints made ready in the background, the first ones first. This replaces what an
-  /// earlier call asked for.
+  /// Prepares viewpoints in the background, in this order. This replaces an earlier request.
   virtual void Prefetch(const std::vector<int>& slices) = 0;
 
-  /// Waits until what was asked for is ready.
+  /// Waits until all requested viewpoints are ready.
   virtual void Wait() = 0;
 
-  /// Whether Get costs next to nothing.
+  /// Whether Get costs almost nothing.
   virtual bool IsReady(int slice) = 0;
 
-  /// A viewpoint's samples, waited for; without Color if they are damaged.
+  /// A viewpoint's samples. Waits for them. Without Color if they are damaged.
   virtual ViewpointSamples Get(int slice) = 0;
 
-  /// Brings slices into the order in which all of them are had soonest.
+  /// Sorts slices into the order in which all of them are ready soonest.
   virtual void Sort(std::vector<int>& slices) = 0;
 
 protected:

@@ -45,14 +45,14 @@ namespace
 {
 constexpr const char* FaceName = "face";
 
-/// The share of the time for a picture that goes into bringing samples to graphics memory, and the
-/// seconds within which it stays: a few milliseconds while something moves.
+/// The share of a picture's time for uploading samples to graphics memory, and its limits in
+/// seconds: a few milliseconds while something moves.
 constexpr double UploadShare = 0.1;
 constexpr double LeastUpload = 0.002;
 constexpr double MostUpload = 0.05;
 
-/// Pixels along each side of a picture that is drawn to have programs compiled: as many as it takes
-/// for all programs of a large one.
+/// Pixels along each side of a picture that is drawn to compile programs: enough for all programs
+/// of a large one.
 constexpr int CompilingSize = 16;
 /// CoveragePass of cslfMapperFS.glsl.
 constexpr int AllCoverage = 0;
@@ -156,8 +156,8 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   std::string error;
   const auto update = [&]
   { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
-  // The driver compiles the lookup's programs when it draws first: while viewpoints are decoded,
-  // for a small picture that is not shown.
+  // The driver compiles the lookup's programs at the first drawing. A small hidden picture triggers
+  // this while viewpoints are decoded.
   pace.Begins = this->Streaming && this->Texture.IsEmpty();
   if (pace.Begins && update())
   {
@@ -229,18 +229,18 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
-  // What is not complete will be drawn anew.
+  // An incomplete picture will be drawn again.
   this->View.Samples = this->IsComplete() ? this->PixelSamples : 1;
   this->Picture.Draw(window, this->View, this->Texture, this->DrawSeconds);
   const std::string options = this->MakeOptions();
   if (options != this->Options)
   {
     this->Options = options;
-    this->Modified(); // has the shader made anew
+    this->Modified(); // makes VTK build the shader again
   }
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  // Surfaces within the clipping range are drawn also where the cube's faces are beyond it.
+  // Surfaces within the clipping range are drawn even if the cube's faces are beyond it.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
   const int coveragePass = this->ChooseCoveragePass(renderer, actor);
@@ -459,7 +459,8 @@ void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
   {
     return;
   }
-  // Planes go by the transposed inverse of the points' matrix; GLM takes its rows as columns.
+  // Planes are transformed by the transposed inverse of the points' matrix. GLM reads its rows as
+  // columns.
   const cslf::DisplayRows& ccdc = this->View.CCDC;
   const glm::dmat4 inverse = glm::inverse(glm::dmat4(ccdc[0], ccdc[1], ccdc[2], ccdc[3]));
   std::vector<std::array<float, 4>> planes;

@@ -208,7 +208,7 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenDecoder(vtkCSLFDecoder
   }
   std::string error;
   const auto field = cslf::Description::FromText(decoder->GetDescription(), error);
-  // A decoder that cannot read its file has said so.
+  // A decoder that cannot read its file has reported this.
   return field ? cslf::MakeSource(*field, decoder) : nullptr;
 }
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cube's geometry, the twin of Module/cslfCube.cxx and Rendering/cslfFaceSpace.cxx. Cube space
-// (CC) is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x
-// and y are the face's (sc, tc), z is the depth below it, from 0 to 2.
+// The cube's geometry, as in Module/cslfCube.cxx and Rendering/cslfFaceSpace.cxx. Cube space (CC)
+// is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x and y
+// are the face's (sc, tc), z is the depth below it, from 0 to 2.
 
 uniform mat4 FCCCMatrix;
 
-// The (s,t) of the points of exit faces, from FC with z - 1 in place of z: of the opposite face
-// from (x,y), of those towards +x and -x from (y,z) and of those towards +y and -y from (x,z). On the
-// negative side the coordinates' signs differ. Each holds the (s,t) of both directions.
+// Matrices that give the (s,t) of points of exit faces from FC with z - 1 in place of z: for the
+// opposite face from (x,y), for those towards +x and -x from (y,z), and for those towards +y and -y
+// from (x,z). On the negative side the signs differ. Each contains the (s,t) of both directions.
 uniform vec4 OppositeAxes;
 uniform vec4 SideXAxes;
 uniform vec4 SideYAxes;
@@ -21,10 +21,10 @@ const float LeastToSide = 1.0e-4;
 struct LookupResult
 {
   vec4 Color;     // associated alpha
-  float Fraction; // of the way from entry to exit
+  float Fraction; // as a fraction of the way from entry to exit
 };
 
-// A ray through the cube, from the entry face. In FC.
+// A ray through the cube from the entry face, in FC.
 struct Ray
 {
   vec3 Entry;
@@ -48,15 +48,15 @@ vec2 InverseToNegative(vec2 from)
   return 1.0 / max(1.0 + from, LeastToSide);
 }
 
-// Which share of the ways to the sides (x, y) and to the opposite face (z) a direction covers; the
-// ray leaves by the face of the largest.
+// The shares of the distances to the sides (x, y) and to the opposite face (z) that a direction
+// covers. The ray leaves by the face with the largest share.
 vec3 ShareOfWays(vec3 direction, vec2 inverseToPositive, vec2 inverseToNegative)
 {
   return vec3(max(direction.xy * inverseToPositive, -direction.xy * inverseToNegative),
     0.5 * direction.z);
 }
 
-// The ray through a point in a direction that leads into the cube by the entry face.
+// The ray through a point, in a direction that enters the cube through the entry face.
 Ray CastRay(vec3 point, vec3 direction)
 {
   Ray ray;

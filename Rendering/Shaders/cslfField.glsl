@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The field's samples: the twin of Module/cslfLayout.cxx and of the readers in cslfLookup.cxx.
-// A layer of the textures holds TilesPerLayer tiles, one above the other.
+// The field's samples, as in Module/cslfLayout.cxx and the readers in cslfLookup.cxx. A layer of
+// the textures contains TilesPerLayer tiles, one above the other.
 
-uniform sampler2DArray ColorTexture; // linear filter
-uniform sampler2DArray DepthTexture; // nearest filter
+uniform sampler2DArray ColorTexture; // with linear filter
+uniform sampler2DArray DepthTexture; // with nearest filter
 uniform sampler2D CellTexture;       // two texels for each cell of the base grid: Residency::Table
 uniform float TilesPerLayer;
 uniform float BaseNodes;             // M0
 uniform float Resolution;            // N
 uniform vec2 InverseLayerSize;       // of a texel in a layer
 
-// Where the tiles of the opposite face, and of those towards +x, -x and +y, -y, are kept: the first
-// layers of their blocks, far below 0 where they are not.
+// Where the tiles of the opposite face, and of those towards +x, -x and +y, -y, are stored: the
+// first layers of their blocks, or numbers far below 0 if they are not stored.
 uniform float OppositeBlock;
 uniform vec2 SideXBlocks;
 uniform vec2 SideYBlocks;
 
-const float Absent = -1.0e6; // Residency::Absent: the slot of a viewpoint that is not there
+const float Absent = -1.0e6; // Residency::Absent: the slot of a missing viewpoint
 const float LeastDepth = 1.0 / 4096.0;
 const float SurfaceStep = 0.1;
 
@@ -29,7 +29,7 @@ struct Cell
   vec2 Upper;
 };
 
-// Where a viewpoint's tiles are, within a block.
+// The place of a viewpoint's tiles within a block.
 struct SlicePlace
 {
   float Layer;
@@ -56,14 +56,14 @@ SlicePlace FindSlice(float slot)
   return place;
 }
 
-// 1 if a tile is there. Otherwise its layer is below 0, which is read as layer 0: colour and depth
-// are 0, so that the view sees nothing.
+// 1 if a tile is stored. Otherwise its layer is negative, which is read as layer 0: colour and
+// depth are 0, so that the view sees nothing.
 float IsKept(SlicePlace slice, float block)
 {
   return step(0.0, slice.Layer + block);
 }
 
-// In texels of a tile.
+// Position in a tile, in texels.
 vec2 TexelPosition(vec2 coordinates)
 {
   return 0.5 * (coordinates + 1.0) * Resolution;
@@ -76,7 +76,7 @@ vec3 TextureCoordinates(SlicePlace slice, float block, vec2 position)
   return vec3(inLayer * InverseLayerSize, max(slice.Layer + block, 0.0));
 }
 
-// Of a position in a tile, for texelFetch.
+// The texel of a position in a tile, for texelFetch.
 ivec3 TexelAddress(SlicePlace slice, float block, vec2 texel)
 {
   return ivec3(
@@ -105,7 +105,8 @@ float ReadNearestDepth(SlicePlace slice, float block, vec2 coordinates)
   return texelFetch(DepthTexture, NearestTexel(slice, block, coordinates), 0).r;
 }
 
-// Within one surface interpolated, which is exact for planes; across an edge the nearer surface's.
+// Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
+// surface.
 float ReadInverseDepth(SlicePlace slice, float block, vec2 coordinates)
 {
   vec2 position = TexelPosition(coordinates) - 0.5;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lookups, the twin of Rendering/cslfLookup.cxx, where every step is explained. Positions along
-// a ray are inverse fractions w: the chord's point at w is Entry + Chord / w. All points are in FC.
+// The lookups, as in Rendering/cslfLookup.cxx, which explains every step. Positions along a ray are
+// inverse fractions w: the chord's point at w is Entry + Chord / w. All points are in FC.
 
 const float NearestStart = 40.0;
 const float NearestFocus = 0.05;
@@ -24,8 +24,8 @@ const float DoubtTexels = 8.0;
 const float Unknown = 2000.0;
 const float NotAsked = -2.0 * Unknown;
 
-// Of guesses, which only this side has: how far the surface may be from the plane, as a share of w,
-// and the least slope that a shift is worked out with.
+// Constants of guesses, which only the shader uses: the largest distance of the surface from the
+// plane, relative to w, and the smallest slope for computing a shift.
 const float GuessTolerance = 0.02;
 const float LeastSlope = 0.01;
 
@@ -45,7 +45,7 @@ struct Projection
   float InverseDepth;
 };
 
-// The viewpoints around a ray's entry: 00 is the nearest, 11 the one opposite to that.
+// The viewpoints around a ray's entry: 00 is the nearest, 11 is opposite to it.
 struct ViewCell
 {
   View View00;
@@ -66,7 +66,7 @@ struct Step
   float FirstHidden; // where no view sees the ray's points first; 0: nowhere so far
 };
 
-// What a ray meets.
+// The hit of a ray.
 struct Surface
 {
   float W;    // 0: nothing
@@ -110,8 +110,8 @@ ViewCell FindViews(vec3 entry)
   return MakeCell(entry, cell.Slots, cell.Lower, cell.Upper);
 }
 
-// The viewpoints at the corners of so many rings of cells around those: what the inner ones do not
-// see, these may.
+// The viewpoints at the corners of that many rings of cells around the inner ones. They may see
+// what the inner ones do not.
 ViewCell FindOuterViews(vec3 entry, float rings)
 {
   Cell inner = FindCell(entry.xy);
@@ -124,7 +124,7 @@ ViewCell FindOuterViews(vec3 entry, float rings)
   Cell cell11 = FindCell(high);
   vec2 lower = cell00.Lower;
   vec2 upper = cell11.Upper;
-  // Cells of several levels do not meet in the corners of a rectangle.
+  // The viewpoints of cells of different levels are not the corners of a rectangle.
   bool is10 = cell10.Upper.x == upper.x && cell10.Lower.y == lower.y;
   bool is01 = cell01.Lower.x == lower.x && cell01.Upper.y == upper.y;
   return MakeCell(entry,
@@ -154,7 +154,7 @@ Projection Project(View view, vec3 point)
   return seen;
 }
 
-// Where the surface that a view sees in the direction of a point lies along the ray.
+// The position along the ray of the surface that a view sees in the direction of a point.
 float GuessSurface(Ray ray, View view, float fraction)
 {
   if (!HasDepth)
@@ -248,7 +248,7 @@ float Clearance(View view, vec3 point)
   return seen.InverseDepth - ReadInverseDepth(view.Slice, seen.Block, seen.Coordinates);
 }
 
-// Of the views 00, 10, 01, 11; the last is looked into only where asked for.
+// Of the views 00, 10, 01, 11. The last one is computed only on request.
 vec4 Clearances(Ray ray, ViewCell views, float w, bool all)
 {
   vec3 point = ray.Entry + ray.Chord / w;
@@ -256,19 +256,19 @@ vec4 Clearances(Ray ray, ViewCell views, float w, bool all)
     Clearance(views.View01, point), all ? Clearance(views.View11, point) : NotAsked);
 }
 
-// Whether some view knows that a point is hidden, and none sees through it.
+// Whether any view knows that a point is hidden, and none sees through it.
 bool IsHidden(vec4 clearances)
 {
   return all(lessThanEqual(clearances, vec4(0.0))) && any(greaterThan(clearances, vec4(-Unknown)));
 }
 
-// For which views sight ends between two points of the ray.
+// The views whose sight ends between two points of the ray.
 bvec4 EndsOfSight(vec4 before, vec4 behind)
 {
   return greaterThan(vec4(greaterThan(before, vec4(0.0))), vec4(greaterThan(behind, vec4(0.0))));
 }
 
-// Which view's sight ends first between `before` and `behind`: 1 for it, 0 for the others.
+// The view whose sight ends first between `before` and `behind`: 1 for it, 0 for the others.
 vec4 ChooseCrossing(vec4 before, vec4 behind)
 {
   vec4 share = mix(vec4(-1.0), behind / (behind - before), EndsOfSight(before, behind));
@@ -324,7 +324,7 @@ float RefineCrossing(Ray ray, View view, float before, float behind, float clear
   return w;
 }
 
-// Goes on from `step.Behind` to where some view's sight ends. False where there is no such place.
+// Continues from `step.Behind` to where any view's sight ends. False if there is no such place.
 bool FindStep(
   Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all, inout Step step)
 {
@@ -359,13 +359,13 @@ bool FindStep(
   return false;
 }
 
-// How well views see a point that they have clearances of, in [0,1].
+// How well views see a point with these clearances, in [0,1].
 vec4 Nearness(vec4 clearances, float w)
 {
   return max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
 }
 
-// Steps by all four views, or by the three nearest.
+// Steps with all four views, or with the three nearest.
 Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all)
 {
   Step step;
@@ -421,7 +421,8 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
   return Surface(step.FirstHidden, vec4(0.0));
 }
 
-// The views that see the surface from the ray's side share its colour; where none does, all.
+// The views that see the surface from the ray's side contribute to its colour; if there are none,
+// all.
 vec4 BlendVisible(Ray ray, ViewCell views, Surface surface)
 {
   vec3 point = ray.Entry + ray.Chord / surface.W;
@@ -431,13 +432,13 @@ vec4 BlendVisible(Ray ray, ViewCell views, Surface surface)
   return BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
 }
 
-// The range of w that the scene can fill.
+// The range of w in which the scene can lie.
 vec2 FindRange(GridRay gridRay)
 {
   return 1.0 / max(ClipToScene(gridRay), 1.0 / NearestStart);
 }
 
-// The surface that the three nearest views find. False where none of the four sees it.
+// The surface found with the three nearest views. False if none of the four sees it.
 bool FindSeen(Ray ray, ViewCell views, out Surface surface)
 {
   GridRay gridRay = CastGridRay(ray);
@@ -445,7 +446,7 @@ bool FindSeen(Ray ray, ViewCell views, out Surface surface)
   return surface.W == 0.0 || surface.Sight != vec4(0.0);
 }
 
-// By the three nearest views. False where none of the four sees the surface.
+// With the three nearest views. False if none of the four sees the surface.
 bool LookupSeen(Ray ray, out LookupResult result)
 {
   ViewCell views = FindViews(ray.Entry);
@@ -459,7 +460,7 @@ bool LookupSeen(Ray ray, out LookupResult result)
   return isSeen;
 }
 
-// As LookupSeen without colour, which is 1 where there is a surface.
+// Like LookupSeen without colour, which is 1 where there is a surface.
 bool LookupGuess(Ray ray, out LookupResult result)
 {
   Surface surface;
@@ -472,7 +473,7 @@ bool LookupGuess(Ray ray, out LookupResult result)
   return isSeen;
 }
 
-// What the four views do not see may be seen by viewpoints farther and farther around them.
+// Viewpoints farther and farther away may see what the four views do not.
 void SearchAround(
   Ray ray, GridRay gridRay, vec2 range, inout ViewCell views, inout Surface surface)
 {
@@ -494,7 +495,7 @@ void SearchAround(
   }
 }
 
-// Where LookupSeen is false: by all four views, then by those farther around.
+// For rays where LookupSeen is false: with all four views, then with those farther around.
 LookupResult LookupUnseen(Ray ray)
 {
   GridRay gridRay = CastGridRay(ray);
@@ -509,9 +510,9 @@ LookupResult LookupUnseen(Ray ray)
   return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
 }
 
-// How far the clearances of the four views grow with w before a plane; below 0 for those behind
-// it.
-// For a view at a ray's entry it is 1, and it goes with the view's nearness to the plane.
+// How much the clearances of the four views grow with w in front of a plane. Negative for views
+// behind it. For a view at a ray's entry it is 1, and it goes with the view's nearness to the
+// plane.
 vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
 {
   vec4 x = vec4(views.View00.Position.x, views.View10.Position.x, views.View01.Position.x,
@@ -521,8 +522,7 @@ vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
   return atEntry / (plane.x * x + plane.y * y + plane.w);
 }
 
-// As LookupSeen, where nothing is thought to be on the ray. False where the grid does not confirm
-// that.
+// Like LookupSeen, if the guess has nothing on the ray. False if the grid does not confirm this.
 bool LookupNothing(Ray ray, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);
@@ -531,8 +531,8 @@ bool LookupNothing(Ray ray, out LookupResult result)
   return SkipEmpty(gridRay, range.x, range.y) == 0.0;
 }
 
-// As LookupSeen, where the ray's surface is thought to be near a plane. False where the views do
-// not confirm it.
+// Like LookupSeen, if the guess has a plane near the ray's surface. False if the views do not
+// confirm this.
 bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
 {
   result = LookupResult(vec4(0.0), 1.0);

@@ -23,16 +23,16 @@
 uniform int PrimitiveIDOffset;
 uniform int FacePass;           // the face being drawn
 uniform sampler2D PictureColor;
-uniform sampler2D PictureDepth; // z of DC
+uniform sampler2D PictureDepth; // z in DC
 uniform vec2 ViewportOrigin;    // in the window, in pixels
 uniform vec2 PixelSizeDC;       // of the window's pixels
 uniform vec2 PictureOrigin;     // of the picture in the window, in pixels
-uniform vec2 PictureScale;      // its pixels along a side of one of the window
-uniform int PictureSamples;     // the same, where they are to be averaged
+uniform vec2 PictureScale;      // pixels of the picture along each side of one of the window
+uniform int PictureSamples;     // the same, if they are averaged
 uniform float Opacity;
-uniform int CoveragePass;       // 0: all, 1: what covers its pixel, 2: what covers a part of it
+uniform int CoveragePass;       // 0: all, 1: fully covered pixels, 2: partly covered pixels
 #ifdef CLIPPING_PLANES
-uniform vec4 ClippingPlanesDC[CLIPPING_PLANES]; // what is drawn lies where they are positive
+uniform vec4 ClippingPlanesDC[CLIPPING_PLANES]; // visible parts lie where they are positive
 #endif
 #ifdef RENDER_PASS
 uniform mat4 DCVCMatrix;
@@ -42,7 +42,7 @@ uniform mat4 DCVCMatrix;
 
 const float NothingDC = 1.0e30; // where nothing is seen
 
-// Coverage from which on a fragment counts as opaque.
+// Coverage from which a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;
 
 bool IsClipped(vec3 pointDC)
@@ -72,7 +72,7 @@ vec3 GetDisplayColor(vec3 color)
 #endif
 }
 
-// The colour and the z of DC that the picture has for the fragment.
+// The picture's colour and z of DC for the fragment.
 vec4 ReadPicture(out float z)
 {
   vec2 position = gl_FragCoord.xy - PictureOrigin;
@@ -116,8 +116,8 @@ void main()
     discard;
   }
 
-  // The surfaces are cut by the clipping range, not the cube; this also leaves out what lies behind
-  // an eye inside the cube.
+  // The clipping range cuts the surfaces, not the cube. This also removes what lies behind an eye
+  // inside the cube.
   vec3 hitDC = vec3((gl_FragCoord.xy - ViewportOrigin) * PixelSizeDC - 1.0, z);
   if (abs(hitDC.z) > 1.0 || IsClipped(hitDC))
   {
@@ -130,7 +130,7 @@ void main()
   gl_FragData[0] = vec4(GetDisplayColor(color.rgb / alpha), alpha * Opacity);
 
 #ifdef RENDER_PASS
-  // By these names render passes know them.
+  // Render passes know them by these names.
   vec4 vertexVC = DCVCMatrix * vec4(hitDC, 1.0);
   vertexVC /= vertexVC.w;
   vec3 across = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the face of the cube by which rays enter, or, where the eye is inside the cube, leave.
+// Draws the face of the cube where rays enter or, if the eye is inside the cube, leave.
 
 in vec4 vertexMC;
 in float face;

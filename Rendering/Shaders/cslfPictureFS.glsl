@@ -12,7 +12,7 @@ in vec4 pointVSOutput;
 uniform vec4 EyeFC; // w = 1: the eye; w = 0: the direction of parallel projection
 uniform mat4 FCDCMatrix;
 uniform vec3 FocalPointFC;
-uniform sampler2D GuessDepth; // of a small picture of the same view: z of DC
+uniform sampler2D GuessDepth; // z of DC of a small picture of the same view
 uniform vec2 PictureSize;     // of the picture that is drawn, in pixels
 
 const float NothingDC = 1.0e30; // where nothing is seen; greater where nothing was drawn
@@ -22,12 +22,12 @@ const float NothingDC = 1.0e30; // where nothing is seen; greater where nothing 
 //CSLF::SceneGrid::Dec
 //CSLF::Lookup::Dec
 
-// What the guess has around a fragment: z of DC of four of its pixels, at the lower corner, at
-// upper x, at upper y and at both.
+// The guess around a fragment: z of DC of four of its pixels, at the lower corner, at upper x, at
+// upper y and at both.
 struct Guess
 {
   vec4 Z;
-  vec2 Offset; // of the fragment from the lower corner, in the guess's pixels
+  vec2 Offset; // of the fragment from the lower corner, in pixels of the guess
   vec2 Size;   // of the guess
 };
 
@@ -56,7 +56,7 @@ bool GuessNothing()
   return FindGuess().Z == vec4(NothingDC);
 }
 
-// The plane of FC through the guess around the fragment. False where that is not known everywhere.
+// The plane of FC through the guess around the fragment. False if the guess has gaps there.
 bool GuessPlane(out vec4 plane)
 {
   Guess guess = FindGuess();

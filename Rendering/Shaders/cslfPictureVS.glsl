@@ -1,18 +1,18 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the square [-1,1]^2 as the entry face, or, where the eye is inside the cube and all faces
-// may be anywhere, over the whole picture.
+// Draws the square [-1,1]^2 as the entry face. If the eye is inside the cube, where faces may be
+// anywhere, draws it over the whole picture.
 
-// As vtkOpenGLQuadHelper names them.
+// vtkOpenGLQuadHelper's names.
 in vec4 ndCoordIn;
 in vec2 texCoordIn;
-out vec4 pointVSOutput; // FC, homogeneous: on the entry face, or on the near side of what is displayed
+out vec4 pointVSOutput; // homogeneous, in FC: on the entry face, or on the near side of the display
 
 uniform mat4 FCDCMatrix;
 uniform mat4 DCFCMatrix;
 uniform bool IsEyeInside;
-uniform float MarkDC; // z of all that is drawn: the camera's clipping range does not cut the faces
+uniform float MarkDC; // z of everything drawn; the clipping range does not cut it
 
 void main()
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the scene's surfaces may be, the twin of Rendering/cslfSceneGrid.cxx: a coarse grid over
-// the scene's bounds. Positions along a ray are fractions of its chord.
+// The places where the scene's surfaces may be, as in Rendering/cslfSceneGrid.cxx: a coarse grid
+// over the scene's bounds. Positions along a ray are fractions of its chord.
 
-uniform sampler3D SceneGridTexture; // per cell: the rings of empty cells around, 0: not empty
+uniform sampler3D SceneGridTexture; // rings of empty cells around each cell; 0: not empty
 uniform vec3 SceneMinimum;          // CC
 uniform vec3 SceneMaximum;          // CC
 
@@ -32,7 +32,7 @@ GridRay CastGridRay(Ray ray)
   return gridRay;
 }
 
-// The first (x) and last (y) fraction that the scene can fill; empty where x >= y.
+// The first (x) and last (y) fraction at which the scene may lie. Empty if x >= y.
 vec2 ClipToScene(GridRay gridRay)
 {
   vec3 t0 = -gridRay.Entry * gridRay.InverseChord;
@@ -43,7 +43,7 @@ vec2 ClipToScene(GridRay gridRay)
     min(min(far.x, far.y), min(far.z, 1.0)));
 }
 
-// How many rings of empty cells are around a point, its own cell included; 0: it is not empty.
+// The number of rings of empty cells around a point, including its own cell. 0: it is not empty.
 float CountRings(vec3 cell)
 {
   return floor(255.0 * texelFetch(SceneGridTexture, ivec3(cell), 0).r + 0.5);
@@ -59,7 +59,7 @@ bool IsOccupied(GridRay gridRay, float w)
   return CountRings(FindCell(gridRay, 1.0 / w)) == 0.0;
 }
 
-// The first w from `w` on where the grid is not empty; 0 where there is none before `last`.
+// The first w from `w` on where the grid is not empty. 0 if there is none before `last`.
 float SkipEmpty(GridRay gridRay, float w, float last)
 {
   float t = 1.0 / w;
