@@ -20,7 +20,7 @@ namespace
 {
 using namespace cslf::tool;
 
-/// Runs the command; on failure prints one line.
+/// Runs the command. On failure prints one line.
 int Run(const Command& command, bool isJSON)
 {
   constexpr int exitMissing = 2;
@@ -43,7 +43,7 @@ int Run(const Command& command, bool isJSON)
   }
   catch (const std::exception& exception)
   {
-    // What VTK has said first is the cause, unless the exception tells it with its context.
+    // VTK's first message is the cause, unless the exception includes it.
     error = GetFirstError();
     const std::string text = exception.what();
     error = text.find(error) != std::string::npos ? text : error;
@@ -65,8 +65,8 @@ int Run(const Command& command, bool isJSON)
   return EXIT_SUCCESS;
 }
 
-/// Gives the options that all have to the commands, and to their own ones where they have any. The
-/// numbers of all options have to be finite.
+/// Adds the common options to the commands, and to their subcommands if they have any. The numbers
+/// of all options must be finite.
 void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
 {
   const std::vector<CLI::App*> commands = app->get_subcommands({});

@@ -21,7 +21,7 @@ namespace cslf
 {
 namespace tool
 {
-/// What a command found out: for people, and for programs (`--json`).
+/// The results of a command: for people, and for programs (`--json`).
 struct Result
 {
   std::string Text;
@@ -32,7 +32,7 @@ struct Result
 using Command = std::function<Result()>;
 
 ///@{
-/// Adds a command to the tool. When the command line names it, `chosen` becomes what it does.
+/// Adds a command to the tool. When the command line names it, `chosen` becomes its function.
 void AddSample(CLI::App& app, Command& chosen);
 void AddEncode(CLI::App& app, Command& chosen);
 void AddDecode(CLI::App& app, Command& chosen);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark: what parts of CSLF do at which cost, one command a part.
+// cslf benchmark: measures the cost of parts of CSLF, with one command per part.
 #include "cslfCommands.h"
 #include "cslfMessages.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark codec: quality against size, and rates, of a field coded in many ways.
+// cslf benchmark codec: quality against size, and speed, of a field coded in many ways.
 #include "cslfBenchmarkOptions.h"
 #include "cslfChart.h"
 #include "cslfCodecSweep.h"
@@ -76,7 +76,7 @@ std::vector<Measure> MakeMeasures(const std::vector<LookupName>& lookups)
   return measures;
 }
 
-/// Every coder that the options ask for, named by what not all have in common.
+/// Every coder that the options select, named by what distinguishes it.
 std::vector<std::pair<std::string, CodingOptions>> ListCoders(const Options& options)
 {
   std::vector<std::pair<std::string, CodingOptions>> coders;
@@ -188,7 +188,7 @@ std::string MakeTable(const std::vector<Series>& all, const std::vector<LookupNa
   return table.ToMarkdown();
 }
 
-/// How the other coders differ from the first in bytes at equal quality.
+/// The difference of the other coders from the first, in bytes at equal quality.
 std::string MakeDeltas(
   const std::vector<Series>& all, const std::vector<Measure>& measures, nlohmann::json& json)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark key-views: novel views from few coded viewpoints with depth, against the paper's
-// way: from all of them, without.
+// cslf benchmark key-views: novel views from few coded viewpoints with depth, compared with the
+// paper's way, which uses all viewpoints without depth.
 #include "cslfBenchmarkOptions.h"
 #include "cslfChart.h"
 #include "cslfCodecSweep.h"
@@ -37,7 +37,7 @@ namespace tool
 {
 namespace
 {
-/// Video needs as many texels along each side.
+/// Video needs at least this many texels along each side.
 constexpr int LeastResolution = 16;
 
 struct Options : BenchmarkOptions
@@ -50,7 +50,7 @@ struct Options : BenchmarkOptions
   std::string Preset = "slow";
 };
 
-/// One way to keep a field, at several rate factors.
+/// One set of viewpoints, coded at several rate factors.
 struct Series
 {
   std::string Name;
@@ -61,12 +61,12 @@ struct Series
   std::vector<double> DepthCRFs; ///< of each point
 };
 
-/// One of the paper's files, against key views.
+/// One of the paper's files, compared with key views.
 struct Comparison
 {
   RatePoint Paper;
-  std::optional<double> Ratio; ///< of the paper's bytes to those that have the same PSNR
-  bool IsBound = false;        ///< whether that is only the least it can be
+  std::optional<double> Ratio; ///< the paper's bytes divided by those with the same PSNR
+  bool IsBound = false;        ///< whether this is only a lower bound
   std::optional<double> Gain;  ///< in dB, at the same bytes
 };
 
@@ -75,7 +75,7 @@ RatePoint ToRatePoint(const CodecPoint& point)
   return { point.Bytes, point.ViewPSNR.front() };
 }
 
-/// The field as the paper keeps it: colour alone, over black.
+/// The field in the paper's form: only colour, over black.
 vtkSmartPointer<vtkImageData> MakePlainField(vtkImageData* image, Description field)
 {
   vtkDataArray* colors = image->GetPointData()->GetArray(ColorName);
@@ -104,7 +104,7 @@ vtkSmartPointer<vtkImageData> TakeKeyViews(const FieldFile& file, int step, int 
   return resample->GetOutput();
 }
 
-/// What the lookup makes of an image's novel views, uncoded.
+/// The quality of novel views of an uncoded image.
 double MeasureLimit(vtkImageData* image, const LookupName& lookup, const Options& options,
   const std::vector<NovelView>& views)
 {
@@ -114,7 +114,7 @@ double MeasureLimit(vtkImageData* image, const LookupName& lookup, const Options
   return Mean(MeasureViews(renderer, lookup.Lookup, views).PSNR);
 }
 
-/// Codes an image with these rate factors of depth; images without have but one.
+/// Codes an image with these rate factors of depth. Images without depth have only one.
 Series Measure(const Options& options, const std::string& name, vtkImageData* image,
   const std::vector<double>& depthCRFs, const LookupName& lookup,
   const std::vector<NovelView>& views)
@@ -154,7 +154,7 @@ std::vector<Series> MeasureAll(
   const LookupName depth{ vtkCSLFMapper::DEPTH,
     vtkCSLFMapper::GetLookupName(vtkCSLFMapper::DEPTH) };
   std::vector<Series> all;
-  // Without depth, its rate factor says nothing.
+  // Without depth, its rate factor means nothing.
   all.push_back(Measure(options, "paper: all views, no depth", MakePlainField(image, file.Field),
     { options.DepthCRFs.front() }, bilinear, views));
   for (const int step : options.Steps)
@@ -172,7 +172,7 @@ std::vector<Series> MeasureAll(
   return all;
 }
 
-/// Of all files of key views those count than which none is both smaller and better.
+/// Of all files of key views, only those count that no other file beats in both size and quality.
 std::vector<Comparison> Compare(const std::vector<Series>& all)
 {
   std::vector<RatePoint> keys;
@@ -269,7 +269,7 @@ std::string MakeComparisonTable(const std::vector<Comparison>& comparisons)
   return table.ToMarkdown();
 }
 
-/// The best that each way comes to.
+/// The best result of each way.
 std::string DescribeLimits(const std::vector<Series>& all)
 {
   const auto best = std::max_element(
@@ -279,7 +279,7 @@ std::string DescribeLimits(const std::vector<Series>& all)
     Format(best->Limit, 2) + " dB with M = " + std::to_string(best->Viewpoints) + ".\n";
 }
 
-/// One curve of key views for each M: of their files those than which none is smaller and better.
+/// One curve of key views for each M, of files that no other one beats in both size and quality.
 void WritePlot(const Options& options, const std::vector<Series>& all)
 {
   std::map<int, std::vector<RatePoint>> keys;
@@ -310,7 +310,7 @@ void WritePlot(const Options& options, const std::vector<Series>& all)
   WriteChart(options.Folder + "/key-views.png", chart);
 }
 
-/// Throws a Failure where the field cannot be kept as the options ask for.
+/// Throws a Failure if the field cannot be coded as requested.
 void CheckField(const Options& options, const Description& field)
 {
   if (!field.FindChannel(DepthName))

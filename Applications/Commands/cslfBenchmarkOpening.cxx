@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark opening: how long it takes until a file that is opened shows a first picture.
+// cslf benchmark opening: the time from opening a file to its first picture.
 #include "cslfBenchmarkOptions.h"
 #include "cslfCameraOptions.h"
 #include "cslfMessages.h"
@@ -39,7 +39,7 @@ struct Options
   int Repeats = 10;
 };
 
-/// How long something took, by the clock and by the processor's, all threads together.
+/// Elapsed time, and the processor time of all threads together.
 struct Duration
 {
   double Seconds = 0.0;
@@ -61,7 +61,7 @@ private:
   std::clock_t CPUStart = std::clock();
 };
 
-/// What lies between a program and its first picture, one after the other.
+/// The phases between a program's start and its first picture, in order.
 enum Phase
 {
   Window,  ///< making a window and clearing it, before anything is opened
@@ -72,7 +72,7 @@ enum Phase
 
 constexpr const char* PhaseNames[] = { "window", "opening", "drawing" };
 
-/// How long each phase took when the file was opened once.
+/// The time of each phase when the file was opened once.
 using Phases = std::vector<Duration>;
 
 struct Findings
@@ -80,7 +80,7 @@ struct Findings
   std::string Device;
   std::string Lookup;
   std::vector<Phases> Repeats;
-  vtkSmartPointer<vtkImageData> Picture; ///< the last first one
+  vtkSmartPointer<vtkImageData> Picture; ///< the last phase before the first picture
 };
 
 void OpenOnce(const Options& options, Findings& findings)
@@ -113,7 +113,7 @@ void OpenOnce(const Options& options, Findings& findings)
   findings.Picture = window.Grab();
 }
 
-/// Of the phases from `first` on.
+/// The sum of the phases from `first` on.
 Duration Sum(const Phases& phases, int first)
 {
   Duration sum;

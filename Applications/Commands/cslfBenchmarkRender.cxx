@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark render: how fast each lookup draws, what it takes, and how near it comes.
+// cslf benchmark render: the speed, memory and quality of each lookup.
 #include "cslfBenchmarkOptions.h"
 #include "cslfCameraOptions.h"
 #include "cslfCameraPath.h"
@@ -33,28 +33,28 @@ namespace
 struct Options : BenchmarkOptions
 {
   std::string Mesh;
-  std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
+  std::vector<std::string> Lookups; ///< if empty, all that the field has the channels for
   int Frames = 72;
-  double Rate = 30.0; ///< that is wanted while the view moves
+  double Rate = 30.0; ///< wanted while the view moves
 };
 
-/// What one lookup does.
+/// The results of one lookup.
 struct Score
 {
   LookupName Lookup;
-  double FirstSeconds = 0.0; ///< from opening the file until a first picture is there
-  double LoadSeconds = 0.0;  ///< until the complete one is there, nothing shown before
+  double FirstSeconds = 0.0; ///< from opening the file to a first picture
+  double LoadSeconds = 0.0;  ///< to the complete picture, if nothing is shown before
   std::int64_t TextureBytes = 0;
-  std::vector<double> StreamingSeconds; ///< of each frame the first time along the path
-  std::vector<double> Seconds;          ///< of each frame when nothing is missing any more
-  std::vector<double> StillSeconds;     ///< likewise, with all rays that a still view has
-  std::vector<double> MovingSeconds;    ///< likewise, with as many as there is time for
-  std::vector<double> MeshSeconds;      ///< of the mesh's frames, drawn in turn with these
+  std::vector<double> StreamingSeconds; ///< of each frame, the first time along the path
+  std::vector<double> Seconds;          ///< of each frame, when everything is loaded
+  std::vector<double> StillSeconds;     ///< likewise, with all rays of a still view
+  std::vector<double> MovingSeconds;    ///< likewise, with as many rays as the time allows
+  std::vector<double> MeshSeconds;      ///< of the mesh's frames, drawn alternately with these
   ViewQuality Quality;                  ///< of still views
-  ViewQuality MovingQuality;            ///< with as many rays as there is time for
+  ViewQuality MovingQuality;            ///< with as many rays as the time allows
 };
 
-/// All that was measured.
+/// All results.
 struct Findings
 {
   std::string Device;
@@ -76,10 +76,9 @@ std::vector<vtkSmartPointer<vtkCamera>> MakePath(const Options& options, const C
                                        : MakeOrbit(start, options.Frames);
 }
 
-/// Draws the field along the path with one ray a pixel: while its viewpoints come, and when all
-/// that the cameras can use has been there; then once more as still views. The mesh, if there is
-/// one, is drawn after each frame of the second time, so that whatever else the machine does slows
-/// both.
+/// Draws the field along the path with one ray per pixel: while its viewpoints are loaded, and when
+/// everything is loaded; then once more as still views. The mesh, if there is one, is drawn after
+/// each frame of the second run, so that other load on the machine slows both.
 void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& renderer,
   MeshRenderer* mesh, Score& score)
 {
@@ -93,7 +92,7 @@ void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& rend
   {
     score.StreamingSeconds.push_back(renderer.Draw(camera, lookup));
   }
-  // What is made when something is drawn first is not a frame's work.
+  // Initialisation in the first drawing does not count as a frame.
   renderer.SetStreaming(false);
   for (const auto& camera : cameras)
   {
@@ -118,7 +117,7 @@ void MeasureFrames(const Options& options, const Cube& cube, FieldRenderer& rend
   }
 }
 
-/// Draws the path and then the views at the rate that is wanted of moving ones.
+/// Draws the path and then the views at the frame rate of moving views.
 void MeasureMoving(const Options& options, const Cube& cube, const std::vector<NovelView>& views,
   FieldRenderer& renderer, Score& score)
 {
@@ -131,8 +130,8 @@ void MeasureMoving(const Options& options, const Cube& cube, const std::vector<N
   score.MovingQuality = MeasureViews(renderer, lookup, views);
 }
 
-/// A renderer of its own for a lookup, with no more in graphics memory than it needs, and the file
-/// opened anew. `seconds` is how long that and the first picture took.
+/// A separate renderer for a lookup, with only what it needs in graphics memory, and the file
+/// opened again. `seconds` is the time for this and the first picture.
 std::unique_ptr<FieldRenderer> Open(
   const Options& options, int lookup, bool isStreaming, FieldFile& file, double& seconds)
 {
@@ -255,7 +254,7 @@ std::string MakeTable(const Options& options, const Findings& findings)
   return table.ToMarkdown();
 }
 
-/// The table and, below it, what its figures depend on.
+/// The table and, below it, the setup of its figures.
 std::string MakeText(const Options& options, const FieldFile& file, const Findings& findings)
 {
   const std::string size = std::to_string(options.Novel.Size);

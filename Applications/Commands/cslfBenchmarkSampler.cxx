@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf benchmark sampler: what radiance caching gains over path tracing at equal quality.
+// cslf benchmark sampler: the gain of radiance caching over path tracing at equal quality.
 #include "cslfCommands.h"
 #include "cslfIntegratorOptions.h"
 #include "cslfMessages.h"
@@ -45,7 +45,7 @@ struct Options
   int ReferenceSeed = 0;
 };
 
-/// Some texels of a viewpoint and what they should be.
+/// Some texels of a viewpoint and their reference colours.
 struct Reference
 {
   int Slice = 0;
@@ -53,13 +53,13 @@ struct Reference
   vtkSmartPointer<vtkDataArray> Colors;
 };
 
-/// What one way of sampling cost, and how good it was.
+/// The cost and quality of one way of sampling.
 struct Outcome
 {
   std::string Name;
-  double SecondsOfAll = 0.0; ///< the cache, and all viewpoints' rendering
+  double SecondsOfAll = 0.0; ///< for the cache and for rendering all viewpoints
   double CacheSeconds = 0.0;
-  double ViewSeconds = 0.0; ///< of the viewpoints measured
+  double ViewSeconds = 0.0; ///< of the measured viewpoints
   double PSNR = 0.0;
 };
 
@@ -71,7 +71,7 @@ double ToPSNR(double meanSquareError)
   return std::min(BestPSNR, 10.0 * std::log10(peak / std::max(meanSquareError, 1e-30)));
 }
 
-/// One viewpoint at random from each of as many equal ranges of the slices.
+/// One random viewpoint from each of several equal ranges of the slices.
 std::vector<int> ChooseSlices(const Options& options)
 {
   const int slices = 6 * options.Viewpoints * options.Viewpoints;
@@ -95,7 +95,7 @@ vtkImageData* SampleSlice(const Options& options, vtkCSLFSampler* sampler, int s
   return sampler->GetOutput();
 }
 
-/// Over black, red, green and blue.
+/// Red, green and blue over black.
 double SumErrors(vtkImageData* image, const Options& options, const Reference& reference)
 {
   vtkDataArray* colors = image->GetPointData()->GetArray("Color");
@@ -125,7 +125,7 @@ public:
   {
   }
 
-  /// Traces the references, and tells their noise as a PSNR.
+  /// Traces the references, and computes their noise as a PSNR.
   double TraceReferences()
   {
     vtkNew<vtkCSLFSampler> sampler;
@@ -188,8 +188,8 @@ private:
   std::vector<Reference> References;
 };
 
-/// The seconds that path tracing would take for a quality: by the line through the two measured
-/// points that are nearest to it, in dB over the logarithm of seconds.
+/// The seconds that path tracing would take for a quality, from the line through the two nearest
+/// measured points, in dB over the logarithm of seconds.
 double FindSeconds(const std::vector<Outcome>& paths, double psnr)
 {
   std::size_t k = 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf compare: how close one picture or light field comes to another.
+// cslf compare: measures the difference between two pictures or light fields.
 #include "Files/cslfFileSystem.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf encode and cslf decode: a light field goes from one format to another.
+// cslf encode and cslf decode: convert a light field to another format.
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"
@@ -29,10 +29,10 @@ struct Options
   FieldInput Input;
   std::string Output;
   CodingOptions Coding;
-  std::optional<std::string> Part; ///< that is wanted instead of the field
+  std::optional<std::string> Part; ///< requested instead of the field
 };
 
-/// The bytes of all channels, uncoded.
+/// The size of all channels, uncoded.
 double CountRawBytes(const Description& description)
 {
   const Layout& grid = description.Grid;
@@ -53,7 +53,7 @@ void CheckOutput(const Options& options)
   }
 }
 
-/// Writes what a video carries into a file.
+/// Writes a part of a video to a file.
 Result Extract(const Options& options)
 {
   CheckOutput(options);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf evaluate: novel views looked up in a light field, measured against path-traced ones.
+// cslf evaluate: compares novel views of a light field with path-traced ones.
 #include "cslfCameraOptions.h"
 #include "cslfCameraPath.h"
 #include "cslfCommands.h"
@@ -45,7 +45,7 @@ struct Options
   std::string ContactSheet;
   std::string Title;
   int PixelSamples = 2;
-  std::vector<std::string> Lookups; ///< all that the field has the channels for, if empty
+  std::vector<std::string> Lookups; ///< if empty, all that the field has the channels for
   NovelViewOptions Novel;
   CameraPathOptions Path;
   ToneOptions Tone;
@@ -62,7 +62,7 @@ struct Score
   vtkSmartPointer<vtkImageData> Picture; ///< of the last view
 };
 
-/// What was measured.
+/// The results.
 struct Findings
 {
   std::vector<Score> Scores;
@@ -84,7 +84,7 @@ void CheckOutputs(const Options& options)
   }
 }
 
-/// One score for each lookup. Throws a Failure where the field has not the channels for it.
+/// One score for each lookup. Throws a Failure if the field does not have the channels for it.
 std::vector<Score> MakeScores(const Options& options, const Description& description)
 {
   std::vector<Score> scores;
@@ -103,7 +103,7 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(const Options& options, cons
     : options.Path.MakeCameras(CameraOptions().MakeCamera(cube));
 }
 
-/// The number of a view, with leading zeros where there are many.
+/// The number of a view, with leading zeros if there are many.
 std::string ToNumber(std::size_t view, std::size_t views)
 {
   const std::string number = std::to_string(view);
@@ -119,8 +119,8 @@ void SaveView(
   }
 }
 
-/// Draws one view in every lookup and compares it with the truth. `previous` is that of the view
-/// before, or null.
+/// Draws one view in every lookup and compares it with the reference. `previous` is the reference
+/// of the view before, or null.
 void MeasureView(const Options& options, const NovelView& view, vtkImageData* previous,
   const std::string& number, FieldRenderer& renderer, Findings& findings)
 {
@@ -150,7 +150,7 @@ void MeasureView(const Options& options, const NovelView& view, vtkImageData* pr
   }
 }
 
-/// A row for each view, or, of the views of a path, as many as make the sheet about square.
+/// One row for each view or, for views of a path, rows that make the sheet about square.
 int CountColumns(const Options& options, const Findings& findings)
 {
   const std::size_t pictures = findings.Scores.size() + 1;
@@ -161,7 +161,7 @@ int CountColumns(const Options& options, const Findings& findings)
     pictures * (options.Path.IsEmpty() ? 1 : std::clamp<std::size_t>(across, 1, views)));
 }
 
-/// The place of the lowest value.
+/// The index of the lowest value.
 std::size_t FindLowest(const std::vector<double>& values)
 {
   return std::min_element(values.begin(), values.end()) - values.begin();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf evaluate-texels: a light field's texels, measured against path-traced ones.
+// cslf evaluate-texels: compares a light field's texels with path-traced ones.
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfMessages.h"

@@ -82,12 +82,12 @@ vtkSmartPointer<vtkPolyData> MakeTriangles(const Scene& scene)
   return append->GetOutput();
 }
 
-/// The lines of faces in an OBJ file, which end it.
+/// The lines of faces in an OBJ file, which are at its end.
 vtkIdType CountFaces(const std::string& fileName)
 {
   std::ifstream stream(ToPath(fileName));
   vtkIdType faces = 0;
-  // What was cut off has no end of line.
+  // A truncated file has no end of line.
   for (std::string line; std::getline(stream, line) && !stream.eof();)
   {
     faces += line.rfind("f ", 0) == 0 ? 1 : 0;

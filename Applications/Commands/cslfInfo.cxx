@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf info: what a light field's file holds.
+// cslf info: describes the contents of a light field's file.
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfTable.h"

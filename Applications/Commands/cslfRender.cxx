@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf render: a novel view looked up in a light field, or those along a camera path.
+// cslf render: novel views of a light field, single or along a camera path.
 #include "cslfCameraOptions.h"
 #include "cslfCameraPath.h"
 #include "cslfCommands.h"
@@ -73,7 +73,7 @@ Result RunPath(const Options& options)
   renderer.SetPixelSamples(options.PixelSamples);
   const std::string name = ChooseLookup(options.Lookup, file.Field);
   const int lookup = FindLookup(name);
-  // The first picture takes the field to graphics memory, so its time is not a frame's.
+  // The first picture uploads the field to graphics memory, so its time does not count as a frame.
   renderer.Draw(cameras.front(), lookup);
   std::vector<double> seconds;
   for (const auto& camera : cameras)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf sample: a scene becomes a light field.
+// cslf sample: samples a scene as a light field.
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
 #include "cslfIntegratorOptions.h"
@@ -32,7 +32,7 @@ namespace tool
 {
 namespace
 {
-/// HEVC's smallest picture.
+/// The size of HEVC's smallest picture.
 constexpr int SmallestVideo = 16;
 
 struct Options
@@ -115,8 +115,8 @@ vtkSmartPointer<vtkCSLFBakeEstimator> MakeEstimator(
   return estimator;
 }
 
-/// Chooses the samples that the time allows, or those of a run that was killed; one process does it
-/// for all.
+/// Chooses the number of samples that the time allows, or that of an interrupted run. One process
+/// does it for all.
 void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* sampler)
 {
   if (options.TimeBudget <= 0.0)
@@ -137,7 +137,7 @@ void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* s
   sampler->SetSamples(ShareNumber(sampler->GetSamples()));
 }
 
-/// Suggests M and N for what is wanted.
+/// Suggests M and N for the requested quality.
 void AddSuggestion(
   const Options& options, vtkCSLFBakeEstimator* estimator, nlohmann::json& json, std::ostream& text)
 {
@@ -164,7 +164,7 @@ void AddSuggestion(
        << bytes << " bytes\n";
 }
 
-/// What the field would cost.
+/// The cost of the field.
 Result Estimate(const Options& options)
 {
   CheckCube(options);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf sheet: pictures side by side in one.
+// cslf sheet: arranges pictures in one picture.
 #include "cslfCommands.h"
 #include "cslfContactSheet.h"
 #include "cslfFieldFiles.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf trace: the path-traced truth for a novel view.
+// cslf trace: path-traces the reference for a novel view.
 #include "cslfCameraOptions.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"

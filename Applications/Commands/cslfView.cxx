@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf view: a light field in an interactive window.
+// cslf view: shows a light field in an interactive window.
 #include "cslfCameraOptions.h"
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
@@ -32,7 +32,7 @@ namespace tool
 {
 namespace
 {
-/// How often the interactive window looks whether there is something to do.
+/// How often the interactive window checks whether there is work to do.
 constexpr unsigned long TimerMilliseconds = 20;
 
 struct Options
@@ -48,7 +48,7 @@ struct Options
   CameraOptions Camera;
 };
 
-/// The trackball camera, with the viewer's keys in place of VTK's.
+/// The trackball camera, with the viewer's keys instead of VTK's.
 class vtkFieldStyle : public vtkInteractorStyleTrackballCamera
 {
 public:

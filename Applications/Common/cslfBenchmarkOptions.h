@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the benchmarks of a light field have in common: the field, perhaps its scene for novel
- * views, and the folder that the findings go to.
+ * The common options of benchmarks of a light field: the field, perhaps its scene for novel views,
+ * and the folder for the results.
  */
 #ifndef cslfBenchmarkOptions_h
 #define cslfBenchmarkOptions_h
@@ -23,7 +23,7 @@ namespace cslf
 {
 namespace tool
 {
-/// The views that a field is measured by, and the mean of their noise floors in dB.
+/// The novel views of a measurement, and the mean of their noise floors in dB.
 struct BenchmarkViews
 {
   std::vector<NovelView> Views;
@@ -46,12 +46,12 @@ struct BenchmarkOptions
   /// Reads the whole field. Throws a Failure.
   FieldFile ReadField() const;
 
-  /// Reads the scene if there is one, which takes over what the field knows of it, makes the
-  /// folder, which must be writable, and traces the views of the scene. Throws a Failure.
+  /// Reads the scene, if there is one, with the parameters stored in the field. Makes the folder,
+  /// which must be writable, and traces the views of the scene. Throws a Failure.
   BenchmarkViews Begin(const Description& field);
 
   ///@{
-  /// How views were traced.
+  /// The settings for tracing the views.
   nlohmann::json DescribeViews(double noiseFloor) const;
   static std::string DescribeNoise(double noiseFloor);
   ///@}

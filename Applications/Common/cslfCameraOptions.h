@@ -25,7 +25,7 @@ namespace cslf
 {
 namespace tool
 {
-/// Cameras that are not given stand this many times the cube's longest edge from its centre.
+/// The distance of default cameras from the cube's centre, in units of its longest edge.
 constexpr double DefaultDistance = 2.0;
 
 /// The default vertical view angle in degrees.
@@ -34,7 +34,8 @@ constexpr double DefaultViewAngle = 40.0;
 /// The margin of a scene's default cube.
 constexpr double DefaultOffset = 0.05;
 
-/// A camera at `position` that looks at `focalPoint`; `up` is replaced where it is along the view.
+/// A camera at `position` that looks at `focalPoint`; `up` is replaced if it is parallel to the
+/// view.
 vtkSmartPointer<vtkCamera> MakeCamera(
   const glm::dvec3& position, const glm::dvec3& focalPoint, const glm::dvec3& up, double viewAngle);
 
@@ -43,8 +44,7 @@ class CameraOptions
 public:
   void AddTo(CLI::App& command);
 
-  /// The camera. The cube gives what the command line leaves out. Throws a Failure where the
-  /// position is the focal point.
+  /// The camera. The cube gives the defaults. Throws a Failure if the position is the focal point.
   vtkSmartPointer<vtkCamera> MakeCamera(const Cube& cube) const;
 
   int GetWidth() const { return this->Size[0]; }

@@ -70,7 +70,7 @@ std::optional<glm::dvec3> ReadVector(const nlohmann::json& json)
                   : std::nullopt;
 }
 
-/// A key camera: position, focal point, and what is up.
+/// A key camera: position, focal point and view up.
 vtkSmartPointer<vtkCamera> ReadCamera(
   const nlohmann::json& json, double viewAngle, const std::string& name)
 {
@@ -144,8 +144,8 @@ Cameras MakeSwing(vtkCamera* start, int frames)
   {
     throw Failure("A swing starts within 35 degrees of +Z, as seen from the focal point.");
   }
-  // Turned, the direction's z is a + b cos(angle - middle). The swing is a pendulum's, between the
-  // two angles where that leaves the cap around +Z.
+  // The z of the rotated direction is a + b cos(angle - middle). The swing is that of a pendulum,
+  // between the two angles where the direction leaves the cap around +Z.
   const double a = glm::dot(direction, up) * up.z;
   const double alongCosine = direction.z - a;
   const double alongSine = glm::cross(up, direction).z;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Cameras that move: around the cube, to and fro in front of it, or along a file's key cameras.
+ * Camera paths: around the cube, back and forth in front of it, or along a file's key cameras.
  */
 #ifndef cslfCameraPath_h
 #define cslfCameraPath_h
@@ -26,15 +26,15 @@ namespace tool
 constexpr const char* OrbitName = "orbit";
 constexpr const char* SwingName = "swing";
 
-/// In degrees; from elsewhere the Cornell box shows its unlit outside.
+/// In degrees. From other directions the Cornell box shows its unlit outside.
 constexpr double SwingAngle = 35.0;
 
 /// One full turn around the focal point, about the direction that is up in the picture. Begins at
 /// `start` and ends one step before it.
 std::vector<vtkSmartPointer<vtkCamera>> MakeOrbit(vtkCamera* start, int frames);
 
-/// Likewise, but to and fro, within SwingAngle of +Z, where the Cornell box opens. Throws a Failure
-/// where `start` is not.
+/// Likewise, but back and forth, within SwingAngle of +Z, where the Cornell box opens. Throws a
+/// Failure if `start` is not within it.
 std::vector<vtkSmartPointer<vtkCamera>> MakeSwing(vtkCamera* start, int frames);
 
 class CameraPathOptions

@@ -71,7 +71,7 @@ void AddCurve(
   }
 }
 
-/// A number of bytes in at most two digits and a unit.
+/// A number of bytes with at most two digits and a unit.
 std::string ToText(double bytes)
 {
   const char* const units[] = { "", " kB", " MB", " GB", " TB" };
@@ -98,7 +98,7 @@ double FindMaximum(const std::vector<ChartCurve>& curves)
   return most;
 }
 
-/// Begins an axis at 0, and ends it where the curves leave room for the legend.
+/// Begins an axis at 0, and ends it so that there is space for the legend.
 void FitLinear(vtkAxis* axis, const std::vector<ChartCurve>& curves)
 {
   constexpr double room = 1.25;

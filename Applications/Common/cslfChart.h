@@ -14,7 +14,7 @@ namespace cslf
 {
 namespace tool
 {
-/// Points joined by lines, in the order in which they are given.
+/// Points joined by lines, in the given order.
 struct ChartCurve
 {
   std::string Name;
@@ -22,7 +22,7 @@ struct ChartCurve
   std::vector<double> Y;
 };
 
-/// What the horizontal axis is.
+/// The scale of the horizontal axis.
 enum class ChartScale
 {
   Bytes, ///< logarithmic

@@ -34,7 +34,7 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Image data as the end of a pipeline.
+/// Image data as the input of a pipeline.
 vtkSmartPointer<vtkTrivialProducer> Produce(vtkImageData* image)
 {
   auto producer = vtkSmartPointer<vtkTrivialProducer>::New();

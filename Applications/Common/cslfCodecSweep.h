@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A light field coded and decoded in many ways, each measured.
+ * Codes and decodes a light field in many ways and measures each.
  */
 #ifndef cslfCodecSweep_h
 #define cslfCodecSweep_h
@@ -21,16 +21,16 @@ namespace cslf
 {
 namespace tool
 {
-/// What one way of coding does.
+/// The results of one way of coding.
 struct CodecPoint
 {
   double CRF = 0.0;
   double Bytes = 0.0;                                 ///< of the file
-  double Ratio = 0.0;                                 ///< of 24 bits a texel to these
+  double Ratio = 0.0;                                 ///< of 24 bits per texel to these
   std::vector<std::pair<std::string, double>> Tracks; ///< the bytes of each, colour first
   double FieldPSNR = 0.0;                             ///< of red, green and blue, in dB
   std::map<std::string, double> Channels;             ///< PSNR of every channel
-  double EncodeRate = 0.0;                            ///< in millions of texels a second
+  double EncodeRate = 0.0;                            ///< in millions of texels per second
   double DecodeRate = 0.0;                            ///< likewise
   std::vector<double> ViewPSNR;                       ///< for each lookup, the mean of the views
 };
@@ -38,14 +38,14 @@ struct CodecPoint
 class CodecSweep
 {
 public:
-  /// Of a whole field. One video after the other is made in the folder, each as often as `repeats`
-  /// says; the last goes with the sweep.
+  /// For a whole field. Makes one video after the other in the folder, each `repeats` times. The
+  /// last one is removed with the sweep.
   CodecSweep(vtkImageData* field, const Layout& grid, const std::string& folder, int repeats);
   ~CodecSweep();
   CodecSweep(const CodecSweep&) = delete;
   CodecSweep& operator=(const CodecSweep&) = delete;
 
-  /// Has novel views measured, too, in these lookups.
+  /// Also measures novel views with these lookups.
   void SetViews(std::vector<NovelView> views, std::vector<LookupName> lookups);
   const std::vector<LookupName>& GetLookups() const { return this->Lookups; }
 

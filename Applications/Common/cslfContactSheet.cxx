@@ -34,8 +34,8 @@ vtkSmartPointer<vtkImageData> DrawText(const std::string& text)
   return picture;
 }
 
-/// Copies what fits of a picture into the sheet, its lower left corner at (left, bottom). A fourth
-/// component is alpha, over black.
+/// Copies the part of a picture that fits into the sheet, its lower left corner at (left, bottom).
+/// A fourth component is alpha, over black.
 void Paste(vtkImageData* picture, int left, int bottom, int mostWidth, vtkImageData* sheet)
 {
   int extent[6];

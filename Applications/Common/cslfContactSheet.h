@@ -18,15 +18,15 @@ namespace cslf
 {
 namespace tool
 {
-/// A picture of red, green and blue bytes and what to say of it.
+/// A picture of red, green and blue bytes, and its label.
 struct LabelledPicture
 {
   vtkSmartPointer<vtkImageData> Picture;
   std::string Label;
 };
 
-/// The pictures, row by row from the top, as one. Where no label says anything there is no space
-/// left for them.
+/// The pictures in one picture, row by row from the top. If all labels are empty, they get no
+/// space.
 vtkSmartPointer<vtkImageData> MakeContactSheet(
   const std::vector<LabelledPicture>& pictures, int columns);
 }

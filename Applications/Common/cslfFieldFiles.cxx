@@ -46,13 +46,13 @@ namespace tool
 {
 namespace
 {
-/// How the help lists the options of video.
+/// The heading of the video options in the help.
 constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
 
-/// What stands for a choice of key views by quality.
+/// Means a choice of key views by quality.
 constexpr const char* AutomaticKeyViews = "auto";
 
-/// What numbers of bytes may end with.
+/// The suffixes of numbers of bytes.
 const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { "G", 1e9 } };
 
 std::string LowerExtension(const std::string& fileName)
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(FieldFormat format, const std::string& 
   }
 }
 
-/// The description that a reader knows before it has read a sample.
+/// The description that a reader knows before it reads samples.
 std::string GetText(vtkAlgorithm* reader)
 {
   if (auto* decoder = vtkCSLFDecoder::SafeDownCast(reader))
@@ -140,7 +140,7 @@ vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
   return writer;
 }
 
-/// How large the .vti file of a field will be, judged by that of one of its viewpoints.
+/// The estimated size of a field's .vti file, judged by that of one of its viewpoints.
 double GuessImageDataBytes(vtkImageData* viewpoint, int count, OutputFile& file)
 {
   const auto writer = MakeImageDataWriter();
@@ -152,8 +152,9 @@ double GuessImageDataBytes(vtkImageData* viewpoint, int count, OutputFile& file)
   return static_cast<double>(header) + static_cast<double>(text.size() - header) * count;
 }
 
-/// Throws a Failure if the disk has no room for a field's .vti file, before all of the field is
-/// made. Viewpoints may differ, so room for half of what the middle one of a face tells is enough.
+/// Throws a Failure if the disk does not have enough space for a field's .vti file, before the
+/// whole field is made. Viewpoints may differ, so half of the size estimated from the middle one of
+/// a face is enough.
 void RequireRoom(vtkAlgorithmOutput* connection, OutputFile& file)
 {
   vtkAlgorithm* producer = connection->GetProducer();
@@ -207,7 +208,7 @@ bool IsVideo(const std::string& fileName)
 
 FieldFile OpenField(const std::string& fileName)
 {
-  // A pipe would be waited for, and cannot be read twice.
+  // A pipe would block, and cannot be read twice.
   std::error_code failure;
   const fs::file_status status = fs::status(ToPath(fileName), failure);
   if (!fs::is_regular_file(status) && !fs::is_directory(status))
@@ -256,7 +257,7 @@ FieldFile OpenField(const FieldInput& input)
   FieldFile file = OpenField(input.FileName);
   if (!input.AllowMissing)
   {
-    // Of files without any viewpoint the readers tell.
+    // Readers report files without any viewpoint.
     const int missing = CountMissing(file);
     const int slices = file.Field.Grid.GetSlices();
     if (missing > 0 && missing < slices)
@@ -509,7 +510,7 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
 #ifdef CSLF_HAS_ENCODER
   if (IsFirstRank())
   {
-    // Before days of sampling.
+    // Checked before days of sampling.
     this->Parts = ReadParts(coding.Parts);
     AddParts(vtkNew<vtkCSLFEncoder>(), this->Parts);
   }
@@ -551,7 +552,7 @@ nlohmann::json FieldWriter::WriteVideo(
   }
   if (!isWritten)
   {
-    // Where processes share the work, those that failed have said why.
+    // If processes share the work, those that failed have reported the reason.
     throw Failure(IsShared() ? GetFirstError() : "Cannot write " + this->FileName + ".");
   }
   nlohmann::json json = { { "ratio", encoder->GetActualRatio() } };

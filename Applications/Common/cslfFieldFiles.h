@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Light fields in files of every format that the tool knows: coded video (.mp4, .mkv), image data
- * (.vti) and folders of cube maps.
+ * Light fields in files of all formats of the tool: coded video (.mp4, .mkv), image data (.vti) and
+ * folders of cube maps.
  */
 #ifndef cslfFieldFiles_h
 #define cslfFieldFiles_h
@@ -42,7 +42,7 @@ enum class FieldFormat
 /// The names of all formats, for help and errors.
 constexpr const char* FieldFormats = ".mp4, .mkv, .vti or a folder of cube maps";
 
-/// What a tool without the video encoder says where it would need it.
+/// The message of a tool without the video encoder if it needs the encoder.
 constexpr const char* NoEncoder =
   "This cslf was built without the video encoder: write .vti or a folder.";
 
@@ -54,8 +54,8 @@ struct FieldFile
   Description Field;
 };
 
-/// A field that a command reads. All commands have the same rule about damaged files: what lacks
-/// viewpoints is read only if the user allows it.
+/// A field that a command reads. All commands have the same rule for damaged files: fields with
+/// missing viewpoints are read only if the user allows it.
 struct FieldInput
 {
   std::string FileName;
@@ -68,35 +68,34 @@ struct FieldInput
 /// Adds the option --allow-missing.
 void AddAllowMissing(CLI::App& command, bool& isAllowed);
 
-/// The format that follows from a file's extension; a name without one is a folder's. Throws a
-/// Failure where there is none.
+/// The format for a file's extension. A name without extension is a folder. Throws a Failure for
+/// unknown extensions.
 FieldFormat GetFormat(const std::string& fileName);
 
-/// Whether a field of that file name is a video.
+/// Whether a field with that file name is a video.
 bool IsVideo(const std::string& fileName);
 
-/// Opens a field. Throws a Failure where it is missing or is no light field. Nothing but its header
-/// is read.
+/// Opens a field and reads only its header. Throws a Failure if it is missing or not a light field.
 FieldFile OpenField(const std::string& fileName);
 
-/// Opens a field and checks, without decoding it, that all its viewpoints are there. Throws a
-/// MissingViewpoints where they are not, unless that is allowed.
+/// Opens a field and checks, without decoding it, that all its viewpoints exist. If not, throws a
+/// MissingViewpoints, unless this is allowed.
 FieldFile OpenField(const FieldInput& input);
 
-/// Reads a field for vtkCSLFMapper. Videos are left alone, since the mapper takes what it needs
+/// Reads a field for vtkCSLFMapper. Videos are not decoded, because the mapper requests viewpoints
 /// from their decoder. Throws a Failure.
 void ReadToDraw(const FieldFile& file);
 
-/// Checks the whole file, without decoding it, for viewpoints that are not there.
+/// Checks the whole file for missing viewpoints, without decoding it.
 int CountMissing(const FieldFile& file);
 
-/// How colour is coded: "hevc", "av1", "h264", "png", "exr" or "none".
+/// The coding of colour: "hevc", "av1", "h264", "png", "exr" or "none".
 std::string GetCodecName(const FieldFile& file);
 
 /// The size of a file, or of all files in a folder.
 std::uintmax_t CountBytes(const std::string& fileName);
 
-/// How video is coded. The defaults are the encoder's.
+/// The settings of video coding. The defaults are the encoder's.
 struct CodingOptions
 {
   std::string Codec = "hevc";
@@ -113,15 +112,15 @@ struct CodingOptions
   int GroupLength = 16;
   bool Lossless = false;
   bool Restart = true;
-  std::vector<std::string> Parts; ///< as ReadParts takes them
+  std::vector<std::string> Parts; ///< in the form that ReadParts takes
 
   void AddTo(CLI::App& command);
   void Apply(vtkCSLFEncoder* encoder) const; ///< only with the video encoder
 
-  /// Whether more than a rate factor is asked for.
+  /// Whether more than a rate factor is requested.
   bool HasTarget() const;
 
-  /// Whether not all viewpoints are coded.
+  /// Whether only some viewpoints are coded.
   bool HasKeyViews() const { return this->KeyViews != "1"; }
 
 private:
@@ -129,22 +128,22 @@ private:
   void AddKeyViewsTo(CLI::App& command);
 };
 
-/// A place to write a field to.
+/// A destination for a field.
 class FieldWriter
 {
 public:
-  /// The format follows from the extension; a name without one is a folder's. Reads the parts that
-  /// a video shall carry. Throws a Failure where the place cannot be written.
+  /// The extension determines the format. A name without extension is a folder. Reads the parts for
+  /// a video. Throws a Failure if the destination is not writable.
   FieldWriter(const std::string& fileName, const CodingOptions& coding);
 
   /// Pulls the field from the connection and writes it. Throws a Failure. Under mpirun, all
-  /// processes write a video together. Returns what came out of coding a video, on the first
-  /// process: "crf", "ratio", "psnr".
+  /// processes write a video together. Returns the results of coding a video, on the first process:
+  /// "crf", "ratio", "psnr".
   nlohmann::json Write(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   FieldFormat GetFormat() const { return this->Format; }
 
-  /// Gives a video what another field's file carries, except for what it has of its own.
+  /// Adds the parts of another field's file to a video, except those that it has already.
   void TakeParts(const FieldFile& file) { MergeParts(this->Parts, GetParts(file)); }
 
 private:
@@ -159,13 +158,13 @@ private:
   std::vector<FieldPart> Parts; ///< on the first process
 };
 
-/// Throws a Failure unless a file of that name can be made.
+/// Throws a Failure unless a file of that name can be created.
 void RequireWritable(const std::string& fileName);
 
-/// What FieldWriter::Write returned, in words: ", ...", or nothing.
+/// The results of FieldWriter::Write in words: ", ...", or nothing.
 std::string DescribeCoding(const nlohmann::json& coding);
 
-/// What a field is, as `info` and its kin report it.
+/// The description of a field for `info` and similar commands.
 nlohmann::json Summarize(const Description& description);
 }
 }

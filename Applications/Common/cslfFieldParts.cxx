@@ -22,7 +22,7 @@ namespace tool
 {
 namespace
 {
-/// More than all parts of a video can have, so no more of a file needs to be read.
+/// Larger than all parts of a video can be, so there is no need to read more of a file.
 constexpr std::streamsize MostBytes = 16 * 1024 * 1024;
 
 struct PartOption
@@ -32,7 +32,7 @@ struct PartOption
   std::string FileName;
 };
 
-/// A name ends with the first "=", and the type after it with the first ":".
+/// The first "=" ends the name, and the first ":" after it ends the type.
 std::optional<PartOption> Split(const std::string& option)
 {
   const std::size_t equals = option.find('=');
@@ -109,7 +109,7 @@ std::vector<FieldPart> GetParts(const FieldFile& file)
   auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader);
   for (int k = 0; decoder && k < decoder->GetNumberOfParts(); ++k)
   {
-    // The decoder has one array for all.
+    // The decoder uses the same array for all.
     auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
     bytes->DeepCopy(decoder->GetPart(k));
     parts.push_back({ decoder->GetPartName(k), decoder->GetPartType(k), bytes });

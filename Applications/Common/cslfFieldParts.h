@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What videos carry besides the light field: from files, and into files.
+ * The parts of videos other than the light field: from files, and to files.
  */
 #ifndef cslfFieldParts_h
 #define cslfFieldParts_h
@@ -31,21 +31,21 @@ struct FieldPart
   }
 };
 
-/// Says in one line why an option "NAME=TYPE:FILE" is none; empty if it is one.
+/// Says in one line why an option is not of the form "NAME=TYPE:FILE". Empty if it is.
 std::string FindPartFault(const std::string& option);
 
-/// Reads the files of options that have no fault. Throws a Failure where a file cannot be read, or
-/// two parts have the same name and type.
+/// Reads the files of valid options. Throws a Failure if a file cannot be read, or if two parts
+/// have the same name and type.
 std::vector<FieldPart> ReadParts(const std::vector<std::string>& options);
 
-/// The parts of an open field; none where it is no video.
+/// The parts of an open field; none if it is not a video.
 std::vector<FieldPart> GetParts(const FieldFile& file);
 
-/// Brings parts together. Of those that have the same name and type the first one stays.
+/// Joins lists of parts. Of parts with the same name and type, the first one stays.
 void MergeParts(std::vector<FieldPart>& parts, const std::vector<FieldPart>& others);
 
-/// The part of that name, or of "NAME=TYPE". Throws a Failure unless there is just one. `fileName`
-/// is the field's.
+/// The part of that name, or of "NAME=TYPE". Throws a Failure unless there is exactly one.
+/// `fileName` is the field's.
 FieldPart FindPart(
   const std::vector<FieldPart>& parts, const std::string& name, const std::string& fileName);
 }

@@ -50,7 +50,7 @@ std::vector<std::string> ListFrames(const std::string& folder)
   return names;
 }
 
-/// A folder, filled beside its place.
+/// A folder, filled under a temporary name.
 class FolderWriter : public FrameWriter
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How light is followed: the command line's part of it, and what it cost.
+ * The integrator's options on the command line, and its cost.
  */
 #ifndef cslfIntegratorOptions_h
 #define cslfIntegratorOptions_h
@@ -34,7 +34,7 @@ public:
   void AddTo(CLI::App& command);
   void Apply(vtkCSLFPathTracer* tracer) const;
 
-  /// What the tracer's last update cost.
+  /// The cost of the tracer's last update.
   static nlohmann::json GetCost(vtkCSLFPathTracer* tracer);
 
 private:

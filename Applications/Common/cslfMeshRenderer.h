@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A mesh, drawn as VTK draws meshes: what a light field is compared with in speed.
+ * Draws a mesh with VTK, to compare its speed with a light field.
  */
 #ifndef cslfMeshRenderer_h
 #define cslfMeshRenderer_h
@@ -26,8 +26,8 @@ namespace tool
 class MeshRenderer
 {
 public:
-  /// The triangles of a scene's file, with VTK's defaults: a headlight, and colours where the file
-  /// has some. Throws a Failure.
+  /// The triangles of a scene's file, with VTK's defaults: a headlight, and colours if the file has
+  /// any. Throws a Failure.
   MeshRenderer(const std::string& fileName, int width, int height);
   ~MeshRenderer();
 
@@ -36,7 +36,7 @@ public:
 
   vtkIdType GetNumberOfTriangles() const;
 
-  /// The cube that a light field of the mesh would have.
+  /// The cube of a light field of the mesh.
   Cube GetCube() const;
 
 private:

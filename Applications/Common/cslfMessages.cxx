@@ -60,7 +60,7 @@ public:
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     const std::string error = Clean(text);
-    // The executive repeats, without saying why, what the filter has said.
+    // The executive repeats the filter's message without its reason.
     if (this->FirstError.empty() && error.find("returned failure for request") == std::string::npos)
     {
       this->FirstError = error;
@@ -104,7 +104,7 @@ vtkMessageCatcher* GetCatcher()
   return vtkMessageCatcher::SafeDownCast(vtkOutputWindow::GetInstance());
 }
 
-/// What a progress bar shows.
+/// The contents of a progress bar.
 struct Bar
 {
   std::string Label;

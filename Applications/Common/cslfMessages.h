@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tool tells its user on standard error: one line an error, one line a warning, and a
- * progress bar where that is a terminal.
+ * The tool's messages on standard error: one line per error, one line per warning, and a progress
+ * bar if it is a terminal.
  */
 #ifndef cslfMessages_h
 #define cslfMessages_h
@@ -19,13 +19,14 @@ namespace cslf
 {
 namespace tool
 {
-/// Ends the command. An error that VTK has reported before is the one shown, being the cause.
+/// Ends the command. If VTK has reported an error before, that one is shown, because it is the
+/// cause.
 struct Failure : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Ends a command that would write what lacks viewpoints: with an exit code of its own.
+/// Ends a command that would write a field with missing viewpoints, with its own exit code.
 struct MissingViewpoints : Failure
 {
   using Failure::Failure;
@@ -34,7 +35,7 @@ struct MissingViewpoints : Failure
 /// Catches VTK's messages from now on, and keeps them.
 void CatchMessages();
 
-/// The first error VTK has reported, in one line; empty where there is none.
+/// The first error that VTK has reported, in one line. Empty if there is none.
 std::string GetFirstError();
 
 /// Throws a Failure if VTK has reported an error.
@@ -46,14 +47,14 @@ void NameFileInErrors(vtkXMLReader* reader, const std::string& fileName);
 /// The different warnings so far, each in one line.
 std::vector<std::string> GetWarnings();
 
-/// Adds a warning of the tool's own.
+/// Adds one of the tool's own warnings.
 void AddWarning(const std::string& text);
 
-/// Prints the warnings. A command that fails prints its error alone.
+/// Prints the warnings. A command that fails prints only its error.
 void PrintWarnings();
 
-/// Warns where the noise of a truth, as a PSNR in dB, is too near to a figure measured against it:
-/// less than 10 dB above. `figure` is of what, and `option` is what lowers the noise.
+/// Warns if the noise of a reference, as a PSNR in dB, is too close to a figure measured against
+/// it: less than 10 dB above. `figure` names what was measured, and `option` what lowers the noise.
 void WarnOfNoise(
   double noiseFloor, double psnr, const std::string& figure, const std::string& option);
 

@@ -29,7 +29,7 @@ constexpr const char* EncoderName = "libx264";
 constexpr AVPixelFormat Format = AV_PIX_FMT_YUV420P;
 constexpr int ColorBytes = 4;
 
-/// x264's rate factor for what can hardly be told from the pictures themselves.
+/// x264's rate factor for almost invisible loss.
 constexpr const char* RateFactor = "18";
 
 class MovieWriter : public FrameWriter
@@ -54,7 +54,7 @@ public:
 
   void Add(vtkImageData* picture) override
   {
-    // VTK's pictures begin at the bottom, those of videos at the top.
+    // VTK's pictures begin with the bottom row, those of videos with the top row.
     const int width = this->Frame->width;
     const int height = this->Frame->height;
     const auto* pixels = static_cast<const unsigned char*>(picture->GetScalarPointer());

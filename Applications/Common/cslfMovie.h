@@ -13,8 +13,8 @@ namespace cslf
 {
 namespace tool
 {
-/// Throws a Failure where this tool or its FFmpeg cannot encode such pictures; their width and
-/// height must be even.
+/// Throws a Failure if this tool or its FFmpeg cannot encode such pictures. Their width and height
+/// must be even.
 std::unique_ptr<FrameWriter> MakeMovieWriter(
   const std::string& fileName, int width, int height, double frameRate);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which novel views a light field is measured by, on the command line.
+ * The command line options for the novel views of measurements.
  */
 #ifndef cslfNovelViewOptions_h
 #define cslfNovelViewOptions_h
@@ -22,9 +22,9 @@ struct NovelViewOptions
 {
   int Views = 6;
   int Size = 512;    ///< along each side, in pixels
-  int Samples = 256; ///< per pixel of the truth
+  int Samples = 256; ///< per pixel of the reference
   int Seed = 1;
-  std::string TruthFolder; ///< keeps the truth for the next time; empty: nothing does
+  std::string TruthFolder; ///< keeps the reference for later runs; if empty, it is not kept
 
   /// Adds --views, --size, --spp, --seed and --truth, under a heading of the help if there is one.
   void AddTo(CLI::App& command, const std::string& group = "Options");

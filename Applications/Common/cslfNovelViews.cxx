@@ -107,7 +107,7 @@ vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   stencil->AllocateExtents();
   for (int y = 0; y < height; ++y)
   {
-    // The cube is convex: a row of its picture has one stretch.
+    // The cube is convex, so each row of its picture is one interval.
     int first = 0;
     int last = width - 1;
     while (first < width && !meetsCube(first, y))

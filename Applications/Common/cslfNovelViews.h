@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The views that a light field is measured by: where they are, what they truly show, and which of
- * their pixels count.
+ * The novel views for measuring a light field: their cameras, their references, and the pixels that
+ * count.
  */
 #ifndef cslfNovelViews_h
 #define cslfNovelViews_h
@@ -31,11 +31,11 @@ struct NovelViewOptions;
 std::vector<vtkSmartPointer<vtkCamera>> MakeNovelViews(
   const Cube& cube, int count, int seed, bool isCornellBox);
 
-/// A view that lookups are measured by.
+/// A view for measuring lookups.
 struct NovelView
 {
   vtkSmartPointer<vtkCamera> Camera;
-  vtkSmartPointer<vtkImageData> Picture; ///< what it truly shows, over black
+  vtkSmartPointer<vtkImageData> Picture; ///< the reference, over black
   vtkSmartPointer<vtkImageStencilData> Stencil;
   double NoiseFloor = 0.0; ///< of the picture, in dB
 };
@@ -44,23 +44,23 @@ struct NovelView
 std::vector<NovelView> TraceNovelViews(
   const SceneOptions& options, const Scene& scene, const Cube& cube, const NovelViewOptions& novel);
 
-/// How near a lookup comes to the views, one figure for each.
+/// The quality of a lookup in the views, one figure for each view.
 struct ViewQuality
 {
   std::vector<double> PSNR; ///< in dB
   std::vector<double> SSIM;
 };
 
-/// Draws the views in a lookup, in the size of their pictures, and compares. Throws a Failure.
+/// Draws the views with a lookup, in the size of their pictures, and compares. Throws a Failure.
 ViewQuality MeasureViews(FieldRenderer& renderer, int lookup, const std::vector<NovelView>& views);
 
-/// How near the change from one view to the next comes to the truth's: the PSNR in dB, at most 60,
-/// of the difference between the errors of both, in the pixels of `stencil`. All pictures are red,
-/// green and blue bytes of one size.
+/// Compares the change from one view to the next with that of the references: the PSNR in dB, at
+/// most 60, of the difference between the errors of both, in the pixels of `stencil`. All pictures
+/// are red, green and blue bytes of the same size.
 double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
   vtkImageData* truth, vtkImageData* picture, vtkImageStencilData* stencil);
 
-/// The pixels whose ray meets the cube. Row 0 is at the bottom, as VTK's images have it.
+/// The pixels whose ray meets the cube. Row 0 is at the bottom, as in VTK's images.
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   const Cube& cube, vtkCamera* camera, int width, int height);
 }

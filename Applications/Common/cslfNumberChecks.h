@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which numbers options accept. CLI11's own ranges accept NaN, and the messages of those without an
+ * Checks the numbers of options. CLI11's ranges accept NaN, and the messages of ranges without an
  * upper limit show the largest double with all its digits.
  */
 #ifndef cslfNumberChecks_h
@@ -18,7 +18,7 @@ namespace cslf
 {
 namespace tool
 {
-/// Accepts numbers from `least` on.
+/// Accepts numbers of at least `least`.
 inline CLI::Validator AtLeast(double least, const std::string& fault, const std::string& name)
 {
   return CLI::Validator(

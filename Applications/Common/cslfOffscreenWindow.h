@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures that VTK draws where nobody sees them.
+ * Pictures that VTK draws off screen.
  */
 #ifndef cslfOffscreenWindow_h
 #define cslfOffscreenWindow_h
@@ -22,10 +22,10 @@ namespace cslf
 {
 namespace tool
 {
-/// The red, green and blue of what a window shows. Throws a Failure.
+/// The red, green and blue of a window's picture. Throws a Failure.
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
 
-/// A black window off the screen.
+/// A black off-screen window.
 class OffscreenWindow
 {
 public:
@@ -36,17 +36,17 @@ public:
 
   void AddActor(vtkActor* actor);
 
-  /// As vtkRenderWindow::DesiredUpdateRate: pictures a second.
+  /// Like vtkRenderWindow::DesiredUpdateRate, in frames per second.
   void SetDesiredUpdateRate(double rate);
 
-  /// Draws, waits until the picture is done, and returns the seconds that both took. Throws a
+  /// Draws, waits until the picture is finished, and returns the seconds for both. Throws a
   /// Failure.
   double Draw(vtkCamera* camera);
 
-  /// The red, green and blue of what was drawn last. Throws a Failure.
+  /// The red, green and blue of the last picture. Throws a Failure.
   vtkSmartPointer<vtkImageData> Grab();
 
-  /// OpenGL's name of what draws, once something was drawn.
+  /// OpenGL's name of the renderer, after something was drawn.
   std::string GetDeviceName();
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool's files that appear whole or not at all. What fails is thrown as a Failure.
+ * The tool's files, which appear complete or not at all. Errors are thrown as a Failure.
  */
 #ifndef cslfOutputFiles_h
 #define cslfOutputFiles_h
@@ -45,7 +45,7 @@ void PublishWhole(Whole& whole, const std::string& name)
   }
 }
 
-/// One file. Other processes that want to write it fail as long as this object lives.
+/// One file. Other processes that want to write it fail while this object exists.
 class OutputFile
 {
 public:
@@ -62,7 +62,7 @@ public:
 
   const std::string& GetName() const { return this->FileName; }
 
-  /// What to write.
+  /// The name of the temporary file.
   const std::string& GetTemporaryName() const { return this->Whole.GetTemporaryName(); }
 
   void Publish() { PublishWhole(this->Whole, this->FileName); }
@@ -72,7 +72,7 @@ private:
   WholeFile Whole;
 };
 
-/// What to add to a message where the disk is the reason, by the system's error number.
+/// An addition to a message if the disk is the reason, by the system's error number.
 inline std::string DescribeDisk(int code)
 {
   const bool isDisk =
@@ -80,8 +80,8 @@ inline std::string DescribeDisk(int code)
   return isDisk ? " " + std::generic_category().message(code) : "";
 }
 
-/// Writes the temporary file with one of VTK's writers, which has all but its file name. Where the
-/// writer does not notice all failures of the disk, `isWhole` judges the file.
+/// Writes the temporary file with one of VTK's writers, which is set up except for its file name.
+/// If the writer does not notice all disk errors, `isWhole` checks the file.
 template <typename Writer>
 void WriteTemporary(
   Writer* writer, OutputFile& file,

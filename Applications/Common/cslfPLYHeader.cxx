@@ -122,7 +122,7 @@ void CheckElements(const PLYHeader& header, std::size_t bytes)
     {
       throw Failure("its header has more than one element " + element.Name + ".");
     }
-    // A number of an ASCII file takes a digit and a space, but for the last one.
+    // A number in an ASCII file takes a digit and a space, except for the last one.
     std::size_t least = 0;
     for (const PLYProperty& property : element.Properties)
     {
@@ -234,7 +234,7 @@ double PLYNumbers::ReadWord()
   const char* wordEnd = std::find_if(begin, end, IsSpace);
   double number = 0.0;
   const auto result = std::from_chars(begin + (*begin == '+' ? 1 : 0), wordEnd, number);
-  // Numbers too small or too large for a double are as good as 0 or infinite.
+  // Numbers too small or too large for a double count as 0 or infinite.
   if (result.ptr != wordEnd || result.ec == std::errc::invalid_argument)
   {
     throw Failure("it has a value that is not a number.");

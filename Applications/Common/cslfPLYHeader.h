@@ -37,7 +37,7 @@ struct PLYElement
   std::size_t Count = 0;
   std::vector<PLYProperty> Properties;
 
-  /// The index of a property, list or not; -1 where there is none.
+  /// The index of a property, list or not; -1 if there is none.
   int Find(const std::string& name, bool isList) const;
 };
 
@@ -68,7 +68,7 @@ public:
 
   double Read(const PLYType& type);
 
-  /// The number of elements of a list, which the rest of the file can hold.
+  /// The number of elements of a list that the rest of the file can contain.
   std::size_t ReadCount(const PLYProperty& list);
 
 private:

@@ -31,7 +31,7 @@ namespace
 /// The properties that make up a vector: their indices in the element.
 using Places = std::vector<int>;
 
-/// Finds properties that are all there; none where one is missing.
+/// Finds the properties if all of them exist; none if one is missing.
 Places FindAll(const PLYElement& element, std::initializer_list<const char*> names)
 {
   Places places;
@@ -47,7 +47,7 @@ Places FindAll(const PLYElement& element, std::initializer_list<const char*> nam
   return places;
 }
 
-/// Colours as bytes, of bytes or of parts of the largest number.
+/// Colours as bytes, from bytes or from fractions of the largest number.
 class Colors
 {
 public:
@@ -78,7 +78,7 @@ public:
     for (std::size_t i = 0; i < this->From.size(); ++i)
     {
       const double byte = std::round(row[this->From[i]] * this->Factors[i]);
-      // What is not a number becomes 0.
+      // NaN becomes 0.
       this->Array->InsertNextValue(
         static_cast<unsigned char>(byte > 0.0 ? std::min(byte, 255.0) : 0.0));
     }
@@ -174,7 +174,7 @@ private:
     throw Failure("it has no vertices with x, y and z.");
   }
 
-  /// Reads an element's numbers, and the list at a place, if there is one.
+  /// Reads an element's numbers and, if there is one, its list at a place.
   void ReadRow(const PLYElement& element, int listPlace)
   {
     this->Row.assign(element.Properties.size(), 0.0);
@@ -296,7 +296,7 @@ private:
     }
   }
 
-  /// False where a cell is left out, having no area or indices of vertices that do not exist.
+  /// False if a cell is left out because it has no area or indices of missing vertices.
   bool AddCell(Iterator begin, Iterator end, vtkCellArray* cells)
   {
     std::vector<vtkIdType>& ids = this->Ids;
@@ -318,7 +318,7 @@ private:
     return true;
   }
 
-  /// Shows points where there are no faces.
+  /// Shows points if there are no faces.
   void AddVertexCells()
   {
     const auto isFaces = [](const PLYElement& element)
@@ -338,8 +338,8 @@ private:
   PLYNumbers Numbers;
   vtkIdType Vertices = 0;
   vtkIdType Broken = 0;
-  std::vector<double> Row;  // the numbers of an element that are no lists
-  std::vector<double> List; // and the one list that counts
+  std::vector<double> Row;  // the numbers of an element that are not lists
+  std::vector<double> List; // and the one list that is used
   std::vector<vtkIdType> Ids;
   vtkSmartPointer<vtkPolyData> Data = vtkSmartPointer<vtkPolyData>::New();
 };

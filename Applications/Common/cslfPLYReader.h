@@ -3,8 +3,8 @@
 /**
  * @file
  * Reads PLY files and checks all of their contents. VTK's reader trusts their headers and lists: it
- * reads out of bounds where faces have no indices, where lists are longer than 255, or where
- * elements are in another order.
+ * reads out of bounds if faces have no indices, if lists are longer than 255, or if elements are in
+ * another order.
  */
 #ifndef cslfPLYReader_h
 #define cslfPLYReader_h

@@ -26,8 +26,8 @@ namespace
 struct State
 {
   bool IsShared = false;
-  bool HasBegun = false; ///< the work in common
-  bool IsBroken = false; ///< it was left in its middle
+  bool HasBegun = false; ///< the shared work
+  bool IsBroken = false; ///< it was left in the middle
 };
 
 State& GetState()
@@ -42,7 +42,7 @@ vtkMultiProcessController* GetController()
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
 }
 
-/// Whether all processes are well.
+/// Whether no process has an error.
 bool Agree(bool isWell)
 {
   const int mine = isWell ? 1 : 0;
@@ -148,7 +148,7 @@ Ending Conclude(const std::string& error)
   }
   if (state.IsBroken)
   {
-    // The others wait for this process somewhere in the middle: end them all.
+    // The others wait for this process somewhere in the middle: terminate them all.
     PrintError(error);
     std::_Exit(EXIT_FAILURE);
   }

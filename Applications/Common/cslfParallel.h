@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool under mpirun. Commands that write video share their work; all others are done by the
- * first process alone. Without mpirun, or without MPI, there is one process, and nothing here does
- * anything.
+ * The tool under mpirun. Commands that write video share their work; only the first process runs
+ * all others. Without mpirun, or without MPI, there is one process, and these functions do nothing.
  */
 #ifndef cslfParallel_h
 #define cslfParallel_h
@@ -19,7 +18,7 @@ namespace cslf
 {
 namespace tool
 {
-/// MPI from beginning to end, if mpirun started the process.
+/// MPI from initialisation to finalisation, if mpirun started the process.
 class ParallelRun
 {
 public:
@@ -29,28 +28,28 @@ public:
   ParallelRun& operator=(const ParallelRun&) = delete;
 
 private:
-  vtkSmartPointer<vtkMultiProcessController> Controller; // VTK keeps no reference of its own
+  vtkSmartPointer<vtkMultiProcessController> Controller; // VTK does not keep a reference
 };
 
 /// Whether this is the first process: the one that reads results and prints.
 bool IsFirstRank();
 
-/// How many processes do the chosen command together.
+/// The number of processes that run the chosen command together.
 int CountProcesses();
 
-/// The first process's number, on all that do the chosen command together.
+/// The first process's number, on all processes that run the chosen command together.
 int ShareNumber(int number);
 
-/// Says that the chosen command is done by all processes together, if it is.
+/// Declares that all processes run the chosen command together, if they do.
 void SetShared(bool isShared);
 
-/// Whether the chosen command is done by several processes together.
+/// Whether several processes run the chosen command together.
 bool IsShared();
 
-/// Whether this process has a part in the chosen command.
+/// Whether this process takes part in the chosen command.
 bool TakesPart();
 
-/// All processes together begin what they do together, and end it. Throws a Failure where one of
+/// All processes call these together to begin and end their shared work. Throws a Failure if one of
 /// them has failed already.
 class SharedWork
 {
@@ -61,15 +60,15 @@ public:
   SharedWork& operator=(const SharedWork&) = delete;
 };
 
-/// How a command ended, for all processes.
+/// The result of a command, for all processes.
 struct Ending
 {
   bool HasFailed = false;
   std::string Error; ///< to be printed by this process, or empty
 };
 
-/// Brings the processes' endings together: every one calls this at the end of a command, with its
-/// error. The first process prints the error of the first that failed.
+/// Gathers the results of all processes. Each calls this at the end of a command, with its error.
+/// The first process prints the error of the first that failed.
 Ending Conclude(const std::string& error);
 }
 }

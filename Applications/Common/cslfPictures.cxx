@@ -59,7 +59,7 @@ void WritePicture(const std::string& fileName, vtkImageData* picture)
   WriteWholeBytes(bytes->GetPointer(0), bytes->GetNumberOfValues(), fileName);
 }
 
-// In memory, as VTK does not notice all failures of the disk.
+// In memory, because VTK does not notice all disk errors.
 vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture)
 {
   vtkNew<vtkPNGWriter> writer;
@@ -82,8 +82,8 @@ vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)
 void RequireDisplay()
 {
 #ifdef CSLF_NEEDS_X_SERVER
-  // Kept until the end: a server that loses its last client starts anew, and breaks the connection
-  // of one that comes at that moment.
+  // Kept until the end: a server that loses its last client restarts, and breaks connections that
+  // are made at that moment.
   static const std::unique_ptr<Display, int (*)(Display*)> display(
     XOpenDisplay(nullptr), XCloseDisplay);
   if (!display)
@@ -213,7 +213,7 @@ double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
 {
   constexpr double measuredSeconds = 0.5;
   constexpr int mostFrames = 100;
-  // A view that did not change would not be looked up again.
+  // An unchanged view would not be looked up again.
   constexpr double degrees = 0.01;
   vtkNew<vtkCamera> moved;
   moved->DeepCopy(camera);

@@ -37,7 +37,7 @@ namespace tool
 /// Reads a PNG of 8 bits. Throws a Failure.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
 
-/// Writes a PNG, which appears whole or not at all. Throws a Failure.
+/// Writes a PNG, which appears complete or not at all. Throws a Failure.
 void WritePicture(const std::string& fileName, vtkImageData* picture);
 
 /// The bytes of a PNG. Throws a Failure.
@@ -46,10 +46,10 @@ vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture);
 /// The red, green and blue of a picture of associated alpha, which composites it over black.
 vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture);
 
-/// Throws a Failure where VTK could open no window, on or off the screen.
+/// Throws a Failure if VTK could not open a window, on or off the screen.
 void RequireDisplay();
 
-/// The name of a lookup of vtkCSLFMapper, as the command line and tables have it.
+/// The name of a lookup of vtkCSLFMapper on the command line and in tables.
 struct LookupName
 {
   int Lookup;
@@ -59,27 +59,27 @@ struct LookupName
 /// All lookups, in the order of the keys 1 to 5.
 const std::vector<LookupName>& GetLookups();
 
-/// Those that a field has the channels for.
+/// The lookups that a field has the channels for.
 std::vector<LookupName> GetLookups(const Description& description);
 
-/// The names of all.
+/// The names of all lookups.
 std::vector<std::string> GetLookupNames();
 
-/// Those of these names, or, where there are none, all that a field has the channels for. Throws a
-/// Failure where it has not the channels for one that is named.
+/// The lookups with these names or, if there are none, all that a field has the channels for.
+/// Throws a Failure if the field lacks channels for one of the names.
 std::vector<LookupName> ChooseLookups(
   const std::vector<std::string>& names, const Description& description);
 
-/// Adds --pixel-samples, as vtkCSLFMapper::PixelSamples.
+/// Adds --pixel-samples, like vtkCSLFMapper::PixelSamples.
 void AddPixelSamples(CLI::App& command, int& samples);
 
-/// Adds --lookups, which names some.
+/// Adds --lookups, for a list of names.
 void AddLookups(CLI::App& command, std::vector<std::string>& names);
 
-/// The lookup of that name, which must be one of theirs.
+/// The lookup of a name, which must be one of them.
 int FindLookup(const std::string& name);
 
-/// The lookup of that name, or focal with a warning where it needs depth and the field has none.
+/// The lookup of that name, or focal with a warning if it needs depth and the field has none.
 std::string ChooseLookup(const std::string& name, const Description& description);
 
 /// Draws a light field off screen, over black.
@@ -89,36 +89,36 @@ public:
   FieldRenderer(vtkAlgorithmOutput* field, int width, int height);
   ~FieldRenderer();
 
-  /// How bright views are shown; as they are unless this was called.
+  /// The tone mapping of views. By default, colours are shown unchanged.
   void SetToneMapping(const ToneMapping& toneMapping);
 
-  /// As vtkCSLFMapper::PixelSamples.
+  /// Like vtkCSLFMapper::PixelSamples.
   int GetPixelSamples() const;
   void SetPixelSamples(int samples);
 
-  /// As vtkRenderWindow::DesiredUpdateRate: above 1 the view counts as moving.
+  /// Like vtkRenderWindow::DesiredUpdateRate: above 1 the view counts as moving.
   void SetDesiredUpdateRate(double rate) { this->Window.SetDesiredUpdateRate(rate); }
 
-  /// Draws the view and returns the seconds that it took. Throws a Failure.
+  /// Draws the view and returns the seconds for this. Throws a Failure.
   double Draw(vtkCamera* camera, int lookup);
 
-  /// The red, green and blue of what was drawn last. Throws a Failure.
+  /// The red, green and blue of the last picture. Throws a Failure.
   vtkSmartPointer<vtkImageData> Grab() { return this->Window.Grab(); }
 
   /// The red, green and blue of the view. Throws a Failure.
   vtkSmartPointer<vtkImageData> Render(vtkCamera* camera, int lookup);
 
-  /// How many times a second the view can be drawn, the first drawing left out.
+  /// How many times per second the view can be drawn, without the first drawing.
   double MeasureFrameRate(vtkCamera* camera, int lookup);
 
-  /// As vtkCSLFMapper::Streaming and IsComplete.
+  /// Like vtkCSLFMapper::Streaming and IsComplete.
   void SetStreaming(bool streaming);
   bool IsComplete();
 
-  /// The graphics memory that the field's samples take, once something was drawn.
+  /// The graphics memory of the field's samples, after something was drawn.
   std::int64_t GetTextureBytes();
 
-  /// What draws, as in OffscreenWindow.
+  /// The name of the renderer, like in OffscreenWindow.
   std::string GetDeviceName() { return this->Window.GetDeviceName(); }
 
 private:

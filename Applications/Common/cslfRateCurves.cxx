@@ -101,7 +101,7 @@ std::optional<double> ComputeDeltaRate(
       [=](double knot) { return knot > low && knot < high; });
   }
   std::sort(knots.begin(), knots.end());
-  // Simpson's rule is exact for cubics, which the curves are between the knots of both.
+  // Simpson's rule is exact for cubics, and the curves are cubics between the knots of both.
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
   {

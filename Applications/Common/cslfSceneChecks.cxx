@@ -34,20 +34,20 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// How many values a byte of a file may hold: zlib compresses zeros by 1000, to eighths of bytes
-// more. Small files may announce some more.
+// The most values per byte of a file: zlib compresses zeros by a factor of about 1000. Small files
+// may announce some more.
 constexpr double ValuesPerByte = 1100.0;
 constexpr double SmallestLimit = 65536.0;
 
-// Blocks of a composite data set take memory, whether there is data in them or not.
+// Blocks of a composite data set take memory even if they are empty.
 constexpr double MostBlocks = 1048576.0; // of a file
 
-// VTK reads and deletes nested elements by functions that call themselves.
+// VTK reads and deletes nested elements recursively.
 constexpr int MostLevels = 1000;
 
 constexpr double BytesOfLargestValue = 8.0;
 
-/// The number of a text, all of which must be one.
+/// The number in a text, which must contain nothing else.
 template <typename Number>
 bool Parse(const std::string& text, Number& number)
 {
@@ -57,7 +57,7 @@ bool Parse(const std::string& text, Number& number)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-/// The lines of an OBJ file with an index each.
+/// The lines of an OBJ file that have one index each.
 class OBJChecker
 {
 public:
@@ -108,7 +108,7 @@ private:
     }
   }
 
-  /// A file that was cut short may end within a line.
+  /// A truncated file may end within a line.
   void CheckEnd()
   {
     this->File.clear();
@@ -130,7 +130,7 @@ private:
     }
   }
 
-  /// Adds the next lines where a line ends with a backslash.
+  /// Appends the next lines if a line ends with a backslash.
   void Continue(std::string& line)
   {
     std::string next;
@@ -199,7 +199,7 @@ private:
   Numbers Counts{}; // up to this line
 };
 
-/// Whether a file of STL is whole. VTK reads what there is of one that is not.
+/// Whether an STL file is complete. VTK reads truncated files without an error.
 class STLChecker
 {
 public:
@@ -230,7 +230,7 @@ private:
   static constexpr std::uintmax_t HeaderSize = 84; // the last four bytes count the triangles
   static constexpr std::uintmax_t TriangleSize = 50;
 
-  /// Headers of binary files may begin as texts do, but then the number of triangles fits the size,
+  /// Headers of binary files may begin like text, but then the number of triangles fits the size,
   /// or there are zeros, as after each triangle. The name of a solid may have letters beyond ASCII.
   bool IsText() const
   {
@@ -317,7 +317,7 @@ private:
   std::string Begin;
 };
 
-/// Leaves out elements that are nested too deeply, and knows that there were some.
+/// Leaves out elements that are nested too deeply, and records that there were some.
 class vtkShallowXMLParser : public vtkXMLDataParser
 {
 public:
@@ -417,7 +417,7 @@ private:
     }
   }
 
-  /// VTK uses an array without asking whether it could make one of that type.
+  /// VTK uses an array without checking whether it could create one of that type.
   void CheckType(vtkXMLDataElement* element) const
   {
     static const std::set<std::string> types = { "Bit", "Float32", "Float64", "Int8", "Int16",
@@ -456,7 +456,7 @@ private:
     }
   }
 
-  /// An element holds as many blocks as the largest index in it says.
+  /// An element has as many blocks as its largest index says.
   void CountBlocks(vtkXMLDataElement* element)
   {
     double blocks = 0.0;
@@ -474,7 +474,7 @@ private:
     }
   }
 
-  /// A number of things, for which there must be bytes.
+  /// A number of items, each of which needs bytes in the file.
   double CheckNumber(const std::string& name, const std::string& text) const
   {
     std::int64_t number = 0;
@@ -505,7 +505,7 @@ private:
     }
   }
 
-  /// A file that this one names. VTK reads no trees within trees.
+  /// A file that this one refers to. VTK does not read trees within trees.
   void CheckFile(const std::string& name) const
   {
     const fs::path path = this->Path.parent_path() / ToPath(name);

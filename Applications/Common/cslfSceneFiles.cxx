@@ -50,7 +50,7 @@ constexpr const char* NoEnvironment = "none";
 constexpr const char* WhiteEnvironment = "white";
 constexpr const char* GradientEnvironment = "gradient";
 
-/// Of glass and plastics; what glTF's metallic-roughness material has.
+/// The value for glass and plastics, and of glTF's metallic-roughness material.
 constexpr double UsualIndexOfRefraction = 1.5;
 
 using Part = vtkSmartPointer<vtkDataObject>;
@@ -85,7 +85,7 @@ const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders
   return readers;
 }
 
-/// Removes what would be read out of bounds, and warns of it.
+/// Removes cells that would be read out of bounds, with warnings.
 Part MakePartSound(vtkDataObject* part, const std::string& input)
 {
   std::set<std::string> removed;
@@ -218,7 +218,7 @@ Part ReadScenePart(const std::string& input)
   }
   catch (const std::exception&)
   {
-    // What the standard library says of sizes that are wrong does not help.
+    // The standard library's messages about wrong sizes do not help users.
     throw Failure("Cannot read " + input + ": it is damaged or too large.");
   }
   const std::string error = GetFirstError();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Scenes: what `sample`, `trace` and `evaluate` take as INPUT, and how it is lit.
+ * Scenes: the INPUT of `sample`, `trace` and `evaluate`, and its light.
  */
 #ifndef cslfSceneFiles_h
 #define cslfSceneFiles_h
@@ -35,14 +35,14 @@ class Scene
 public:
   std::vector<vtkSmartPointer<vtkDataObject>> Parts;
 
-  /// The bounds of all cells, in VTK's order; a unit box around the origin where there are none.
+  /// The bounds of all cells, in VTK's order. A unit box around the origin if there are none.
   void GetBounds(double bounds[6]) const;
 
   /// Visits the polygonal data of all parts.
   void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
 
-/// Reads one file of a scene, or the Cornell box. Throws a Failure where there is nothing to see.
+/// Reads one file of a scene, or the Cornell box. Throws a Failure if nothing is visible.
 vtkSmartPointer<vtkDataObject> ReadScenePart(const std::string& input);
 
 /// A scene's files and the material and light options of the command line.
@@ -52,13 +52,13 @@ public:
   /// The files as positional arguments, material and light.
   void AddTo(CLI::App& command);
 
-  /// The same, but the files, by place or by --scene, may be left out.
+  /// The same, but the files, as arguments or with --scene, are optional.
   void AddOptionalTo(CLI::App& command);
 
   /// The files only.
   void AddInputsTo(CLI::App& command);
 
-  /// Takes from a field's sampling parameters what the command line leaves out.
+  /// Takes defaults for the command line from a field's sampling parameters.
   void TakeDefaults(const nlohmann::json& sampling);
 
   /// Reads the inputs and gives them their materials. Throws a Failure.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One number for many. None may be asked of no values at all.
+ * Statistics of values. All functions need at least one value.
  */
 #ifndef cslfStatistics_h
 #define cslfStatistics_h

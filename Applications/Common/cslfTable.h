@@ -19,7 +19,7 @@ class Table
 public:
   void AddRow(const std::vector<std::string>& cells) { this->Rows.push_back(cells); }
 
-  /// The rows as lines. The first column is aligned to the left and so is a last one of two.
+  /// The rows as lines. The first column is aligned to the left, and so is the second of two.
   std::string ToText() const;
 
   /// The rows as a table of Markdown, the first one its head.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tool asks the terminal.
+ * The terminal's capabilities.
  */
 #ifndef cslfTerminal_h
 #define cslfTerminal_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How bright pictures of a light field are shown, on the command line.
+ * The command line options for exposure and tone mapping.
  */
 #ifndef cslfToneOptions_h
 #define cslfToneOptions_h
@@ -35,10 +35,10 @@ private:
   std::string Curve = "clamp";
 };
 
-/// Has a mapper draw so.
+/// Sets these options of a mapper.
 void SetToneMapping(vtkCSLFMapper* mapper, const ToneMapping& toneMapping);
 
-/// A pixel of linear radiance, associated with its coverage `alpha`, as it is shown over black.
+/// A pixel of linear radiance, associated with its coverage `alpha`, as displayed over black.
 void EncodeShown(
   const ToneMapping& toneMapping, const glm::dvec3& radiance, double alpha, unsigned char color[3]);
 }

@@ -32,7 +32,7 @@ namespace tool
 {
 namespace
 {
-/// The weighted sum of two linear float pictures, encoded as the field's colours are.
+/// The weighted sum of two linear float pictures, encoded like the field's colours.
 vtkSmartPointer<vtkImageData> EncodeSum(vtkImageData* first, double firstWeight,
   vtkImageData* second, double secondWeight, const ToneMapping& toneMapping)
 {
@@ -66,7 +66,7 @@ std::string ComputeMD5(const std::string& text)
   return hex;
 }
 
-/// A view's picture of an earlier run.
+/// A view's picture from an earlier run.
 vtkSmartPointer<vtkImageData> ReadHalf(const std::string& fileName, int size)
 {
   vtkNew<vtkXMLImageDataReader> reader;
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkImageData> TruthTracer::GetHalf(
   const auto half = this->TraceHalf(camera, size, samples, seed);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(half);
-  // Not all raw appended data can be read back with newer expat.
+  // Raw appended data is not always readable with newer versions of expat.
   writer->SetDataModeToBinary();
   WriteWhole(writer.Get(), fileName);
   return half;

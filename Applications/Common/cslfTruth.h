@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a scene truly looks like: path-traced views, kept in a folder where there is one.
+ * References: path-traced views of a scene, kept in a folder if there is one.
  */
 #ifndef cslfTruth_h
 #define cslfTruth_h
@@ -26,29 +26,29 @@ namespace tool
 class Scene;
 class SceneOptions;
 
-/// A path-traced view as red, green and blue bytes over black, and the two halves it is the mean
-/// of.
+/// A path-traced view as red, green and blue bytes over black, and its two halves, whose mean it
+/// is.
 struct Truth
 {
   vtkSmartPointer<vtkImageData> Picture;
   vtkSmartPointer<vtkImageData> Halves[2];
 };
 
-/// The PSNR that the truth's own noise leaves: the halves' difference has four times the variance
-/// of their mean's error, so it is their PSNR plus 10 log10(4) dB.
+/// The PSNR of the reference's own noise: the halves' difference has four times the variance of
+/// their mean's error, so it is their PSNR plus 10 log10(4) dB.
 double ComputeNoiseFloor(const Truth& truth, vtkImageStencilData* stencil);
 
 class TruthTracer
 {
 public:
-  /// What is traced is kept in `folder`, if that is not empty, one file of image data for each
-  /// half, named after all that it depends on; what is there already is not traced again. Throws a
-  /// Failure where the folder cannot be written to.
+  /// If `folder` is not empty, traced pictures are kept in it, with one file of image data for each
+  /// half, whose name depends on all settings. Existing ones are not traced again. Throws a Failure
+  /// if the folder is not writable.
   TruthTracer(const SceneOptions& options, const Scene& scene, const std::string& folder);
   ~TruthTracer();
 
-  /// Traces a square view with `samples` per pixel, half of them in each half, and shows it as
-  /// bright as asked for. Throws a Failure.
+  /// Traces a square view with `samples` per pixel, half of them in each half, and applies the tone
+  /// mapping. Throws a Failure.
   Truth Trace(
     vtkCamera* camera, int size, int samples, int seed, const ToneMapping& toneMapping = {});
 
@@ -59,7 +59,7 @@ private:
 
   vtkNew<vtkCSLFViewTracer> Tracer;
   std::string Folder;
-  std::string Description; ///< of the scene and how it is traced
+  std::string Description; ///< of the scene and the settings of tracing
 };
 }
 }

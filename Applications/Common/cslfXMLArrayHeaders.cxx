@@ -18,7 +18,7 @@ namespace tool
 {
 namespace
 {
-/// What a compressed array begins with.
+/// The header of a compressed array.
 constexpr std::size_t HeaderWords = 3;
 
 std::string GetText(vtkXMLDataElement* element, const char* name)
@@ -27,7 +27,7 @@ std::string GetText(vtkXMLDataElement* element, const char* name)
   return text ? text : "";
 }
 
-/// How many bytes one compressed byte may hold at most: zlib has codes of two bits for 258 bytes
+/// The most bytes that one compressed byte can contain: zlib has codes of two bits for 258 bytes
 /// each, lengths in LZ4 grow by 255 a byte, and LZMA spends at least 14 choices of 0.022 bits on
 /// 273 bytes.
 double GetLargestRatio(const std::string& compressor)
@@ -71,7 +71,7 @@ bool XMLArrayHeaders::Fit(vtkXMLDataElement* array, double mostBytes)
     return words.empty() || words[0] <= this->FileSize;
   }
   // The number of blocks, the size of each, and that of the last one if it is not full. The sizes
-  // of the compressed blocks follow, a word each.
+  // of the compressed blocks follow, one word each.
   const std::vector<double> words = this->ReadWords(place, HeaderWords);
   if (words.empty() || words[0] == 0.0)
   {
@@ -109,7 +109,7 @@ bool XMLArrayHeaders::FitBlocks(const Place& place, const std::vector<double>& h
 
 XMLArrayHeaders::Place XMLArrayHeaders::Find(vtkXMLDataElement* array)
 {
-  // VTK asks for the format only where there is no offset.
+  // VTK requests the format only if there is no offset.
   if (array->GetAttribute("offset"))
   {
     vtkTypeInt64 offset = 0;
@@ -152,7 +152,7 @@ std::vector<double> XMLArrayHeaders::ReadWords(const Place& place, std::size_t c
   std::vector<double> words(count, 0.0);
   for (std::size_t i = 0; i < length; ++i)
   {
-    // From the highest byte of each word to the lowest.
+    // From the highest to the lowest byte of each word.
     const std::size_t within = i % this->WordSize;
     const std::size_t from = this->IsBigEndian ? i : i + this->WordSize - 1 - 2 * within;
     double& word = words[i / this->WordSize];

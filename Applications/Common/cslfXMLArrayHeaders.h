@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The numbers with which binary arrays in XML files of VTK begin.
+ * The headers of binary arrays in XML files of VTK.
  */
 #ifndef cslfXMLArrayHeaders_h
 #define cslfXMLArrayHeaders_h
@@ -27,16 +27,16 @@ public:
   /// Reads the headers of a file that the parser has parsed.
   XMLArrayHeaders(const std::string& fileName, vtkXMLDataParser* parser);
 
-  /// Whether the blocks that an array announces fit into the file, and their content into
-  /// `mostBytes` and into what the compressor can make of so many bytes. It is true for arrays that
-  /// are text or that end within their header, since VTK reports these.
+  /// Whether the blocks that an array announces fit in the file, and their content in `mostBytes`
+  /// and in the most that the compressor can make of that many bytes. True for arrays that are text
+  /// or end within their header, because VTK reports these.
   bool Fit(vtkXMLDataElement* array, double mostBytes);
 
 private:
-  /// Where the bytes of an array begin, and how they are written.
+  /// The start and the encoding of an array's bytes.
   struct Place
   {
-    std::int64_t Begin = -1; // negative: nowhere
+    std::int64_t Begin = -1; // negative: none
     bool IsBase64 = true;
   };
 

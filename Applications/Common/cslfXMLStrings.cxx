@@ -21,7 +21,7 @@ namespace tool
 {
 namespace
 {
-// How many characters are read at once.
+// The number of characters read at once.
 constexpr std::size_t ChunkSize = 1048576;
 
 bool IsNamed(vtkXMLDataElement* element, const char* name)
@@ -47,8 +47,9 @@ bool SetCompressor(vtkXMLDataParser* parser, const char* name)
   return isIt;
 }
 
-/// How many tuples VTK allocates for an array. Of structured data it reads parts, into which all
-/// strings of a piece do not fit, so there must be none at their points and cells.
+/// The number of tuples that VTK allocates for an array. It reads parts of structured data, in
+/// which the strings of a whole piece do not fit, so these must have no strings at points and
+/// cells.
 double CountTuples(vtkXMLDataElement* array)
 {
   vtkXMLDataElement* parent = array->GetParent();

@@ -19,7 +19,7 @@ namespace cslf
 {
 namespace tool
 {
-/// VTK writes as many strings into an array as there are, whatever number the file announces.
+/// VTK writes all strings to an array, whatever number the file announces.
 class XMLStrings
 {
 public:
@@ -29,12 +29,12 @@ public:
   XMLStrings(const XMLStrings&) = delete;
   XMLStrings& operator=(const XMLStrings&) = delete;
 
-  /// Whether an array holds no more strings than the file announces. It is true for what is no
-  /// array of strings. The array's header must fit.
+  /// Whether an array contains no more strings than the file announces. True for other arrays. The
+  /// array's header must fit in the file.
   bool Fit(vtkXMLDataElement* array);
 
 private:
-  /// Reads characters from a place on, and returns how many there were.
+  /// Reads characters from a position on, and returns their number.
   std::size_t Read(vtkXMLDataElement* array, std::size_t place, std::vector<char>& characters);
 
   std::ifstream File;

@@ -20,7 +20,7 @@ namespace tool
 {
 namespace
 {
-// Of a pass: shorter ones get more samples, longer ones fewer.
+// The time of a pass: shorter ones get more samples, longer ones fewer.
 constexpr double ShortSeconds = 0.05;
 constexpr double LongSeconds = 0.2;
 constexpr int MostPassSamples = 16;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A path-traced view that gets better while one looks at it.
+ * A path-traced view that refines while it is shown.
  */
 #ifndef cslfRefiningTruth_h
 #define cslfRefiningTruth_h
@@ -26,24 +26,24 @@ namespace tool
 class RefiningTruth
 {
 public:
-  /// The scene is traced as the options say.
+  /// The options define how the scene is traced.
   RefiningTruth(const SceneOptions& options, const Scene& scene);
   ~RefiningTruth();
   RefiningTruth(const RefiningTruth&) = delete;
   RefiningTruth& operator=(const RefiningTruth&) = delete;
 
-  /// Whether the picture is of this view, in this size.
+  /// Whether the picture shows this view in this size.
   bool Shows(vtkCamera* camera, const int size[2]) const;
 
-  /// Adds a pass to the view's picture, begins it where it is another view. Passes take more
-  /// samples as long as they are quick, so that the window stays responsive, but no pixel gets more
-  /// than `mostSamples`. Throws a Failure.
+  /// Adds a pass to the view's picture, or begins a picture for a new view. Passes take more
+  /// samples if they are fast, so that the window stays responsive, but no pixel gets more than
+  /// `mostSamples`. Throws a Failure.
   void Refine(vtkCamera* camera, const int size[2], int mostSamples);
 
-  /// Samples of each pixel so far.
+  /// The samples per pixel so far.
   int GetSamples() const { return this->Samples; }
 
-  /// The picture as it is shown, over black.
+  /// The picture as displayed, over black.
   vtkSmartPointer<vtkImageData> MakePicture(const ToneMapping& toneMapping) const;
 
 private:

@@ -24,7 +24,7 @@ namespace tool
 {
 namespace
 {
-/// Of the axes, in parts of the cube's longest edge.
+/// The length of the axes, relative to the cube's longest edge.
 constexpr double AxisLength = 0.3;
 
 vtkSmartPointer<vtkActor> MakeUnlitActor(vtkMapper* mapper, double r, double g, double b)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the viewer draws around a light field to show where things are.
+ * Objects that the viewer draws around a light field for orientation.
  */
 #ifndef cslfScenery_h
 #define cslfScenery_h
@@ -21,8 +21,8 @@ namespace tool
 /// The edges of the cube.
 vtkSmartPointer<vtkActor> MakeOutline(const Cube& cube);
 
-/// Axes of world coordinates at the cube's corner of least x and y and greatest z: Z leads out of
-/// it.
+/// Axes of world coordinates at the cube's corner with the smallest x and y and the largest z, so
+/// that Z points outwards.
 vtkSmartPointer<vtkProp> MakeAxes(const Cube& cube);
 
 /// A dot at each of the field's viewpoints.

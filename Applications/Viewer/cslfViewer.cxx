@@ -61,7 +61,7 @@ void Toggle(vtkProp* prop)
   prop->SetVisibility(!prop->GetVisibility());
 }
 
-/// The first name of a screenshot that is not taken.
+/// The first unused name of a screenshot.
 std::string MakeScreenshotName()
 {
   for (int number = 1;; ++number)
@@ -174,7 +174,7 @@ void Viewer::AddOverlay()
   this->Window->AddRenderer(this->Overlay);
 }
 
-// Divides the window among what is shown: in one row up to three, then in two.
+// Divides the window among the panes: in one row up to three, then in two rows.
 void Viewer::Arrange()
 {
   const std::vector<Pane*> shown = this->GetShownPanes();
@@ -277,7 +277,7 @@ void Viewer::Render()
   this->Window->Render();
 }
 
-// Before a pane is drawn: all share the mapper, and the truth may be of another view.
+// Called before a pane is drawn: all share the mapper, and the reference may show another view.
 void Viewer::PreparePane(vtkObject*, unsigned long, void* client, void*)
 {
   auto* pane = static_cast<Pane*>(client);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The window of `cslf view`: one lookup or all side by side, the path-traced truth beside them,
- * and what goes with them.
+ * The window of `cslf view`: one lookup or all side by side, next to the path-traced reference, and
+ * other displays.
  */
 #ifndef cslfViewer_h
 #define cslfViewer_h
@@ -37,15 +37,14 @@ namespace tool
 {
 struct FieldFile;
 
-/// Draws all into one render window, which its owner shows. It does what the keys say, and never by
-/// itself.
+/// Draws everything into one render window, which its owner shows. It acts only on keys.
 class Viewer
 {
 public:
-  /// What the keys do, a line for each.
+  /// The help for the keys, one line each.
   static const char* const Help;
 
-  /// `truth` may be null; then there is none to show.
+  /// `truth` may be null if there is no reference to show.
   Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
     std::unique_ptr<RefiningTruth> truth);
   ~Viewer();
@@ -54,34 +53,33 @@ public:
 
   vtkRenderWindow* GetWindow() { return this->Window; }
 
-  /// A lookup of vtkCSLFMapper, drawn alone or beside the truth.
+  /// A lookup of vtkCSLFMapper, drawn alone or beside the reference.
   void SetLookup(int lookup);
   void SetToneMapping(const ToneMapping& toneMapping);
 
-  /// Does what a key stands for, without drawing. False where it stands for nothing. Throws a
-  /// Failure.
+  /// Performs the action of a key, without drawing. False if the key has none. Throws a Failure.
   bool Press(char key);
 
   void Render();
 
-  /// Where the truth is shown, takes it further by a pass, up to so many samples a pixel, and
-  /// measures the lookups shown whenever its samples have doubled. Returns whether there is
+  /// If the reference is shown, refines it by a pass, up to this many samples per pixel, and
+  /// measures the shown lookups whenever its samples have doubled. Returns whether there is
   /// something new to draw. Throws a Failure.
   bool Refine(int mostSamples);
 
-  /// What the window shows, as a PNG. Throws a Failure.
+  /// The window's picture as a PNG. Throws a Failure.
   void WriteScreenshot(const std::string& fileName);
 
-  /// Frames a second over the last frames; 0 before there are two.
+  /// Frames per second over the last frames; 0 before there are two.
   double GetFrameRate() const;
 
-  /// The PSNR of the lookups that were measured in this view, by their names, in dB.
+  /// The PSNR of the measured lookups in this view, by their names, in dB.
   std::map<std::string, double> GetPSNR() const;
 
   int GetTruthSamples() const { return this->Truth ? this->Truth->GetSamples() : 0; }
   vtkTypeInt64 GetTextureBytes() const;
 
-  /// As vtkCSLFMapper::Streaming and IsComplete.
+  /// Like vtkCSLFMapper::Streaming and IsComplete.
   void SetStreaming(bool streaming);
   bool IsComplete() const;
 
@@ -113,11 +111,11 @@ private:
   vtkSmartPointer<vtkProp> Outline;
   vtkSmartPointer<vtkProp> Axes;
   vtkSmartPointer<vtkProp> Markers;
-  std::vector<std::unique_ptr<Pane>> Panes; ///< the lookups' and, last, the truth's
+  std::vector<std::unique_ptr<Pane>> Panes; ///< of the lookups and, last, of the reference
   std::unique_ptr<RefiningTruth> Truth;
   int Lookup = 0;
-  int MeasuredSamples = 0; ///< of the truth, when the lookups were last measured
-  int MeasuredLookup = -1; ///< drawn in the truth's place, unless -1
+  int MeasuredSamples = 0; ///< of the reference, when the lookups were last measured
+  int MeasuredLookup = -1; ///< drawn in the reference's place, unless -1
   bool ShowsAll = false;
   bool ShowsTruth = false;
   bool ShowsState = true;

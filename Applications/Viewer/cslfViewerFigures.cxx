@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The viewer's figures: frames a second, and how near the lookups come to the truth.
+// The viewer's figures: frames per second, and the quality of lookups compared with the reference.
 #include "cslfMessages.h"
 #include "cslfNovelViews.h"
 #include "cslfTable.h"
@@ -83,7 +83,7 @@ void Viewer::ShowState()
   this->HelpText->SetInput(this->ShowsHelp ? Help : "h: help");
 }
 
-// Each lookup is drawn in the truth's place, so that pixels meet their like, and shown to nobody.
+// Draws each lookup in the reference's place, so that pixels match, without showing it.
 void Viewer::Measure()
 {
   const std::vector<Pane*> shown = this->GetShownPanes();

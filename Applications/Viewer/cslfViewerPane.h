@@ -19,7 +19,7 @@ namespace cslf
 {
 namespace tool
 {
-constexpr int TruthPane = -1; ///< in place of a lookup
+constexpr int TruthPane = -1; ///< stands for the reference instead of a lookup
 constexpr double Background[3] = { 0.1, 0.1, 0.12 };
 
 struct Viewer::Pane
@@ -29,7 +29,7 @@ struct Viewer::Pane
   int Lookup;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkTextActor> Label;
-  double PSNR = 0.0; ///< of the lookup in this view; 0 where it was not measured
+  double PSNR = 0.0; ///< of the lookup in this view; 0 if it was not measured
 };
 
 /// In pixels.
