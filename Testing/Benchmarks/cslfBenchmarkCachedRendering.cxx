@@ -39,10 +39,10 @@ constexpr int Samples = 4;
 constexpr int SlabSlices = 4;
 constexpr int FrontFace = 4;
 
-/// The side of a square of as many texels as a packet has rays: the renderer's blocks.
+/// The side of a square with as many texels as a packet has rays: the renderer's blocks.
 constexpr int BlockSide = 4;
 
-/// What a ray query needs to know of a packet.
+/// The data that a ray query needs of a packet.
 struct Rays
 {
   float OriginX[RayPacket::Size];
@@ -72,8 +72,8 @@ void AddPacket(const RayGrid& grid, const SamplePlaces& places, std::vector<Rays
   rays.emplace_back(packet);
 }
 
-/// The rays of a tile, in the renderer's packets: `Samples` a texel, a packet for 2 x 2 texels, and
-/// one to each texel's centre for its depth.
+/// The rays of a tile, in the renderer's packets: `Samples` per texel, with one packet for 2 x 2
+/// texels, and one ray to each texel's centre for its depth.
 void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& rays)
 {
   for (int row = 0; row < Resolution; row += BlockSide)
@@ -106,7 +106,7 @@ void AddTileRays(const RayGrid& grid, int slice, int tile, std::vector<Rays>& ra
   }
 }
 
-/// Ray queries of the slab's rays, and nothing else.
+/// Only the ray queries of the slab's rays.
 class BareQueries
 {
 public:
@@ -131,7 +131,7 @@ public:
 
   double CountRays() const { return static_cast<double>(this->Packets.size()) * RayPacket::Size; }
 
-  /// The seconds that all queries take on VTK's threads.
+  /// The seconds for all queries on VTK's threads.
   double Measure()
   {
     std::atomic<long long> hits{ 0 };
@@ -197,7 +197,7 @@ private:
 
 void CompareCachedRendering(benchmark::State& state)
 {
-  // Make both sides ready; the cache is filled by a first rendering.
+  // Prepare both sides. A first rendering fills the cache.
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
@@ -218,7 +218,7 @@ void CompareCachedRendering(benchmark::State& state)
   BareQueries bare(scene, layout, Cube::FromBounds(scene.Bounds, sampler->GetOffset()), first);
   bare.Measure();
 
-  // Measure them in turn.
+  // Measure them alternately.
   double bareSeconds = 0.0;
   double cachedSeconds = 0.0;
   for (auto _ : state)

@@ -21,11 +21,11 @@ namespace benchmarks
 {
 namespace
 {
-/// The whole field is decoded in ranges of so many bytes, since it may not fit in memory.
+/// The whole field is decoded in ranges of this many bytes, because it may not fit in memory.
 constexpr double RangeBytes = 1 << 29;
 constexpr double TexelBytes = 6.0;
 
-/// A decoder of the file, opened, with the field's extent; null where that fails.
+/// An opened decoder of the file, with the field's extent. Null on failure.
 bool Open(
   benchmark::State& state, vtkCSLFDecoder* decoder, const std::string& fileName, int extent[6])
 {
@@ -71,8 +71,8 @@ void DecodeWhole(benchmark::State& state, const std::string& fileName)
   state.counters["texels_per_second"] = benchmark::Counter(texels, benchmark::Counter::kIsRate);
 }
 
-/// Opens the file and decodes one viewpoint, each time another one. What the system keeps of the
-/// file stays in its memory.
+/// Opens the file and decodes one viewpoint, a different one each time. The system's cache of the
+/// file is kept.
 void OpenAndDecodeOne(benchmark::State& state, const std::string& fileName)
 {
   int extent[6];
@@ -83,7 +83,7 @@ void OpenAndDecodeOne(benchmark::State& state, const std::string& fileName)
       return;
     }
   }
-  constexpr int step = 7919; // a prime larger than a group, so that all places in groups come
+  constexpr int step = 7919; // a prime larger than a group, so that all places in groups are used
   vtkIdType z = 0;
   for (auto _ : state)
   {

@@ -101,7 +101,7 @@ void TraceMesh(benchmark::State& state, const std::string& fileName)
   Trace(state, tracer, mesh->GetBounds());
 }
 
-/// A floor below 1000 small spheres of which so many shine.
+/// A floor below 1000 small spheres, some of which emit light.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeLamps(int count)
 {
   constexpr int spheres = 1000;

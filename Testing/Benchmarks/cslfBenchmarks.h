@@ -13,13 +13,13 @@ namespace cslf
 {
 namespace benchmarks
 {
-/// Cached rendering of viewpoints of the Cornell box, with shading, depth and quantisation, against
-/// nothing but the ray queries of the same rays. Counters: rays/s of both, and the second divided
-/// by the first.
+/// Cached rendering of viewpoints of the Cornell box, with shading, depth and quantisation,
+/// compared with only the ray queries of the same rays. Counters: rays/s of both, and the second
+/// divided by the first.
 void AddCachedRendering();
 
-/// Decoding of a coded light field (.mp4 or .mkv): the whole of it, with texels/s, all channels
-/// counted as one; opening and one viewpoint; opening alone.
+/// Decoding of a coded light field (.mp4 or .mkv): all of it, with texels/s, where all channels
+/// count as one; opening and one viewpoint; only opening.
 void AddDecoding(const std::string& fileName);
 
 /// Path tracing of the Cornell box, lit by its lamp, and of a floor below 1000 small spheres of

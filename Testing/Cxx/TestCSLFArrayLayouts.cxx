@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Scenes, fields and pictures whose arrays lie in memory component by component, or compute their
-// values, give what ordinary arrays of the same values give.
+// Scenes, fields and pictures whose arrays store components separately, or compute their values,
+// give the same results as ordinary arrays with the same values.
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkDataArray> ToImplicit(vtkDataArray* array)
 }
 #endif
 
-/// Replaces all arrays of numbers; their uses stay.
+/// Replaces all numeric arrays and keeps their attributes.
 void ConvertArrays(vtkFieldData* fields, Convert convert)
 {
   auto* attributes = vtkDataSetAttributes::SafeDownCast(fields);
@@ -219,7 +219,7 @@ void TestSampler(Convert convert)
 {
   const auto scene = MakeScene();
   const auto field = Sample(scene);
-  // What is compared is not black.
+  // The compared fields are not black.
   CSLF_CHECK(field->GetPointData()->GetArray("Color")->GetRange(0)[1] > 50.0);
   CSLF_CHECK(cslf::testing::HasEqualSlices(Sample(ConvertScene(scene, convert)), field));
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each BSDF's samples against its density, and that none gives more light than it gets.
+// Compares each BSDF's samples with its density, and checks that none reflects more light than it
+// gets.
 #include "PathTracing/cslfBSDF.h"
 #include "PathTracing/cslfFresnel.h"
 #include "PathTracing/cslfSampleStream.h"
@@ -68,7 +69,7 @@ public:
     ++this->Counts[ring * Sectors + sector];
   }
 
-  /// What is expected in a bin of one sample of this density.
+  /// The expected number in a bin, for one sample of this density.
   static double Expect(const cslf::BSDF& bsdf, int bin)
   {
     constexpr int steps = 48; // along each axis
@@ -89,7 +90,7 @@ private:
 };
 
 /// Chi-squared test of the samples' directions against the integral of the density; also whether
-/// each sample's weight is BSDF over density. What is smooth has no density, and is left out.
+/// each sample's weight is BSDF over density. Smooth parts have no density, and are left out.
 void TestSamplesAgainstDensity(
   const cslf::SurfaceMaterial& material, double cosine, bool inside = false)
 {
@@ -129,7 +130,7 @@ void TestSamplesAgainstDensity(
     }
   }
   CSLF_CHECK_NEAR(total / samples, 1.0 - static_cast<double>(left) / samples, 0.01);
-  // Mean and deviation of chi-squared are the degrees of freedom and the root of twice them.
+  // The mean and variance of chi-squared are the degrees of freedom and twice their number.
   CSLF_CHECK(chi2 < bins + 5.0 * std::sqrt(2.0 * bins));
 }
 
@@ -148,14 +149,14 @@ void TestDensities()
       TestSamplesAgainstDensity(MakeMaterial(0.0f, 0.9f, 1.3f, 0.3f, 1.0f), cosine, inside);
       TestSamplesAgainstDensity(MakeMaterial(0.4f, 0.7f, 2.0f, 0.8f, 0.5f), cosine, inside);
     }
-    // Light that goes on straight, beside a rough metal, and through a sheet.
+    // Light that goes straight on, with a rough metal and through a sheet.
     TestSamplesAgainstDensity(MakeMaterial(0.5f, 0.7f, 1.0f, 0.8f, 0.7f), cosine);
     TestSamplesAgainstDensity(MakeThin(0.6f, 0.8f), cosine);
   }
 }
 
-/// What of uniform light a surface gives in a direction, the growth of radiance in glass left out;
-/// the first component.
+/// The share of uniform light that a surface scatters in a direction, without the growth of
+/// radiance in glass; the first component.
 double IntegrateAlbedo(const cslf::SurfaceMaterial& material, double cosine, bool inside = false)
 {
   constexpr int samples = 4096;
@@ -179,15 +180,15 @@ void TestEnergyOfReflection()
   {
     for (float roughness : { 0.0f, 0.1f, 0.3f, 0.6f, 1.0f })
     {
-      // Nothing reflects more than it receives, and what a dielectric's boundary lets through, a
-      // white base below gives back.
+      // Nothing reflects more than it receives, and a white base returns all light that a
+      // dielectric's boundary transmits.
       CSLF_CHECK_NEAR(
         IntegrateAlbedo(MakeMaterial(0.0f, roughness, 1.5f, 1.0f), cosine), 1.0, 0.01);
       const double metal = IntegrateAlbedo(MakeMaterial(1.0f, roughness, 1.0f, 1.0f), cosine);
       CSLF_CHECK(metal <= 1.001 && metal > 0.2);
       CSLF_CHECK(IntegrateAlbedo(MakeMaterial(0.5f, roughness, 2.5f, 1.0f), cosine) <= 1.005);
 
-      // The table of all roughnesses says the same as that of one.
+      // The table of all roughnesses agrees with that of one.
       cslf::SurfaceMaterial varied = MakeMaterial(0.0f, roughness, 1.5f, 1.0f);
       varied.DielectricSpecular = cslf::SpecularAlbedo(1.5f);
       CSLF_CHECK_NEAR(IntegrateAlbedo(varied, cosine), 1.0, 0.01);
@@ -205,7 +206,7 @@ void TestEnergyOfGlass()
     {
       for (float ior : { 1.0f, 1.33f, 1.5f, 2.4f })
       {
-        // Smooth: what is not reflected comes through, tinted.
+        // Smooth: light that is not reflected is transmitted, tinted.
         const float eta = inside ? 1.0f / ior : ior;
         const double reflected = cslf::DielectricFresnel(static_cast<float>(cosine), eta);
         CSLF_CHECK_NEAR(
@@ -242,7 +243,7 @@ void TestEnergyOfGlass()
       }
     }
   }
-  // Flat angles inside are reflected totally.
+  // Grazing angles inside are reflected totally.
   CSLF_CHECK(cslf::DielectricFresnel(0.7f, 1.0f / 1.5f) == 1.0f);
   CSLF_CHECK_NEAR(cslf::DielectricFresnel(1.0f, 1.5f), 0.04, 1e-6);
   CSLF_CHECK_NEAR(cslf::DielectricFresnel(1.0f, 1.0f / 1.5f), 0.04, 1e-6);
@@ -257,7 +258,7 @@ void TestReciprocity()
   const glm::vec3 back = MakeBSDF(material, b).EvaluateCosine(a) / a.z;
   CSLF_CHECK(glm::distance(forth, back) < 1e-5f);
 
-  // Of refracted light, radiance over the squared index is what goes both ways alike.
+  // For refracted light, radiance divided by the squared index is the same in both directions.
   const cslf::SurfaceMaterial glass = MakeMaterial(0.0f, 0.8f, 1.5f, 0.6f, 1.0f);
   const glm::vec3 c = MakeDirection(0.85, 3.4);
   const glm::vec3 out = MakeBSDF(glass, a).EvaluateCosine({ c.x, c.y, -c.z }) / c.z;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a bake costs is known before: the bytes of each format within a factor of 1.5, the sampler's
-// parameters as they were; and samples that fit a time, or were chosen before. Times are not
-// compared.
+// Estimates of a bake: the bytes of each format are within a factor of 1.5, and the sampler's
+// parameters do not change. The chosen samples fit a time, or are those chosen before. Times are
+// not compared.
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFBakeEstimator.h"
@@ -94,7 +94,7 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath)
   CSLF_CHECK(encoder->Write() == 1);
   CheckBytes(estimator->GetBytes(), name);
 
-  // The bake is that of a sampler that nobody probed.
+  // The bake equals that of a sampler without a probe.
   vtkNew<vtkCSLFSampler> fresh;
   SetUp(fresh);
   fresh->SetIntegrator(sampler->GetIntegrator());
@@ -104,14 +104,14 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath)
   CSLF_CHECK(encoder->Write() == 1);
   CSLF_CHECK(cslf::testing::ReadBytes(name) == cslf::testing::ReadBytes(other));
 
-  // A cache that is there is not made again.
+  // An existing cache is not made again.
   estimator->SetSampler(fresh);
   CSLF_CHECK(estimator->Estimate() == 1);
   CSLF_CHECK(estimator->GetCacheSeconds() == 0.0);
   CheckBytes(estimator->GetBytes(), name);
 }
 
-/// An encoder that takes no small pictures: the estimate is of its own files nevertheless.
+/// An encoder that accepts no small pictures: the estimate is still for its files.
 void TestLeastResolution(const std::string& folder)
 {
   if (!vtkCSLFEncoder::CanEncode("av1"))
@@ -180,7 +180,7 @@ void TestTimeBudget()
   CSLF_CHECK(sampler->GetCacheProbeSeconds() == 0.5);
   CSLF_CHECK(estimator->GetSecondsTaken() > 0.0);
 
-  // Where there is nothing to suggest, nothing is left of what was suggested before.
+  // If there is nothing to suggest, earlier suggestions are removed.
   CSLF_CHECK(estimator->SuggestForBytes(1e12) == 1 && estimator->GetSuggestedViewpoints() > 0);
   CSLF_CHECK(estimator->SuggestForBytes(1.0) == 0);
   CSLF_CHECK(estimator->GetSuggestedViewpoints() == 0 && estimator->GetSuggestedResolution() == 0);
@@ -259,7 +259,7 @@ void TestRecall(const std::string& folder)
   CSLF_CHECK(estimator->RecallSamples(name.c_str()) == 0);
   CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 1);
   CSLF_CHECK(sampler->GetSamples() == 3);
-  // Not of another field, nor of other settings.
+  // Neither of another field nor with other settings.
   sampler->SetSamples(64);
   sampler->SetSeed(7);
   CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 0);

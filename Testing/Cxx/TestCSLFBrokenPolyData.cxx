@@ -100,7 +100,7 @@ void AddBrokenCells(vtkPolyData* data, vtkIdType wrong)
   data->GetCellData()->SetScalars(colors);
 }
 
-/// Polygons whose offsets and connectivity are these.
+/// Polygons with these offsets and connectivity.
 void AddCells(vtkCellArray* cells, const std::vector<int>& offsets, const std::vector<int>& ids)
 {
   vtkNew<vtkIdTypeArray> offsetArray;
@@ -136,10 +136,10 @@ struct Case
   std::function<void(vtkPolyData*)> Break;
   const char* Warning;
   bool ShowsSquare;
-  bool IsLeftToTracer = false; ///< whether the importer has nothing to say of it
+  bool IsLeftToTracer = false; ///< whether the importer gives no warning
 };
 
-/// What can be wrong with the cells.
+/// All faults of cells.
 std::vector<Case> MakeCellCases()
 {
   const auto withIds = [](vtkIdType wrong)
@@ -185,7 +185,7 @@ std::vector<Case> MakeCellCases()
   };
 }
 
-/// What can be wrong with the arrays.
+/// All faults of arrays.
 std::vector<Case> MakeArrayCases()
 {
   return {
@@ -265,7 +265,7 @@ std::vector<Case> MakeCases()
   return cases;
 }
 
-/// Catches what a filter says.
+/// Catches a filter's messages.
 struct Messages
 {
   vtkNew<vtkTest::ErrorObserver> Own;

@@ -44,7 +44,7 @@ void TestSampler()
   CSLF_CHECK(sampler->GetCheckCache());
   sampler->Update();
 
-  // All is well.
+  // No difference.
   CSLF_CHECK(!observer->GetWarning());
   CSLF_CHECK(sampler->GetCheckedTexels() > 900 && sampler->GetCheckedTexels() <= 1024);
   CSLF_CHECK(sampler->GetCacheMeanDifferenceError() > 0.0);
@@ -56,7 +56,7 @@ void TestSampler()
   const std::string description = GetDescription(sampler);
   CSLF_CHECK(description.find("\"check\"") != std::string::npos);
 
-  // The same cache, and the same findings.
+  // The same cache, and the same results.
   const double mean = sampler->GetCacheMeanDifference();
   sampler->SetSamples(32);
   sampler->Update();
@@ -73,7 +73,7 @@ void TestSampler()
   CSLF_CHECK(sampler->GetCacheMeanDifference() == mean);
   CSLF_CHECK(GetDescription(sampler) == description);
 
-  // Off.
+  // Switched off.
   sampler->CheckCacheOff();
   sampler->SetSeed(2);
   sampler->Update();
@@ -112,7 +112,7 @@ void TestWarning()
   CSLF_CHECK(std::abs(tracer->GetCacheMeanDifference()) > 0.02);
   observer->Clear();
 
-  // It is told once.
+  // It is reported once.
   tracer->SetSamples(16);
   tracer->Update();
   CSLF_CHECK(!observer->GetWarning());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Colours to frames of every pixel format and back: no format makes them darker or brighter, gray
-// stays what it is, and tiles keep their chroma to themselves.
+// stays gray, and chroma does not spread between tiles.
 #include "cslfTesting.h"
 
 #include "Coding/cslfColorFrames.h"
@@ -22,7 +22,7 @@ constexpr int Height = Tile;
 struct Case
 {
   AVPixelFormat Format;
-  int Worst;        ///< what a colour component may be off by in noise, 255 where chroma is sparse
+  int Worst;        ///< the allowed error of a colour component of noise, 255 for subsampled chroma
   double LeastPSNR; ///< of smooth colours
 };
 
@@ -145,7 +145,7 @@ void TestFormat(const Case& item)
   CSLF_CHECK(Compare(PassThrough(tiles, item.Format), tiles).Worst <= 1);
 }
 
-/// Chroma in the middle, as older files have it: samples that are such of a smooth field.
+/// Chroma in the middle, as in older files: the samples are those of a smooth field.
 void TestCentered()
 {
   const auto slope = [](double x) { return 0.4 * x; };

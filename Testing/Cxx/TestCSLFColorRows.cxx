@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rows of red, green and blue become the samples, and rows of samples the colours, that the
-// formulas say, to the last level; the codes of radiance are the same whatever computes them.
+// Rows of red, green and blue become samples, and rows of samples colours, exactly as the formulas
+// say. The codes of radiance are the same on all machines.
 #include "cslfTesting.h"
 
 #include "Coding/cslfColorRows.h"
@@ -19,10 +19,10 @@ namespace
 {
 using cslf::SamplePlane;
 
-/// A width that no vector's length divides.
+/// A width that is not a multiple of any vector's length.
 constexpr int Width = 257;
 
-/// How far from the nearest level a value may be rounded, for what is lost in the weights.
+/// The allowed rounding error, because the weights are inexact.
 constexpr double Slack = 0.506;
 
 template <typename Sample>
@@ -64,7 +64,7 @@ void TestToColors(int bits)
   CSLF_CHECK(worst <= Slack);
 }
 
-/// The sample of each plane that the matrix says, not rounded.
+/// The exact sample of each plane, before rounding.
 void Apply(const unsigned char* color, double black, double lumaSpan, double middle,
   double chromaSpan, double samples[3])
 {
@@ -109,7 +109,7 @@ void TestToSamples(int bits, bool isFull)
   CSLF_CHECK(worst <= Slack + 0.01 * finer / 4);
 }
 
-/// Two tiles of chroma that differ: what is between samples of one, and nothing of the other.
+/// Two tiles with different chroma: upsampling does not mix them.
 void TestSpread()
 {
   constexpr int tile = 8;
@@ -123,7 +123,7 @@ void TestSpread()
       tile, 2 * tile, scratch.data(), chroma.data());
     for (int x = 0; x < 2 * tile; ++x)
     {
-      // Where a sample of luma lies among those of chroma of its tile.
+      // The position of a luma sample among the chroma samples of its tile.
       const double place = std::clamp((x % tile - (isLeft ? 0.0 : 0.5)) / 2.0, 0.0, 3.0);
       const int k = std::min(static_cast<int>(place), 2) + x / tile * 4;
       const double share = place - (k - x / tile * 4);
@@ -134,8 +134,8 @@ void TestSpread()
   }
 }
 
-/// How far numbers are from where they would be rounded otherwise, in the units they are rounded
-/// to: far enough for any C library, whose errors are about 1e-16 of the number.
+/// The smallest distance of numbers from a rounding boundary, in units of the rounded numbers. It
+/// is enough for any C library, whose relative errors are about 1e-16.
 void TestMargins()
 {
   for (const int bits : { 10, 12 })

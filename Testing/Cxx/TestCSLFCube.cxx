@@ -98,7 +98,7 @@ void TestEdgesAndCorners()
     }
   }
 
-  // The main diagonals leave opposite to where they enter, through the corners.
+  // The main diagonals leave opposite to their entry, through the corners.
   for (double x : { -1.0, 1.0 })
   {
     for (double y : { -1.0, 1.0 })
@@ -121,7 +121,7 @@ void TestMisses()
   CSLF_CHECK(!cslf::RayToCoordinates({ 0, 0, 0 }, { 0, 0, 0 }));
   CSLF_CHECK(!cslf::RayToCoordinates({ nan, 0, 0 }, { 1, 0, 0 }));
   CSLF_CHECK(!cslf::RayToCoordinates({ 0, 0, 0 }, { 1, nan, 0 }));
-  // Touching an edge from outside is no passage.
+  // Touching an edge from outside is a miss.
   CSLF_CHECK(!cslf::RayToCoordinates({ 2, 0, 0 }, { -1, 1, 0 }));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Single viewpoints: decoded alone, ahead in the background, and kept, they are always the same.
+// Single viewpoints are always the same: decoded alone, ahead in the background, or from the cache.
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
@@ -87,7 +87,7 @@ void UpdateSlices(vtkCSLFDecoder* decoder, int first, int last)
   decoder->UpdateExtent(extent);
 }
 
-/// In any order, each decoded for itself or found again.
+/// In any order, decoded separately or from the cache.
 void TestSingle(const std::string& fileName, vtkImageData* whole)
 {
   std::vector<vtkIdType> order(Slices);
@@ -119,7 +119,7 @@ void TestPrefetch(const std::string& fileName, vtkImageData* whole)
   {
     CheckViewpoint(decoder, z, whole);
   }
-  // What is kept is handed out, not copied.
+  // Kept viewpoints are shared, not copied.
   vtkNew<vtkImageData> first;
   vtkNew<vtkImageData> second;
   CSLF_CHECK(decoder->GetViewpoint(5, first) && decoder->GetViewpoint(5, second));
@@ -135,7 +135,7 @@ void TestPrefetch(const std::string& fileName, vtkImageData* whole)
   {
     CSLF_CHECK(small->IsViewpointReady(z));
   }
-  // What is asked for again stays, and one of the others goes.
+  // A viewpoint that is requested again stays, and another one is dropped.
   small->Prefetch(MakeList({ 60, 4, 90 }));
   small->WaitForPrefetch();
   CSLF_CHECK(small->IsViewpointReady(60) && small->IsViewpointReady(4));
@@ -147,7 +147,7 @@ void TestPrefetch(const std::string& fileName, vtkImageData* whole)
   CSLF_CHECK(CountReady(small) == 0);
 }
 
-/// The pipeline takes what is kept, and keeps the rest of the groups that it touches.
+/// The pipeline uses kept viewpoints, and keeps the rest of the groups that it reads.
 void TestPipeline(const std::string& fileName, vtkImageData* whole)
 {
   const auto decoder = MakeDecoder(fileName);
@@ -163,7 +163,7 @@ void TestPipeline(const std::string& fileName, vtkImageData* whole)
   vtkSMPTools::LocalScope(vtkSMPTools::Config(1), [&] { UpdateSlices(alone, 0, Slices - 1); });
   CSLF_CHECK(cslf::testing::HasEqualSlices(alone->GetOutput(), whole));
 
-  // With everything kept, the video is not needed any more.
+  // If everything is kept, the video is not needed any more.
   const std::string copy = fileName + ".copy.mp4";
   const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
   cslf::testing::WriteBytes(copy, bytes);
@@ -195,7 +195,7 @@ void Abort(vtkObject* caller, unsigned long, void*, void*)
   static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
 }
 
-/// Whatever happens while viewpoints are decoded in the background, nothing else does.
+/// Nothing else changes, whatever happens while viewpoints are decoded in the background.
 void TestInterrupted(const std::string& fileName, const std::string& other, vtkImageData* whole)
 {
   for (int time = 0; time < 40; ++time)
@@ -204,13 +204,13 @@ void TestInterrupted(const std::string& fileName, const std::string& other, vtkI
     decoder->Prefetch(MakeRange(time, Slices - 1));
     switch (time % 5)
     {
-      case 0: // ended at once
+      case 0: // destroyed at once
         break;
       case 1: // another file
         decoder->SetFileName(other.c_str());
         CheckViewpoint(decoder, Slices - 1, whole);
         break;
-      case 2: // other wishes
+      case 2: // another request
         decoder->Prefetch(MakeRange(0, 9));
         CheckViewpoint(decoder, 11, whole);
         decoder->Prefetch(nullptr);
@@ -225,7 +225,7 @@ void TestInterrupted(const std::string& fileName, const std::string& other, vtkI
         CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
         break;
       }
-      default: // no room any more
+      default: // no more space
         decoder->SetCacheSize(0);
         CheckViewpoint(decoder, 40, whole);
     }

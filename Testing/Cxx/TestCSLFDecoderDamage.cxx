@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files that are damaged, cut short or not ours: one clear line or a correct part, never a crash.
+// Damaged, truncated and foreign files: one clear line or a correct part, never a crash.
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
@@ -56,10 +56,10 @@ enum class Outcome
 {
   Refused, // an error
   Partial, // a warning, and every slice is right or reported
-  Whole    // nothing amiss, and every slice is right
+  Whole    // no message, and every slice is right
 };
 
-/// Reads a damaged file and checks that what it gives is right or reported.
+/// Reads a damaged file and checks that its slices are right or reported.
 Outcome Read(const std::string& fileName, vtkImageData* whole)
 {
   vtkNew<vtkCSLFDecoder> decoder;
@@ -74,7 +74,7 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
     return Outcome::Refused;
   }
   const vtkIdType missing = decoder->GetNumberOfMissingViewpoints();
-  // What is wrong with one copy of the description is told, too, and costs nothing.
+  // Damage to one copy of the description is reported, but loses nothing.
   const int ofHeader = observed.CountWarnings("can be read, but one of the two copies");
   CSLF_CHECK(ofHeader <= 1 && observed.GetWarnings() - ofHeader == (missing > 0 ? 1 : 0));
   CSLF_CHECK(output->GetNumberOfPoints() == whole->GetNumberOfPoints());
@@ -83,7 +83,7 @@ Outcome Read(const std::string& fileName, vtkImageData* whole)
     return Outcome::Refused;
   }
 
-  // Clear in the reference what is reported as missing.
+  // Clear the slices in the reference that are reported as missing.
   vtkNew<vtkImageData> expected;
   expected->DeepCopy(whole);
   const vtkIdType texels = whole->GetNumberOfPoints() / (whole->GetExtent()[5] + 1);
@@ -121,8 +121,8 @@ void ReadOne(const std::string& fileName, vtkIdType z, vtkImageData* whole)
   }
 }
 
-/// The whole of a damaged file, pulled one viewpoint after the other as writers do: what comes and
-/// what is told is the same as at once.
+/// The whole of a damaged file, pulled one viewpoint after the other as writers do: the results and
+/// messages are the same as for the whole file.
 void ReadInParts(const std::string& fileName)
 {
   vtkNew<vtkCSLFDecoder> whole;
@@ -153,7 +153,7 @@ void ReadInParts(const std::string& fileName)
   CSLF_CHECK(observed.GetWarnings() == observedWhole.GetWarnings());
 }
 
-/// How often each outcome came about.
+/// The number of times of each outcome.
 struct Counts
 {
   int Of[3] = { 0, 0, 0 };
@@ -166,7 +166,7 @@ struct Counts
   }
 };
 
-/// Cut off after `count` different lengths, spread evenly.
+/// Truncated to `count` different lengths, spread evenly.
 void TestTruncated(const std::string& fileName, vtkImageData* whole, int count)
 {
   const std::vector<char> bytes = cslf::testing::ReadBytes(fileName);
@@ -187,7 +187,7 @@ void TestTruncated(const std::string& fileName, vtkImageData* whole, int count)
     }
   }
   counts.Print(fileName, "cut");
-  // Matroska's index comes last, and nothing is lost where only that is cut.
+  // Matroska's index comes last, so nothing is lost if only it is cut.
   const int most = fileName.find(".mkv") != std::string::npos ? 1 : 0;
   CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0 && counts.Of[2] <= most);
 }
@@ -212,8 +212,8 @@ void TestFlipped(const std::string& fileName, vtkImageData* whole, int count)
   CSLF_CHECK(counts.Of[0] > 0 && counts.Of[1] > 0);
 }
 
-/// A digit of the description, changed: the checksum tells. In one of the two copies, it costs
-/// nothing.
+/// A changed digit of the description: the checksum detects it. In one of the two copies, nothing
+/// is lost.
 void TestDescription(const std::string& fileName, vtkImageData* whole)
 {
   const std::string changed = fileName + ".digit.mp4";

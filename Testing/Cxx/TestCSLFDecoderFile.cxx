@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A file that was coded long ago is still read, and needs no encoder.
+// A file that was coded long ago is still readable, and needs no encoder.
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"

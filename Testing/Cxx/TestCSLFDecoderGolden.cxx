@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files of every version, codec, pixel format and container that were ever written are read, with
-// the texels that they had: Testing/Data/Golden/README.md.
+// Old files of every version, codec, pixel format and container are read, with their original
+// texels: Testing/Data/Golden/README.md.
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
@@ -39,7 +39,8 @@ std::vector<unsigned char> ReadTexels(const fs::path& fileName)
   return bytes;
 }
 
-/// Compares every so many slices of an array with the bytes from `place` on, and moves that.
+/// Compares regularly spaced slices of an array with the bytes from `place` on, and advances
+/// `place`.
 void Compare(
   vtkDataArray* array, vtkIdType slice, const std::vector<unsigned char>& bytes, std::size_t& place)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files whose header is not as an encoder writes it: one line of error, never a crash. Files of
-// later versions, and damaged ones, are read as far as they can be.
+// Files with headers that no encoder writes: one line of error, never a crash. Files of later
+// versions, and damaged ones, are read as far as they can be.
 #include "Coding/cslfContainerReader.h"
 #include "Coding/cslfDepthCurve.h"
 #include "cslfJSONText.h"
@@ -41,7 +41,7 @@ std::string MakeFolder(int argc, char* argv[])
   return folder.string();
 }
 
-/// A file of other tags is refused with that message.
+/// A file with other tags is refused with that message.
 void CheckRefused(
   const std::string& folder, const cslf::testing::Tags& tags, const std::string& message)
 {
@@ -75,7 +75,7 @@ std::string Repeat(const std::string& text, int times)
   return all;
 }
 
-/// Far deeper than the stack of a thread allows a function to call itself.
+/// Far deeper than recursion on a thread's stack allows.
 void TestDeep(const std::string& folder)
 {
   const std::string begin = R"({"coding":0,"checksum":0,"x":)";
@@ -98,7 +98,7 @@ cslf::testing::Tags MakeTags()
   return header.ToTags();
 }
 
-/// The same with another JSON text, whose checksum is right.
+/// The same with another JSON text, with a correct checksum.
 template <typename Change>
 cslf::testing::Tags ChangeTags(Change change)
 {
@@ -109,7 +109,7 @@ cslf::testing::Tags ChangeTags(Change change)
   return tags;
 }
 
-/// What a file of other tags gives, and what it says.
+/// The result and the messages of a file with other tags.
 struct Reading
 {
   vtkNew<vtkCSLFDecoder> Decoder;
@@ -193,7 +193,7 @@ void TestContainers(const std::string& folder)
   }
 }
 
-/// Any byte of one copy may be wrong, or the copy gone.
+/// Any byte of one copy may be wrong, or the copy may be missing.
 void TestCopies(const std::string& folder)
 {
   const std::string fileName = folder + "/copies.mp4";
@@ -257,7 +257,7 @@ void TestVersions(const std::string& folder)
   CheckWhole(later);
 }
 
-/// What later versions may add is left out and told.
+/// Additions of later versions are left out and reported.
 void TestUnknown(const std::string& folder)
 {
   using JSON = nlohmann::json;

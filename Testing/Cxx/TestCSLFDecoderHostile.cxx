@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files made to do harm: whose checksums are right, but which claim what they do not hold.
+// Malicious files: their checksums are right, but they claim contents that they do not have.
 #include "Coding/cslfBitstreams.h"
 #include "Coding/cslfContainerReader.h"
 #include "Coding/cslfMovieBoxes.h"
@@ -59,7 +59,7 @@ cslf::FileHeader MakeHeader(const std::string& fileName, int times, int resoluti
   return header;
 }
 
-/// What this process has read from files so far, in bytes.
+/// The bytes that this process has read from files so far.
 double CountRead()
 {
   std::ifstream file("/proc/self/io");
@@ -69,7 +69,7 @@ double CountRead()
   return bytes;
 }
 
-/// A track that ends early is not searched for through the rest of the file group by group.
+/// A track that ends early is not searched for in the rest of the file for every group.
 void TestShortTrack(const std::string& fileName, const std::string& extension)
 {
   constexpr int times = 20;
@@ -96,7 +96,7 @@ void TestShortTrack(const std::string& fileName, const std::string& extension)
   CSLF_CHECK(passes < 200.0);
 }
 
-/// Memory is taken for what a file holds, not for what it claims.
+/// Memory is allocated for the contents of a file, not for its claims.
 void TestClaims(const std::string& fileName)
 {
   constexpr int times = 20;
@@ -130,7 +130,7 @@ void TestLargeFrames(const std::string& fileName, int resolution)
   CSLF_CHECK(cslf::TrackDecoder::Open(reader->GetParameters(0), 16) == nullptr);
 }
 
-/// Puts numbers of 32 bits, the highest byte first, at a place of a file.
+/// Writes 32-bit big-endian numbers at a place of a file.
 void Put(std::vector<char>& bytes, std::size_t place, const std::vector<std::uint32_t>& words)
 {
   CSLF_CHECK(place + 4 * words.size() <= bytes.size());
@@ -144,7 +144,8 @@ void Put(std::vector<char>& bytes, std::size_t place, const std::vector<std::uin
 }
 
 /// Wrong entries in an MP4 file's index: a packet that is larger than the file, which FFmpeg may
-/// take for a negative size, and a place behind the end. They cost the group that they belong to.
+/// take for a negative size, and a place behind the end. Only the group that they belong to is
+/// lost.
 void TestBrokenIndex(const std::string& fileName)
 {
   const std::string name = fileName + ".index.mp4";
@@ -185,12 +186,12 @@ void TestBrokenIndex(const std::string& fileName)
       test(find("stsz") + 16 + 4 * packet, size, packet);
     }
   }
-  // The version, the number of chunks, and their places, a chunk for each group.
+  // The version, the number of chunks, and their offsets, one chunk per group.
   test(find("stco") + 12 + 4, 0x10000000, starts[1]);
 }
 
-/// Tables of an MP4 file that announce more than it holds, and up to 2 GB. FFmpeg takes memory for
-/// them before it reads them.
+/// Tables of an MP4 file that announce up to 2 GB, more than the file contains. FFmpeg allocates
+/// memory for them before it reads them.
 void TestTables(const std::string& fileName)
 {
   const std::string name = fileName + ".tables.mp4";
@@ -233,7 +234,7 @@ void TestTables(const std::string& fileName)
   }
 }
 
-/// A file that is gone while it is open.
+/// A file that disappears while it is open.
 void TestVanished(const std::string& fileName)
 {
   const std::string name = fileName + ".vanished.mp4";
@@ -253,7 +254,7 @@ void TestVanished(const std::string& fileName)
   CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-/// A unit with `payload` after its header, as a container has it.
+/// A unit with `payload` after its header, as stored in a container.
 std::vector<std::uint8_t> MakeUnit(
   const std::vector<std::uint8_t>& header, const std::vector<std::uint8_t>& payload)
 {
@@ -264,7 +265,7 @@ std::vector<std::uint8_t> MakeUnit(
   return unit;
 }
 
-/// Whether a packet that begins with `unit` is taken for one of the track.
+/// Whether a packet that begins with `unit` is accepted for the track.
 bool IsTaken(const cslf::Bitstream& bitstream, const cslf::Framing& framing,
   std::vector<std::uint8_t> unit, const AVPacket* packet)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Several readers of one file at once: in threads, and in a process that was forked off while the
-// file was open.
+// Several readers of one file at once: in threads, and in a process that was forked while the file
+// was open.
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
@@ -20,8 +20,8 @@
 #include <thread>
 #include <vector>
 
-// The thread sanitizer follows no threads of a process that was forked off while others ran, and
-// some libraries have threads of their own from the beginning.
+// The thread sanitizer does not support a process that was forked while other threads ran, and some
+// libraries start threads when they are loaded.
 #if defined(__SANITIZE_THREAD__)
 #define CSLF_THREAD_SANITIZER
 #elif defined(__has_feature)
@@ -48,7 +48,7 @@ std::vector<unsigned char> GetBytes(vtkImageData* image, const char* name)
   return { begin, begin + array->GetNumberOfValues() * array->GetDataTypeSize() };
 }
 
-/// All samples of a field: those of each slice.
+/// All samples of a field, by slices.
 struct Samples
 {
   std::vector<unsigned char> Color;
@@ -115,7 +115,7 @@ void TestThreads(const Samples& expected)
 }
 
 #ifdef CSLF_TEST_FORK
-/// A forked process has none of its parent's threads. What is open stays the parent's.
+/// A forked process does not have its parent's threads. Open files stay the parent's.
 void TestFork(const Samples& expected)
 {
   vtkNew<vtkCSLFDecoder> open;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The description's round trip through field data, and the refusal of what does not fit.
+// The description's round trip through field data, and the refusal of data that does not match.
 #include "cslfColor.h"
 #include "cslfDescription.h"
 #include "cslfTesting.h"
@@ -212,7 +212,7 @@ void TestSizes()
 
   cslf::Description description = MakeDescription();
   CSLF_CHECK(description.GetBytes() == 6 * 54 * 5 * 16);
-  // Far beyond 32 bits, and beyond what doubles count one by one.
+  // Far beyond 32 bits, and beyond the exact integers of doubles.
   description.Grid = cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution);
   description.Channels = { cslf::MakeColorChannel(VTK_FLOAT) };
   CSLF_CHECK(description.GetBytes() == std::int64_t(16) * 30 << 46);
@@ -244,7 +244,7 @@ void TestPlaces()
   CheckFault("outside", [](Description& description) { description.Box.Center.y = 4.0; });
 }
 
-/// An array that lies, of the right type but shorter than the image.
+/// A wrong array: of the right type but shorter than the image.
 void TestShortArray()
 {
   TestMisfit(

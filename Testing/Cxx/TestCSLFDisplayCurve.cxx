@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scale of displayed differences: sRGB where one exposure is shown, and what the most demanding
-// exposure shows where a viewer may choose.
+// The scale of displayed differences: sRGB for one exposure, and the most demanding exposure if a
+// viewer may choose.
 #include "PathTracing/cslfDisplayCurve.h"
 #include "cslfColor.h"
 #include "cslfTesting.h"
@@ -53,13 +53,13 @@ void TestRange()
     for (int j = 0; j < 60; ++j)
     {
       const double b = 1e-5 * std::pow(1.3, j);
-      // Both places may be off.
+      // Both positions may be inexact.
       CSLF_CHECK(measure(a, b) >= GetShown(a, b, exposure, range) - 1.2e-3);
     }
     const double near = 1.01 * a;
     CSLF_CHECK(measure(a, near) <= 1.05 * GetShown(a, near, exposure, range) + 1e-5);
   }
-  // What the darkest exposure clips looks alike at all of them.
+  // Values clipped at the darkest exposure look the same at all exposures.
   CSLF_CHECK(measure(range / exposure, 100.0) < 1e-5);
   CSLF_CHECK(measure(0.9 * range / exposure, 100.0) > 0.01);
 }

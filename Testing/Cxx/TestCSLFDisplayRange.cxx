@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The light of a floor from ten times white to nearly black, in floats: at every exposure of the
-// display's range, the error is what was asked for, by path tracing and by radiance caching.
+// display's range, path tracing and radiance caching keep to the requested error.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
@@ -23,7 +23,7 @@ using cslf::testing::TexelPicture;
 
 constexpr double Target = 0.005;
 
-/// The largest root mean square difference that any exposure of the range displays, and which.
+/// The largest root mean square difference at any exposure of the range, and that exposure.
 double FindLargestError(const std::vector<float>& colors, const std::vector<float>& reference)
 {
   double largest = 0.0;
@@ -71,7 +71,8 @@ int TestCSLFDisplayRange(int, char*[])
   }
   CSLF_CHECK(brightest > 8.0 && darkest < 0.01);
 
-  // Bytes show one exposure only, for which fewer samples do. The cache is good enough either way.
+  // Bytes show only one exposure, for which fewer samples are enough. The cache is accurate enough
+  // either way.
   for (const double range : { cslf::DisplayCurve::ByteRange, cslf::DisplayCurve::FloatRange })
   {
     const bool isFloat = range == cslf::DisplayCurve::FloatRange;

@@ -27,7 +27,7 @@ namespace
 {
 using Color = std::array<double, 3>;
 
-/// The unit square, of two halves, that reflects nothing.
+/// The unit square, in two halves, which reflects nothing.
 vtkSmartPointer<vtkPolyData> MakeSquare(double z)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -124,7 +124,7 @@ void TestInstances()
   CSLF_CHECK_NEAR(Look(square, 2.0, 1.0, paths, 0)[2], 0.5, 1e-6);
 }
 
-/// What a white square at z = 0 gets of one at z = 1 with an emission.
+/// The light on a white square at z = 0 from an emissive one at z = 1.
 double Receive(const std::function<double(double)>& red, int integrator)
 {
   auto receiver = MakeSquare(0.0);
@@ -148,7 +148,7 @@ void TestLight()
     const double even = Receive([](double) { return 1.0; }, integrator);
     CSLF_CHECK_NEAR(rising + falling, even, 0.01 * even);
     CSLF_CHECK(rising > 1.05 * falling);
-    // By numbers: the integral of cos^2 / (pi r^2).
+    // Numerically: the integral of cos^2 / (pi r^2).
     double expected = 0.0;
     const int side = 200;
     for (int i = 0; i < side * side; ++i)

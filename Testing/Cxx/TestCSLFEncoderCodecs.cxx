@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every codec that this FFmpeg can encode: what it keeps, both containers, parts, bytes that are
-// the same again, damage that is found, and a copy into another container and back.
+// Every codec that this FFmpeg can encode: quality, both containers, parts, reproducible bytes,
+// detection of damage, and copies to another container and back.
 #include "cslfCodecTesting.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"
@@ -43,7 +43,7 @@ std::string Encode(
   return fileName;
 }
 
-/// A byte changed in the middle of the file makes viewpoints missing; the others stay.
+/// Changing a byte in the middle of the file makes viewpoints missing; the others stay.
 void TestDamage(const std::string& fileName, vtkImageData* whole)
 {
   std::vector<char> bytes = ReadBytes(fileName);
@@ -84,7 +84,7 @@ void TestRoundTrip(const Case& item, const std::string& folder)
             << psnr.Depth << " dB\n";
   CSLF_CHECK(psnr.Color > item.LeastPSNR);
   CSLF_CHECK(psnr.Coverage > 39.0);
-  // Rims, of which small tiles have many, are pushed back before they are coded.
+  // Rims, of which small tiles have many, are moved back before coding.
   CSLF_CHECK(psnr.Depth > 40.0);
 
   const auto part = Decode(fileName, 5, 9);

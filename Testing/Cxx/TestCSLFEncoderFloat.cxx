@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Float colour: the transfer curve, what coding keeps over five decades of radiance, what is
-// clipped, and what is refused.
+// Float colour: the transfer curve, quality over five decades of radiance, clipping, and refusals.
 #include "Coding/cslfPerceptualQuantizer.h"
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
@@ -65,8 +64,8 @@ vtkSmartPointer<vtkImageData> MakeField(int resolution)
   return field;
 }
 
-/// The median and the 99th percentile of the relative errors of luminance, in each decade of it, of
-/// covered texels.
+/// The median and the 99th percentile of the relative errors of luminance of covered texels, in
+/// each decade of luminance.
 std::array<std::array<double, 2>, 5> FindErrors(vtkImageData* decoded, vtkImageData* field)
 {
   vtkDataArray* found = decoded->GetPointData()->GetArray(cslf::ColorName);
@@ -135,7 +134,7 @@ void TestRoundTrip(const std::string& folder, const std::string& codec,
   CSLF_CHECK(cslf::testing::Compare(decoded, field).Depth > 42.0);
 }
 
-/// What the curve has no signal for becomes the nearest that it has, with one warning.
+/// Radiance without a signal becomes the nearest one that has a signal, with one warning.
 void TestClipping(const std::string& folder)
 {
   const auto field = MakeField(16);

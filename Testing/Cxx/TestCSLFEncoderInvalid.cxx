@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the encoder refuses: one clear line, and no file.
+// The encoder's refusals: one clear line, and no file.
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
@@ -108,7 +108,7 @@ void TestFields(const std::string& folder)
   TestRefused(folder, "a.mp4", nothing, "not a whole light field");
 }
 
-/// A channel that the file cannot hold is left out with a warning.
+/// A channel that the file cannot store is left out with a warning.
 void TestFurtherChannel(const std::string& folder)
 {
   const auto field = cslf::testing::MakeByteField(2, 16);

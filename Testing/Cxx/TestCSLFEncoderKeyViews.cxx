@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files of key views only: their node lists, their samples, what is pulled for them, and their
-// choice by quality.
+// Files of only key views: their node lists, their samples, the slices pulled for them, and the
+// choice of key views by quality.
 #include "Resampling/cslfKeyViews.h"
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
@@ -51,7 +51,7 @@ void SetUp(vtkCSLFEncoder* encoder, const std::string& fileName)
   encoder->SetFileName(fileName.c_str());
 }
 
-/// A lossless file of key views holds just their slices, and only those are pulled.
+/// A lossless file of key views contains only their slices, and only these are pulled.
 void TestSlices(
   const std::string& fileName, int viewpoints, int step, const std::vector<int>& nodes)
 {
@@ -92,7 +92,7 @@ void TestSlices(
   }
 }
 
-/// The choice keeps to its quality, and takes the largest step that has it.
+/// The choice reaches its quality with the largest possible step.
 void TestChoice(const std::string& fileName)
 {
   const auto field = cslf::testing::MakeByteField(9, 64);
@@ -131,8 +131,8 @@ double MeasureFewest(vtkImageData* field, const std::string& fileName)
   return encoder->GetActualNovelViewPSNR();
 }
 
-/// A field of floats that is too dark to show its errors is measured as a viewer may show it, by 16
-/// times the exposure.
+/// A float field that is too dark to show its errors is measured at 16 times the exposure, at which
+/// a viewer may show it.
 void TestExposures(const std::string& fileName)
 {
   const auto make = [](int type)

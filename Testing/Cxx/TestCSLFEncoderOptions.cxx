@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each encoder takes the options that it is given, and one that it does not know, or a value that
-// it does not take, is refused by name.
+// Each encoder accepts its options. Unknown options and invalid values are refused by name.
 #include "cslfTesting.h"
 
 #include "Coding/cslfColorFrames.h"
@@ -19,7 +18,7 @@ struct Case
   cslf::Codec Codec;
   AVPixelFormat Format;
   int Resolution;
-  const char* Option; ///< of the library, known, and a value that is none
+  const char* Option; ///< of the library: a known one, and an invalid value
   const char* Value;
 };
 
@@ -51,7 +50,7 @@ void CodeOneFrame(AVCodecContext* context)
   }
 }
 
-/// What is wrong with a list of options; empty where nothing is.
+/// The error of a list of options. Empty if there is none.
 std::string FindFault(const Case& item, const cslf::VideoEncoder& encoder,
   std::vector<cslf::EncoderOption> cslf::EncoderOptions::*list, const cslf::EncoderOption& more)
 {
@@ -79,7 +78,7 @@ void TestEncoder(const Case& item, const cslf::VideoEncoder& encoder)
     std::string("the encoder ") + encoder.Name + " does not accept the option ";
   const auto ofLibrary = &cslf::EncoderOptions::OfLibrary;
   const auto ofFFmpeg = &cslf::EncoderOptions::OfFFmpeg;
-  // Again after each refusal: what is checked once must not count for other options.
+  // Again after each refusal: an earlier check must not count for other options.
   for (int round = 0; round < 2; ++round)
   {
     CSLF_CHECK(FindFault(item, encoder, ofLibrary, {}).empty());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Several ranks write one file: the bytes of one rank, each viewpoint sampled once, no file touched
-// but by rank 0, and where one rank fails all fail, with one message.
+// Several ranks write one file: it has the same bytes as with one rank, each viewpoint is sampled
+// once, and only rank 0 touches files. If one rank fails, all fail, with one message.
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"
@@ -38,7 +38,7 @@ struct Setting
 
   int GetRank() const { return this->Controller->GetLocalProcessId(); }
 
-  /// Only rank 0's is ever touched.
+  /// Only rank 0's is touched.
   std::string GetFileName() const
   {
     return (this->GetRank() == 0 ? this->Folder : "/no/such/folder") + "/field.mp4";
@@ -69,7 +69,7 @@ void Set(const Setting& setting, vtkCSLFEncoder* encoder)
   encoder->SetFileName(setting.GetFileName().c_str());
 }
 
-/// The same where a sample is tried first, and where key views are chosen.
+/// The same if a sample of groups is tried first, and if key views are chosen.
 void TestTarget(const Setting& setting)
 {
   const auto change = [](vtkCSLFEncoder* encoder)
@@ -119,7 +119,7 @@ void TestBytes(const Setting& setting)
   }
 }
 
-/// One rank is disturbed; all must fail, and only the rank `telling` may say why.
+/// One rank fails in some way. All must fail, and only the rank `telling` may give the reason.
 void TestFailure(const Setting& setting, int disturbed, int telling, const std::string& message,
   const std::function<void(FieldSource*, vtkCSLFEncoder*)>& disturb)
 {
@@ -144,7 +144,7 @@ void TestFailure(const Setting& setting, int disturbed, int telling, const std::
   setting.Clear();
 }
 
-/// Rank 0 finds out for all that a target cannot be met.
+/// Rank 0 detects for all that a target cannot be met.
 void TestOutOfReach(const Setting& setting)
 {
   vtkNew<vtkCSLFEncoder> encoder;
@@ -163,7 +163,7 @@ void TestOutOfReach(const Setting& setting)
   }
 }
 
-/// The next run goes on from what a failed one has kept.
+/// The next run continues from what a failed one has kept.
 void TestResume(const Setting& setting)
 {
   CSLF_CHECK(setting.GetRank() != 0 || cslf::testing::Exists(setting.GetFileName() + ".partial"));
@@ -197,8 +197,8 @@ void TestFailures(const Setting& setting)
     TestFailure(setting, rank, 0, "different fields, settings, versions or kinds",
       [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetCRF(30.0); });
   }
-  // In the middle of the work, whoever it meets: of all ranks' sources the same slice fails.
-  // The last one is among the last to be coded.
+  // In the middle of the work, on any rank: the same slice fails in the sources of all ranks. The
+  // last slice is one of the last to be coded.
   for (int slice : { 60, 148 })
   {
     const auto source = cslf::testing::MakeSource(setting.Field);
@@ -213,7 +213,7 @@ void TestFailures(const Setting& setting)
     CSLF_CHECK(setting.Sum(sourceObserved.GetErrors()) == 1);
     if (slice == 148)
     {
-      // Whichever rank it is, it tells what rank 0 keeps.
+      // Whichever rank it is, it reports what rank 0 keeps.
       CSLF_CHECK(setting.Sum(observed.HasError("groups of viewpoints are kept in") ? 1 : 0) == 1);
       TestResume(setting);
     }
@@ -221,7 +221,7 @@ void TestFailures(const Setting& setting)
   }
 }
 
-/// A scene in pieces, of which one rank cannot read its own: before or while the data is made.
+/// A scene in pieces. One rank cannot read its piece: before or while the data is made.
 void TestMissingPiece(const Setting& setting)
 {
   vtkNew<vtkXMLPolyDataReader> early;
@@ -254,7 +254,7 @@ void TestMissingPiece(const Setting& setting)
   }
 }
 
-/// Samplers that differ on the last rank in what the check of the radiance cache depends on.
+/// Samplers that differ on the last rank in a parameter of the radiance cache's check.
 void TestDifferentSamplers(const Setting& setting)
 {
   vtkNew<vtkSphereSource> sphere;

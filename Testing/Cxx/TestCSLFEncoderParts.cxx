@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a file carries besides the light field comes back, also after FFmpeg has remuxed the file.
+// A file's parts besides the light field are read back, also after FFmpeg has remuxed the file.
 #include "cslfCodecTesting.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"

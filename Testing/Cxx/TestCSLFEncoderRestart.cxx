@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The encoder goes on from what a killed run has left, and ends with the same bytes. The folder of
-// parts as it is in the middle of a run is what a kill at that moment leaves.
+// The encoder resumes after a killed run, and ends with the same bytes. The folder of parts in the
+// middle of a run is what a kill at that moment leaves.
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"
@@ -30,7 +30,7 @@ namespace
 using cslf::testing::ReadBytes;
 using Change = std::function<void(vtkCSLFEncoder*)>;
 
-/// How far the run is that is killed.
+/// How far a run gets before it is killed.
 constexpr double Killed = 0.5;
 
 struct Outcome
@@ -75,7 +75,7 @@ Outcome Write(
   return outcome;
 }
 
-/// What a run that is killed half-way leaves, under another name.
+/// Copies what a run leaves when it is killed half-way, under another name.
 struct Remains
 {
   std::string Folder;
@@ -103,7 +103,7 @@ Remains Interrupt(
       }
     });
   encoder->AddObserver(vtkCommand::ProgressEvent, copy);
-  // Small steps, so that half-way there is something done and something to do.
+  // Small steps, so that half-way some groups are done and some are not.
   vtkSMPTools::LocalScope(
     vtkSMPTools::Config{ 1 }, [&]() { CSLF_CHECK(encoder->Write() == 1 && remains.Taken); });
   return remains;
@@ -153,7 +153,7 @@ void TestDamage(vtkImageData* field, const Remains& remains, const std::string& 
     CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices > whole);
     CSLF_CHECK(ReadBytes(fileName) == expected);
   }
-  // Each part tells which manifest it belongs to.
+  // Each part identifies its manifest.
   PutBack(remains);
   cslf::testing::WriteBytes(remains.Folder + "/manifest.json", { '{' });
   const Outcome outcome = Write(field, fileName);
@@ -161,7 +161,7 @@ void TestDamage(vtkImageData* field, const Remains& remains, const std::string& 
   CSLF_CHECK(ReadBytes(fileName) == expected);
 }
 
-/// Parts of another manifest are of no use, whatever manifest lies beside them.
+/// Parts of another manifest are useless, whatever manifest is beside them.
 void TestManifest(vtkImageData* field, const Remains& remains, const std::string& fileName,
   const std::vector<char>& expected)
 {
@@ -189,7 +189,7 @@ void TestManifest(vtkImageData* field, const Remains& remains, const std::string
   CSLF_CHECK(ReadBytes(fileName) == expected);
 }
 
-/// Other files beside the parts stay, and the folder for their sake.
+/// Other files beside the parts stay, and so does the folder.
 void TestForeign(vtkImageData* field, const Remains& remains, const std::string& fileName,
   const std::vector<char>& expected)
 {
@@ -215,7 +215,7 @@ void TestForeign(vtkImageData* field, const Remains& remains, const std::string&
   {
     CSLF_CHECK(ReadBytes(remains.Folder + name) == thesis);
   }
-  // Again, where the folder is not known for ours any more.
+  // Again, when the folder is no longer recognised as ours.
   CSLF_CHECK(write("contains other files"));
   CSLF_CHECK(ReadBytes(remains.Folder + "/thesis") == thesis);
   CSLF_CHECK(std::distance(fs::directory_iterator(remains.Folder), {}) == 4);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the default settings keep of each channel, both containers, all pixel formats, and parts.
+// The quality of each channel with the default settings, both containers, all pixel formats, and
+// parts.
 #include "cslfCodecTesting.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
@@ -25,7 +26,7 @@ void Report(const std::string& what, const std::string& fileName, vtkImageData* 
             << " dB, depth " << psnr.Depth << " dB\n";
 }
 
-/// A finer coverage than the default's.
+/// A finer coverage than by default.
 void TestCoverage(vtkImageData* field, const std::string& fileName)
 {
   vtkNew<vtkCSLFEncoder> encoder;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The encoder asks for bounded slabs, gives the same bytes for any number of threads, and stops
-// when it is told to, leaving nothing behind.
+// The encoder requests bounded slabs, writes the same bytes for any number of threads, and leaves
+// nothing behind when it is stopped.
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"

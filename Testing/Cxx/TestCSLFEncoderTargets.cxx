@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Files of a wanted size, ratio or quality: met within 3 % or 0.3 dB, with the same bytes for any
-// number of threads, without asking the input for any viewpoint more than twice; and targets out of
-// reach.
+// number of threads, without requesting any viewpoint more than twice; and targets that cannot be
+// reached.
 #include "Coding/cslfGroupStages.h"
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
@@ -31,7 +31,7 @@ double CountRawBytes(vtkImageData* field)
   return 3.0 * static_cast<double>(field->GetNumberOfPoints());
 }
 
-/// Writes a field with one target, and checks what the encoder says of the file.
+/// Writes a field with one target, and checks what the encoder reports about the file.
 struct Outcome
 {
   double Bytes = 0.0;
@@ -66,7 +66,7 @@ Outcome Write(vtkImageData* field, const std::string& fileName, const Change& ch
   return { bytes, psnr, source->Slices };
 }
 
-/// Each kind of target, low and high. Of a few groups all are tried, of many a sample.
+/// Each kind of target, low and high. A few groups are all tried, many are sampled.
 void TestTargets(
   vtkImageData* field, const std::string& folder, int groupLength, const std::vector<double>& psnrs)
 {
@@ -168,7 +168,7 @@ void TestOutOfReach(vtkImageData* field, const std::string& folder)
     });
 }
 
-/// Every group is in one stage, and the stages grow together evenly.
+/// Every group is in one stage, and later stages fill the gaps evenly.
 void TestStages()
 {
   for (int count : { 1, 23, 47, 48, 96, 200, 384, 1000 })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the values of image files stand for, by format and by the names of colour spaces of all
-// versions of OpenImageIO.
+// The meaning of values in image files, by format and by the names of colour spaces in all versions
+// of OpenImageIO.
 #include "PathTracing/cslfEnvironment.h"
 #include "PathTracing/cslfImageCurve.h"
 #include "cslfTesting.h"
@@ -17,7 +17,7 @@
 
 namespace
 {
-// sRGB's 0.5, and this to the power of 2.2, linear.
+// The linear values of 0.5 by sRGB's curve, by the power of 2.2, and unchanged.
 constexpr double HalfOfSRGB = 0.214041;
 const double HalfOfGamma = std::pow(0.5, 2.2);
 
@@ -78,7 +78,7 @@ void TestFiles(const std::string& folder)
   const std::string name = folder + "/TestCSLFEnvironmentImage";
   for (const char* format : { ".png", ".jpg", ".tif" })
   {
-    // Of these, TIFF keeps floats.
+    // Of these, only TIFF stores floats.
     const bool isFloat = std::string(format) == ".tif";
     CSLF_CHECK_NEAR(ReadHalf(name + format), isFloat ? 0.5 : HalfOfSRGB, 0.005);
   }

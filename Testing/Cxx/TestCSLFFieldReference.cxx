@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The figures of a field against path-traced texels: what noise predicts, the cap, slabs, threads,
-// errors.
+// Compares a field with path-traced texels: the effect of noise, the cap, slabs, threads, errors.
 #include "Quality/cslfTexelChoice.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFFieldQuality.h"
@@ -101,8 +100,8 @@ void TestChoice()
   CSLF_CHECK(different > 5);
 }
 
-/// Two fields of different seeds differ by twice the variance of one; a field and a reference
-/// without noise by the variance itself.
+/// Two fields with different seeds differ by twice the variance of one. A field and a reference
+/// without noise differ by the variance itself.
 void TestNoise()
 {
   const auto field = MakeField(1);
@@ -118,7 +117,7 @@ void TestNoise()
   CSLF_CHECK_NEAR(converged->GetPSNR(), expected, 0.5);
   CSLF_CHECK(converged->GetNoiseFloor() > converged->GetPSNR() + 10.0);
 
-  // A choice of them gives nearly the same.
+  // A subset of them gives nearly the same.
   const auto some = MakeReference(field, 1024, 3000);
   some->Update();
   CSLF_CHECK(some->GetNumberOfTexels() == 3000);
@@ -129,7 +128,7 @@ void TestNoise()
   floats->Update();
   CSLF_CHECK_NEAR(floats->GetPSNR(), some->GetPSNR(), 1e-9);
 
-  // It may be shown at other exposures: noise is seen most where little is clipped.
+  // It may be shown at other exposures. Noise is most visible where little is clipped.
   CSLF_CHECK(some->GetNumberOfViewExposures() == 1 && some->GetViewExposure(0) == 1.0);
   CSLF_CHECK(some->GetPSNR(0) == some->GetPSNR());
   CSLF_CHECK(floats->GetNumberOfViewExposures() == 5);
@@ -140,7 +139,7 @@ void TestNoise()
   CSLF_CHECK(floats->GetNoiseFloor(0) > floats->GetNoiseFloor() + 6.0);
   CSLF_CHECK(floats->GetPSNR(5) == 0.0 && floats->GetViewExposure(-1) == 0.0);
 
-  // A reference of few samples tells how noisy it is: two of them differ by just that.
+  // A reference with few samples reports its noise: two of them differ by that much.
   const auto first = MakeReference(field, 32, VTK_INT_MAX);
   const auto second = MakeReference(field, 32, VTK_INT_MAX);
   second->SetSeed(1);
@@ -156,11 +155,11 @@ void TestNoise()
       squares += std::pow(a->GetComponent(texel, i) - b->GetComponent(texel, i), 2);
     }
   }
-  const double variance = squares / 2.0 / a->GetNumberOfValues() - 1.0 / 12.0; // less rounding
+  const double variance = squares / 2.0 / a->GetNumberOfValues() - 1.0 / 12.0; // minus rounding
   CSLF_CHECK_NEAR(first->GetNoiseFloor(), 10.0 * std::log10(255.0 * 255.0 / variance), 0.5);
 }
 
-/// A field that holds what the reference traces is as good as can be.
+/// A field with the same samples as the reference is as good as possible.
 void TestEqual()
 {
   const auto field = MakeField(1);
@@ -188,7 +187,7 @@ void TestEqual()
   CSLF_CHECK(reference->GetPSNR() == 48.0);
 }
 
-/// Whatever the threads and slabs, the figures are the same; no slice is pulled twice.
+/// The figures do not depend on threads and slabs; no slice is pulled twice.
 void TestSlabsAndThreads()
 {
   const auto field = MakeField(1);
@@ -207,7 +206,7 @@ void TestSlabsAndThreads()
     CSLF_CHECK(GetBytes(parts, name) == GetBytes(whole, name));
   }
 
-  // Viewpoints without a chosen texel stay where they are.
+  // Viewpoints without a chosen texel are not pulled.
   const auto few = MakeReference(field, 32, 5);
   source->Slices = 0;
   source->Modified();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which uniforms a vertex shader hands on, and which stay.
+// Which uniforms a vertex shader passes on, and which stay.
 #include "cslfFlatUniforms.h"
 #include "cslfTesting.h"
 
@@ -35,7 +35,7 @@ int TestCSLFFlatUniforms(int, char*[])
   CSLF_CHECK(Has(vertex, "{\n  SharedFlat = Shared;\n  OneFlat = One;\n  TwoFlat = Two;\n"));
   CSLF_CHECK(Has(vertex, "  ThreeFlat = Three;\n  gl_Position"));
 
-  // Where there is no place for them, nothing changes.
+  // If there is no place for them, nothing changes.
   std::string other = "void main() {}\n";
   std::string kept = "uniform float One;\n";
   cslf::HandUniformsOn(other, kept);

@@ -45,7 +45,7 @@ std::string MakeBuffer()
   return buffer;
 }
 
-/// The square with each of some materials, side by side.
+/// A square with each of some materials, side by side.
 json MakeDocument(const json& materials)
 {
   json document = { { "asset", { { "version", "2.0" } } }, { "scene", 0 } };
@@ -197,7 +197,7 @@ void CheckMaterials(const std::string& fileName)
   int wraps[2];
   CSLF_CHECK(vtkCSLFMaterial::GetTextureWrap(block, vtkCSLFMaterial::EmissionTexture, wraps) &&
     wraps[0] == vtkCSLFMaterial::MirroredRepeat && wraps[1] == vtkCSLFMaterial::ClampToEdge);
-  // The point that glTF puts at the image's lower edge is at v = 0, as the image's first row.
+  // The point at the lower edge of the image in glTF is at v = 0, like the image's first row.
   vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
   CSLF_CHECK(coordinates && coordinates->GetComponent(0, 1) == 0.0);
   CSLF_CHECK(image->GetScalarComponentAsDouble(0, 0, 0, 0) == 255.0);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What glTF files may do with geometry: all modes of primitives, sparse and normalised accessors,
-// bytes between elements, data within addresses, transforms of nodes in double precision and of
-// texture coordinates.
+// Geometry of glTF files: all modes of primitives, sparse and normalised accessors, bytes between
+// elements, data within addresses, transforms of nodes in double precision and of texture
+// coordinates.
 #include "cslfTesting.h"
 #include "vtkCSLFGLTFReader.h"
 
@@ -33,7 +33,7 @@ namespace
 {
 using nlohmann::json;
 
-/// The folder for files, with the name that all of them begin with.
+/// The folder for files, and the common beginning of their names.
 std::string Base;
 
 template <typename Value>
@@ -44,7 +44,7 @@ std::string ToBytes(const std::vector<Value>& values)
   return bytes;
 }
 
-/// A document that grows by what it is given.
+/// A document that is built step by step.
 class Document
 {
 public:
@@ -86,7 +86,7 @@ public:
     this->Root["scenes"][0]["nodes"].push_back(this->Root["nodes"].size() - 1);
   }
 
-  /// Writes and reads it. There must be no message.
+  /// Writes and reads the document. There must be no message.
   vtkSmartPointer<vtkMultiBlockDataSet> Read()
   {
     this->Root["buffers"][0]["byteLength"] = this->Buffer.size();
@@ -201,7 +201,8 @@ void TestTransforms()
   const std::size_t normals =
     document.AddNumbers<float>({ 0, 0, 1, 0, 0, 1, 0, 0, 1 }, 5126, "VEC3", 3);
   const json primitive = { { "attributes", { { "POSITION", positions }, { "NORMAL", normals } } } };
-  // Metres of a map, of which a float keeps a quarter of one; two nodes, of which one is a child.
+  // Metres of a map, with a precision of only a quarter of a metre in floats; two nodes, one a
+  // child.
   document.AddPrimitive(primitive, { { "translation", { 500000.0, 4000000.0, 0.0 } } });
   document.Root["nodes"].push_back({ { "mesh", 0 }, { "scale", { 2, 2, 2 } } });
   document.Root["nodes"][0]["children"] = { 1 };

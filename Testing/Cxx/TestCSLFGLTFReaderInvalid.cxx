@@ -69,7 +69,7 @@ json MakeDocument()
 constexpr const char* Pixel = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptV"
                               "AAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==";
 
-/// The same cut short, and with another checksum.
+/// The same truncated, and with another checksum.
 constexpr const char* CutPixel = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUg==";
 constexpr const char* DamagedPixel =
   "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptW"
@@ -87,13 +87,13 @@ json MakeTextured()
 
 struct Case
 {
-  std::string Path;    ///< of what is replaced, as a JSON pointer
-  json Value;          ///< what it is replaced by; null to remove it
+  std::string Path;    ///< of the replaced part, as a JSON pointer
+  json Value;          ///< its replacement; null to remove it
   std::string Message; ///< part of the warning or error
   int Blocks;          ///< how many are left; 0 for an error
 };
 
-/// What is wrong with the document as such.
+/// Errors of the document itself.
 const std::vector<Case> DocumentCases = {
   { "/asset/version", nullptr, "asset.version is missing", 0 },
   { "/asset/version", "1.0", "glTF 1.0", 0 },
@@ -135,7 +135,7 @@ const std::vector<Case> DocumentCases = {
   { "/bufferViews/0/byteStride", 9007199254740991, "exceeds its bufferView", 0 },
 };
 
-/// What is wrong with accessors and what uses them.
+/// Errors of accessors and their uses.
 const std::vector<Case> AccessorCases = {
   { "/accessors/0/count", 4, "accessors[0] exceeds its bufferView", 0 },
   { "/accessors/0/count", 9007199254740991, "accessors[0] exceeds its bufferView", 0 },
@@ -160,7 +160,7 @@ const std::vector<Case> AccessorCases = {
   { "/meshes/0/primitives/0/material", 4, "materials[4] does not exist", 1 },
 };
 
-/// What is wrong with materials and textures.
+/// Errors of materials and textures.
 const std::vector<Case> MaterialCases = {
   { "/materials/0", "gold", "materials[0] is not an object", 1 },
   { "/materials/0/pbrMetallicRoughness", 1, "pbrMetallicRoughness is not an object", 1 },
@@ -261,7 +261,7 @@ void TestFiles(const std::string& name)
     std::ofstream(name, std::ios::binary) << bytes;
     CheckFile(name, message, 0);
   }
-  // Deep nesting is no reason to overflow the stack.
+  // Deep nesting must not overflow the stack.
   const int depth = 200000;
   json document = MakeDocument();
   std::string deep = document.dump();
@@ -296,7 +296,7 @@ void TestNodes(const std::string& name)
   CheckFile(name, "nodes[64] has more than one parent", 1);
 }
 
-/// Few bytes that ask for very many elements.
+/// Few bytes that define very many elements.
 void TestLimits(const std::string& name)
 {
   json zeros = MakeDocument();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The glyphs of a mapper as instances, drawn by VTK and traced: where they are, and their colours.
+// The glyphs of a mapper as instances, drawn by VTK and traced: their positions and colours.
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> MakePoints()
   return data;
 }
 
-/// Glyphs in a window of VTK, and the same traced.
+/// Glyphs in VTK's window, and the same glyphs traced.
 struct Glyphs
 {
   vtkNew<vtkGlyph3DMapper> Mapper;
@@ -101,7 +101,7 @@ struct Glyphs
     this->Mapper->SetInputData(MakePoints());
     vtkNew<vtkConeSource> cone;
     cone->SetResolution(12);
-    cone->SetCenter(0.3, 0.1, 0.0); // so that turns show
+    cone->SetCenter(0.3, 0.1, 0.0); // so that rotations are visible
     this->Mapper->SetSourceConnection(cone->GetOutputPort());
     this->Mapper->SetScaleArray("Sizes");
     this->Mapper->SetOrientationArray("Directions");
@@ -160,7 +160,7 @@ void TestAgainstDrawing()
 
 void TestStructure()
 {
-  // One copy of the geometry, and as many instances as there are points that are not masked.
+  // One copy of the geometry, and as many instances as points that are not masked.
   Glyphs glyphs;
   glyphs.Mapper->MaskingOn();
   glyphs.Actor->GetProperty()->EdgeVisibilityOn();
@@ -197,7 +197,7 @@ vtkIdType CountInstances(Glyphs& glyphs, std::string& warnings)
   return places ? places->GetNumberOfTuples() : 0;
 }
 
-/// Only glyphs whose own values are no numbers are left out.
+/// Only glyphs whose own values are NaN are left out.
 void TestNotFinite()
 {
   Glyphs glyphs;
@@ -218,7 +218,7 @@ void TestNotFinite()
   CSLF_CHECK(warnings.find("glyph(s)") == std::string::npos);
 }
 
-/// Arrays that end before the points do are not read.
+/// Arrays shorter than the points are not read.
 void TestShortArrays()
 {
   Glyphs glyphs;
@@ -238,7 +238,7 @@ void TestShortArrays()
   }
 }
 
-/// A pixel's width is a share of the diagonal of the scene, whatever the scale of the glyphs.
+/// A pixel's width is relative to the diagonal of the scene, whatever the scale of the glyphs.
 void TestWidths()
 {
   vtkNew<vtkPoints> points;

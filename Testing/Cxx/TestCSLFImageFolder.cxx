@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A folder of cube maps: bit-exact round trips, what lies in the files, and bad folders.
+// A folder of cube maps: exact round trips, the contents of files, and bad folders.
 #include "vtkCSLFImageReader.h"
 #include "vtkCSLFImageWriter.h"
 
@@ -121,7 +121,7 @@ void TestRoundTrip(const std::string& folder, int colorType, int depthType)
   CSLF_CHECK(AreEqual(field, output, cslf::ColorName, 20, 23));
 }
 
-/// A folder that holds some viewpoints only keeps their absolute numbers.
+/// A folder with only some viewpoints keeps their absolute numbers.
 void TestPart(const std::string& folder)
 {
   vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
@@ -174,7 +174,7 @@ void TestStrip(const std::string& folder)
   CSLF_CHECK(png->GetOutput()->GetScalarComponentAsDouble(2 * Size, 0, 0, 0) == 65535.0);
 }
 
-/// What comes of an image that is not there and of one cut off.
+/// The result of a missing image and of a truncated one.
 void TestMissing(const std::string& folder)
 {
   vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
@@ -275,7 +275,7 @@ void TestHeaders(const std::string& folder)
   CSLF_CHECK(!isSoundWith(std::string("compression\0compressio", 22), 0, 'x'));
 }
 
-/// Viewpoints that are missing are an error if that is asked for.
+/// Missing viewpoints are an error if this is requested.
 void TestAllowMissing(const std::string& folder)
 {
   CSLF_CHECK(Write(MakeField(VTK_UNSIGNED_CHAR, 0), folder));
@@ -368,7 +368,7 @@ bool HasText(const std::string& fileName)
   return text == "thesis";
 }
 
-/// Whatever else lies around the folder stays.
+/// Other files around the folder stay.
 void TestForeign(const std::string& folder)
 {
   vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);
@@ -405,8 +405,8 @@ void TestForeign(const std::string& folder)
     Write(field, link) && fs::is_symlink(link) && fs::exists(folder + "/000000.Color.png"));
 }
 
-/// What a run leaves that was killed after an earlier folder had gone and before the new one had
-/// come, where the file system cannot exchange them at once.
+/// What a run leaves if it is killed between removing an earlier folder and renaming the new one,
+/// on a file system that cannot exchange them in one step.
 void TestKilled(const std::string& folder)
 {
   vtkSmartPointer<vtkImageData> field = MakeField(VTK_UNSIGNED_CHAR, 0);

@@ -41,7 +41,7 @@ void TestLimits()
   CSLF_CHECK(cslf::ParseJSON(Nest(limit, "{\"a\":", "}")).is_object());
   CheckRefused(Nest(limit + 1, "[", "]"), "deeper than 32");
   CheckRefused(Nest(limit + 1, "{\"a\":", "}"), "deeper than 32");
-  // Far more than a stack holds, and never closed.
+  // Far more than a stack can hold, and never closed.
   CheckRefused(Nest(1000000, "[", "]"), "deeper than 32");
   CheckRefused(Nest(1000000, "{\"a\":", ""), "deeper than 32");
   CheckRefused("", "not JSON");

@@ -16,8 +16,8 @@ namespace
 {
 using namespace cslf::testing;
 
-/// The form factor from a point to a rectangle parallel to its surface, one corner straight above.
-/// Odd in width and length.
+/// The form factor from a point to a rectangle parallel to its surface, with one corner directly
+/// above. It is an odd function of width and length.
 double CornerFormFactor(double width, double length, double height)
 {
   const double a = width / height;
@@ -92,8 +92,7 @@ void TestPunctualLights()
 
 void TestReflectionsUnderUniformLight()
 {
-  // Between two parallel planes that never end, light does not get in; under one, all of it
-  // returns.
+  // No light gets between two infinite parallel planes; all light returns from a single one.
   std::vector<cslf::Mesh> plane;
   plane.push_back(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(1.0f)));
   const cslf::Scene open(std::move(plane), MakeUniformLight(2.0f));
@@ -135,7 +134,7 @@ cslf::Environment MakeSpotEnvironment()
 
 void TestEstimatorsAgree()
 {
-  // A floor, a lamp, a wall between that is metallic or diffuse, under an environment image.
+  // A floor and a lamp, with a metallic or diffuse wall between, under an environment image.
   for (const cslf::SurfaceMaterial& material :
     { MakeDiffuse(0.7f), cslf::SurfaceMaterial(glm::vec3(0.9f), 1.0f, 0.4f, 1.0f, Dark),
       cslf::SurfaceMaterial(glm::vec3(0.5f), 0.0f, 0.5f, 1.5f, Dark) })

@@ -58,7 +58,7 @@ cslf::Mesh MakeTube(
   return mesh;
 }
 
-/// The same of pieces that are short enough.
+/// The same for pieces that are short enough.
 cslf::Mesh Divide(cslf::Mesh mesh)
 {
   cslf::DivideLongTubes(mesh);
@@ -66,7 +66,7 @@ cslf::Mesh Divide(cslf::Mesh mesh)
   return mesh;
 }
 
-/// A mesh at another place, sheared and stretched.
+/// A mesh at another position, sheared and stretched.
 cslf::Mesh Place(cslf::Mesh mesh, const glm::vec3& offset)
 {
   cslf::MeshInstance instance;
@@ -117,8 +117,8 @@ int GetBin(const glm::vec3& direction)
   return row * Columns + std::clamp(static_cast<int>(turn * Columns), 0, Columns - 1);
 }
 
-/// Directions of samples are as frequent as their density says, everywhere on the sphere; and the
-/// density that a sample tells is that of the ray which finds the same point.
+/// Directions of samples have the right frequency everywhere on the sphere, and the density of a
+/// sample is that of the ray which finds the same point.
 void TestDensity(const cslf::Scene& scene, const cslf::LightReceiver& receiver, double least)
 {
   const cslf::LocalLights& lights = scene.GetLocalLights();
@@ -220,8 +220,8 @@ void TestEstimatorsAgree()
     CSLF_CHECK(both.Mean > 0.0 && both.Error < 0.02 * both.Mean);
   }
 }
-/// A plane below a small sphere that shines, by both integrators: the irradiance of a sphere that
-/// is wholly above the horizon is that of a disc of its radius that faces the point.
+/// A plane below a small emissive sphere, by both integrators: the irradiance of a sphere that is
+/// completely above the horizon is that of a disc of its radius that faces the point.
 void TestSphereAbovePlane()
 {
   constexpr double radius = 0.02;
@@ -283,7 +283,7 @@ void TestSphereAbovePlane()
   }
 }
 
-/// Only lights with invalid values of their own are left out.
+/// Only lights with invalid values are left out.
 void TestInvalidLights()
 {
   const double nan = vtkMath::Nan();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tubes that are much longer than thick, against what is known in closed form: their outline, the
-// light that they give, and what passes them where they are translucent.
+// Tubes that are much longer than thick, compared with closed forms: their outline, their light,
+// and the light that passes them if they are translucent.
 #include "cslfColor.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMaterial.h"
@@ -31,10 +31,10 @@ namespace
 {
 constexpr double Half = 1.0; // of a tube's length
 
-// No axis along which rounding errors vanish.
+// Not an axis along which rounding errors vanish.
 const double Axis[3] = { 0.8, 0.6, 0.0 };
 
-/// A line through the origin, of so many equal parts.
+/// A line through the origin, in equal parts.
 vtkSmartPointer<vtkPolyData> MakeLine(double radius, int parts = 1)
 {
   vtkNew<vtkPoints> points;
@@ -98,8 +98,8 @@ struct Picture
   }
 };
 
-/// The part of a square, four radii wide, that the tube covers is a half, all along; and so it is
-/// where the radius grows.
+/// The tube covers half of a square that is four radii wide, everywhere along it, also if the
+/// radius grows.
 void TestOutline()
 {
   for (const double ratio : { 60.0, 600.0, 6000.0 })
@@ -122,7 +122,7 @@ void TestOutline()
 }
 
 /// The light of an emissive tube on a plane below, seen from above beside the tube: the irradiance
-/// of a cylinder that is wholly above the horizon is that of a line as bright as it.
+/// of a cylinder that is completely above the horizon is that of a line with its brightness.
 void TestLight()
 {
   constexpr double radiance = 10.0;
@@ -158,7 +158,7 @@ void TestLight()
   }
 }
 
-/// Light meets a translucent tube once, wherever it is divided: no part of it is denser.
+/// Light hits a translucent tube once, wherever it is divided: no part is denser.
 void TestOpacity()
 {
   for (const double ratio : { 60.0, 600.0, 6000.0 })
@@ -167,7 +167,7 @@ void TestOpacity()
     auto line = MakeLine(radius);
     vtkCSLFMaterial::SetEmission(line, 2, 2, 2);
     vtkCSLFMaterial::SetOpacity(line, 0.4);
-    constexpr int squares = 64; // one after the other, which holds joints of pieces
+    constexpr int squares = 64; // one after the other, including joints of pieces
     double sum = 0.0;
     for (int i = 0; i < squares; ++i)
     {
@@ -192,7 +192,7 @@ void AddEmissions(vtkDataSetAttributes* attributes, std::initializer_list<float>
   attributes->AddArray(emissions);
 }
 
-/// What is given at points runs evenly along the line; what is given at cells is that of its line.
+/// Values of points vary evenly along the line; values of cells are those of their line.
 void TestValues()
 {
   constexpr double radius = 2.0 * Half / 600.0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A thousand lights: what a sample costs, how much noise it has, and that no light is forgotten.
+// A thousand lights: the cost and noise of a sample, and no light is missed.
 #include "PathTracing/cslfDistribution.h"
 #include "PathTracing/cslfSampling.h"
 #include "cslfTestTransport.h"
@@ -124,7 +124,7 @@ struct Lamps
     }
   }
 
-  /// Leaves as many of each kind that shine, and the others where they are.
+  /// Keeps a number of emissive ones of each kind, and leaves the others in place.
   void Extinguish(std::size_t count)
   {
     std::vector<cslf::Mesh> dark;
@@ -173,7 +173,7 @@ private:
   }
 };
 
-/// All lights, as the choice by power sees them.
+/// All lights, for a choice by power.
 std::vector<cslf::Emitter> ListEmitters(const cslf::Scene& scene)
 {
   std::vector<cslf::Emitter> emitters;
@@ -195,7 +195,7 @@ std::vector<cslf::Emitter> ListEmitters(const cslf::Scene& scene)
   return emitters;
 }
 
-/// What a sample adds to the irradiance of an unshadowed point of the floor.
+/// The contribution of a sample to the irradiance of an unshadowed point of the floor.
 double GetIrradiance(const cslf::LightSample& sample)
 {
   return sample.Pdf > 0.0f ? std::max(sample.Direction.z, 0.0f) * sample.Radiance.x /
@@ -280,7 +280,7 @@ void TestNoise()
   }
 }
 
-/// The rays of a path in a room of 1000 lamps of which so many of each kind shine.
+/// The rays of a path in a room of 1000 lamps, some of which of each kind emit light.
 double GetRaysPerPath(Kinds kinds, std::size_t count)
 {
   Lamps lamps(kinds, 1000);
@@ -325,8 +325,8 @@ void TestCost()
   }
 }
 
-/// Probabilities of all lights sum to 1; those that are sampled are those that are told; and every
-/// light that sends something to the receiver has a chance.
+/// Probabilities of all lights sum to 1; these are the probabilities of samples, and every light
+/// that sends light to the receiver has one above 0.
 void TestProbabilities()
 {
   for (const Kinds kind : { Kinds::Mixed, Kinds::Rectangles, Kinds::Points })
@@ -379,7 +379,7 @@ void TestProbabilities()
   }
 }
 
-/// Many lights in one place, and lights of no power.
+/// Many lights in one place, and lights without power.
 void TestDegenerate()
 {
   cslf::LightSet lights;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The field beside VTK's own picture of the same surfaces, by depth: in perspective and parallel,
-// for both eyes of a stereo pair, rotated, stretched and mirrored, cut by the clipping range; large
-// pictures drawn in tiles; and what a camera inside the cube sees.
+// Compares depths of the field with VTK's picture of the same surfaces: in perspective and
+// parallel, for both eyes of a stereo pair, rotated, stretched and mirrored, cut by the clipping
+// range; large pictures drawn in tiles; and what a camera inside the cube sees.
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 
@@ -42,7 +42,7 @@ struct Scene
 void TestDepth(const char* what, const std::function<void(Scene&)>& arrange)
 {
   Scene scene;
-  scene.Mapper->SetPixelSamples(1); // as the surfaces have
+  scene.Mapper->SetPixelSamples(1); // like the surfaces
   arrange(scene);
   const Picture field = scene.Render(scene.Field);
   const Picture surfaces = scene.Render(scene.Surfaces);
@@ -51,7 +51,7 @@ void TestDepth(const char* what, const std::function<void(Scene&)>& arrange)
   std::cout << what << ": " << 100.0 * same << " % of " << surfaces.CountDrawn()
             << " pixels agree\n";
   CSLF_CHECK(surfaces.CountDrawn() > 1000);
-  // Pixels that the field covers in part have no depth.
+  // Partly covered pixels have no depth.
   CSLF_CHECK(field.CountDrawn() > 0.9 * surfaces.CountDrawn());
   CSLF_CHECK(same > 0.98);
 }
@@ -97,7 +97,7 @@ void TestTiles()
   CSLF_CHECK(cslf::testing::ComparePictures(tiled, whole) > 45.0);
 }
 
-// Before the sphere, towards which the line of sight is free from outside the cube on.
+// In front of the sphere. The line of sight from outside the cube is free up to this point.
 void TestInside()
 {
   Scene scene;
@@ -114,7 +114,7 @@ void TestInside()
   CSLF_CHECK(same > 0.97);
   CSLF_CHECK(
     warnings->GetWarningMessage().find("inside the light field's cube") != std::string::npos);
-  // Said once.
+  // Reported once.
   warnings->Clear();
   scene.Render(scene.Field);
   CSLF_CHECK(!warnings->GetWarning());
@@ -127,7 +127,8 @@ void TestInside()
   CSLF_CHECK(hidden.Depths[middle] == 1.0);
 }
 
-// The near plane cuts the sphere open; the far plane is before the wall and the cube's far faces.
+// The near plane cuts the sphere open. The far plane is in front of the wall and the cube's far
+// faces.
 void TestClippingRange()
 {
   Scene scene;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A cube that is far away, so that its texels are smaller than pixels, or several rays for each
-// pixel by choice: each pixel shows the mean of what lies in it, as a larger picture has it.
+// pixel by choice: each pixel shows the mean of its contents, as in a larger picture.
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMapper.h"
@@ -75,7 +75,7 @@ int TestCSLFMapperFar(int, char*[])
   CSLF_CHECK(several > 45.0);
   CSLF_CHECK(several > single + 6.0);
 
-  // Of use in the depth lookup only.
+  // Used only in the depth lookup.
   mapper->SetLookupToBilinear();
   const Picture bilinear = Draw(mapper, NearSize);
   mapper->SetPixelSamples(1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What each lookup looks like: nearest, linear, bilinear, focal and depth-corrected side by side.
+// The pictures of all lookups side by side: nearest, linear, bilinear, focal and depth.
 #include "cslfTestField.h"
 #include "cslfTestImage.h"
 #include "cslfTesting.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the mapper does with inputs that are no light field, with changing inputs, with float
-// colour, with released graphics resources, and with two windows.
+// The mapper with inputs that are not light fields, changing inputs, float colour, released
+// graphics resources, and two windows.
 #include "cslfTestField.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -49,7 +49,7 @@ void TestRefused(vtkImageData* image, const char* message)
   View view(mapper);
   CSLF_CHECK(view.Render() == 0.0);
   CSLF_CHECK(errors->GetErrorMessage().find(message) != std::string::npos);
-  // Said once, not at every picture.
+  // Reported once, not for every picture.
   errors->Clear();
   view.Render();
   CSLF_CHECK(!errors->GetError());
@@ -109,11 +109,11 @@ void TestChanges()
   CSLF_CHECK(mapper->GetTextureBytes() == 0);
   const double brightness = view.Render();
   CSLF_CHECK(brightness > 5.0);
-  // Nine of the thirty tiles of 3 x 3 viewpoints, one each, and a layer for what is not there.
+  // Nine of the thirty tiles of 3 x 3 viewpoints, one each, and a layer for missing ones.
   constexpr vtkTypeInt64 texels = (9 * 9 + 1) * 16 * 16;
   CSLF_CHECK(mapper->GetTextureBytes() == 6 * texels);
 
-  // Released graphics resources come back.
+  // Released graphics resources are created again.
   mapper->ReleaseGraphicsResources(view.Window);
   CSLF_CHECK(mapper->GetTextureBytes() == 0);
   CSLF_CHECK(view.Render() == brightness);
@@ -130,7 +130,7 @@ void TestChanges()
   CSLF_CHECK_NEAR(view.Render(), brightness, 2.0);
   CSLF_CHECK(mapper->GetTextureBytes() == 12 * texels);
 
-  // Another field takes the place of the first, also where it changed in place.
+  // Another field replaces the first, also if it was changed in place.
   const auto black = vtkSmartPointer<vtkImageData>::New();
   black->DeepCopy(bytes);
   auto* colors =

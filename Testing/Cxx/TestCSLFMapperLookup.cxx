@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every lookup of the mapper's shaders against its C++ twin, pixel by pixel: perspective and
-// parallel cameras, an actor with a rotation and a non-uniform scale, key views, and a field
+// Compares every lookup of the mapper's shaders with the C++ version, pixel by pixel: perspective
+// and parallel cameras, an actor with a rotation and a non-uniform scale, key views, and a field
 // without depth.
 #include "cslfFocus.h"
 #include "cslfLookup.h"
@@ -74,7 +74,7 @@ struct Fixture
     matrix->Invert();
   }
 
-  /// The faces by which lines of sight enter, a bit for each.
+  /// The faces through which lines of sight enter, one bit each.
   int FindSeenFaces(const cslf::Cube& box)
   {
     vtkNew<vtkMatrix4x4> displayToCube;
@@ -144,8 +144,8 @@ struct Fixture
       std::cout << what << ", " << this->Mapper->GetLookupAsString() << ": " << psnr << " dB, "
                 << different << " of " << count << " pixels differ\n";
       CSLF_CHECK(lit > 500);
-      // Rounding can send a ray on an edge either way, and a guess can hold where the search comes
-      // upon another surface first; all others agree.
+      // Rounding can send a ray on an edge either way, and a guess can be confirmed where the
+      // search finds another surface first. All other pixels agree.
       CSLF_CHECK(psnr > 50.0);
       CSLF_CHECK(different < 0.01 * count);
     }

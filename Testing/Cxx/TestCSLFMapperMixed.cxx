@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a field looks like among other actors.
+// The appearance of a field among other actors.
 #include "cslfTestImage.h"
 #include "cslfTestMixedScene.h"
 #include "cslfTestView.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A field at coordinates as those of maps, in metres, is drawn like the same field at the origin.
+// A field at map coordinates, in metres, is drawn like the same field at the origin.
 #include "cslfTestField.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"

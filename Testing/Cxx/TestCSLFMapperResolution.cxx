@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A window that wants more pictures a second than can be looked up gets fewer rays while the view
-// moves, and all when it is still.
+// A window with a higher desired update rate than possible gets fewer rays while the view moves,
+// and all when it is still.
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMapper.h"
@@ -32,7 +32,7 @@ Pixels Render(vtkRenderWindow* window)
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
-/// How many pixels differ from the left one of their block.
+/// The number of pixels that differ from the left one of their block.
 int CountChanges(const Pixels& pixels, int block)
 {
   int changes = 0;
@@ -50,7 +50,7 @@ int CountChanges(const Pixels& pixels, int block)
   return changes;
 }
 
-/// One pixel of each block in the place of all.
+/// Replaces each block by one of its pixels.
 Pixels Coarsen(const Pixels& pixels, int block)
 {
   Pixels coarse;
@@ -100,8 +100,9 @@ int TestCSLFMapperResolution(int, char*[])
   camera->Azimuth(turn);
   const Pixels turned = Render(window);
 
-  // Far more than any machine can: the first picture is coarse by guess, with half of the pixels
-  // along each side, the next by measure, with a quarter. Between them it is interpolated.
+  // Far more than any machine can draw: the first picture is coarse by an estimate, with half of
+  // the pixels along each side, the next by a measurement, with a quarter. It is interpolated
+  // between pixels.
   window->SetDesiredUpdateRate(1.0e9);
   camera->Azimuth(-turn);
   const double byGuess = CountDifference(Render(window), whole);

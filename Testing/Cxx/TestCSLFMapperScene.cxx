@@ -31,7 +31,7 @@ using cslf::testing::ComparePictures;
 using cslf::testing::Picture;
 using cslf::testing::View;
 
-// A square across the view at a z, lit by nothing but itself.
+// A square across the view at a z, with emission only.
 vtkSmartPointer<vtkActor> AddSheet(View& view, double z, double half, double opacity)
 {
   vtkNew<vtkPlaneSource> source;
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkActor> AddSheet(View& view, double z, double half, double opa
   return actor;
 }
 
-// Two fields that reach into each other: at each pixel the nearer of the two.
+// Two overlapping fields: each pixel shows the nearer of the two.
 void TestTwoFields()
 {
   View view;
@@ -79,8 +79,8 @@ void TestTwoFields()
   CSLF_CHECK(fromBoth[0] > 1000 && fromBoth[1] > 1000);
 }
 
-// What the field covers in part is drawn at once where it is the last of all props and the others
-// are opaque. Neither that nor the order of the props changes the picture.
+// Partly covered pixels are drawn at once if the field is the last prop and the others are opaque.
+// Neither this nor the order of the props changes the picture.
 void TestSilhouettes()
 {
   View last;
@@ -135,13 +135,13 @@ void TestSilhouettes()
   check("with nothing of these", last.Render());
   CSLF_CHECK(!lastMapper->HasTranslucentPolygonalGeometry());
 
-  // As translucent as it is, it is drawn once.
+  // A translucent field is drawn once.
   field->GetProperty()->SetOpacity(0.5);
   CSLF_CHECK(field->HasTranslucentPolygonalGeometry());
   CSLF_CHECK(last.Render().Depths != expected.Depths);
 }
 
-// What is drawn lies on the positive side of the plane, and is as without.
+// The visible part lies on the positive side of the plane, and does not change.
 void TestClippingPlanes()
 {
   View view;
@@ -192,7 +192,7 @@ void CheckBlend(const char* what, const Picture& picture, const Picture& front, 
   CSLF_CHECK(ComparePictures(picture, blended) > 35.0);
 }
 
-// A sheet before the field, and one behind a field that is translucent itself.
+// A sheet in front of the field, and one behind a field that is translucent itself.
 void TestBlending(bool peeling)
 {
   View view;
@@ -209,7 +209,7 @@ void TestBlending(bool peeling)
   sheet->GetProperty()->SetOpacity(0.4);
   CheckBlend(peeling ? "sheet before, peeled" : "sheet before", view.Render(), red, 0.4, alone);
 
-  // Where the field is, it is blended over the sheet; elsewhere the sheet is as it was.
+  // The field is blended over the sheet; elsewhere the sheet does not change.
   sheet->SetPosition(0.0, 0.0, -2.0);
   sheet->GetProperty()->SetOpacity(1.0);
   const Picture over = view.Render();
@@ -217,7 +217,7 @@ void TestBlending(bool peeling)
   CheckBlend(
     peeling ? "field over sheet, peeled" : "field over sheet", view.Render(), over, 0.5, red);
 
-  // Two translucent ones, the field before: only peeling sorts them without fail.
+  // Two translucent ones, with the field in front: only peeling always sorts them.
   if (peeling)
   {
     sheet->GetProperty()->SetOpacity(0.5);
@@ -296,7 +296,7 @@ void TestAmbientOcclusion()
   CSLF_CHECK_NEAR(fieldLeft, surfacesLeft, 0.06);
 }
 
-// The shadow on a wall behind is as that of the surfaces; the field's own picture stays.
+// The shadow on a wall behind is that of the surfaces; the field's own picture does not change.
 void TestShadows()
 {
   View view;

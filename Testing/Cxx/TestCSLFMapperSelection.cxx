@@ -56,7 +56,8 @@ void TestPickers()
   // Beside the field's surfaces, but within its cube.
   CSLF_CHECK(picker->Pick(2, Middle, 0.0, view.Renderer) == 0);
 
-  // What a clipping plane cuts off is not picked: the plane's other side is the wall's.
+  // Parts removed by a clipping plane are not picked: the other side of the plane belongs to the
+  // wall.
   vtkNew<vtkPlane> plane;
   plane->SetNormal(0.0, 0.0, -1.0);
   mapper->AddClippingPlane(plane);
@@ -92,7 +93,7 @@ std::set<vtkIdType> SelectCells(View& view, vtkActor* actor, unsigned int x, uns
   return Select(view, actor, x, y, vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }
 
-// A field has no points to select, but the actor is found by them too.
+// A field has no points to select, but selections of points find the actor, too.
 void TestPoints()
 {
   View view(Size);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a field that a plane cuts looks like among other actors, to both eyes: the left one sees the
-// left half.
+// A field that is cut by a plane, among other actors, for both eyes. The left half is for the left
+// eye.
 #include "cslfTestImage.h"
 #include "cslfTestMixedScene.h"
 #include "cslfTestView.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A field drawn right from its decoder: the same pictures as from memory, coarse ones at first
-// where nobody waits, within a budget of graphics memory, and in spite of damage.
+// A field drawn from its decoder: the same pictures as from memory, coarse ones at first unless the
+// mapper waits, within a budget of graphics memory, and despite damage.
 #include "cslfCodecTesting.h"
 #include "cslfLookup.h"
 #include "cslfTestView.h"
@@ -29,8 +29,8 @@ constexpr int Viewpoints = 9;
 constexpr int Resolution = 32;
 constexpr vtkTypeInt64 RawBytes =
   vtkTypeInt64(6) * 6 * Viewpoints * Viewpoints * 5 * Resolution * Resolution;
-/// In dB. Where the search along a ray begins depends on what other viewpoints have seen before, so
-/// that single pixels at silhouettes differ.
+/// In dB. The start of the search along a ray depends on viewpoints that were loaded before, so
+/// single pixels at silhouettes differ.
 constexpr double Same = 38.0;
 
 /// A mapper of a file.
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkCSLFMapper> MakeMapper(vtkImageData* field)
   return mapper;
 }
 
-/// What a mapper draws that has drawn nothing before.
+/// The picture of a mapper that has drawn nothing before.
 Picture DrawAnew(vtkImageData* field, const double position[3])
 {
   View view;
@@ -64,8 +64,7 @@ Picture DrawAnew(vtkImageData* field, const double position[3])
   return view.Render();
 }
 
-/// Cameras that see one, two and three faces, one after the other; little memory for what is
-/// decoded.
+/// Cameras that see one, two and three faces in turn, with little memory for decoded viewpoints.
 void TestMoves(const std::string& fileName, vtkImageData* whole)
 {
   const double positions[][3] = { { 0.3, 0.2, 5.0 }, { 2.5, 0.2, 4.5 }, { 2.5, 2.5, 3.5 },
@@ -133,14 +132,14 @@ void TestStreaming(const std::string& fileName, vtkImageData* whole)
   view.Render();
   CSLF_CHECK(requests == 0);
 
-  // Released resources come back.
+  // Released resources are created again.
   streamed.Mapper->ReleaseGraphicsResources(view.Window);
   CSLF_CHECK(streamed.Mapper->GetTextureBytes() == 0);
   streamed.Mapper->StreamingOff();
   CSLF_CHECK(ComparePictures(view.Render(), complete) > Same);
 }
 
-/// Each window has what its own camera needs.
+/// Each window has the samples for its own camera.
 void TestWindows(const std::string& fileName, vtkImageData* whole)
 {
   const double here[3] = { 2.5, 2.0, 3.5 };
@@ -221,8 +220,8 @@ void TestDamage(const std::string& fileName, vtkImageData* whole)
   CSLF_CHECK(missed.GetErrors() == 1 && refused.GetErrors() == 0);
 }
 
-/// How much of the lookup's quality it costs to do without what viewpoints see of the faces that
-/// the camera sees: against the scene itself, in dB.
+/// The loss of quality without the tiles that viewpoints have of faces visible to the camera,
+/// compared with the scene itself, in dB.
 void TestLoss(vtkImageData* whole)
 {
   std::string error;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Exposure and tone mapping: the shader against its C++ twin, on 8-bit and on float fields, and the
-// curves themselves.
+// Exposure and tone mapping: the shader compared with the C++ version, for 8-bit and float fields,
+// and the curves themselves.
 #include "cslfColor.h"
 #include "cslfTestField.h"
 #include "cslfTestView.h"
@@ -22,7 +22,7 @@ namespace
 using cslf::testing::Picture;
 using cslf::testing::View;
 
-// The plain picture taken through the C++ functions is the mapped one, but for its rounding.
+// The C++ functions convert the plain picture to the mapped one, up to rounding.
 void TestPictures(int type)
 {
   View view;
@@ -60,7 +60,7 @@ void TestPictures(int type)
   CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), plain) == 99.0);
 }
 
-// What is brighter than white comes back where the field is of float.
+// Values brighter than white are recovered if the field is float.
 void TestRange()
 {
   const auto field = cslf::testing::MakeTestField(
@@ -94,11 +94,11 @@ void TestCurves()
 {
   const glm::dvec3 color(0.2, 0.4, 0.1);
   CSLF_CHECK((cslf::ToneMapping{ 2.0, vtkCSLFMapper::CLAMP }.MapTone(color) == 2.0 * color));
-  // Reinhard keeps hues and ends below white.
+  // Reinhard preserves hues and stays below white.
   const glm::dvec3 mapped = cslf::ToneMapping{ 1.0, vtkCSLFMapper::REINHARD }.MapTone(color);
   CSLF_CHECK_NEAR(mapped.x / mapped.y, 0.5, 1e-12);
   CSLF_CHECK(cslf::ToneMapping({ 1e6, vtkCSLFMapper::REINHARD }).MapTone(glm::dvec3(1.0)).x < 1.0);
-  // The curve of film rises throughout.
+  // The film-like curve increases everywhere.
   double last = -1.0;
   for (double value = 0.0; value < 10.0; value += 0.1)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Through a slit between a block and a panel, one sees a stripe on a wall that no viewpoint near to
-// the line of sight sees, but others do that look over the block.
+// A slit between a block and a panel shows a stripe on a wall. No viewpoint near the line of sight
+// sees it, but viewpoints that look over the block do.
 #include "cslfLookup.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Graphics resources: one mapper in two windows, each with textures of its own; windows that are
-// finalised and used again or go away; actors that are removed, or get another mapper.
+// Graphics resources: one mapper in two windows with separate textures; windows that are finalised
+// and used again or destroyed; actors that are removed or get another mapper.
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 
@@ -13,7 +13,7 @@ namespace
 using cslf::testing::Picture;
 using cslf::testing::View;
 
-// But for the rounding of single values.
+// Except for the rounding of single values.
 bool AreSame(const Picture& a, const Picture& b)
 {
   return a.CountDrawn() == b.CountDrawn() && cslf::testing::ComparePictures(a, b) > 70.0;
@@ -32,7 +32,7 @@ void TestTwoWindows()
     second.Add(mapper);
     CSLF_CHECK(AreSame(second.Render(), picture));
     CSLF_CHECK(mapper->GetTextureBytes() == 2 * bytes);
-    // Each keeps its own, whatever the order.
+    // Each keeps its own, in any order.
     CSLF_CHECK(AreSame(first.Render(), picture));
     CSLF_CHECK(AreSame(second.Render(), picture));
     CSLF_CHECK(mapper->GetTextureBytes() == 2 * bytes);
@@ -64,7 +64,7 @@ void TestReleases()
   view->Renderer->AddActor(actor);
   CSLF_CHECK(AreSame(view->Render(), picture));
 
-  // The old mapper goes away while the window stays.
+  // The old mapper is destroyed while the window stays.
   auto passing = cslf::testing::MakeTestMapper();
   actor->SetMapper(passing);
   CSLF_CHECK(AreSame(view->Render(), picture));
@@ -72,7 +72,7 @@ void TestReleases()
   passing = nullptr;
   CSLF_CHECK(AreSame(view->Render(), picture));
 
-  // A window goes away while the mapper stays.
+  // A window is destroyed while the mapper stays.
   view.reset();
   CSLF_CHECK(mapper->GetTextureBytes() == 0);
   View other;

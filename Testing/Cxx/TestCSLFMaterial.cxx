@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Materials and lights in field data, and the Cornell box that carries them.
+// Materials and lights in field data, and the Cornell box that contains them.
 #include "cslfColor.h"
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
@@ -71,7 +71,7 @@ void TestDefaultsAndRanges()
   CSLF_CHECK(vtkCSLFMaterial::GetOpacityCutoff(data) == 1.0);
   CSLF_CHECK(vtkCSLFMaterial::GetNormalScale(data) == -0.5);
 
-  // A block keeps what it has and takes the rest of its root.
+  // A block keeps its own values and takes the others from its root.
   vtkNew<vtkPolyData> block;
   vtkCSLFMaterial::SetRoughness(block, 0.5);
   vtkCSLFMaterial::Inherit(block, data);
@@ -93,7 +93,7 @@ void TestProperty()
   double tuple[3];
   vtkCSLFMaterial::SetFromProperty(data, property);
   vtkCSLFMaterial::GetBaseColor(data, tuple);
-  // The boundary and the metal take a part of the light from the base.
+  // The boundary and the metal reflect a part of the light, which the base does not get.
   CSLF_CHECK_NEAR(tuple[0], 0.55, 0.02);
   CSLF_CHECK_NEAR(tuple[2], 0.14, 0.02);
   CSLF_CHECK_NEAR(vtkCSLFMaterial::GetMetallic(data), 0.15, 0.1);
@@ -111,7 +111,7 @@ void TestProperty()
   vtkCSLFMaterial::GetBaseColor(data, tuple);
   CSLF_CHECK(tuple[0] == 0.5 && tuple[1] == 0.25 && tuple[2] == 0.125);
 
-  // The ambient term shines; without lighting all does.
+  // The ambient term is emission; without lighting everything is.
   property->SetAmbient(0.5);
   vtkCSLFMaterial::SetFromProperty(data, property);
   vtkCSLFMaterial::GetEmission(data, tuple);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Arrays of simulations that have the names of version 0.1's materials, and those that it wrote.
+// Arrays of simulations with the names of version 0.1's materials, and arrays of version 0.1
+// itself.
 #include "PathTracing/cslfOldNames.h"
 #include "PathTracing/cslfSceneBuilder.h"
 #include "cslfTesting.h"
@@ -65,7 +66,7 @@ void AddSimulation(vtkDataObject* data)
   AddNumbers(data, "IndexOfRefraction", { 1.33 });
 }
 
-/// What version 0.1 would have written: the same arrays, without the prefix.
+/// The arrays of version 0.1: the same, without the prefix.
 void MakeOld(vtkFieldData* fields)
 {
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
@@ -88,7 +89,7 @@ cslf::BuiltScene Build(vtkDataObject* data)
   return cslf::BuildScene({ data }, options);
 }
 
-/// A simulation's arrays change nothing that is seen, in any place that materials are read from.
+/// A simulation's arrays change nothing visible, wherever materials are read from.
 void TestSimulation()
 {
   const std::string plain = Build(MakePlane()).Fingerprint;
@@ -103,7 +104,7 @@ void TestSimulation()
   AddSimulation(root);
   CSLF_CHECK(Build(root).Fingerprint == plain);
 
-  // Beside our own arrays too, and then there is nothing to warn of.
+  // The same beside our own arrays, and then there is no warning.
   auto colored = MakePlane();
   vtkCSLFMaterial::SetBaseColor(colored, 0.1, 0.2, 0.3);
   const std::string blue = Build(colored).Fingerprint;
@@ -114,7 +115,7 @@ void TestSimulation()
   CSLF_CHECK(mixed.Warning.empty());
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(colored) == 1.0);
 
-  // Arrays of another form have nothing in common with materials.
+  // Arrays of another form are not materials.
   auto series = MakePlane();
   AddNumbers(series, "Roughness", { 1.0, 2.0 });
   AddNumbers(series, "Temperature", { 300.0 });
@@ -122,7 +123,7 @@ void TestSimulation()
   CSLF_CHECK(Build(series).Fingerprint == plain);
 }
 
-/// A window's property comes before a simulation's arrays.
+/// A window's property takes precedence over a simulation's arrays.
 void TestRenderer()
 {
   auto plane = MakePlane();
@@ -149,7 +150,7 @@ void TestRenderer()
   CSLF_CHECK(vtkCSLFMaterial::GetTransmission(block) == 0.0);
   CSLF_CHECK(Contains(messages->GetWarningMessage(), "CSLF:Opacity"));
 
-  // Our own arrays come before the property, also as version 0.1 wrote them.
+  // Our own arrays take precedence over the property, also if version 0.1 wrote them.
   for (const bool isOld : { false, true })
   {
     auto glass = MakePlane();
@@ -167,7 +168,7 @@ void TestRenderer()
   }
 }
 
-/// A scene with all arrays that there are.
+/// A scene with all existing arrays.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeScene(bool isOld)
 {
   auto scene = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -220,7 +221,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeScene(bool isOld)
   return scene;
 }
 
-/// A scene of version 0.1 is what it was, with one warning.
+/// A scene of version 0.1 does not change, and gives one warning.
 void TestOldScene()
 {
   const cslf::BuiltScene built = Build(MakeScene(false));
@@ -235,11 +236,11 @@ void TestOldScene()
   {
     CSLF_CHECK(Contains(old.Warning, name));
   }
-  // The user's data stays as it is.
+  // The user's data is not changed.
   CSLF_CHECK(scene->GetFieldData()->HasArray("PointLightPosition"));
   CSLF_CHECK(!scene->GetFieldData()->HasArray(vtkCSLFLight::PointLightPosition()));
 
-  // What lacks a sign of ours is not read: a light without an intensity, a lone emission.
+  // Arrays without a sign of ours are not read: a light without an intensity, a lone emission.
   auto plane = MakePlane();
   const std::string plain = Build(plane).Fingerprint;
   AddNumbers(plane, "PointLightPosition", { 0.0, 0.0, 1.0 });

@@ -52,7 +52,7 @@ void Add(
   fields->AddArray(array);
 }
 
-/// What the tracer warns of.
+/// The tracer's warning.
 std::string GetWarning(vtkDataObject* data)
 {
   cslf::SceneOptions options;
@@ -94,7 +94,7 @@ void TestUnused()
   CSLF_CHECK(Contains(warning, "CSLF:Emission of cells of 2 components (3 expected)"));
   CSLF_CHECK(Contains(warning, "CSLF:BaseColorTexture (expected: unsigned chars"));
 
-  // That of the root of composite data, once for all blocks.
+  // Those of the root of composite data, once for all blocks.
   vtkNew<vtkMultiBlockDataSet> scene;
   scene->SetBlock(0, MakePlane());
   scene->SetBlock(1, MakePlane());
@@ -124,7 +124,7 @@ void TestOutOfRange()
   vtkCSLFMaterial::GetBaseColor(plane, color);
   CSLF_CHECK(color[0] == 0.5 && color[1] == 1.0 && color[2] == 0.8);
 
-  // It is traced all the same.
+  // It is traced nevertheless.
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0.0, 0.0, 0.5);
   vtkNew<vtkTest::ErrorObserver> observer;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Paths that are followed together find what each finds alone, whatever they meet.
+// Paths that are followed together find the same as each path alone.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/cslfPathBatch.h"
 #include "cslfTestTransport.h"
@@ -24,7 +24,7 @@ cslf::SurfaceMaterial MakeGlass(float roughness)
   return glass;
 }
 
-/// A mesh for each kind of surface but one: the floor of a given material, a wall of colours, a
+/// A mesh for each kind of surface except one: the floor of a given material, a coloured wall, a
 /// shaded bump, a lamp, a sphere, a tube, an instance and a sheet.
 std::vector<cslf::Mesh> MakeRoom(const cslf::SurfaceMaterial& floor)
 {
@@ -103,7 +103,7 @@ std::vector<cslf::PathBatch::Start> MakeStarts()
   return starts;
 }
 
-/// Compares a batch with paths on their own. Where a decision hangs on the last bit of a number, a
+/// Compares a batch with paths on their own. If a decision depends on the last bit of a number, a
 /// path may go another way; few do.
 void Compare(const cslf::Scene& scene, const cslf::PathSettings& settings, bool seen,
   const cslf::RadianceCache* cache = nullptr, double allowed = 0.02)
@@ -174,7 +174,7 @@ void TestEstimators()
   }
 }
 
-/// Paths that end at look-ups, of diffuse and of rough surfaces, beside some that go on.
+/// Paths that end at look-ups, of diffuse and of rough surfaces, beside some that continue.
 void TestCache()
 {
   const cslf::SurfaceMaterial rough(glm::vec3(0.5f), 0.0f, 0.6f, 1.5f, Dark);
@@ -196,7 +196,7 @@ void TestCache()
   Compare(scene, {}, false, &cache);
 }
 
-/// What passes a veil hangs on the last bits of a ray.
+/// Whether a path passes a veil depends on the last bits of a ray.
 void TestVeil()
 {
   std::vector<cslf::Mesh> meshes = MakeRoom(MakeDiffuse(0.7f));
@@ -206,8 +206,8 @@ void TestVeil()
 
 void TestSizes()
 {
-  // Batches of none, one, and those that do not fill a packet; and what was in one before does not
-  // count.
+  // Batches with no path, one path, and too few to fill a packet. Earlier contents of a batch do
+  // not matter.
   const cslf::Scene scene(MakeRoom(MakeDiffuse(0.7f)), MakeLights(false));
   const cslf::PathIntegrator integrator(scene, {});
   const std::vector<cslf::PathBatch::Start> starts = MakeStarts();

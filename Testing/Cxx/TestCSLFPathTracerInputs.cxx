@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the path tracer makes of its inputs: colours, materials, blocks, and data that is broken.
+// The path tracer's inputs: colours, materials, blocks, and broken data.
 #include "cslfColor.h"
 #include "cslfTesting.h"
 #include "vtkCSLFLight.h"
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> MakeSquare(double x, bool strip = false)
   return square;
 }
 
-/// A view tracer that looks at [-2,2] x [-1,1] from above, and what it prints.
+/// A view tracer that looks at [-2,2] x [-1,1] from above, and its messages.
 struct Viewer
 {
   vtkNew<vtkCSLFViewTracer> Tracer;
@@ -116,7 +116,7 @@ struct Viewer
   }
 };
 
-/// Whether a colour is what a flat diffuse surface of that sRGB colour shows under a white sky.
+/// Whether a colour is that of a flat diffuse surface of that sRGB colour under a white sky.
 bool Shows(const glm::dvec4& color, double red, double green, double blue)
 {
   return color.w == 1.0 &&
@@ -144,7 +144,7 @@ void TestBlocksAndConnections()
     check(viewer);
   }
   {
-    // What a block lacks, its root has.
+    // A block takes missing values from its root.
     vtkNew<vtkMultiBlockDataSet> inner;
     inner->SetBlock(0, nullptr);
     auto plain = MakeSquare(0, true);
@@ -157,7 +157,7 @@ void TestBlocksAndConnections()
     viewer.Tracer->SetInputDataObject(blocks);
     check(viewer);
 
-    // A change of a block is noticed.
+    // A change of a block is detected.
     vtkCSLFMaterial::SetBaseColor(plain, 0.0, 0.0, 1.0);
     blocks->Modified();
     CSLF_CHECK(viewer.Update());
@@ -211,7 +211,7 @@ void TestColors()
   CSLF_CHECK(Shows(viewer.GetColor(-1, 0), 1.0, 0.0, 0.0));
   CSLF_CHECK(Shows(viewer.GetColor(1, 0), 0.0, 0.0, 1.0));
 
-  // One that is given.
+  // A given table.
   vtkNew<vtkLookupTable> table;
   table->SetRange(0.0, 10.0);
   table->SetHueRange(0.0, 0.0);
@@ -227,7 +227,7 @@ void TestColors()
   CSLF_CHECK_NEAR(grey, 0.3, 0.01);
   CSLF_CHECK(Shows(viewer.GetColor(-1, 0), grey, grey, grey));
 
-  // An array by name, of points: interpolated.
+  // An array of points by name: interpolated.
   vtkNew<vtkUnsignedCharArray> corners;
   corners->SetName("Corners");
   corners->SetNumberOfComponents(3);
@@ -271,7 +271,7 @@ void TestBrokenData()
   const vtkIdType collinear[] = { 0, 1, 0, 1, 0 };
   polygons->InsertNextCell(4, collinear);
   polygons->InsertNextCell(5, collinear);
-  // The cells' colours stay with them.
+  // The cells keep their colours.
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   colors->InsertNextTuple3(255, 0, 0);
@@ -287,7 +287,7 @@ void TestBrokenData()
   CSLF_CHECK(viewer.GetColor(1, 0).w == 0.0);
   CSLF_CHECK(viewer.WarnsOf("3 polygon(s) with coordinates that are not finite"));
 
-  // The colours of lines are not those of polygons; textures without coordinates.
+  // The colours of lines differ from those of polygons; textures without coordinates.
   vtkNew<vtkCellArray> lines;
   const vtkIdType line[] = { 0, 1 };
   lines->InsertNextCell(2, line);
@@ -317,7 +317,7 @@ void TestBrokenData()
   CSLF_CHECK(viewer.Update());
   CSLF_CHECK(viewer.WarnsOf("vtkImageData"));
 
-  // After an error it works again.
+  // It works again after an error.
   viewer.Tracer->SetInputData(lined);
   CSLF_CHECK(viewer.Update());
   CSLF_CHECK(Shows(viewer.GetColor(-1, 0.3), 1.0, 0.0, 0.0));
@@ -326,7 +326,7 @@ void TestBrokenData()
 
 void TestLightsInFieldData()
 {
-  // A light block of its own; a point light in a scene of other than unit size.
+  // A light in a block of its own; a point light in a scene whose size is not 1.
   vtkNew<vtkMultiBlockDataSet> scene;
   scene->SetBlock(0, MakeSquare(-2));
   scene->SetBlock(1, MakeSquare(0));
@@ -356,7 +356,7 @@ void TestLightsInFieldData()
   CSLF_CHECK(viewer.WarnsOf("1 light(s)"));
 }
 
-/// A contour of image data that is whole before it is asked for, or made when the picture is.
+/// A contour of image data that is complete before the request, or made with the picture.
 void ConnectContour(Viewer& viewer, bool isWhole)
 {
   vtkNew<vtkRTAnalyticSource> wavelet;
@@ -375,7 +375,7 @@ void ConnectContour(Viewer& viewer, bool isWhole)
   }
 }
 
-/// What the picture's extent is must not decide which part of image data upstream is contoured.
+/// The picture's extent must not determine which part of image data upstream is contoured.
 void TestImageUpstream()
 {
   Viewer whole;

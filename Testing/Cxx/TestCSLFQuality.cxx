@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// PSNR and SSIM against closed forms and a window summed by hand; PSNR of whole fields.
+// Compares PSNR and SSIM with closed forms and a window summed directly; PSNR of whole fields.
 #include "vtkCSLFFieldQuality.h"
 #include "vtkCSLFImageQuality.h"
 
@@ -75,7 +75,7 @@ void TestConstants()
   CSLF_CHECK(quality->GetPSNR() == 48.0);
 }
 
-/// The SSIM of one window, summed as the paper writes it.
+/// The SSIM of one window, by the paper's sums.
 double SumWindow(int centreX, int centreY, const Shade& shadeA, const Shade& shadeB)
 {
   double weights = 0.0;
@@ -131,7 +131,7 @@ void TestWindow()
 
 void TestStencil()
 {
-  // Pictures that differ by 3 on the left and by 50 on the right, which the stencil leaves out.
+  // Pictures that differ by 3 on the left and by 50 on the right, which the stencil excludes.
   const auto a = MakePicture(16, 16, 3, [](int, int, int) { return 80; });
   const auto b = MakePicture(16, 16, 3, [](int x, int, int) { return x < 8 ? 83 : 130; });
   vtkNew<vtkImageStencilData> stencil;
@@ -223,7 +223,7 @@ void TestField()
   CSLF_CHECK(quality->GetNumberOfFigures() == 0 && !quality->GetFigureName(0));
 }
 
-/// Colours of floats are compared as displayed at several exposures, too.
+/// Float colours are compared as displayed at several exposures, too.
 void TestFloatField()
 {
   const auto make = []

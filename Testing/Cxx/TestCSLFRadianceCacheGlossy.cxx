@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What rough surfaces reflect is looked up where the cache knows it well enough, and traced where
-// it does not; the insides of closed bodies are left out of the cache, and still look right.
+// Reflections of rough surfaces are looked up if the cache is accurate enough, and traced
+// otherwise. The insides of closed bodies are left out of the cache, and still look right.
 #include "PathTracing/RadianceCache/cslfIncidentLight.h"
 #include "PathTracing/RadianceCache/cslfOpenSides.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
@@ -33,7 +33,7 @@ cslf::SurfaceMaterial MakeGlossy(float roughness)
   return { glm::vec3(0.5f), 0.0f, roughness, 1.5f, glm::vec3(0.0f) };
 }
 
-/// A quadratic radiance is found from samples, and a lobe's mean of it by the moments.
+/// A quadratic radiance is recovered from samples, and the moments give a lobe's mean of it.
 void TestIncidentLight()
 {
   const glm::vec3 normal = glm::normalize(glm::vec3(0.3f, -0.5f, 0.7f));
@@ -83,7 +83,7 @@ void TestIncidentLight()
     }
   }
 
-  // Points that disagree are told by the error.
+  // The error shows that points disagree.
   cslf::IncidentLight brighter = light;
   brighter.Terms[0] += glm::vec3(1.0f);
   CSLF_CHECK_NEAR(cslf::Average({ light, light }, { light, brighter }, normal).Error, 0.5, 0.05);
@@ -130,7 +130,7 @@ void TestFloorAndSphere()
   }
 }
 
-/// A closed body has nothing to store inside, unless there is light.
+/// A closed body stores nothing inside, unless there is light.
 void TestClosedBodies()
 {
   cslf::Mesh box;
@@ -170,7 +170,7 @@ void TestClosedBodies()
   }
 }
 
-/// Seen through a small hole, what the cache leaves out is traced.
+/// Seen through a small hole, surfaces that the cache leaves out are traced.
 void TestHole()
 {
   vtkNew<vtkSphereSource> sphere;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Radiance caching where few samples find light: the mean over a crop and over 32 seeds is that of
-// path tracing, so neither the number of samples nor the places of points select by their values.
+// path tracing, so neither the number of samples nor the positions of points are biased by values.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/cslfSampling.h"
 #include "cslfTestTransport.h"
@@ -18,12 +18,12 @@ using cslf::testing::MakeRectangle;
 
 constexpr int Seeds = 32;
 
-/// The part of a floor at z = 0 that is looked at, from above.
+/// The visible part of a floor at z = 0, seen from above.
 struct Crop
 {
   glm::vec2 Center{ 0.0f };
   float Size = 0.2f;
-  int Side = 8; ///< of the grid of places that are looked at
+  int Side = 8; ///< of the grid of visible places
 
   int GetNumberOfPlaces() const { return this->Side * this->Side; }
 
@@ -36,7 +36,7 @@ struct Crop
   }
 };
 
-/// What path tracing sees.
+/// The result of path tracing.
 Estimate TracePaths(const cslf::Scene& scene, const Crop& crop, int samples)
 {
   Estimate mean;
@@ -51,7 +51,7 @@ Estimate TracePaths(const cslf::Scene& scene, const Crop& crop, int samples)
   return mean;
 }
 
-/// What the caches of many seeds hold.
+/// The values in the caches of many seeds.
 Estimate Cache(const cslf::Scene& scene, const Crop& crop, const cslf::CacheSettings& settings)
 {
   Estimate mean;
@@ -76,8 +76,8 @@ Estimate Cache(const cslf::Scene& scene, const Crop& crop, const cslf::CacheSett
   return mean;
 }
 
-/// The mean of a crop must be that of path tracing within the noise over seeds and the part of it
-/// by which interpolation may err, and within 2 % in any case.
+/// The mean of a crop must be that of path tracing within the noise over seeds plus the allowed
+/// error of interpolation, and within 2 % in any case.
 void Compare(const char* name, const cslf::Scene& scene, const Crop& crop,
   const cslf::CacheSettings& settings, int samples)
 {
@@ -141,8 +141,8 @@ cslf::SurfaceMaterial MakeGlass()
   return material;
 }
 
-/// A small lamp that shines on a floor, sampled as a light or found by chance. It covers a
-/// hundredth or a thousandth of what the floor sees, weighted by the cosine.
+/// A small lamp that lights a floor, sampled as a light or found by chance. It covers a hundredth
+/// or a thousandth of the directions of the floor, weighted by the cosine.
 void TestSmallLamp()
 {
   for (const float part : { 0.01f, 0.001f })
@@ -162,7 +162,7 @@ void TestSmallLamp()
   }
 }
 
-/// A lamp in a box that has a hole in its bottom.
+/// A lamp in a box with a hole in its bottom.
 void TestHole()
 {
   std::vector<cslf::Mesh> meshes{ MakeFloor() };
@@ -192,8 +192,8 @@ void TestHole()
   Compare("hole", scene, {}, settings, 4096);
 }
 
-/// Lamps above each other, of which the lower ones hide most of the upper ones: most of the samples
-/// that choose an upper lamp find nothing.
+/// Lamps above each other. The lower ones hide most of the upper ones, so most samples of an upper
+/// lamp find nothing.
 void TestHiddenLamps()
 {
   std::vector<cslf::Mesh> meshes{ MakeFloor() };
@@ -209,8 +209,8 @@ void TestHiddenLamps()
   Compare("hidden lamps", scene, {}, settings, 4096);
 }
 
-/// Light that a ball of glass focuses on the floor. Its peak, 0.05 wide, has a radiance of 1.5
-/// times the lamp's power: dimmer and brighter than white, and shown darker as floats.
+/// Light that a glass ball focuses on the floor. Its peak, 0.05 wide, has a radiance of 1.5 times
+/// the lamp's power: dimmer and brighter than white, and shown darker as floats.
 void TestCaustic(float power, double displayRange)
 {
   const cslf::Scene scene({ MakeFloor(), MakeSphere({ 0.0f, 0.0f, 0.3f }, 0.2f, MakeGlass()),

@@ -98,7 +98,8 @@ void TestBoxes()
 
 void TestOthers()
 {
-  // Rays that start at different points, as those of a parallel camera, are not told.
+  // The function does not detect rays that start at different points, like those of a parallel
+  // camera.
   cslf::RayGrid grid;
   grid.Direction = { 0.0, 0.0, 1.0 };
   grid.OriginX = { 1.0, 0.0, 0.0 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Packets of rays find what each ray finds alone, and leave other lanes alone whatever is in them,
-// on processors that trace 4, 8 or 16 rays side by side.
+// Packets of rays find the same as each ray alone, and do not change other lanes, on processors
+// that trace 4, 8 or 16 rays side by side.
 #include "PathTracing/cslfEmbree.h"
 #include "cslfTesting.h"
 
@@ -38,7 +38,7 @@ cslf::EmbreeScene MakeSquare(RTCDevice device)
   return scene;
 }
 
-/// Rays down from z = 2 along x: the outer ones miss the square. Every third is not a ray.
+/// Rays down from z = 2 along x. The outer ones miss the square, and every third lane is not a ray.
 void FillRays(RTCRay16& rays, int* valid)
 {
   for (int i = 0; i < Lanes; ++i)
@@ -120,6 +120,6 @@ int TestCSLFRayPackets(int, char*[])
   TestDevice("isa=sse2", 4);
   TestDevice("isa=avx", 8);
   TestDevice("isa=avx2", 8);
-  TestDevice("", Lanes); // what the processor has
+  TestDevice("", Lanes); // the processor's features
   return cslf::testing::Result();
 }

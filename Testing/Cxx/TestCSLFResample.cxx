@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Coarser fields against direct sums and against fields made at their own resolution; what is
-// pulled for them, and what is refused.
+// Compares coarser fields with direct sums and with fields made at their resolution; the slices
+// pulled for them, and refusals.
 #include "cslfCodecTesting.h"
 #include "cslfColor.h"
 #include "cslfFieldSource.h"
@@ -56,7 +56,7 @@ vtkDataArray* GetArray(vtkImageData* field, const char* name)
   return field->GetPointData()->GetArray(name);
 }
 
-/// A field of bytes from numbers, with holes and half-covered texels.
+/// A field of byte colours from numbers, with holes and half-covered texels.
 vtkSmartPointer<vtkImageData> MakeNumbers(int viewpoints, int resolution)
 {
   cslf::Description description;
@@ -90,7 +90,7 @@ vtkSmartPointer<vtkImageData> MakeNumbers(int viewpoints, int resolution)
   return field;
 }
 
-/// The sums over the square of one texel, by the conventions' words.
+/// The sums over the square of one texel, as the conventions define them.
 void CheckTexel(
   vtkImageData* fine, int fineZ, vtkImageData* coarse, int z, int x, int y, int divisor)
 {
@@ -162,7 +162,7 @@ void TestSums(int divisor, int stride)
   }
 }
 
-/// Averaged samples are what a field of the coarse resolution has with more samples a texel.
+/// Averaged samples equal those of a field of the coarse resolution with more samples per texel.
 void TestAgainstCoarseField()
 {
   const cslf::Layout fineGrid(3, 16);
@@ -183,7 +183,7 @@ void TestAgainstCoarseField()
   }
   CSLF_CHECK_NEAR(largest, 0.0, 1e-5);
 
-  // Bytes come from rounded bytes.
+  // Bytes are computed from rounded bytes.
   const auto bytes = Resample(
     cslf::testing::MakeTestField(fineGrid, Box, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, 1), 2, 2);
   const auto expectedBytes =
@@ -208,7 +208,7 @@ void TestDescription()
   CSLF_CHECK(cslf::testing::HasEqualSlices(Resample(fine, 1, 1), fine));
 }
 
-/// Slabs of any size give the same, and pull no more than they need.
+/// Slabs of any size give the same result, and pull no more than they need.
 void TestStreaming()
 {
   const auto field = cslf::testing::MakeByteField(9, 16);
@@ -233,7 +233,7 @@ void TestStreaming()
   }
 }
 
-/// Through the encoder, which asks in an order of its own.
+/// Through the encoder, which requests slices in its own order.
 void TestVideo(const std::string& folder)
 {
   const auto field = cslf::testing::MakeByteField(5, 32);
@@ -297,7 +297,7 @@ void TestErrors()
   picture->SetDimensions(70, 16, 24);
   TestRefused(picture, 2, 1, "not a light field");
 
-  // An input that fails, and one that is stopped, leave nothing.
+  // If the input fails or is stopped, nothing is left.
   const auto source = cslf::testing::MakeSource(field);
   source->FailingSlice = 70;
   vtkNew<vtkCSLFResample> resample;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which samples a camera can use, which of them are kept, and where they say that surfaces may be.
+// The samples that a camera can use, those that are kept, and where they show that surfaces may be.
 #include "cslfResidency.h"
 #include "cslfSceneGrid.h"
 #include "cslfSight.h"
@@ -84,7 +84,7 @@ void TestLevels()
   }
 }
 
-// Random lines of sight that meet the scene's box: all must pass where the sight says.
+// Random lines of sight that meet the scene's box must all pass where Sight says.
 void TestLinesOfSight(const glm::dvec3& eye, double angle, bool isParallel)
 {
   const glm::dvec3 target(0.3, -0.1, 0.2);
@@ -131,7 +131,7 @@ void TestSight()
   TestLinesOfSight({ 0.2, 0.3, 4.0 }, 40.0, false);
   TestLinesOfSight({ 2.0, 0.3, -4.0 }, 10.0, false);
   TestLinesOfSight({ 4.0, 2.0, 3.0 }, 30.0, true);
-  // Seen from above, the scene leaves most of the sides out.
+  // Seen from above, the scene needs few of the sides.
   const Sight above = MakeSight({ 0.0, 4.0, 0.1 });
   CSLF_CHECK(above.CanEnter(2) && !above.CanEnter(0) && !above.CanEnter(4));
   CSLF_CHECK(above.PassesThrough(2, glm::dvec2(-0.1), glm::dvec2(0.1)));
@@ -146,13 +146,12 @@ void TestBlocks()
   CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 2.0, 0.1, 4.0 }) }) == 8);
   CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 2.0, -3.0, 4.0 }) }) == 9);
   CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 0.0, 0.0, 0.5 }) }) == 30);
-  // Two cameras that see the same share them.
+  // Two cameras with the same view share them.
   CSLF_CHECK(
     Residency::CountBlocks({ MakeSight({ 2.0, -3.0, 4.0 }), MakeSight({ 2.1, -3.0, 4.0 }) }) == 9);
 }
 
-// How coarse the table's cells are: the largest, in nodes of the base grid; nothing where a slot is
-// absent.
+// The size of the table's largest cell, in nodes of the base grid. Nothing if a slot is absent.
 std::optional<int> FindCoarsestCell(const Residency::Table& table, int baseNodes)
 {
   double widest = 0.0;
@@ -179,7 +178,7 @@ void BringAll(Residency& residency, int mostLevel)
   }
 }
 
-// Level by level the cells become finer, and after a turn of the camera what both views need stays.
+// The cells become finer level by level. After the camera turns, samples needed by both views stay.
 void TestRefinement()
 {
   const cslf::Layout grid(9, 16);
@@ -210,14 +209,15 @@ void TestRefinement()
     CSLF_CHECK((wanted.Tiles & (1 << above)) != 0);
   }
   BringAll(residency, 2);
-  // What is not wanted any more made room for it; back again, the faces in common stay.
+  // Samples that are not needed any more made space for others. After turning back, the common
+  // faces stay.
   residency.Aim({ MakeSight({ 2.0, 3.0, 4.0 }) });
   const auto back = residency.ListMissing();
   CSLF_CHECK(std::all_of(back.begin(), back.end(),
     [&](const auto& wanted) { return grid.ViewpointOf(wanted.Slice).Face == 2; }));
 }
 
-// Too few slots for all: the coarser levels have them, then what is near to the gaze.
+// Too few slots for all: the coarser levels get them, then samples near the focal point.
 void TestBudget()
 {
   const cslf::Layout grid(17, 16);
@@ -234,20 +234,19 @@ void TestBudget()
   };
   CSLF_CHECK(width(8, 7) == 1 || width(8, 7) == 2);
   CSLF_CHECK(*FindCoarsestCell(table, 17) <= 4);
-  // Slots are those of the viewpoints, each only once.
+  // Slots belong to the viewpoints, each only once.
   std::vector<int> uses(100, 0);
   for (const auto& wanted : missing)
   {
     ++uses[residency.GetSlot(wanted.Slice)];
   }
   CSLF_CHECK(std::all_of(uses.begin(), uses.end(), [](int use) { return use == 1; }));
-  // Another gaze at the same face gives up some of them only.
+  // Looking at another point of the same face frees only some of them.
   residency.Aim({ MakeSight({ 0.8, 0.5, 4.0 }) });
   CSLF_CHECK(residency.ListMissing().size() < 50);
 }
 
-// Cells around a damaged viewpoint fall back to coarser ones; where these lack one, too, what is
-// left is used.
+// Cells around a damaged viewpoint use coarser ones; if these lack one, too, the rest is used.
 void TestDamage()
 {
   const cslf::Layout grid(9, 16);
@@ -265,7 +264,7 @@ void TestDamage()
   CSLF_CHECK(*std::min_element(far, far + 4) >= 0.0F && far[6] - far[4] == 0.25F);
 }
 
-// Each tile is looked at once.
+// Each tile is examined once.
 void TestSceneGrid()
 {
   const auto image = cslf::testing::MakeTestField(

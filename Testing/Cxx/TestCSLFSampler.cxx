@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The sampler's output: its shape, its depth, its bytes whatever the threads and slabs, its errors.
+// The sampler's output: its shape, its depth, the same bytes for all threads and slabs, its errors.
 #include "cslfColor.h"
 #include "cslfDescription.h"
 #include "cslfTesting.h"
@@ -97,7 +97,7 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   const std::string depth = GetBytes(field, cslf::DepthName);
   CSLF_CHECK(field->GetPointData()->GetScalars()->GetName() == std::string(cslf::ColorName));
 
-  // One thread, slices one by one, by a filter of its own: the same bytes. The scene is built once.
+  // One thread, slices one by one, by another filter: the same bytes. The scene is built once.
   vtkNew<vtkCSLFSampler> slabs;
   slabs->SetInputConnection(box->GetOutputPort());
   slabs->SetEnvironmentModeToNone();
@@ -125,13 +125,13 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   CSLF_CHECK(slabColor == color);
   CSLF_CHECK(slabDepth == depth);
 
-  // The same scene under the same name, in whatever process.
+  // The same scene has the same hash in every process.
   const auto scene = sampling["scene"].get<std::string>();
   CSLF_CHECK(scene.size() == 32);
   const auto again = nlohmann::json::parse(GetDescription(slabs->GetOutput()).Sampling);
   CSLF_CHECK(again["scene"] == scene);
 
-  // Another seed, other noise.
+  // Another seed gives other noise.
   sampler->SetSeed(12);
   sampler->SetGenerateDepth(false);
   sampler->Update();
@@ -184,7 +184,7 @@ std::string IdentifyScene(vtkPolyData* polyData)
   return sampling["scene"].get<std::string>();
 }
 
-/// The hash follows whatever is seen of the scene, and nothing else.
+/// The hash depends on everything visible in the scene, and on nothing else.
 void TestSceneHash()
 {
   vtkNew<vtkSphereSource> source;
@@ -302,8 +302,8 @@ void TestDepthAndCoverage()
   }
   CSLF_CHECK(compared > 1000);
 
-  // With the environment shown, every texel is covered; a texel that sees only sky is as far as the
-  // cube.
+  // With the environment shown, every texel is covered. A texel that sees only sky is at the
+  // distance of the cube.
   sampler->ShowEnvironmentOn();
   sampler->SetSamples(1);
   sampler->Update();
@@ -316,7 +316,7 @@ void TestDepthAndCoverage()
 
 void TestWhiteFurnace()
 {
-  // A white diffuse sphere under a uniform sky cannot be told from it.
+  // A white diffuse sphere under a uniform sky looks like the sky.
   const double center[3] = { 0.0, 0.0, 0.0 };
   auto sphere = MakeSphere(1.0, center);
   vtkCSLFMaterial::SetBaseColor(sphere, 1.0, 1.0, 1.0);

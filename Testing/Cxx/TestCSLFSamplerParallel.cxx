@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scene of which each rank holds a piece is sampled like the whole on one rank: every byte, and
-// the description, are the same.
+// A scene with a piece on each rank is sampled like the whole on one rank: every byte, and the
+// description, are the same.
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFLight.h"
@@ -34,7 +34,7 @@
 
 namespace
 {
-/// The piece of the scene that belongs to a rank: a sphere of a colour of its own.
+/// The piece of the scene on a rank: a sphere with its own colour.
 vtkSmartPointer<vtkPolyData> MakePiece(int rank)
 {
   vtkNew<vtkSphereSource> source;
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> MakePiece(int rank)
   return piece;
 }
 
-/// A light that shines on the whole scene, as field data is the same on all pieces.
+/// A light for the whole scene, because field data is the same on all pieces.
 void AddLight(vtkDataObject* data)
 {
   const double direction[3] = { -1.0, -2.0, -1.0 };
@@ -83,7 +83,7 @@ void SetUp(vtkCSLFSampler* sampler, vtkMultiProcessController* controller)
   sampler->SetViewpoints(2);
   sampler->SetResolution(12);
   sampler->SetSamples(4);
-  // Equal bytes are wanted, not a good picture.
+  // The test needs equal bytes, not a good picture.
   sampler->SetCacheSamples(64);
 }
 
@@ -133,7 +133,7 @@ void TestBlocks(vtkMultiProcessController* controller)
   CSLF_CHECK(whole.Text == field.Text && whole.Bytes == field.Bytes);
 }
 
-/// A surface of quads that give light, and of tubes and spheres, coloured by cells or by points.
+/// A surface of emissive quads, tubes and spheres, coloured by cells or by points.
 vtkSmartPointer<vtkPolyData> MakeSurface(bool cellColors)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -170,7 +170,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(bool cellColors)
   return surface;
 }
 
-/// Every so many-th of the cells; the others come as ghosts.
+/// Every n-th cell; the others are ghosts.
 vtkSmartPointer<vtkPolyData> Cut(vtkPolyData* whole, int piece, int pieces)
 {
   vtkNew<vtkUnsignedCharArray> ghosts;
@@ -186,7 +186,7 @@ vtkSmartPointer<vtkPolyData> Cut(vtkPolyData* whole, int piece, int pieces)
   return cut;
 }
 
-/// One surface, cut without regard to where its parts are.
+/// One surface, cut regardless of the position of its parts.
 void TestCuts(vtkMultiProcessController* controller, bool cellColors, int integrator)
 {
   const vtkSmartPointer<vtkPolyData> surface = MakeSurface(cellColors);
@@ -208,7 +208,7 @@ void TestCuts(vtkMultiProcessController* controller, bool cellColors, int integr
   CSLF_CHECK(fields[0].Bytes == fields[1].Bytes);
 }
 
-/// A source that makes its sphere in pieces; every rank has all of it.
+/// A source that makes its sphere in pieces. Every rank gets all of it.
 void TestPieces(vtkMultiProcessController* controller)
 {
   vtkNew<vtkSphereSource> source;
@@ -223,7 +223,7 @@ void TestPieces(vtkMultiProcessController* controller)
   CSLF_CHECK(first == mine);
   CSLF_CHECK(source->GetOutput()->GetNumberOfPolys() < 200);
 
-  // Not distributed, each rank traces the whole that it gets.
+  // If not distributed, each rank traces its whole input.
   together->DistributedSceneOff();
   const Sampled whole = Sample(together);
   vtkNew<vtkCSLFSampler> alone;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The random numbers, the tables they choose from, and the lights' samples against their density.
+// The random numbers, the tables for choices, and the lights' samples compared with their density.
 #include "PathTracing/cslfDistribution.h"
 #include "PathTracing/cslfEnvironment.h"
 #include "PathTracing/cslfFrame.h"
@@ -24,8 +24,8 @@ using cslf::SampleStream;
 
 void TestSampleStream()
 {
-  // Every elementary interval of 16 boxes holds one of each 16 consecutive samples, in every pair
-  // of dimensions.
+  // Every elementary interval of 16 boxes contains one of each 16 consecutive samples, in every
+  // pair of dimensions.
   for (int texel = 0; texel < 20; ++texel)
   {
     const std::uint64_t hash = SampleStream::HashTexel(7, 3, texel, 2);
@@ -124,7 +124,7 @@ void TestFrame()
 
 void TestLights()
 {
-  // An area light's samples know their density.
+  // The samples of an area light have the correct density.
   std::vector<cslf::Mesh> meshes(1);
   meshes[0].Vertices = { { 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 }, { 3, 0, 1 }, { 3, 1, 1 },
     { 3, 0, 3 } };
@@ -155,7 +155,7 @@ void TestLights()
       triangle({ 3, 0, 1 }, { 3, 1, 1 }, { 3, 0, 3 }),
     0.002);
 
-  // So do an environment image's; its integral is that of the image.
+  // So do those of an environment image. Its integral is that of the image.
   cslf::EnvironmentImage image{ 8, 4, std::vector<glm::vec3>(32, glm::vec3(0.0f)) };
   image.Pixels[11] = glm::vec3(50.0f);
   image.Pixels[2] = glm::vec3(1.0f);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scene in pieces on several ranks: lights that come with every piece shine once, messages of any
-// size bring the pieces along, and where one rank fails all ranks fail with a message that says
-// why, and none waits.
+// A scene in pieces on several ranks: lights that come with every piece count once, and messages of
+// any size transport the pieces. If one rank fails, all ranks fail with a message that gives the
+// reason, and none waits.
 #include "Parallel/cslfSceneGather.h"
 #include "cslfDescription.h"
 #include "cslfTesting.h"
@@ -105,7 +105,7 @@ void Compare(vtkMultiProcessController* controller, const std::function<Pieces(i
   CSLF_CHECK(together == alone);
 }
 
-/// Lights at the root of all pieces; at blocks whose numbers differ, since a piece is empty; at
+/// Lights at the root of all pieces; at blocks whose numbers differ, because a piece is empty; at
 /// different ranks; and twice at one place of one rank.
 void TestLights(vtkMultiProcessController* controller)
 {
@@ -195,7 +195,7 @@ void TestInstances(vtkMultiProcessController* controller)
   Compare(controller, reversed, whole);
 }
 
-/// Messages that are smaller than a piece, which stands for pieces of more than 2 GiB.
+/// Messages that are smaller than a piece, as for pieces of more than 2 GiB.
 void TestParts(vtkMultiProcessController* controller)
 {
   const int rank = controller->GetLocalProcessId();
@@ -244,7 +244,7 @@ public:
   static PlaneMaker* New();
   vtkTypeMacro(PlaneMaker, vtkPolyDataAlgorithm);
 
-  bool IsInPieces = true; ///< else the pipeline asks rank 0's alone to make data
+  bool IsInPieces = true; ///< otherwise the pipeline requests data only on rank 0
   bool FailsToDescribe = false;
   bool FailsToMake = false;
   int Place = 0;
@@ -270,7 +270,7 @@ protected:
 };
 vtkStandardNewMacro(PlaneMaker);
 
-/// A sampler with its input and all that they say.
+/// A sampler with its input and all their messages.
 struct Pipeline
 {
   vtkNew<PlaneMaker> Source;
@@ -293,7 +293,7 @@ struct Pipeline
   }
 };
 
-/// One rank fails, in a way that the pipeline may or may not tell the filter of.
+/// One rank fails, in a way that the pipeline may or may not report to the filter.
 void TestFailure(vtkMultiProcessController* controller, int failing,
   const std::function<void(Pipeline&)>& disturb, const std::function<void(Pipeline&)>& mend,
   const std::string& message)
@@ -315,7 +315,7 @@ void TestFailure(vtkMultiProcessController* controller, int failing,
     CSLF_CHECK(told.find("Rank " + std::to_string(failing) + " has failed: " + message) !=
       std::string::npos);
   }
-  // No rank is ahead of another: all fail again, and then all is well.
+  // No rank is ahead of another: all fail again, and then all succeed.
   pipeline.Messages->Clear();
   pipeline.Source->Modified();
   CSLF_CHECK(pipeline.Sampler->GetExecutive()->Update() == 0);
@@ -333,7 +333,7 @@ void TestFailure(vtkMultiProcessController* controller, int failing,
   CSLF_CHECK(Sum(controller, 1) == controller->GetNumberOfProcesses());
 }
 
-/// A source that does not know of pieces changes: only rank 0 has data, and all must gather again.
+/// A source that does not support pieces changes: only rank 0 has data, and all must gather again.
 void TestSerialSource(vtkMultiProcessController* controller)
 {
   Pipeline pipeline(controller);
@@ -348,7 +348,7 @@ void TestSerialSource(vtkMultiProcessController* controller)
     CSLF_CHECK(field.has_value());
     CSLF_CHECK(field && std::abs(field->Box.Center.x - 2.0 * place) < 1e-6);
   }
-  // Data that comes again without a change is not gathered again, which one rank may do alone.
+  // Data that is updated without a change is not gathered again. One rank may do this alone.
   if (controller->GetLocalProcessId() == 0)
   {
     pipeline.Source->GetOutput()->Modified();

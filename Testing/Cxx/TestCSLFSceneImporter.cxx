@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a renderer shows, as data: geometry, colours, materials, lights; and that changes are seen.
+// Converts what a renderer shows to data: geometry, colours, materials, lights; and detects
+// changes.
 #include "cslfColor.h"
 #include "cslfTesting.h"
 #include "vtkCSLFLight.h"
@@ -115,7 +116,7 @@ void TestPlacement()
   actor->SetUserTransform(user);
   importer.Renderer->AddActor(actor);
 
-  // Parts of assemblies, one of them mirrored; invisible ones do not count.
+  // Parts of assemblies, one of them mirrored; invisible ones are ignored.
   vtkNew<vtkAssembly> assembly;
   assembly->SetPosition(0, -5, 0);
   auto part = MakeActor(plane);
@@ -132,7 +133,7 @@ void TestPlacement()
   CheckBounds(mirrored, -0.5, 0.5, -5.5, -4.5);
   CSLF_CHECK(importer.GetBlock(0)->GetPointData()->GetNormals() != nullptr);
 
-  // The front of the mirrored square still looks along z.
+  // The front of the mirrored square still faces z.
   vtkIdType count;
   const vtkIdType* ids;
   mirrored->GetPolys()->GetCellAtId(0, count, ids);
@@ -145,7 +146,7 @@ void TestPlacement()
     (corners[1][1] - corners[0][1]) * (corners[2][0] - corners[1][0]);
   CSLF_CHECK(turn > 0.0);
 
-  // Changes of sources, actors, parts, properties and the list of props are noticed.
+  // Changes of sources, actors, parts, properties and the list of props are detected.
   vtkMTimeType time = importer.Filter->GetMTime();
   const auto changes = [&time, &importer]
   {
@@ -266,7 +267,7 @@ void TestMaterials()
   CSLF_CHECK(vtkCSLFMaterial::GetRoughness(block) == 0.25);
   CSLF_CHECK(vtkCSLFMaterial::GetOpacity(block) == 0.5);
 
-  // The actor's texture; what the data says of itself comes first; flat shading.
+  // The actor's texture; the data's own material takes precedence; flat shading.
   vtkNew<vtkImageData> image;
   image->SetDimensions(3, 2, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -317,7 +318,7 @@ void TestMaterials()
   actor->SetMapper(mapper);
   CSLF_CHECK(importer.GetBlock(0)->GetNumberOfPolys() == 24);
 
-  // What is not represented is named.
+  // Parts that are not represented are named.
   CSLF_CHECK(!importer.WarnsOf("differs from the window"));
   vtkNew<vtkTextActor> text;
   importer.Renderer->AddActor(text);
@@ -335,7 +336,7 @@ void TestMaterials()
 
 void TestLights()
 {
-  // A renderer that would make a headlight; one that has one.
+  // A renderer that would create a headlight; one that has one.
   Importer importer;
   vtkDataArray* radiance = importer.GetLight(vtkCSLFLight::EnvironmentRadiance());
   CSLF_CHECK(radiance && radiance->GetComponent(0, 0) == 1.0);
@@ -379,7 +380,7 @@ void TestLights()
   light->SwitchOff();
   CSLF_CHECK(importer.GetLight(vtkCSLFLight::SpotLightCone()) == nullptr);
 
-  // The environment texture, if it lights.
+  // The environment texture, if it lights the scene.
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 2, 1);
   image->AllocateScalars(VTK_FLOAT, 3);
@@ -395,7 +396,7 @@ void TestLights()
   CSLF_CHECK(importer.GetLight(vtkCSLFLight::EnvironmentUp())->GetComponent(0, 2) == 1.0);
 }
 
-/// The colour of the middle of a picture.
+/// The colour in the middle of a picture.
 void Look(vtkCSLFViewTracer* tracer, double color[4])
 {
   tracer->Update();
@@ -404,8 +405,8 @@ void Look(vtkCSLFViewTracer* tracer, double color[4])
 
 void TestTracing()
 {
-  // A surface by a spot light, in its cone and out of it; the environment of the data replaces the
-  // parameters'.
+  // A surface under a spot light, inside and outside its cone; the environment of the data replaces
+  // that of the parameters.
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkPlaneSource> plane;
   auto actor = MakeActor(plane);
@@ -448,7 +449,7 @@ void TestTracing()
   Look(tracer, color);
   CSLF_CHECK_NEAR(color[0], cslf::SRGBToLinear(0.25), 1e-3);
 
-  // Without a renderer and an input there is nothing to trace.
+  // Without a renderer or an input there is nothing to trace.
   vtkNew<vtkTest::ErrorObserver> errors;
   vtkNew<vtkTest::ErrorObserver> pipelineErrors;
   tracer->AddObserver(vtkCommand::ErrorEvent, errors);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Composite data of a renderer, with blocks of their own looks; and PBR textures of actors.
+// Composite data of a renderer, with blocks of different appearance; and PBR textures of actors.
 #include "cslfTesting.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFMapper.h"
@@ -72,7 +72,7 @@ void TestComposite()
   importer->SetRenderer(renderer);
   CSLF_CHECK(GetBlock(importer, 0) && importer->GetOutput()->GetNumberOfBlocks() == 4);
 
-  // A colour of a block goes for all in it; an opacity of one of them.
+  // A colour of a block applies to all its children; an opacity of one of them.
   const double red[3] = { 1.0, 0.0, 0.0 };
   const vtkMTimeType time = importer->GetMTime();
   attributes->SetBlockColor(inner, red);
@@ -128,7 +128,7 @@ void TestMissingArrays()
   }
 }
 
-/// Cells with normals, whose points have none, are shaded by them.
+/// Cells with normals, whose points have none, are shaded with the cells' normals.
 void TestCellNormals()
 {
   vtkNew<vtkPlaneSource> plane;
@@ -203,7 +203,7 @@ void TestPhysicalTextures()
   image->Modified();
   CSLF_CHECK(importer->GetMTime() > time);
 
-  // A transform of the coordinates, as the importer of glTF has it: v is turned around.
+  // A transform of the coordinates, as set by the glTF importer: v is reversed.
   vtkDataArray* coordinates = GetBlock(importer, 0)->GetPointData()->GetTCoords();
   CSLF_CHECK(coordinates && coordinates->GetComponent(0, 1) == 0.0);
   double turn[16] = { 1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1 };
@@ -217,7 +217,7 @@ void TestPhysicalTextures()
 
 void TestFieldInItsOwnScene()
 {
-  // A light field that is shown where it was sampled does not sample itself.
+  // A light field in the scene that is being sampled does not sample itself.
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(MakeSquare());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Clipping planes of mappers cut what is imported as they cut what is drawn.
+// Clipping planes of mappers cut the imported geometry like the drawn one.
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
 #include "cslfVTKCompatibility.h"
@@ -68,7 +68,7 @@ void CheckPicture(ShapeComparison& window, const char* name, double limit)
 
 void TestSurface(ShapeComparison& window)
 {
-  // A cube, placed, with a corner cut off.
+  // A transformed cube with a corner cut off.
   vtkNew<vtkCubeSource> cube;
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(cube->GetOutputPort());
@@ -92,7 +92,7 @@ void TestSurface(ShapeComparison& window)
   }
   CSLF_CHECK_NEAR(lowest, 0.0, 1e-6);
 
-  // Each face has kept a normal of its own, and texture coordinates run on.
+  // Each face has kept its normal, and texture coordinates continue.
   vtkDataArray* normals = block->GetPointData()->GetNormals();
   CSLF_CHECK(normals != nullptr);
   for (vtkIdType i = 0; normals && i < normals->GetNumberOfTuples(); ++i)
@@ -103,7 +103,7 @@ void TestSurface(ShapeComparison& window)
   vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
   CSLF_CHECK(coordinates && coordinates->GetNumberOfTuples() == block->GetNumberOfPoints());
 
-  // A change of the plane is noticed; two planes; nothing left, without a warning of it.
+  // A change of the plane is detected; two planes; nothing left, without a warning.
   vtkNew<vtkCSLFSceneImporter> importer;
   importer->SetRenderer(window.Renderer);
   const vtkMTimeType time = importer->GetMTime();
@@ -128,7 +128,7 @@ void TestSurface(ShapeComparison& window)
 
 void TestColorsOfCells()
 {
-  // Cell data goes along with cells of several kinds.
+  // Cells of several kinds keep their data.
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   const double places[][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 2, 0, 0 } };

@@ -40,13 +40,13 @@ using cslf::testing::DrawAndTrace;
 
 constexpr int Side = 64;
 
-/// Two large triangles before a camera that sees just them.
+/// Two large triangles in front of a camera that sees only them.
 struct Square
 {
   Square()
   {
     vtkNew<vtkPlaneSource> plane;
-    vtkNew<vtkTriangleFilter> triangles; // not left to the window, which takes the other diagonal
+    vtkNew<vtkTriangleFilter> triangles; // not left to the window, which uses the other diagonal
     triangles->SetInputConnection(plane->GetOutputPort());
     triangles->Update();
     this->Data->ShallowCopy(triangles->GetOutput());
@@ -72,7 +72,7 @@ struct Square
     this->Data->GetPointData()->SetScalars(colors);
   }
 
-  /// Numbers that a table maps at the points.
+  /// Numbers at points, mapped by a table.
   void SetNumbers()
   {
     vtkNew<vtkDoubleArray> numbers;
@@ -122,8 +122,8 @@ struct Square
   vtkNew<vtkPolyData> Data;
 };
 
-/// No pixel differs by more than 2 levels, by paths and by radiance caching; interpolated as light,
-/// many do.
+/// No pixel differs by more than 2 levels, with paths and with radiance caching; interpolated as
+/// light, many do.
 void Check(Square& square, const std::string& what, bool rulesDiffer = true)
 {
   for (const int integrator :
@@ -171,8 +171,8 @@ void TestAgainstWindow()
   Check(square, "texture with an ambient term");
 }
 
-/// VTK 9.1 interpolates colours of physically based shading as light, and so is it baked, whatever
-/// the option says.
+/// VTK 9.1 interpolates colours of physically based shading as light, and so does the bake,
+/// whatever the option says.
 void TestPhysical()
 {
   Square square;
@@ -197,7 +197,7 @@ double Look(vtkCSLFViewTracer* tracer)
   return cslf::LinearToSRGB(tracer->GetOutput()->GetPointData()->GetScalars()->GetComponent(0, 0));
 }
 
-/// Filters take the option to the importer; data says it by itself, and by default is light.
+/// Filters pass the option to the importer. Data can set it, and its default is light.
 void TestOption()
 {
   Square square;
@@ -224,12 +224,12 @@ void TestOption()
   vtkCSLFMaterial::SetDisplayedWhite(square.Data, 1.0, 1.0, 1.0);
   CSLF_CHECK_NEAR(Look(plain), 128.0 / 255.0, 0.01);
 
-  // What data says comes before what the importer is told.
+  // The data's setting takes precedence over the importer's.
   vtkCSLFMaterial::SetDisplayedWhite(square.Data, 0.0, 0.0, 0.0);
   CSLF_CHECK_NEAR(Look(tracer), 188.0 / 255.0, 0.01);
 }
 
-/// Emission above white goes through the same curve; what a lamp gives is what is seen of it.
+/// Emission above white uses the same curve. The light of a lamp agrees with its appearance.
 void TestEmission()
 {
   vtkNew<vtkPlaneSource> plane;
@@ -259,7 +259,7 @@ void TestEmission()
   const double white = 1.055 * std::pow(9.0, 1.0 / 2.4) - 0.055;
   CSLF_CHECK_NEAR(middle, cslf::SRGBToLinear(0.5 * white), 0.02);
 
-  // The light that a white square gets of it: by light sampling, and by an integral.
+  // The light on a white square from it: by light sampling, and by an integral.
   vtkNew<vtkPlaneSource> low;
   low->SetCenter(0.0, 0.0, -1.0);
   low->Update();

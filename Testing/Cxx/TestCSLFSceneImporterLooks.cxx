@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What VTK's window shows of surfaces that face their light, and what is traced of them with one
-// reflection and nothing in the way: shading models, lights, intensities.
+// Compares VTK's window with the traced picture for surfaces that face their light, with one
+// reflection and no shadows: shading models, lights, intensities.
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
 
@@ -31,7 +31,7 @@
 
 namespace
 {
-// Levels of 255 from which on the two differ.
+// The level of 255 from which on the two differ.
 constexpr int Tolerance = 2;
 constexpr int Size = 33;
 
@@ -183,8 +183,8 @@ void TestLightsAndModels()
   }
 }
 
-/// Gives the square scalars: a colour that is taken as it is, or a number through a table, at
-/// points or cells, in steps or after interpolation.
+/// Gives the square scalars: a direct colour, or a number with a table, at points or cells, in
+/// steps or after interpolation.
 std::function<void(vtkActor*)> Scalars(bool ofCells, bool ofColors, bool before)
 {
   return [=](vtkActor* actor)
@@ -233,7 +233,7 @@ void AddTexture(vtkActor* actor)
   actor->SetTexture(texture);
 }
 
-/// The same as the base colour of physically based shading, in sRGB.
+/// The same for the base colour of physically based shading, in sRGB.
 void AddAlbedo(vtkActor* actor)
 {
   AddTexture(actor);
@@ -298,7 +298,7 @@ void TestAllAround()
   Compare({ "Phong, light kit with its headlight all around", Phong(0.8, 0.5, 0.2), AddKit, true });
   Compare({ "no light", Phong(0.8, 0.5, 0.2),
     [](vtkRenderer* renderer) { renderer->AutomaticLightCreationOff(); } });
-  // A renderer makes a light where none is on.
+  // A renderer creates a light if none is on.
   Compare({ "light off", Phong(0.8, 0.5, 0.2),
     [](vtkRenderer* renderer)
     {
@@ -310,7 +310,8 @@ void TestAllAround()
 
 void TestPartMetals()
 {
-  // In the window the diffuse base of a part of metal is duller and of another hue than the metal.
+  // In the window, the diffuse base of a partly metallic surface is darker and of another hue than
+  // the metal.
   const auto aside = [](vtkLight* light) { light->SetPosition(2.0, 0.0, 2.0); };
   for (const double metallic : { 0.25, 0.5, 0.75 })
   {
@@ -328,7 +329,7 @@ void TestPartMetals()
 
 void TestHighlights()
 {
-  // A light that mirrors to the camera, so highlights are at their height.
+  // A light that is mirrored to the camera, so highlights have their full height.
   for (const double power : { 1.0, 5.0, 20.0, 100.0 })
   {
     for (const double white : { 0.0, 1.0 })

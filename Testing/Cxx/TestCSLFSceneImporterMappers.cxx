@@ -88,7 +88,7 @@ struct Import
   std::string Warning;
 };
 
-/// Compares the window with what is traced.
+/// Compares the window with the traced picture.
 void CheckPicture(ShapeComparison& window, const char* name, double limit)
 {
   const double share = window.Compare();
@@ -149,14 +149,14 @@ void TestMolecules(ShapeComparison& window)
   mapper->SetAtomColorMode(vtkMoleculeMapper::SingleColor);
   mapper->SetAtomColor(200, 20, 20);
   mapper->SetAtomicRadiusTypeToCovalentRadius();
-  CheckPicture(window, "One colour", 0.2); // some is as dark as the background
+  CheckPicture(window, "One colour", 0.2); // some are as dark as the background
   mapper->RenderAtomsOff();
   CheckPicture(window, "Without atoms", 0.35); // the ends of the bonds are round
   mapper->RenderAtomsOn();
   mapper->RenderBondsOff();
   CheckPicture(window, "Without bonds", 0.12);
 
-  // Placed, and scaled.
+  // With a transform and a scale.
   mapper->UseBallAndStickSettings();
   mapper->SetAtomicRadiusScaleFactor(0.15f);
   mapper->SetBondRadius(0.05f);
@@ -297,7 +297,7 @@ void TestPointMappers(ShapeComparison& window)
     CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(import.Get(0)) > 0.0);
   }
 
-  // These are drawn only where there are cells, since they have no bounds else.
+  // These are drawn only if there are cells, because they have no bounds otherwise.
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType i = 0; i < 3; ++i)
   {
@@ -424,7 +424,7 @@ void TestPartitionedData()
   CSLF_CHECK(Import(renderer).Get(0)->GetNumberOfPolys() == 4);
 }
 
-/// A mapper that draws something of its own.
+/// A mapper that draws something unknown.
 class OtherMapper : public vtkPolyDataMapper
 {
 public:
@@ -486,7 +486,7 @@ void TestWarnings()
   actor->SetMapper(mapper);
   CSLF_CHECK(Import(renderer).Warning.empty() && Import(renderer).GetCount() == 0);
 
-  // Something to be seen, of which nothing comes.
+  // A visible object of which nothing is imported.
   vtkNew<OtherMapper> other;
   other->SetInputData(empty);
   actor->SetMapper(other);

@@ -45,7 +45,7 @@ namespace
 constexpr double Easting = 5e5;
 constexpr double Northing = 4e6;
 
-// What a double can tell at such coordinates, with some rounding.
+// The precision of a double at such coordinates, with some rounding.
 constexpr double Tolerance = 3e-9;
 
 vtkSmartPointer<vtkPolyData> MakeSphere()
@@ -120,7 +120,7 @@ void TestActors()
   CSLF_CHECK(sphere->GetNumberOfPoints() == 3970 && CountDifferentY(placed) > 0.95 * before);
   CheckPlaced(placed, sphere, actor->GetMatrix());
 
-  // A reflection, in a nested assembly whose matrices cancel each other in part.
+  // A reflection, in a nested assembly whose matrices partly cancel each other.
   actor->SetPosition(-1e6, 0.25, 0.125);
   actor->SetScale(-1.0, 2.0, 1.0);
   renderer->RemoveActor(actor);
@@ -175,7 +175,7 @@ void TestGlyphs()
   }
 }
 
-/// The surface of data whose coordinates are implied.
+/// The surface of data with implicit coordinates.
 void TestGrids()
 {
   vtkNew<vtkImageData> image;
@@ -213,8 +213,8 @@ void TestGrids()
   }
 }
 
-/// Hills, 100 metres wide, in double points about the origin. Their grid is not one of whole
-/// numbers, which floats would keep.
+/// Hills, 100 metres wide, in double points about the origin. Their grid is not integral, because
+/// floats would keep integers.
 vtkSmartPointer<vtkPolyData> MakeTerrain()
 {
   vtkNew<vtkPlaneSource> plane;
@@ -242,7 +242,7 @@ vtkSmartPointer<vtkPolyData> MakeTerrain()
   return terrain;
 }
 
-/// A terrain that was moved, of double points.
+/// A terrain of double points that was moved.
 vtkSmartPointer<vtkPolyData> Move(vtkPolyData* data, double x, double y, bool toFloats = false)
 {
   vtkNew<vtkTransform> transform;

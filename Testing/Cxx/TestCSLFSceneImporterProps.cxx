@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Props that choose, place or make their geometry in ways of their own, beside what VTK draws:
+// Props that choose, place or make their geometry in special ways, compared with what VTK draws:
 // levels of detail, nested assemblies, followers, tensor glyphs.
 #include "cslfTestShapes.h"
 #include "cslfTesting.h"
@@ -180,7 +180,7 @@ void TestTensorGlyphs(ShapeComparison& window)
   Check(window, "Tensor glyphs", actor);
 }
 
-/// What is not imported of an actor or a renderer is named.
+/// Parts of an actor or a renderer that are not imported are named.
 void TestNamed()
 {
   vtkNew<vtkSphereSource> sphere;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What VTK's window shows of scenes of all kinds beside what is baked of them: figures for each,
-// and with `--sheet FILE` the pictures on one sheet.
+// Compares VTK's window with the bake for scenes of all kinds: prints figures for each, and with
+// `--sheet FILE` draws the pictures on one sheet.
 #include "cslfColor.h"
 #include "cslfContactSheet.h"
 #include "cslfSheetScenes.h"
@@ -34,7 +34,7 @@ using cslf::testing::SheetPicture;
 using cslf::testing::SheetScene;
 
 constexpr int Size = 102;
-// Pixels of the window along a pixel of the pictures.
+// Pixels of the window per pixel of the pictures, along each side.
 constexpr int Finer = 3;
 constexpr double Background = 0.8;
 constexpr int BackgroundLevel = 204;
@@ -69,8 +69,8 @@ SheetPicture Shrink(const SheetPicture& fine)
   return picture;
 }
 
-/// What is expected to be traced where the window shows `ambient` of a surface that gets no light,
-/// and `full` of one that faces the light: the same, but the cosine to the light multiplies light.
+/// The expected traced colour if the window shows `ambient` for a surface without light, and `full`
+/// for one that faces the light: the same, except that the cosine multiplies light.
 SheetPicture ApplyCosine(
   const SheetPicture& window, const SheetPicture& ambient, const SheetPicture& full)
 {
@@ -88,7 +88,8 @@ SheetPicture ApplyCosine(
   return expected;
 }
 
-/// How far a traced component lies outside of what the finer picture has in and around the pixel.
+/// How far a traced component lies outside of the range of the finer picture in and around the
+/// pixel.
 int GetOutside(const SheetPicture& fine, int traced, int component)
 {
   const int column = component / 3 % Size;
@@ -128,8 +129,8 @@ Figures Summarize(std::vector<int> values)
   return figures;
 }
 
-/// Calls `get(component)` for those of the pixels where something is shown, and takes the largest
-/// of each pixel.
+/// Calls `get(component)` for the pixels where something is shown, and takes the largest value of
+/// each pixel.
 template <typename Get>
 Figures Measure(const SheetPicture& window, const SheetPicture& bake, const Get& get)
 {
@@ -151,7 +152,7 @@ Figures Measure(const SheetPicture& window, const SheetPicture& bake, const Get&
   return Summarize(values);
 }
 
-/// Draws the window after a change to the actors' properties, which is taken back then.
+/// Draws the window after a temporary change to the actors' properties.
 template <typename Change>
 SheetPicture DrawChanged(vtkRenderer* renderer, const Change& change)
 {

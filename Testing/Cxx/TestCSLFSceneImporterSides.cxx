@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Culling and properties of back faces: what VTK's window shows of both sides of a square, and what
-// is traced of it.
+// Culling and properties of back faces: compares VTK's window with the traced picture for both
+// sides of a square.
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
 #include "cslfVTKCompatibility.h"
@@ -41,7 +41,7 @@ constexpr int Tolerance = 2; // levels of 255 from which on the two differ
 constexpr int Size = 33;
 
 /// A unit square around the origin, red with blue backs, whose front the camera sees or not. VTK
-/// lights surfaces with normals wrongly where they are reflected, so it has none.
+/// lights reflected surfaces with normals incorrectly, so it has none.
 struct Square
 {
   explicit Square(bool fromBack)
@@ -70,7 +70,7 @@ struct Square
   vtkNew<vtkRenderer> Renderer;
 };
 
-/// Checks both sides of a square that is changed.
+/// Checks both sides of a modified square.
 void Compare(const std::string& name, const std::function<void(Square&)>& change)
 {
   for (const bool fromBack : { false, true })
@@ -107,7 +107,7 @@ void SetCulling(Square& square, int culling)
   square.Front->SetFrontfaceCulling(culling >> 1);
 }
 
-/// One glyph, the square, with a scale along x.
+/// One glyph of the square, with a scale along x.
 void ShowAsGlyph(Square& square, double scale)
 {
   vtkNew<vtkPoints> places;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Scalars through lookup tables of all kinds: what is baked is what VTK's window shows, and the
-// user's table is left alone.
+// Scalars with lookup tables of all kinds: the bake shows the same as VTK's window, and the user's
+// table is not changed.
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMaterial.h"
@@ -33,10 +33,11 @@
 
 namespace
 {
-// The strips of the square that have one value each at their edges.
+// The strips of the square with a constant value at their edges.
 constexpr int Strips = 32;
 
-/// A square whose scalars are a function of x in [0,1], before a camera that sees just it.
+/// A square whose scalars are a function of x in [0,1], in front of a camera that sees only the
+/// square.
 struct Square
 {
   vtkNew<vtkRenderer> Renderer;
@@ -72,7 +73,7 @@ struct Square
 
   void SetTable(vtkScalarsToColors* table) { this->Mapper->SetLookupTable(table); }
 
-  /// Imports, compares with the window, and checks that the table has stayed as it was.
+  /// Imports, compares with the window, and checks that the table has not changed.
   void Check(const char* what)
   {
     vtkScalarsToColors* table = this->Mapper->GetLookupTable();
@@ -106,7 +107,7 @@ void AddSpecialColors(vtkLookupTable* table)
   table->SetNanColor(0.2, 0.6, 0.2, 1.0);
 }
 
-/// From -20 to 120, with no number in the middle.
+/// From -20 to 120, with NaN in the middle.
 double FromBelowToAbove(double x)
 {
   return std::abs(x - 0.5) < 0.1 ? vtkMath::Nan() : 140.0 * x - 20.0;
@@ -145,7 +146,7 @@ void TestSpecialColors()
   square.SetTable(table);
   square.Check("below, above and NaN of a table");
 
-  // Without them, the ends go on.
+  // Without them, the ends are extended.
   table->SetUseBelowRangeColor(false);
   table->SetUseAboveRangeColor(false);
   square.Check("ends of a table");
@@ -160,7 +161,7 @@ void TestSpecialColors()
   square.SetTable(own);
   square.Check("five colours");
 
-  // The array's own table comes first.
+  // The array's own table takes precedence.
   square.SetTable(table);
   square.Scalars->SetLookupTable(own);
   square.Check("table of the array");
@@ -211,7 +212,7 @@ void TestFunctions()
 
 void TestTimes()
 {
-  // Seconds since 1970 have no room in floats.
+  // Seconds since 1970 are too large for exact floats.
   const double start = 1.7e9;
   Square square([start](double x) { return start + 100.0 * x; });
   square.Mapper->SetScalarRange(start, start + 100.0);

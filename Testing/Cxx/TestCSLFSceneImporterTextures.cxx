@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Textures of any type of scalars, by their tables and transforms, beside what VTK draws.
+// Textures with scalars of any type, with their tables and transforms, compared with what VTK
+// draws.
 #include "cslfTestShapes.h"
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
@@ -143,7 +144,7 @@ void TestTypes(ShapeComparison& window)
   scene.Texture->SetColorModeToMapScalars();
   scene.Check("Bytes by a table");
 
-  // A change of the table is noticed.
+  // A change of the table is detected.
   vtkNew<vtkCSLFSceneImporter> importer;
   importer->SetRenderer(window.Renderer);
   const vtkMTimeType time = importer->GetMTime();
@@ -158,7 +159,7 @@ void TestTypes(ShapeComparison& window)
   scene.Check("16 bits as colours");
 }
 
-/// A texture whose table has no values is left out.
+/// A texture whose table is empty is left out.
 void TestEmptyTable()
 {
   vtkNew<vtkImageData> image;
@@ -197,7 +198,7 @@ void TestTransform(ShapeComparison& window)
   scene.Check("Transformed, with edges");
 }
 
-/// Textures of the property, which VTK also draws where the surface is not PBR.
+/// Textures of the property, which VTK also draws if the surface is not PBR.
 void TestOfProperty(ShapeComparison& window)
 {
   Scene scene(window);
@@ -220,8 +221,8 @@ void TestOfProperty(ShapeComparison& window)
   CSLF_CHECK(messages->GetWarningMessage().find("several textures") != std::string::npos);
 }
 
-/// Pixels of so many components that differ little, so that it does not matter whether they are
-/// made linear before they are interpolated.
+/// Pixels of that many components that differ little, so that it does not matter whether they
+/// become linear before interpolation.
 vtkSmartPointer<vtkUnsignedCharArray> MakePixels(int components)
 {
   auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -239,8 +240,8 @@ vtkSmartPointer<vtkUnsignedCharArray> MakePixels(int components)
   return pixels;
 }
 
-/// What lies beyond the image, for each wrap, with and without interpolation, on classic and on
-/// physically based surfaces.
+/// The continuation beyond the image, for each wrap, with and without interpolation, on classic and
+/// on physically based surfaces.
 void TestWraps(ShapeComparison& window)
 {
   vtkCamera* camera = window.Renderer->GetActiveCamera();
@@ -276,7 +277,7 @@ void TestWraps(ShapeComparison& window)
       cslf::testing::BakeOptions options;
       options.Samples = 4;
       const auto pictures = cslf::testing::DrawAndTrace(window.Renderer, 97, options);
-      // Physically based surfaces differ by 5 levels where they do not quite face the light.
+      // Physically based surfaces differ by 5 levels if they do not quite face the light.
       const int tolerance = isPhysical ? 6 : 4;
       const double part = pictures.GetPartOutside(tolerance);
       std::cout << names[wrap] << (interpolate ? ", interpolated, " : ", nearest, ") << components
@@ -287,7 +288,7 @@ void TestWraps(ShapeComparison& window)
   }
   camera->SetParallelScale(1.0);
 
-  // A change of the border is noticed.
+  // A change of the border is detected.
   vtkNew<vtkCSLFSceneImporter> importer;
   Scene scene(window);
   scene.SetScalars(MakePixels(3));

@@ -18,8 +18,8 @@ namespace
 {
 using namespace cslf::testing;
 
-/// Light passes each of two sheets that are a millionth of the scene apart, wherever they are and
-/// however they lie.
+/// Light passes each of two sheets that are a millionth of the scene apart, at all positions and
+/// orientations.
 void TestSheets()
 {
   const float gap = 2e-6f; // the scene's diameter is 2
@@ -41,7 +41,7 @@ void TestSheets()
       cslf::PathSettings settings;
       settings.MaximumDepth = 1;
       const cslf::PathIntegrator integrator(scene, settings);
-      // The chances to pass the upper sheet are a ray's own, so many rays are needed.
+      // The probability of passing the upper sheet depends on the ray, so many rays are needed.
       cslf::PathBatch batch;
       double single = 0.0;
       std::uint64_t rays = 0;
@@ -72,8 +72,8 @@ void TestSheets()
   }
 }
 
-/// Triangles of all sizes and shapes in a uniform sky show it as it is: no ray that leaves one
-/// meets it again.
+/// Triangles of all sizes and shapes in a uniform sky look like the sky: no ray that leaves a
+/// triangle hits it again.
 void TestFurnace()
 {
   std::mt19937 engine(7);
@@ -93,7 +93,8 @@ void TestFurnace()
       {
         for (int i = 0; i < 10; ++i)
         {
-          // In a scene of this size, so that Embree's triangle has its neighbours' numbers.
+          // In a scene of this size, so that the rounding of Embree's triangle is that of large
+          // coordinates.
           cslf::Mesh mesh;
           const glm::vec3 place = getVector() * 0.5f;
           const glm::vec3 along = glm::normalize(getVector()) * size;

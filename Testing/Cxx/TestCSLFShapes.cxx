@@ -82,7 +82,7 @@ struct Viewer
     return color[component];
   }
 
-  /// The area that is covered.
+  /// The covered area.
   double GetArea()
   {
     double sum = 0.0;
@@ -152,7 +152,7 @@ void TestSpheres()
   CSLF_CHECK_NEAR(viewer.GetColor(1.25, 0.05, 1), std::sqrt(1.0 - 0.25 - 0.01), 0.02);
   CSLF_CHECK(!viewer.Messages->GetWarning());
 
-  // Radii of points; without any, a small part of the scene's size; one that is broken.
+  // Radii of points; the default, a small part of the scene's size; an invalid one.
   SetRadii(data, vtkCSLFMaterial::PointRadiusName(), { 0.25f, 0.75f });
   data->Modified();
   viewer.Look(data);
@@ -168,7 +168,7 @@ void TestSpheres()
   sampler->AddObserver(vtkCommand::WarningEvent, messages);
   sampler->Update();
   CSLF_CHECK(messages->GetWarningMessage().find("1 line(s) or vertex") != std::string::npos);
-  // The cube holds the spheres: 2 long, 0.001 around.
+  // The cube contains the spheres: 2 long, 0.001 around.
   const std::string description =
     vtkStringArray::SafeDownCast(sampler->GetOutput()->GetFieldData()->GetAbstractArray(0))
       ->GetValue(0);
@@ -269,11 +269,11 @@ void TestInstances()
   CSLF_CHECK_NEAR(viewer.GetColor(1.05, -1.05, 0), 1.0, 1e-3);
   CSLF_CHECK(viewer.GetColor(0.05, 0.05, 3) == 0.0);
   const double alpha = viewer.GetColor(1.05, 1.55, 3);
-  CSLF_CHECK(alpha > 0.2 && alpha < 0.8); // only turned does the square reach there
+  CSLF_CHECK(alpha > 0.2 && alpha < 0.8); // the square reaches this point only if it is rotated
   CSLF_CHECK_NEAR(viewer.GetColor(1.05, 1.55, 1), alpha, 1e-3);
   CSLF_CHECK(!viewer.Messages->GetWarning());
 
-  // One matrix that is no number.
+  // One matrix with NaN.
   vtkCSLFInstances::AddInstance(data, MakeMatrix(vtkMath::Nan(), 0, 0, 1, 1), red);
   viewer.Look(data);
   CSLF_CHECK_NEAR(viewer.GetArea(), 2.5, 0.06);
@@ -322,7 +322,7 @@ void TestInstances()
 
 void TestInstancesOfLamps()
 {
-  // Instances of an emissive surface light as copies of it do.
+  // Instances of an emissive surface give the same light as its copies.
   const auto trace = [](bool instances)
   {
     vtkNew<vtkMultiBlockDataSet> scene;
@@ -415,7 +415,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeMixedScene()
 
 void TestSlabsAndThreads()
 {
-  // The same bytes, however the field is pulled.
+  // The same bytes for any way of pulling the field.
   vtkNew<vtkCSLFSampler> whole;
   vtkNew<vtkCSLFSampler> parts;
   for (vtkCSLFSampler* sampler : { whole.Get(), parts.Get() })

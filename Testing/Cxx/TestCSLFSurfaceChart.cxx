@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Charts of radiance caching: which triangles share one, and that the cost of the cache follows
-// the area of a surface, not the number or the length of its triangles.
+// Charts of radiance caching: the triangles that share one, and a cost of the cache that depends on
+// the area of a surface, not on the number or length of its triangles.
 #include "PathTracing/RadianceCache/cslfLatticeLayout.h"
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
@@ -57,7 +57,7 @@ cslf::Mesh MakeRamp(float pitch)
   return mesh;
 }
 
-/// Each triangle is on one chart, and the chart leads back to the triangle's place in space.
+/// Each triangle is on one chart, and the chart maps back to the triangle's position in space.
 void TestLayout(cslf::Mesh mesh, std::size_t mostCharts)
 {
   const cslf::Scene scene({ std::move(mesh) }, cslf::testing::MakeUniformLight(1.0f));
@@ -90,7 +90,7 @@ void TestLayout(cslf::Mesh mesh, std::size_t mostCharts)
   CSLF_CHECK(members == surface.Triangles.size());
 }
 
-/// What the cache of a scene costs under light from above, and how good its picture is.
+/// The cost of the cache of a scene under light from above, and the quality of its picture.
 struct Cost
 {
   double Rays;
@@ -110,7 +110,7 @@ Cost Measure(vtkPolyData* scene, double y)
   return { static_cast<double>(comparison.Cached->GetNumberOfCacheRays()), psnr };
 }
 
-/// Many thin triangles cost hardly more than few.
+/// Many thin triangles cost little more than few.
 void CheckRefined(vtkPolyData* coarse, vtkPolyData* fine, double distance)
 {
   const Cost few = Measure(coarse, distance);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Texels that take fewer samples where few suffice: their means have no bias, however rarely a
-// sample finds light or something to see, and their noise is what was asked for.
+// Texels that take fewer samples where few are enough: their means have no bias, even if samples
+// rarely find light or a surface, and their noise is the requested one.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "cslfTestTransport.h"
 #include "cslfTexelPicture.h"
@@ -23,7 +23,7 @@ using cslf::testing::TexelPicture;
 
 constexpr int Seeds = 32;
 
-/// Compares the mean of a picture over many seeds, with a noise target, to that of all samples.
+/// Compares the mean of a picture over many seeds, with a noise target, with that of all samples.
 void CheckMean(const char* name, TexelPicture picture, cslf::RenderSettings settings, int component)
 {
   double means[2] = {};
@@ -56,7 +56,7 @@ void CheckMean(const char* name, TexelPicture picture, cslf::RenderSettings sett
   CSLF_CHECK(rays[1] < rays[0]);
 }
 
-/// A room that is lit through a small hole.
+/// A room lit through a small hole.
 std::vector<cslf::Mesh> MakeDarkRoom(double hole)
 {
   const auto h = static_cast<float>(hole);
@@ -75,7 +75,7 @@ std::vector<cslf::Mesh> MakeDarkRoom(double hole)
   return meshes;
 }
 
-/// Thin things that shine, over nothing.
+/// Thin emissive objects, with nothing behind them.
 std::vector<cslf::Mesh> MakeWires(float width, float length)
 {
   std::vector<cslf::Mesh> meshes;
@@ -123,7 +123,7 @@ void TestThinThings()
   const cslf::Scene specks(MakeWires(0.008f, 0.008f), dark);
   CheckMean("coverage of specks", TexelPicture(specks, 96, 1.0), settings, 3);
 
-  // Over a wall whose light is cached.
+  // In front of a wall whose light is cached.
   std::vector<cslf::Mesh> meshes = MakeWires(0.002f, 0.3f);
   for (cslf::Mesh& mesh : meshes)
   {

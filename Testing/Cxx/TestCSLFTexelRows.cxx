@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rows of video samples become the texels that the formulas say, to the last level.
+// Rows of video samples become texels exactly as the formulas say.
 #include "cslfTesting.h"
 
 #include "Coding/cslfDepthCurve.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Textures: their pixels, their way with the data, and what they do to light.
+// Textures: their pixels, their storage in data, and their effect on light.
 #include "PathTracing/cslfSampling.h"
 #include "PathTracing/cslfTexture.h"
 #include "cslfColor.h"
@@ -45,7 +45,8 @@ cslf::TextureImage MakeChecker(bool repeat, bool interpolate)
 
 void TestPixels()
 {
-  // The centres of pixels hold their values, whatever the interpolation; the first row is below.
+  // The centres of pixels have their values, with any interpolation; the first row is at the
+  // bottom.
   for (bool interpolate : { false, true })
   {
     const cslf::Texture colors(MakeChecker(true, interpolate), cslf::TextureKind::Colors);
@@ -57,7 +58,7 @@ void TestPixels()
     CSLF_CHECK(colors.Get({ 0.25f, 0.75f }) == glm::vec4(1.0f));
     const cslf::Texture numbers(MakeChecker(true, interpolate), cslf::TextureKind::Numbers);
     CSLF_CHECK_NEAR(numbers.Get({ 0.75f, 0.25f }).y, 0.2, 1e-6);
-    // A whole turn further is the same place.
+    // A full period away is the same place.
     CSLF_CHECK(
       glm::distance(numbers.Get({ -0.25f, 3.25f }), numbers.Get({ 0.75f, 0.25f })) < 1e-5f);
   }
@@ -71,7 +72,7 @@ void TestPixels()
   CSLF_CHECK(nearest.Get({ 0.49f, 0.51f }).x == 1.0f && nearest.Get({ 1.0f, 1.0f }).x == 0.0f);
 }
 
-/// Two pixels side by side, 0 and 1, and what lies beyond them along u.
+/// Two pixels side by side, 0 and 1, and the continuation beyond them along u.
 void TestWraps()
 {
   using Wrap = cslf::TextureWrap;
@@ -101,14 +102,14 @@ void TestWraps()
     }
     CSLF_CHECK_NEAR(get(Wrap::Border, interpolate, 0.75f), 1.0, 1e-6);
   }
-  // Halfway between a pixel and what lies beside it.
+  // Halfway between a pixel and its neighbour.
   CSLF_CHECK_NEAR(get(Wrap::Edge, true, 1.0f), 1.0, 1e-6);
   CSLF_CHECK_NEAR(get(Wrap::Repeat, true, 1.0f), 0.5, 1e-6);
   CSLF_CHECK_NEAR(get(Wrap::Mirror, true, 1.0f), 1.0, 1e-6);
   CSLF_CHECK_NEAR(get(Wrap::Border, true, 1.0f), 0.6, 1e-6);
 }
 
-/// An image of RGB pixels, row by row from below.
+/// An image of RGB pixels, row by row from the bottom.
 vtkSmartPointer<vtkImageData> MakeImage(
   int width, int height, int components, std::initializer_list<int> values)
 {
@@ -157,7 +158,7 @@ void TestFieldData()
   CSLF_CHECK(read->GetDimensions()[0] == 2 && read->GetDimensions()[1] == 1);
   CSLF_CHECK(read->GetScalarComponentAsDouble(1, 0, 0, 1) == 255.0);
 
-  // A block takes its root's; null removes it.
+  // A block takes its root's texture; null removes it.
   vtkNew<vtkPolyData> block;
   vtkCSLFMaterial::Inherit(block, data);
   CSLF_CHECK(vtkCSLFMaterial::GetTexture(block, slot, read, repeat, interpolate));
@@ -265,7 +266,7 @@ std::shared_ptr<const cslf::Texture> MakeUniform(
 void TestNormals()
 {
   // A mirror that is bent by a quarter of a right angle towards u, or v, reflects as if it were
-  // turned; from both sides, and however the texture lies.
+  // turned, from both sides, and with any orientation of the texture.
   const float turn = cslf::Pi / 8.0f;
   const auto byte = [](float value)
   { return static_cast<std::uint8_t>(std::lround(255.0f * 0.5f * (value + 1.0f))); };
@@ -305,7 +306,8 @@ void TestNormals()
 
 void TestMetallicRoughness()
 {
-  // Blue and green make of a rough metal of factors 1 what the material alone says.
+  // Blue and green of the texture make a rough metal with factors of 1 look like the material
+  // alone.
   cslf::LightSet lights;
   lights.Surroundings =
     cslf::Environment(Dark, White, cslf::EnvironmentAxes::FromUp(glm::dvec3(0, 1, 0)));
@@ -325,8 +327,8 @@ void TestMetallicRoughness()
 
 void TestEmission()
 {
-  // A lamp with a bright corner: the estimators agree with each other, and with a lamp that is only
-  // the corner.
+  // A lamp with a bright corner: the estimators agree with each other, and with a lamp of only the
+  // corner.
   const auto trace = [](cslf::Mesh lamp, bool light, bool surface)
   {
     std::vector<cslf::Mesh> meshes{ MakeRectangle(
@@ -356,7 +358,7 @@ void TestEmission()
 }
 void TestDarkEmission()
 {
-  // An emissive surface whose texture is black is no light at all.
+  // An emissive surface with a black texture is not a light.
   cslf::Mesh mesh = MakeTextured({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.5f, 3.0f));
   mesh.Textures.Emission = MakeUniform(0, 0, 0, cslf::TextureKind::Colors);
   const cslf::Scene scene({ mesh }, MakeUniformLight(1.0f));

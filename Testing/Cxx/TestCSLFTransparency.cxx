@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Opacity and glass, against what is known in closed form.
+// Opacity and glass, compared with closed forms.
 #include "PathTracing/cslfFresnel.h"
 #include "PathTracing/cslfSampling.h"
 #include "PathTracing/cslfTexelRenderer.h"
@@ -54,7 +54,7 @@ cslf::Mesh MakeSphere(const cslf::SurfaceMaterial& material)
   return mesh;
 }
 
-/// Coverage, radiance and depth of one texel that looks down at the origin.
+/// Coverage, radiance and depth of one texel that faces down at the origin.
 struct Texel
 {
   float Color[4];
@@ -89,7 +89,7 @@ double ToDepth(double z)
 
 void TestCoverage()
 {
-  // One sheet, and two of them: opacities as chances that exclude each other.
+  // One sheet, and two of them: opacities are probabilities.
   constexpr int samples = 1 << 14;
   const double error = 4.0 * 0.5 / std::sqrt(samples);
   for (float opacity : { 0.0f, 0.25f, 0.6f, 1.0f })
@@ -110,11 +110,11 @@ void TestCoverage()
     const cslf::Scene two(meshes, MakeUniformLight(1.0f));
     const Texel both = Render(two, samples);
     CSLF_CHECK_NEAR(both.Color[3], 1.0 - 0.5 * (1.0 - opacity), error);
-    // The depth is the first surface's that covers at least a half.
+    // The depth is that of the first surface with a coverage of at least a half.
     CSLF_CHECK_NEAR(both.Depth, ToDepth(opacity >= 0.5f ? 1.0 : -1.0), 1.0);
   }
 
-  // A cut-off makes of opacities all or nothing.
+  // A cut-off makes opacities 0 or 1.
   for (float cutoff : { 0.2f, 0.3f })
   {
     cslf::SurfaceMaterial material = MakeDiffuse(0.8f);
@@ -130,7 +130,7 @@ void TestCoverage()
 
 void TestShadows()
 {
-  // Two sheets in the way of a point light take their parts of it, without noise; glass takes all.
+  // Two sheets between a point light and a surface attenuate it without noise; glass blocks it.
   cslf::LightSet lights;
   lights.Points.push_back({ { 0, 0, 3 }, glm::vec3(9.0f) });
   const auto trace = [&lights](const cslf::SurfaceMaterial& material)
@@ -175,8 +175,8 @@ cslf::Mesh MakeRound(bool isTube, const cslf::SurfaceMaterial& material)
 
 void TestRoundShapes()
 {
-  // A sphere or a tube is one surface: as much light passes it as the alpha tells that is seen
-  // through it, in all its instances. A lamp within is behind one surface, too.
+  // A sphere or a tube is one surface: the light that passes it agrees with its alpha, in all its
+  // instances. A lamp inside is behind one surface, too.
   for (const bool isTube : { false, true })
   {
     for (const bool isInstance : { false, true })
@@ -214,8 +214,8 @@ void TestRoundShapes()
   }
 }
 
-/// Instances too small for floats to tell their corners apart, under an image of the environment:
-/// no direction that is not a number.
+/// Instances too small for floats to distinguish their corners, under an environment image: no
+/// direction becomes NaN.
 void TestTinyInstances()
 {
   cslf::EnvironmentImage pixels{ 16, 8, std::vector<glm::vec3>(128, glm::vec3(0.5f)) };
@@ -238,7 +238,7 @@ void TestTinyInstances()
     const cslf::Scene scene(std::move(meshes), lights);
     const Estimate floor = Trace(scene, LookAt({ 0.1f, 0.1f, 1 }, { 0.1f, 0.1f, 0 }), {}, 1 << 10);
     CSLF_CHECK_NEAR(floor.Mean, 0.5, 0.05);
-    // Surfaces as hits tell them have directions, whatever the size.
+    // Surfaces at hits have valid directions at any size.
     for (std::uint32_t mesh = 0; mesh < 3; ++mesh)
     {
       cslf::Hit hit;
@@ -259,7 +259,7 @@ void TestTinyInstances()
 
 void TestTranslucentLamp()
 {
-  // A lamp of opacity 0.4 lights a floor as one of 0.4 times the radiance does, by each estimator.
+  // A lamp of opacity 0.4 lights a floor like one with 0.4 times the radiance, by each estimator.
   const auto trace = [](float opacity, float radiance, bool light, bool surface)
   {
     cslf::SurfaceMaterial lamp = MakeDiffuse(0.0f, radiance);
@@ -288,7 +288,7 @@ void TestGlassSphere()
   settings.MaximumDepth = 64;
   for (float ior : { 1.0f, 1.33f, 1.5f, 2.4f })
   {
-    // A clear sphere in uniform light cannot be seen.
+    // A clear sphere in uniform light is invisible.
     std::vector<cslf::Mesh> meshes;
     meshes.push_back(MakeSphere(MakeGlass(ior, 0.0f)));
     const cslf::Scene clear(std::move(meshes), MakeUniformLight(1.0f));
@@ -298,7 +298,7 @@ void TestGlassSphere()
       CSLF_CHECK_NEAR(Trace(clear, ray, settings, 1 << 14).Mean, 1.0, 0.01);
     }
 
-    // Tinted, through the middle: reflected by the front, or let through it n times with n - 1
+    // Tinted, through the middle: reflected by the front, or transmitted n times with n - 1
     // reflections inside.
     constexpr double tint = 0.6;
     std::vector<cslf::Mesh> tinted;
@@ -311,7 +311,7 @@ void TestGlassSphere()
     CSLF_CHECK_NEAR(estimate.Mean, r + through, 4.0 * estimate.Error + 0.002);
   }
 
-  // A rough one gives no more than it gets.
+  // A rough one reflects and transmits no more than it gets.
   std::vector<cslf::Mesh> rough;
   rough.push_back(MakeSphere(MakeGlass(1.5f, 0.5f)));
   const cslf::Scene scene(std::move(rough), MakeUniformLight(1.0f));
@@ -321,7 +321,8 @@ void TestGlassSphere()
 
 void TestRefraction()
 {
-  // A plane of glass under a sky that is brighter above: where the refracted ray goes is known.
+  // A plane of glass under a sky that is brighter above: the direction of the refracted ray is
+  // known.
   cslf::LightSet lights;
   lights.Surroundings =
     cslf::Environment(Dark, glm::vec3(2.0f), cslf::EnvironmentAxes::FromUp(glm::dvec3(0, 0, 1)));
@@ -335,7 +336,7 @@ void TestRefraction()
     for (bool inside : { false, true })
     {
       const double eta = inside ? 1.0 / ior : ior;
-      const double sky = inside ? -1.0 : 1.0; // towards which side the ray is reflected
+      const double sky = inside ? -1.0 : 1.0; // the side towards which the ray is reflected
       const double r = cslf::DielectricFresnel(cosine, static_cast<float>(eta));
       const double refracted = std::sqrt(std::max(0.0, 1.0 - sine2 / (eta * eta)));
       const double expected =

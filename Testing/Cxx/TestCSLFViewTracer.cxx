@@ -173,7 +173,7 @@ void TestEnvironments(const std::string& fileName)
 
 void TestMirrorInView(const std::string& fileName)
 {
-  // A mirror seen head on shows what lies behind the camera.
+  // A mirror seen head on shows the environment behind the camera.
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
   vtkNew<vtkPolyData> mirror;
@@ -251,7 +251,7 @@ void TestOutputAndErrors()
       CSLF_CHECK(std::abs(encoded[c] - bytes->GetTypedComponent(i, c)) <= 1);
     }
   }
-  // A moved camera is noticed.
+  // A moved camera is detected.
   camera->SetPosition(0, 0, 100);
   tracer->Update();
   CSLF_CHECK(GetPixel(tracer, 4, 5).w == 0.0);

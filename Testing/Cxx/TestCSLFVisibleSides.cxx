@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Surfaces that are there from one side only: in pictures, in shadows, as lights, as instances, and
-// in the radiance cache.
+// Surfaces that are visible from only one side: in pictures, in shadows, as lights, as instances,
+// and in the radiance cache.
 #include "PathTracing/RadianceCache/cslfOpenSides.h"
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
@@ -80,7 +80,7 @@ void TestRays()
       CSLF_CHECK(IsSeen(scene, false) == above && IsSeen(scene, true) == below);
     }
   }
-  // Spheres and tubes have no sides to hide, and two copies make one surface of two colours.
+  // Spheres and tubes have no sides to hide. Two copies make one surface of two colours.
   const cslf::Scene two({ MakeSheet(0.0f, MakeSided(VisibleSides::Front, 0.25f)),
                           MakeSheet(0.0f, MakeSided(VisibleSides::Back, 0.75f)) },
     MakeUniformLight(1.0f));
@@ -128,8 +128,8 @@ vtkPolyData* SetSides(vtkAlgorithm* source, int sides)
   return data;
 }
 
-/// A room seen through its walls, which are there from inside only. In it: a lamp that shines down,
-/// a ball of which only the front is there, and a sheet of two colours.
+/// A room seen through its walls, which are visible only from inside. It contains a lamp that
+/// shines down, a ball with only its front, and a sheet of two colours.
 void TestCache()
 {
   vtkNew<vtkCubeSource> room;

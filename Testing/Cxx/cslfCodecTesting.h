@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tests of the encoder and the decoder share.
+ * Functions for tests of the encoder and the decoder.
  */
 #ifndef cslfCodecTesting_h
 #define cslfCodecTesting_h
@@ -26,19 +26,20 @@ namespace testing
 /// An empty folder of that name in the tests' output folder (-T).
 std::string MakeFolder(int argc, char* argv[], const std::string& name);
 
-/// The closed-form field with bytes of colour and 16 bits of depth, in the cube [-1,1]^3.
+/// The closed-form field with byte colour and 16 bits of depth, in the cube [-1,1]^3.
 vtkSmartPointer<vtkImageData> MakeByteField(int viewpoints, int resolution, bool depth = true);
 
-/// Writes with an encoder whose other settings are made; nothing else may be left in the folder.
+/// Writes with an encoder whose other settings are set already. Nothing else may be left in the
+/// folder.
 bool Encode(vtkCSLFEncoder* encoder, vtkImageData* field, const std::string& fileName);
 
-/// Reads the slices first to last, or all for last < 0. Null where the decoder failed.
+/// Reads the slices first to last, or all for last < 0. Null if the decoder failed.
 vtkSmartPointer<vtkImageData> Decode(const std::string& fileName, int first = 0, int last = -1);
 
 /// Whether the arrays of `part` equal those of `whole` in the slices of `part`.
 bool HasEqualSlices(vtkImageData* part, vtkImageData* whole);
 
-/// How far two fields are apart: PSNR in dB, 200 where they are equal.
+/// The difference of two fields: PSNR in dB, 200 if they are equal.
 struct FieldPSNR
 {
   double Color = 0.0;    ///< red, green, blue

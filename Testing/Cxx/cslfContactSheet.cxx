@@ -30,7 +30,7 @@ namespace testing
 {
 namespace
 {
-// Levels of 255 at which the colours of differences end: they are amplified 4 times.
+// The difference, in levels of 255, where the colour scale ends: differences are amplified 4 times.
 constexpr double LargestLevel = 64.0;
 
 // Sizes in pixels.
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkColorTransferFunction> MakeDifferenceColors()
   return colors;
 }
 
-/// A window in which places are pixels from the upper left corner.
+/// A window with coordinates in pixels from the upper left corner.
 class Sheet
 {
 public:
@@ -71,7 +71,7 @@ public:
     vtkNew<vtkImageData> image;
     image->SetDimensions(size, size, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    // Steps of 4 levels, which nobody sees, take a quarter off the file.
+    // Invisible steps of 4 levels, which save a quarter of the file's size.
     std::transform(picture.begin(), picture.end(),
       static_cast<unsigned char*>(image->GetScalarPointer()),
       [](unsigned char level)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A source that gives just the slices of a light field that it is asked for, and counts them.
+ * A source that makes only the requested slices of a light field, and counts them.
  */
 #ifndef cslfFieldSource_h
 #define cslfFieldSource_h
@@ -23,8 +23,8 @@ public:
 
   vtkSmartPointer<vtkImageData> Field;
   int LargestRequest = 0;
-  int Slices = 0;        ///< given so far
-  int FailingSlice = -1; ///< fails when asked for it
+  int Slices = 0;        ///< made so far
+  int FailingSlice = -1; ///< fails when it is requested
 
 protected:
   FieldSource() { this->SetNumberOfInputPorts(0); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Radiance caching beside path tracing.
+ * Compares radiance caching with path tracing.
  */
 #ifndef cslfIntegratorComparison_h
 #define cslfIntegratorComparison_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Copying coded tracks from one container into another.
+ * Copies coded tracks from one container to another.
  */
 #ifndef cslfRemux_h
 #define cslfRemux_h
@@ -18,20 +18,20 @@ namespace testing
 /// Texts by the names of a container's tags.
 using Tags = std::map<std::string, std::string>;
 
-/// How a copy differs. What is empty or 0 stays as it is.
+/// The changes in a copy. Values that are empty or 0 change nothing.
 struct RemuxChanges
 {
-  Tags SetTags; ///< to another text each; an empty one removes the tag
+  Tags SetTags; ///< new texts of tags; an empty one removes the tag
   ///@{
-  /// What the container says that frames measure.
+  /// The size of frames according to the container.
   int Width = 0;
   int Height = 0;
   ///@}
   int Repeats = 1;         ///< of all frames, one after the other
-  std::vector<int> Frames; ///< of each track: how many are left
+  std::vector<int> Frames; ///< of each track: the number that is left
 };
 
-/// Does what `ffmpeg -i from -map 0 -c copy to` does, but for the changes.
+/// Does the same as `ffmpeg -i from -map 0 -c copy to`, except for the changes.
 bool Remux(const std::string& from, const std::string& to, const RemuxChanges& changes = {});
 
 /// The text of a file's tag, empty if there is none.

@@ -56,7 +56,7 @@ namespace testing
 {
 namespace
 {
-/// An actor of what a source makes.
+/// An actor of a source's output.
 vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* source)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -212,7 +212,7 @@ void BuildTextures(vtkRenderer* renderer)
   vtkNew<vtkLookupTable> table;
   table->SetRange(-1.0, 2.5);
   table->SetHueRange(0.65, 0.05);
-  table->Build(); // which textures leave to their users
+  table->Build(); // textures leave these to their users
   vtkNew<vtkTexture> mapped;
   mapped->SetInputData(numbers);
   mapped->SetLookupTable(table);
@@ -237,7 +237,7 @@ void BuildTextures(vtkRenderer* renderer)
   Look(renderer, 0.0, 0.0, 1.0);
 }
 
-/// A wavy sheet with a number at each point: of the place in [-1,1]^2.
+/// A wavy sheet with a number at each point, which depends on the position in [-1,1]^2.
 template <typename Function>
 vtkSmartPointer<vtkPolyData> MakeWaves(const Function& function)
 {
@@ -334,7 +334,7 @@ void BuildColors(vtkRenderer* renderer)
   Look(renderer, 0.0, 0.0, 1.0);
 }
 
-/// A white ball and a cone that do not hide light from each other.
+/// A white ball and a cone that do not shadow each other.
 void AddTargets(vtkRenderer* renderer)
 {
   AddSphere(renderer, -0.45, 0.45)->GetProperty()->SetColor(0.9, 0.9, 0.9);
@@ -467,7 +467,7 @@ void BuildMolecule(vtkRenderer* renderer)
 }
 #endif
 
-/// A plane through a point, which keeps what lies ahead of it.
+/// A plane through a point, which keeps what is in front of it.
 vtkSmartPointer<vtkPlane> MakePlane(double x, double y, double z)
 {
   auto plane = vtkSmartPointer<vtkPlane>::New();
@@ -484,7 +484,7 @@ void BuildClipped(vtkRenderer* renderer)
   plane->SetOrigin(-0.45, 0.45, 0.15);
   open->GetMapper()->AddClippingPlane(plane);
 
-  // Closed by colours of its own.
+  // Closed by caps with their own colours.
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(48);
   sphere->SetPhiResolution(48);
@@ -540,7 +540,7 @@ void BuildUnlit(vtkRenderer* renderer)
   vtkProperty* full = AddSphere(renderer, 0.55, 0.5)->GetProperty();
   full->SetColor(0.3, 0.6, 0.8);
   full->LightingOff();
-  // Wide lines, drawn as tubes, whose ends are not seen.
+  // Wide lines, drawn as tubes, with invisible ends.
   for (int i = 0; i < 4; ++i)
   {
     vtkNew<vtkLineSource> line;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Small scenes, each of one feature of VTK's windows, that are drawn and traced beside each other.
+ * Small scenes for one feature of VTK's windows each, which are drawn and traced.
  */
 #ifndef cslfSheetScenes_h
 #define cslfSheetScenes_h
@@ -17,10 +17,10 @@ namespace cslf
 {
 namespace testing
 {
-/// What the traced picture of a scene is expected to be, from what the window shows.
+/// The expected traced picture of a scene, computed from the window.
 enum class Expectation
 {
-  Cosine, ///< one headlight: the window's colours, but the cosine to the light multiplies light
+  Cosine, ///< one headlight: the window's colours, except that the cosine multiplies light
   Window, ///< the window's colours
   Bounds, ///< no formula: other lights, highlights, layers of translucent surfaces
 };
@@ -34,7 +34,7 @@ struct SheetScene
   // The largest allowed differences, in levels of 255.
   double Median = 30.0;     ///< between window and bake
   double Percentile = 80.0; ///< likewise, of 99 % of the pixels
-  double Unexplained = 2.0; ///< between what is expected and the bake, of 99 % of the pixels
+  double Unexplained = 2.0; ///< between the expectation and the bake, for 99 % of the pixels
 };
 
 std::vector<SheetScene> MakeSheetScenes();

@@ -3,7 +3,7 @@
 /**
  * @file
  * A light field whose every ray is known in closed form: a striped sphere before a chequered wall,
- * both the same from all sides. For tests of everything behind the sampler.
+ * both the same from all sides. For tests of everything after the sampler.
  */
 #ifndef cslfTestField_h
 #define cslfTestField_h
@@ -21,7 +21,7 @@ namespace cslf
 {
 namespace testing
 {
-/// What a ray of the scene sees.
+/// The result of a ray of the scene.
 struct TestHit
 {
   bool Hit = false;
@@ -29,14 +29,14 @@ struct TestHit
   glm::dvec3 Color{ 0.0 }; ///< linear
 };
 
-/// The first thing that a ray in CC meets.
+/// The first hit of a ray in CC.
 TestHit TraceTestScene(const glm::dvec3& originCC, const glm::dvec3& directionCC);
 
 /// The scene's surfaces in the world of a field of that cube, for VTK's own mapper.
 vtkSmartPointer<vtkPolyData> MakeTestSurfaces(const Cube& box);
 
-/// The scene's light field, `samples` x `samples` regular samples a texel, slices `first` to `last`
-/// (all of them for last < 0). The types are VTK's; a depth type of 0 leaves depth out.
+/// The scene's light field with `samples` x `samples` regular samples per texel, slices `first` to
+/// `last` (all of them for last < 0). The types are VTK's; a depth type of 0 leaves depth out.
 vtkSmartPointer<vtkImageData> MakeTestField(const Layout& layout, const Cube& box, int colorType,
   int depthType, int samples = 2, int first = 0, int last = -1);
 }

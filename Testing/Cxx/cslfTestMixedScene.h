@@ -3,8 +3,8 @@
 /**
  * @file
  * A field among other actors: an opaque cone that pierces its surfaces, a plane behind it that
- * shows around its silhouettes, a translucent sheet before it, outline, axes and text. The cone is
- * added after the field, the plane before it: the order must not matter.
+ * shows around its silhouettes, a translucent sheet in front of it, outline, axes and text. The
+ * cone is added after the field, the plane before it: the order must not matter.
  */
 #ifndef cslfTestMixedScene_h
 #define cslfTestMixedScene_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shapes and hues that VTK draws of a renderer, beside those that are traced of it.
+ * Compares the shapes and hues that VTK draws for a renderer with traced ones.
  */
 #ifndef cslfTestShapes_h
 #define cslfTestShapes_h
@@ -25,7 +25,7 @@ namespace cslf
 {
 namespace testing
 {
-/// A black window of one renderer, whose camera looks along -z at what is between -1 and 1.
+/// A black window with one renderer, whose camera looks along -z at [-1,1].
 class ShapeComparison
 {
 public:
@@ -57,8 +57,8 @@ public:
     this->Traced->Update();
   }
 
-  /// The share of the covered pixels where only one of the pictures shows something, or both show
-  /// other hues.
+  /// The share of the covered pixels where only one of the pictures shows something, or where the
+  /// hues differ.
   double Compare()
   {
     this->Update();

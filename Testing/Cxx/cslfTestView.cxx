@@ -19,8 +19,8 @@ namespace testing
 {
 namespace
 {
-// An X server that loses its last client starts anew, and breaks the connection of one that comes
-// at that moment: a window is kept until the end.
+// An X server that loses its last client restarts, and breaks connections that are made at that
+// moment, so a window is kept until the end.
 void KeepDisplay()
 {
   static vtkNew<vtkRenderWindow> kept;

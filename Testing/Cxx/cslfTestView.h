@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A window off the screen with the test field in it, and what was drawn as numbers.
+ * An off-screen window with the test field, and its picture as numbers.
  */
 #ifndef cslfTestView_h
 #define cslfTestView_h
@@ -32,15 +32,15 @@ struct Picture
 
   /// Of red, green and blue, in levels.
   double GetMean() const;
-  /// The pixels that something was drawn to.
+  /// The pixels that were drawn to.
   int CountDrawn() const;
 };
 
 /// In dB, capped at 99.
 double ComparePictures(const Picture& a, const Picture& b);
 
-/// The part of the pixels drawn in `a` that lie within `tolerance`, in world coordinates, of what
-/// is drawn in `b`.
+/// The share of the pixels drawn in `a` that lie within `tolerance`, in world coordinates, of the
+/// pixels of `b`.
 double CompareDepths(const Picture& a, const Picture& b, vtkCamera* camera, double tolerance);
 
 class View
@@ -49,14 +49,14 @@ public:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
 
-  /// Black, without multisampling; the camera before the cube [-1,1]^3, a little to its right and
-  /// above, with clipping range [1, 12].
+  /// Black, without multisampling. The camera is in front of the cube [-1,1]^3, a little to its
+  /// right and above, with clipping range [1, 12].
   explicit View(int size = 128);
 
   vtkSmartPointer<vtkActor> Add(vtkMapper* mapper);
   vtkCamera* GetCamera() { return this->Renderer->GetActiveCamera(); }
 
-  /// Draws with the camera as it is.
+  /// Draws with the current camera.
   Picture Render();
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What VTK's window shows of a renderer beside what is traced of it, in numbers.
+ * Compares VTK's window with the traced picture of a renderer, in numbers.
  */
 #ifndef cslfTestWindow_h
 #define cslfTestWindow_h
@@ -25,16 +25,16 @@ struct WindowAndBake
   /// The largest difference of a pixel's components, in levels of 255.
   int GetDifference(int column, int row) const;
 
-  /// That of the pixel in the middle.
+  /// The difference of the middle pixel.
   int GetDifferenceInMiddle() const { return GetDifference(this->Size / 2, this->Size / 2); }
 
-  /// The part of the pixels whose traced colour lies by more than `tolerance` levels outside of
-  /// what the window shows in the pixel and its neighbours: pixels are traced over their area, and
-  /// drawn at their centre.
+  /// The share of the pixels whose traced colour is more than `tolerance` levels outside of the
+  /// window's range in the pixel and its neighbours. Pixels are traced over their area, but drawn
+  /// at their centre.
   double GetPartOutside(int tolerance) const;
 };
 
-/// How a renderer is traced.
+/// The settings for tracing a renderer.
 struct BakeOptions
 {
   bool HeadlightsAllAround = false;
@@ -46,15 +46,15 @@ struct BakeOptions
   double Background = 0.0;  ///< grey, sRGB in [0,1], behind the scene
 };
 
-/// Draws the renderer in a window off the screen, without multisampling, over `background` (grey).
+/// Draws the renderer in an off-screen window, without multisampling, over `background` (grey).
 /// Returns red, green and blue of `size` x `size` pixels, rows from the bottom up.
 std::vector<unsigned char> DrawWindow(vtkRenderer* renderer, int size, double background = 0.0);
 
-/// Traces what the renderer shows, with its camera. Returns pixels as DrawWindow does.
+/// Traces what the renderer shows, with its camera. Returns pixels like DrawWindow.
 std::vector<unsigned char> TraceBake(vtkRenderer* renderer, int size, const BakeOptions& options);
 
-/// Draws the renderer in a window off the screen, black behind it, and traces it with the same
-/// camera. The pictures are squares of `size` pixels.
+/// Draws the renderer in an off-screen window over black, and traces it with the same camera. The
+/// pictures are squares of `size` pixels.
 WindowAndBake DrawAndTrace(
   vtkRenderer* renderer, int size, const BakeOptions& options = BakeOptions());
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures of small scenes, made by the renderer of texels.
+ * Pictures of small scenes by the texel renderer.
  */
 #ifndef cslfTexelPicture_h
 #define cslfTexelPicture_h
@@ -19,7 +19,7 @@ namespace cslf
 {
 namespace testing
 {
-/// What a parallel camera above the origin sees, of 2 x 2 units.
+/// The view of a parallel camera above the origin, of 2 x 2 units.
 class TexelPicture
 {
 public:

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks that every public class is used by an example or by a code block of the documentation.
-Classes that cannot be instantiated are superclasses of such, and need none."""
+Abstract classes are superclasses of these, and need none."""
 import argparse
 import pathlib
 import re

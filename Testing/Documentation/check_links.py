@@ -26,7 +26,7 @@ def find(source, *patterns):
 
 
 def make_anchor(heading):
-    """The anchor that a heading gets where Markdown is shown with anchors."""
+    """The anchor of a heading in Markdown viewers."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).replace("`", "").lower()
     return re.sub(r"[^\w\- ]", "", text).replace(" ", "-")
 
@@ -43,7 +43,7 @@ def read_anchors(page):
 
 
 def check_page(page):
-    """What is wrong with the links of a page."""
+    """The errors in the links of a page."""
     for target in LINK.findall(FENCED.sub("", page.read_text(encoding="utf-8"))):
         if re.match(r"[a-z]+:", target):
             if not re.match(r"(https://[\w.-]+\.[a-z]+(/|$)|mailto:)", target):
@@ -58,7 +58,7 @@ def check_page(page):
 
 
 def check_names(source, path):
-    """Which files that a text names are not there. Extensions may be left out."""
+    """The missing files among those that a text names. Extensions may be left out."""
     for name in NAMED.findall(LINK.sub("", path.read_text(encoding="utf-8"))):
         folder = source / pathlib.PurePosixPath(name).parent
         if not (source / name).exists() and not list(folder.glob(f"{pathlib.Path(name).name}*")):

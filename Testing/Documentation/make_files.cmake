@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Makes the files that the documentation's commands take for granted: box.mp4, box.vti, dragon.mp4
-# and dragon.ply in DIRECTORY, by the tool CSLF and from the test data in DATA.
+# Makes the files that the documentation's commands need: box.mp4, box.vti, dragon.mp4 and
+# dragon.ply in DIRECTORY, with the tool CSLF and from the test data in DATA.
 cmake_policy(VERSION 3.22)
 file(REMOVE_RECURSE "${DIRECTORY}")
 file(MAKE_DIRECTORY "${DIRECTORY}")

@@ -61,7 +61,7 @@ def read_blocks(page):
 
 
 def run(command, folder, environment):
-    """Runs a command; its output is shown where it fails."""
+    """Runs a command, and shows its output if it fails."""
     result = subprocess.run(command, cwd=folder, env=environment, text=True, errors="replace",
                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                             stderr=subprocess.STDOUT)
@@ -105,7 +105,7 @@ def fill_in(blocks, name, folder):
 
 
 def run_program(blocks, name, folder, environment, options):
-    """Builds and runs a program that blocks are parts of."""
+    """Builds and runs a program that contains blocks."""
     target = fill_in(blocks, name, folder)
     if target.is_file():
         run([sys.executable, str(target)], folder, environment)
@@ -118,7 +118,7 @@ def run_program(blocks, name, folder, environment, options):
 
 
 def run_block(block, folder, environment):
-    """Runs a block that stands by itself."""
+    """Runs an independent block."""
     if block.language == "sh":
         run(["bash", "-euo", "pipefail", "-c", block.text], folder, environment)
     elif block.language == "python":
@@ -131,7 +131,7 @@ def run_block(block, folder, environment):
 
 
 def prepare(options):
-    """An empty folder with what the pages take for granted, and the environment of commands."""
+    """An empty folder with the files that the pages need, and the environment of commands."""
     folder = pathlib.Path(options.folder)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

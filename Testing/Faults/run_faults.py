@@ -20,7 +20,7 @@ import time
 
 FIELD = ["sample", "cornell-box", "-M", "2", "-N", "16", "--max-depth", "2", "--spp"]
 
-# What is written, by which command, and whether something is there already.
+# The outputs, the commands that write them, and whether something exists already.
 Output = collections.namedtuple("Output", "name command is_replaced")
 OUTPUTS = [
     Output("video.mp4", FIELD + ["1", "--cache-samples", "64", "--preset", "ultrafast"], False),
@@ -38,7 +38,7 @@ class Fault(Exception):
 
 
 def digest(path):
-    """The bytes of a file, or of a folder's files with their names; None where there is nothing."""
+    """The bytes of a file, or of a folder's files with their names. None if there is nothing."""
     if not os.path.lexists(path):
         return None
     whole = hashlib.sha256()
@@ -51,7 +51,7 @@ def digest(path):
 
 
 class Bench:
-    """Runs the tool in a folder of its own, and checks what it leaves."""
+    """Runs the tool in its own folder, and checks what it leaves."""
 
     def __init__(self, options):
         self.options = options
@@ -68,7 +68,7 @@ class Bench:
             raise SystemExit(f"the field to work with was not made ({code}): {error}")
 
     def run(self, command, output, fault="", at=0, delay=None):
-        """The exit code and what was said on standard error."""
+        """The exit code and the messages on standard error."""
         environment = dict(os.environ)
         if fault:
             environment.update(
@@ -85,7 +85,7 @@ class Bench:
         return process.communicate()[1], process.returncode
 
     def prepare(self, output, foreign=True):
-        """A new place, with files of others, and an old output if there shall be one."""
+        """A new folder with other files and, if requested, an old output."""
         place = self.folder / "place"
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir()
@@ -103,7 +103,7 @@ class Bench:
         return path
 
     def learn(self, output):
-        """What an undisturbed run gives, how long it takes, and which calls it makes."""
+        """The result of an undisturbed run, its time, and its calls."""
         old = self.folder / ("old-" + output.name)
         if output.is_replaced and not old.exists():
             if output.name == "images":
@@ -131,7 +131,7 @@ class Bench:
             raise Fault(f"{what}: there is {others}")
 
     def check_after(self, output, path, what):
-        """There is the old output or the new one. Whether it is the new one."""
+        """Checks that there is the old output or the new one. Returns whether it is the new one."""
         found = digest(path)
         if found not in (self.old[output.name], self.wanted[output.name]):
             raise Fault(f"{what}: {path.name} is neither the old one nor the new one")
@@ -139,7 +139,7 @@ class Bench:
         return found == self.wanted[output.name]
 
     def check_again(self, output, path, what):
-        """The next run gives what an undisturbed one does."""
+        """Checks that the next run gives the same result as an undisturbed one."""
         error, code = self.run(output.command, path)
         if code != 0 or digest(path) != self.wanted[output.name]:
             raise Fault(f"{what}: the next run ended with {code}: {error}")
@@ -158,7 +158,7 @@ class Bench:
             if code not in (0, -signal.SIGKILL):
                 raise Fault(f"{what}: ended with {code}: {error}")
         elif code == 0 and not is_new:
-            raise Fault(f"{what}: success was told, but nothing written")
+            raise Fault(f"{what}: success was reported, but nothing was written")
         elif code not in (0, 1) or (code == 1 and error.count("\n") != 1):
             raise Fault(f"{what}: ended with {code}: {error}")
         elif code == 1 and fault == "full" and "No space left" not in error:
@@ -167,7 +167,7 @@ class Bench:
         self.check_again(output, path, what)
 
     def kill_alone(self, output, at):
-        """Without files of others, nothing may be left beside the output."""
+        """Checks that without other files, nothing is left beside the output."""
         what = f"{output.name}, killed alone at {at}"
         path = self.prepare(output, foreign=False)
         self.run(output.command, path, "kill", at)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The header of a coded file: as it stands in a tag, and as the JSON text of one.
+// The header of a coded file, as a tag and as JSON text.
 #include "Coding/cslfFileHeader.h"
 #include "cslfFuzzing.h"
 

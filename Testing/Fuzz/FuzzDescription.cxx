@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The description of a field, as it comes in field data.
+// The description of a field, as stored in field data.
 #include "cslfDescription.h"
 #include "cslfFuzzing.h"
 
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   cslf::fuzzing::Require(description || !error.empty());
   if (description)
   {
-    // What is read can be written, and is read again as the same.
+    // A description that was read can be written, and read again as the same.
     const auto again = cslf::Description::FromText(description->ToText(), error);
     cslf::fuzzing::Require(again && again->ToText() == description->ToText());
   }

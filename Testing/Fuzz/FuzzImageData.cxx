@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const std::exception&)
   {
-    // The tool says what it is in one line.
+    // The tool reports errors in one line.
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What an unfinished file keeps of its trials, and all that is coded after it was read.
+// The stored trials of an unfinished file, and the coding of groups after they were read.
 #include "Coding/cslfRateControl.h"
 #include "cslfFuzzing.h"
 
@@ -13,7 +13,7 @@ constexpr int Groups = 3;
 constexpr double RawBytes = 1e5; // of a group
 constexpr int MostSteps = 100;
 
-/// A cost that falls by half in six factors, and an error that grows so.
+/// A cost that halves in six factors, and an error that grows in proportion.
 cslf::GroupCost MakeCost(double factor)
 {
   const double share = std::exp2(-factor / 6.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What an interrupted run leaves: the first byte tells which file of OUT.partial the others are.
+// The rest of an interrupted run: the first byte selects the file of OUT.partial for the others.
 #include "Coding/cslfPartStore.h"
 #include "cslfFuzzing.h"
 
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 constexpr char Manifest[] = R"({"field":"a","tracks":1})";
 constexpr char Trials[] = "[[0,20,1,1,1,true],[0,36,1,1,1,true]]";
 
-/// Leaves a folder with a part, as a run does that is killed.
+/// Leaves a folder with a part, like a killed run.
 void Interrupt(const std::string& out)
 {
   cslf::PartStore store(out);
@@ -25,7 +25,7 @@ void Interrupt(const std::string& out)
     store.WriteTrials(Trials, error) && store.Write(cslf::TrackRole::Color, 0, part, error));
 }
 
-/// Goes on with what is there.
+/// Continues with the existing files.
 void Resume(const std::string& out)
 {
   cslf::PartStore store(out);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the programs for libFuzzer share.
+ * Common functions of the programs for libFuzzer.
  */
 #ifndef cslfFuzzing_h
 #define cslfFuzzing_h
@@ -24,7 +24,7 @@ namespace cslf
 {
 namespace fuzzing
 {
-/// A folder of this process, in memory where there is one, removed at the end.
+/// A folder of this process, in memory if possible, removed at the end.
 class Folder
 {
 public:
@@ -66,7 +66,7 @@ private:
   std::filesystem::path Path;
 };
 
-/// Ends the process where something does not hold.
+/// Ends the process if a condition is false.
 inline void Require(bool condition)
 {
   if (!condition)

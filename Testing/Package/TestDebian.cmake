@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Makes the Debian package of the build tree BUILD, unpacks it below an empty folder, and uses what
-# is there: the tool, the Python package, and the CMake package by a program that finds it.
+# Makes the Debian package of the build tree BUILD, unpacks it to an empty folder, and uses its
+# contents: the tool, the Python package, and the CMake package in a program that finds it.
 cmake_policy(VERSION 3.22)
 foreach (program IN ITEMS dpkg dpkg-deb dpkg-shlibdeps file)
   find_program(found_${program} "${program}")

@@ -19,7 +19,7 @@ GOLDEN = os.path.join(ROOT, "Testing", "Data", "Golden")
 
 
 def list_bytes(read_light_field, path):
-    """The bytes of some viewpoints' texels; of larger fields fewer."""
+    """The bytes of some viewpoints' texels, fewer for larger fields."""
     texels, _ = read_light_field(path)
     step = 5 if texels["Color"].shape[1] < 64 else 12
     arrays = [texels[name][::step] for name in ("Color", "Depth") if name in texels]

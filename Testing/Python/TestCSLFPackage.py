@@ -22,7 +22,7 @@ SLICES = 6 * VIEWPOINTS**2
 
 
 def sample_sphere():
-    """The light field of a black sphere that glows orange."""
+    """The light field of a black sphere that emits orange light."""
     source = vtkSphereSource()
     source.SetThetaResolution(32)
     source.SetPhiResolution(32)
@@ -88,7 +88,7 @@ class TestCSLFPackage(unittest.TestCase):
         picture.SetInput(window)
         picture.Update()
         pixel = [picture.GetOutput().GetScalarComponentAsDouble(50, 50, 0, c) for c in range(3)]
-        # The viewpoints are few: some see the point at their silhouettes.
+        # There are few viewpoints: some see the point at silhouettes.
         for value, expected in zip(pixel, [255.0, 188.0, 0.0]):
             self.assertAlmostEqual(value, expected, delta=10.0)
         corner = [picture.GetOutput().GetScalarComponentAsDouble(0, 0, 0, c) for c in range(3)]

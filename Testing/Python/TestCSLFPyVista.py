@@ -20,7 +20,7 @@ except ImportError:
 
 
 class StandInPlotter:
-    """As a plotter of PyVista before it was shown."""
+    """Like a plotter of PyVista before it was shown."""
 
     def __init__(self):
         self.renderer = vtkRenderer()
@@ -109,7 +109,7 @@ class TestCSLFPyVista(unittest.TestCase):
 
     @unittest.skipIf(pyvista, "needs the stand-in")
     def test_registry(self):
-        """Since 0.48 PyVista has a registry of its own."""
+        """Since 0.48 PyVista has its own registry."""
         names = {}
         self.module.register_plotter_component = lambda name: lambda kind: names.update({name: kind})
         try:

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Measurements of the codec: tables, plots, and figures that make sense.
+# Measurements of the codec: tables, plots, and plausible figures.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(light --max-depth 2)
@@ -56,7 +56,7 @@ cslf_fail("vp9" "bench/coded" benchmark codec box.vti -o bench --codecs vp9 --cr
 cslf_fail("no file" "x" benchmark codec missing.vti -o bench)
 cslf_fail("subcommand" "x" benchmark)
 
-# What the cache gains: the same texels by path tracing and by the integrator told.
+# The gain of the cache: the same texels by path tracing and by the selected integrator.
 cslf_run(benchmark sampler cornell-box -M 5 -N 32 --spp 4 --views 30 --texels 600
   --reference-spp 8192 --path-spp 1,4 ${light} --json)
 expect_json_at_least(10 outcomes 0 psnr)

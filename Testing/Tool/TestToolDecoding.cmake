@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What a tool without the video encoder does: it reads videos, and says that it cannot write them.
+# A tool without the video encoder reads videos, and reports that it cannot write them.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 cslf_run(info "${DATA}/field.mp4" --json)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Whatever is wrong, the tool says it in one line and leaves nothing half done.
+# For any error, the tool prints one line and leaves nothing half done.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(tiny -M 2 -N 16 --spp 1 --max-depth 1)
@@ -45,7 +45,8 @@ byte_order=\"LittleEndian\"><ImageData WholeExtent=\"0 4 0 0 0 23\"><FieldData>
 </FieldData><Piece Extent=\"0 4 0 0 0 23\"/></ImageData></VTKFile>
 ")
 cslf_fail("strings.vti declares fewer strings" "" info strings.vti)
-# An array in one block: how many there are, their size, that of the last, and its compressed size.
+# An array in one block: the number of blocks, their size, the size of the last, and its compressed
+# size.
 function (cslf_test_block header data message)
   file(WRITE "${DIRECTORY}/block.vti" "<VTKFile type=\"ImageData\" version=\"0.1\"
 byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\"><ImageData
@@ -77,14 +78,14 @@ cslf_fail("other files" "" sample cornell-box -o other ${tiny})
 cslf_fail("at least 16" "x" sample cornell-box -o x.mp4 -M 2 -N 15 --spp 1)
 cslf_fail("without loss" "x" sample cornell-box -o x.mp4 ${tiny} --float --lossless)
 
-# Numbers that are none, which are in no range.
+# NaN, which is in no range.
 foreach (option IN ITEMS exposure noise offset roughness crf environment-intensity)
   cslf_fail("${option}: Value nan is" "x" sample cornell-box -o x.mp4 ${tiny} --${option} nan)
 endforeach ()
 cslf_fail("Value inf is not a finite number" "x" sample cornell-box -o x.mp4 ${tiny} --exposure inf)
 cslf_fail("Value -1 is not above 0\n" "x" sample cornell-box -o x.mp4 ${tiny} --exposure -1)
 
-# Image data that is cut short.
+# Truncated image data.
 cslf_run(sample cornell-box -o uncut.vti ${tiny})
 file(SIZE "${DIRECTORY}/uncut.vti" bytes)
 foreach (percent IN ITEMS 0 20 50 80 99)
@@ -110,7 +111,7 @@ ${points}</DataArray></Points>
 </Piece></PolyData></VTKFile>
 ")
 endfunction ()
-# Three points of a triangle and one that is not a number.
+# Three points of a triangle and one with NaN.
 set(points "MAAAAA==AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAADAfwAAAAAAAAAA")
 write_vtp(nan 0 ${points})
 write_vtp(wild 99 ${points})
@@ -118,7 +119,7 @@ file(WRITE "${DIRECTORY}/line.obj" "v 0 0 0\nv 1 0 0\nl 1 2\n")
 cslf_fail("no triangles" "x" export line.obj -o x.obj)
 cslf_fail("" "x" sample empty.obj -o x.vti ${tiny})
 
-# With a triangle that can be shown, what cannot be is a warning.
+# If there is a valid triangle, invalid ones give a warning.
 execute_process(
   COMMAND "${CSLF}" sample nan.vtp -o nan.vti ${tiny}
   WORKING_DIRECTORY "${DIRECTORY}"
@@ -136,7 +137,7 @@ if (NOT result MATCHES "^[01]$" OR NOT error MATCHES "^cslf: [^\n]+\n$")
   message(FATAL_ERROR "cslf sample wild.vtp ended with ${result}: ${error}")
 endif ()
 
-# Meshes cut short: an error, wherever the cut is.
+# Truncated meshes: an error, wherever the cut is.
 file(WRITE "${DIRECTORY}/whole.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4")
 file(WRITE "${DIRECTORY}/whole.ply" "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x
 property float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header
@@ -168,7 +169,7 @@ foreach (mesh IN ITEMS whole.obj whole.ply whole.stl whole.vtp three.stl)
   endforeach ()
 endforeach ()
 
-# Videos cut short: an error, and with --allow-missing a warning and what is left, if there is any.
+# Truncated videos: an error; with --allow-missing a warning and the remaining viewpoints, if any.
 cslf_run(sample cornell-box -o whole.mp4 ${tiny})
 file(SIZE "${DIRECTORY}/whole.mp4" bytes)
 foreach (percent IN ITEMS 10 50 90 99)
@@ -192,7 +193,7 @@ foreach (percent IN ITEMS 10 50 90 99)
   file(REMOVE_RECURSE "${DIRECTORY}/left")
 endforeach ()
 
-# All commands that write something of a field have the same rule.
+# All commands that write a result of a field have the same rule.
 execute_process(
   COMMAND head -c ${kept} whole.mp4
   WORKING_DIRECTORY "${DIRECTORY}"
@@ -213,7 +214,8 @@ endforeach ()
 cslf_run(info gap --json)
 expect_json(1 missing)
 
-# What is left of a video comes alike in every format, is told alike, and can be compared.
+# The rest of a damaged video is the same in every format, gives the same message, and can be
+# compared.
 set(told "^cslf: warning: cut.mp4 is damaged: [1-9][0-9]* of [0-9]+ viewpoints are missing [^\n]+\n$")
 foreach (arguments IN ITEMS "decode cut.mp4 -o left.vti" "decode cut.mp4 -o left"
          "compare cut.mp4 left.vti" "compare left cut.mp4")

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Whatever the tool writes, files that it has not made stay as they are.
+# Whatever the tool writes, it does not change files that it has not made.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 cslf_run(sample cornell-box -o field.vti -M 2 -N 16 --spp 1 --max-depth 1)
 
-# Everything that could be taken for a temporary file of an output of that name.
+# Files that could be mistaken for temporary files of an output of that name.
 function (make_neighbours name)
   foreach (suffix IN ITEMS writable replaced unfinished partial.old)
     file(WRITE "${DIRECTORY}/${name}.${suffix}" "thesis")
@@ -14,7 +14,7 @@ function (make_neighbours name)
   file(WRITE "${DIRECTORY}/${name}.partial/thesis" "thesis")
 endfunction ()
 
-# They are there still, and nothing else is but the output.
+# They must still exist, and nothing else but the output.
 function (expect_neighbours name)
   file(GLOB all RELATIVE "${DIRECTORY}" "${DIRECTORY}/${name}.*" "${DIRECTORY}/${name}.partial/*")
   list(REMOVE_ITEM all ${name}.partial)
@@ -29,7 +29,7 @@ function (expect_neighbours name)
   endif ()
 endfunction ()
 
-# Runs the tool, which must succeed with a warning that the folder of ours could not be removed.
+# Runs the tool, which must succeed with a warning that its folder could not be removed.
 function (run_with_word output)
   execute_process(
     COMMAND "${CSLF}" ${ARGN}
@@ -58,12 +58,12 @@ foreach (output IN LISTS outputs)
   endif ()
   make_neighbours(${name})
   run_with_word(${name} ${${output}} -o ${name})
-  # Again, over what is there now.
+  # Again, over the existing output.
   run_with_word(${name} ${${output}} -o ${name})
   expect_neighbours(${name})
 endforeach ()
 
-# A folder with more in it than a light field.
+# A folder with other files than those of a light field.
 file(WRITE "${DIRECTORY}/folder/notes.txt" "thesis")
 cslf_fail("contains other files than a light field: notes.txt" "" decode field.vti -o folder)
 file(READ "${DIRECTORY}/folder/notes.txt" notes)
@@ -71,7 +71,7 @@ if (NOT notes STREQUAL "thesis")
   message(FATAL_ERROR "The notes are gone.")
 endif ()
 
-# What is no file is not replaced by one, and not waited for.
+# The tool neither replaces nor waits for anything that is not a file.
 find_program(MKFIFO mkfifo)
 if (MKFIFO)
   execute_process(COMMAND "${MKFIFO}" pipe.vti pipe.png WORKING_DIRECTORY "${DIRECTORY}")
@@ -90,7 +90,7 @@ if (MKFIFO)
   endforeach ()
 endif ()
 
-# Somebody else writes it. The lock is that of flock(1).
+# Another process writes it. The lock is that of flock(1).
 find_program(FLOCK flock)
 if (FLOCK)
   file(REMOVE_RECURSE "${DIRECTORY}/folder" "${DIRECTORY}/folder.partial")
@@ -110,7 +110,7 @@ if (FLOCK)
   endforeach ()
 endif ()
 
-# Files that cannot grow beyond 1 kB: not all of VTK's writers notice.
+# Files that cannot grow beyond 1 kB: some of VTK's writers do not notice.
 find_program(BASH bash)
 if (BASH)
   foreach (arguments IN ITEMS "decode field.vti -o big.vti" "export cornell-box -o big.obj")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# A light field sampled, and taken through every format.
+# A light field is sampled, and converted to every format.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(scene cornell-box -M 2 -N 16 --spp 2 --max-depth 2 --seed 7)
@@ -12,7 +12,7 @@ expect_json("box.vti" output)
 cslf_run(sample ${scene} -o box.mp4)
 cslf_run(sample ${scene} -o box)
 
-# The same samples, whichever way they are written.
+# The samples are the same in all formats.
 cslf_run(compare box box.vti --json)
 expect_json(ON channels Color equal)
 expect_json(ON channels Coverage equal)
@@ -47,7 +47,7 @@ if (NOT length EQUAL 3)
   message(FATAL_ERROR "The centre has ${length} coordinates.")
 endif ()
 
-# What a video carries besides the light field.
+# A video's parts besides the light field.
 cslf_run(info "${DATA}/Golden/v2-hevc-parts.mp4" --json)
 expect_json(application/octet-stream parts 0 type)
 expect_json("every byte" parts 0 name)
@@ -68,7 +68,7 @@ cslf_run(info linear --json)
 expect_json(exr codec)
 expect_json(float32 channels 0 type)
 
-# Float colours, all the way.
+# Float colours in all steps.
 cslf_run(sample ${scene} -o linear.vti --float --no-depth)
 cslf_run(sample ${scene} -o linear.mp4 --float --no-depth --crf 4)
 cslf_run(decode linear.mp4 -o back.vti)
@@ -79,7 +79,7 @@ cslf_run(compare back.vti linear.vti --json)
 expect_json_at_least(22 channels Color psnr)
 cslf_fail("without loss" "no" encode linear.vti -o no.mp4 --lossless)
 
-# Other codecs, where they are.
+# Other codecs, if they exist.
 execute_process(COMMAND "${CSLF}" encode box.vti -o h264.mp4 --codec h264
   WORKING_DIRECTORY "${DIRECTORY}" RESULT_VARIABLE result ERROR_VARIABLE error OUTPUT_QUIET)
 if (result STREQUAL "0")
@@ -90,12 +90,12 @@ elseif (NOT error MATCHES "has encoders for")
 endif ()
 cslf_fail("none of hevc, av1, h264" "no" encode box.vti -o no.mp4 --codec vp9)
 
-# A folder of cube maps with one picture gone is still a light field.
+# A folder of cube maps without one picture is still a light field.
 file(REMOVE "${DIRECTORY}/decoded/000003.Color.png")
 cslf_run(info decoded --json)
 expect_json(1 missing)
 
-# A coarser field of every format, and what cannot be made.
+# A coarser field in every format, and refusals.
 cslf_run(sample cornell-box -M 3 -N 32 --spp 2 --max-depth 2 -o fine.vti)
 cslf_run(resample fine.vti -o coarse.vti --resolution-divisor 2 --viewpoint-stride 2 --json)
 expect_json(2 views)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Key views with depth against all views without: tables, plots, and figures that make sense.
+# Key views with depth compared with all views without depth: tables, plots, and plausible figures.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(light --max-depth 2)
@@ -18,13 +18,13 @@ endforeach ()
 expect_json(3 series 1 viewpoints)
 expect_json(2 series 2 viewpoints)
 expect_json(32 series 2 resolution)
-# The paper's files hold nothing but colour.
+# The paper's files contain only colour.
 string(JSON tracks LENGTH "${output}" series 0 points 0 tracks)
 string(JSON all LENGTH "${output}" series 1 points 0 tracks)
 if (NOT tracks EQUAL 1 OR NOT all EQUAL 3)
   message(FATAL_ERROR "There are ${tracks} tracks without depth, ${all} with it.")
 endif ()
-# What the table says at equal quality and at equal size follows from the points.
+# The table's values at equal quality and at equal size follow from the points.
 string(JSON length LENGTH "${output}" comparisons)
 string(JSON ratio GET "${output}" comparisons 0 ratio)
 string(JSON gain GET "${output}" comparisons 0 gain)

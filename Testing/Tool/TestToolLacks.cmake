@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What the machine lacks, a decoder or memory, is one error. LACKS is the library that takes it away.
+# A missing decoder or a lack of memory gives one error. LACKS is the library that takes it away.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(field "${DATA}/field.mp4")
 
-# Runs the tool without what `lack` names. Sets `result`, `output` and `error`.
+# Runs the tool without the resource named by `lack`. Sets `result`, `output` and `error`.
 function (run_without lack)
   execute_process(
     COMMAND "${CMAKE_COMMAND}" -E env "LD_PRELOAD=${LACKS}" "CSLF_LACKS_${lack}" "${CSLF}" ${ARGN}
@@ -31,7 +31,7 @@ endforeach ()
 run_without(DECODER=av1 info "${field}" --json)
 expect_json(0 missing)
 
-# Memory ends at any time: while the file is opened, checked or decoded, by two threads.
+# Memory runs out at any time: while the file is opened, checked or decoded, by two threads.
 set(succeeded 0)
 set(failed 0)
 foreach (count IN ITEMS 1 5 18 40 60 135 200 300 100000)
@@ -49,7 +49,7 @@ if (failed LESS 5 OR succeeded LESS 1)
   message(FATAL_ERROR "Memory was not taken away as meant.")
 endif ()
 
-# Nor while images are written, in threads: the error names what was not written, which is not there.
+# And while threads write images: the error names the missing file.
 foreach (count IN ITEMS 260 350 400 450)
   run_without(MEMORY=${count} decode "${field}" -o images --threads 2)
   if (NOT result STREQUAL "1" OR EXISTS "${DIRECTORY}/images" OR

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The tool under mpiexec: one file of the same bytes for any number of processes, also after a kill;
-# one message and exit code 1 where a process fails.
+# one message and exit code 1 if a process fails.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --integrator path --preset ultrafast --threads 1)
 cslf_run(sample ${scene} -o one.mp4)
 file(SHA256 "${DIRECTORY}/one.mp4" expected)
 
-# Runs `command...` in so many processes. Leaves `result`, `output` and `error`.
+# Runs `command...` in that many processes. Sets `result`, `output` and `error`.
 macro (cslf_run_parallel processes)
   execute_process(
     COMMAND "${MPIEXEC}" -n ${processes} ${ARGN}
@@ -36,7 +36,7 @@ foreach (processes IN ITEMS 2 3)
   expect_json(5 views)
 endforeach ()
 
-# What a killed process left is used by several.
+# Several processes use what a killed process left.
 execute_process(
   COMMAND bash -c "
     '${CSLF}' \"$@\" -o killed.mp4 > log.txt 2>&1 &
@@ -48,7 +48,7 @@ execute_process(
 cslf_run_parallel(2 "${CSLF}" sample ${scene} -o killed.mp4)
 cslf_expect_same(killed.mp4)
 
-# Processes make the radiance cache together, and all use what a killed one left of it.
+# Processes make the radiance cache together, and all use the cache of a killed one.
 set(cached cornell-box -M 3 -N 16 --spp 4 --cache-samples 64 --cache-spacing 0.05
   --cache-tolerance 0.05 --preset ultrafast
   --threads 1)
@@ -78,7 +78,7 @@ cslf_expect_same(kept.mp4)
 expect_json(0 cost cache_rays)
 set(expected "${expected_of_paths}")
 
-# Other formats are written by the first process alone.
+# Only the first process writes other formats.
 cslf_run(decode one.mp4 -o one.vti)
 cslf_run_parallel(2 "${CSLF}" encode one.vti -o again.mp4 --preset ultrafast)
 if (NOT result STREQUAL "0" OR NOT EXISTS "${DIRECTORY}/again.mp4")
@@ -88,7 +88,7 @@ cslf_run_parallel(2 "${CSLF}" decode one.mp4 -o two.vti)
 cslf_run(compare one.vti two.vti --json)
 expect_json(ON channels Color equal)
 
-# Checks that the last run failed with one message of the tool's; mpiexec may add its own.
+# Checks that the last run failed with one message from the tool; mpiexec may add its own.
 macro (cslf_expect_failure pattern)
   string(REGEX MATCHALL "cslf: error: [^\n]+" messages "${error}")
   list(LENGTH messages count)
@@ -105,7 +105,7 @@ cslf_run_parallel(3 "${CSLF}" sample ${scene} -o nowhere/x.mp4)
 cslf_expect_failure("Cannot write")
 cslf_run_parallel(3 "${CSLF}" sample missing.ply -o x.mp4)
 cslf_expect_failure("missing.ply")
-# A process that fails alone: the last one, of another scene or none.
+# Only one process fails: the last one, with another scene or none.
 function (cslf_write_script name last)
   file(WRITE "${DIRECTORY}/${name}" "#!/usr/bin/env bash
 if [ \"\${OMPI_COMM_WORLD_RANK:-\${PMI_RANK:-0}}\" = 2 ]; then

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What a video carries besides the light field: put in, listed, taken out again.
+# A video's parts besides the light field: added, listed and extracted again.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 # Checks that two files have the same bytes.
@@ -45,7 +45,7 @@ cslf_run(decode box.mp4 -o out.txt --part mesh)
 file(COPY_FILE "${DATA}/dragon.ply" "${DIRECTORY}/dragon.ply")
 expect_same_bytes(dragon.ply out.txt)
 
-# Coded again, a video keeps what it carries, except for what is given anew.
+# When a video is coded again, it keeps its parts, except for those that are replaced.
 cslf_run(encode box.mp4 -o again.mkv --preset ultrafast --part notes=text/plain:empty
   --part notes=text/csv:a=b:c.csv)
 cslf_run(info again.mkv --json)
@@ -62,13 +62,13 @@ expect_same_bytes(dragon.ply out)
 cslf_run(resample box.mp4 -o coarse.mp4 --viewpoint-stride 1 --preset ultrafast)
 cslf_run(decode coarse.mp4 --part notes -o out)
 expect_same_bytes(notes.txt out)
-# The field itself is not touched by what is beside it.
+# The parts do not change the field itself.
 cslf_run(encode plain.vti -o without.mkv --lossless)
 cslf_run(encode plain.vti -o with.mkv --lossless --part notes=text/plain:notes.txt)
 cslf_run(compare with.mkv without.mkv --json)
 expect_json(ON channels Color equal)
 
-# What cannot be put in: nothing is sampled then.
+# Parts that cannot be added: then nothing is sampled.
 set(encode encode plain.vti -o x.mp4 --preset ultrafast)
 foreach (option IN ITEMS notes notes.txt notes=notes.txt notes=text/plain notes=:notes.txt
     notes=text/plain:)
@@ -85,7 +85,7 @@ cslf_fail("two parts \"a\" .b." "x" ${encode} --part a=b:notes.txt --part a=b:em
 cslf_fail("need a video" "x" sample ${scene} -o x.vti --part a=b:notes.txt)
 cslf_fail("--part" "x" ${encode} --part)
 
-# What cannot be taken out.
+# Parts that cannot be extracted.
 cslf_fail("no part \"mash\" but \"notes\" .text/plain., \"\" .text/csv., \"mesh\"" "x"
   decode box.mp4 --part mash -o x)
 cslf_fail("more than one part \"notes\".*NAME=TYPE" "x" decode again.mkv --part notes -o x)

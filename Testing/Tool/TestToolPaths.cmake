@@ -4,7 +4,7 @@
 # Camera paths, as folders and videos, and the measurements along them.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
-# Runs the tool to draw a path, and checks how many pictures are in its folder.
+# Runs the tool to draw a path, and checks the number of pictures in its folder.
 function (draw_path folder count)
   cslf_run(render box.vti -o ${folder} --size 32 24 --lookup bilinear --json ${ARGN})
   expect_json(${count} frames)
@@ -30,7 +30,7 @@ set(light --max-depth 2)
 cslf_run(sample cornell-box -o box.vti -M 2 -N 16 --spp 4 ${light})
 cslf_run(render box.vti -o start.png --size 32 24 --lookup bilinear)
 
-# Both ways begin at the camera; a swing comes back on its own path.
+# Both paths begin at the camera; a swing returns on its own path.
 draw_path(swing 8 --path swing --frames 8)
 expect_json_at_least(0.000001 median_frame_seconds)
 expect_equal(TRUE start.png swing/frame-0000.png)
@@ -38,7 +38,7 @@ expect_equal(FALSE start.png swing/frame-0002.png)
 draw_path(orbit 4 --path orbit --frames 4)
 expect_equal(TRUE start.png orbit/frame-0000.png)
 expect_equal(FALSE start.png orbit/frame-0002.png)
-# What is there is replaced as a whole, and what a killed run has left is cleared away.
+# Existing output is replaced as a whole, and the rest of a killed run is removed.
 file(MAKE_DIRECTORY "${DIRECTORY}/orbit.partial/unfinished-abcdef/new")
 file(WRITE "${DIRECTORY}/orbit.partial/cslf.lock" "CSLF: a light field is being written here.\n")
 file(WRITE "${DIRECTORY}/orbit.partial/unfinished-abcdef/new/frame-0000.png" "half a picture\n")
@@ -61,7 +61,7 @@ endforeach ()
 draw_path(one 1 --path path.json --frames 1)
 expect_equal(TRUE one/frame-0000.png spline/frame-0000.png)
 
-# Videos of any player.
+# Videos for any player.
 if (HAS_ENCODER)
   cslf_run(render box.vti -o orbit.mkv --path orbit --frames 3 --size 32 24 --frame-rate 10 --json)
   expect_json(3 frames)
@@ -84,7 +84,7 @@ if (HAS_ENCODER)
   cslf_fail("Cannot write" "x" render box.vti -o nowhere/x.mp4 --path orbit)
 endif ()
 
-# What cannot be drawn.
+# Paths that cannot be drawn.
 file(WRITE "${DIRECTORY}/text.json" "no path\n")
 file(WRITE "${DIRECTORY}/single.json" "[[[0, 0, 5], [0, 0, 0], [0, 1, 0]]]")
 file(WRITE "${DIRECTORY}/short.json" "[[[0, 0, 5], [0, 0, 0], [0, 1, 0]], [[0, 5], [0, 0, 0]]]")
@@ -111,7 +111,7 @@ if (partial)
   message(FATAL_ERROR "${partial} is left.")
 endif ()
 
-# Measured along the path, beside a mesh.
+# Measurements along the path, compared with a mesh.
 cslf_run(benchmark render box.vti cornell-box -o bench --frames 3 --size 24 --views 1 --spp 64
   ${light} --mesh "${DATA}/dragon.ply" --json)
 expect_json("swing" path)
@@ -144,7 +144,7 @@ foreach (file IN ITEMS render.json frames.png views.png)
     message(FATAL_ERROR "${file} is missing.")
   endif ()
 endforeach ()
-# Opened again and again.
+# Opened repeatedly.
 cslf_run(benchmark opening box.vti -o opening --repeats 3 --size 24 --lookup focal --json)
 expect_json("focal" lookup)
 foreach (repeat IN ITEMS 0 1 2)

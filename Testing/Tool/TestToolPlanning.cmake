@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What a bake would cost is told without writing anything; a time budget chooses samples that are
-# written down and kept.
+# The cost of a bake is estimated without writing anything. A time budget chooses samples, which are
+# stored and kept.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(scene cornell-box -M 3 -N 16 --cache-samples 64 --cache-spacing 0.05 --cache-tolerance 0.05
@@ -41,7 +41,7 @@ cslf_fail("need a video" "" sample ${scene} --estimate --suggest-for-novel-psnr 
 cslf_fail("estimate" "" sample ${scene} --suggest-for-novel-psnr 30 -o x.mp4)
 cslf_fail("output" "" sample ${scene})
 
-# A budget's samples are those of a run that names them; a killed run keeps its own.
+# A budget's samples are the same as if they were given; a restarted run keeps its own.
 cslf_fail("single sample" "x" sample ${scene} --time-budget 0.0001 -o x.mp4)
 cslf_run(sample ${scene} --time-budget 20 -o budget.mp4 --json)
 string(JSON samples GET "${output}" sampling samples)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Processors that compute differently are told apart: QEMU stands in for others.
+# Processors that compute differently are detected. QEMU simulates them.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 find_program(QEMU qemu-x86_64)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What other programs make of the videos: FFmpeg's tools find nothing to complain about, and a video
-# that they take from one container to the other and back is still the same field.
+# Other programs and the videos: FFmpeg's tools report no errors, and a video that they copy from
+# one container to the other and back is still the same field.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 find_program(ffmpeg ffmpeg)
@@ -12,7 +12,7 @@ if (NOT ffmpeg OR NOT ffprobe)
   return ()
 endif ()
 
-# Runs another program, which must succeed without a word.
+# Runs another program, which must succeed without output.
 function (run_silently)
   execute_process(
     COMMAND ${ARGN}
@@ -25,7 +25,7 @@ function (run_silently)
   endif ()
 endfunction ()
 
-# Checks that two videos are the same field, and nothing is missing.
+# Checks that two videos are the same field without missing viewpoints.
 function (expect_same first second)
   cslf_run(info ${second} --json)
   expect_json(0 missing)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs that are killed are gone on with, and end with the bytes of an uninterrupted run.
+# Killed runs are resumed, and end with the bytes of an uninterrupted run.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 3 --integrator path --preset ultrafast)
@@ -15,7 +15,7 @@ if (NOT result STREQUAL "0")
 endif ()
 message("${output}")
 
-# Starts a run and kills it as soon as there is a file of that name among its parts, again where that
+# Starts a run and kills it as soon as a file of that name is among its parts. Tries again if that
 # was too late.
 function (cslf_kill_at name file)
   execute_process(
@@ -37,12 +37,12 @@ function (cslf_kill_at name file)
   endif ()
 endfunction ()
 
-# The same as soon as some of its parts are whole.
+# The same as soon as some of its parts are complete.
 function (cslf_kill file)
   cslf_kill_at(group-3-color.part ${file} ${ARGN})
 endfunction ()
 
-# What a run depends on: the builds of the libraries, as other programs tell them.
+# The builds of libraries that a run depends on, as reported by other programs.
 find_program(readelf readelf)
 if (readelf AND CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux")
   cslf_kill(builds.mp4 sample ${scene})
@@ -88,7 +88,7 @@ function (cslf_expect_bytes pattern expected file)
   file(REMOVE "${DIRECTORY}/${file}")
 endfunction ()
 
-# A part damaged by hand is redone.
+# A part damaged by hand is coded again.
 set(slow cornell-box -M 5 -N 32 --spp 8 --max-depth 3 --preset ultrafast)
 cslf_run(sample ${slow} -o slow.mp4)
 cslf_kill(killed.mp4 sample ${slow})
@@ -97,13 +97,13 @@ file(WRITE "${DIRECTORY}/killed.mp4.partial/group-2-color.part" "")
 cslf_expect_bytes("^cslf: warning: [^\n]*2 group[^\n]*damaged[^\n]*sampled again[^\n]*\n$" slow.mp4 killed.mp4
   sample ${slow})
 
-# Where only some of a group's parts are there, as after a kill between them, nothing is damaged.
+# If only some of a group's parts exist, as after a kill between them, nothing is damaged.
 cslf_kill(killed.mp4 sample ${slow})
 file(REMOVE "${DIRECTORY}/killed.mp4.partial/group-0-color.part"
   "${DIRECTORY}/killed.mp4.partial/group-1-depth.part")
 cslf_expect_bytes("^$" slow.mp4 killed.mp4 sample ${slow})
 
-# Other parameters, another scene, or no wish to go on: from the beginning.
+# Other parameters, another scene, or --no-restart: from the beginning.
 cslf_run(sample ${slow} --seed 1 -o seed.mp4)
 cslf_kill(killed.mp4 sample ${slow})
 cslf_expect_bytes("^cslf: warning: [^\n]*discarded[^\n]*\n$" seed.mp4 killed.mp4
@@ -126,8 +126,8 @@ cslf_expect_bytes("^$" short.mp4 killed.mp4 sample ${short})
 file(WRITE "${DIRECTORY}/killed.mp4.partial/cslf.lock" "")
 cslf_expect_bytes("^$" short.mp4 killed.mp4 sample ${short})
 
-# A run that is killed while its cache is made begins that anew; one that is killed later finds the
-# cache whole, unless it is damaged or that of another scene.
+# A run that is killed while it makes its cache begins the cache again. A run that is killed later
+# finds the cache complete, unless it is damaged or belongs to another scene.
 set(cached cornell-box -M 3 -N 16 --spp 32 --cache-samples 64 --cache-spacing 0.05
   --cache-tolerance 0.05 --preset ultrafast)
 cslf_run(sample ${cached} -o cached.mp4)
@@ -155,7 +155,7 @@ file(MAKE_DIRECTORY "${DIRECTORY}/killed.mp4.partial")
 file(COPY_FILE "${DIRECTORY}/kept/radiance.cache" "${DIRECTORY}/killed.mp4.partial/radiance.cache")
 file(COPY_FILE "${DIRECTORY}/kept/cslf.lock" "${DIRECTORY}/killed.mp4.partial/cslf.lock")
 cslf_expect_bytes("^$" shallow.mp4 killed.mp4 sample ${cached} --max-depth 2)
-# What failed before anything was known of the field leaves what it found.
+# A run that fails before anything is known of the field leaves what it found.
 file(MAKE_DIRECTORY "${DIRECTORY}/killed.mp4.partial")
 file(COPY_FILE "${DIRECTORY}/kept/radiance.cache" "${DIRECTORY}/killed.mp4.partial/radiance.cache")
 file(COPY_FILE "${DIRECTORY}/kept/cslf.lock" "${DIRECTORY}/killed.mp4.partial/cslf.lock")

@@ -56,7 +56,7 @@ file(WRITE "${DIRECTORY}/square.vtp" "<VTKFile type=\"PolyData\" version=\"0.1\"
 file(WRITE "${DIRECTORY}/square.vtm" "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">
 <vtkMultiBlockDataSet><DataSet index=\"0\" file=\"square.vtp\"/></vtkMultiBlockDataSet></VTKFile>
 ")
-# In glTF with a node that turns a square of half the size around and doubles it.
+# In glTF, a node turns a square of half the size and doubles it.
 file(WRITE "${DIRECTORY}/square.gltf" "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0,
 \"scenes\": [{\"nodes\": [0]}],
 \"nodes\": [{\"mesh\": 0, \"scale\": [2, 2, 2], \"rotation\": [0, 0, 1, 0]}],
@@ -73,11 +73,11 @@ cslf_run(trace square.obj -o square.obj.png ${view})
 foreach (format IN ITEMS stl ply vtp vtm gltf)
   cslf_run(trace square.${format} -o square.${format}.png ${view})
   cslf_run(compare square.${format}.png square.obj.png --json)
-  # Noise depends on how the square is cut, and on nothing else.
+  # Noise depends only on how the square is cut.
   expect_json_at_least(30 psnr)
 endforeach ()
 
-# What is exported shows the same as what it was made of.
+# An exported scene looks like the original.
 cslf_run(export square.vtm square.gltf -o squares.obj --json)
 expect_json(4 triangles)
 cslf_run(export square.ply -o exported.obj --json)
@@ -91,7 +91,7 @@ cslf_run(export cornell-box -o box.obj)
 file(WRITE "${DIRECTORY}/lines.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n")
 cslf_run(trace lines.obj -o lines.png ${view})
 
-# Vertex colours of glTF are linear: a red of 0.5 is a brighter one than in sRGB.
+# Vertex colours of glTF are linear: a red of 0.5 is brighter than in sRGB.
 cslf_run(trace square.ply -o red.png ${view} --base-color 0.735 0 0)
 file(READ "${DIRECTORY}/square.gltf" gltf)
 string(REPLACE "\"POSITION\": 0}" "\"POSITION\": 0, \"COLOR_0\": 2}" gltf "${gltf}")

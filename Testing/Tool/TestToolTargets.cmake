@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Videos of a wanted size, ratio or quality, and of key views.
+# Videos with a target size, ratio or quality, and of key views.
 include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
 
 set(scene cornell-box -M 5 -N 32 --spp 4 --max-depth 2 --integrator path)

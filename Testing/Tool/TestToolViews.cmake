@@ -64,7 +64,7 @@ file(READ "${DIRECTORY}/swing.png" header OFFSET 16 LIMIT 8 HEX)
 if (NOT header MATCHES "^00000134")
   message(FATAL_ERROR "The contact sheet's size is ${header}.")
 endif ()
-# One picture again and again: nothing changes, and nothing flickers.
+# The same picture repeatedly: no changes and no flicker.
 file(WRITE "${DIRECTORY}/still.json"
   "[[[0, 0, 5], [0, 0, 0], [0, 1, 0]], [[0, 0, 5], [0, 0, 0], [0, 1, 0]]]")
 cslf_run(evaluate box.vti cornell-box --path still.json --frames 2 --size 48 --spp 1024 ${light}
@@ -75,7 +75,7 @@ cslf_fail("needs a depth channel" "x" evaluate flat.vti cornell-box --lookups de
 cslf_fail("--views" "x" evaluate box.vti cornell-box --path orbit --views 3)
 cslf_fail("no camera path" "x" evaluate box.vti cornell-box --path nowhere.json)
 
-# A truth that is kept: traced once, for the same view of the same scene only.
+# A kept reference: traced once, but only for the same view of the same scene.
 set(novel --views 1 --size 32 --spp 64 --lookups depth --truth kept --json)
 foreach (run IN ITEMS first second)
   cslf_run(evaluate box.vti cornell-box ${light} ${novel})
@@ -99,7 +99,7 @@ list(GET kept 0 half)
 file(COPY_FILE "${DIRECTORY}/box.vti" "${half}")
 cslf_fail("no path-traced view" "x" evaluate box.vti cornell-box ${light} ${novel})
 
-# Texels: noise is all that parts the field from the reference.
+# Texels: noise is the only difference between the field and the reference.
 cslf_run(sample cornell-box -o noisy.vti -M 3 -N 16 --spp 4 --integrator path ${light})
 cslf_run(evaluate-texels noisy.vti cornell-box --texels 1000 --reference-spp 512 --json)
 expect_json(1000 texels)
@@ -108,7 +108,7 @@ expect_json_at_least(45 noise_floor)
 
 cslf_run(view box.vti --close-after 0.5 --size 96 96)
 
-# The viewer off screen: all lookups beside the truth, with everything that keys switch on.
+# The viewer off screen: all lookups beside the reference, with everything that keys switch on.
 cslf_run(view box.vti cornell-box ${light} --keys stoavh --truth-samples 32 --size 288 192
   --screenshot window.png --json)
 expect_json(32 truth_samples)
@@ -127,7 +127,7 @@ if (NOT EXISTS "${DIRECTORY}/cslf-view-1.png")
 endif ()
 cslf_fail("key z" "never.png" view box.vti --keys z --screenshot never.png)
 
-# Exposure and tone mapping at view time: the truth is shown likewise.
+# Exposure and tone mapping at view time: the reference is shown likewise.
 cslf_run(render box.vti -o dim.png --view-exposure 0.25 ${camera})
 cslf_run(compare dim.png depth.png --json)
 string(JSON psnr_dim GET "${output}" psnr)

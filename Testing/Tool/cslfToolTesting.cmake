@@ -1,15 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What the tests of the cslf tool share. They are run with -DCSLF=<tool> -DDATA=<folder of test
-# data> -DUTILITIES=<folder of scripts> -DMPIEXEC=<mpiexec, if there is one> -DHAS_ENCODER=<whether
-# the tool has the video encoder> -DDIRECTORY=<folder to work in>, which is emptied first.
+# Common functions for tests of the cslf tool. They are run with -DCSLF=<tool> -DDATA=<folder of
+# test data> -DUTILITIES=<folder of scripts> -DMPIEXEC=<mpiexec, if there is one>
+# -DHAS_ENCODER=<whether the tool has the video encoder> -DDIRECTORY=<folder to work in>, which is
+# emptied first.
 cmake_policy(VERSION 3.22)
 file(REMOVE_RECURSE "${DIRECTORY}")
 file(MAKE_DIRECTORY "${DIRECTORY}")
 
-# Runs the tool, which must succeed without a word on standard error. Standard output is left in
-# `output`.
+# Runs the tool, which must succeed without messages on standard error. Sets `output` to its
+# standard output.
 function (cslf_run)
   execute_process(
     COMMAND "${CSLF}" ${ARGN}
@@ -23,8 +24,8 @@ function (cslf_run)
   set(output "${output}" PARENT_SCOPE)
 endfunction ()
 
-# Runs the tool, which must end with that exit code and say just one line that matches `pattern`.
-# Nothing may be left of `output`, unless that is empty.
+# Runs the tool, which must end with that exit code and print exactly one line that matches
+# `pattern`. It must leave nothing of `output`, unless that is empty.
 function (cslf_end code pattern output)
   execute_process(
     COMMAND "${CSLF}" ${ARGN}
@@ -59,7 +60,7 @@ function (expect_json expected)
   endif ()
 endfunction ()
 
-# Checks that a number in that JSON is at least so large.
+# Checks that a number in that JSON has a minimum.
 function (expect_json_at_least least)
   string(JSON actual GET "${output}" ${ARGN})
   if (NOT actual GREATER_EQUAL "${least}")

@@ -20,7 +20,7 @@ PLY_LIST = "property list uchar int vertex_indices\n"
 
 
 def make_ply(form="ascii", vertices=3, faces=1, vertex=PLY_FLOATS, face=PLY_LIST, body=None):
-    """A PLY file, sound unless told otherwise."""
+    """A PLY file, valid by default."""
     header = f"ply\nformat {form} 1.0\nelement vertex {vertices}\n{vertex}" \
              f"element face {faces}\n{face}end_header\n"
     if body is None:
@@ -35,7 +35,7 @@ def make_ply(form="ascii", vertices=3, faces=1, vertex=PLY_FLOATS, face=PLY_LIST
 
 
 def make_ply_files():
-    """PLY files: sound ones, and those that are not."""
+    """PLY files: valid and invalid ones."""
     little, big = "binary_little_endian", "binary_big_endian"
     points = b"".join(struct.pack("<3f", *point) for point in TRIANGLE)
     sound = {"ascii": make_ply(), "little": make_ply(little), "big": make_ply(big)}
@@ -218,7 +218,7 @@ def make_vtp_files():
 
 
 def make_vtm_files():
-    """Trees of files: of themselves, of nothing, and of what is not there."""
+    """Trees of files: of themselves, of nothing, and of missing files."""
     def make(content):
         return f'<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>' \
                f'{content}</vtkMultiBlockDataSet></VTKFile>'.encode()

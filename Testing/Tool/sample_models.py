@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Samples every model below some folders, and says how each run ended.
+"""Samples every model below some folders, and prints the result of each run.
 
 A run passes if the tool writes a field, or if it ends with exit code 1, one line on standard error
 and no file; a model with "_sound_" in its name must give a field. A run fails if the tool crashes,
@@ -31,7 +31,7 @@ SKIPPED = 125
 
 
 def parse_arguments():
-    """The command line; what follows -- goes to the tool."""
+    """The command line. Arguments after -- go to the tool."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("tool", help="the cslf tool")
     parser.add_argument("folder", nargs="+", type=pathlib.Path, help="folders with models, or models")
@@ -58,7 +58,7 @@ def find_models(folders):
 
 
 def run(command, limit):
-    """Runs a command; its exit code, standard error, and processor seconds."""
+    """Runs a command. Returns its exit code, standard error, and processor seconds."""
     def set_limit():
         seconds = int(limit) + 1
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
@@ -85,7 +85,7 @@ def run(command, limit):
 
 
 def judge(status, text, written, leftovers):
-    """Whether a run passes, and what to say of it."""
+    """Whether a run passes, and a text for the report."""
     lines = text.strip().splitlines()
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
         return False, "TOO SLOW"
@@ -106,7 +106,7 @@ def judge(status, text, written, leftovers):
 
 
 def sample(options, folder, path):
-    """Samples a model; whether that passes, and a row of the table."""
+    """Samples a model. Returns whether it passes, and a row of the table."""
     with tempfile.TemporaryDirectory() as directory:
         field = pathlib.Path(directory, "field.vti")
         command = [options.tool, "sample", str(path), "-o", str(field), *options.sampling]

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What writes files on Windows, compiled by MinGW and run by Wine. Called with SOURCE, the source
-# folder, and DIRECTORY, an own folder.
+# The code that writes files on Windows, compiled by MinGW and run by Wine. Called with SOURCE, the
+# source folder, and DIRECTORY, an own folder.
 find_program(COMPILER x86_64-w64-mingw32-g++-posix)
 find_program(WINE NAMES wine64 wine PATHS /usr/lib/wine)
 if (NOT COMPILER OR NOT WINE)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Writes files and folders as a bake does, in the current folder, and prints what went wrong.
-// Called with an argument it is the second process, which must not get the file.
+// Writes files and folders like a bake, in the current folder, and prints errors. Called with an
+// argument it is the second process, which must not get the file.
 
 #include "Coding/cslfBackgroundThread.h"
 #include "Files/cslfFileSystem.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a project that finds CSLF has to have: a field that is sampled, and a mapper that takes it.
+// The minimum for a project that finds CSLF: a field that is sampled, and a mapper that shows it.
 #include <vtkCSLFCornellBoxSource.h>
 #include <vtkCSLFMapper.h>
 #include <vtkCSLFSampler.h>
