@@ -17,7 +17,7 @@ namespace
 constexpr int SizeTag = 5170;
 constexpr int PartTag = 5171;
 
-/// An image of the slices of all parts; without values yet.
+/// An image of the slices of all parts, without values yet.
 vtkSmartPointer<vtkImageData> MakeWhole(const std::vector<vtkSmartPointer<vtkImageData>>& parts)
 {
   auto whole = vtkSmartPointer<vtkImageData>::New();

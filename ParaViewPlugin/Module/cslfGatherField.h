@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The parts of a light field that the ranks hold, as a whole.
+ * Joins the parts of a light field from several ranks.
  */
 #ifndef cslfGatherField_h
 #define cslfGatherField_h
@@ -15,9 +15,9 @@ class vtkMultiProcessController;
 namespace cslf
 {
 /**
- * Joins ranges of viewpoints (z slices), one of each rank, on rank 0. All ranks call it; those
- * above 0 get null. A part may be null or empty; where slices are held twice, the higher rank's are
- * taken.
+ * Joins ranges of viewpoints (z slices), one from each rank, on rank 0. All ranks call it; those
+ * above 0 get null. A part may be null or empty. If two ranks have a slice, the higher rank's is
+ * used.
  */
 vtkSmartPointer<vtkImageData> GatherField(
   vtkImageData* part, vtkMultiProcessController* controller);

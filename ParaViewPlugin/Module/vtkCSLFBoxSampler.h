@@ -4,9 +4,9 @@
  * @class   vtkCSLFBoxSampler
  * @brief   vtkCSLFSampler with its cube in the terms of ParaView's interactive box
  *
- * The cube that is not automatic is set by its lowest corner and its lengths, in place of
- * CubeCenter and CubeEdges. It is wider than the box by a thousandth of the longest length on each
- * side, so that it contains inputs that the box just encloses.
+ * A cube that is not automatic is set by its lowest corner and its lengths, instead of CubeCenter
+ * and CubeEdges. It is wider than the box by a thousandth of the longest length on each side, so
+ * that it contains inputs that the box exactly encloses.
  *
  * @sa vtkCSLFSampler
  */
@@ -35,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Bounds that, where they are used, are scaled by CubeLengths and then moved by CubePosition to
+   * Reference bounds, if they are used. They are scaled by CubeLengths and moved by CubePosition to
    * make the box, as in ParaView's other boxes. Default: off, 0, 1, 0, 1, 0, 1.
    */
   void SetUseReferenceBounds(bool use);

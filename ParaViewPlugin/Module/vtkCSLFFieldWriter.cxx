@@ -40,7 +40,7 @@ int vtkCSLFFieldWriter::Write()
 }
 
 //------------------------------------------------------------------------------
-// Writes a field that is all here, without the other ranks.
+// Writes a field that is complete here, without the other ranks.
 int vtkCSLFFieldWriter::WriteAlone(vtkImageData* field)
 {
   const vtkSmartPointer<vtkMultiProcessController> controller = this->GetController();

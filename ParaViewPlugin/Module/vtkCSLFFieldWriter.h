@@ -4,10 +4,10 @@
  * @class   vtkCSLFFieldWriter
  * @brief   vtkCSLFEncoder for ParaView's pipelines, on any number of ranks
  *
- * The field is made as a whole before it is coded, as ParaView makes all data, and has to fit in
- * memory: pulled slab by slab through ParaView's pipeline, its input would be made again for each.
- * With several ranks, each makes its piece of the field, together, and rank 0 gathers and writes
- * it. The frames of the file are the same for any number of ranks.
+ * The whole field is made before it is coded, like all data in ParaView, and must fit in memory: if
+ * it were pulled slab by slab, ParaView's pipeline would make its input again for each slab. With
+ * several ranks, each makes its piece of the field, and rank 0 gathers and writes it. The frames of
+ * the file are the same for any number of ranks.
  *
  * @sa vtkCSLFEncoder
  */
@@ -25,7 +25,7 @@ public:
 
   /**
    * Writes the file: all ranks call it. Returns 1 on success; otherwise 0 on all ranks, and the
-   * error code tells the kind of error.
+   * error code gives the kind of error.
    */
   int Write() override;
 

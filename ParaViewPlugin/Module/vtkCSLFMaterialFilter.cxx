@@ -33,7 +33,7 @@ int vtkCSLFMaterialFilter::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   output->ShallowCopy(input);
-  vtkNew<vtkFieldData> fields; // of its own, so that the input stays as it is
+  vtkNew<vtkFieldData> fields; // a copy, so that the input does not change
   fields->ShallowCopy(input->GetFieldData());
   for (int i = 0; i < this->Material->GetFieldData()->GetNumberOfArrays(); ++i)
   {

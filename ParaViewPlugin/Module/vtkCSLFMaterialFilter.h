@@ -5,7 +5,7 @@
  * @brief   gives data a material for path tracing
  *
  * The output is the input, with the material's arrays in its field data: see vtkCSLFMaterial.
- * Blocks of composite data that have a material of their own keep it.
+ * Blocks of composite data that have their own material keep it.
  *
  * @sa vtkCSLFMaterial vtkCSLFSampler
  */
@@ -27,7 +27,7 @@ public:
 
   ///@{
   /**
-   * The parameters of vtkCSLFMaterial. Those that are never set are left as they are.
+   * The parameters of vtkCSLFMaterial. Those that are never set do not change.
    */
   void SetBaseColor(double red, double green, double blue);
   void SetMetallic(double metallic);

@@ -47,7 +47,7 @@ int vtkCSLFRepresentation::RequestData(
   this->Field = nullptr;
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
-    // The executive's output must not be held on to: it is the same object when it changes.
+    // The executive's output must not be kept: it is the same object when it changes.
     vtkNew<vtkImageData> part;
     part->ShallowCopy(vtkImageData::GetData(inputVector[0], 0));
     this->Field = cslf::GatherField(part, vtkMultiProcessController::GetGlobalController());
@@ -73,7 +73,7 @@ void vtkCSLFRepresentation::UpdateOutline()
   {
     this->BoundsMapper->RemoveAllInputs();
   }
-  // What is no light field has been reported.
+  // Input that is not a light field has been reported.
   if (!vtkMath::AreBoundsInitialized(bounds))
   {
     this->Field = nullptr;
@@ -93,7 +93,7 @@ vtkDataObject* vtkCSLFRepresentation::GetRenderedDataObject(int vtkNotUsed(port)
 }
 
 //------------------------------------------------------------------------------
-// The cube where the actor has placed it.
+// The cube at the actor's position.
 void vtkCSLFRepresentation::GetDrawnBounds(double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
@@ -127,7 +127,7 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    // Who receives a piece has to announce one, too.
+    // A rank that receives a piece must announce one, too.
     vtkPVView::SetPiece(inInfo, this, this->Field ? this->Field.Get() : this->NoField.Get());
     double bounds[6];
     this->GetDrawnBounds(bounds);
@@ -135,7 +135,7 @@ int vtkCSLFRepresentation::ProcessViewRequest(
     vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
     if (controller && controller->GetNumberOfProcesses() > 1)
     {
-      // What the field covers in part has to be composited in order.
+      // Partly covered pixels must be composited in order.
       outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
       vtkPVRenderView::SetOrderedCompositingConfiguration(
         inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);

@@ -4,13 +4,13 @@
  * @class   vtkCSLFRepresentation
  * @brief   draws a light field in ParaView's render view
  *
- * The representation "Light Field" of image data, drawn by vtkCSLFMapper beside all else in the
- * view. Bounds, and so the camera's reset and the axes, are those of the field's cube, not those of
- * the image data that holds the samples. Image data that is no whole light field is an error, and
- * draws nothing.
+ * The representation "Light Field" of image data, drawn by vtkCSLFMapper with all other objects in
+ * the view. Bounds, and so the camera's reset and the axes, are those of the field's cube, not
+ * those of the image data. Image data that is not a whole light field is an error, and nothing is
+ * drawn.
  *
- * Where several ranks have made a part of the field each, rank 0 gathers the whole of it, and alone
- * draws it, or the client does: ParaView decides by the field's size.
+ * If several ranks have each made a part of the field, rank 0 gathers all parts. Only rank 0 or the
+ * client draws the field: ParaView decides by the field's size.
  *
  * @sa vtkCSLFMapper
  */
@@ -39,7 +39,7 @@ public:
   void SetVisibility(bool visible) override;
 
   /**
-   * The cube's outline, for whoever asks for what is drawn and where it is.
+   * The cube's outline, for code that asks for the drawn data and its position.
    */
   vtkDataObject* GetRenderedDataObject(int port) override;
 
@@ -92,9 +92,10 @@ private:
 
   vtkNew<vtkCSLFMapper> Mapper;
   vtkNew<vtkActor> Actor;
-  vtkNew<vtkCSLFMapper> BoundsMapper; // never draws: tells the cube of the field before it is sent
+  vtkNew<vtkCSLFMapper>
+    BoundsMapper; // never draws: gives the field's cube before the field is sent
   vtkNew<vtkOutlineSource> Outline;
-  vtkSmartPointer<vtkImageData> Field; // null where there is none, and on ranks above 0
+  vtkSmartPointer<vtkImageData> Field; // null if there is none, and on ranks above 0
   vtkNew<vtkImageData> NoField;        // empty
 };
 

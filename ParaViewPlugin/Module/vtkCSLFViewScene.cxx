@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkCSLFViewScene);
 
 namespace
 {
-/// The client's active view; null where this process is no client, or there is none.
+/// The client's active view. Null if this process is not a client, or if there is none.
 vtkView* GetActiveView()
 {
   if (!vtkSMProxyManager::IsInitialized())
@@ -41,7 +41,7 @@ vtkView* GetActiveView()
   return view ? vtkView::SafeDownCast(view->GetClientSideObject()) : nullptr;
 }
 
-/// ParaView wants all arrays of points and cells to have a name.
+/// ParaView requires names for all arrays of points and cells.
 void NameArrays(vtkMultiBlockDataSet* scene)
 {
   for (unsigned int i = 0; i < scene->GetNumberOfBlocks(); ++i)
@@ -68,8 +68,8 @@ void NameArrays(vtkMultiBlockDataSet* scene)
 }
 
 /// Imports what representations show: a view's renderer has decorations, too. Representations have
-/// actors of ParaView's own class, or plain ones (of molecules and point Gaussians); decorations
-/// are of classes of their own. Volumes and slices cannot be imported, and are named in a warning.
+/// actors of ParaView's class, or plain ones (of molecules and point Gaussians); decorations have
+/// other classes. Volumes and slices cannot be imported, and are named in a warning.
 class ViewImporter : public vtkCSLFSceneImporter
 {
 public:

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCSLFViewScene
- * @brief   what a render view of ParaView shows, to be path-traced
+ * @brief   the surfaces and lights of a ParaView render view, for path tracing
  *
- * A source whose output holds the surfaces of all visible representations of a render view, with
- * their colours and materials, and in a last block the view's lights: see vtkCSLFSceneImporter. It
- * is a capture: it stays as it was when the view moves on, until Capture is called. Representations
- * that are no polygons (volumes, light fields) are left out, and so are the view's own decorations.
+ * A source of the surfaces of all visible representations of a render view, with their colours and
+ * materials, and of the view's lights in a last block: see vtkCSLFSceneImporter. It is a capture:
+ * it does not change with the view until Capture is called. Representations without polygons
+ * (volumes, light fields) are left out, and so are the view's decorations.
  *
  * The view must have been rendered. On several ranks each captures what it draws.
  *
@@ -33,8 +33,8 @@ public:
 
   ///@{
   /**
-   * The view, a vtkPVRenderView. Default: none, which stands for the active view, if this process
-   * is the client, too.
+   * The view, a vtkPVRenderView. Default: none, which means the active view, if this process is
+   * also the client.
    */
   void SetView(vtkView* view);
   vtkView* GetView();
@@ -42,8 +42,8 @@ public:
 
   ///@{
   /**
-   * Whether the view's lights are captured; if not, the scene is lit by the environment that the
-   * sampler has. Default: on.
+   * Whether the view's lights are captured. If not, the sampler's environment lights the scene.
+   * Default: on.
    */
   vtkSetMacro(CaptureLights, bool);
   vtkGetMacro(CaptureLights, bool);
@@ -52,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Whether colours between points are interpolated as the view does, or as light: see
+   * Whether colours between points are interpolated like in the view, or as light: see
    * vtkCSLFSceneImporter. Default: on.
    */
   vtkSetMacro(InterpolateDisplayedColors, bool);
@@ -61,7 +61,7 @@ public:
   ///@}
 
   /**
-   * Has the next update capture the view as it is then.
+   * Makes the next update capture the current view.
    */
   void Capture();
 
@@ -81,7 +81,7 @@ private:
   vtkWeakPointer<vtkView> View;
   bool CaptureLights = true;
   bool InterpolateDisplayedColors = true;
-  vtkNew<vtkMultiBlockDataSet> Scene; // what was captured
+  vtkNew<vtkMultiBlockDataSet> Scene; // the captured scene
   vtkTimeStamp CaptureTime;
 };
 

@@ -19,8 +19,8 @@
 vtkStandardNewMacro(vtkSMCSLFSamplerProxy);
 
 //------------------------------------------------------------------------------
-// What colours the first input: the array chosen, or else the active scalars of its points or
-// cells.
+// The array that colours the first input: the chosen one, or else the active scalars of its points
+// or cells.
 vtkPVArrayInformation* vtkSMCSLFSamplerProxy::FindColorArray()
 {
   vtkSMPropertyHelper input(this, "Input");

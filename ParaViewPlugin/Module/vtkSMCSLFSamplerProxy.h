@@ -4,8 +4,8 @@
  * @class   vtkSMCSLFSamplerProxy
  * @brief   the sampler's proxy: finds the lookup table that ParaView shows an array with
  *
- * Where no LookupTable is set, the one that the session has for the array that colours the first
- * input is. One that was never used before spans the array's range.
+ * If no LookupTable is set, it uses the session's table for the array that colours the first input.
+ * A table that was not used before gets the array's range.
  */
 #ifndef vtkSMCSLFSamplerProxy_h
 #define vtkSMCSLFSamplerProxy_h

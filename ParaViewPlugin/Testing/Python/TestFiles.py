@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Readers and writers: round trips, other people's files, damaged ones. Arguments: a coded field."""
+"""Readers and writers: round trips, other programs' files, damaged ones. Argument: a coded field."""
 import os
 import sys
 
@@ -32,7 +32,7 @@ folder = OpenDataFile(os.path.abspath("folder"))
 check(folder is not None and folder.GetXMLName() == "CSLFImageReader", "the folder is not opened")
 check((fetch_array(folder, "Color") == color).all(), "the folder differs")
 
-# Videos that are none of ours, and folders, are left alone.
+# Other programs' videos and folders are not changed.
 with open(sys.argv[1], "rb") as file:
     data = file.read()
 with open("other.mp4", "wb") as file:
@@ -48,7 +48,7 @@ for name in ("other.mp4", "text.mp4", "empty"):
             opened = None
     check(opened is None or not opened.GetXMLName().startswith("CSLF"), f"{name} was opened")
 
-# A file that breaks off: what is left is read, with a warning; what is no field is not written.
+# A truncated file: the rest is read, with a warning; data that is not a field is not written.
 with open("short.mp4", "wb") as file:
     file.write(data[:100])
 with Errors() as errors:

@@ -14,7 +14,7 @@ name = "serial" if serial else "parallel"
 
 
 def make_contour():
-    """Cut by the pieces of the image data that it is of."""
+    """Divided like the pieces of its image data."""
     return Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0])
 
 

@@ -20,12 +20,12 @@ check(distance < 6 and abs(view.CameraFocalPoint[2] - 1.0) < 0.01, f"camera at {
 look(view)
 picture = take_picture(view, "field.png")
 
-# A click on the sphere picks the field, one beside it nothing.
+# A click on the sphere picks the field; one beside it picks nothing.
 picked = view.SMProxy.Pick(SIZE // 2, SIZE // 2)
 check(picked is not None and picked == display.SMProxy, f"picked {picked}")
 check(view.SMProxy.Pick(3, 3) is None, "the empty corner was picked")
 
-# The picture is the truth's.
+# The picture is that of the reference.
 truth = cslf.vtkCSLFViewTracer()
 truth.SetInputData(servermanager.Fetch(scene))
 truth.SetLookupTable(GetColorTransferFunction("Elevation").GetClientSideObject())
@@ -89,7 +89,7 @@ SaveAnimation("frame.png", view, ImageResolution=[SIZE, SIZE], FrameWindow=[0, 1
 for frame in range(2):
     check(psnr(read_picture(f"frame.{frame:04d}.png"), picture) > 50, f"frame {frame}")
 
-# Image data that is no field draws nothing and says so.
+# Image data that is not a field draws nothing and gives an error.
 with Errors() as errors:
     other = Show(Wavelet(), view, "UniformGridRepresentation")
     other.SetRepresentationType("Light Field")

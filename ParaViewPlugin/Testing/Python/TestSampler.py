@@ -11,7 +11,7 @@ check(field.LookupTable == GetColorTransferFunction("Elevation"), "not ParaView'
 information = field.GetDataInformation().GetFieldDataInformation()
 check(information.GetNumberOfArrays() == 1, "no description")
 
-# Another lookup table, other colours.
+# Another lookup table gives other colours.
 table = GetColorTransferFunction("Elevation")
 table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0]
 red = fetch_array(field, "Color").astype(float)
@@ -26,7 +26,7 @@ check(hit.any() and blue[hit][:, 2].mean() > 20 * blue[hit][:, 0].mean() + 1, "n
 check(scene.GetDataInformation().GetFieldDataInformation().GetNumberOfArrays() == 0,
       "the material's input was changed")
 
-# A cube that is set, in both ways, and one that does not hold the scene.
+# A cube that is set in both ways, and one that does not contain the scene.
 field.AutomaticCube = 0
 view = make_view()
 
@@ -50,7 +50,7 @@ with Errors() as errors:
     field.UpdatePipeline()
 check(any("cube" in message.lower() for message in errors.messages), "a cube too small is taken")
 
-# Cancel: what was asked to stop leaves nothing, and works again later.
+# Cancel: a stopped filter leaves nothing, and works again later.
 field = bake(scene, Seed=1)
 algorithm = field.GetClientSideObject()
 steps = []

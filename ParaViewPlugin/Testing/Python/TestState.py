@@ -29,7 +29,7 @@ if step == "save":
     with open("trace.py", "w") as file:
         file.write(trace)
     take_picture(view, "traced.png")
-    # Traces have no property that a script sets; states have.
+    # Traces lack a property that a script sets; states have it.
     GetDisplayProperties(view=view).Exposure = 0.5
     take_picture(view, "saved.png")
     SaveState("state.pvsm")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Baking all that a view shows: colours, materials, lights, and no more than that."""
+"""Baking everything that a view shows: colours, materials, lights, and nothing else."""
 from cslfparaview import *
 
 view = make_view()
@@ -33,7 +33,7 @@ for channel in range(3):
     print(f"channel {channel}: {ratio:.2f}")
     check(0.5 < ratio < 1.6, f"channel {channel} of the baked view is {ratio} times the rendered")
 
-# It stays as it was until it is captured again; the active view stands for none.
+# It does not change until it is captured again. None means the active view.
 Show(hidden, view)
 Render(view)
 captured.UpdatePipeline()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the plugin share: a small scene, its light field, and pictures as arrays."""
+"""Code shared by the plugin's tests: a small scene, its light field, and pictures as arrays."""
 import math
 
 import numpy
@@ -27,7 +27,7 @@ def bake(source, **parameters):
 
 
 def make_view():
-    """A render view that shows nothing but what is put in it, on black."""
+    """A black render view without decorations."""
     return CreateRenderView(ViewSize=[SIZE, SIZE], OrientationAxesVisibility=0,
                             UseColorPaletteForBackground=0, Background=[0, 0, 0])
 
@@ -70,7 +70,7 @@ def psnr(a, b):
 
 
 def fetch_array(source, name):
-    """An array of the points of what a source makes."""
+    """An array of the points of a source's output."""
     source.UpdatePipeline()
     return vtk_to_numpy(servermanager.Fetch(source).GetPointData().GetArray(name))
 
@@ -82,7 +82,7 @@ def check(condition, message):
 
 
 class Errors:
-    """Collects error messages in place of printing them, which would fail the test."""
+    """Collects error messages instead of printing them, which would fail the test."""
 
     def __enter__(self):
         self.messages = []
