@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Runs an example: -DCOMMAND=<list> [-DPICTURE=<name> -DEXPECTED=<file> -DLEAST=<dB> -DCSLF=<tool>].
-# The picture that it writes must be like the one that was taken of the same example with more
-# viewpoints and texels: by the PSNR, which -DCSLF measures.
+# Its picture must be similar, by the PSNR that -DCSLF measures, to that of the same example with
+# more viewpoints and texels.
 cmake_policy(VERSION 3.22)
 if (PICTURE)
   file(REMOVE "${PICTURE}")

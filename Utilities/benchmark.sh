@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the benchmarks, on a bare Debian 12 too, runs them and prints one table of rates and
-# ratios. Where Embree's path tracer (package embree-tools) is installed, the same scenes are traced
-# by both in turn. Nothing else should run meanwhile.
+# Builds the benchmarks, also on a bare Debian 12, runs them and prints one table of rates and
+# ratios. If Embree's path tracer (package embree-tools) is installed, both trace the same scenes
+# alternately. Run nothing else at the same time.
 #
 # usage: benchmark.sh [MESH...]    meshes (.ply or .obj) to trace besides the Cornell box;
 #                                  the dragon of the tests by default
@@ -35,7 +35,7 @@ cslf="$build/bin/cslf"
   --benchmark_out="$folder/benchmarks.json" --benchmark_out_format=json "${meshes[@]}" \
   > "$folder/benchmarks.txt"
 
-# The tool's default camera of an OBJ file, for both: the eye and the point it looks at.
+# The tool's default camera of an OBJ file, for both: the eye and the focal point.
 find_camera()
 {
   awk '$1 == "v" {
@@ -56,9 +56,10 @@ find_camera()
     }' "$1"
 }
 
-# compare_with_peer NAME SCENE: million rays a second of both, a line a run, in NAME.rates. The OBJ
-# has no materials, so the peer sees white surfaces, and the tool is told to. The peer draws frames
-# of few samples, the first two not counted; the tool one picture of as many samples.
+# compare_with_peer NAME SCENE: million rays per second of both, one line per run, in NAME.rates.
+# The OBJ has no materials, so the peer uses white surfaces, and the tool is set to these. The peer
+# draws frames of few samples, without counting the first two; the tool draws one picture with as
+# many samples.
 compare_with_peer()
 {
   local name="$1" object="$folder/$1.obj" run rates

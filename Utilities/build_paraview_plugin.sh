@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the ParaView plugin, on a bare Debian too; afterwards `ctest --preset paraview` tests it.
-# With ParaView_DIR set to the CMake folder of a ParaView that is installed with its development
-# files, the plugin is built against that one, and Debian's is left alone.
+# Builds the ParaView plugin, also on a bare Debian. Test it with `ctest --preset paraview`. If
+# ParaView_DIR is the CMake folder of an installed ParaView with its development files, the plugin
+# is built for that one, and Debian's is not used.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

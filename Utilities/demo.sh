@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Shows CSLF from end to end, on a bare Debian too: samples the Cornell box and the Stanford
-# dragon into videos, decodes them, looks novel views up in every way and puts them beside
-# path-traced ones, with the figures. Fields that are there from an earlier run are used again.
+# Shows CSLF from end to end, also on a bare Debian: samples the Cornell box and the Stanford
+# dragon into videos, decodes them, draws novel views with every lookup and compares them with
+# path-traced ones. Fields from an earlier run are used again.
 #
-# usage: demo.sh [folder]    the results go to the folder, build/demo by default
+# usage: demo.sh [folder]    writes the results to the folder, build/demo by default
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -19,7 +19,7 @@ cslf_build cslf
 mkdir -p "$folder"
 cslf="$build/bin/cslf"
 
-# Windows need an X server, off the screen too.
+# Windows need an X server, also off screen.
 with_display()
 {
   xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" "$@"

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 
 IMAGES = pathlib.Path(__file__).resolve().parent.parent / "Documentation" / "images"
 INK, FAINT, ENTRY, EXIT, SCENE = "#222222", "#9aa0a6", "#1a6fb0", "#c4561b", "#4a8f4a"
-M, N = 5, 8  # viewpoints and texels along a side, in the pictures
+M, N = 5, 8  # viewpoints and texels along a side in the pictures
 
 # Documentation/Conventions.md, Faces: the point of each face at (sc, tc), and what they stand for.
 FACES = [
@@ -67,7 +67,7 @@ class Drawing:
 
 
 def draw_cube():
-    """A ray that enters by +Z at (u, v) and leaves by -Z at (s, t)."""
+    """A ray that enters through +Z at (u, v) and leaves through -Z at (s, t)."""
     drawing = Drawing("cube", 720, 430)
 
     def project(point):
@@ -189,7 +189,7 @@ def draw_tiles():
 
 
 def draw_lookups():
-    """What two neighbouring viewpoints contribute to a ray, without and with depth."""
+    """The contributions of two neighbouring viewpoints to a ray, without and with depth."""
     drawing = Drawing("lookups", 720, 360)
     for left, title, deep in ((20, "bilinear: both look at (s, t)", False),
                               (380, "depth: both look at what the ray meets", True)):

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the pictures of the examples, Documentation/images/example-*.png, from those in Python, with
-# the sizes that they have by themselves or larger ones. Needs the built preset "release".
+# Makes the pictures of the examples, Documentation/images/example-*.png, with the Python examples,
+# in their default sizes or larger ones. Needs the built preset "release".
 #
 # usage: example_pictures.sh [example...]    names of scripts without .py; all by default
 set -euo pipefail

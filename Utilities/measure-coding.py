@@ -33,7 +33,7 @@ PEERS = {
     "raster": "",
     "serpentine": ":psy-rd=0:psy-rdoq=0:aq-mode=0",
 }
-SLAB = 64  # viewpoints that are read at once
+SLAB = 64  # viewpoints read at once
 TO_VIDEO = "zscale=matrixin=gbr:rangein=full:matrix=709:range=full,format=yuv444p"
 TO_COLOR = "zscale=matrixin=709:rangein=full:matrix=gbr:range=full,format=gbrp,format=rgb24"
 
@@ -55,7 +55,7 @@ def read_colors(field, path):
 
 
 def order_views(name, views):
-    """The viewpoints (z) in the order of a peer."""
+    """The viewpoints (z) in the order used for other encoders."""
     side = round((views / 6)**0.5)
     order = numpy.arange(views).reshape(6, side, side)
     if name == "serpentine":
@@ -78,7 +78,7 @@ def code(colors, order, options, crf, path):
 
 
 def compute_psnr(colors, order, path):
-    """How far the colours of a stream are from those that were coded, in dB."""
+    """The PSNR of the colours of a stream, in dB."""
     views, height, width, _ = colors.shape
     command = ["ffmpeg", "-v", "error", "-i", path, "-vf", TO_COLOR, "-f", "rawvideo", "-"]
     squares = 0
@@ -105,7 +105,7 @@ def measure_encoder(field, crf, folder):
     encoder.SetInputConnection(decoder.GetOutputPort())
     encoder.SetFileName(path)
     encoder.SetCRF(crf)
-    encoder.SetDepthCRF(51)  # of which nothing is measured
+    encoder.SetDepthCRF(51)  # not measured
     if not encoder.Write():
         raise SystemExit("The encoder could not write " + path)
     result = vtkCSLFDecoder()
@@ -115,7 +115,7 @@ def measure_encoder(field, crf, folder):
 
 
 def compute_delta_rate(reference, tested):
-    """By what part of the reference's bytes those of the tested curve differ at equal PSNR."""
+    """The relative difference of the tested curve's bytes from the reference's at equal PSNR."""
     curves = []
     for curve in (reference, tested):
         rates, psnr = numpy.array(curve).T

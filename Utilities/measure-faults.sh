@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Writes every kind of output while each single call to the file system fails in turn, and while the
-# process is killed at random times; each time the next run must give the right bytes. Prints how
-# many failures of which kind there were, and the seconds. Takes about a quarter of an hour.
+# process is killed at random times. Each time the next run must write the right bytes. Prints the
+# number of failures of each kind, and the seconds. Takes about a quarter of an hour.
 #
 # usage: measure-faults.sh BUILD FOLDER [ARGUMENT...]
 #   BUILD        the build folder, with tests
-#   FOLDER       to work in, emptied first
+#   FOLDER       working folder, emptied first
 #   ARGUMENT...  for Testing/Faults/run_faults.py, such as --kills 1000 --seed 2
 set -euo pipefail
 

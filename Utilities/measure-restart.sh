@@ -2,13 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Kills runs of the cslf tool at random moments, starts each again, and compares what comes out with
+# Kills runs of the cslf tool at random moments, restarts each, and compares the result with that of
 # an uninterrupted run.
 #
 # usage: measure-restart.sh CSLF KILLS FOLDER ARGUMENT...
 #   CSLF         the tool
-#   KILLS        how many runs are killed, each once
-#   FOLDER       to work in
+#   KILLS        the number of runs to kill, each once
+#   FOLDER       working folder
 #   ARGUMENT...  the command whose output is written, without -o, for instance
 #                sample cornell-box -M 9 -N 64 --spp 64
 # CSLF_SEED seeds the random moments (default 1), CSLF_EXTENSION names the container (default mp4).
@@ -45,11 +45,11 @@ for ((kill = 1; kill <= kills; ++kill)); do
   sleep "$((moment / 1000)).$(printf '%03d' "$((moment % 1000))")"
   builtin kill -KILL "$process" 2> /dev/null || true
   wait "$process" 2> /dev/null || true
-  # Killed so late that it was done already, it tells nothing about restarts but harms nothing.
+  # A run that was killed too late had finished. It tests nothing, but does no harm.
   if [ ! -e "$file" ]; then
     interrupted="$((interrupted + 1))"
   fi
-  # A run that is killed at once leaves no folder to look into.
+  # A run that is killed at once leaves no folder.
   parts="$( (find "$file.partial" -name '*.part' 2> /dev/null || true) | wc -l)"
   begin="$(milliseconds)"
   "$cslf" "$@" -o "$file" > "$folder/log.txt" 2> "$folder/errors.txt"

@@ -29,7 +29,7 @@ ROLES = ("color", "coverage", "depth", "depth-high", "depth-low")
 
 
 class Fault(Exception):
-    """What is wrong with a file."""
+    """An error in a file."""
 
 
 def require(condition, fault):
@@ -38,7 +38,7 @@ def require(condition, fault):
 
 
 def run(*command):
-    """What one of FFmpeg's commands writes."""
+    """The output of one of FFmpeg's commands."""
     result = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=False)
     require(result.returncode == 0, command[0] + " fails")
     return result.stdout
@@ -104,7 +104,7 @@ def read_header(tags):
 
 
 def read_parts(header, tags):
-    """What a file carries besides: (type, name, bytes), without what is damaged."""
+    """The other parts of a file: (type, name, bytes), without damaged ones."""
     places, parts = {}, []
     for part in header.get("parts", []):
         size = (part["bytes"] + 2) // 3 * 4
@@ -138,7 +138,7 @@ def split_units(stream):
 
 
 def split_open_units(stream):
-    """Type and payload of AV1's open bitstream units, all of which have their sizes."""
+    """Type and payload of AV1's open bitstream units, all of which state their sizes."""
     place = 0
     while place < len(stream):
         kind = stream[place] >> 3 & 15
@@ -156,7 +156,7 @@ def split_open_units(stream):
 
 
 def list_parts(codec, stream):
-    """What checksums are of: ("sets", bytes), ("frame", bytes) at each first, ("more", bytes)."""
+    """The data of checksums: ("sets", bytes), ("frame", bytes) for first units, ("more", bytes)."""
     if codec == "av1":
         is_first = True
         for kind, payload in split_open_units(stream):
@@ -181,7 +181,7 @@ def list_parts(codec, stream):
 def check_track(path, index, track, groups):
     """Compares the checksums of parameter sets and groups with the header's."""
     codec = track["codec"]
-    # FFmpeg leaves the filter out where the first unit's length looks like a start code.
+    # FFmpeg omits the filter if the first unit's length looks like a start code.
     options = [] if codec == "av1" else ["-bsf:v", codec + "_mp4toannexb"]
     stream = run("ffmpeg", "-v", "error", "-i", path, "-map", "0:%d" % index, "-c", "copy",
                  *options, "-f", "obu" if codec == "av1" else codec, "-")
@@ -205,7 +205,7 @@ def check_track(path, index, track, groups):
 
 
 def read_planes(path, stream, size, count):
-    """Luma, or green, and the other planes of all frames of a stream."""
+    """Luma or green, and the other planes, of all frames of a stream."""
     columns, rows = TILES * size, size
     times = stream["times"]
     numbers = [round((time - times[0]) * FRAME_RATE) for time in times]
@@ -239,7 +239,7 @@ def nearest(numbers):
 
 
 def spread(plane, track, size):
-    """Chroma of fewer samples at full resolution, 16 times as large."""
+    """Subsampled chroma at full resolution, with samples 16 times as large."""
     views, rows, columns = plane.shape
     if rows < size:
         row = numpy.arange(size)
@@ -349,7 +349,7 @@ def make_texels(tracks, planes, size, slices):
         depth = 256 * planes["depth-high"][0] + planes["depth-low"][0]
     if depth is not None:
         texels["Depth"] = numpy.where(coverage == 0, FAR, depth).astype(numpy.uint16)
-    # From the order of the frames to that of the viewpoints.
+    # Converts the order of the frames to that of the viewpoints.
     places = numpy.argsort(slices)
     return {name: array[places] for name, array in texels.items()}
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes what ParaView's window shows in a picture; run inside ParaView by screenshot_paraview.sh."""
+"""Sets up ParaView's window for a picture. screenshot_paraview.sh runs this inside ParaView."""
 import os
 from pathlib import Path
 from paraview.simple import *

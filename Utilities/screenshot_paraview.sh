@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the pictures of Documentation/ParaView.md: starts ParaView off the screen, with the plugin
-# that build_paraview_plugin.sh has built, and takes pictures of its window.
+# Makes the pictures of Documentation/ParaView.md: starts ParaView off screen, with the plugin built
+# by build_paraview_plugin.sh, and takes pictures of its window.
 #
 # usage: screenshot_paraview.sh [picture...]    all by default: sampler field save open reader
 set -euo pipefail
@@ -11,9 +11,9 @@ set -euo pipefail
 
 images="$source/Documentation/images"
 state="$source/build/screenshots"
-folder="/tmp/CSLF" # it is seen in a dialog
+folder="/tmp/CSLF" # visible in a dialog
 
-# What the keyboard and the mouse do; positions are those of a window of 1280 x 960.
+# Keyboard and mouse actions. Positions are those in a window of 1280 x 960.
 drag()
 {
   xdotool mousemove "$1" "$2" sleep 1 mousedown 1 sleep 1 \
@@ -32,7 +32,7 @@ wait_for_window()
   sleep 5
 }
 
-# The panels are made wider and higher than they are at first.
+# Makes the panels wider and higher than by default.
 arrange_window()
 {
   local window
@@ -64,7 +64,7 @@ open_dialog()
   esac
 }
 
-# take PICTURE: runs inside of an X server. The Python script makes what is in the window.
+# take PICTURE: runs in an X server. The Python script sets up the window.
 take()
 {
   local paraview

@@ -10,7 +10,7 @@
 source="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build="$source/build/release"
 
-# What the library, the tool, the Python package and the tests are built from.
+# The dependencies of the library, the tool, the Python package and the tests.
 cslf_packages=(
   cmake g++ ninja-build pkg-config
   libvtk9-dev libpython3-dev python3 python3-vtk9

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds everything and runs all tests, on a bare Debian too. The arguments go to ctest, for
-# instance `-R Decoder`. The last line tells how many tests passed and failed.
+# Builds everything and runs all tests, also on a bare Debian. The arguments go to ctest, for
+# instance `-R Decoder`. The last line says how many tests passed and failed.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -13,7 +13,8 @@ cslf_build
 report="$build/Testing/report.xml"
 rm -f "$report"
 status=0
-# A server that begins anew when its last client goes would turn away one that comes just then.
+# A server that restarts when its last client leaves would refuse a client that comes at that
+# moment.
 (cd "$source" && xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   ctest --preset release --parallel 2 --output-junit "$report" "$@") || status=$?
 

@@ -57,7 +57,7 @@ log="$folder/$system-$job.log"
 mkdir -p "$packages/partial"
 
 if [ ! -e "$root.bare" ]; then
-  # An older debootstrap does not know a newer testing; it is made as unstable is.
+  # An older debootstrap does not know a newer testing, which is installed like unstable.
   script=/usr/share/debootstrap/scripts
   [ -e "$script/$system" ] && script="$script/$system" || script="$script/sid"
   rm -rf --one-file-system "$root.making"
@@ -69,11 +69,11 @@ fi
 rm -rf --one-file-system "$root"
 cp --archive "$root.bare" "$root"
 cp /etc/resolv.conf "$root/etc/"
-# The proxy and the like that this machine needs.
+# The proxy settings and the like of this machine.
 apt-config dump Acquire >"$root/etc/apt/apt.conf.d/10acquire"
-# The system is thrown away, so packages need not be safe from a power cut.
+# The system is temporary, so packages need not be safe from a power cut.
 echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
-# No service is started in the system.
+# No services are started in the system.
 printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d"
 chmod +x "$root/usr/sbin/policy-rc.d"
 mkdir -p "$root/cslf"

@@ -2,9 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Draws small scenes as VTK's window shows them beside their bakes, with the differences, on one
-# sheet: Documentation/images/window-and-bake.png, or the file that is named. Needs the built preset
-# "release".
+# Draws small scenes in VTK's window next to their bakes, with the differences, on one sheet:
+# Documentation/images/window-and-bake.png, or the given file. Needs the built preset "release".
 #
 # usage: window_and_bake_sheet.sh [file.png]
 set -euo pipefail

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the examples have in common: sizes from the command line, actors, and saving a picture.
+// Code shared by the examples: sizes from the command line, actors, and saving a picture.
 #ifndef Example_h
 #define Example_h
 
@@ -30,7 +30,7 @@ inline void SetSizes(
   sampler->SetSamples(argc > 3 ? std::atoi(argv[3]) : 16);
 }
 
-/// An actor of the light field that a filter, source or reader makes.
+/// An actor of the light field from a filter, source or reader.
 inline vtkSmartPointer<vtkActor> MakeFieldActor(vtkAlgorithm* algorithm)
 {
   vtkNew<vtkCSLFMapper> mapper;
@@ -50,7 +50,7 @@ inline vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithm* algorithm)
   return actor;
 }
 
-/// Draws a window and writes what it shows as PNG. Returns the exit code of a program.
+/// Draws a window and writes its picture as PNG. Returns the exit code of a program.
 inline int SavePicture(vtkRenderWindow* window, const char* fileName)
 {
   vtkNew<vtkWindowToImageFilter> picture;

@@ -122,7 +122,7 @@ int main(int argc, char* argv[])
   vtkCSLFLight::SetEnvironmentImage(scene, MakeSurroundings(), up, right);
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputData(scene);
-  sampler->SetCacheSamples(128); // of light that varies little, few do
+  sampler->SetCacheSamples(128); // few are enough for smooth light
   example::SetSizes(sampler, argc, argv);
 
   vtkNew<vtkRenderer> renderer;

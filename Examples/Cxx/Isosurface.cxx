@@ -58,7 +58,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(surface->GetOutputPort());
   sampler->SetLookupTable(colors);
-  sampler->SetCacheSamples(256); // of light that varies little, few do
+  sampler->SetCacheSamples(256); // few are enough for smooth light
   sampler->SetEnvironmentModeToGradient();
   sampler->SetEnvironmentUp(0.0, 0.0, 1.0);
   example::SetSizes(sampler, argc, argv);

@@ -82,7 +82,7 @@ int main(int argc, char* argv[])
     std::cerr << "Not even one sample for each texel fits.\n";
     return EXIT_FAILURE;
   }
-  sampler->SetSamples(std::min(sampler->GetSamples(), 64)); // in this scene more are not seen
+  sampler->SetSamples(std::min(sampler->GetSamples(), 64)); // more make no visible difference
   std::cout << sampler->GetSamples() << " samples, in at most " << estimator->GetSeconds()
             << " s: " << estimator->GetBytes() / 1e3 << " kB\n";
 

@@ -67,7 +67,7 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     camera.SetPosition(*position)
     camera.SetFocalPoint(*(center if focal_point is None else focal_point))
     camera.SetViewUp(*view_up)
-    camera.SetViewAngle(40.0)  # as the tool's
+    camera.SetViewAngle(40.0)  # the same as the tool's
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()

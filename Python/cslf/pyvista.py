@@ -70,7 +70,7 @@ class PlotterComponent:
         fails.
         """
         plotter = self._plotter
-        # PyVista sets the camera when it first shows the window; lights may hang on the camera.
+        # PyVista sets the camera when it first shows the window. Lights may depend on the camera.
         if not getattr(plotter.renderer, "camera_set", True):
             plotter.view_isometric()
         sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
@@ -112,7 +112,7 @@ class PlotterComponent:
 
 
 def _register():
-    """By PyVista's own registry since 0.48, by an attribute of the same name before."""
+    """Uses PyVista's own registry since 0.48, and an attribute of the same name before."""
     if hasattr(pyvista, "register_plotter_component"):
         pyvista.register_plotter_component("cslf")(PlotterComponent)
     else:
