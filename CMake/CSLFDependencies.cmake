@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Everything CSLF is built from, found in one place.
+# Finds all dependencies of CSLF.
 
-# ParaView brings its own VTK, which has to be found before any other.
+# ParaView has its own VTK, which must be found before any other.
 if (CSLF_BUILD_PARAVIEW_PLUGIN)
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
 endif ()
@@ -41,7 +41,7 @@ find_package(VTK 9.1 REQUIRED
   OPTIONAL_COMPONENTS opengl glew glad ParallelMPI DomainsChemistry DomainsChemistryOpenGL2
     RenderingLOD CommonImplicitArrays)
 
-# Up to VTK 9.3 a build for X aborts the process where there is no X server.
+# Up to VTK 9.3, a build for X aborts the process if there is no X server.
 set(cslf_vtk_needs_x_server OFF)
 if (VTK_VERSION VERSION_LESS 9.4 AND UNIX AND NOT APPLE)
   set(cslf_vtk_needs_x_server ON)
@@ -60,5 +60,5 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET
   libavformat libavcodec libavutil)
-# Not by its own CMake files: Debian's want the tools and the headers of an OpenCV installed.
+# Not by OpenImageIO's own CMake files: Debian's need the tools and the headers of an OpenCV.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)

@@ -3,7 +3,7 @@
 
 # CSLFConfig.cmake for the build and the install tree.
 include(CMakePackageConfigHelpers)
-# What the headers need, and those of the library's own modules that have dependencies to be found.
+# Dependencies of the headers and of those library modules that have dependencies to be found.
 string(JOIN " " cslf_package_vtk_components
   CommonCore CommonDataModel CommonExecutionModel
   FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The Debian package: `cpack -G DEB` in the build folder makes cslf_VERSION_ARCHITECTURE.deb, with
-# library, headers, CMake package, tool and Python package. Whoever gives it to others adds
+# library, headers, CMake package, tool and Python package. To distribute it, add
 # `-D CPACK_PACKAGE_CONTACT="NAME <ADDRESS>"`.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME cslf)
@@ -20,7 +20,7 @@ set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/stage.cmake")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/triggers")
-# What the files are linked with, by dpkg-shlibdeps.
+# The libraries that the files link to, found by dpkg-shlibdeps.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 if (CSLF_WRAP_PYTHON)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Run by CPack before it makes the Debian package: adds what only that has. Debian's policy wants a
-# changelog and the licence, both below share/doc.
+# CPack runs this before it makes the Debian package, to add files for Debian only. Debian's policy
+# requires a changelog and the licence below share/doc.
 set(root "${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}/share")
 set(doc "${root}/doc/${CPACK_PACKAGE_NAME}")
 file(READ "${CMAKE_CURRENT_LIST_DIR}/copyright" copyright)
