@@ -145,7 +145,7 @@ int vtkCSLFSampler::RequestData(
     return 0;
   }
 
-  // Allocate the slices asked for.
+  // Allocate the requested slices.
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   const int slices[2] = { extent[4], extent[5] };

@@ -127,7 +127,7 @@ private:
   int Slots = 0;
   std::array<FaceState, FaceCount> Faces;
   std::vector<BlockOwner> Owners; ///< of each block
-  std::vector<Sight> Sights;      ///< the points that were looked at
+  std::vector<Sight> Sights;      ///< the focal points of the cameras
 };
 }
 

@@ -12,8 +12,8 @@ from vtkmodules.vtkParallelMPI import vtkMPIController
 controller = vtkMPIController()
 controller.Initialize()
 vtkMultiProcessController.SetGlobalController(controller)
-# What is made from here on shares its work by that controller. Every process builds the same
-# pipeline, and is asked for a part of the field's viewpoints.
+# Objects made from here on share their work by this controller. Every process builds the same
+# pipeline, and makes a part of the field's viewpoints.
 box, sampler = cslf.vtkCSLFCornellBoxSource(), cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
 sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 9)

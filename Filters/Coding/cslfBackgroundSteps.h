@@ -3,7 +3,7 @@
 /**
  * @file
  * Work done in the background by threads that the whole process shares. They have a low priority,
- * so that drawing goes on while viewpoints are decoded.
+ * so that drawing continues while viewpoints are decoded.
  */
 #ifndef cslfBackgroundSteps_h
 #define cslfBackgroundSteps_h

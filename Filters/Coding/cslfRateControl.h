@@ -41,7 +41,7 @@ VTKCSLF_EXPORT RateTarget MakeRateTarget(double ratio, double bytes, double psnr
 /// What is wrong with a target, in a sentence. Empty if nothing is.
 std::string FindFault(const RateTarget& target, bool isLossless);
 
-/// What is to be coded.
+/// The field to be coded.
 struct RateField
 {
   std::vector<int> Frames;  ///< of each group

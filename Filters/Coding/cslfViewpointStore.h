@@ -91,7 +91,7 @@ private:
   BackgroundSteps Steps;
 };
 
-/// Where a viewpoint's samples are.
+/// The place of a viewpoint's samples.
 Slice ToSlice(const DecodedViewpoint& viewpoint);
 }
 

@@ -29,7 +29,7 @@ namespace
 using cslf::testing::FieldSource;
 using cslf::testing::ReadBytes;
 
-/// What all the tests use.
+/// Common data of all tests.
 struct Setting
 {
   vtkMultiProcessController* Controller;
@@ -44,7 +44,7 @@ struct Setting
     return (this->GetRank() == 0 ? this->Folder : "/no/such/folder") + "/field.mp4";
   }
 
-  /// Removes what a failed run has kept, before any rank goes on.
+  /// Removes what a failed run has kept, before any rank continues.
   void Clear() const
   {
     if (this->GetRank() == 0)
@@ -103,7 +103,7 @@ void TestBytes(const Setting& setting)
   Set(setting, encoder);
   CSLF_CHECK(encoder->Write() == 1);
   CSLF_CHECK(encoder->GetErrorCode() == vtkErrorCode::NoError);
-  // Every rank pulls the first viewpoint to know the field; all are pulled once.
+  // Every rank pulls the first viewpoint to learn the field; all are pulled once.
   const int slices = setting.Field->GetExtent()[5] + 1;
   const int all = setting.Sum(source->Slices);
   CSLF_CHECK(all >= slices && all <= slices + setting.Controller->GetNumberOfProcesses());

@@ -58,7 +58,7 @@ inline Estimate Trace(const Scene& scene, const Ray& ray, const PathSettings& se
   const Hit hit = scene.Intersect(ray);
   CSLF_CHECK(hit.IsValid());
   Estimate estimate;
-  constexpr int groups = 16; // each a sequence of its own
+  constexpr int groups = 16; // independent sequences
   double squares = 0.0;
   std::uint64_t rays = 0;
   for (int group = 0; group < groups && hit.IsValid(); ++group)

@@ -96,8 +96,8 @@ public:
       : nullptr;
   }
 
-  /// What the specular lobe of a dielectric reflects, given its albedo. False if its displayed
-  /// error, in addition to diffuse light, may exceed this many tolerances.
+  /// The light reflected by the specular lobe of a dielectric, given its albedo. False if its
+  /// displayed error, in addition to diffuse light, may exceed this many tolerances.
   bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
     const glm::vec3& outgoing, float albedo, float tolerances, glm::vec3& reflected) const;
 
