@@ -212,9 +212,11 @@ public:
     this->File.read(this->Begin.data(), static_cast<std::streamsize>(this->Begin.size()));
   }
 
-  void Check()
+  /// Returns whether the file is a text file.
+  bool Check()
   {
-    if (this->IsText())
+    const bool isText = this->IsText();
+    if (isText)
     {
       this->CheckLetters();
       this->CheckText();
@@ -223,6 +225,7 @@ public:
     {
       this->CheckBinary();
     }
+    return isText;
   }
 
 private:
@@ -535,9 +538,9 @@ void CheckOBJ(const std::string& fileName)
   OBJChecker(fileName).Check();
 }
 
-void CheckSTL(const std::string& fileName)
+bool CheckSTL(const std::string& fileName)
 {
-  STLChecker(fileName).Check();
+  return STLChecker(fileName).Check();
 }
 
 void CheckVTKXML(const std::string& fileName)

@@ -18,8 +18,8 @@ namespace tool
 void CheckOBJ(const std::string& fileName);
 
 /// Throws a Failure if an STL file has fewer triangles than its header declares, or if its last
-/// solid has no end.
-void CheckSTL(const std::string& fileName);
+/// solid has no end. Returns whether it is a text file.
+bool CheckSTL(const std::string& fileName);
 
 /// Throws a Failure if an XML file of VTK, or a file that it refers to, declares more data than the
 /// file can hold.

@@ -10,6 +10,7 @@
 #include "cslfJSONText.h"
 #include "cslfNumberChecks.h"
 #include "cslfSoundPolyData.h"
+#include "cslfVTKCompatibility.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
@@ -71,11 +72,20 @@ Part ReadChecked(const std::string& fileName)
   return ReadWith<Reader>(fileName);
 }
 
+Part ReadSTL(const std::string& fileName)
+{
+  const bool isText = CheckSTL(fileName);
+  vtkNew<vtkSTLReader> reader;
+  SetSTLFile(reader.Get(), ToPath(fileName), isText);
+  reader->Update();
+  return reader->GetOutput();
+}
+
 const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders()
 {
   static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
     { ".ply", ReadPLY },
-    { ".stl", ReadChecked<vtkSTLReader, CheckSTL> },
+    { ".stl", ReadSTL },
     { ".obj", ReadChecked<vtkOBJReader, CheckOBJ> },
     { ".vtp", ReadChecked<vtkXMLPolyDataReader, CheckVTKXML> },
     { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader, CheckVTKXML> },

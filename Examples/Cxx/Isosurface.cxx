@@ -21,6 +21,7 @@
 #include <vtkRTAnalyticSource.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkTextProperty.h>
 
 int main(int argc, char* argv[])
 {
@@ -90,6 +91,14 @@ int main(int argc, char* argv[])
   axes->XAxisMinorTickVisibilityOff();
   axes->YAxisMinorTickVisibilityOff();
   axes->ZAxisMinorTickVisibilityOff();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (vtkTextProperty* text :
+      { axes->GetTitleTextProperty(axis), axes->GetLabelTextProperty(axis) })
+    {
+      text->SetFontSize(12);
+    }
+  }
   renderer->AddViewProp(axes);
 
   vtkCamera* camera = renderer->GetActiveCamera();

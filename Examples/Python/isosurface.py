@@ -79,6 +79,9 @@ axes.SetFlyModeToOuterEdges()
 axes.XAxisMinorTickVisibilityOff()
 axes.YAxisMinorTickVisibilityOff()
 axes.ZAxisMinorTickVisibilityOff()
+for axis in range(3):
+    for text in (axes.GetTitleTextProperty(axis), axes.GetLabelTextProperty(axis)):
+        text.SetFontSize(12)
 for prop in (field, outline, axes, bar):
     renderer.AddViewProp(prop)
 camera = renderer.GetActiveCamera()

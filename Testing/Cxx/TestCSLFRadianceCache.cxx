@@ -205,7 +205,6 @@ void TestDepths()
   CSLF_CHECK(comparison.Cached->GetNumberOfCachePoints() == points);
 }
 
-/// Surfaces that shine, glossy ones and mirrors beside diffuse ones.
 /// No light is gathered on surfaces that only shine.
 void TestBlack()
 {
@@ -227,6 +226,7 @@ void TestBlack()
   CSLF_CHECK(rays[1] < rays[0] / 10);
 }
 
+/// Diffuse, glossy and mirror surfaces.
 void TestMaterials()
 {
   for (const double metallic : { 0.0, 0.5, 1.0 })
@@ -240,9 +240,11 @@ void TestMaterials()
       vtkCSLFMaterial::SetMetallic(block, metallic);
       vtkCSLFMaterial::SetRoughness(block, roughness);
       Comparison comparison(box->GetOutput(), 0.4, 0.2, 4.0);
+      // With 256 samples, most of the difference would be noise of the reference.
+      comparison.Reference->SetSamples(1024);
       std::cout << "metallic " << metallic << ", roughness " << roughness << ": "
                 << comparison.GetPSNR() << " dB\n";
-      CSLF_CHECK(comparison.GetPSNR() > 36.0);
+      CSLF_CHECK(comparison.GetPSNR() > 38.0);
     }
   }
 }
