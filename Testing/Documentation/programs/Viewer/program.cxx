@@ -29,7 +29,7 @@ int main()
   const vtkIdType z = 0;
   needed->InsertNextValue(z);
   {
-    @BLOCK_1 @
+@BLOCK_1@
   }
   decoder->WaitForPrefetch();
   if (!decoder->IsViewpointReady(z))
@@ -48,10 +48,11 @@ int main()
   window->AddRenderer(renderer);
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
-  @BLOCK_4 @window->Render();
-  @BLOCK_3 @ const auto start = std::chrono::steady_clock::now();
-  while (
-    !mapper->IsComplete() && std::chrono::steady_clock::now() - start < std::chrono::minutes(1))
+@BLOCK_4@
+  window->Render();
+@BLOCK_3@
+  const auto start = std::chrono::steady_clock::now();
+  while (!mapper->IsComplete() && std::chrono::steady_clock::now() - start < std::chrono::minutes(1))
   {
     interactor->ProcessEvents();
   }
