@@ -30,8 +30,7 @@ public:
   struct Verdict
   {
     int Failed = -1; ///< the lowest rank with an error, or -1
-    bool Differs =
-      false; ///< rank 0: there is no error, except that the ranks differ in what they should share
+    bool Differs = false; ///< rank 0: no error, but the ranks' `shared` differ
     int Told = 0; ///< the number given by rank 0
   };
 

@@ -26,8 +26,7 @@ struct EncodeSettings
   int GroupLength = MaximumGroupLength;
   bool Lossless = false;
   RateTarget Target{}; ///< replaces CRF, unless its kind is Factor
-  int KeyViewStep =
-    1; ///< see KeyViews; 0 for the step that reaches NovelViewPSNR, see ChooseKeyViews
+  int KeyViewStep = 1; ///< see KeyViews; 0: found for NovelViewPSNR, see ChooseKeyViews
   double NovelViewPSNR = 0.0;
   std::string Codec = "hevc";
 };
