@@ -29,9 +29,9 @@ public:
   /// The state of the ranks.
   struct Verdict
   {
-    int Failed = -1; ///< the lowest rank with an error, or -1
+    int Failed = -1;      ///< the lowest rank with an error, or -1
     bool Differs = false; ///< rank 0: no error, but the ranks' `shared` differ
-    int Told = 0; ///< the number given by rank 0
+    int Told = 0;         ///< the number given by rank 0
   };
 
   /// Does tasks and appends the results to the buffer. False on failure.
