@@ -132,7 +132,7 @@ void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
   vtkCSLFMaterial::SetMetallic(data, look.GetMetallic());
   vtkCSLFMaterial::SetRoughness(data, look.GetRoughness());
   vtkCSLFMaterial::SetIndexOfRefraction(data, look.GetIndexOfRefraction());
-  vtkCSLFMaterial::SetNormalScale(data, NormalScale.Default);
+  vtkCSLFMaterial::SetNormalScale(data, Parameters[NormalScale].Default);
   for (int slot = 0; IsSlot(slot); ++slot)
   {
     RemoveTexture(data, slot);
@@ -185,12 +185,13 @@ int FindWrap(vtkTexture* texture)
   }
 }
 
-void Set(vtkDataObject* data, const Parameter& parameter, const double* values)
+void Set(vtkDataObject* data, ParameterIndex index, const double* values)
 {
   if (!data)
   {
     return;
   }
+  const Parameter& parameter = Parameters[index];
   vtkNew<vtkDoubleArray> array;
   array->SetName(parameter.Name);
   array->SetNumberOfComponents(parameter.Components);
@@ -211,8 +212,9 @@ vtkDataArray* Find(vtkDataObject* data, const Parameter& parameter)
     : nullptr;
 }
 
-void Get(vtkDataObject* data, const Parameter& parameter, double* values)
+void Get(vtkDataObject* data, ParameterIndex index, double* values)
 {
+  const Parameter& parameter = Parameters[index];
   vtkDataArray* array = Find(data, parameter);
   for (int i = 0; i < parameter.Components; ++i)
   {
@@ -220,10 +222,10 @@ void Get(vtkDataObject* data, const Parameter& parameter, double* values)
   }
 }
 
-double Get(vtkDataObject* data, const Parameter& parameter)
+double Get(vtkDataObject* data, ParameterIndex index)
 {
-  double value = parameter.Default;
-  Get(data, parameter, &value);
+  double value = 0.0;
+  Get(data, index, &value);
   return value;
 }
 }
@@ -234,10 +236,10 @@ void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property
   {
     return;
   }
-  SetTransmission(data, Transmission.Default);
+  SetTransmission(data, Parameters[Transmission].Default);
   SetThinWalled(data, false);
   SetOpacity(data, property->GetOpacity());
-  SetOpacityCutoff(data, OpacityCutoff.Default);
+  SetOpacityCutoff(data, Parameters[OpacityCutoff].Default);
   SetVisibleSides(data, FindVisibleSides(property));
   if (property->GetInterpolation() == VTK_PBR && property->GetLighting())
   {

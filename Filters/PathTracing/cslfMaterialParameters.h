@@ -10,6 +10,7 @@
 #include "vtkCSLFMaterial.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace cslf
 {
@@ -27,27 +28,44 @@ struct Parameter
 
 // The tracer computes in floats.
 inline constexpr double Unlimited = 1e30;
-inline const Parameter BaseColor = { vtkCSLFMaterial::BaseColorName(), 3, 0.8, 0.0, 1.0 };
-inline const Parameter Metallic = { vtkCSLFMaterial::MetallicName(), 1, 0.0, 0.0, 1.0 };
-inline const Parameter Roughness = { vtkCSLFMaterial::RoughnessName(), 1, 1.0, 0.0, 1.0 };
-inline const Parameter Emission = { vtkCSLFMaterial::EmissionName(), 3, 0.0, 0.0, Unlimited };
-inline const Parameter IndexOfRefraction = { vtkCSLFMaterial::IndexOfRefractionName(), 1, 1.0, 1.0,
-  Unlimited };
-inline const Parameter Transmission = { vtkCSLFMaterial::TransmissionName(), 1, 0.0, 0.0, 1.0 };
-inline const Parameter ThinWalled = { vtkCSLFMaterial::ThinWalledName(), 1, 0.0, 0.0, 1.0 };
-inline const Parameter Opacity = { vtkCSLFMaterial::OpacityName(), 1, 1.0, 0.0, 1.0 };
-inline const Parameter OpacityCutoff = { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 0.0, 1.0 };
-inline const Parameter VisibleSides = { vtkCSLFMaterial::VisibleSidesName(), 1,
-  vtkCSLFMaterial::BothSides, vtkCSLFMaterial::BothSides, vtkCSLFMaterial::BackSide };
-inline const Parameter NormalScale = { vtkCSLFMaterial::NormalScaleName(), 1, 1.0, -Unlimited,
-  Unlimited };
-inline const Parameter LineRadius = { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited };
-inline const Parameter PointRadius = { vtkCSLFMaterial::PointRadiusName(), 1, 0.0, 0.0, Unlimited };
-inline const Parameter DisplayedWhite = { vtkCSLFMaterial::DisplayedWhiteName(), 3, 0.0, 0.0,
-  Unlimited };
-inline const Parameter Parameters[] = { BaseColor, Metallic, Roughness, Emission, IndexOfRefraction,
-  Transmission, ThinWalled, Opacity, OpacityCutoff, VisibleSides, NormalScale, LineRadius,
-  PointRadius, DisplayedWhite };
+/// Each parameter's row in the table.
+enum ParameterIndex
+{
+  BaseColor,
+  Metallic,
+  Roughness,
+  Emission,
+  IndexOfRefraction,
+  Transmission,
+  ThinWalled,
+  Opacity,
+  OpacityCutoff,
+  VisibleSides,
+  NormalScale,
+  LineRadius,
+  PointRadius,
+  DisplayedWhite,
+  NumberOfParameters
+};
+
+inline const Parameter Parameters[] = {
+  { vtkCSLFMaterial::BaseColorName(), 3, 0.8, 0.0, 1.0 },
+  { vtkCSLFMaterial::MetallicName(), 1, 0.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::RoughnessName(), 1, 1.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::EmissionName(), 3, 0.0, 0.0, Unlimited },
+  { vtkCSLFMaterial::IndexOfRefractionName(), 1, 1.0, 1.0, Unlimited },
+  { vtkCSLFMaterial::TransmissionName(), 1, 0.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::ThinWalledName(), 1, 0.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::OpacityName(), 1, 1.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::VisibleSidesName(), 1, vtkCSLFMaterial::BothSides, vtkCSLFMaterial::BothSides,
+    vtkCSLFMaterial::BackSide },
+  { vtkCSLFMaterial::NormalScaleName(), 1, 1.0, -Unlimited, Unlimited },
+  { vtkCSLFMaterial::LineRadiusName(), 1, 0.0, 0.0, Unlimited },
+  { vtkCSLFMaterial::PointRadiusName(), 1, 0.0, 0.0, Unlimited },
+  { vtkCSLFMaterial::DisplayedWhiteName(), 3, 0.0, 0.0, Unlimited },
+};
+static_assert(std::size(Parameters) == NumberOfParameters, "each parameter needs a row");
 
 /// The value that is used: clamped to the range, and the default for NaN.
 inline double Clamp(const Parameter& parameter, double value)

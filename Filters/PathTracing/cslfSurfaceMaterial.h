@@ -111,6 +111,13 @@ public:
   {
     return this->IndexOfRefraction == 1.0f && this->Metallic == 0.0f && this->Transmission == 0.0f;
   }
+
+  /// Whether it has a diffuse base and a rough boundary alone.
+  bool IsRoughDielectric() const
+  {
+    return this->IndexOfRefraction > 1.0f && this->Alpha > 0.0f && this->Metallic == 0.0f &&
+      this->Transmission == 0.0f;
+  }
 };
 }
 

@@ -46,8 +46,7 @@ constexpr double RoughShare = 0.1;
 bool IsRough(const Mesh& mesh)
 {
   const SurfaceMaterial& material = mesh.Material;
-  return material.IndexOfRefraction > 1.0f && material.Alpha > 0.0f && material.Metallic == 0.0f &&
-    material.Transmission == 0.0f && !mesh.Textures.MetallicRoughness && !material.IsEmissive();
+  return material.IsRoughDielectric() && !mesh.Textures.MetallicRoughness && !material.IsEmissive();
 }
 
 /// Reports a part of the progress.
