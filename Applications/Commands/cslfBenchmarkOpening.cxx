@@ -226,7 +226,7 @@ void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
   command->add_option("-o,--output", options->Folder, "folder for the results")->required();
-  command->add_option("--lookup", options->Lookup, "nearest, linear, bilinear, focal or depth")
+  command->add_option("--lookup", options->Lookup, "the lookup")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
   command->add_option("--size", options->Size, "width and height of a picture, in pixels")

@@ -113,8 +113,8 @@ void AddRender(CLI::App& app, Command& chosen)
       "-o,--output", options->Output, std::string("the output: .png; with --path ") + FrameFormats)
     ->required();
   command
-    ->add_option("--lookup", options->Lookup,
-      "nearest, linear, bilinear, focal or depth; if the field has no depth, depth becomes focal")
+    ->add_option(
+      "--lookup", options->Lookup, "the lookup; if the field has no depth, depth becomes focal")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
   AddPixelSamples(*command, options->PixelSamples);

@@ -192,7 +192,7 @@ Result Run(const Options& options)
 void AddView(CLI::App& app, Command& chosen)
 {
   CLI::App* command = app.add_subcommand("view", "View a light field in an interactive window");
-  command->footer(std::string("Keys and mouse:\n") + Viewer::Help +
+  command->footer("Keys and mouse:\n" + Viewer::GetHelp() +
     "\n\nSpecify the scene, light and material that the field was sampled with to show the "
     "path-traced scene beside the lookups (key t) and their PSNR against it.");
   const auto options = std::make_shared<Options>();

@@ -75,11 +75,19 @@ std::string MakeScreenshotName()
 }
 }
 
-const char* const Viewer::Help =
-  "1 to 5: nearest, linear, bilinear, focal, depth\ns: all lookups side by side, or one\nt: "
-  "path-traced scene (with --scene)\no: outline of the cube   a: axes   v: viewpoints\n[ and ]: "
-  "exposure   m: tone mapping\ni: figures   p: write a picture   h: this help\nleft button: "
-  "rotate, middle: pan, right or wheel: zoom\nr: reset the camera   q: quit";
+std::string Viewer::GetHelp()
+{
+  std::string lookups;
+  for (const std::string& name : GetLookupNames())
+  {
+    lookups += (lookups.empty() ? ": " : ", ") + name;
+  }
+  return "1 to " + std::to_string(GetLookups().size()) + lookups +
+    "\ns: all lookups side by side, or one\nt: path-traced scene (with --scene)\no: outline of "
+    "the cube   a: axes   v: viewpoints\n[ and ]: exposure   m: tone mapping\ni: figures   p: "
+    "write a picture   h: this help\nleft button: rotate, middle: pan, right or wheel: zoom\nr: "
+    "reset the camera   q: quit";
+}
 
 Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   std::unique_ptr<RefiningTruth> truth)

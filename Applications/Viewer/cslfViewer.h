@@ -42,7 +42,7 @@ class Viewer
 {
 public:
   /// The help for the keys, one line each.
-  static const char* const Help;
+  static std::string GetHelp();
 
   /// `truth` may be null if there is no reference to show.
   Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,

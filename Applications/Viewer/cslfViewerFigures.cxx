@@ -80,7 +80,7 @@ void Viewer::ShowState()
   }
   this->StateText->SetInput(text.c_str());
   this->StateText->SetVisibility(this->ShowsState);
-  this->HelpText->SetInput(this->ShowsHelp ? Help : "h: help");
+  this->HelpText->SetInput(this->ShowsHelp ? GetHelp().c_str() : "h: help");
 }
 
 // Draws each lookup in the reference's place, so that pixels match, without showing it.

@@ -50,8 +50,7 @@ def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 
     or image data. ``size`` is the width and height in pixels. ``position`` is the position of the
     camera in world coordinates, by default two edges of the cube in front of its centre, and
     ``focal_point`` the point that it looks at, by default the centre. ``background`` is a colour
-    with components in [0,1]. ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or
-    ``Depth``.
+    with components in [0,1]. ``lookup`` is as in ``make_actor``.
     """
     actor = make_actor(field, lookup)
     bounds = actor.GetBounds()

@@ -102,9 +102,8 @@ class PlotterComponent:
         """Adds an actor of a light field to the active renderer, and returns it.
 
         ``field`` is the name of a video, image data, or an algorithm such as ``vtkCSLFDecoder``.
-        ``lookup`` is ``Nearest``, ``Linear``, ``Bilinear``, ``Focal`` or ``Depth``. Further
-        arguments (``name``, ``reset_camera``, ``pickable``, ``render``) are those of
-        ``Plotter.add_actor``. Raises ``ValueError`` if it is not a light field.
+        ``lookup`` is as in ``cslf.make_actor``. Further arguments (``name``, ``reset_camera``,
+        ``pickable``, ``render``) are those of ``Plotter.add_actor``. Raises ``ValueError`` if it is not a light field.
         """
         actor = make_actor(field, lookup)
         self._plotter.add_actor(actor, **arguments)

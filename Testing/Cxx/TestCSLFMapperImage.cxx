@@ -21,7 +21,8 @@ int TestCSLFMapperImage(int argc, char* argv[])
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
-  window->SetSize(750, 150);
+  window->SetSize(150 * vtkCSLFMapper::NUMBER_OF_LOOKUPS, 150);
+  constexpr double width = 1.0 / vtkCSLFMapper::NUMBER_OF_LOOKUPS;
   for (int lookup = vtkCSLFMapper::NEAREST; lookup < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++lookup)
   {
     vtkNew<vtkCSLFMapper> mapper;
@@ -30,7 +31,7 @@ int TestCSLFMapperImage(int argc, char* argv[])
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     vtkNew<vtkRenderer> renderer;
-    renderer->SetViewport(0.2 * lookup, 0.0, 0.2 * (lookup + 1), 1.0);
+    renderer->SetViewport(width * lookup, 0.0, width * (lookup + 1), 1.0);
     renderer->SetBackground(0.2, 0.2, 0.25);
     renderer->AddActor(actor);
     renderer->GetActiveCamera()->SetPosition(1.5, 1.0, 4.0);

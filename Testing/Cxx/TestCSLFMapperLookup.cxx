@@ -164,8 +164,11 @@ struct Fixture
         return lookup.Bilinear(ray).Color;
       case vtkCSLFMapper::FOCAL:
         return lookup.Focal(ray, focalPoints[ray.Entry.Face]).Color;
-      default:
+      case vtkCSLFMapper::DEPTH:
         return lookup.DepthCorrected(ray).Color;
+      default:
+        CSLF_CHECK(false); // a lookup without its C++ function
+        return glm::dvec4(0.0);
     }
   }
 };
