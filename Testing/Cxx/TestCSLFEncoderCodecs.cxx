@@ -143,8 +143,8 @@ int TestCSLFEncoderCodecs(int argc, char* argv[])
       std::cout << "This FFmpeg cannot encode " << item.Codec << ": skipped.\n";
     }
   }
-  CSLF_CHECK(!vtkCSLFEncoder::CanEncode("vp9"));
-  TestRefused("vp9", "auto", false, folder, "is none of hevc, av1, h264");
+  CSLF_CHECK(!vtkCSLFEncoder::CanEncode("none"));
+  TestRefused("none", "auto", false, folder, "is none of hevc, av1, h264");
   if (vtkCSLFEncoder::CanEncode("h264"))
   {
     TestRefused("h264", "gbrp", false, folder, "can code gbrp");
