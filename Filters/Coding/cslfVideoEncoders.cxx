@@ -66,7 +66,8 @@ std::vector<EncoderOption> GetColorOptions(AVPixelFormat format, const std::stri
 /// x265: one thread, so that bytes do not depend on the machine's load; no weighted prediction, and
 /// early skip, because libx265 3.5 otherwise decides both by uninitialised memory, so that bytes
 /// would depend on what the process did before; a closed group without scene cuts; no psycho-visual
-/// options, which add false detail.
+/// options, which add false detail. Blocks of coverage and depth may always be divided: x265 would
+/// leave thin edges in large blocks whose surroundings are flat.
 EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
 {
   const std::string length = std::to_string(options.GroupLength);
@@ -80,6 +81,10 @@ EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
   if (track.Role == TrackRole::Color && !track.Lossless)
   {
     Append(GetColorOptions(track.Format, options.Preset), all.OfLibrary);
+  }
+  if (track.Role != TrackRole::Color)
+  {
+    all.OfLibrary.push_back({ "rskip", "0" });
   }
   if (track.Lossless)
   {
