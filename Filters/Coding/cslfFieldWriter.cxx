@@ -33,18 +33,10 @@ constexpr double RawTexelBytes = 3.0;
 std::vector<std::string> LibrariesOf(const std::string& codec)
 {
   std::vector<std::string> names = { "libavcodec.so", "libembree3.so", "libembree4.so" };
-  const auto found = CodecOfName(codec);
-  if (found == Codec::HEVC)
+  if (const auto found = CodecOfName(codec))
   {
-    names.emplace_back("libx265.so");
-  }
-  else if (found == Codec::H264)
-  {
-    names.emplace_back("libx264.so");
-  }
-  else
-  {
-    names.insert(names.end(), { "libSvtAv1Enc.so", "libaom.so" });
+    const std::vector<std::string> more = GetLibraries(*found);
+    names.insert(names.end(), more.begin(), more.end());
   }
   return names;
 }

@@ -44,6 +44,7 @@ struct VideoEncoder
 {
   Codec Coding;
   const char* Name;          ///< FFmpeg's
+  const char* Library;       ///< its shared library's file name
   const char* LibraryOption; ///< FFmpeg's option that contains the library's options
   int MinimumResolution;     ///< in texels along each side of a tile
   bool CanBeLossless;
@@ -56,6 +57,9 @@ struct VideoEncoder
 
   bool CanCode(AVPixelFormat format) const;
 };
+
+/// The libraries of all encoders for a codec: those that its bytes may depend on.
+std::vector<std::string> GetLibraries(Codec codec);
 
 /// The first encoder of this FFmpeg that can code frames of that format and resolution, or null.
 VTKCSLF_EXPORT const VideoEncoder* FindEncoder(Codec codec, AVPixelFormat format, int resolution);
