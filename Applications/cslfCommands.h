@@ -7,7 +7,7 @@
 #ifndef cslfCommands_h
 #define cslfCommands_h
 
-#include <nlohmann/json.hpp>
+#include "cslfJSON.h"
 
 #include <functional>
 #include <string>

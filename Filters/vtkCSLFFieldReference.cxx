@@ -10,6 +10,7 @@
 #include "Quality/cslfTexelChoice.h"
 #include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
+#include "cslfJSON.h"
 #include "cslfVTKCompatibility.h"
 
 #include <vtkAlgorithmOutput.h>
@@ -27,8 +28,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>

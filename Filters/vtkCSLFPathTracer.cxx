@@ -10,6 +10,7 @@
 #include "PathTracing/cslfTexelRenderer.h"
 #include "Pipeline/cslfScenePipeline.h"
 #include "cslfColor.h"
+#include "cslfJSON.h"
 #include "cslfSeconds.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
@@ -27,8 +28,6 @@
 #include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-
-#include <nlohmann/json.hpp>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

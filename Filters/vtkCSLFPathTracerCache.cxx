@@ -6,11 +6,10 @@
 
 #include "Files/cslfLibraries.h"
 #include "Parallel/cslfCacheKeeper.h"
+#include "cslfJSON.h"
 #include "cslfSeconds.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDescription.h"
 
+#include "cslfJSON.h"
 #include "cslfJSONText.h"
 
 #include <vtkDataArray.h>
@@ -12,8 +13,6 @@
 #include <vtkStringArray.h>
 
 #include <glm/common.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <stdexcept>
 

@@ -9,9 +9,8 @@
 #define cslfDescription_h
 
 #include "cslfCube.h"
+#include "cslfJSONForward.h"
 #include "cslfLayout.h"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <cstddef>

@@ -8,9 +8,8 @@
 #ifndef cslfJSONText_h
 #define cslfJSONText_h
 
+#include "cslfJSON.h"
 #include "vtkCSLFModule.h" // for export macro
-
-#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <limits>

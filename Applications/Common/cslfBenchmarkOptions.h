@@ -10,11 +10,10 @@
 
 #include "cslfCommands.h"
 #include "cslfFieldFiles.h"
+#include "cslfJSON.h"
 #include "cslfNovelViewOptions.h"
 #include "cslfNovelViews.h"
 #include "cslfSceneFiles.h"
-
-#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>

@@ -10,10 +10,9 @@
 
 #include "cslfDescription.h"
 #include "cslfFieldParts.h"
+#include "cslfJSON.h"
 
 #include <vtkSmartPointer.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string>

@@ -7,7 +7,7 @@
 #ifndef cslfIntegratorOptions_h
 #define cslfIntegratorOptions_h
 
-#include <nlohmann/json.hpp>
+#include "cslfJSON.h"
 
 #include <string>
 

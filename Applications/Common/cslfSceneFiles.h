@@ -7,9 +7,9 @@
 #ifndef cslfSceneFiles_h
 #define cslfSceneFiles_h
 
-#include <vtkSmartPointer.h>
+#include "cslfJSON.h"
 
-#include <nlohmann/json.hpp>
+#include <vtkSmartPointer.h>
 
 #include <functional>
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
+#include "cslfJSON.h"
 #include "cslfMessages.h"
 #include "cslfOutputFiles.h"
 #include "cslfSceneFiles.h"
@@ -20,8 +21,6 @@
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtksys/MD5.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>

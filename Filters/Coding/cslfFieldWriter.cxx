@@ -6,8 +6,7 @@
 #include "Coding/cslfPart.h"
 #include "Files/cslfLibraries.h"
 #include "Files/cslfWholeFile.h"
-
-#include <nlohmann/json.hpp>
+#include "cslfJSON.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #ifndef cslfFileParts_h
 #define cslfFileParts_h
 
-#include <nlohmann/json_fwd.hpp>
+#include "cslfJSONForward.h"
 
 #include <string>
 #include <vector>

@@ -8,7 +8,7 @@
 #ifndef cslfHeaderVersion1_h
 #define cslfHeaderVersion1_h
 
-#include <nlohmann/json_fwd.hpp>
+#include "cslfJSONForward.h"
 
 #include <optional>
 #include <string>

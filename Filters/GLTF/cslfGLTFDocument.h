@@ -8,8 +8,7 @@
 #define cslfGLTFDocument_h
 
 #include "cslfGLTFValue.h"
-
-#include <nlohmann/json.hpp>
+#include "cslfJSON.h"
 
 #include <cstddef>
 #include <map>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGLTFValue.h"
 
-#include <nlohmann/json.hpp>
+#include "cslfJSON.h"
 
 #include <cmath>
 #include <utility>

@@ -7,7 +7,7 @@
 #ifndef cslfGLTFValue_h
 #define cslfGLTFValue_h
 
-#include <nlohmann/json_fwd.hpp>
+#include "cslfJSONForward.h"
 
 #include <array>
 #include <cstddef>

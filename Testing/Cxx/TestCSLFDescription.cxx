@@ -4,6 +4,7 @@
 // The description's round trip through field data, and the refusal of data that does not match.
 #include "cslfColor.h"
 #include "cslfDescription.h"
+#include "cslfJSON.h"
 #include "cslfTesting.h"
 
 #include <vtkFieldData.h>
@@ -14,8 +15,6 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <iostream>

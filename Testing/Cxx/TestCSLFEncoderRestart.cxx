@@ -5,6 +5,7 @@
 // middle of a run is what a kill at that moment leaves.
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
+#include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
 
@@ -15,8 +16,6 @@
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <functional>

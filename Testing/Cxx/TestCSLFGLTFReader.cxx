@@ -3,6 +3,7 @@
 
 // Materials of glTF files, textual and binary.
 #include "cslfColor.h"
+#include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
@@ -18,8 +19,6 @@
 #include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTestUtilities.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <cstring>

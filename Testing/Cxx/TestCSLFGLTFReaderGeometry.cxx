@@ -4,6 +4,7 @@
 // Geometry of glTF files: all modes of primitives, sparse and normalised accessors, bytes between
 // elements, data within addresses, transforms of nodes in double precision and of texture
 // coordinates.
+#include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFGLTFReader.h"
 
@@ -18,8 +19,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTestUtilities.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdint>

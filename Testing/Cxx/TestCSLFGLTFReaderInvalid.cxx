@@ -3,6 +3,7 @@
 
 // Invalid glTF files: valid parts are read, and a warning names the rest; a file without valid
 // parts gives an error and no output.
+#include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFGLTFReader.h"
 
@@ -13,8 +14,6 @@
 #include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTestUtilities.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <cstring>

@@ -6,6 +6,7 @@
 #include "cslfCodecTesting.h"
 #include "cslfColor.h"
 #include "cslfFieldSource.h"
+#include "cslfJSON.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
@@ -17,8 +18,6 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

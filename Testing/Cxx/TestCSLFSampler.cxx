@@ -4,6 +4,7 @@
 // The sampler's output: its shape, its depth, the same bytes for all threads and slabs, its errors.
 #include "cslfColor.h"
 #include "cslfDescription.h"
+#include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFLight.h"
@@ -26,7 +27,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
