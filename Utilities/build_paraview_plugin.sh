@@ -39,6 +39,10 @@ unpack_sdk()
       ln -s "$file" "$sdk$file"
     fi
   done
+  # Debian adds Python's version to the names of its modules, but ParaView's CMake files do not.
+  find "$sdk" -name '*.cpython-*.so' | while read -r file; do
+    ln -s "$(basename "$file")" "${file%%.cpython-*}.so"
+  done
   echo "$version" >"$sdk/version"
 }
 

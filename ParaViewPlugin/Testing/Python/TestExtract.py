@@ -16,7 +16,7 @@ extractor.Trigger = "TimeStep"
 extractor.Trigger.Frequency = 2
 animation = GetAnimationScene()
 animation.PlayMode, animation.NumberOfFrames = "Sequence", 4
-SaveExtracts(ExtractsOutputDirectory=os.path.abspath("extracts"))
+SaveExtracts(ExtractsOutputDirectory=os.path.abspath("extracts"), FrameWindow=[0, 3])
 files = sorted(os.listdir("extracts"))
 check(files == ["field_000.mp4", "field_002.mp4"], f"extracts {files}")
 check(fetch_array(OpenDataFile("extracts/field_002.mp4"), "Color").any(), "it is empty")

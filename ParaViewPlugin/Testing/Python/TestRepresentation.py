@@ -58,10 +58,11 @@ check(0.4 < dim < 0.65, f"exposure {dim}")
 display.Exposure = 1.0
 
 # Moved, bounds move, too.
-display.Position = [10.0, 0.0, 0.0]
+move = "Translation" if "Translation" in display.ListProperties() else "Position"
+setattr(display, move, [10.0, 0.0, 0.0])
 ResetCamera(view)
 check(abs(view.CameraFocalPoint[0] - 10.5) < 0.01, f"moved to {view.CameraFocalPoint}")
-display.Position = [0.0, 0.0, 0.0]
+setattr(display, move, [0.0, 0.0, 0.0])
 
 # A plane through the sphere hides its lower half and is hidden by the upper one.
 plane = Plane(Origin=[-1.0, -1.25, 1.0], Point1=[2.0, -1.25, 1.0], Point2=[-1.0, 1.75, 1.0])
