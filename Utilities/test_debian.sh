@@ -9,7 +9,8 @@
 #
 # usage: test_debian.sh SYSTEM [JOB [ARGUMENT...]]
 #   SYSTEM     bookworm (Debian 12), trixie (13), forky (testing)
-#   JOB        test (all tests, the default), plugin (ParaView's plugin and its tests), demo
+#   JOB        test (all tests, the default), plugin (ParaView's plugin and its tests), demo,
+#              warnings (builds the preset "dev", which stops at warnings)
 #   ARGUMENT   for the command, such as `-R Decoder` for the tests
 # With CCACHE_DIR set, the system has ccache too and keeps what it compiles in that folder.
 #
@@ -37,7 +38,11 @@ case "$job" in
       ctest --preset paraview "$@" | tee plugin.log && grep "tests passed" plugin.log'
     ;;
   demo) command='Utilities/demo.sh "$@"' ;;
-  *) fail "the second argument must be test, plugin or demo" ;;
+  warnings)
+    command='. Utilities/setup.sh && cslf_install "${cslf_packages[@]}" &&
+      cmake --preset dev "$@" && cmake --build --preset dev'
+    ;;
+  *) fail "the second argument must be test, plugin, demo or warnings" ;;
 esac
 shift "$(($# < 2 ? $# : 2))"
 [ "$(id -u)" -eq 0 ] || fail "chroot needs root"
