@@ -10,14 +10,9 @@ set -euo pipefail
 
 sdk="$source/build/paraview-sdk"
 
-# Up to Debian 13, ParaView's Python package contains a VTK of its own and cannot be installed beside
-# the Python package of Debian's VTK. There it is unpacked, with ParaView's development files and
-# links to the rest.
-has_own_vtk()
-{
-  apt-cache show python3-paraview | grep '^Conflicts:.*python3-vtk9' >/dev/null
-}
-
+# ParaView's development files and Python package, with links to the rest. Up to Debian 13, the Python
+# package cannot be installed beside that of Debian's VTK. Since Debian 13, the names of its modules
+# contain Python's version, but ParaView's CMake files name them without it.
 unpack_sdk()
 {
   local version file
@@ -39,7 +34,6 @@ unpack_sdk()
       ln -s "$file" "$sdk$file"
     fi
   done
-  # Debian adds Python's version to the names of its modules, but ParaView's CMake files do not.
   find "$sdk" -name '*.cpython-*.so' | while read -r file; do
     ln -s "$(basename "$file")" "${file%%.cpython-*}.so"
   done
@@ -49,14 +43,8 @@ unpack_sdk()
 cslf_install "${cslf_packages[@]}"
 if [ -z "${ParaView_DIR:-}" ]; then
   cslf_install paraview libqt5svg5 python3-mpi4py python3-numpy openmpi-bin
-  if has_own_vtk; then
-    unpack_sdk
-    prefix="$sdk/usr"
-  else
-    cslf_install paraview-dev python3-paraview
-    prefix=/usr
-  fi
-  ParaView_DIR="$(echo "$prefix"/lib/*/cmake/paraview-*)"
+  unpack_sdk
+  ParaView_DIR="$(echo "$sdk"/usr/lib/*/cmake/paraview-*)"
 fi
 cd "$source"
 cmake --preset paraview "-DParaView_DIR=$ParaView_DIR"
