@@ -30,8 +30,13 @@ constexpr double CacheShare = 0.4;
 // The samples per texel of the measurements that choose their number, and the most that may be
 // chosen.
 constexpr int FewSamples = 4;
-constexpr int ManySamples = 16;
 constexpr int MostSamples = 1 << 16;
+
+// The larger number of samples of the measurements takes at least this share of the seconds given.
+constexpr double MeasuredShare = 0.05;
+
+// Times of the whole field that are less than this do not tell how its viewpoints differ.
+constexpr double LeastScaleSeconds = 1.0;
 
 // Chosen numbers of samples have only this many leading binary digits, because sequences are better
 // at round numbers.
@@ -240,16 +245,29 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
       return 0;
     }
     double few = 0.0;
-    double many = 0.0;
-    if (!probe.TimeRendering(FewSamples, few) || !probe.TimeRendering(ManySamples, many))
+    if (!probe.TimeRendering(FewSamples, few))
     {
       vtkErrorMacro(<< probe.GetError());
       return 0;
     }
     // Assumes that the time of rendering is linear in the samples. The estimate's own figure, from
-    // more viewpoints, sets the scale.
-    const double scale = few > 0.0 ? this->RenderSeconds / few : 1.0;
-    const double slope = std::max(scale * (many - few) / (ManySamples - FewSamples), 1e-9);
+    // more viewpoints, sets the scale, unless it is so short that the pipeline takes most of it.
+    const double scale = this->RenderSeconds > LeastScaleSeconds ? this->RenderSeconds / few : 1.0;
+    // Times that are short, or hardly differ, depend on what else the machine does.
+    int manySamples = FewSamples;
+    double many = 0.0;
+    do
+    {
+      manySamples *= 4;
+      if (!probe.TimeRendering(manySamples, many))
+      {
+        vtkErrorMacro(<< probe.GetError());
+        return 0;
+      }
+    } while (
+      scale * many < std::min(std::max(2.0 * scale * few, MeasuredShare * seconds), seconds) &&
+      manySamples < MostSamples);
+    const double slope = std::max(scale * (many - few) / (manySamples - FewSamples), 1e-9);
     const double single =
       std::max(this->RenderSeconds - slope * (FewSamples - 1), 0.25 * this->RenderSeconds);
     const double fixed = this->SceneSeconds + this->CacheSeconds + this->CodingSeconds;
