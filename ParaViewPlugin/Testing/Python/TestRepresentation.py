@@ -7,6 +7,8 @@ import cslf
 from cslfparaview import *
 
 scene = make_scene()
+# The baseline's colours; ParaView 6 has others by default.
+GetColorTransferFunction("Elevation").ApplyPreset("Cool to Warm", True)
 field = bake(scene, Viewpoints=9, Resolution=128)
 view = make_view()
 display = Show(field, view)

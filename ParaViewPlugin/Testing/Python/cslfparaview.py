@@ -15,8 +15,6 @@ SIZE = 256
 
 def make_scene():
     """A sphere coloured by height, above the origin."""
-    # The default of ParaView 6 is another one.
-    GetColorTransferFunction("Elevation").ApplyPreset("Cool to Warm", True)
     sphere = Sphere(Center=[0.5, 0.25, 1.0], ThetaResolution=48, PhiResolution=32)
     return Elevation(Input=sphere, LowPoint=[0.5, 0.25, 0.5], HighPoint=[0.5, 0.25, 1.5])
 
