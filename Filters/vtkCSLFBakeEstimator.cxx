@@ -32,9 +32,6 @@ constexpr double CacheShare = 0.4;
 constexpr int FewSamples = 4;
 constexpr int MostSamples = 1 << 16;
 
-// The larger number of samples of the measurements takes at least this share of the seconds given.
-constexpr double MeasuredShare = 0.05;
-
 // Times of the whole field that are less than this do not tell how its viewpoints differ.
 constexpr double LeastScaleSeconds = 1.0;
 
@@ -253,7 +250,7 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
     // Assumes that the time of rendering is linear in the samples. The estimate's own figure, from
     // more viewpoints, sets the scale, unless it is so short that the pipeline takes most of it.
     const double scale = this->RenderSeconds > LeastScaleSeconds ? this->RenderSeconds / few : 1.0;
-    // Times that are short, or hardly differ, depend on what else the machine does.
+    // Times that hardly differ would say little.
     int manySamples = FewSamples;
     double many = 0.0;
     do
@@ -264,9 +261,7 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
         vtkErrorMacro(<< probe.GetError());
         return 0;
       }
-    } while (
-      scale * many < std::min(std::max(2.0 * scale * few, MeasuredShare * seconds), seconds) &&
-      manySamples < MostSamples);
+    } while (many < 2.0 * few && scale * many < seconds && manySamples < MostSamples);
     const double slope = std::max(scale * (many - few) / (manySamples - FewSamples), 1e-9);
     const double single =
       std::max(this->RenderSeconds - slope * (FewSamples - 1), 0.25 * this->RenderSeconds);

@@ -52,6 +52,9 @@ constexpr int FullGroups = 2;
 constexpr int ImageSlices = 48;
 constexpr int FirstImageSlices = 6;
 
+// Shorter times depend on what else the machine does.
+constexpr double LeastRenderingSeconds = 0.2;
+
 /// `count` of the numbers below `whole`, evenly spread.
 std::vector<int> Spread(int count, int whole)
 {
@@ -189,17 +192,20 @@ bool BakeProbe::TimeRendering(int samples, double& seconds)
   const auto start = Clock::now();
   double elapsed = 0.0;
   int done = 0;
-  // At least one viewpoint of each face.
-  for (const int slice : Spread(std::min(slices, FirstImageSlices), slices))
+  do
   {
-    if (!stream.Read({ slice, slice }))
+    // At least one viewpoint of each face.
+    for (const int slice : Spread(std::min(slices, FirstImageSlices), slices))
     {
-      this->Error = "The sampler failed.";
-      return false;
+      if (!stream.Read({ slice, slice }))
+      {
+        this->Error = "The sampler failed.";
+        return false;
+      }
+      ++done;
     }
-    ++done;
     elapsed = SecondsSince(start);
-  }
+  } while (elapsed < LeastRenderingSeconds);
   seconds = elapsed / done * slices;
   return true;
 }
