@@ -58,9 +58,8 @@ constexpr float NothingMark = -1.0F;
 constexpr float CheckMark = -0.5F;
 constexpr float SearchMark = 0.0F;
 constexpr float RestMark = 0.5F;
-/// The depths of pixels where nothing is seen, and of pixels that no pass has drawn, as in
-/// cslfPictureFS.glsl.
-constexpr float NothingDC = 1.0e30F;
+/// The depth of pixels that no pass has drawn; cslfPictureFS.glsl has that of pixels where nothing
+/// is seen.
 constexpr float UnknownDC = 2.0e30F;
 
 /// The length in pixels of an edge of the cube at its centre, seen from the side. 0 if the centre

@@ -48,7 +48,7 @@ struct Track
   /// Colour with less chroma than luma: where it lies, AVCHROMA_LOC_LEFT or, in older files,
   /// AVCHROMA_LOC_CENTER.
   AVChromaLocation Siting = AVCHROMA_LOC_LEFT;
-  ReaderConstants Constants;
+  ReaderConstants Constants = {};
 
   /// How far coverage may be from none or full to count as that.
   int GetTolerance() const { return this->Lossless ? 0 : this->Constants.CoverageTolerance; }

@@ -29,8 +29,6 @@ namespace cslf
 {
 namespace
 {
-constexpr std::uint32_t Seed = 20210831;
-
 /// The viewpoints tested on each face.
 constexpr int ViewsPerFace = 4;
 

@@ -34,7 +34,7 @@ struct Setting
 {
   vtkMultiProcessController* Controller;
   vtkSmartPointer<vtkImageData> Field;
-  std::string Folder;
+  std::string Folder = {};
 
   int GetRank() const { return this->Controller->GetLocalProcessId(); }
 

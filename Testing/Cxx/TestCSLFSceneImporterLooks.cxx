@@ -41,7 +41,7 @@ struct Case
   std::function<void(vtkProperty*)> SetProperty;
   std::function<void(vtkRenderer*)> AddLights;
   bool HeadlightsAllAround = false;
-  std::function<void(vtkActor*)> SetActor; ///< may be null
+  std::function<void(vtkActor*)> SetActor = {}; ///< may be null
 };
 
 /// A unit square around the origin that faces the camera.
@@ -68,7 +68,7 @@ int Compare(const Case& scene, int tolerance = Tolerance)
   options.HeadlightsAllAround = scene.HeadlightsAllAround;
   const auto pictures = cslf::testing::DrawAndTrace(renderer, Size, options);
   const int middle = 3 * (Size * (Size / 2) + Size / 2);
-  const auto print = [middle](const std::vector<unsigned char>& colors)
+  const auto print = [](const std::vector<unsigned char>& colors)
   {
     return std::to_string(colors[middle]) + " " + std::to_string(colors[middle + 1]) + " " +
       std::to_string(colors[middle + 2]);

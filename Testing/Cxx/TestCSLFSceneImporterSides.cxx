@@ -79,7 +79,7 @@ void Compare(const std::string& name, const std::function<void(Square&)>& change
     change(square);
     const auto pictures = cslf::testing::DrawAndTrace(square.Renderer, Size);
     const int middle = 3 * (Size * (Size / 2) + Size / 2);
-    const auto print = [middle](const std::vector<unsigned char>& colors)
+    const auto print = [](const std::vector<unsigned char>& colors)
     {
       return std::to_string(colors[middle]) + " " + std::to_string(colors[middle + 1]) + " " +
         std::to_string(colors[middle + 2]);
