@@ -10,7 +10,7 @@
 # usage: test_debian.sh SYSTEM [JOB [ARGUMENT...]]
 #   SYSTEM     bookworm (Debian 12), trixie (13), forky (testing)
 #   JOB        test (all tests, the default), plugin (ParaView's plugin and its tests), demo,
-#              warnings (builds the preset "dev", which stops at warnings)
+#              warnings (builds the preset "dev", to which warnings are errors)
 #   ARGUMENT   for the command, such as `-R Decoder` for the tests
 # With CCACHE_DIR set, the system has ccache too and keeps what it compiles in that folder.
 #
@@ -40,7 +40,7 @@ case "$job" in
   demo) command='Utilities/demo.sh "$@"' ;;
   warnings)
     command='. Utilities/setup.sh && cslf_install "${cslf_packages[@]}" &&
-      cmake --preset dev "$@" && cmake --build --preset dev'
+      cmake --preset dev "$@" && cmake --build --preset dev -- -k 0'
     ;;
   *) fail "the second argument must be test, plugin, demo or warnings" ;;
 esac

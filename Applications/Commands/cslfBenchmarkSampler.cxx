@@ -150,7 +150,7 @@ public:
       this->References.push_back({ this->Slices[k],
         vtkIdTypeArray::SafeDownCast(texels->GetArray("Texel")), texels->GetArray("Reference") });
     }
-    return -10.0 * std::log10(noise / this->Slices.size());
+    return -10.0 * std::log10(noise / static_cast<double>(this->Slices.size()));
   }
 
   Outcome Measure(const std::string& name, vtkCSLFSampler* sampler) const
@@ -168,8 +168,8 @@ public:
     Outcome outcome{ name };
     outcome.CacheSeconds = sampler->GetCacheSeconds();
     outcome.ViewSeconds = sampler->GetRenderSeconds();
-    outcome.SecondsOfAll =
-      outcome.CacheSeconds + outcome.ViewSeconds * all / this->References.size();
+    outcome.SecondsOfAll = outcome.CacheSeconds +
+      outcome.ViewSeconds * all / static_cast<double>(this->References.size());
     outcome.PSNR = ToPSNR(errors / values);
     return outcome;
   }

@@ -18,7 +18,7 @@ namespace cslf
 struct LatticeBuilder::Point
 {
   Hit Place;
-  std::uint64_t Key;
+  std::uint64_t Key = 0;
   SurfaceEstimate Estimate;
 
   // If it lies between two other points that are close enough together, it is interpolated.
@@ -31,22 +31,21 @@ struct LatticeBuilder::Point
 /// A brick that is being computed, and the points of its lattice, row by row.
 struct LatticeBuilder::Patch
 {
-  int Half; // which of the two lattices it belongs to, and whose values decide
-  std::size_t Brick;
-  std::size_t
-    Domain; // the number of its triangle, or the number of all triangles plus that of its chart
-  std::uint32_t Mesh;
+  int Half = 0; // which of the two lattices it belongs to, and whose values decide
+  std::size_t Brick = 0;
+  std::size_t Domain = 0; // its triangle's number, or that of all triangles plus its chart's
+  std::uint32_t Mesh = 0;
   std::uint32_t Triangle = 0;          // if it belongs to a triangle
   const SurfaceChart* Chart = nullptr; // if it belongs to a chart
-  float RootEdge;                      // the longest edge of the brick that contains it
-  int RootSize;                        // of that brick, as below
-  bool Back;
-  bool Flipped;
-  int Column; // of its first corner among the finest points of the triangle or chart
-  int Row;
-  int Size; // of its edges, in finest points, as a binary logarithm
+  float RootEdge = 0.0f;               // the longest edge of the brick that contains it
+  int RootSize = 0;                    // of that brick, as below
+  bool Back = false;
+  bool Flipped = false;
+  int Column = 0; // of its first corner among the finest points of the triangle or chart
+  int Row = 0;
+  int Size = 0; // of its edges, in finest points, as a binary logarithm
   int Level = 0;
-  bool IsConstant;
+  bool IsConstant = false;
   bool IsOpen = true;
   std::vector<std::uint32_t> Points;
 
