@@ -33,13 +33,12 @@ list(APPEND sources
   ../Filters/PathTracing/cslfArithmetic.cxx
   ../Filters/PathTracing/cslfBSDF.cxx
   ../Filters/PathTracing/cslfDirectLight.cxx
-  ../Filters/PathTracing/cslfDirectLightLanes.cxx
   ../Filters/PathTracing/cslfDisplayedColor.cxx
   ../Filters/PathTracing/cslfDistribution.cxx
   ../Filters/PathTracing/cslfEmitter.cxx
   ../Filters/PathTracing/cslfEnvironment.cxx
   ../Filters/PathTracing/cslfEnvironmentReader.cxx
-  ../Filters/PathTracing/cslfFacets.cxx
+  ../Filters/PathTracing/cslfFacetLobe.cxx
   ../Filters/PathTracing/cslfFieldRays.cxx
   ../Filters/PathTracing/cslfFingerprint.cxx
   ../Filters/PathTracing/cslfHitFilter.cxx
@@ -85,7 +84,9 @@ list(APPEND private_headers
   ../Filters/PathTracing/cslfEmitter.h
   ../Filters/PathTracing/cslfEnvironment.h
   ../Filters/PathTracing/cslfEnvironmentReader.h
-  ../Filters/PathTracing/cslfFacets.h
+  ../Filters/PathTracing/cslfDiffuseLobe.h
+  ../Filters/PathTracing/cslfFacetLobe.h
+  ../Filters/PathTracing/cslfLobe.h
   ../Filters/PathTracing/cslfFieldRays.h
   ../Filters/PathTracing/cslfFingerprint.h
   ../Filters/PathTracing/cslfDisplayCurve.h

@@ -2,97 +2,131 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBSDF.h"
 
-#include "cslfLambert.h"
-
 #include <algorithm>
 #include <limits>
 
 namespace cslf
 {
+namespace
+{
+// No lobe that reflects anything is taken less often than this, of it and those after it.
+constexpr float LeastProbability = 0.1f;
+
+template <typename... AllLobes>
+std::tuple<AllLobes...> MakeLobes(const std::tuple<AllLobes...>*, const SurfaceMaterial& material,
+  const MaterialPoint& point, const glm::vec3& outgoing, bool inside)
+{
+  return { AllLobes(material, point, outgoing, inside)... };
+}
+}
+
 BSDF::BSDF(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
   bool inside)
-  : Material(material)
-  , Point(point)
-  , Outgoing(outgoing)
-  , Specular(material, point, inside)
-  , DiffusePart((1.0f - point.Metallic) * (1.0f - material.Transmission))
+  : Parts(MakeLobes(static_cast<const LobeList*>(nullptr), material, point, outgoing, inside))
 {
-  if (this->DiffusePart == 1.0f && material.IndexOfRefraction == 1.0f)
+  const auto importances = std::apply(
+    [](const auto&... part) { return std::array{ part.GetImportance()... }; }, this->Parts);
+  float rest = 1.0f; // of the probability
+  for (std::size_t i = 0; i < importances.size(); ++i)
   {
-    return; // diffuse only
+    float others = 0.0f;
+    std::for_each(importances.begin() + i + 1, importances.end(),
+      [&others](float importance) { others += importance; });
+    float share = importances[i] > 0.0f ? 1.0f : 0.0f;
+    if (others > 0.0f && importances[i] > 0.0f)
+    {
+      share = std::clamp(
+        importances[i] / (importances[i] + others), LeastProbability, 1.0f - LeastProbability);
+    }
+    this->Probabilities[i] = rest * share;
+    rest -= this->Probabilities[i];
   }
-  const float specular = Luminance(
-    this->Specular.GetReflectance(outgoing.z) + this->Specular.GetTransmittance(outgoing.z));
-  const float diffuse = this->DiffusePart * Luminance(point.BaseColor) *
-    (1.0f - material.DielectricSpecular.Get(outgoing.z, point.Alpha));
-  this->SpecularProbability =
-    diffuse > 0.0f ? std::clamp(specular / (specular + diffuse), 0.1f, 0.9f) : 1.0f;
 }
 
-glm::vec3 BSDF::DiffuseAlbedo() const
+/// Calls `visit(lobe, probability)` for the lobes that exist, with the probability of taking each
+/// among these.
+template <typename Visit>
+void BSDF::ForEachLobe(Lobes lobes, const Visit& visit) const
 {
-  const float boundary =
-    1.0f - this->Material.DielectricSpecular.Get(this->Outgoing.z, this->Point.Alpha);
-  return this->Point.BaseColor * (this->DiffusePart * boundary);
+  const float all = lobes == Lobes::All ? 1.0f : this->GetProbability(lobes);
+  std::size_t i = 0;
+  const auto visitOne = [&](const auto& part)
+  {
+    const float probability = this->Probabilities[i++];
+    if (probability > 0.0f && (lobes == Lobes::All || lobes == part.Kind))
+    {
+      visit(part, probability / all);
+    }
+  };
+  std::apply([&](const auto&... part) { (visitOne(part), ...); }, this->Parts);
 }
 
-float BSDF::DiffuseTransmission(float cosine) const
+float BSDF::GetProbability(Lobes lobes) const
 {
-  const SpecularAlbedo& albedo = this->Material.DielectricSpecular;
-  const float alpha = this->Point.Alpha;
-  return (1.0f - albedo.Get(cosine, alpha)) / (1.0f - albedo.GetAverage(alpha));
+  float sum = 0.0f;
+  std::size_t i = 0;
+  const auto add = [&](const auto& part)
+  {
+    sum += lobes == Lobes::All || lobes == part.Kind ? this->Probabilities[i] : 0.0f;
+    ++i;
+  };
+  std::apply([&](const auto&... part) { (add(part), ...); }, this->Parts);
+  return sum;
+}
+
+bool BSDF::IsMirror(Lobes lobes) const
+{
+  bool isMirror = true;
+  this->ForEachLobe(
+    lobes, [&isMirror](const auto& part, float) { isMirror = isMirror && part.IsSmooth(); });
+  return isMirror;
 }
 
 glm::vec3 BSDF::EvaluateCosine(const glm::vec3& incident, Lobes lobes) const
 {
   glm::vec3 value(0.0f);
-  if (!(this->Outgoing.z > 0.0f))
-  {
-    return value;
-  }
-  if (lobes != Lobes::Specular && this->HasDiffuse() && incident.z > 0.0f)
-  {
-    value = this->DiffuseAlbedo() *
-      (this->DiffuseTransmission(incident.z) * Lambert::EvaluateCosine(incident));
-  }
-  if (lobes != Lobes::Diffuse && this->HasSpecular())
-  {
-    value += this->Specular.EvaluateCosine(this->Outgoing, incident);
-  }
+  this->ForEachLobe(
+    lobes, [&](const auto& part, float) { value += part.EvaluateCosine(incident); });
   return value;
 }
 
 float BSDF::Pdf(const glm::vec3& incident, Lobes lobes) const
 {
-  const float specular = this->GetSpecularProbability(lobes);
-  float pdf = (1.0f - specular) * Lambert::Pdf(incident);
-  if (specular > 0.0f)
-  {
-    pdf += specular * this->Specular.Pdf(this->Outgoing, incident);
-  }
+  float pdf = 0.0f;
+  this->ForEachLobe(
+    lobes, [&](const auto& part, float probability) { pdf += probability * part.Pdf(incident); });
   return pdf;
 }
 
 bool BSDF::Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes) const
 {
-  const float specular = this->GetSpecularProbability(lobes);
-  sample.Compression = 1.0f;
-  sample.Direction = Lambert::Sample(u);
-  if (lobe < specular)
+  // Choose a lobe, and use the rest of the number within it.
+  LobeSample chosen;
+  float taken = 0.0f; // the probability of the lobe
+  float end = 0.0f;
+  bool isValid = false;
+  this->ForEachLobe(lobes,
+    [&](const auto& part, float probability)
+    {
+      const float begin = end;
+      end += probability;
+      if (taken == 0.0f && lobe < end)
+      {
+        taken = probability;
+        isValid = part.Sample((lobe - begin) / probability, u, chosen);
+      }
+    });
+  if (!isValid)
   {
-    Facets::Choice choice;
-    if (!this->Specular.Sample(this->Outgoing, lobe / specular, u, choice))
-    {
-      return false;
-    }
-    sample.Direction = choice.Direction;
-    sample.Compression = choice.Direction.z < 0.0f ? this->Specular.GetCompression() : 1.0f;
-    if (choice.IsSmooth)
-    {
-      sample.Weight = choice.Weight / specular;
-      sample.Pdf = std::numeric_limits<float>::infinity();
-      return true;
-    }
+    return false;
+  }
+  sample.Direction = chosen.Direction;
+  sample.Compression = chosen.Compression;
+  if (chosen.IsSmooth)
+  {
+    sample.Weight = chosen.Weight / taken;
+    sample.Pdf = std::numeric_limits<float>::infinity();
+    return true;
   }
   sample.Pdf = this->Pdf(sample.Direction, lobes);
   if (!(sample.Pdf > 0.0f))

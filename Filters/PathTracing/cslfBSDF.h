@@ -10,11 +10,17 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfFacets.h"
+#include "cslfDiffuseLobe.h"
+#include "cslfFacetLobe.h"
+#include "cslfLobe.h"
 #include "cslfSurfaceMaterial.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <array>
+#include <tuple>
+#include <type_traits>
 
 namespace cslf
 {
@@ -26,14 +32,6 @@ struct BSDFSample
   float Compression = 1.0f;    ///< the factor of the weight due to refraction
 };
 
-/// The parts of a BSDF that a function covers.
-enum class Lobes
-{
-  All,
-  Diffuse, ///< parts that look the same from all directions, except for BSDF::DiffuseAlbedo
-  Specular ///< the facets: their reflection and transmission
-};
-
 /**
  * How a surface point scatters light towards one outgoing direction. Directions are local: z is the
  * shading normal, both point away from the surface. The outgoing one must be above it. Incident
@@ -41,48 +39,35 @@ enum class Lobes
  *
  * A metal of reflectance "base colour" and a dielectric are blended by "metallic", an opaque
  * dielectric and glass by "transmission". All have the same GGX facets. Light through glass is
- * tinted by the base colour. Under the opaque boundary lies a diffuse base, which gets the light
- * that the boundary transmits, (1 - E(out)) (1 - E(in)) / (1 - mean E) with E the boundary's
- * albedo: unlike glTF's example code, this never reflects more than it receives (Kelemen and
- * Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 short
- * papers).
+ * tinted by the base colour. Under the opaque boundary lies a diffuse base.
  */
 class VTKCSLF_EXPORT BSDF
 {
 public:
+  /// All lobes, of which DiffuseLobe is the last. A new one is added here; see cslfLobe.h.
+  using LobeList = std::tuple<FacetLobe, DiffuseLobe>;
+
+  /// Whether surfaces of a material can have no other lobes than these.
+  template <typename... Some>
+  static bool ConsistsOf(const SurfaceMaterial& material)
+  {
+    return ConsistsOf<Some...>(material, static_cast<const LobeList*>(nullptr));
+  }
+
   /// `inside` tells whether the outgoing direction lies behind the surface, in the glass.
   BSDF(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
     bool inside);
 
-  /// For a material without varying textures, seen from outside.
-  BSDF(const SurfaceMaterial& material, const glm::vec3& baseColor, const glm::vec3& outgoing)
-    : BSDF(material, { baseColor, material.Metallic, material.Alpha }, outgoing, false)
-  {
-  }
+  bool Has(Lobes lobes) const { return this->GetProbability(lobes) > 0.0f; }
 
-  bool HasDiffuse() const { return this->SpecularProbability < 1.0f; }
-  bool HasSpecular() const { return this->SpecularProbability > 0.0f; }
-  bool Has(Lobes lobes) const
-  {
-    return lobes == Lobes::All ||
-      (lobes == Lobes::Specular ? this->HasSpecular() : this->HasDiffuse());
-  }
+  /// The probability that Sample, for all lobes, takes one of these.
+  float GetProbability(Lobes lobes) const;
 
-  /// The probability that Sample takes the specular lobe.
-  float GetSpecularProbability(Lobes lobes) const
-  {
-    return lobes == Lobes::All ? this->SpecularProbability : lobes == Lobes::Specular ? 1.0f : 0.0f;
-  }
+  /// Whether no light from given directions is scattered, as by a pure mirror and by clear glass.
+  bool IsMirror(Lobes lobes = Lobes::All) const;
 
-  /// Whether light from given directions is scattered at all. False for a pure mirror and for clear
-  /// glass.
-  bool IsMirror(Lobes lobes = Lobes::All) const
-  {
-    return this->GetSpecularProbability(lobes) >= 1.0f && this->Specular.IsSmooth();
-  }
-
-  /// The factor of the diffuse lobe that does not depend on the incident direction.
-  glm::vec3 DiffuseAlbedo() const;
+  /// The diffuse lobe, which Has(Lobes::Diffuse) tells to be there.
+  const DiffuseLobe& GetDiffuse() const { return std::get<DiffuseLobe>(this->Parts); }
 
   /// BSDF times the cosine at the incident direction, without a mirror's part.
   glm::vec3 EvaluateCosine(const glm::vec3& incident, Lobes lobes = Lobes::All) const;
@@ -90,20 +75,24 @@ public:
   /// The density with which Sample takes a direction, without a mirror's part.
   float Pdf(const glm::vec3& incident, Lobes lobes = Lobes::All) const;
 
-  /// Samples an incident direction. False if the path ends.
+  /// Samples an incident direction; `lobe` in [0,1) chooses the lobe. False if the path ends.
   bool Sample(float lobe, const glm::vec2& u, BSDFSample& sample, Lobes lobes = Lobes::All) const;
 
-  /// The factor of the diffuse lobe that depends on it: the transmission at an incident direction
-  /// of this cosine, relative to the mean.
-  float DiffuseTransmission(float cosine) const;
-
 private:
-  const SurfaceMaterial& Material;
-  MaterialPoint Point;
-  glm::vec3 Outgoing;
-  Facets Specular;
-  float DiffusePart; // the part that is neither metal nor glass
-  float SpecularProbability = 0.0f;
+  template <typename Lobe, typename... Some>
+  static constexpr bool IsOneOf = (std::is_same_v<Lobe, Some> || ...);
+
+  template <typename... Some, typename... AllLobes>
+  static bool ConsistsOf(const SurfaceMaterial& material, const std::tuple<AllLobes...>*)
+  {
+    return ((IsOneOf<AllLobes, Some...> || !AllLobes::IsIn(material)) && ...);
+  }
+
+  template <typename Visit>
+  void ForEachLobe(Lobes lobes, const Visit& visit) const;
+
+  LobeList Parts;
+  std::array<float, std::tuple_size_v<LobeList>> Probabilities{}; // of taking each; 0 if absent
 };
 }
 

@@ -2,12 +2,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDirectLight.h"
 
+#include "cslfLambert.h"
 #include "cslfSampling.h"
+#include "cslfScatterLanes.h"
+#include "cslfStreamLanes.h"
+#include "cslfTriangleGeometry.h"
+#include "cslfVectorize.h"
 
 #include <cmath>
 
 namespace cslf
 {
+namespace
+{
+/// The part of the light of given directions that is reflected.
+struct ReflectedLanes
+{
+  Vec3Lanes Part;
+  Lanes<float> Pdf; // the density of the BSDF's own samples for the direction
+};
+
+/// As if all surfaces were Lambertian.
+CSLF_VECTORIZE void ReflectLambertian(const ScatterLanes& points, const LightLanes& light,
+  ReflectedLanes& reflected, ShadowLanes& shadows)
+{
+  const SurfaceLanes& surfaces = points.Surfaces;
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const glm::vec3 direction = light.Direction.Get(i);
+    const glm::vec3 local = Frame(surfaces.ShadingNormal.Get(i)).ToLocal(direction);
+    const glm::vec3 part = Lambert::EvaluateCosine(local) * surfaces.BaseColor.Get(i);
+    reflected.Part.Set(i, part);
+    reflected.Pdf[i] = Lambert::Pdf(local);
+    shadows.Rays.Active[i] =
+      light.Pdf[i] > 0.0f && part.x + part.y + part.z > 0.0f ? points.Lit[i] : 0;
+    shadows.Rays.Origin.Set(i, surfaces.LeavePosition.Get(i));
+    shadows.Rays.Direction.Set(i, direction);
+    shadows.Distance[i] = light.Distance[i];
+  }
+}
+
+/// Any other surface.
+void Reflect(const ScatterLanes& points, int lane, const LightLanes& light,
+  ReflectedLanes& reflected, ShadowLanes& shadows)
+{
+  const SurfaceLanes& surfaces = points.Surfaces;
+  const BSDF& bsdf = *points.Scattering[lane];
+  const Lobes lobes = points.LitLobes[lane];
+  const glm::vec3 local =
+    Frame(surfaces.ShadingNormal.Get(lane)).ToLocal(light.Direction.Get(lane));
+  const glm::vec3 part = bsdf.EvaluateCosine(local, lobes);
+  const bool active = points.Lit[lane] != 0 && light.Pdf[lane] > 0.0f && part != glm::vec3(0.0f);
+  shadows.Rays.Active[lane] = active ? -1 : 0;
+  if (active)
+  {
+    reflected.Part.Set(lane, part);
+    reflected.Pdf[lane] = bsdf.Pdf(local, lobes);
+    shadows.Rays.Origin.Set(
+      lane, local.z < 0.0f ? surfaces.PassPosition.Get(lane) : surfaces.LeavePosition.Get(lane));
+  }
+}
+
+/// Adds the arriving light, and combines the estimate with the BSDF's own samples, which never hit
+/// a light without extent.
+CSLF_VECTORIZE void AddLight(const LightLanes& light, const ReflectedLanes& reflected,
+  const Lanes<float>& transmittance, bool shared, Vec3Lanes& radiance)
+{
+  CSLF_LANE_LOOP
+  for (int i = 0; i < LaneCount; ++i)
+  {
+    const float pdf = light.Pdf[i];
+    const bool isExtended = !std::isinf(pdf);
+    const float density = isExtended ? pdf : 1.0f;
+    const float weight = shared && isExtended ? PowerHeuristic(density, reflected.Pdf[i]) : 1.0f;
+    const glm::vec3 sum = radiance.Get(i) +
+      reflected.Part.Get(i) * light.Radiance.Get(i) * (transmittance[i] * weight / density);
+    radiance.Set(i, Choose(transmittance[i] > 0.0f, sum, radiance.Get(i)));
+  }
+}
+}
+
 glm::vec3 DirectLight::GetEnvironment(const glm::vec3& direction, float pdf) const
 {
   const Environment& environment = this->World.GetEnvironment();
@@ -58,61 +133,60 @@ LightSample DirectLight::SampleOne(const LightReceiver& receiver, const glm::vec
   return sample;
 }
 
-glm::vec3 DirectLight::Sample(
-  const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const
+std::uint64_t DirectLight::Arrive(
+  const ScatterLanes& points, const LightLanes& light, Vec3Lanes& radiance) const
 {
-  glm::vec3 radiance(0.0f);
+  ReflectedLanes reflected;
+  ShadowLanes shadows;
+  ReflectLambertian(points, light, reflected, shadows);
+  ForEachLane(points.Surfaces.Scattering,
+    [&](int lane) { Reflect(points, lane, light, reflected, shadows); });
+  const int count = Count(shadows.Rays.Active);
+  if (count > 0)
+  {
+    this->World.FindTransmittances(shadows);
+    AddLight(light, reflected, shadows.Transmittance, this->BSDFSampling, radiance);
+  }
+  return static_cast<std::uint64_t>(count);
+}
+
+std::uint64_t DirectLight::Sample(const ScatterLanes& points, const StreamLanes& streams,
+  std::uint32_t vertex, Vec3Lanes& radiance) const
+{
+  std::uint64_t rays = 0;
+  LightLanes light;
+  const auto sample = [&](const auto& take)
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      light.Set(lane, points.Lit[lane] != 0 ? take(lane) : LightSample());
+    }
+    rays += this->Arrive(points, light, radiance);
+  };
+  Lanes<float> x;
+  Lanes<float> y;
   if (this->CanSampleOne())
   {
-    const glm::vec2 u = stream.Get2D(Dimension::LocalLight);
-    radiance += this->Arrive(point, this->SampleOne(point.Surface.GetReceiver(), u), rays);
+    streams.Get2D(vertex, Dimension::LocalLight, x, y);
+    sample(
+      [&](int lane) {
+        return this->SampleOne(points.Surfaces.GetReceiver(lane), { x[lane], y[lane] });
+      });
   }
   const Environment& environment = this->World.GetEnvironment();
   if (this->LightSampling && environment.CanSample())
   {
-    radiance += this->Arrive(point, environment.Sample(stream.Get2D(Dimension::Environment)), rays);
+    streams.Get2D(vertex, Dimension::Environment, x, y);
+    sample([&](int lane) { return environment.Sample({ x[lane], y[lane] }); });
   }
-  for (const DirectionalLight& light : this->World.GetDirectionalLights())
+  for (const DirectionalLight& source : this->World.GetDirectionalLights())
   {
-    radiance += this->Arrive(point, light.Sample(), rays);
+    sample([&](int) { return source.Sample(); });
   }
-  for (const PointLight& light : this->World.GetLocalLights().GetFewPoints())
+  for (const PointLight& source : this->World.GetLocalLights().GetFewPoints())
   {
-    radiance += this->Arrive(point, light.Sample(point.Surface.LeavePosition), rays);
+    sample([&](int lane) { return source.Sample(points.Surfaces.LeavePosition.Get(lane)); });
   }
-  return radiance;
-}
-
-glm::vec3 DirectLight::Arrive(
-  const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const
-{
-  // Check that there is light and that it is visible.
-  const glm::vec3 none(0.0f);
-  if (!(light.Pdf > 0.0f))
-  {
-    return none;
-  }
-  const glm::vec3 local = point.Local.ToLocal(light.Direction);
-  glm::vec3 reflected = point.Reflection.EvaluateCosine(local, point.Open);
-  if (reflected == none)
-  {
-    return none;
-  }
-  ++rays;
-  reflected *= this->World.GetTransmittance(
-    { point.Surface.GetStart(local.z), light.Direction }, light.Distance);
-  if (reflected == none)
-  {
-    return none;
-  }
-
-  // Combine the estimate with the BSDF's own samples, which never hit a light without extent.
-  if (std::isinf(light.Pdf))
-  {
-    return reflected * light.Radiance;
-  }
-  const float weight =
-    this->BSDFSampling ? PowerHeuristic(light.Pdf, point.Reflection.Pdf(local, point.Open)) : 1.0f;
-  return reflected * light.Radiance * (weight / light.Pdf);
+  return rays;
 }
 }

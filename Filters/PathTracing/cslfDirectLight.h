@@ -10,9 +10,6 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfBSDF.h"
-#include "cslfFrame.h"
-#include "cslfSampleStream.h"
 #include "cslfScene.h"
 
 namespace cslf
@@ -21,15 +18,6 @@ struct LightLanes;
 struct ScatterLanes;
 struct StreamLanes;
 struct Vec3Lanes;
-
-/// A surface point and its reflection towards the previous point of the path.
-struct ScatteringPoint
-{
-  const SurfaceHit& Surface;
-  const Frame& Local;
-  const BSDF& Reflection;
-  Lobes Open; ///< the lobes that are included
-};
 
 class VTKCSLF_EXPORT DirectLight
 {
@@ -52,12 +40,8 @@ public:
   glm::vec3 GetEmission(const Ray& ray, const glm::vec3& normal, const Hit& hit,
     const SurfaceHit& surface, float pdf) const;
 
-  /// The reflected light of the sampled sources. Counts the rays it traces.
-  glm::vec3 Sample(
-    const ScatteringPoint& point, const SampleStream& stream, std::uint64_t& rays) const;
-
-  /// The same for many points, at one vertex of their paths: adds the light to the radiance, and
-  /// returns the number of rays.
+  /// Adds the light of sampled sources that the points reflect to the radiance, with the random
+  /// numbers of one vertex of their paths. Returns the number of rays traced.
   std::uint64_t Sample(const ScatterLanes& points, const StreamLanes& streams, std::uint32_t vertex,
     Vec3Lanes& radiance) const;
 
@@ -69,8 +53,6 @@ private:
   bool CanSampleOne() const;
   LightSample SampleOne(const LightReceiver& receiver, const glm::vec2& u) const;
 
-  glm::vec3 Arrive(
-    const ScatteringPoint& point, const LightSample& light, std::uint64_t& rays) const;
   std::uint64_t Arrive(
     const ScatterLanes& points, const LightLanes& light, Vec3Lanes& radiance) const;
 

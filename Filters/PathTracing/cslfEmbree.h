@@ -62,12 +62,6 @@ inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit
   rtcIntersect1(scene, &query.Context, &rayHit);
 }
 
-/// Whether anything lies along the ray. If so, sets tfar to -infinity.
-inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
-{
-  rtcOccluded1(scene, &query.Context, &ray);
-}
-
 /// The first hits of a packet of rays, which may be coherent. Lanes with valid == 0 are not
 /// changed. The packet must not be wider than GetPacketWidth.
 template <typename RayHits>
@@ -132,14 +126,6 @@ inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit
   rtcInitIntersectArguments(&arguments);
   arguments.context = &query.Context;
   rtcIntersect1(scene, &rayHit, &arguments);
-}
-
-inline void EmbreeOccluded(RTCScene scene, EmbreeQuery query, RTCRay& ray)
-{
-  RTCOccludedArguments arguments;
-  rtcInitOccludedArguments(&arguments);
-  arguments.context = &query.Context;
-  rtcOccluded1(scene, &ray, &arguments);
 }
 
 template <typename RayHits>

@@ -109,29 +109,24 @@ void LocateOnTriangle(
   const Mesh& mesh, const Ray& ray, const Hit& hit, const TrianglePoint& place, SurfaceHit& surface)
 {
   // If a ray query found the place, it gives the normal and the point of flat triangles.
-  const glm::vec3 outgoing = -ray.Direction;
   const bool isFound = hit.Front != glm::vec3(0.0f) && mesh.Instances.empty();
   HitTriangle triangle = GetTriangle(mesh, place);
   triangle.Front = isFound ? glm::normalize(hit.Front) : triangle.Front;
-  surface.GeometricNormal = TurnTo(triangle.Front, outgoing);
-  surface.Inside = surface.GeometricNormal != triangle.Front;
-  surface.ShadingNormal = triangle.IsSmooth || mesh.Textures.Normal
-    ? FindShadingNormal(mesh, triangle, place, surface, outgoing)
-    : surface.GeometricNormal;
-  const glm::vec3 onTriangle = InterpolateCorners(triangle.Corners, place.U, place.V);
   const glm::vec3 position = isFound
     ? MoveToPlane(ray.Origin + hit.Distance * ray.Direction, triangle.Corners[0], triangle.Front)
-    : onTriangle;
-  surface.PassPosition = position -
-    FindOffset(triangle.Front, glm::abs(position) + triangle.Reach, triangle.Length) *
-      surface.GeometricNormal;
+    : InterpolateCorners(triangle.Corners, place.U, place.V);
+  const FlatPoint point =
+    FindFlatPoint(triangle.Front, ray.Direction, position, triangle.Reach, triangle.Length);
+  surface.GeometricNormal = point.Normal;
+  surface.Inside = point.Inside;
+  surface.PassPosition = point.Pass;
   surface.LeavePosition = triangle.IsSmooth
-    ? RaiseToSmoothSurface(
-        triangle.Corners, triangle.Normals, place.U, place.V, surface.GeometricNormal, onTriangle)
-    : position;
-  surface.LeavePosition +=
-    FindOffset(triangle.Front, glm::abs(surface.LeavePosition) + triangle.Reach, triangle.Length) *
-    surface.GeometricNormal;
+    ? LeaveSmooth(triangle.Corners, triangle.Normals, place.U, place.V, point.Normal,
+        triangle.Reach, triangle.Length)
+    : point.Leave;
+  surface.ShadingNormal = triangle.IsSmooth || mesh.Textures.Normal
+    ? FindShadingNormal(mesh, triangle, place, surface, -ray.Direction)
+    : point.Normal;
 }
 
 /// The centre and radius of the sphere that touches a tube's surface at a point, and how far along

@@ -126,12 +126,12 @@ struct VTKCSLF_EXPORT Mesh
   }
 
   /// Whether it looks the same from all directions, and does not emit light.
-  bool IsDiffuse() const { return this->Material.IsMatte() && !this->Material.IsEmissive(); }
+  bool IsDiffuse() const { return this->Material.IsLambertian() && !this->Material.IsEmissive(); }
 
   /// Whether it reflects no light, like surfaces without lighting, which only emit.
   bool IsBlack() const
   {
-    return this->Material.IsMatte() && this->IsUniform() &&
+    return this->Material.IsLambertian() && this->IsUniform() &&
       this->Material.BaseColor == glm::vec3(0.0f);
   }
 

@@ -24,16 +24,15 @@ void Close(std::vector<PathPacket>& packets, int paths)
 
 void PathBatch::Add(const Start& start)
 {
-  if (this->Size == 0)
-  {
-    this->AreSeen = false;
-    this->Packets.resize(Capacity / LaneCount);
-    this->Next.resize(Capacity / LaneCount);
-    this->Order.resize(Capacity);
-    this->Seen.resize(Capacity / LaneCount);
-  }
-  PathPacket& packet = this->Packets[this->Size / LaneCount];
   const int lane = this->Size % LaneCount;
+  const std::size_t packets = this->Size / LaneCount + 1;
+  if (this->Packets.size() < packets)
+  {
+    this->Packets.resize(packets);
+    this->Seen.resize(packets);
+  }
+  this->AreSeen = this->AreSeen && this->Size > 0;
+  PathPacket& packet = this->Packets[packets - 1];
   packet.Rays.Active[lane] = -1;
   packet.Rays.Origin.Set(lane, start.First.Origin);
   packet.Rays.Direction.Set(lane, start.First.Direction);
@@ -49,6 +48,8 @@ void PathBatch::Add(const Start& start)
 void PathBatch::Begin()
 {
   this->Living = this->Size;
+  this->Next.resize(this->Packets.size());
+  this->Order.resize(this->Packets.size() * LaneCount);
   this->Radiances.assign(this->Size, glm::vec3(0.0f));
   Close(this->Packets, this->Size);
   for (int path = this->Size; this->AreSeen && path % LaneCount != 0; ++path)

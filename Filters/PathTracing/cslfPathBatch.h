@@ -43,14 +43,17 @@ public:
     glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver where it starts, unless it is given
   };
 
-  /// Paths begin after `depth` reflections.
-  explicit PathBatch(int depth = 0)
+  /// Paths begin after `depth` reflections. If they are averaged with hundreds of others, the error
+  /// of each hardly matters: paths of little weight end early, and look-ups may be less exact.
+  explicit PathBatch(int depth = 0, bool areAveraged = false)
     : Depth(depth)
+    , Averaged(areAveraged)
   {
   }
 
   int GetSize() const { return this->Size; }
   int GetDepth() const { return this->Depth; }
+  bool AreAveraged() const { return this->Averaged; }
 
   void Clear() { this->Size = 0; }
 
@@ -89,6 +92,7 @@ public:
 
 private:
   int Depth;
+  bool Averaged;
   int Size = 0;
   int Living = 0;             // the active paths, in the first packets
   bool AreSeen = false;       // whether first rays were traced before

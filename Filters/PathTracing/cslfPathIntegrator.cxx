@@ -5,19 +5,9 @@
 #include "RadianceCache/cslfRadianceCache.h"
 #include "cslfPathPacket.h"
 #include "cslfPathStep.h"
-#include "cslfRoulette.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace cslf
 {
-namespace
-{
-// The allowed error of a look-up, in the cache's tolerances, if hundreds of paths are averaged.
-constexpr float TolerancesOfMany = 8.0f;
-}
-
 PathIntegrator::PathIntegrator(
   const Scene& scene, const PathSettings& settings, const RadianceCache* cache)
   : World(scene)
@@ -79,107 +69,12 @@ bool PathIntegrator::LookUpRough(
   return true;
 }
 
-glm::vec3 PathIntegrator::GetRadiance(
-  const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const
-{
-  Start start;
-  start.First = ray;
-  start.Seen = hit;
-  return this->GetRadiance(start, stream, rays);
-}
-
-glm::vec3 PathIntegrator::GetRadiance(
-  const Start& start, SampleStream stream, std::uint64_t& rays) const
-{
-  Ray ray = start.First;
-  Hit hit = start.Seen;
-  float pdf = start.Pdf;
-  glm::vec3 normal = start.Normal;
-  glm::vec3 radiance(0.0f);
-  glm::vec3 beta(1.0f);
-  float compression = 1.0f;
-  const float tolerances = start.IsOneOfMany ? TolerancesOfMany : 1.0f;
-  for (int depth = start.Depth;; ++depth)
-  {
-    // Add the environment where the path leaves the scene.
-    if (!hit.IsValid())
-    {
-      return radiance + beta * this->Light.GetEnvironment(ray.Direction, pdf);
-    }
-
-    // End if the cache knows everything.
-    glm::vec3 known;
-    if (depth > 0 && depth < this->Settings.MaximumDepth &&
-      this->LookUp(ray, hit, known, tolerances))
-    {
-      return radiance + beta * known;
-    }
-
-    // Add what the surface emits.
-    const SurfaceHit surface = this->World.GetSurface(ray, hit);
-    radiance += beta * this->Light.GetEmission(ray, normal, hit, surface, pdf);
-    if (depth >= this->Settings.MaximumDepth)
-    {
-      return radiance;
-    }
-
-    // Add the diffuse light that the cache knows, and exclude it from later steps.
-    stream.NextVertex();
-    const Frame frame(surface.ShadingNormal);
-    const BSDF bsdf(
-      *surface.Material, surface.GetMaterialPoint(), frame.ToLocal(-ray.Direction), surface.Inside);
-    const float lobe = bsdf.HasSpecular() ? stream.Get1D(Dimension::Lobe) : 1.0f;
-    Lobes lit = Lobes::All;
-    Lobes open = Lobes::All;
-    float openProbability = 1.0f;
-    if (this->Cache && this->Cache->Covers(hit) && bsdf.HasDiffuse())
-    {
-      radiance += beta * bsdf.DiffuseAlbedo() * this->Cache->Get(hit);
-      lit = Lobes::Specular;
-      open = Lobes::Specular;
-      if (!this->Cache->IsComplete())
-      {
-        const float specular = bsdf.GetSpecularProbability(Lobes::All);
-        open = lobe < specular ? Lobes::Specular : Lobes::Diffuse;
-        openProbability = lobe < specular ? specular : 1.0f - specular;
-      }
-    }
-
-    // Add light that is sampled at its sources.
-    if (bsdf.Has(lit) && !bsdf.IsMirror(lit))
-    {
-      radiance += beta * this->Light.Sample({ surface, frame, bsdf, lit }, stream, rays);
-    }
-
-    // Choose the direction in which the path continues.
-    BSDFSample sample;
-    if (!bsdf.Has(open) || !bsdf.Sample(lobe, stream.Get2D(Dimension::Direction), sample, open))
-    {
-      return radiance;
-    }
-    beta *= sample.Weight / openProbability;
-    compression *= sample.Compression;
-    pdf = sample.Pdf;
-    normal = surface.GetReceiver().Normal;
-
-    // End paths of little weight.
-    if ((depth >= RouletteDepth || start.IsOneOfMany) &&
-      !Survive(beta, compression, stream.Get1D(Dimension::Roulette)))
-    {
-      return radiance;
-    }
-    ray = { surface.GetStart(sample.Direction.z), frame.ToWorld(sample.Direction) };
-    ++rays;
-    hit = this->World.Intersect(ray);
-  }
-}
-
 void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
 {
   batch.Begin();
   for (int vertex = 0; batch.GetNumberOfPackets() > 0; ++vertex)
   {
-    PathStep step(*this, batch.GetDepth() + vertex, vertex + 1);
+    PathStep step(*this, batch, vertex);
     for (int i = 0; i < batch.GetNumberOfPackets(); ++i)
     {
       PathPacket& packet = batch.GetPacket(i);

@@ -14,7 +14,6 @@
 #include "cslfPathBatch.h"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace cslf
@@ -38,27 +37,6 @@ public:
   /// With a cache, which may be null or unfinished, paths end where the cache knows the rest.
   PathIntegrator(
     const Scene& scene, const PathSettings& settings, const RadianceCache* cache = nullptr);
-
-  /// A path's first ray and what it hits.
-  struct Start
-  {
-    Ray First;
-    Hit Seen;
-    int Depth = 0;                                      ///< reflections before
-    float Pdf = std::numeric_limits<float>::infinity(); ///< of the direction, per solid angle;
-                                                        ///< infinite if given
-    glm::vec3 Normal{ 0.0f }; ///< of the LightReceiver where it starts, unless it is given
-    bool IsOneOfMany =
-      false; ///< whether its own error hardly matters, because it is averaged with many
-  };
-
-  /// The radiance along a given ray from its first hit, which must be valid, by a single path, for
-  /// comparison with batches. Adds the rays traced.
-  glm::vec3 GetRadiance(
-    const Ray& ray, const Hit& hit, SampleStream stream, std::uint64_t& rays) const;
-
-  /// The radiance found by the rest of a path.
-  glm::vec3 GetRadiance(const Start& start, SampleStream stream, std::uint64_t& rays) const;
 
   /// Follows all paths of a batch to their ends. Adds the rays traced.
   void Follow(PathBatch& batch, std::uint64_t& rays) const;

@@ -16,6 +16,9 @@ namespace cslf
 {
 namespace
 {
+// The allowed error of a look-up, in the cache's tolerances, if hundreds of paths are averaged.
+constexpr float TolerancesOfMany = 8.0f;
+
 /// Adds an environment without image to rays that miss, and ends these paths.
 CSLF_VECTORIZE void AddGradient(
   const SkyGradient& environment, const HitLanes& hits, PathPacket& paths, Vec3Lanes& found)
@@ -40,8 +43,8 @@ CSLF_VECTORIZE void AddWeighted(const Vec3Lanes& beta, const Vec3Lanes& light, V
   }
 }
 
-/// The next directions if all surfaces were diffuse: the weight of a sample is the base colour.
-CSLF_VECTORIZE void ChooseMatte(const Lanes<float>& x, const Lanes<float>& y,
+/// The next directions if all surfaces were Lambertian: the weight of a sample is the base colour.
+CSLF_VECTORIZE void SampleLambertian(const Lanes<float>& x, const Lanes<float>& y,
   const SurfaceLanes& surfaces, const LaneMask& open, PathPacket& paths, Vec3Lanes& local)
 {
   CSLF_LANE_LOOP
@@ -99,14 +102,15 @@ void Deposit(const Vec3Lanes& found, const PathPacket& paths, glm::vec3* radianc
 }
 }
 
-PathStep::PathStep(const PathIntegrator& paths, int depth, int vertex)
+PathStep::PathStep(const PathIntegrator& paths, const PathBatch& batch, int vertex)
   : Paths(paths)
   , World(paths.World)
   , Settings(paths.Settings)
   , Light(paths.Light)
   , Cache(paths.Cache)
-  , Depth(depth)
-  , Vertex(static_cast<std::uint32_t>(vertex))
+  , Depth(batch.GetDepth() + vertex)
+  , Vertex(static_cast<std::uint32_t>(vertex) + 1)
+  , AreAveraged(batch.AreAveraged())
 {
 }
 
@@ -129,7 +133,7 @@ std::uint64_t PathStep::Advance(PathPacket& paths, const HitLanes& hits, glm::ve
       this->AddCached(paths, hits);
       rays = this->AddLight(paths);
       this->ChooseDirections(paths);
-      if (this->Depth >= RouletteDepth)
+      if (this->AreAveraged || this->Depth >= RouletteDepth)
       {
         this->EndByChance(paths);
       }
@@ -170,11 +174,12 @@ void PathStep::AddEnvironment(PathPacket& paths, const HitLanes& hits)
 /// Adds the light of surfaces that the cache covers completely, and ends these paths.
 void PathStep::EndWhereKnown(PathPacket& paths, const HitLanes& hits)
 {
+  const float tolerances = this->AreAveraged ? TolerancesOfMany : 1.0f;
   for (int lane = 0; lane < LaneCount; ++lane)
   {
     glm::vec3 known;
     if (paths.Rays.Active[lane] != 0 &&
-      this->Paths.LookUp(paths.Rays.Get(lane), hits.Get(lane), known))
+      this->Paths.LookUp(paths.Rays.Get(lane), hits.Get(lane), known, tolerances))
     {
       this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * known);
       paths.Rays.Active[lane] = 0;
@@ -193,7 +198,7 @@ void PathStep::AddEmission(const PathPacket& paths, const HitLanes& hits)
     });
 }
 
-/// Makes the BSDFs of surfaces that are not diffuse.
+/// Makes the BSDFs of surfaces that are not Lambertian.
 void PathStep::MakeScattering(const PathPacket& paths)
 {
   const SurfaceLanes& surfaces = this->Points.Surfaces;
@@ -205,12 +210,7 @@ void PathStep::MakeScattering(const PathPacket& paths)
   ForEachLane(surfaces.Scattering,
     [&](int lane)
     {
-      const Frame frame(surfaces.ShadingNormal.Get(lane));
-      const BSDF& bsdf = this->Points.Scattering[lane].emplace(*surfaces.Material[lane],
-        MaterialPoint{
-          surfaces.BaseColor.Get(lane), surfaces.Metallic[lane], surfaces.Alpha[lane] },
-        frame.ToLocal(-paths.Rays.Direction.Get(lane)), surfaces.Inside[lane] != 0);
-      this->Lobe[lane] = bsdf.HasSpecular() ? this->Lobe[lane] : 1.0f;
+      this->Points.MakeScattering(lane, -paths.Rays.Direction.Get(lane));
       this->Points.LitLobes[lane] = Lobes::All;
       this->Open[lane] = Lobes::All;
       this->OpenProbability[lane] = 1.0f;
@@ -228,17 +228,17 @@ void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
       continue;
     }
     const Hit hit = hits.Get(lane);
-    const bool matte = (this->Points.Surfaces.Scattering >> lane & 1u) == 0;
-    const BSDF* bsdf = matte ? nullptr : &*this->Points.Scattering[lane];
-    if (!this->Cache->Covers(hit) || !(matte || bsdf->HasDiffuse()))
+    const bool isLambertian = (this->Points.Surfaces.Scattering >> lane & 1u) == 0;
+    const BSDF* bsdf = isLambertian ? nullptr : &*this->Points.Scattering[lane];
+    if (!this->Cache->Covers(hit) || !(isLambertian || bsdf->Has(Lobes::Diffuse)))
     {
       continue;
     }
     const glm::vec3 albedo =
-      matte ? this->Points.Surfaces.BaseColor.Get(lane) : bsdf->DiffuseAlbedo();
+      isLambertian ? this->Points.Surfaces.BaseColor.Get(lane) : bsdf->GetDiffuse().GetAlbedo();
     this->Found.Set(
       lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * this->Cache->Get(hit));
-    if (matte)
+    if (isLambertian)
     {
       this->Points.Lit[lane] = 0;
       this->GoesOn[lane] = this->Cache->IsComplete() ? 0 : -1;
@@ -248,12 +248,21 @@ void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
     this->Open[lane] = Lobes::Specular;
     if (!this->Cache->IsComplete())
     {
-      const float specular = bsdf->GetSpecularProbability(Lobes::All);
-      const bool reflects = this->Lobe[lane] < specular;
-      this->Open[lane] = reflects ? Lobes::Specular : Lobes::Diffuse;
-      this->OpenProbability[lane] = reflects ? specular : 1.0f - specular;
+      this->ChooseLobes(lane, *bsdf);
     }
   }
+}
+
+/// Chooses whether the path continues from diffuse or from other lobes, and keeps the rest of the
+/// random number for the choice among these.
+void PathStep::ChooseLobes(int lane, const BSDF& bsdf)
+{
+  const float specular = bsdf.GetProbability(Lobes::Specular);
+  float& number = this->Lobe[lane];
+  const bool isSpecular = number < specular;
+  this->Open[lane] = isSpecular ? Lobes::Specular : Lobes::Diffuse;
+  this->OpenProbability[lane] = isSpecular ? specular : 1.0f - specular;
+  number = (isSpecular ? number : number - specular) / this->OpenProbability[lane];
 }
 
 /// Adds light that is sampled at its sources.
@@ -296,7 +305,7 @@ void PathStep::ChooseDirections(PathPacket& paths)
     betas = paths.Beta;
     active = paths.Rays.Active;
   }
-  ChooseMatte(x, y, this->Points.Surfaces, this->GoesOn, paths, this->Local);
+  SampleLambertian(x, y, this->Points.Surfaces, this->GoesOn, paths, this->Local);
   ForEachLane(others,
     [&](int lane)
     {

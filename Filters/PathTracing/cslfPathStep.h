@@ -13,6 +13,7 @@
 
 namespace cslf
 {
+class PathBatch;
 class PathIntegrator;
 class RadianceCache;
 struct PathSettings;
@@ -21,8 +22,8 @@ struct PathSettings;
 class PathStep
 {
 public:
-  /// After `depth` reflections; these paths made `vertex` of them.
-  PathStep(const PathIntegrator& paths, int depth, int vertex);
+  /// Of a batch's paths, which made `vertex` reflections.
+  PathStep(const PathIntegrator& paths, const PathBatch& batch, int vertex);
 
   /// Evaluates the rays' hits and continues the paths. Adds the results to the radiances of the
   /// batch's paths. Returns the number of shadow rays.
@@ -34,6 +35,7 @@ private:
   void AddEmission(const PathPacket& paths, const HitLanes& hits);
   void MakeScattering(const PathPacket& paths);
   void AddCached(const PathPacket& paths, const HitLanes& hits);
+  void ChooseLobes(int lane, const BSDF& bsdf);
   std::uint64_t AddLight(const PathPacket& paths);
   void ChooseDirections(PathPacket& paths);
   void EndByChance(PathPacket& paths);
@@ -45,11 +47,12 @@ private:
   const RadianceCache* Cache;
   int Depth;
   std::uint32_t Vertex;
+  bool AreAveraged; // as in PathBatch
 
   // Of the packet.
   Vec3Lanes Found; // the radiance that the step adds
   ScatterLanes Points;
-  LaneMask GoesOn;       // whether paths may continue from diffuse surfaces
+  LaneMask GoesOn;       // whether paths may continue from Lambertian surfaces
   Lanes<float> Lobe;     // on other surfaces, the random number that chooses it
   Lobes Open[LaneCount]; // on other surfaces, the lobes in which the path may continue
   Lanes<float> OpenProbability;

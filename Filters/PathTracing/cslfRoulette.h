@@ -26,18 +26,6 @@ inline float GetSurvival(const glm::vec3& beta, float compression)
   const float weight = std::max(std::max(beta.x, beta.y), beta.z) / compression;
   return std::min(weight, LargestSurvival);
 }
-
-/// Russian roulette. False if the path ends.
-inline bool Survive(glm::vec3& beta, float compression, float u)
-{
-  const float survival = GetSurvival(beta, compression);
-  if (u >= survival)
-  {
-    return false;
-  }
-  beta /= survival;
-  return true;
-}
 }
 
 #endif

@@ -3,12 +3,13 @@
 /**
  * @file
  * Surface points and their scattering towards the previous points of their paths, side by side.
- * Lanes describe diffuse surfaces; all others have a BSDF each.
+ * Lanes describe Lambertian surfaces; all others have a BSDF each.
  */
 #ifndef cslfScatterLanes_h
 #define cslfScatterLanes_h
 
 #include "cslfBSDF.h"
+#include "cslfFrame.h"
 #include "cslfSurfaceLanes.h"
 
 #include <optional>
@@ -18,9 +19,19 @@ namespace cslf
 struct ScatterLanes
 {
   SurfaceLanes Surfaces;
-  std::optional<BSDF> Scattering[LaneCount]; ///< of surfaces that are not diffuse
+  std::optional<BSDF> Scattering[LaneCount]; ///< of surfaces that are not Lambertian
   LaneMask Lit;                              ///< whether light is requested
-  Lobes LitLobes[LaneCount]; ///< of surfaces that are not diffuse: the requested lobes
+  Lobes LitLobes[LaneCount]; ///< of surfaces that are not Lambertian: the requested lobes
+
+  /// Makes the BSDF of a lane for light that leaves in a direction of the scene.
+  const BSDF& MakeScattering(int lane, const glm::vec3& outgoing)
+  {
+    const SurfaceLanes& surfaces = this->Surfaces;
+    const MaterialPoint point{ surfaces.BaseColor.Get(lane), surfaces.Metallic[lane],
+      surfaces.Alpha[lane] };
+    return this->Scattering[lane].emplace(*surfaces.Material[lane], point,
+      Frame(surfaces.ShadingNormal.Get(lane)).ToLocal(outgoing), surfaces.Inside[lane] != 0);
+  }
 };
 
 /// Light that arrives at surface points, like LightSample.

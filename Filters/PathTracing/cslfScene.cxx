@@ -35,7 +35,7 @@ bool IsTraceable(const Ray& ray)
   return std::isfinite(sum.x + sum.y + sum.z) && ray.Direction != glm::vec3(0.0f);
 }
 
-RTCRay ToEmbree(const Ray& ray, float distance)
+RTCRay ToEmbree(const Ray& ray)
 {
   RTCRay result;
   result.org_x = ray.Origin.x;
@@ -45,7 +45,7 @@ RTCRay ToEmbree(const Ray& ray, float distance)
   result.dir_y = ray.Direction.y;
   result.dir_z = ray.Direction.z;
   result.tnear = 0.0f;
-  result.tfar = distance;
+  result.tfar = std::numeric_limits<float>::infinity();
   result.time = 0.0f;
   result.mask = ~0u;
   result.id = 0;
@@ -358,7 +358,7 @@ Hit Scene::Intersect(const Ray& ray) const
     return hit;
   }
   RTCRayHit query;
-  query.ray = ToEmbree(ray, std::numeric_limits<float>::infinity());
+  query.ray = ToEmbree(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   EmbreeIntersect(this->Tree->World.get(), EmbreeQuery(Passing::ByChance), query);
@@ -392,20 +392,6 @@ void Scene::Intersect(RayPacket& packet) const
       }
     }
   }
-}
-
-float Scene::GetTransmittance(const Ray& ray, float distance) const
-{
-  if (!IsTraceable(ray))
-  {
-    return 0.0f;
-  }
-  float transmittance = 1.0f;
-  EmbreeQuery rule(Passing::Attenuated);
-  rule.Transmittance = &transmittance;
-  RTCRay query = ToEmbree(ray, distance * ShadowLength);
-  EmbreeOccluded(this->Tree->World.get(), rule, query);
-  return query.tfar < 0.0f ? 0.0f : transmittance;
 }
 
 void Scene::FindInstances(HitLanes& hits) const

@@ -100,12 +100,11 @@ public:
   Hit Intersect(const Ray& ray) const;
   void Intersect(RayPacket& packet) const;
 
-  /// The share of a light at a distance that passes all surfaces on a ray. The light's own surface
-  /// does not count. Partly opaque surfaces attenuate; glass and all other surfaces block.
-  float GetTransmittance(const Ray& ray, float distance) const;
-
-  /// The same for incoherent rays.
+  /// The first hits of incoherent rays.
   void Intersect(const RayLanes& rays, HitLanes& hits) const;
+
+  /// The share of each light that passes all surfaces on the way. The light's own surface does not
+  /// count. Partly opaque surfaces attenuate; glass and all other surfaces block.
   void FindTransmittances(ShadowLanes& shadows) const;
 
   SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;

@@ -60,7 +60,7 @@ struct MeshTraits
   bool IsPlain = false;
   bool IsUniform = false;
   bool IsEmissive = false;
-  bool IsMatte = false;
+  bool IsLambertian = false;
 
   void Set(const Scene& scene, std::uint32_t index)
   {
@@ -73,7 +73,7 @@ struct MeshTraits
       this->IsPlain = mesh.CanHoldLattice() && !mesh.Textures.Normal;
       this->IsUniform = mesh.IsUniform();
       this->IsEmissive = mesh.Material.IsEmissive();
-      this->IsMatte = mesh.Material.IsMatte();
+      this->IsLambertian = mesh.Material.IsLambertian();
     }
   }
 };
@@ -110,18 +110,16 @@ CSLF_VECTORIZE void LocateFlat(const RayLanes& rays, const HitLanes& hits,
   {
     const glm::vec3 direction = rays.Direction.Get(i);
     const glm::vec3 front = glm::normalize(triangles.Front.Get(i));
-    const float away = glm::dot(front, direction);
-    const glm::vec3 normal = (away > 0.0f ? -1.0f : 1.0f) * front;
     const glm::vec3 corner = triangles.Corners[0].Get(i);
     const glm::vec3 position =
       MoveToPlane(rays.Origin.Get(i) + hits.Distance[i] * direction, corner, front);
-    const float offset =
-      FindOffset(front, glm::abs(position) + glm::abs(corner), triangles.Length[i]);
-    surfaces.Inside[i] = away > 0.0f ? -1 : 0;
-    surfaces.GeometricNormal.Set(i, normal);
-    surfaces.ShadingNormal.Set(i, normal);
-    surfaces.LeavePosition.Set(i, position + offset * normal);
-    surfaces.PassPosition.Set(i, position - offset * normal);
+    const FlatPoint point =
+      FindFlatPoint(front, direction, position, glm::abs(corner), triangles.Length[i]);
+    surfaces.Inside[i] = point.Inside ? -1 : 0;
+    surfaces.GeometricNormal.Set(i, point.Normal);
+    surfaces.ShadingNormal.Set(i, point.Normal);
+    surfaces.LeavePosition.Set(i, point.Leave);
+    surfaces.PassPosition.Set(i, point.Pass);
   }
 }
 
@@ -143,13 +141,10 @@ CSLF_VECTORIZE void Smooth(const RayLanes& rays, const HitLanes& hits,
     const glm::vec3 front = (surfaces.Inside[i] != 0 ? -1.0f : 1.0f) * geometric;
     const glm::vec3 normal =
       FaceOutgoing(InterpolateNormals(normals, u, v, front), geometric, -rays.Direction.Get(i));
-    const glm::vec3 position =
-      RaiseToSmoothSurface(corners, normals, u, v, geometric, InterpolateCorners(corners, u, v));
-    const float offset =
-      FindOffset(geometric, glm::abs(position) + glm::abs(corners[0]), triangles.Length[i]);
+    const glm::vec3 leave =
+      LeaveSmooth(corners, normals, u, v, geometric, glm::abs(corners[0]), triangles.Length[i]);
     surfaces.ShadingNormal.Set(i, Choose(smooth, normal, surfaces.ShadingNormal.Get(i)));
-    surfaces.LeavePosition.Set(
-      i, Choose(smooth, position + offset * geometric, surfaces.LeavePosition.Get(i)));
+    surfaces.LeavePosition.Set(i, Choose(smooth, leave, surfaces.LeavePosition.Get(i)));
   }
 }
 }
@@ -206,7 +201,7 @@ void FindSurfaces(
     const std::uint32_t bit = 1u << lane;
     traits.Set(scene, hits.Mesh[lane]);
     surfaces.Shining |= traits.IsEmissive ? bit : 0u;
-    surfaces.Scattering |= traits.IsMatte ? 0u : bit;
+    surfaces.Scattering |= traits.IsLambertian ? 0u : bit;
     if (traits.IsPlain)
     {
       plain |= bit;

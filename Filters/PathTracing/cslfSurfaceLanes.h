@@ -26,7 +26,7 @@ struct SurfaceLanes
   const SurfaceMaterial* Material[LaneCount];
 
   std::uint32_t Shining = 0;    ///< a bit for each emissive lane
-  std::uint32_t Scattering = 0; ///< a bit for each lane that is not diffuse
+  std::uint32_t Scattering = 0; ///< a bit for each lane that is not Lambertian
 
   /// Like SurfaceHit::GetReceiver.
   LightReceiver GetReceiver(int lane) const
@@ -40,6 +40,7 @@ struct SurfaceLanes
   }
 
   SurfaceHit Get(int lane) const;
+  /// Sets all but the bits.
   void Set(int lane, const SurfaceHit& surface);
 };
 

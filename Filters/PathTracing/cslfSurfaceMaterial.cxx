@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceMaterial.h"
 
+#include "cslfBSDF.h"
 #include "cslfFresnel.h"
 #include "cslfGGX.h"
 
@@ -125,5 +126,16 @@ SurfaceMaterial::SurfaceMaterial(const glm::vec3& baseColor, float metallic, flo
   , Emission(glm::max(emission, glm::vec3(0.0f)))
 {
   this->DielectricSpecular = SpecularAlbedo(this->IndexOfRefraction, this->Alpha);
+}
+
+bool SurfaceMaterial::IsLambertian() const
+{
+  return BSDF::ConsistsOf<DiffuseLobe>(*this);
+}
+
+bool SurfaceMaterial::IsRoughDielectric() const
+{
+  return BSDF::ConsistsOf<DiffuseLobe, FacetLobe>(*this) && this->IndexOfRefraction > 1.0f &&
+    this->Alpha > 0.0f && this->Metallic == 0.0f && this->Transmission == 0.0f;
 }
 }

@@ -106,18 +106,11 @@ public:
   /// Whether it emits light. No component of an emission is negative.
   bool IsEmissive() const { return this->Emission.x + this->Emission.y + this->Emission.z > 0.0f; }
 
-  /// Whether it has only a diffuse base.
-  bool IsMatte() const
-  {
-    return this->IndexOfRefraction == 1.0f && this->Metallic == 0.0f && this->Transmission == 0.0f;
-  }
+  /// Whether it has only a diffuse base, which reflects equally in all directions.
+  bool IsLambertian() const;
 
   /// Whether it has a diffuse base and a rough boundary alone.
-  bool IsRoughDielectric() const
-  {
-    return this->IndexOfRefraction > 1.0f && this->Alpha > 0.0f && this->Metallic == 0.0f &&
-      this->Transmission == 0.0f;
-  }
+  bool IsRoughDielectric() const;
 };
 }
 

@@ -137,6 +137,35 @@ inline glm::vec3 RaiseToSmoothSurface(const glm::vec3 corners[3], const glm::vec
   }
   return raised;
 }
+
+/// A flat triangle as seen by a ray.
+struct FlatPoint
+{
+  glm::vec3 Normal; ///< on the ray's side
+  bool Inside;      ///< whether the ray comes from behind
+  glm::vec3 Leave;  ///< the origin of rays that leave on the ray's side
+  glm::vec3 Pass;   ///< and on the other side
+};
+
+/// For a point on a triangle; `front` has unit length. `reach` and `length` are as in FindOffset,
+/// without the point's own coordinates.
+inline FlatPoint FindFlatPoint(const glm::vec3& front, const glm::vec3& direction,
+  const glm::vec3& position, const glm::vec3& reach, float length)
+{
+  const float away = glm::dot(front, direction);
+  const glm::vec3 normal = (away > 0.0f ? -1.0f : 1.0f) * front;
+  const glm::vec3 offset = FindOffset(front, glm::abs(position) + reach, length) * normal;
+  return { normal, away > 0.0f, position + offset, position - offset };
+}
+
+/// The origin of rays that leave a smooth triangle, on the side of the geometric normal.
+inline glm::vec3 LeaveSmooth(const glm::vec3 corners[3], const glm::vec3 normals[3], float u,
+  float v, const glm::vec3& geometric, const glm::vec3& reach, float length)
+{
+  const glm::vec3 position =
+    RaiseToSmoothSurface(corners, normals, u, v, geometric, InterpolateCorners(corners, u, v));
+  return position + FindOffset(geometric, glm::abs(position) + reach, length) * geometric;
+}
 }
 
 #endif

@@ -132,8 +132,7 @@ void Compare(const cslf::Scene& scene, const cslf::PathSettings& settings, bool 
     const cslf::PathBatch::Start& start = starts[path];
     const cslf::Hit hit = scene.Intersect(start.First);
     CSLF_CHECK(batch.GetSeen(path).Mesh == hit.Mesh);
-    const glm::vec3 expected = integrator.GetRadiance(
-      start.First, hit, cslf::SampleStream(start.Hash, start.Index), expectedRays);
+    const glm::vec3 expected = FollowAlone(integrator, start, hit, expectedRays);
     const glm::vec3 found = batch.GetRadiance(path);
     const float scale = 1.0f + std::max({ expected.x, expected.y, expected.z });
     different += glm::distance(found, expected) > 2e-3f * scale ? 1 : 0;
@@ -225,9 +224,7 @@ void TestSizes()
     integrator.Follow(batch, rays);
     for (int i = 0; i < size; ++i)
     {
-      const cslf::SampleStream stream(starts[i].Hash, starts[i].Index);
-      const glm::vec3 expected =
-        integrator.GetRadiance(starts[i].First, batch.GetSeen(i), stream, rays);
+      const glm::vec3 expected = FollowAlone(integrator, starts[i], batch.GetSeen(i), rays);
       CSLF_CHECK(glm::distance(batch.GetRadiance(i), expected) < 2e-3f);
     }
   }

@@ -4,6 +4,7 @@
 // The distance at which rays leave surfaces: small enough that they hit a sheet close above, and
 // large enough that a surface does not shadow itself.
 #include "PathTracing/cslfSampling.h"
+#include "PathTracing/cslfFrame.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 
@@ -43,7 +44,6 @@ void TestSheets()
       const cslf::PathIntegrator integrator(scene, settings);
       // The probability of passing the upper sheet depends on the ray, so many rays are needed.
       cslf::PathBatch batch;
-      double single = 0.0;
       std::uint64_t rays = 0;
       for (int i = 0; i < cslf::PathBatch::Capacity; ++i)
       {
@@ -54,11 +54,6 @@ void TestSheets()
           LookAt(center + 0.9f * frame.Z + 0.1f * frame.X, center + x * frame.X + y * frame.Y);
         start.Hash = cslf::SampleStream::HashTexel(1, 0, i, 0);
         batch.Add(start);
-        single += integrator
-                    .GetRadiance(start.First, scene.Intersect(start.First),
-                      cslf::SampleStream(start.Hash, 0), rays)
-                    .x /
-          cslf::PathBatch::Capacity;
       }
       integrator.Follow(batch, rays);
       double mean = 0.0;
@@ -67,7 +62,6 @@ void TestSheets()
         mean += batch.GetRadiance(i).x / batch.GetSize();
       }
       CSLF_CHECK_NEAR(mean, 0.8 * 0.25, 0.01);
-      CSLF_CHECK_NEAR(single, 0.8 * 0.25, 0.01);
     }
   }
 }
@@ -115,7 +109,7 @@ void TestFurnace()
           const cslf::PathIntegrator integrator(scene, settings);
           const glm::vec3 target = place + 0.3f * along + 0.3f * middle * along + 0.3f * across;
           cslf::PathBatch batch;
-          for (int j = 0; j < 256; ++j)
+          for (int j = 0; j < 512; ++j)
           {
             cslf::PathBatch::Start start;
             start.First = LookAt(glm::normalize(getVector()), target);
@@ -124,10 +118,6 @@ void TestFurnace()
             if (hit.IsValid())
             {
               batch.Add(start, hit);
-              const glm::vec3 radiance =
-                integrator.GetRadiance(start.First, hit, cslf::SampleStream(start.Hash, 0), rays);
-              shadowed += radiance.x > 0.5f ? 0 : 1;
-              ++tested;
             }
           }
           integrator.Follow(batch, rays);

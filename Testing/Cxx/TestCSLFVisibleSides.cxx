@@ -4,6 +4,7 @@
 // Surfaces that are visible from only one side: in pictures, in shadows, as lights, as instances,
 // and in the radiance cache.
 #include "PathTracing/RadianceCache/cslfOpenSides.h"
+#include "PathTracing/cslfRayLanes.h"
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
@@ -59,8 +60,15 @@ void TestRays()
       cslf::SurfaceMaterial material = MakeSided(sides, 0.5f);
       material.Opacity = opacity;
       const cslf::Scene scene({ MakeSheet(0.0f, material) }, MakeUniformLight(1.0f));
-      const auto pass = [&scene](float way) {
-        return scene.GetTransmittance({ { 0.1f, 0.2f, -way }, { 0, 0, way } }, 5.0f);
+      const auto pass = [&scene](float way)
+      {
+        cslf::ShadowLanes shadows{};
+        shadows.Rays.Active[0] = -1;
+        shadows.Rays.Origin.Set(0, { 0.1f, 0.2f, -way });
+        shadows.Rays.Direction.Set(0, { 0, 0, way });
+        shadows.Distance[0] = 5.0f;
+        scene.FindTransmittances(shadows);
+        return shadows.Transmittance[0];
       };
       CSLF_CHECK_NEAR(pass(-1.0f), above ? 1.0f - opacity : 1.0f, 1e-6);
       CSLF_CHECK_NEAR(pass(1.0f), below ? 1.0f - opacity : 1.0f, 1e-6);

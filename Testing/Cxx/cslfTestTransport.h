@@ -86,6 +86,16 @@ inline Estimate Trace(const Scene& scene, const Ray& ray, const PathSettings& se
   return estimate;
 }
 
+/// The radiance of one path from a known first hit, followed alone. Adds the rays traced.
+inline glm::vec3 FollowAlone(const PathIntegrator& integrator, const PathBatch::Start& start,
+  const Hit& hit, std::uint64_t& rays)
+{
+  PathBatch batch;
+  batch.Add(start, hit);
+  integrator.Follow(batch, rays);
+  return batch.GetRadiance(0);
+}
+
 inline Ray LookAt(const glm::vec3& from, const glm::vec3& at)
 {
   return { from, glm::normalize(at - from) };

@@ -4,6 +4,8 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/cslfSampling.h"
+#include "PathTracing/cslfScatterLanes.h"
+#include "PathTracing/cslfStreamLanes.h"
 #include "cslfHalfSamples.h"
 #include "cslfSampleNoise.h"
 
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace cslf
 {
@@ -23,11 +26,10 @@ namespace
 // at a flat angle, this share and its light are small.
 constexpr float NearShare = 1.0f / 32.0f;
 
-MaterialPoint MakeWhite(const SurfaceHit& surface)
+SurfaceHit MakeWhite(SurfaceHit surface)
 {
-  MaterialPoint point = surface.GetMaterialPoint();
-  point.BaseColor = glm::vec3(1.0f);
-  return point;
+  surface.BaseColor = glm::vec3(1.0f);
+  return surface;
 }
 }
 
@@ -39,16 +41,16 @@ struct DiffuseEstimator::Receiver
   BSDF Reflection;
 
   Receiver(const Scene& scene, const Hit& place)
-    : Surface(scene.GetSurface(place))
+    : Surface(MakeWhite(scene.GetSurface(place)))
     , Local(Surface.ShadingNormal)
-    , Reflection(*Surface.Material, MakeWhite(Surface),
+    , Reflection(*Surface.Material, Surface.GetMaterialPoint(),
         this->Local.ToLocal(this->Surface.GeometricNormal), this->Surface.Inside)
   {
   }
 };
 
 /// Samples that are taken together.
-struct DiffuseEstimator::Batch
+struct DiffuseEstimator::Range
 {
   const Receiver& From;
   std::uint64_t Hash;
@@ -141,7 +143,7 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
   Work& work, std::array<SampleMean, 2>& means)
 {
   const Receiver receiver(this->World, point.Place);
-  if (!receiver.Reflection.HasDiffuse())
+  if (!receiver.Reflection.Has(Lobes::Diffuse))
   {
     return;
   }
@@ -163,9 +165,9 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
       progress.Fit.reset();
     }
     progress.Samples.Extend(end);
-    const Batch batch{ receiver, MixBits(hash, half), begin, end };
-    rays += this->Limits.Kind == Light::Sampled ? this->SampleLights(batch, progress)
-                                                : this->LookAround(batch, progress);
+    const Range range{ receiver, MixBits(hash, half), begin, end };
+    rays += this->Limits.Kind == Light::Sampled ? this->SampleLights(range, progress)
+                                                : this->LookAround(range, progress);
     means[half] = progress.Samples.GetMean();
     if (begin == 0)
     {
@@ -238,35 +240,120 @@ bool DiffuseEstimator::IsEnough(const SurfacePoint& point, const HalfEstimate& p
   return GetDisplayedError(this->Limits.Display, pilot.Pilot, error, color) < this->Limits.Noise;
 }
 
-std::uint64_t DiffuseEstimator::SampleLights(const Batch& batch, Progress& progress) const
+std::uint64_t DiffuseEstimator::SampleLights(const Range& range, Progress& progress) const
 {
-  const Receiver& receiver = batch.From;
-  const glm::vec3 albedo = receiver.Reflection.DiffuseAlbedo();
-  const ScatteringPoint point{ receiver.Surface, receiver.Local, receiver.Reflection,
-    Lobes::Diffuse };
-  std::uint64_t rays = 0;
-  for (int i = batch.Begin; i < batch.End; ++i)
+  const Receiver& receiver = range.From;
+  const glm::vec3 albedo = receiver.Reflection.GetDiffuse().GetAlbedo();
+  const bool isLambertian = receiver.Surface.Material->IsLambertian();
+  ScatterLanes points;
+  StreamLanes streams;
+  points.Surfaces.Scattering = isLambertian ? 0 : (1u << LaneCount) - 1;
+  for (int lane = 0; lane < LaneCount; ++lane)
   {
-    const SampleStream stream(batch.Hash, static_cast<std::uint32_t>(i));
-    progress.Samples.Add(i, this->Paths.GetLight().Sample(point, stream, rays) / albedo);
+    points.Surfaces.Set(lane, receiver.Surface);
+    if (!isLambertian)
+    {
+      points.Scattering[lane].emplace(receiver.Reflection);
+    }
+    points.LitLobes[lane] = Lobes::Diffuse;
+    streams.Hash[lane] = range.Hash;
+  }
+  std::uint64_t rays = 0;
+  for (int i = range.Begin; i < range.End; i += LaneCount)
+  {
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      points.Lit[lane] = -1;
+      streams.Index[lane] = static_cast<std::uint32_t>(i + lane);
+    }
+    Vec3Lanes light;
+    Clear(light);
+    rays += this->Paths.GetLight().Sample(points, streams, 0, light);
+    for (int lane = 0; lane < LaneCount; ++lane)
+    {
+      progress.Samples.Add(i + lane, light.Get(lane) / albedo);
+    }
   }
   return rays;
 }
 
-std::uint64_t DiffuseEstimator::LookAround(const Batch& batch, Progress& progress) const
+/// Takes the light that is found in given directions. Light that is not known is found later, by
+/// paths that are followed together.
+class DiffuseEstimator::Gathering
 {
-  const Receiver& receiver = batch.From;
+public:
+  Gathering(
+    const DiffuseEstimator& estimator, const Range& range, PathBatch& batch, Progress& progress)
+    : Paths(estimator.Paths)
+    , Samples(range)
+    , Batch(batch)
+    , Results(progress)
+  {
+    this->Batch.Clear();
+  }
+
+  void Add(int index, const glm::vec3& direction, const glm::vec3& radiance)
+  {
+    if (this->Results.Fit)
+    {
+      this->Results.Fit->Add({ direction.x, direction.y }, radiance);
+    }
+    const DiffuseLobe& lobe = this->Samples.From.Reflection.GetDiffuse();
+    this->Results.Samples.Add(index, lobe.GetTransmission(direction.z) * radiance);
+  }
+
+  void AddPath(int index, const glm::vec3& direction, const Ray& ray, const Hit& hit)
+  {
+    PathBatch::Start start;
+    start.First = ray;
+    start.Hash = this->Samples.Hash;
+    start.Index = static_cast<std::uint32_t>(index);
+    start.Pdf = direction.z * InversePi;
+    start.Normal = this->Samples.From.Surface.GetReceiver().Normal;
+    this->Batch.Add(start, hit);
+    this->Starts.push_back({ index, direction });
+    if (this->Batch.GetSize() == PathBatch::Capacity)
+    {
+      this->Follow();
+    }
+  }
+
+  void Follow()
+  {
+    this->Paths.Follow(this->Batch, this->Rays);
+    for (std::size_t path = 0; path < this->Starts.size(); ++path)
+    {
+      const auto& [index, direction] = this->Starts[path];
+      this->Add(index, direction, this->Batch.GetRadiance(static_cast<int>(path)));
+    }
+    this->Batch.Clear();
+    this->Starts.clear();
+  }
+
+  std::uint64_t Rays = 0;
+
+private:
+  const PathIntegrator& Paths;
+  const Range& Samples;
+  PathBatch& Batch;
+  Progress& Results;
+  std::vector<std::pair<int, glm::vec3>> Starts; // of the batch: the sample and its direction
+};
+
+std::uint64_t DiffuseEstimator::LookAround(const Range& range, Progress& progress)
+{
+  const Receiver& receiver = range.From;
   const Frame& frame = receiver.Local;
-  std::uint64_t rays = 0;
+  Gathering gathering(*this, range, this->Batches.Local(), progress);
   GatherDirections::Packet local;
   RayPacket packet;
   std::fill_n(packet.Active, RayPacket::Size, -1);
   std::fill_n(packet.Query.ray.org_x, RayPacket::Size, receiver.Surface.LeavePosition.x);
   std::fill_n(packet.Query.ray.org_y, RayPacket::Size, receiver.Surface.LeavePosition.y);
   std::fill_n(packet.Query.ray.org_z, RayPacket::Size, receiver.Surface.LeavePosition.z);
-  for (int i = batch.Begin; i < batch.End; i += RayPacket::Size)
+  for (int i = range.Begin; i < range.End; i += RayPacket::Size)
   {
-    this->Directions.Get(batch.Hash, i, local);
+    this->Directions.Get(range.Hash, i, local);
     for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
       const float x = local.X[lane];
@@ -277,41 +364,29 @@ std::uint64_t DiffuseEstimator::LookAround(const Batch& batch, Progress& progres
       packet.Query.ray.dir_z[lane] = x * frame.X.z + y * frame.Y.z + z * frame.Z.z;
     }
     this->World.Intersect(packet);
-    rays += RayPacket::Size;
+    gathering.Rays += RayPacket::Size;
     PacketRadiance light;
     alignas(64) int known[RayPacket::Size];
     this->Known.Get(packet, light, known);
     for (int lane = 0; lane < RayPacket::Size; ++lane)
     {
       const int index = i / GatherDirections::Length * GatherDirections::Length + local.Index[lane];
-      if (!known[lane])
-      {
-        light.Set(lane,
-          this->Follow(packet, lane, local.Z[lane] * InversePi,
-            receiver.Surface.GetReceiver().Normal,
-            SampleStream(batch.Hash, static_cast<std::uint32_t>(index)), rays));
-      }
-      if (batch.Begin == 0 && packet.IsHit(lane))
+      const glm::vec3 direction(local.X[lane], local.Y[lane], local.Z[lane]);
+      if (range.Begin == 0 && packet.IsHit(lane))
       {
         progress.Distances.push_back(packet.Query.ray.tfar[lane]);
       }
-      const glm::vec3 radiance(light.Red[lane], light.Green[lane], light.Blue[lane]);
-      if (progress.Fit)
+      if (known[lane])
       {
-        progress.Fit->Add({ local.X[lane], local.Y[lane] }, radiance);
+        gathering.Add(index, direction, { light.Red[lane], light.Green[lane], light.Blue[lane] });
       }
-      progress.Samples.Add(
-        index, receiver.Reflection.DiffuseTransmission(local.Z[lane]) * radiance);
+      else
+      {
+        gathering.AddPath(index, direction, packet.GetRay(lane), packet.GetHit(lane));
+      }
     }
   }
-  return rays;
-}
-
-glm::vec3 DiffuseEstimator::Follow(const RayPacket& packet, int lane, float pdf,
-  const glm::vec3& normal, const SampleStream& stream, std::uint64_t& rays) const
-{
-  return this->Paths.GetRadiance(
-    { packet.GetRay(lane), packet.GetHit(lane), this->Limits.Depth, pdf, normal, true }, stream,
-    rays);
+  gathering.Follow();
+  return gathering.Rays;
 }
 }

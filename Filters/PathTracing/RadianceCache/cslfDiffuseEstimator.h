@@ -11,6 +11,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/cslfDisplayCurve.h"
+#include "PathTracing/cslfPathBatch.h"
 #include "PathTracing/cslfPathIntegrator.h"
 #include "cslfCacheShare.h"
 #include "cslfDiffuseLookUp.h"
@@ -18,6 +19,8 @@
 #include "cslfHalfSamples.h"
 #include "cslfIncidentLight.h"
 #include "cslfSurfaceEstimate.h"
+
+#include <vtkSMPThreadLocal.h>
 
 #include <array>
 #include <atomic>
@@ -55,6 +58,7 @@ public:
     , Limits(std::move(settings))
     , Known(scene, this->Limits.Depth < paths.GetMaximumDepth() ? paths.GetCache() : nullptr)
     , Directions(this->Limits.FirstSamples / 2)
+    , Batches(PathBatch(this->Limits.Depth, true))
   {
   }
 
@@ -66,8 +70,9 @@ public:
 
 private:
   struct Receiver;
-  struct Batch;
+  struct Range;
   struct Progress;
+  class Gathering;
   struct Work;
   using Means = std::vector<std::array<SampleMean, 2>>; // of the halves of all points
 
@@ -75,10 +80,8 @@ private:
   void TakeSamples(const Request& request, int end, std::vector<Work>& works, Means& means);
   void TakeSamples(const SurfacePoint& point, int end, bool wantsIncident, Work& work,
     std::array<SampleMean, 2>& means);
-  std::uint64_t SampleLights(const Batch& batch, Progress& progress) const;
-  std::uint64_t LookAround(const Batch& batch, Progress& progress) const;
-  glm::vec3 Follow(const RayPacket& packet, int lane, float pdf, const glm::vec3& normal,
-    const SampleStream& stream, std::uint64_t& rays) const;
+  std::uint64_t SampleLights(const Range& range, Progress& progress) const;
+  std::uint64_t LookAround(const Range& range, Progress& progress);
   /// Lets the halves decide after that many samples of each. Returns whether some need more.
   bool Decide(
     const Request& request, int samples, const Means& means, std::vector<Work>& works) const;
@@ -89,6 +92,7 @@ private:
   Settings Limits;
   DiffuseLookUp Known; // what a ray sees after the reflections of the limits
   GatherDirections Directions;
+  vtkSMPThreadLocal<PathBatch> Batches; // the paths of gathered light that is not known
   std::atomic<std::uint64_t> Rays{ 0 };
 };
 }

@@ -4,6 +4,8 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/cslfSampling.h"
+#include "PathTracing/cslfScatterLanes.h"
+#include "PathTracing/cslfStreamLanes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,7 +25,7 @@ namespace
 constexpr std::uint32_t Walks = 16;
 
 // The number of surfaces on a walk.
-constexpr int Steps = 4;
+constexpr std::uint32_t Steps = 4;
 
 // Triangles with a height below this many spacings are combined with their neighbours, if the
 // spacing, or this share of their lengths, is larger than the distance of their centres.
@@ -34,11 +36,15 @@ constexpr float LengthPart = 0.125f;
 class Walk
 {
 public:
-  Walk(const Scene& scene, const PathIntegrator& paths, const SampleStream& stream)
+  Walk(const Scene& scene, const PathIntegrator& paths, std::uint64_t hash, std::uint32_t index)
     : World(scene)
     , Paths(paths)
-    , Stream(stream)
+    , Stream(hash, index)
   {
+    // One lane is used.
+    this->Streams.Hash[0] = hash;
+    this->Streams.Index[0] = index;
+    this->Points.LitLobes[0] = Lobes::All;
   }
 
   /// Whether it finds a way out, or light.
@@ -46,28 +52,32 @@ public:
   {
     SurfaceHit surface = this->World.GetSurface(hit);
     glm::vec3 outgoing = surface.GeometricNormal;
-    for (int step = 0; step < Steps; ++step)
+    for (std::uint32_t step = 1; step <= Steps; ++step)
     {
       if (surface.Material->IsEmissive())
       {
         return true;
       }
       this->Stream.NextVertex();
-      MaterialPoint point = surface.GetMaterialPoint();
-      point.BaseColor = glm::vec3(1.0f);
-      const Frame frame(surface.ShadingNormal);
-      const BSDF bsdf(*surface.Material, point, frame.ToLocal(outgoing), surface.Inside);
-      const ScatteringPoint lit{ surface, frame, bsdf, Lobes::All };
-      BSDFSample sample;
-      if (this->Paths.GetLight().Sample(lit, this->Stream, rays) != glm::vec3(0.0f))
+      surface.BaseColor = glm::vec3(1.0f);
+      this->Points.Surfaces.Set(0, surface);
+      this->Points.Surfaces.Scattering = surface.Material->IsLambertian() ? 0 : 1;
+      this->Points.Lit[0] = -1;
+      const BSDF& bsdf = this->Points.MakeScattering(0, outgoing);
+      Vec3Lanes light;
+      light.Set(0, glm::vec3(0.0f));
+      rays += this->Paths.GetLight().Sample(this->Points, this->Streams, step, light);
+      if (light.Get(0) != glm::vec3(0.0f))
       {
         return true;
       }
+      BSDFSample sample;
       if (!bsdf.Sample(
             this->Stream.Get1D(Dimension::Lobe), this->Stream.Get2D(Dimension::Direction), sample))
       {
         return false;
       }
+      const Frame frame(surface.ShadingNormal);
       const Ray ray{ surface.GetStart(sample.Direction.z), frame.ToWorld(sample.Direction) };
       ++rays;
       hit = this->World.Intersect(ray);
@@ -85,6 +95,8 @@ private:
   const Scene& World;
   const PathIntegrator& Paths;
   SampleStream Stream;
+  StreamLanes Streams{};
+  ScatterLanes Points{};
 };
 
 /// Triangles of a mesh that are combined.
@@ -178,7 +190,7 @@ bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, const Gr
     place.Triangle = groups.Begin(group)[count > 1 ? MixBits(hash, i) % count : 0];
     place.U = point.x;
     place.V = point.y;
-    if (Walk(scene, paths, stream).Escapes(place, rays))
+    if (Walk(scene, paths, hash, i).Escapes(place, rays))
     {
       return true;
     }

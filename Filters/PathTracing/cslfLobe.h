@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What all lobes of a BSDF have in common. A lobe is a class with these members:
+ *
+ *     static constexpr Lobes Kind;                        // Diffuse or Specular
+ *     static bool IsIn(const SurfaceMaterial& material);  // whether a surface of it may have the
+ * lobe Lobe(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
+ *       bool inside);
+ *     bool IsSmooth() const;      // whether it scatters nothing: light goes in one or two
+ * directions float GetImportance() const;                 // for sampling: about the albedo's
+ * luminance glm::vec3 EvaluateCosine(const glm::vec3& incident) const; float Pdf(const glm::vec3&
+ * incident) const; bool Sample(float which, const glm::vec2& u, LobeSample& sample) const;
+ *
+ * Directions are local: z is the shading normal on the outgoing direction's side, and all of them
+ * point away from the surface. BSDF has the list of all lobes.
+ */
+#ifndef cslfLobe_h
+#define cslfLobe_h
+
+#include <glm/vec3.hpp>
+
+namespace cslf
+{
+/// The parts of a BSDF that a function covers.
+enum class Lobes
+{
+  All,
+  Diffuse, ///< parts that look the same from all directions, except for a factor
+  Specular ///< all others
+};
+
+/// An incident direction that a lobe chooses with its own density.
+struct LobeSample
+{
+  glm::vec3 Direction{ 0.0f };
+  bool IsSmooth = false;    ///< whether no other direction was possible
+  glm::vec3 Weight{ 0.0f }; ///< if smooth: BSDF times cosine, over the probability
+  float Compression = 1.0f; ///< the factor of radiance due to refraction
+};
+}
+
+#endif
