@@ -336,6 +336,28 @@ list(APPEND private_headers
   ../Filters/CubeMaps/cslfCubeMapFiles.h
   ../Filters/CubeMaps/cslfEXRHeader.h)
 
+# Looking up rays in a field. Its constants become a header and a shader.
+list(APPEND sources
+  ../Filters/Lookup/cslfChannelReader.cxx
+  ../Filters/Lookup/cslfFaceSpace.cxx
+  ../Filters/Lookup/cslfLookup.cxx
+  ../Filters/Lookup/cslfSceneGrid.cxx)
+list(APPEND private_headers
+  ../Filters/Lookup/cslfChannelReader.h
+  ../Filters/Lookup/cslfFaceSpace.h
+  ../Filters/Lookup/cslfLookup.h
+  ../Filters/Lookup/cslfSceneGrid.h
+  "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.h")
+set(constants "${CSLF_SOURCE_DIR}/Filters/Lookup/cslfLookupConstants.in")
+set(REAL "const float")
+set(INT "const int")
+configure_file("${constants}" Lookup/cslfLookupConstants.glsl @ONLY)
+set(REAL "constexpr double")
+set(INT "constexpr int")
+set(BEGIN "#ifndef cslfLookupConstants_h\n#define cslfLookupConstants_h\nnamespace cslf::lookup\n{")
+set(END "}\n#endif")
+configure_file("${constants}" Lookup/cslfLookupConstants.h @ONLY)
+
 # Measures of quality.
 list(APPEND private_headers
   ../Filters/Quality/cslfHeldOutViews.h

@@ -5,15 +5,12 @@
 list(APPEND classes
   ../Rendering/vtkCSLFMapper)
 list(APPEND sources
-  ../Rendering/cslfFaceSpace.cxx
   ../Rendering/cslfFaceUniforms.cxx
   ../Rendering/cslfFieldTexture.cxx
   ../Rendering/cslfFlatUniforms.cxx
   ../Rendering/cslfFocus.cxx
-  ../Rendering/cslfLookup.cxx
   ../Rendering/cslfLookupPicture.cxx
   ../Rendering/cslfResidency.cxx
-  ../Rendering/cslfSceneGrid.cxx
   ../Rendering/cslfSight.cxx
   ../Rendering/cslfTilePool.cxx
   ../Rendering/cslfToneMapping.cxx
@@ -21,16 +18,13 @@ list(APPEND sources
   ../Rendering/cslfViewpointSource.cxx
   ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers
-  ../Rendering/cslfFaceSpace.h
   ../Rendering/cslfFaceUniforms.h
   ../Rendering/cslfFieldTexture.h
   ../Rendering/cslfFlatUniforms.h
   ../Rendering/cslfFocus.h
-  ../Rendering/cslfLookup.h
   ../Rendering/cslfLookupPicture.h
   ../Rendering/cslfOpenGL.h
   ../Rendering/cslfResidency.h
-  ../Rendering/cslfSceneGrid.h
   ../Rendering/cslfSight.h
   ../Rendering/cslfSightSeries.h
   ../Rendering/cslfTilePool.h
@@ -39,15 +33,18 @@ list(APPEND private_headers
   ../Rendering/cslfViewpointSource.h
   ../Rendering/vtkCSLFCubeMapper.h)
 
-foreach (shader IN ITEMS cslfCube cslfField cslfLookup cslfSceneGrid cslfToneMapping cslfMapperFS
-    cslfMapperVS cslfPictureFS cslfPictureVS)
-  if (shader MATCHES "(FS|VS)$")
-    set(name "${shader}")
-  else ()
-    set(name "${shader}GLSL")
+set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
+foreach (shader IN ITEMS Color Cube Field Guess Lookup MapperFS MapperVS PictureFS PictureVS
+    SceneGrid ToneMapping)
+  list(APPEND shaders "${CSLF_SOURCE_DIR}/Rendering/Shaders/cslf${shader}.glsl")
+endforeach ()
+foreach (shader IN LISTS shaders)
+  cmake_path(GET shader STEM name)
+  if (NOT name MATCHES "(FS|VS)$")
+    string(APPEND name "GLSL")
   endif ()
   vtk_encode_string(
-    INPUT "${CSLF_SOURCE_DIR}/Rendering/Shaders/${shader}.glsl"
+    INPUT "${shader}"
     NAME "${name}"
     HEADER_OUTPUT shader_header
     SOURCE_OUTPUT shader_source)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFaceUniforms.h"
 
-#include "cslfFaceSpace.h"
+#include "Lookup/cslfFaceSpace.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>

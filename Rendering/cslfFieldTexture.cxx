@@ -3,7 +3,7 @@
 #include "cslfFieldTexture.h"
 
 #include "Coding/cslfFrameOrder.h"
-#include "cslfFaceSpace.h"
+#include "Lookup/cslfFaceSpace.h"
 #include "cslfOpenGL.h"
 
 #include <vtkOpenGLRenderWindow.h>

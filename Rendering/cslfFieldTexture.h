@@ -7,9 +7,9 @@
 #ifndef cslfFieldTexture_h
 #define cslfFieldTexture_h
 
+#include "Lookup/cslfSceneGrid.h"
 #include "cslfDescription.h"
 #include "cslfResidency.h"
-#include "cslfSceneGrid.h"
 #include "cslfSight.h"
 #include "cslfTilePool.h"
 #include "cslfViewpointSource.h"

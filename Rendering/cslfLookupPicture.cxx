@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLookupPicture.h"
 
+#include "Lookup/cslfFaceSpace.h"
+#include "Lookup/cslfLookupConstants.h"
+#include "cslfColorGLSL.h"
 #include "cslfCubeGLSL.h"
-#include "cslfFaceSpace.h"
 #include "cslfFaceUniforms.h"
 #include "cslfFieldGLSL.h"
 #include "cslfFieldTexture.h"
 #include "cslfFlatUniforms.h"
+#include "cslfGuessGLSL.h"
+#include "cslfLookupConstantsGLSL.h"
 #include "cslfLookupGLSL.h"
 #include "cslfOpenGL.h"
 #include "cslfPictureFS.h"
@@ -58,9 +62,8 @@ constexpr float NothingMark = -1.0F;
 constexpr float CheckMark = -0.5F;
 constexpr float SearchMark = 0.0F;
 constexpr float RestMark = 0.5F;
-/// The depth of pixels that no pass has drawn; cslfPictureFS.glsl has that of pixels where nothing
-/// is seen.
-constexpr float UnknownDC = 2.0e30F;
+/// The depth of pixels that no pass has drawn.
+constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::NothingDC);
 
 /// The length in pixels of an edge of the cube at its centre, seen from the side. 0 if the centre
 /// is behind the eye.
@@ -218,7 +221,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->Changes = field.GetChanges();
   this->IsSearched = isSearched;
   this->Allocate(field);
-  this->BuildProgram(field);
+  this->BuildPrograms(field.GetField().FindChannel(DepthName) != nullptr);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
@@ -290,7 +293,7 @@ void LookupPicture::Allocate(const FieldTexture& field)
 }
 
 // Branches cost time even if they are not taken, so each program has only its own lookup.
-void LookupPicture::BuildProgram(const FieldTexture& field)
+void LookupPicture::BuildPrograms(bool hasDepth)
 {
   // Indexed by vtkCSLFMapper::LookupType. The last is for fields without depth; others are
   // searched.
@@ -298,43 +301,41 @@ void LookupPicture::BuildProgram(const FieldTexture& field)
     "LookupFocal", "LookupFocal" };
   static_assert(
     std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
-  const bool hasDepth = field.GetField().FindChannel(DepthName) != nullptr;
-  std::string fragment = cslfPictureFS;
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Cube::Dec", cslfCubeGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Field::Dec", cslfFieldGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::SceneGrid::Dec", cslfSceneGridGLSL);
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Lookup::Dec",
-    std::string("const bool HasDepth = ") + (hasDepth ? "true" : "false") + ";\n" + cslfLookupGLSL);
-  if (this->Search && fragment == this->Source && this->Current.Lookup == this->SourceLookup)
+  const std::pair<int, bool> wanted(this->Current.Lookup, hasDepth);
+  if (this->Search && wanted == this->Built)
   {
     return;
   }
-  this->Source = fragment;
-  this->SourceLookup = this->Current.Lookup;
-  const auto build = [&](const std::string& lookup)
+  this->Built = wanted;
+  std::string common = cslfPictureFS;
+  vtkShaderProgram::Substitute(common, "//CSLF::Lookup::Dec",
+    std::string(cslfLookupConstantsGLSL) + cslfCubeGLSL + cslfFieldGLSL + cslfSceneGridGLSL +
+      cslfLookupGLSL + cslfGuessGLSL + cslfColorGLSL);
+  const auto build = [&](const std::string& lookup, bool isDepthOnly = false)
   {
-    std::string source = fragment;
+    std::string fragment = common;
+    vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
+      "#define LOOKUP " + lookup + (hasDepth ? "\n#define HAS_DEPTH" : "") +
+        (isDepthOnly ? "\n#define DEPTH_ONLY" : ""));
     std::string vertex = cslfPictureVS;
-    vtkShaderProgram::Substitute(source, "//CSLF::Lookup::Impl", lookup);
     if (ReadsUniformsByLane())
     {
-      HandUniformsOn(vertex, source);
+      HandUniformsOn(vertex, fragment);
     }
-    return std::make_unique<vtkOpenGLQuadHelper>(this->Window, vertex.c_str(), source.c_str(), "");
+    return std::make_unique<vtkOpenGLQuadHelper>(
+      this->Window, vertex.c_str(), fragment.c_str(), "");
   };
   if (this->IsSearched)
   {
-    this->Check =
-      build("vec4 plane; "
-            "if (!GuessPlane(plane) || !LookupGuessed(ray, plane, result)) { discard; }");
-    this->Nothing = build("if (!GuessNothing() || !LookupNothing(ray, result)) { discard; }");
-    this->GuessSearch = build("if (!LookupGuess(ray, result)) { discard; }");
-    this->Search = build("if (!LookupSeen(ray, result)) { discard; }");
-    this->Rest = build("result = LookupUnseen(ray);");
+    this->GuessSearch = build("LookupGuess", true);
+    this->Nothing = build("LookupNothing");
+    this->Check = build("LookupGuessed");
+    this->Search = build("LookupSeen");
+    this->Rest = build("LookupUnseen");
   }
   else
   {
-    this->Search = build(std::string("result = ") + lookups[this->Current.Lookup] + "(ray);");
+    this->Search = build(lookups[this->Current.Lookup]);
     this->Nothing.reset();
     this->Check.reset();
     this->GuessSearch.reset();

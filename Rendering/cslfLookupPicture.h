@@ -17,7 +17,7 @@
 
 #include <array>
 #include <memory>
-#include <string>
+#include <utility>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
@@ -100,7 +100,7 @@ private:
     int mostSamples);
   void ChooseSize(int lookup, int wantedSamples, double seconds);
   void Allocate(const FieldTexture& field);
-  void BuildProgram(const FieldTexture& field);
+  void BuildPrograms(bool hasDepth);
   void DrawPicture(FieldTexture& field);
 
   /// Clears a target and draws to it from now on, perhaps with its marks.
@@ -116,10 +116,9 @@ private:
   int Samples = 1;    ///< the number of the picture's pixels along a side of one of the viewport
   double Share = 1.0; ///< the same, as far as there is time while the view moves
   std::array<int, 2> Size{ 1, 1 };
-  double PixelSeconds = 0.0; ///< for a pixel at the last measurement; 0 before
-  bool IsSearched = false;   ///< depth lookup, which takes several passes
-  std::string Source;        ///< of the fragment shaders
-  int SourceLookup = -1;
+  double PixelSeconds = 0.0;               ///< for a pixel at the last measurement; 0 before
+  bool IsSearched = false;                 ///< depth lookup, which takes several passes
+  std::pair<int, bool> Built{ -1, false }; ///< the programs: the lookup, and whether with depth
   Target Picture;
   Target Guess;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

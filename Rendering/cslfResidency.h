@@ -7,6 +7,7 @@
 #ifndef cslfResidency_h
 #define cslfResidency_h
 
+#include "Lookup/cslfLookupConstants.h"
 #include "cslfLayout.h"
 #include "cslfSight.h"
 #include "cslfViewpointLevels.h"
@@ -39,8 +40,8 @@ class VTKCSLF_EXPORT Residency
 public:
   /// The number of blocks for one camera outside the cube.
   static constexpr int LeastBlocks = 9;
-  /// Means that a viewpoint or block is missing. Small enough to stay negative after additions.
-  static constexpr int Absent = -1000000;
+  /// Means that a viewpoint or block is missing.
+  static constexpr int Absent = static_cast<int>(lookup::AbsentSlot);
 
   Residency() = default;
 

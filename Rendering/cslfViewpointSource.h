@@ -8,9 +8,7 @@
 #define cslfViewpointSource_h
 
 #include "cslfDescription.h"
-
-#include <vtkDataArray.h>
-#include <vtkSmartPointer.h>
+#include "cslfViewpointSamples.h"
 
 #include <memory>
 #include <vector>
@@ -20,14 +18,6 @@ class vtkImageData;
 
 namespace cslf
 {
-/// The samples of one viewpoint. The arrays are shared and must not be changed.
-struct ViewpointSamples
-{
-  vtkSmartPointer<vtkDataArray> Color;
-  vtkSmartPointer<vtkDataArray> Depth; ///< null if the field has none
-  vtkIdType First = 0;                 ///< the first tuple of the strip
-};
-
 class ViewpointSource
 {
 public:

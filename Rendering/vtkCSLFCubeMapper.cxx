@@ -3,6 +3,7 @@
 #include "vtkCSLFCubeMapper.h"
 
 #include "cslfFlatUniforms.h"
+#include "cslfLookupConstantsGLSL.h"
 #include "cslfMapperFS.h"
 #include "cslfMapperVS.h"
 #include "cslfOpenGL.h"
@@ -334,6 +335,7 @@ void vtkCSLFCubeMapper::GetShaderTemplate(
   std::string fragment = cslfMapperFS;
   vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
     this->Options + (IsInRenderPass(actor) ? "#define RENDER_PASS\n" : ""));
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Constants::Dec", cslfLookupConstantsGLSL);
   vtkShaderProgram::Substitute(fragment, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
   std::string vertex = cslfMapperVS;
   if (cslf::ReadsUniformsByLane())

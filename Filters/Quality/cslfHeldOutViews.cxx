@@ -3,12 +3,12 @@
 #include "Quality/cslfHeldOutViews.h"
 #include "Pipeline/cslfParallelFor.h"
 
+#include "Lookup/cslfLookup.h"
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfRobertsSequence.h"
 #include "Quality/cslfTexelChoice.h"
 #include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
-#include "cslfLookup.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -164,7 +164,8 @@ double CompareDisplayed(
 }
 
 /// The mean square errors of some texels of a viewpoint, looked up from key views.
-ExposureErrors Compare(const Lookup& lookup, const Layout& grid, int slice, const ConstSlice& truth)
+ExposureErrors Compare(const Lookup& lookup, const ChannelReader& colors, const Layout& grid,
+  int slice, const ConstSlice& truth)
 {
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
@@ -185,7 +186,7 @@ ExposureErrors Compare(const Lookup& lookup, const Layout& grid, int slice, cons
           { grid.NodeCoordinate(viewpoint.I), grid.NodeCoordinate(viewpoint.J) } };
         ray.Exit = { ExitFaceOf(viewpoint.Face, x / resolution),
           { grid.TexelCoordinate(x % resolution), grid.TexelCoordinate(texel / width) } };
-        const glm::dvec4 color = lookup.DepthCorrected(ray).Color;
+        const glm::dvec4 color = colors.Blend(lookup.DepthCorrected(ray));
         for (std::size_t i = 0; i < exposures.size(); ++i)
         {
           squares[k * exposures.size() + i] = CompareDisplayed(color, truth, texel, exposures[i]);
@@ -236,7 +237,8 @@ bool MeasureView(
   {
     AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
   }
-  errors = Compare(Lookup(field, image, around), whole.Grid, view, pulled.back());
+  const ChannelReader colors(field.Grid, image->GetPointData()->GetArray(ColorName), around);
+  errors = Compare(Lookup(field, image, around), colors, whole.Grid, view, pulled.back());
   return true;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cube's geometry, as in Module/cslfCube.cxx and Rendering/cslfFaceSpace.cxx. Cube space (CC)
-// is [-1,1]^3. Lookups work in the face space (FC) of the entry face that is being drawn: x and y
-// are the face's (sc, tc), z is the depth below it, from 0 to 2.
+// The cube's geometry, as in cslfCube.cxx and cslfFaceSpace.cxx. Cube space (CC) is [-1,1]^3.
+// Lookups work in the face space (FC) of the entry face that is being drawn: x and y are the
+// face's (sc, tc), z is the depth below it, from 0 to 2.
 
 uniform mat4 FCCCMatrix;
 
@@ -14,15 +14,6 @@ uniform vec4 SideXAxes;
 uniform vec4 SideYAxes;
 uniform vec2 SideXFlip;
 uniform vec2 SideYFlip;
-
-const float LeastToSide = 1.0e-4;
-
-// What a lookup returns.
-struct LookupResult
-{
-  vec4 Color;     // associated alpha
-  float Fraction; // as a fraction of the way from entry to exit
-};
 
 // A ray through the cube from the entry face, in FC.
 struct Ray

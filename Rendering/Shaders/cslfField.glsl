@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The field's samples, as in Module/cslfLayout.cxx and the readers in cslfLookup.cxx. A layer of
-// the textures contains TilesPerLayer tiles, one above the other.
+// Where the field's samples are, and their depth, as in cslfChannelReader.cxx and the readers in
+// cslfLookup.cxx. A layer of the textures contains TilesPerLayer tiles, one above the other.
 
-uniform sampler2DArray ColorTexture; // with linear filter
 uniform sampler2DArray DepthTexture; // with nearest filter
 uniform sampler2D CellTexture;       // two texels for each cell of the base grid: Residency::Table
 uniform float TilesPerLayer;
@@ -16,10 +15,6 @@ uniform vec2 InverseLayerSize;       // of a texel in a layer
 uniform float OppositeBlock;
 uniform vec2 SideXBlocks;
 uniform vec2 SideYBlocks;
-
-const float Absent = -1.0e6; // Residency::Absent: the slot of a missing viewpoint
-const float LeastDepth = 1.0 / 4096.0;
-const float SurfaceStep = 0.1;
 
 // The viewpoints around a coordinate: at the lower corner, at upper u, at upper v and at both.
 struct Cell
@@ -34,6 +29,14 @@ struct SlicePlace
 {
   float Layer;
   float Row; // in tiles
+};
+
+// A place in the samples of a viewpoint: a tile, by its block, and (s,t).
+struct Place
+{
+  SlicePlace Slice;
+  float Block;
+  vec2 Coordinates;
 };
 
 Cell FindCell(vec2 coordinates)
@@ -56,66 +59,54 @@ SlicePlace FindSlice(float slot)
   return place;
 }
 
-// 1 if a tile is stored. Otherwise its layer is negative, which is read as layer 0: colour and
-// depth are 0, so that the view sees nothing.
-float IsKept(SlicePlace slice, float block)
+// 1 if a place's tile is stored. Otherwise its layer is negative, which is read as layer 0: colour
+// and depth are 0, so that the view sees nothing.
+float IsKept(Place place)
 {
-  return step(0.0, slice.Layer + block);
+  return step(0.0, place.Slice.Layer + place.Block);
 }
 
 // Position in a tile, in texels.
-vec2 TexelPosition(vec2 coordinates)
+vec2 TexelPosition(Place place)
 {
-  return 0.5 * (coordinates + 1.0) * Resolution;
+  return 0.5 * (place.Coordinates + 1.0) * Resolution;
 }
 
-// Texture coordinates of a position in a tile.
-vec3 TextureCoordinates(SlicePlace slice, float block, vec2 position)
+// Texture coordinates of a position in a place's tile.
+vec3 TextureCoordinates(Place place, vec2 position)
 {
-  vec2 inLayer = vec2(position.x, slice.Row * Resolution + position.y);
-  return vec3(inLayer * InverseLayerSize, max(slice.Layer + block, 0.0));
+  vec2 inLayer = vec2(position.x, place.Slice.Row * Resolution + position.y);
+  return vec3(inLayer * InverseLayerSize, max(place.Slice.Layer + place.Block, 0.0));
 }
 
-// The texel of a position in a tile, for texelFetch.
-ivec3 TexelAddress(SlicePlace slice, float block, vec2 texel)
+// The texel of a position in a place's tile, for texelFetch.
+ivec3 TexelAddress(Place place, vec2 texel)
 {
-  return ivec3(
-    vec3(texel.x, slice.Row * Resolution + texel.y, max(slice.Layer + block, 0.0)) + 0.5);
+  return ivec3(vec3(texel.x, place.Slice.Row * Resolution + texel.y,
+                 max(place.Slice.Layer + place.Block, 0.0)) + 0.5);
 }
 
-ivec3 NearestTexel(SlicePlace slice, float block, vec2 coordinates)
+ivec3 NearestTexel(Place place)
 {
-  return TexelAddress(
-    slice, block, clamp(floor(TexelPosition(coordinates)), 0.0, Resolution - 1.0));
+  return TexelAddress(place, clamp(floor(TexelPosition(place)), 0.0, Resolution - 1.0));
 }
 
-vec4 ReadNearestColor(SlicePlace slice, float block, vec2 coordinates)
+float ReadNearestDepth(Place place)
 {
-  return texelFetch(ColorTexture, NearestTexel(slice, block, coordinates), 0);
-}
-
-vec4 ReadColor(SlicePlace slice, float block, vec2 coordinates)
-{
-  vec2 position = clamp(TexelPosition(coordinates), 0.5, Resolution - 0.5);
-  return textureLod(ColorTexture, TextureCoordinates(slice, block, position), 0.0);
-}
-
-float ReadNearestDepth(SlicePlace slice, float block, vec2 coordinates)
-{
-  return texelFetch(DepthTexture, NearestTexel(slice, block, coordinates), 0).r;
+  return texelFetch(DepthTexture, NearestTexel(place), 0).r;
 }
 
 // Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
 // surface.
-float ReadInverseDepth(SlicePlace slice, float block, vec2 coordinates)
+float ReadInverseDepth(Place place)
 {
-  vec2 position = TexelPosition(coordinates) - 0.5;
+  vec2 position = TexelPosition(place) - 0.5;
   vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
   vec2 weight = clamp(position - base, 0.0, 1.0);
 #ifdef GL_ARB_texture_gather
-  vec4 depth = textureGather(DepthTexture, TextureCoordinates(slice, block, base + 1.0));
+  vec4 depth = textureGather(DepthTexture, TextureCoordinates(place, base + 1.0));
 #else
-  ivec3 address = TexelAddress(slice, block, base);
+  ivec3 address = TexelAddress(place, base);
   vec4 depth = vec4(texelFetch(DepthTexture, address + ivec3(0, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 1, 0), 0).r,
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,

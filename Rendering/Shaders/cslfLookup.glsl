@@ -1,33 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lookups, as in Rendering/cslfLookup.cxx, which explains every step. Positions along a ray are
-// inverse fractions w: the chord's point at w is Entry + Chord / w. All points are in FC.
+// The lookups, as in cslfLookup.cxx, which explains every step. Positions along a ray are inverse
+// fractions w: the chord's point at w is Entry + Chord / w. All points are in FC.
 
-const float NearestStart = 40.0;
-const float NearestFocus = 0.05;
-const float TexelsPerStep = 3.0;
-const float StepShare = 0.08;
-const float MostStride = 0.5;
-const int MostSteps = 96;
-const int MostCandidates = 16;
-const int Refinements = 12;
-const float LeastShare = 0.02;
-const float Convergence = 0.0005;
-const float RestartShare = 0.02;
-const float EdgeStep = 0.03;
-const float ClearanceTolerance = 0.05;
-const float SightTolerance = 0.1;
-const float OuterSight = 0.97;
-const float KnownShare = 0.7;
-const float LeastWeight = 0.0001;
-const float DoubtTexels = 8.0;
-const float Unknown = 2000.0;
-const float NotAsked = -2.0 * Unknown;
-
-// Constants of guesses, which only the shader uses: the largest distance of the surface from the
-// plane, relative to w, and the smallest slope for computing a shift.
-const float GuessTolerance = 0.02;
-const float LeastSlope = 0.01;
+// What a lookup returns: the places where the four views see what the ray sees.
+struct LookupResult
+{
+  Place Place00;
+  Place Place10;
+  Place Place01;
+  Place Place11;
+  vec4 Weights;   // of the places; those whose tiles are not stored do not count
+  bool IsNearest; // whether the nearest texel is to be read, otherwise texels are interpolated
+  float Fraction; // of the way from entry to exit
+  bool IsFinal;   // otherwise the ray is left to another lookup
+};
 
 struct View
 {
@@ -40,8 +27,7 @@ struct View
 
 struct Projection
 {
-  float Block;
-  vec2 Coordinates;
+  Place At;
   float InverseDepth;
 };
 
@@ -128,7 +114,7 @@ ViewCell FindOuterViews(vec3 entry, float rings)
   bool is10 = cell10.Upper.x == upper.x && cell10.Lower.y == lower.y;
   bool is01 = cell01.Lower.x == lower.x && cell01.Upper.y == upper.y;
   return MakeCell(entry,
-    vec4(cell00.Slots.x, is10 ? cell10.Slots.y : Absent, is01 ? cell01.Slots.z : Absent,
+    vec4(cell00.Slots.x, is10 ? cell10.Slots.y : AbsentSlot, is01 ? cell01.Slots.z : AbsentSlot,
       cell11.Slots.w),
     lower, upper);
 }
@@ -138,6 +124,7 @@ Projection Project(View view, vec3 point)
   vec3 direction = vec3(point.xy - view.Position, point.z);
   vec3 share = ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
   Projection seen;
+  seen.At.Slice = view.Slice;
   seen.InverseDepth = 1.0 / max(max(max(share.x, share.y), share.z), LeastDepth);
   vec3 exit = vec3(view.Position, -1.0) + seen.InverseDepth * direction;
   bool toX = share.x > max(share.y, share.z);
@@ -149,40 +136,25 @@ Projection Project(View view, vec3 point)
   sideY = direction.y < 0.0 ? sideY * SideYFlip : sideY;
   float blockX = direction.x < 0.0 ? SideXBlocks.y : SideXBlocks.x;
   float blockY = direction.y < 0.0 ? SideYBlocks.y : SideYBlocks.x;
-  seen.Coordinates = toX ? sideX : (toY ? sideY : opposite);
-  seen.Block = toX ? blockX : (toY ? blockY : OppositeBlock);
+  seen.At.Coordinates = toX ? sideX : (toY ? sideY : opposite);
+  seen.At.Block = toX ? blockX : (toY ? blockY : OppositeBlock);
   return seen;
 }
 
 // The position along the ray of the surface that a view sees in the direction of a point.
 float GuessSurface(Ray ray, View view, float fraction)
 {
-  if (!HasDepth)
-  {
-    return fraction;
-  }
+#ifdef HAS_DEPTH
   vec3 point = ray.Entry + fraction * ray.Chord;
   Projection seen = Project(view, point);
-  float depth = max(ReadNearestDepth(view.Slice, seen.Block, seen.Coordinates), LeastDepth);
+  float depth = max(ReadNearestDepth(seen.At), LeastDepth);
   vec3 viewpoint = vec3(view.Position, 0.0);
   vec3 surface = viewpoint + (point - viewpoint) * (seen.InverseDepth * depth);
   float guess = clamp(dot(surface - ray.Entry, ray.Chord) / dot(ray.Chord, ray.Chord), 0.0, 1.0);
-  return IsKept(view.Slice, seen.Block) > 0.0 ? guess : fraction;
-}
-
-vec4 ReadColorOf(View view, vec3 point)
-{
-  Projection seen = Project(view, point);
-  return ReadColor(view.Slice, seen.Block, seen.Coordinates);
-}
-
-// Adds what a view sees to a weighted sum, if it sees anything.
-void AddColorOf(View view, vec3 point, float weight, inout vec4 color, inout float weights)
-{
-  Projection seen = Project(view, point);
-  weight *= IsKept(view.Slice, seen.Block);
-  color += weight * ReadColor(view.Slice, seen.Block, seen.Coordinates);
-  weights += weight;
+  return IsKept(seen.At) > 0.0 ? guess : fraction;
+#else
+  return fraction;
+#endif
 }
 
 vec4 ListWeights(ViewCell views)
@@ -190,39 +162,51 @@ vec4 ListWeights(ViewCell views)
   return vec4(views.View00.Weight, views.View10.Weight, views.View01.Weight, views.View11.Weight);
 }
 
-vec4 BlendColors(ViewCell views, vec3 point, vec4 weights)
+// Where a single view is read.
+LookupResult AtPlace(Place place, float fraction)
 {
-  vec4 color = vec4(0.0);
-  float sum = 0.0;
-  AddColorOf(views.View00, point, weights.x, color, sum);
-  AddColorOf(views.View10, point, weights.y, color, sum);
-  AddColorOf(views.View01, point, weights.z, color, sum);
-  AddColorOf(views.View11, point, weights.w, color, sum);
-  return color / max(sum, LeastWeight);
+  return LookupResult(
+    place, place, place, place, vec4(1.0, 0.0, 0.0, 0.0), false, fraction, true);
+}
+
+// Where the views see a point.
+LookupResult FindPlaces(ViewCell views, vec3 point, vec4 weights, float fraction)
+{
+  Place place00 = Project(views.View00, point).At;
+  Place place10 = Project(views.View10, point).At;
+  Place place01 = Project(views.View01, point).At;
+  Place place11 = Project(views.View11, point).At;
+  return LookupResult(place00, place10, place01, place11, weights, false, fraction, true);
+}
+
+LookupResult FindNothing()
+{
+  Place place = Place(SlicePlace(0.0, 0.0), 0.0, vec2(0.0));
+  return LookupResult(place, place, place, place, vec4(0.0), false, 1.0, true);
 }
 
 LookupResult LookThrough(Ray ray, float fraction)
 {
   ViewCell views = FindViews(ray.Entry);
   vec3 point = ray.Entry + fraction * ray.Chord;
-  LookupResult result;
-  result.Color = BlendColors(views, point, ListWeights(views));
-  result.Fraction = GuessSurface(ray, views.View00, fraction);
-  return result;
+  return FindPlaces(
+    views, point, ListWeights(views), GuessSurface(ray, views.View00, fraction));
 }
 
 LookupResult LookupNearest(Ray ray)
 {
   View view = FindViews(ray.Entry).View00;
-  Projection exit = Project(MakeView(0.0, ray.Entry.xy, vec2(1.0)), ray.Entry + ray.Chord);
-  return LookupResult(ReadNearestColor(view.Slice, exit.Block, exit.Coordinates),
-    GuessSurface(ray, view, 1.0));
+  Place place = Project(MakeView(0.0, ray.Entry.xy, vec2(1.0)), ray.Entry + ray.Chord).At;
+  place.Slice = view.Slice;
+  LookupResult result = AtPlace(place, GuessSurface(ray, view, 1.0));
+  result.IsNearest = true;
+  return result;
 }
 
 LookupResult LookupLinear(Ray ray)
 {
   View view = FindViews(ray.Entry).View00;
-  return LookupResult(ReadColorOf(view, ray.Entry + ray.Chord), GuessSurface(ray, view, 1.0));
+  return AtPlace(Project(view, ray.Entry + ray.Chord).At, GuessSurface(ray, view, 1.0));
 }
 
 LookupResult LookupBilinear(Ray ray)
@@ -235,7 +219,7 @@ LookupResult LookupFocal(Ray ray)
   vec2 range = ClipToScene(CastGridRay(ray));
   if (range.x >= range.y)
   {
-    return LookupResult(vec4(0.0), 1.0);
+    return FindNothing();
   }
   float fraction =
     dot(FocalPointFC - ray.Entry, ray.Chord) / dot(ray.Chord, ray.Chord);
@@ -245,7 +229,7 @@ LookupResult LookupFocal(Ray ray)
 float Clearance(View view, vec3 point)
 {
   Projection seen = Project(view, point);
-  return seen.InverseDepth - ReadInverseDepth(view.Slice, seen.Block, seen.Coordinates);
+  return seen.InverseDepth - ReadInverseDepth(seen.At);
 }
 
 // Of the views 00, 10, 01, 11. The last one is computed only on request.
@@ -421,15 +405,15 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
   return Surface(step.FirstHidden, vec4(0.0));
 }
 
-// The views that see the surface from the ray's side contribute to its colour; if there are none,
-// all.
-vec4 BlendVisible(Ray ray, ViewCell views, Surface surface)
+// Where the views see the surface of a ray, if there is one: those that see it from the ray's side;
+// if there are none, all.
+LookupResult FindVisible(Ray ray, ViewCell views, Surface surface)
 {
-  vec3 point = ray.Entry + ray.Chord / surface.W;
   vec4 weights = ListWeights(views);
   vec4 visible = (weights + LeastWeight) * surface.Sight;
   float sum = dot(visible, vec4(1.0));
-  return BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
+  return FindPlaces(views, ray.Entry + ray.Chord / surface.W, sum > 0.0 ? visible / sum : weights,
+    1.0 / surface.W);
 }
 
 // The range of w in which the scene can lie.
@@ -446,31 +430,19 @@ bool FindSeen(Ray ray, ViewCell views, out Surface surface)
   return surface.W == 0.0 || surface.Sight != vec4(0.0);
 }
 
-// With the three nearest views. False if none of the four sees the surface.
-bool LookupSeen(Ray ray, out LookupResult result)
+// With the three nearest views. Not final if none of the four sees the surface.
+LookupResult LookupSeen(Ray ray)
 {
   ViewCell views = FindViews(ray.Entry);
   Surface surface;
   bool isSeen = FindSeen(ray, views, surface);
-  result = LookupResult(vec4(0.0), 1.0);
+  LookupResult result = FindNothing();
   if (surface.W > 0.0)
   {
-    result = LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
+    result = FindVisible(ray, views, surface);
   }
-  return isSeen;
-}
-
-// Like LookupSeen without colour, which is 1 where there is a surface.
-bool LookupGuess(Ray ray, out LookupResult result)
-{
-  Surface surface;
-  bool isSeen = FindSeen(ray, FindViews(ray.Entry), surface);
-  result = LookupResult(vec4(0.0), 1.0);
-  if (surface.W > 0.0)
-  {
-    result = LookupResult(vec4(1.0), 1.0 / surface.W);
-  }
-  return isSeen;
+  result.IsFinal = isSeen;
+  return result;
 }
 
 // Viewpoints farther and farther away may see what the four views do not.
@@ -495,7 +467,7 @@ void SearchAround(
   }
 }
 
-// For rays where LookupSeen is false: with all four views, then with those farther around.
+// For rays that LookupSeen leaves: with all four views, then with those farther around.
 LookupResult LookupUnseen(Ray ray)
 {
   GridRay gridRay = CastGridRay(ray);
@@ -504,58 +476,8 @@ LookupResult LookupUnseen(Ray ray)
   Surface surface = FindSurface(ray, views, gridRay, range, true);
   if (surface.W == 0.0)
   {
-    return LookupResult(vec4(0.0), 1.0);
+    return FindNothing();
   }
   SearchAround(ray, gridRay, range, views, surface);
-  return LookupResult(BlendVisible(ray, views, surface), 1.0 / surface.W);
-}
-
-// How much the clearances of the four views grow with w in front of a plane. Negative for views
-// behind it. For a view at a ray's entry it is 1, and it goes with the view's nearness to the
-// plane.
-vec4 GuessSlopes(ViewCell views, vec4 plane, float atEntry)
-{
-  vec4 x = vec4(views.View00.Position.x, views.View10.Position.x, views.View01.Position.x,
-    views.View11.Position.x);
-  vec4 y = vec4(views.View00.Position.y, views.View10.Position.y, views.View01.Position.y,
-    views.View11.Position.y);
-  return atEntry / (plane.x * x + plane.y * y + plane.w);
-}
-
-// Like LookupSeen, if the guess has nothing on the ray. False if the grid does not confirm this.
-bool LookupNothing(Ray ray, out LookupResult result)
-{
-  result = LookupResult(vec4(0.0), 1.0);
-  GridRay gridRay = CastGridRay(ray);
-  vec2 range = FindRange(gridRay);
-  return SkipEmpty(gridRay, range.x, range.y) == 0.0;
-}
-
-// Like LookupSeen, if the guess has a plane near the ray's surface. False if the views do not
-// confirm this.
-bool LookupGuessed(Ray ray, vec4 plane, out LookupResult result)
-{
-  result = LookupResult(vec4(0.0), 1.0);
-  ViewCell views = FindViews(ray.Entry);
-  float atEntry = dot(plane.xyz, ray.Entry) + plane.w;
-  float w = -dot(plane.xyz, ray.Chord) / (atEntry == 0.0 ? 1.0 : atEntry);
-  bool isInside = w >= 1.0 && w <= NearestStart;
-  w = isInside ? w : 1.0;
-  vec4 clearances = Clearances(ray, views, w, true);
-  vec4 slopes = GuessSlopes(views, plane, atEntry);
-  vec4 fromFront = vec4(greaterThan(slopes, vec4(0.0)));
-  vec4 sees = fromFront * vec4(lessThan(abs(clearances), vec4(EdgeStep * w)));
-  vec4 shifts = sees * clearances / max(slopes, vec4(LeastSlope));
-  bool isSeenThrough = any(greaterThan(clearances, vec4(ClearanceTolerance * w)));
-  bool isSurface = sees != vec4(0.0) && all(lessThan(abs(shifts), vec4(GuessTolerance * w)));
-  if (!isInside || isSeenThrough || !isSurface)
-  {
-    return false;
-  }
-  float shift = min(min(shifts.x, shifts.y), min(shifts.z, shifts.w));
-  w -= shift;
-  clearances -= shift * slopes;
-  Surface surface = Surface(w, Nearness(clearances, w) * fromFront);
-  result = LookupResult(BlendVisible(ray, views, surface), 1.0 / w);
-  return true;
+  return FindVisible(ray, views, surface);
 }

@@ -38,9 +38,8 @@ uniform vec4 ClippingPlanesDC[CLIPPING_PLANES]; // visible parts lie where they 
 uniform mat4 DCVCMatrix;
 #endif
 
+//CSLF::Constants::Dec
 //CSLF::ToneMapping::Dec
-
-const float NothingDC = 1.0e30; // where nothing is seen
 
 // Coverage from which a fragment counts as opaque.
 const float OpaqueCoverage = 254.5 / 255.0;

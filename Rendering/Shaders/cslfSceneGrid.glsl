@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The places where the scene's surfaces may be, as in Rendering/cslfSceneGrid.cxx: a coarse grid
-// over the scene's bounds. Positions along a ray are fractions of its chord.
+// The places where the scene's surfaces may be, as in cslfSceneGrid.cxx: a coarse grid over the
+// scene's bounds. Positions along a ray are fractions of its chord.
 
 uniform sampler3D SceneGridTexture; // rings of empty cells around each cell; 0: not empty
 uniform vec3 SceneMinimum;          // CC
 uniform vec3 SceneMaximum;          // CC
-
-const float GridCells = 64.0;
-const int MostSkips = 64;
-const float SkipMargin = 1.0e-4;
 
 // A ray in units of the grid's cells.
 struct GridRay
@@ -21,13 +17,13 @@ struct GridRay
 
 GridRay CastGridRay(Ray ray)
 {
-  vec3 scale = GridCells / (SceneMaximum - SceneMinimum);
+  vec3 scale = float(GridCells) / (SceneMaximum - SceneMinimum);
   GridRay gridRay;
   gridRay.Entry = ((FCCCMatrix * vec4(ray.Entry, 1.0)).xyz - SceneMinimum) * scale;
   gridRay.Chord = mat3(FCCCMatrix) * ray.Chord * scale;
-  gridRay.Chord = vec3(abs(gridRay.Chord.x) < 1.0e-5 ? 1.0e-5 : gridRay.Chord.x,
-    abs(gridRay.Chord.y) < 1.0e-5 ? 1.0e-5 : gridRay.Chord.y,
-    abs(gridRay.Chord.z) < 1.0e-5 ? 1.0e-5 : gridRay.Chord.z);
+  gridRay.Chord = vec3(abs(gridRay.Chord.x) < LeastChord ? LeastChord : gridRay.Chord.x,
+    abs(gridRay.Chord.y) < LeastChord ? LeastChord : gridRay.Chord.y,
+    abs(gridRay.Chord.z) < LeastChord ? LeastChord : gridRay.Chord.z);
   gridRay.InverseChord = 1.0 / gridRay.Chord;
   return gridRay;
 }
@@ -36,7 +32,7 @@ GridRay CastGridRay(Ray ray)
 vec2 ClipToScene(GridRay gridRay)
 {
   vec3 t0 = -gridRay.Entry * gridRay.InverseChord;
-  vec3 t1 = (GridCells - gridRay.Entry) * gridRay.InverseChord;
+  vec3 t1 = (float(GridCells) - gridRay.Entry) * gridRay.InverseChord;
   vec3 near = min(t0, t1);
   vec3 far = max(t0, t1);
   return vec2(max(max(near.x, near.y), max(near.z, 0.0)),
@@ -51,7 +47,7 @@ float CountRings(vec3 cell)
 
 vec3 FindCell(GridRay gridRay, float t)
 {
-  return clamp(floor(gridRay.Entry + t * gridRay.Chord), vec3(0.0), vec3(GridCells - 1.0));
+  return clamp(floor(gridRay.Entry + t * gridRay.Chord), vec3(0.0), vec3(GridCells - 1));
 }
 
 bool IsOccupied(GridRay gridRay, float w)

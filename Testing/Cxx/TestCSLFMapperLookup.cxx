@@ -4,8 +4,8 @@
 // Compares every lookup of the mapper's shaders with the C++ version, pixel by pixel: perspective
 // and parallel cameras, an actor with a rotation and a non-uniform scale, key views, and a field
 // without depth.
+#include "Lookup/cslfLookup.h"
 #include "cslfFocus.h"
-#include "cslfLookup.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMapper.h"
@@ -15,6 +15,7 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -98,6 +99,7 @@ struct Fixture
     this->Renderer->ResetCamera();
     cslf::Lookup lookup(field, image);
     lookup.LeaveOut(this->FindSeenFaces(field.Box));
+    const cslf::ChannelReader colors(field.Grid, image->GetPointData()->GetArray(cslf::ColorName));
     const FocalPoints focalPoints = cslf::FindFocalPoints(field, image);
     for (int mode = vtkCSLFMapper::NEAREST; mode < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++mode)
     {
@@ -124,7 +126,7 @@ struct Fixture
           {
             continue;
           }
-          const glm::dvec4 color = this->LookUp(lookup, mode, *ray, focalPoints);
+          const glm::dvec4 color = colors.Blend(this->LookUp(lookup, mode, *ray, focalPoints));
           double most = 0.0;
           double squares = 0.0;
           for (int c = 0; c < 3; ++c)
@@ -151,24 +153,24 @@ struct Fixture
     }
   }
 
-  static glm::dvec4 LookUp(const cslf::Lookup& lookup, int mode, const cslf::RayCoordinates& ray,
-    const FocalPoints& focalPoints)
+  static cslf::LookupResult LookUp(const cslf::Lookup& lookup, int mode,
+    const cslf::RayCoordinates& ray, const FocalPoints& focalPoints)
   {
     switch (mode)
     {
       case vtkCSLFMapper::NEAREST:
-        return lookup.Nearest(ray).Color;
+        return lookup.Nearest(ray);
       case vtkCSLFMapper::LINEAR:
-        return lookup.Linear(ray).Color;
+        return lookup.Linear(ray);
       case vtkCSLFMapper::BILINEAR:
-        return lookup.Bilinear(ray).Color;
+        return lookup.Bilinear(ray);
       case vtkCSLFMapper::FOCAL:
-        return lookup.Focal(ray, focalPoints[ray.Entry.Face]).Color;
+        return lookup.Focal(ray, focalPoints[ray.Entry.Face]);
       case vtkCSLFMapper::DEPTH:
-        return lookup.DepthCorrected(ray).Color;
+        return lookup.DepthCorrected(ray);
       default:
         CSLF_CHECK(false); // a lookup without its C++ function
-        return glm::dvec4(0.0);
+        return {};
     }
   }
 };

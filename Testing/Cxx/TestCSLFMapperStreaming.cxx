@@ -3,8 +3,8 @@
 
 // A field drawn from its decoder: the same pictures as from memory, coarse ones at first unless the
 // mapper waits, within a budget of graphics memory, and despite damage.
+#include "Lookup/cslfLookup.h"
 #include "cslfCodecTesting.h"
-#include "cslfLookup.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
@@ -13,6 +13,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <glm/geometric.hpp>
 
@@ -228,6 +229,7 @@ void TestLoss(vtkImageData* whole)
   const cslf::Description field = *cslf::Description::ReadFrom(whole, error);
   const cslf::Lookup all(field, whole);
   cslf::Lookup kept(field, whole);
+  const cslf::ChannelReader colors(field.Grid, whole->GetPointData()->GetArray(cslf::ColorName));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (const glm::dvec3& eye :
@@ -247,7 +249,7 @@ void TestLoss(vtkImageData* whole)
       const cslf::testing::TestHit hit = cslf::testing::TraceTestScene(eye, target - eye);
       for (int part = 0; part < 2; ++part)
       {
-        const glm::dvec4 color = (part == 0 ? all : kept).DepthCorrected(*ray).Color;
+        const glm::dvec4 color = colors.Blend((part == 0 ? all : kept).DepthCorrected(*ray));
         for (int c = 0; c < 3; ++c)
         {
           const double linear = hit.Hit ? hit.Color[c] : 0.0;

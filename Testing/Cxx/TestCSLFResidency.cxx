@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The samples that a camera can use, those that are kept, and where they show that surfaces may be.
+#include "Lookup/cslfSceneGrid.h"
 #include "cslfResidency.h"
-#include "cslfSceneGrid.h"
 #include "cslfSight.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"

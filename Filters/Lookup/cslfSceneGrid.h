@@ -10,9 +10,11 @@
 #ifndef cslfSceneGrid_h
 #define cslfSceneGrid_h
 
+#include "Lookup/cslfLookupConstants.h"
 #include "cslfDescription.h"
-#include "cslfViewpointSource.h"
+#include "cslfViewpointSamples.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -26,7 +28,7 @@ class SceneGrid
 {
 public:
   /// The number of cells along each side.
-  static constexpr int Cells = 64;
+  static constexpr int Cells = lookup::GridCells;
 
   /// A set of a viewpoint's tiles, one bit each.
   static constexpr int AllTiles = (1 << TileCount) - 1;
@@ -62,8 +64,8 @@ public:
 
   Ray CastGridRay(const glm::dvec3& entryCC, const glm::dvec3& chordCC) const;
 
-  /// The first and last fraction of the chord at which the scene may lie. Empty if first >= last.
-  static void ClipToScene(const Ray& ray, double& first, double& last);
+  /// The first (x) and last (y) fraction of the chord at which the scene may lie. Empty if x >= y.
+  static glm::dvec2 ClipToScene(const Ray& ray);
 
   /// Whether the cell around the ray's point at w may contain a surface.
   bool IsOccupied(const Ray& ray, double w) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfSceneGrid.h"
+#include "Lookup/cslfSceneGrid.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -14,6 +14,8 @@
 
 namespace cslf
 {
+using namespace lookup;
+
 namespace
 {
 /// The margin of the scene's bounds, in CC.
@@ -22,10 +24,6 @@ constexpr double SceneMargin = 0.01;
 constexpr double LeastReach = 0.35;
 /// The number of viewpoints along a side of a face that is enough to see everything visible.
 constexpr int MostViewpoints = 17;
-// These are also defined in cslfSceneGrid.glsl.
-constexpr int MostSkips = 64;
-constexpr double SkipMargin = 1.0e-4;
-constexpr double LeastChord = 1.0e-5;
 /// The value of unmarked cells.
 constexpr std::uint8_t NoRing = 255;
 
@@ -221,17 +219,17 @@ SceneGrid::Ray SceneGrid::CastGridRay(const glm::dvec3& entryCC, const glm::dvec
   return ray;
 }
 
-void SceneGrid::ClipToScene(const Ray& ray, double& first, double& last)
+glm::dvec2 SceneGrid::ClipToScene(const Ray& ray)
 {
-  first = 0.0;
-  last = 1.0;
+  glm::dvec2 range(0.0, 1.0);
   for (int a = 0; a < 3; ++a)
   {
     const double t0 = -ray.Entry[a] / ray.Chord[a];
     const double t1 = (Cells - ray.Entry[a]) / ray.Chord[a];
-    first = std::max(first, std::min(t0, t1));
-    last = std::min(last, std::max(t0, t1));
+    range.x = std::max(range.x, std::min(t0, t1));
+    range.y = std::min(range.y, std::max(t0, t1));
   }
+  return range;
 }
 
 glm::ivec3 SceneGrid::FindCell(const Ray& ray, double t)

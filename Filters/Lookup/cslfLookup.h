@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Looks up light rays in the field's samples (paper, section 3.4). The functions here and those of
- * cslfLookup.glsl have the same names and the same results. The C++ version is for tests, analysis
- * and debugging.
+ * Finds where a field's samples have what a light ray sees (paper, section 3.4). What they have
+ * there, in which channel, is read by cslfChannelReader.h. The functions here and those of
+ * cslfLookup.glsl have the same names, without "Lookup" where they belong to a class, and the same
+ * results.
  *
  * Points are in the entry face's space (FC). Positions along a ray are inverse fractions: the
  * chord's point at `w` is entry + chord / w, from w = 1 at the exit upwards. Depth is also read as
@@ -14,30 +15,36 @@
 #ifndef cslfLookup_h
 #define cslfLookup_h
 
+#include "Lookup/cslfChannelReader.h"
+#include "Lookup/cslfSceneGrid.h"
 #include "cslfDescription.h"
-#include "cslfSceneGrid.h"
-
-#include <vtkType.h>
+#include "cslfViewpointSamples.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <vector>
 
-class vtkDataArray;
 class vtkImageData;
 
 namespace cslf
 {
-/// What a lookup returns.
+/// What a lookup returns: the places where the four views see what the ray sees.
 struct LookupResult
 {
-  /// As encoded in the field, with associated alpha.
-  glm::dvec4 Color{ 0.0 };
+  std::array<Place, 4> Places;
+  glm::dvec4 Weights{ 0.0 }; ///< of the places; 0 for those that do not count
+
+  /// Whether the nearest texel is to be read. Otherwise texels are interpolated.
+  bool IsNearest = false;
+
   /// Where the ray meets the surface, as a fraction of the way from entry to exit, or the best
   /// guess of a lookup that does not know it.
   double Fraction = 1.0;
+
+  bool IsFinal = true; ///< otherwise the ray is left to another lookup
 };
 
 /// Looks up rays in a field, or in some viewpoints of it, in memory. The image must outlive this
@@ -99,9 +106,8 @@ private:
   /// The image of a point in a view, and the point's depth there.
   struct Projection
   {
-    int Tile;
-    glm::dvec2 Coordinates; ///< (s,t) on the tile's exit face
-    double InverseDepth;    ///< 1 over the point's chord fraction
+    Place At;
+    double InverseDepth; ///< 1 over the point's chord fraction
   };
 
   /// The views around a ray's entry: 00, 10, 01 and 11.
@@ -129,29 +135,16 @@ private:
     glm::dvec4 Sight{ 0.0 }; ///< how well the four views see it, in [0,1]
   };
 
-  /// A range of w.
-  struct Range
-  {
-    double Nearest;
-    double Farthest;
-  };
-
   bool IsKept(int entryFace, int tile) const
   {
     return (this->LeftOut >> ExitFaceOf(entryFace, tile) & 1) == 0;
   }
-  bool IsKept(const View& view, int tile) const
+  bool IsKept(const View& view, const Place& place) const
   {
-    return this->Places[view.Slice] >= 0 && this->IsKept(view.Face, tile);
+    return this->Depth.StripOf(view.Slice) >= 0 && this->IsKept(view.Face, place.Tile);
   }
-  glm::dvec2 TexelPosition(const glm::dvec2& coordinates) const;
-  vtkIdType TexelIndex(int slice, int tile, int p, int q) const;
-  glm::dvec4 FetchColor(int slice, int tile, int p, int q) const;
-  double FetchInverseDepth(int slice, int tile, int p, int q) const;
-  glm::dvec4 ReadNearestColor(int slice, int tile, const glm::dvec2& coordinates) const;
-  glm::dvec4 ReadColor(int slice, int tile, const glm::dvec2& coordinates) const;
-  double ReadNearestInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const;
-  double ReadInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const;
+  double FetchInverseDepth(const Place& place, int p, int q) const;
+  double ReadInverseDepth(const Place& place) const;
 
   static Ray ToFaceSpace(const RayCoordinates& ray);
   View MakeView(int face, int i, int j, double weight) const;
@@ -159,11 +152,11 @@ private:
   ViewCell FindViews(const Ray& ray) const;
   ViewCell FindOuterViews(const Ray& ray, int rings) const;
   static Projection Project(const View& view, const glm::dvec3& point);
-  double GuessSurface(const Ray& ray, double fraction) const;
-  glm::dvec4 ReadColorOf(const View& view, const glm::dvec3& point) const;
+  double GuessSurface(const Ray& ray, const View& view, double fraction) const;
   static glm::dvec4 ListWeights(const ViewCell& views);
-  glm::dvec4 BlendColors(
-    const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights) const;
+  LookupResult AtPlace(const View& view, const Place& place, double fraction) const;
+  LookupResult FindPlaces(const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights,
+    double fraction) const;
   LookupResult LookThrough(const Ray& ray, double fraction) const;
 
   SceneGrid::Ray CastGridRay(const Ray& ray) const;
@@ -172,20 +165,19 @@ private:
   double RefineCrossing(const Ray& ray, const View& view, double before, double behind,
     double clearanceBefore, double clearanceBehind) const;
   bool FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
-    const Range& range, bool all, Step& step) const;
+    const glm::dvec2& range, bool all, Step& step) const;
   Surface FindSurface(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
-    const Range& range, bool all) const;
-  void SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, const Range& whole,
+    const glm::dvec2& range, bool all) const;
+  LookupResult FindVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
+  LookupResult Seen(const Ray& ray) const;
+  void SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, glm::dvec2 range,
     ViewCell& views, Surface& surface) const;
-  glm::dvec4 BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;
+  LookupResult Unseen(const Ray& ray) const;
 
   Description Field;
   SceneGrid Grid;
-  std::vector<int> Places; ///< the place of each slice in the arrays
-  vtkDataArray* Colors;
-  vtkDataArray* Depths;
-  double ColorScale;
-  double DepthScale;
+  ViewpointSamples Samples; ///< all of the image
+  ChannelReader Depth;
   int LeftOut = 0; ///< exit faces, one bit each
 };
 }

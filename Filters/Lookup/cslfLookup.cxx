@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfLookup.h"
+#include "Lookup/cslfLookup.h"
 
-#include "cslfFaceSpace.h"
+#include "Lookup/cslfFaceSpace.h"
+#include "Lookup/cslfLookupConstants.h"
 
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
@@ -18,58 +18,10 @@
 
 namespace cslf
 {
+using namespace lookup;
+
 namespace
 {
-// These constants are also defined in cslfLookup.glsl.
-
-/// Smaller differences of depth, as a fraction of a chord, are ignored.
-constexpr double LeastDepth = 1.0 / 4096.0;
-/// Neighbouring texels are on one surface if their inverse depths differ by less than this share.
-constexpr double SurfaceStep = 0.1;
-/// The search starts no closer to the entry than this inverse fraction.
-constexpr double NearestStart = 40.0;
-/// The smallest fraction of the chord at which the focal lookup looks.
-constexpr double NearestFocus = 0.05;
-/// The most texels by which a view's image of the ray moves in a step of the search, unless the
-/// step is smaller than a share of w.
-constexpr double TexelsPerStep = 3.0;
-constexpr double StepShare = 0.08;
-/// The largest step in w.
-constexpr double MostStride = 0.5;
-constexpr int MostSteps = 96;
-/// The number of ends of sight along a ray that are examined.
-constexpr int MostCandidates = 16;
-/// Subdivisions of a step with a crossing: each keeps at least a share of the step, and they end
-/// when the clearance is less than a share of w.
-constexpr int Refinements = 12;
-constexpr double LeastShare = 0.02;
-constexpr double Convergence = 0.0005;
-/// The search continues behind a crossing that is not a surface by this share of a stride.
-constexpr double RestartShare = 0.02;
-/// A crossing where the clearance jumps by more than this share of w is an edge, not a surface.
-constexpr double EdgeStep = 0.03;
-/// A view sees through points whose clearance exceeds this share of w; the error of coded depth is
-/// smaller.
-constexpr double ClearanceTolerance = 0.05;
-/// A view colours points within this share of w of the surface it sees.
-constexpr double SightTolerance = 0.1;
-/// Viewpoints farther away than the four around a ray must see a surface at least this well, out of
-/// 1, because nothing else corrects their errors.
-constexpr double OuterSight = 0.97;
-/// They are used if the views of the four that know the hidden point have more than this share of
-/// the weights. The others lack its tile, and might see the surface.
-constexpr double KnownShare = 0.7;
-/// Prevents a ray through a viewpoint from depending only on that viewpoint.
-constexpr double LeastWeight = 0.0001;
-
-/// If nothing else is found, the largest share of w by which a surface may be seen through, in
-/// texels.
-constexpr double DoubtTexels = 8.0;
-/// A view with a missing tile has a clearance below minus this.
-constexpr double Unknown = 2000.0;
-/// The clearance of a view that is not used.
-constexpr double NotAsked = -2.0 * Unknown;
-
 /// Whether any view knows that a point is hidden, and none sees through it.
 bool IsHidden(const glm::dvec4& clearances)
 {
@@ -97,6 +49,18 @@ int ChooseCrossing(const glm::dvec4& before, const glm::dvec4& behind)
   return first;
 }
 
+/// The range of w in which the scene can lie.
+glm::dvec2 FindRange(const SceneGrid::Ray& gridRay)
+{
+  return 1.0 / glm::max(SceneGrid::ClipToScene(gridRay), 1.0 / NearestStart);
+}
+
+/// How well views see a point with these clearances, in [0,1].
+glm::dvec4 Nearness(const glm::dvec4& clearances, double w)
+{
+  return glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
+}
+
 std::vector<int> ListSlices(const Layout& grid)
 {
   std::vector<int> slices(grid.GetSlices());
@@ -113,39 +77,31 @@ Lookup::Lookup(const Description& description, vtkImageData* image)
 Lookup::Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices)
   : Field(description)
   , Grid(description, image, slices)
-  , Places(description.Grid.GetSlices(), -1)
-  , Colors(image->GetPointData()->GetArray(ColorName))
-  , Depths(image->GetPointData()->GetArray(DepthName))
-  , ColorScale(this->Colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0)
-  , DepthScale(
-      this->Depths && this->Depths->GetDataType() == VTK_UNSIGNED_SHORT ? 1.0 / 65535.0 : 1.0)
+  , Depth(description.Grid, image->GetPointData()->GetArray(DepthName), slices)
 {
-  for (std::size_t place = 0; place < slices.size(); ++place)
-  {
-    this->Places[slices[place]] = static_cast<int>(place);
-  }
+  this->Samples.Color = image->GetPointData()->GetArray(ColorName);
+  this->Samples.Depth = image->GetPointData()->GetArray(DepthName);
 }
 
 void Lookup::LeaveOut(int seenFaces)
 {
   this->LeftOut = seenFaces;
   this->Grid = SceneGrid(this->Field);
-  ViewpointSamples samples;
-  samples.Color = this->Colors;
-  samples.Depth = this->Depths;
+  ViewpointSamples samples = this->Samples;
   const vtkIdType texels =
     static_cast<vtkIdType>(this->Field.Grid.GetStripWidth()) * this->Field.Grid.GetResolution();
   for (int slice = 0; slice < this->Field.Grid.GetSlices(); ++slice)
   {
     const int face = this->Field.Grid.ViewpointOf(slice).Face;
-    if (this->Places[slice] >= 0 && (seenFaces == 0 || (seenFaces >> face & 1) != 0))
+    const int strip = this->Depth.StripOf(slice);
+    if (strip >= 0 && (seenFaces == 0 || (seenFaces >> face & 1) != 0))
     {
       int tiles = 0;
       for (int tile = 0; tile < TileCount; ++tile)
       {
         tiles |= this->IsKept(face, tile) ? 1 << tile : 0;
       }
-      samples.First = this->Places[slice] * texels;
+      samples.First = strip * texels;
       this->Grid.Add(slice, samples, tiles);
     }
   }
@@ -153,71 +109,24 @@ void Lookup::LeaveOut(int seenFaces)
 }
 
 //------------------------------------------------------------------------------
-// Reading texels
+// Reading depth
 
-glm::dvec2 Lookup::TexelPosition(const glm::dvec2& coordinates) const
+double Lookup::FetchInverseDepth(const Place& place, int p, int q) const
 {
-  return 0.5 * (coordinates + 1.0) * static_cast<double>(this->Field.Grid.GetResolution());
-}
-
-vtkIdType Lookup::TexelIndex(int slice, int tile, int p, int q) const
-{
-  const int resolution = this->Field.Grid.GetResolution();
-  const vtkIdType row =
-    static_cast<vtkIdType>(this->Places[slice]) * resolution + std::clamp(q, 0, resolution - 1);
-  return row * this->Field.Grid.GetStripWidth() + tile * resolution +
-    std::clamp(p, 0, resolution - 1);
-}
-
-glm::dvec4 Lookup::FetchColor(int slice, int tile, int p, int q) const
-{
-  double color[4];
-  this->Colors->GetTuple(this->TexelIndex(slice, tile, p, q), color);
-  return this->ColorScale * glm::dvec4(color[0], color[1], color[2], color[3]);
-}
-
-double Lookup::FetchInverseDepth(int slice, int tile, int p, int q) const
-{
-  const double depth =
-    this->DepthScale * this->Depths->GetComponent(this->TexelIndex(slice, tile, p, q), 0);
-  return 1.0 / std::max(depth, LeastDepth);
-}
-
-glm::dvec4 Lookup::ReadNearestColor(int slice, int tile, const glm::dvec2& coordinates) const
-{
-  const glm::ivec2 texel(glm::floor(this->TexelPosition(coordinates)));
-  return this->FetchColor(slice, tile, texel.x, texel.y);
-}
-
-glm::dvec4 Lookup::ReadColor(int slice, int tile, const glm::dvec2& coordinates) const
-{
-  const glm::dvec2 position = this->TexelPosition(coordinates) - 0.5;
-  const glm::ivec2 base(glm::floor(position));
-  const glm::dvec2 weight = position - glm::dvec2(base);
-  return glm::mix(glm::mix(this->FetchColor(slice, tile, base.x, base.y),
-                    this->FetchColor(slice, tile, base.x + 1, base.y), weight.x),
-    glm::mix(this->FetchColor(slice, tile, base.x, base.y + 1),
-      this->FetchColor(slice, tile, base.x + 1, base.y + 1), weight.x),
-    weight.y);
-}
-
-double Lookup::ReadNearestInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const
-{
-  const glm::ivec2 texel(glm::floor(this->TexelPosition(coordinates)));
-  return this->FetchInverseDepth(slice, tile, texel.x, texel.y);
+  return 1.0 / std::max(this->Depth.FetchNumber(place, p, q), LeastDepth);
 }
 
 // Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
 // surface.
-double Lookup::ReadInverseDepth(int slice, int tile, const glm::dvec2& coordinates) const
+double Lookup::ReadInverseDepth(const Place& place) const
 {
-  const glm::dvec2 position = this->TexelPosition(coordinates) - 0.5;
+  const glm::dvec2 position = this->Depth.TexelPosition(place) - 0.5;
   const glm::ivec2 base(glm::floor(position));
   const glm::dvec2 weight = position - glm::dvec2(base);
-  const double d00 = this->FetchInverseDepth(slice, tile, base.x, base.y);
-  const double d10 = this->FetchInverseDepth(slice, tile, base.x + 1, base.y);
-  const double d01 = this->FetchInverseDepth(slice, tile, base.x, base.y + 1);
-  const double d11 = this->FetchInverseDepth(slice, tile, base.x + 1, base.y + 1);
+  const double d00 = this->FetchInverseDepth(place, base.x, base.y);
+  const double d10 = this->FetchInverseDepth(place, base.x + 1, base.y);
+  const double d01 = this->FetchInverseDepth(place, base.x, base.y + 1);
+  const double d11 = this->FetchInverseDepth(place, base.x + 1, base.y + 1);
   const double least = std::min(std::min(d00, d10), std::min(d01, d11));
   const double most = std::max(std::max(d00, d10), std::max(d01, d11));
   if (most - least > SurfaceStep * most)
@@ -310,34 +219,27 @@ Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
   }
   const ExitFrame frame = FindExitFrame(view.Face, axis, sign);
   const glm::dvec3 exit = glm::dvec3(view.Position, -1.0) + direction / depth;
-  return { frame.Tile, { glm::dot(frame.S, exit), glm::dot(frame.T, exit) }, 1.0 / depth };
+  return { { view.Slice, frame.Tile, { glm::dot(frame.S, exit), glm::dot(frame.T, exit) } },
+    1.0 / depth };
 }
 
-// The guess of a lookup that does not search: the position along the ray of the surface that the
-// nearest view sees in the direction of the ray's point at `fraction`. Without a depth channel, it
-// is that point.
-double Lookup::GuessSurface(const Ray& ray, double fraction) const
+// The guess of a lookup that does not search: the position along the ray of the surface that a
+// view sees in the direction of the ray's point at `fraction`. Without a depth channel, it is that
+// point.
+double Lookup::GuessSurface(const Ray& ray, const View& view, double fraction) const
 {
-  if (!this->Depths)
+  if (!this->Samples.Depth)
   {
     return fraction;
   }
-  const View view = this->FindViews(ray).Views[0];
   const glm::dvec3 point = ray.Entry + fraction * ray.Chord;
   const Projection seen = Project(view, point);
+  const double depth = std::max(this->Depth.ReadNearest(seen.At).x, LeastDepth);
   const glm::dvec3 viewpoint(view.Position, 0.0);
-  const glm::dvec3 surface = viewpoint +
-    (point - viewpoint) * seen.InverseDepth /
-      this->ReadNearestInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
+  const glm::dvec3 surface = viewpoint + (point - viewpoint) * (seen.InverseDepth * depth);
   const double guess =
     std::clamp(glm::dot(surface - ray.Entry, ray.Chord) / glm::dot(ray.Chord, ray.Chord), 0.0, 1.0);
-  return this->IsKept(view.Face, seen.Tile) ? guess : fraction;
-}
-
-glm::dvec4 Lookup::ReadColorOf(const View& view, const glm::dvec3& point) const
-{
-  const Projection seen = Project(view, point);
-  return this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
+  return this->IsKept(view, seen.At) ? guess : fraction;
 }
 
 glm::dvec4 Lookup::ListWeights(const ViewCell& views)
@@ -346,33 +248,36 @@ glm::dvec4 Lookup::ListWeights(const ViewCell& views)
     views.Views[3].Weight };
 }
 
-// The mean of what the views see of a point, over those that see anything.
-glm::dvec4 Lookup::BlendColors(
-  const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights) const
+// Where a single view is read.
+LookupResult Lookup::AtPlace(const View& view, const Place& place, double fraction) const
 {
-  glm::dvec4 color(0.0);
-  double sum = 0.0;
+  LookupResult result;
+  result.Places[0] = place;
+  result.Weights[0] = this->IsKept(view, place) ? 1.0 : 0.0;
+  result.Fraction = fraction;
+  return result;
+}
+
+// Where the views see a point.
+LookupResult Lookup::FindPlaces(
+  const ViewCell& views, const glm::dvec3& point, const glm::dvec4& weights, double fraction) const
+{
+  LookupResult result;
   for (int k = 0; k < 4; ++k)
   {
     const View& view = views.Views[k];
-    const Projection seen = Project(view, point);
-    const double weight = this->IsKept(view, seen.Tile) ? weights[k] : 0.0;
-    if (weight > 0.0)
-    {
-      color += weight * this->ReadColor(view.Slice, seen.Tile, seen.Coordinates);
-      sum += weight;
-    }
+    result.Places[k] = Project(view, point).At;
+    result.Weights[k] = this->IsKept(view, result.Places[k]) ? weights[k] : 0.0;
   }
-  return color / std::max(sum, LeastWeight);
+  result.Fraction = fraction;
+  return result;
 }
 
 LookupResult Lookup::LookThrough(const Ray& ray, double fraction) const
 {
-  LookupResult result;
-  result.Fraction = this->GuessSurface(ray, fraction);
   const ViewCell views = this->FindViews(ray);
-  result.Color = this->BlendColors(views, ray.Entry + fraction * ray.Chord, ListWeights(views));
-  return result;
+  return this->FindPlaces(views, ray.Entry + fraction * ray.Chord, ListWeights(views),
+    this->GuessSurface(ray, views.Views[0], fraction));
 }
 
 //------------------------------------------------------------------------------
@@ -381,16 +286,20 @@ LookupResult Lookup::LookThrough(const Ray& ray, double fraction) const
 LookupResult Lookup::Nearest(const RayCoordinates& ray) const
 {
   const Ray rayFC = ToFaceSpace(ray);
-  return { this->ReadNearestColor(this->FindViews(rayFC).Views[0].Slice,
-             TileOf(ray.Entry.Face, ray.Exit.Face), ray.Exit.Coordinates),
-    this->GuessSurface(rayFC, 1.0) };
+  const View view = this->FindViews(rayFC).Views[0];
+  const int tile = TileOf(ray.Entry.Face, ray.Exit.Face);
+  LookupResult result = this->AtPlace(
+    view, { view.Slice, tile, ray.Exit.Coordinates }, this->GuessSurface(rayFC, view, 1.0));
+  result.IsNearest = true;
+  return result;
 }
 
 LookupResult Lookup::Linear(const RayCoordinates& ray) const
 {
   const Ray rayFC = ToFaceSpace(ray);
-  return { this->ReadColorOf(this->FindViews(rayFC).Views[0], rayFC.Entry + rayFC.Chord),
-    this->GuessSurface(rayFC, 1.0) };
+  const View view = this->FindViews(rayFC).Views[0];
+  return this->AtPlace(
+    view, Project(view, rayFC.Entry + rayFC.Chord).At, this->GuessSurface(rayFC, view, 1.0));
 }
 
 LookupResult Lookup::Bilinear(const RayCoordinates& ray) const
@@ -401,17 +310,15 @@ LookupResult Lookup::Bilinear(const RayCoordinates& ray) const
 LookupResult Lookup::Focal(const RayCoordinates& ray, const glm::dvec3& focalPointCC) const
 {
   const Ray rayFC = ToFaceSpace(ray);
-  double first;
-  double last;
-  SceneGrid::ClipToScene(this->CastGridRay(rayFC), first, last);
-  if (first >= last)
+  const glm::dvec2 range = SceneGrid::ClipToScene(this->CastGridRay(rayFC));
+  if (range.x >= range.y)
   {
     return {};
   }
   const glm::dvec3 focalPoint = CubeToFaceSpace(rayFC.Face, focalPointCC);
   const double fraction =
     glm::dot(focalPoint - rayFC.Entry, rayFC.Chord) / glm::dot(rayFC.Chord, rayFC.Chord);
-  return this->LookThrough(rayFC, std::max(NearestFocus, std::clamp(fraction, first, last)));
+  return this->LookThrough(rayFC, std::max(NearestFocus, std::clamp(fraction, range.x, range.y)));
 }
 
 //------------------------------------------------------------------------------
@@ -429,11 +336,11 @@ SceneGrid::Ray Lookup::CastGridRay(const Ray& ray) const
 double Lookup::Clearance(const View& view, const glm::dvec3& point) const
 {
   const Projection seen = Project(view, point);
-  if (!this->IsKept(view, seen.Tile))
+  if (!this->IsKept(view, seen.At))
   {
     return seen.InverseDepth - 1.0 / LeastDepth;
   }
-  return seen.InverseDepth - this->ReadInverseDepth(view.Slice, seen.Tile, seen.Coordinates);
+  return seen.InverseDepth - this->ReadInverseDepth(seen.At);
 }
 
 // Of the four views. The last one is computed only on request.
@@ -469,12 +376,12 @@ double Lookup::RefineCrossing(const Ray& ray, const View& view, double before, d
 // Continues from `step.Behind` to where any view's sight ends. False if there is no such place.
 // Skips cells of the grid without surfaces.
 bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
-  const Range& range, bool all, Step& step) const
+  const glm::dvec2& range, bool all, Step& step) const
 {
-  while (step.Behind > range.Farthest && step.Count < MostSteps)
+  while (step.Behind > range.y && step.Count < MostSteps)
   {
-    step.Behind = this->Grid.SkipEmpty(gridRay, step.Behind, range.Farthest);
-    if (step.Behind <= range.Farthest)
+    step.Behind = this->Grid.SkipEmpty(gridRay, step.Behind, range.y);
+    if (step.Behind <= range.y)
     {
       break;
     }
@@ -489,14 +396,14 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
       step.Before = step.Behind;
       step.ClearancesBefore = step.ClearancesBehind;
       const double stride = std::max(views.Stride, StepShare * step.Before);
-      step.Behind = std::max(step.Before - stride, range.Farthest);
+      step.Behind = std::max(step.Before - stride, range.y);
       step.ClearancesBehind = this->Clearances(ray, views, step.Behind, all);
       ++step.Count;
       if (glm::any(EndsOfSight(step.ClearancesBefore, step.ClearancesBehind)))
       {
         return true;
       }
-      inside = step.Behind > range.Farthest && step.Count < MostSteps &&
+      inside = step.Behind > range.y && step.Count < MostSteps &&
         this->Grid.IsOccupied(gridRay, step.Behind);
     }
   }
@@ -509,10 +416,10 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
 // scene have larger errors than coded depth. Otherwise 0. Steps are taken by all four views, or by
 // the three nearest, which is nearly as good and takes less time.
 Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
-  const SceneGrid::Ray& gridRay, const Range& range, bool all) const
+  const SceneGrid::Ray& gridRay, const glm::dvec2& range, bool all) const
 {
   Step step;
-  step.Behind = range.Nearest;
+  step.Behind = range.x;
   Surface doubtful;
   double least = DoubtTexels / this->Field.Grid.GetResolution();
   for (int i = 0; i < MostCandidates && this->FindStep(ray, views, gridRay, range, all, step); ++i)
@@ -524,8 +431,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
     const double most = std::max({ clearances.x, clearances.y, clearances.z, clearances.w }) / w;
     const bool isSeenThrough = most > ClearanceTolerance;
     const bool isSurface = std::abs(clearances[k]) < EdgeStep * w;
-    const glm::dvec4 near =
-      glm::max(glm::dvec4(0.0), 1.0 - glm::abs(clearances) / (SightTolerance * w));
+    const glm::dvec4 near = Nearness(clearances, w);
     if (isSurface && most < least)
     {
       least = most;
@@ -555,26 +461,41 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   return { step.FirstHidden, glm::dvec4(0.0) };
 }
 
-// The views that see the surface from the ray's side contribute to its colour; if there are none,
-// all.
-glm::dvec4 Lookup::BlendVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const
+// Where the views see the surface of a ray: those that see it from the ray's side; if there are
+// none, all.
+LookupResult Lookup::FindVisible(
+  const Ray& ray, const ViewCell& views, const Surface& surface) const
 {
-  const glm::dvec3 point = ray.Entry + ray.Chord / surface.W;
   const glm::dvec4 weights = ListWeights(views);
   const glm::dvec4 visible = (weights + LeastWeight) * surface.Sight;
   const double sum = visible.x + visible.y + visible.z + visible.w;
-  return this->BlendColors(views, point, sum > 0.0 ? visible / sum : weights);
+  return this->FindPlaces(
+    views, ray.Entry + ray.Chord / surface.W, sum > 0.0 ? visible / sum : weights, 1.0 / surface.W);
+}
+
+// With the three nearest views. Not final if none of the four sees the surface.
+LookupResult Lookup::Seen(const Ray& ray) const
+{
+  const SceneGrid::Ray gridRay = this->CastGridRay(ray);
+  const ViewCell views = this->FindViews(ray);
+  const Surface surface = this->FindSurface(ray, views, gridRay, FindRange(gridRay), false);
+  if (surface.W == 0.0)
+  {
+    return {};
+  }
+  LookupResult result = this->FindVisible(ray, views, surface);
+  result.IsFinal = surface.Sight != glm::dvec4(0.0);
+  return result;
 }
 
 // Viewpoints farther and farther away may see what the four views do not.
-void Lookup::SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, const Range& whole,
+void Lookup::SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, glm::dvec2 range,
   ViewCell& views, Surface& surface) const
 {
   // Starts one step earlier, where the outer ones may see the surface at once. A surface that they
   // find in front of the hidden point is a silhouette, which the inner ones show better.
   const double hidden = surface.W;
-  const double stride = std::max(views.Stride, StepShare * hidden);
-  const Range range = { std::min(hidden + stride, whole.Nearest), whole.Farthest };
+  range.x = std::min(hidden + std::max(views.Stride, StepShare * hidden), range.x);
   const glm::bvec4 isKnown =
     glm::greaterThan(this->Clearances(ray, views, hidden, true), glm::dvec4(-Unknown));
   const double known = glm::dot(glm::dvec4(isKnown), ListWeights(views));
@@ -593,32 +514,29 @@ void Lookup::SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, const R
   }
 }
 
-LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
+// For rays that Seen leaves: with all four views, then with those farther around.
+LookupResult Lookup::Unseen(const Ray& ray) const
 {
-  if (!this->Depths)
-  {
-    return this->Focal(ray, glm::dvec3(0.0));
-  }
-  const Ray rayFC = ToFaceSpace(ray);
-  const SceneGrid::Ray gridRay = this->CastGridRay(rayFC);
-  Range range{};
-  SceneGrid::ClipToScene(gridRay, range.Nearest, range.Farthest);
-  range = { 1.0 / std::max(range.Nearest, 1.0 / NearestStart),
-    1.0 / std::max(range.Farthest, 1.0 / NearestStart) };
-  ViewCell views = this->FindViews(rayFC);
-  Surface surface = this->FindSurface(rayFC, views, gridRay, range, false);
-  if (surface.W > 0.0 && surface.Sight == glm::dvec4(0.0))
-  {
-    surface = this->FindSurface(rayFC, views, gridRay, range, true);
-  }
+  const SceneGrid::Ray gridRay = this->CastGridRay(ray);
+  const glm::dvec2 range = FindRange(gridRay);
+  ViewCell views = this->FindViews(ray);
+  Surface surface = this->FindSurface(ray, views, gridRay, range, true);
   if (surface.W == 0.0)
   {
     return {};
   }
-  if (surface.Sight == glm::dvec4(0.0))
+  this->SearchAround(ray, gridRay, range, views, surface);
+  return this->FindVisible(ray, views, surface);
+}
+
+LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
+{
+  if (!this->Samples.Depth)
   {
-    this->SearchAround(rayFC, gridRay, range, views, surface);
+    return this->Focal(ray, glm::dvec3(0.0));
   }
-  return { this->BlendVisible(rayFC, views, surface), 1.0 / surface.W };
+  const Ray rayFC = ToFaceSpace(ray);
+  const LookupResult result = this->Seen(rayFC);
+  return result.IsFinal ? result : this->Unseen(rayFC);
 }
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfFaceSpace.h"
+#include "Lookup/cslfFaceSpace.h"
 
+#include "Lookup/cslfLookupConstants.h"
 #include "cslfLayout.h"
 
 #include <glm/common.hpp>
@@ -9,11 +10,7 @@
 
 namespace cslf
 {
-namespace
-{
-/// Prevents a division by 0 at edges of the face. Also defined in cslfCube.glsl.
-constexpr double LeastToSide = 1.0e-4;
-}
+using namespace lookup;
 
 glm::dvec3 CubeToFaceSpace(int face, const glm::dvec3& pointCC)
 {
