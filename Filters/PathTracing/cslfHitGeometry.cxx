@@ -115,18 +115,19 @@ void LocateOnTriangle(
   const glm::vec3 position = isFound
     ? MoveToPlane(ray.Origin + hit.Distance * ray.Direction, triangle.Corners[0], triangle.Front)
     : InterpolateCorners(triangle.Corners, place.U, place.V);
-  const FlatPoint point =
-    FindFlatPoint(triangle.Front, ray.Direction, position, triangle.Reach, triangle.Length);
-  surface.GeometricNormal = point.Normal;
-  surface.Inside = point.Inside;
-  surface.PassPosition = point.Pass;
+  const glm::vec3 offset =
+    FindOffset(triangle.Front, glm::abs(position) + triangle.Reach, triangle.Length) *
+    FaceRay(triangle.Front, ray.Direction);
+  surface.GeometricNormal = FaceRay(triangle.Front, ray.Direction);
+  surface.Inside = IsBehind(triangle.Front, ray.Direction);
+  surface.PassPosition = position - offset;
   surface.LeavePosition = triangle.IsSmooth
-    ? LeaveSmooth(triangle.Corners, triangle.Normals, place.U, place.V, point.Normal,
+    ? LeaveSmooth(triangle.Corners, triangle.Normals, place.U, place.V, surface.GeometricNormal,
         triangle.Reach, triangle.Length)
-    : point.Leave;
+    : position + offset;
   surface.ShadingNormal = triangle.IsSmooth || mesh.Textures.Normal
     ? FindShadingNormal(mesh, triangle, place, surface, -ray.Direction)
-    : point.Normal;
+    : surface.GeometricNormal;
 }
 
 /// The centre and radius of the sphere that touches a tube's surface at a point, and how far along

@@ -113,13 +113,14 @@ CSLF_VECTORIZE void LocateFlat(const RayLanes& rays, const HitLanes& hits,
     const glm::vec3 corner = triangles.Corners[0].Get(i);
     const glm::vec3 position =
       MoveToPlane(rays.Origin.Get(i) + hits.Distance[i] * direction, corner, front);
-    const FlatPoint point =
-      FindFlatPoint(front, direction, position, glm::abs(corner), triangles.Length[i]);
-    surfaces.Inside[i] = point.Inside ? -1 : 0;
-    surfaces.GeometricNormal.Set(i, point.Normal);
-    surfaces.ShadingNormal.Set(i, point.Normal);
-    surfaces.LeavePosition.Set(i, point.Leave);
-    surfaces.PassPosition.Set(i, point.Pass);
+    const glm::vec3 normal = FaceRay(front, direction);
+    const glm::vec3 offset =
+      FindOffset(front, glm::abs(position) + glm::abs(corner), triangles.Length[i]) * normal;
+    surfaces.Inside[i] = IsBehind(front, direction) ? -1 : 0;
+    surfaces.GeometricNormal.Set(i, normal);
+    surfaces.ShadingNormal.Set(i, normal);
+    surfaces.LeavePosition.Set(i, position + offset);
+    surfaces.PassPosition.Set(i, position - offset);
   }
 }
 

@@ -138,24 +138,16 @@ inline glm::vec3 RaiseToSmoothSurface(const glm::vec3 corners[3], const glm::vec
   return raised;
 }
 
-/// A flat triangle as seen by a ray.
-struct FlatPoint
+/// Whether a ray of this direction comes from behind a triangle.
+inline bool IsBehind(const glm::vec3& front, const glm::vec3& direction)
 {
-  glm::vec3 Normal; ///< on the ray's side
-  bool Inside;      ///< whether the ray comes from behind
-  glm::vec3 Leave;  ///< the origin of rays that leave on the ray's side
-  glm::vec3 Pass;   ///< and on the other side
-};
+  return glm::dot(front, direction) > 0.0f;
+}
 
-/// For a point on a triangle; `front` has unit length. `reach` and `length` are as in FindOffset,
-/// without the point's own coordinates.
-inline FlatPoint FindFlatPoint(const glm::vec3& front, const glm::vec3& direction,
-  const glm::vec3& position, const glm::vec3& reach, float length)
+/// The normal of a triangle's front, turned to the side that a ray comes from.
+inline glm::vec3 FaceRay(const glm::vec3& front, const glm::vec3& direction)
 {
-  const float away = glm::dot(front, direction);
-  const glm::vec3 normal = (away > 0.0f ? -1.0f : 1.0f) * front;
-  const glm::vec3 offset = FindOffset(front, glm::abs(position) + reach, length) * normal;
-  return { normal, away > 0.0f, position + offset, position - offset };
+  return (IsBehind(front, direction) ? -1.0f : 1.0f) * front;
 }
 
 /// The origin of rays that leave a smooth triangle, on the side of the geometric normal.
