@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The cslf command-line tool.
+#include "Console/cslfMessages.h"
+#include "Console/cslfParallel.h"
+#include "Options/cslfNumberChecks.h"
 #include "cslfCommands.h"
-#include "cslfMessages.h"
-#include "cslfNumberChecks.h"
-#include "cslfParallel.h"
 
 #include <vtkSMPTools.h>
 

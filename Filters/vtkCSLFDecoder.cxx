@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFDecoder.h"
 
-#include "Coding/cslfFieldReader.h"
+#include "Coding/Reading/cslfFieldReader.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfSlabs.h"

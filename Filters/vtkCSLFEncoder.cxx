@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFEncoder.h"
 
-#include "Coding/cslfEncodeSession.h"
+#include "Coding/Writing/cslfEncodeSession.h"
 #include "Parallel/cslfCacheKeeper.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "vtkCSLFPathTracer.h"

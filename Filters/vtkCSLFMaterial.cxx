@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterial.h"
 
-#include "PathTracing/cslfMaterialParameters.h"
+#include "PathTracing/Materials/cslfMaterialParameters.h"
 #include "Pipeline/cslfArrayLayout.h"
 #include "SceneImport/cslfSurfaceLook.h"
 #include "SceneImport/cslfTextureImage.h"

@@ -8,7 +8,7 @@
 #define vtkCSLFPathTracerInternals_h
 
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/cslfSceneBuilder.h"
+#include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFSceneImporter.h"
 

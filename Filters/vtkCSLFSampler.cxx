@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSampler.h"
 
-#include "PathTracing/cslfFieldRays.h"
-#include "PathTracing/cslfSceneBuilder.h"
-#include "PathTracing/cslfTexelRenderer.h"
+#include "PathTracing/Scene/cslfSceneBuilder.h"
+#include "PathTracing/Texels/cslfFieldRays.h"
+#include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFViewTracer.h"
 
-#include "PathTracing/cslfSceneBuilder.h"
-#include "PathTracing/cslfTexelRenderer.h"
+#include "PathTracing/Scene/cslfSceneBuilder.h"
+#include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "cslfDescription.h"
 
 #include <vtkCamera.h>

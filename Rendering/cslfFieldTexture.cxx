@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
-#include "Coding/cslfFrameOrder.h"
+#include "Coding/Frames/cslfFrameOrder.h"
 #include "Lookup/cslfFaceSpace.h"
 #include "cslfOpenGL.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark: measures the cost of parts of CSLF, with one command per part.
+#include "Console/cslfMessages.h"
 #include "cslfCommands.h"
-#include "cslfMessages.h"
 
 #include <CLI/CLI.hpp>
 

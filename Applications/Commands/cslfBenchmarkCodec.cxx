@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark codec: quality against size, and speed, of a field coded in many ways.
-#include "cslfBenchmarkOptions.h"
-#include "cslfChart.h"
-#include "cslfCodecSweep.h"
-#include "cslfPictures.h"
-#include "cslfRateCurves.h"
-#include "cslfTable.h"
+#include "Console/cslfTable.h"
+#include "Measurements/cslfCodecSweep.h"
+#include "Measurements/cslfRateCurves.h"
+#include "Options/cslfBenchmarkOptions.h"
+#include "Pictures/cslfChart.h"
+#include "Pictures/cslfPictures.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkImageData.h>

@@ -3,14 +3,14 @@
 
 // cslf benchmark key-views: novel views from few coded viewpoints with depth, compared with the
 // paper's way, which uses all viewpoints without depth.
-#include "cslfBenchmarkOptions.h"
-#include "cslfChart.h"
-#include "cslfCodecSweep.h"
-#include "cslfMessages.h"
-#include "cslfPictures.h"
-#include "cslfRateCurves.h"
-#include "cslfStatistics.h"
-#include "cslfTable.h"
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Measurements/cslfCodecSweep.h"
+#include "Measurements/cslfRateCurves.h"
+#include "Measurements/cslfStatistics.h"
+#include "Options/cslfBenchmarkOptions.h"
+#include "Pictures/cslfChart.h"
+#include "Pictures/cslfPictures.h"
 
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFResample.h"

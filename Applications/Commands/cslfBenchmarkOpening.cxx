@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark opening: the time from opening a file to its first picture.
-#include "cslfBenchmarkOptions.h"
-#include "cslfCameraOptions.h"
-#include "cslfMessages.h"
-#include "cslfOffscreenWindow.h"
-#include "cslfPictures.h"
-#include "cslfStatistics.h"
-#include "cslfTable.h"
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Measurements/cslfStatistics.h"
+#include "Options/cslfBenchmarkOptions.h"
+#include "Options/cslfCameraOptions.h"
+#include "Pictures/cslfOffscreenWindow.h"
+#include "Pictures/cslfPictures.h"
 
 #include "vtkCSLFMapper.h"
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark render: the speed, memory and quality of each lookup.
-#include "cslfBenchmarkOptions.h"
-#include "cslfCameraOptions.h"
-#include "cslfCameraPath.h"
-#include "cslfChart.h"
-#include "cslfMeshRenderer.h"
-#include "cslfMessages.h"
-#include "cslfPictures.h"
-#include "cslfStatistics.h"
-#include "cslfTable.h"
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Measurements/cslfMeshRenderer.h"
+#include "Measurements/cslfStatistics.h"
+#include "Options/cslfBenchmarkOptions.h"
+#include "Options/cslfCameraOptions.h"
+#include "Pictures/cslfCameraPath.h"
+#include "Pictures/cslfChart.h"
+#include "Pictures/cslfPictures.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>

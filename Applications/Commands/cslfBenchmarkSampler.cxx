@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf benchmark sampler: the gain of radiance caching over path tracing at equal quality.
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Options/cslfIntegratorOptions.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
-#include "cslfIntegratorOptions.h"
-#include "cslfMessages.h"
-#include "cslfSceneFiles.h"
-#include "cslfTable.h"
 
 #include "vtkCSLFFieldReference.h"
 #include "vtkCSLFSampler.h"

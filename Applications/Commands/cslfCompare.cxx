@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf compare: measures the difference between two pictures or light fields.
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "Pictures/cslfPictures.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfPictures.h"
-#include "cslfTable.h"
 
 #include "vtkCSLFFieldQuality.h"
 #include "vtkCSLFImageQuality.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf encode and cslf decode: convert a light field to another format.
+#include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
+#include "Console/cslfParallel.h"
+#include "Fields/cslfFieldFiles.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfOutputFiles.h"
-#include "cslfParallel.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>

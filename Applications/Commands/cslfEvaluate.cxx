@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf evaluate: compares novel views of a light field with path-traced ones.
-#include "cslfCameraOptions.h"
-#include "cslfCameraPath.h"
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Measurements/cslfNovelViews.h"
+#include "Measurements/cslfStatistics.h"
+#include "Options/cslfCameraOptions.h"
+#include "Options/cslfNovelViewOptions.h"
+#include "Options/cslfToneOptions.h"
+#include "Pictures/cslfCameraPath.h"
+#include "Pictures/cslfContactSheet.h"
+#include "Pictures/cslfPictures.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
-#include "cslfContactSheet.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfNovelViewOptions.h"
-#include "cslfNovelViews.h"
-#include "cslfPictures.h"
-#include "cslfSceneFiles.h"
-#include "cslfStatistics.h"
-#include "cslfTable.h"
-#include "cslfToneOptions.h"
 
 #include "vtkCSLFImageQuality.h"
 

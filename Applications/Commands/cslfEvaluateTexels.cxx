@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf evaluate-texels: compares a light field's texels with path-traced ones.
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfSceneFiles.h"
-#include "cslfTable.h"
 
 #include "vtkCSLFFieldReference.h"
 

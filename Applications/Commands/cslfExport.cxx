@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf export: the triangles of a scene in one file, for other programs.
+#include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
+#include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfOutputFiles.h"
-#include "cslfSceneFiles.h"
 
 #include "vtkCSLFInstances.h"
 

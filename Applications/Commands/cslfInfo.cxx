@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf info: describes the contents of a light field's file.
+#include "Console/cslfTable.h"
+#include "Fields/cslfFieldFiles.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfTable.h"
 
 #include <vtkAlgorithm.h>
 

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf render: novel views of a light field, single or along a camera path.
-#include "cslfCameraOptions.h"
-#include "cslfCameraPath.h"
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Measurements/cslfStatistics.h"
+#include "Options/cslfCameraOptions.h"
+#include "Options/cslfToneOptions.h"
+#include "Pictures/cslfCameraPath.h"
+#include "Pictures/cslfFrameFiles.h"
+#include "Pictures/cslfPictures.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfFrameFiles.h"
-#include "cslfMessages.h"
-#include "cslfPictures.h"
-#include "cslfStatistics.h"
-#include "cslfTable.h"
-#include "cslfToneOptions.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>

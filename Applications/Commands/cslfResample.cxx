@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf resample: makes a coarser light field from a light field.
+#include "Console/cslfMessages.h"
+#include "Console/cslfParallel.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Options/cslfNumberChecks.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfNumberChecks.h"
-#include "cslfParallel.h"
 
 #include "vtkCSLFResample.h"
 

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf sample: samples a scene as a light field.
+#include "Console/cslfMessages.h"
+#include "Console/cslfParallel.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Options/cslfIntegratorOptions.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfIntegratorOptions.h"
-#include "cslfMessages.h"
-#include "cslfParallel.h"
-#include "cslfSceneFiles.h"
 
 #ifdef CSLF_HAS_ENCODER
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
 #endif
+#include "Options/cslfNumberChecks.h"
 #include "cslfLayout.h"
-#include "cslfNumberChecks.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>

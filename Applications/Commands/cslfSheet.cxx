@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf sheet: arranges pictures in one picture.
+#include "Console/cslfMessages.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Options/cslfNumberChecks.h"
+#include "Pictures/cslfContactSheet.h"
+#include "Pictures/cslfPictures.h"
 #include "cslfCommands.h"
-#include "cslfContactSheet.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfNumberChecks.h"
-#include "cslfPictures.h"
 
 #include <vtkImageData.h>
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf trace: path-traces the reference for a novel view.
-#include "cslfCameraOptions.h"
+#include "Console/cslfMessages.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Options/cslfCameraOptions.h"
+#include "Options/cslfIntegratorOptions.h"
+#include "Pictures/cslfPictures.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfIntegratorOptions.h"
-#include "cslfMessages.h"
-#include "cslfPictures.h"
-#include "cslfSceneFiles.h"
 
 #include "vtkCSLFViewTracer.h"
 

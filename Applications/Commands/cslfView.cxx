@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // cslf view: shows a light field in an interactive window.
-#include "cslfCameraOptions.h"
+#include "Console/cslfMessages.h"
+#include "Fields/cslfFieldFiles.h"
+#include "Options/cslfCameraOptions.h"
+#include "Options/cslfNumberChecks.h"
+#include "Options/cslfToneOptions.h"
+#include "Pictures/cslfPictures.h"
+#include "Scenes/cslfSceneFiles.h"
+#include "Viewer/cslfViewer.h"
 #include "cslfCommands.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
-#include "cslfNumberChecks.h"
-#include "cslfPictures.h"
-#include "cslfSceneFiles.h"
-#include "cslfToneOptions.h"
-#include "cslfViewer.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>

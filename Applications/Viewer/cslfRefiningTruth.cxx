@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRefiningTruth.h"
 
-#include "cslfMessages.h"
-#include "cslfToneOptions.h"
+#include "Console/cslfMessages.h"
+#include "Options/cslfToneOptions.h"
 
 #include "vtkCSLFViewTracer.h"
 

@@ -7,7 +7,7 @@
 #ifndef cslfRefiningTruth_h
 #define cslfRefiningTruth_h
 
-#include "cslfSceneFiles.h"
+#include "Scenes/cslfSceneFiles.h"
 #include "cslfToneMapping.h"
 
 #include <vtkNew.h>

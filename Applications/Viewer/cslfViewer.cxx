@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfViewer.h"
 
+#include "Console/cslfMessages.h"
+#include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
-#include "cslfFieldFiles.h"
-#include "cslfMessages.h"
+#include "Options/cslfToneOptions.h"
 #include "cslfScenery.h"
-#include "cslfToneOptions.h"
 #include "cslfViewerPane.h"
 
 #include "vtkCSLFMapper.h"

@@ -8,7 +8,7 @@
 #ifndef cslfViewer_h
 #define cslfViewer_h
 
-#include "cslfPictures.h"
+#include "Pictures/cslfPictures.h"
 #include "cslfRefiningTruth.h"
 #include "cslfToneMapping.h"
 

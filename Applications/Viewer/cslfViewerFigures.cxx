@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The viewer's figures: frames per second, and the quality of lookups compared with the reference.
-#include "cslfMessages.h"
-#include "cslfNovelViews.h"
-#include "cslfTable.h"
+#include "Console/cslfMessages.h"
+#include "Console/cslfTable.h"
+#include "Measurements/cslfNovelViews.h"
 #include "cslfViewerPane.h"
 
 #include "vtkCSLFImageQuality.h"

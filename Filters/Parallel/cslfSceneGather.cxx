@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parallel/cslfSceneGather.h"
 
-#include "PathTracing/cslfArithmetic.h"
+#include "PathTracing/SIMD/cslfArithmetic.h"
 
 #include <vtkCommunicator.h>
 #include <vtkDataObject.h>

@@ -7,7 +7,7 @@
 #ifndef cslfKeptGroups_h
 #define cslfKeptGroups_h
 
-#include "Coding/cslfFrameConverter.h"
+#include "Coding/Frames/cslfFrameConverter.h"
 
 #include <map>
 #include <memory>

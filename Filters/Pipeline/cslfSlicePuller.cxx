@@ -4,8 +4,8 @@
 
 #include "Pipeline/cslfArrayLayout.h"
 
-#include "Coding/cslfEncodeSettings.h"
-#include "Coding/cslfRadianceFrames.h"
+#include "Coding/Frames/cslfRadianceFrames.h"
+#include "Coding/Writing/cslfEncodeSettings.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

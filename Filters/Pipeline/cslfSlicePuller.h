@@ -7,7 +7,7 @@
 #ifndef cslfSlicePuller_h
 #define cslfSlicePuller_h
 
-#include "Coding/cslfFrameConverter.h"
+#include "Coding/Frames/cslfFrameConverter.h"
 #include "Resampling/cslfKeyViews.h"
 #include "cslfDescription.h"
 

@@ -8,7 +8,7 @@
 #ifndef cslfFieldDetail_h
 #define cslfFieldDetail_h
 
-#include "Coding/cslfFrameConverter.h"
+#include "Coding/Frames/cslfFrameConverter.h"
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 #ifndef cslfViewExposures_h
 #define cslfViewExposures_h
 
-#include "PathTracing/cslfDisplayCurve.h"
+#include "PathTracing/Texels/cslfDisplayCurve.h"
 
 #include <vector>
 

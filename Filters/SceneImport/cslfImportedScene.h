@@ -7,8 +7,8 @@
 #ifndef cslfImportedScene_h
 #define cslfImportedScene_h
 
-#include "PathTracing/cslfMaterialProblems.h"
-#include "PathTracing/cslfOldNames.h"
+#include "PathTracing/Materials/cslfMaterialProblems.h"
+#include "PathTracing/Scene/cslfOldNames.h"
 #include "cslfImportLimits.h"
 #include "cslfJoin.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfMappedScalars.h"
 
-#include "PathTracing/cslfSurfaceColors.h"
+#include "PathTracing/Materials/cslfSurfaceColors.h"
 #include "cslfImportedScene.h"
 #include "cslfVTKCompatibility.h"
 

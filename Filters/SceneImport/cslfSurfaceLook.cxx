@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceLook.h"
 
-#include "PathTracing/cslfSurfaceMaterial.h"
+#include "PathTracing/Materials/cslfSurfaceMaterial.h"
 #include "cslfColor.h"
 
 #include <vtkMath.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTextureImage.h"
 
-#include "PathTracing/cslfSurfaceColors.h"
+#include "PathTracing/Materials/cslfSurfaceColors.h"
 #include "Pipeline/cslfArrayLayout.h"
 
 #include <vtkCellData.h>

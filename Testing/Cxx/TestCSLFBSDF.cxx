@@ -3,10 +3,10 @@
 
 // Compares each BSDF's samples with its density, and checks that none reflects more light than it
 // gets.
-#include "PathTracing/cslfBSDF.h"
-#include "PathTracing/cslfFresnel.h"
-#include "PathTracing/cslfSampleStream.h"
-#include "PathTracing/cslfSampling.h"
+#include "PathTracing/Materials/cslfBSDF.h"
+#include "PathTracing/Materials/cslfFresnel.h"
+#include "PathTracing/RandomNumbers/cslfSampleStream.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>

@@ -5,9 +5,9 @@
 // say. The codes of radiance are the same on all machines.
 #include "cslfTesting.h"
 
-#include "Coding/cslfColorRows.h"
-#include "Coding/cslfDepthCurve.h"
-#include "Coding/cslfPerceptualQuantizer.h"
+#include "Coding/Frames/cslfColorRows.h"
+#include "Coding/Frames/cslfDepthCurve.h"
+#include "Coding/Frames/cslfPerceptualQuantizer.h"
 
 #include <algorithm>
 #include <cmath>

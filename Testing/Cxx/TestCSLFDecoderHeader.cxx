@@ -3,8 +3,8 @@
 
 // Files with headers that no encoder writes: one line of error, never a crash. Files of later
 // versions, and damaged ones, are read as far as they can be.
-#include "Coding/cslfContainerReader.h"
-#include "Coding/cslfDepthCurve.h"
+#include "Coding/Containers/cslfContainerReader.h"
+#include "Coding/Frames/cslfDepthCurve.h"
 #include "cslfJSONText.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"

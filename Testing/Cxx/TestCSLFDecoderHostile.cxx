@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Malicious files: their checksums are right, but they claim contents that they do not have.
-#include "Coding/cslfBitstreams.h"
-#include "Coding/cslfContainerReader.h"
-#include "Coding/cslfMovieBoxes.h"
-#include "Coding/cslfTrackDecoder.h"
+#include "Coding/Codecs/cslfBitstreams.h"
+#include "Coding/Containers/cslfContainerReader.h"
+#include "Coding/Containers/cslfMovieBoxes.h"
+#include "Coding/Groups/cslfTrackDecoder.h"
 #include "cslfCodecTesting.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"

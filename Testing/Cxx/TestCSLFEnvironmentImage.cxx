@@ -3,8 +3,8 @@
 
 // The meaning of values in image files, by format and by the names of colour spaces in all versions
 // of OpenImageIO.
-#include "PathTracing/cslfEnvironment.h"
-#include "PathTracing/cslfImageCurve.h"
+#include "PathTracing/Lights/cslfEnvironment.h"
+#include "PathTracing/Materials/cslfImageCurve.h"
 #include "cslfTesting.h"
 
 #include <vtkTestUtilities.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The coding order, its run-length form and the groups.
-#include "Coding/cslfFrameOrder.h"
+#include "Coding/Frames/cslfFrameOrder.h"
 #include "cslfLayout.h"
 #include "cslfTesting.h"
 

@@ -3,8 +3,8 @@
 
 // Arrays of simulations with the names of version 0.1's materials, and arrays of version 0.1
 // itself.
-#include "PathTracing/cslfOldNames.h"
-#include "PathTracing/cslfSceneBuilder.h"
+#include "PathTracing/Scene/cslfOldNames.h"
+#include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Material arrays of a wrong type, size or place, and values out of range, are named in a warning.
-#include "PathTracing/cslfSceneBuilder.h"
+#include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Paths that are followed together find the same as each path alone.
+#include "PathTracing/Paths/cslfPathBatch.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/cslfPathBatch.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 

@@ -3,7 +3,7 @@
 
 // Packets of rays find the same as each ray alone, and do not change other lanes, on processors
 // that trace 4, 8 or 16 rays side by side.
-#include "PathTracing/cslfEmbree.h"
+#include "PathTracing/Rays/cslfEmbree.h"
 #include "cslfTesting.h"
 
 #include <glm/vec3.hpp>

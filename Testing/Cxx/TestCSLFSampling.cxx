@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The random numbers, the tables for choices, and the lights' samples compared with their density.
-#include "PathTracing/cslfDistribution.h"
-#include "PathTracing/cslfEnvironment.h"
-#include "PathTracing/cslfFrame.h"
-#include "PathTracing/cslfLocalLights.h"
-#include "PathTracing/cslfMesh.h"
-#include "PathTracing/cslfSampleStream.h"
-#include "PathTracing/cslfSampling.h"
+#include "PathTracing/Lights/cslfEnvironment.h"
+#include "PathTracing/Lights/cslfLocalLights.h"
+#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/RandomNumbers/cslfDistribution.h"
+#include "PathTracing/RandomNumbers/cslfSampleStream.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "PathTracing/Shapes/cslfMesh.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>

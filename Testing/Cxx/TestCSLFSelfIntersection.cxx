@@ -3,8 +3,8 @@
 
 // The distance at which rays leave surfaces: small enough that they hit a sheet close above, and
 // large enough that a surface does not shadow itself.
-#include "PathTracing/cslfSampling.h"
-#include "PathTracing/cslfFrame.h"
+#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 

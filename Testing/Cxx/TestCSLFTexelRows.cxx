@@ -4,8 +4,8 @@
 // Rows of video samples become texels exactly as the formulas say.
 #include "cslfTesting.h"
 
-#include "Coding/cslfDepthCurve.h"
-#include "Coding/cslfTexelRows.h"
+#include "Coding/Frames/cslfDepthCurve.h"
+#include "Coding/Frames/cslfTexelRows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Textures: their pixels, their storage in data, and their effect on light.
-#include "PathTracing/cslfSampling.h"
-#include "PathTracing/cslfTexture.h"
+#include "PathTracing/Materials/cslfTexture.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Opacity and glass, compared with closed forms.
-#include "PathTracing/cslfFresnel.h"
-#include "PathTracing/cslfSampling.h"
-#include "PathTracing/cslfTexelRenderer.h"
+#include "PathTracing/Materials/cslfFresnel.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfRemux.h"
 
-#include "Coding/cslfTrack.h"
+#include "Coding/Frames/cslfTrack.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef cslfTestTransport_h
 #define cslfTestTransport_h
 
-#include "PathTracing/cslfPathIntegrator.h"
+#include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>

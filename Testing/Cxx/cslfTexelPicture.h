@@ -7,7 +7,7 @@
 #ifndef cslfTexelPicture_h
 #define cslfTexelPicture_h
 
-#include "PathTracing/cslfTexelRenderer.h"
+#include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "cslfTesting.h"
 
 #include <glm/vec4.hpp>

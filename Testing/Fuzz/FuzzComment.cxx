@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The header of a coded file, as a tag and as JSON text.
-#include "Coding/cslfFileHeader.h"
+#include "Coding/Containers/cslfFileHeader.h"
 #include "cslfFuzzing.h"
 
 namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A coded file, MP4 or Matroska, all of it decoded.
-#include "Coding/cslfFieldReader.h"
+#include "Coding/Reading/cslfFieldReader.h"
 #include "cslfFuzzing.h"
 #include "vtkCSLFDecoder.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A part of an unfinished file.
-#include "Coding/cslfPart.h"
+#include "Coding/Writing/cslfPart.h"
 #include "cslfFuzzing.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

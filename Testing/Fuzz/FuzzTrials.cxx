@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The stored trials of an unfinished file, and the coding of groups after they were read.
-#include "Coding/cslfRateControl.h"
+#include "Coding/RateControl/cslfRateControl.h"
 #include "cslfFuzzing.h"
 
 #include <cmath>

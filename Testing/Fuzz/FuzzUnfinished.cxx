@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The rest of an interrupted run: the first byte selects the file of OUT.partial for the others.
-#include "Coding/cslfPartStore.h"
+#include "Coding/Writing/cslfPartStore.h"
 #include "cslfFuzzing.h"
 
 namespace

@@ -18,8 +18,8 @@ execute_process(
   COMMAND "${COMPILER}" -std=c++17 -Wall -Wextra -Werror -static
     "-I${DIRECTORY}" "-I${filters}"
     "${SOURCE}/Testing/Windows/TestWindowsFiles.cxx"
-    "${SOURCE}/Applications/Common/cslfTerminal.cxx"
-    "${filters}/Coding/cslfBackgroundThread.cxx"
+    "${SOURCE}/Applications/Console/cslfTerminal.cxx"
+    "${filters}/Coding/Reading/cslfBackgroundThread.cxx"
     "${filters}/Files/Windows/cslfFileSystem.cxx"
     "${filters}/Files/Windows/cslfLockedFile.cxx"
     "${filters}/Files/cslfFileLock.cxx"

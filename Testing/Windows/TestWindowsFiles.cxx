@@ -4,7 +4,7 @@
 // Writes files and folders like a bake, in the current folder, and prints errors. Called with an
 // argument it is the second process, which must not get the file.
 
-#include "Coding/cslfBackgroundThread.h"
+#include "Coding/Reading/cslfBackgroundThread.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWholeFile.h"
 

@@ -3,9 +3,9 @@
 #include "cslfCacheCheck.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "PathTracing/cslfDisplayCurve.h"
-#include "PathTracing/cslfPathBatch.h"
-#include "PathTracing/cslfSampleStream.h"
+#include "PathTracing/Paths/cslfPathBatch.h"
+#include "PathTracing/RandomNumbers/cslfSampleStream.h"
+#include "PathTracing/Texels/cslfDisplayCurve.h"
 
 #include <glm/geometric.hpp>
 

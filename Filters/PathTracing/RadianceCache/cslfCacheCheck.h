@@ -9,8 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfPathIntegrator.h"
-#include "PathTracing/cslfRayGrid.h"
+#include "PathTracing/Paths/cslfPathIntegrator.h"
+#include "PathTracing/Texels/cslfRayGrid.h"
 #include "cslfCacheShare.h"
 
 #include <cstdint>

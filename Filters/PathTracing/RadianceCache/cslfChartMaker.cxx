@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfChartMaker.h"
 
-#include "PathTracing/cslfFrame.h"
-#include "PathTracing/cslfSampleStream.h"
+#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/RandomNumbers/cslfSampleStream.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

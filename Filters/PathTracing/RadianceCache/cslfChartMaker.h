@@ -10,7 +10,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfScene.h"
+#include "PathTracing/Scene/cslfScene.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
 

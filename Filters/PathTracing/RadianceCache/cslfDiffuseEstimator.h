@@ -10,9 +10,9 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfDisplayCurve.h"
-#include "PathTracing/cslfPathBatch.h"
-#include "PathTracing/cslfPathIntegrator.h"
+#include "PathTracing/Paths/cslfPathBatch.h"
+#include "PathTracing/Paths/cslfPathIntegrator.h"
+#include "PathTracing/Texels/cslfDisplayCurve.h"
 #include "cslfCacheShare.h"
 #include "cslfDiffuseLookUp.h"
 #include "cslfGatherDirections.h"

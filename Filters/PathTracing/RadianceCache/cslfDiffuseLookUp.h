@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfRayPacket.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
 
 #include <cstdint>
 #include <vector>

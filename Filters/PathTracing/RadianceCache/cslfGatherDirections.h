@@ -7,7 +7,7 @@
 #ifndef cslfGatherDirections_h
 #define cslfGatherDirections_h
 
-#include "PathTracing/cslfRayPacket.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
 
 #include <cstdint>
 #include <vector>

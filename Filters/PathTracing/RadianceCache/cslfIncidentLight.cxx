@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfIncidentLight.h"
 
-#include "PathTracing/cslfFresnel.h"
-#include "PathTracing/cslfGGX.h"
+#include "PathTracing/Materials/cslfFresnel.h"
+#include "PathTracing/Materials/cslfGGX.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -9,8 +9,8 @@
 #ifndef cslfIncidentLight_h
 #define cslfIncidentLight_h
 
-#include "PathTracing/cslfFrame.h"
-#include "PathTracing/cslfSurfaceMaterial.h"
+#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Materials/cslfSurfaceMaterial.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

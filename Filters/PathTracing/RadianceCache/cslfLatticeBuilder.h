@@ -9,8 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfDisplayCurve.h"
-#include "PathTracing/cslfScene.h"
+#include "PathTracing/Scene/cslfScene.h"
+#include "PathTracing/Texels/cslfDisplayCurve.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeLayout.h"
 #include "cslfOpenSides.h"

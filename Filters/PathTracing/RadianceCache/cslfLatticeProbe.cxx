@@ -3,7 +3,7 @@
 #include "cslfLatticeProbe.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "PathTracing/cslfSampleStream.h"
+#include "PathTracing/RandomNumbers/cslfSampleStream.h"
 #include "cslfSeconds.h"
 
 #include <vtkNew.h>

@@ -3,9 +3,9 @@
 #include "cslfOpenSides.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "PathTracing/cslfSampling.h"
-#include "PathTracing/cslfScatterLanes.h"
-#include "PathTracing/cslfStreamLanes.h"
+#include "PathTracing/Paths/cslfScatterLanes.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "PathTracing/RandomNumbers/cslfStreamLanes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfPathIntegrator.h"
+#include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "cslfCacheShare.h"
 
 #include <cstddef>

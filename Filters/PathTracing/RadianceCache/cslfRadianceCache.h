@@ -16,8 +16,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfDisplayCurve.h"
-#include "PathTracing/cslfPathIntegrator.h"
+#include "PathTracing/Paths/cslfPathIntegrator.h"
+#include "PathTracing/Texels/cslfDisplayCurve.h"
 #include "cslfCacheCheck.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"

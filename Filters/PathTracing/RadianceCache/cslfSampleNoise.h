@@ -7,7 +7,7 @@
 #ifndef cslfSampleNoise_h
 #define cslfSampleNoise_h
 
-#include "PathTracing/cslfDisplayCurve.h"
+#include "PathTracing/Texels/cslfDisplayCurve.h"
 #include "cslfSurfaceEstimate.h"
 
 #include <glm/vec3.hpp>

@@ -13,7 +13,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/cslfMesh.h"
+#include "PathTracing/Shapes/cslfMesh.h"
 
 #include <glm/vec2.hpp>
 

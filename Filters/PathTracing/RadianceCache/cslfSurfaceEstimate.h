@@ -13,7 +13,7 @@
 #ifndef cslfSurfaceEstimate_h
 #define cslfSurfaceEstimate_h
 
-#include "PathTracing/cslfScene.h"
+#include "PathTracing/Scene/cslfScene.h"
 #include "cslfIncidentLight.h"
 
 #include <glm/common.hpp>

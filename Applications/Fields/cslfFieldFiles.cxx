@@ -1,0 +1,644 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFieldFiles.h"
+
+#include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
+#include "Console/cslfParallel.h"
+#include "Files/cslfFileSystem.h"
+#include "Scenes/cslfSceneChecks.h"
+
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFImageReader.h"
+#include "vtkCSLFImageWriter.h"
+#ifdef CSLF_HAS_ENCODER
+#include "vtkCSLFEncoder.h"
+#endif
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <type_traits>
+
+namespace fs = std::filesystem;
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+/// The heading of the video options in the help.
+constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
+
+/// Means a choice of key views by quality.
+constexpr const char* AutomaticKeyViews = "auto";
+
+/// The suffixes of numbers of bytes.
+const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { "G", 1e9 } };
+
+std::string LowerExtension(const std::string& fileName)
+{
+  std::string extension = ToName(ToPath(fileName).extension());
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::optional<FieldFormat> FindFormat(const std::string& fileName)
+{
+  const std::string extension = LowerExtension(fileName);
+  std::error_code failure;
+  if (extension.empty() || fs::is_directory(ToPath(fileName), failure))
+  {
+    return FieldFormat::Folder;
+  }
+  if (extension == ".mp4" || extension == ".mkv")
+  {
+    return FieldFormat::Video;
+  }
+  return extension == ".vti" ? std::make_optional(FieldFormat::ImageData) : std::nullopt;
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(fileName.c_str());
+  if constexpr (std::is_same_v<Reader, vtkXMLImageDataReader>)
+  {
+    NameFileInErrors(reader, fileName);
+  }
+  else
+  {
+    reader->AllowMissingOff();
+  }
+  return reader.Get();
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(FieldFormat format, const std::string& fileName)
+{
+  switch (format)
+  {
+    case FieldFormat::Video:
+      return MakeReader<vtkCSLFDecoder>(fileName);
+    case FieldFormat::ImageData:
+      CheckVTKXML(fileName);
+      return MakeReader<vtkXMLImageDataReader>(fileName);
+    default:
+      return MakeReader<vtkCSLFImageReader>(fileName);
+  }
+}
+
+/// The description that a reader knows before it reads samples.
+std::string GetText(vtkAlgorithm* reader)
+{
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(reader))
+  {
+    return decoder->GetDescription();
+  }
+  auto* images = vtkCSLFImageReader::SafeDownCast(reader);
+  return images ? images->GetDescription() : std::string();
+}
+
+/// The description that comes with the first viewpoint.
+std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
+{
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(reader->GetOutputInformation(0), extent);
+  extent[5] = extent[4];
+  if (!reader->UpdateExtent(extent))
+  {
+    error = "it cannot be read";
+    return std::nullopt;
+  }
+  return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
+}
+
+vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->EncodeAppendedDataOff();
+  return writer;
+}
+
+/// The estimated size of a field's .vti file, judged by that of one of its viewpoints.
+double GuessImageDataBytes(vtkImageData* viewpoint, int count, OutputFile& file)
+{
+  const auto writer = MakeImageDataWriter();
+  writer->SetInputData(viewpoint);
+  WriteTemporary(writer.Get(), file);
+  std::ifstream stream(ToPath(file.GetTemporaryName()), std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  const std::size_t header = std::min(text.size(), text.find("<AppendedData"));
+  return static_cast<double>(header) + static_cast<double>(text.size() - header) * count;
+}
+
+/// Throws a Failure if the disk does not have enough space for a field's .vti file, before the
+/// whole field is made. Viewpoints may differ, so half of the size estimated from the middle one of
+/// a face is enough.
+void RequireRoom(vtkAlgorithmOutput* connection, OutputFile& file)
+{
+  vtkAlgorithm* producer = connection->GetProducer();
+  producer->UpdateInformation();
+  ThrowOnError();
+  int extent[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(
+    producer->GetOutputInformation(connection->GetIndex()), extent);
+  const int count = extent[5] - extent[4] + 1;
+  const auto side = static_cast<int>(std::lround(std::sqrt(count / 6.0)));
+  extent[4] += side / 2 * side + side / 2;
+  extent[5] = extent[4];
+  producer->UpdateExtent(extent);
+  ThrowOnError();
+  vtkNew<vtkImageData> viewpoint;
+  viewpoint->ShallowCopy(producer->GetOutputDataObject(connection->GetIndex()));
+  const double bytes = GuessImageDataBytes(viewpoint, count, file);
+  std::string error;
+  if (!HasRoom(file.GetName(), bytes, 0.5 * bytes, error))
+  {
+    FailWriting(file.GetName(), error);
+  }
+}
+
+#ifdef CSLF_HAS_ENCODER
+void AddParts(vtkCSLFEncoder* encoder, const std::vector<FieldPart>& parts)
+{
+  for (const FieldPart& part : parts)
+  {
+    encoder->AddPart(part.Type.c_str(), part.Bytes, part.Name.c_str());
+    ThrowOnError();
+  }
+}
+#endif
+}
+
+FieldFormat GetFormat(const std::string& fileName)
+{
+  const auto format = FindFormat(fileName);
+  if (!format)
+  {
+    throw Failure("Cannot write " + fileName + ": the formats are " + FieldFormats + ".");
+  }
+  return *format;
+}
+
+bool IsVideo(const std::string& fileName)
+{
+  return FindFormat(fileName) == FieldFormat::Video;
+}
+
+FieldFile OpenField(const std::string& fileName)
+{
+  // A pipe would block, and cannot be read twice.
+  std::error_code failure;
+  const fs::file_status status = fs::status(ToPath(fileName), failure);
+  if (!fs::is_regular_file(status) && !fs::is_directory(status))
+  {
+    throw Failure("There is no file or folder " + fileName + ".");
+  }
+  const auto format = FindFormat(fileName);
+  if (!format)
+  {
+    throw Failure(fileName + " is not a light field: the formats are " + FieldFormats + ".");
+  }
+  FieldFile file;
+  file.Format = *format;
+  file.Reader = MakeReader(*format, fileName);
+  file.Reader->UpdateInformation();
+  ThrowOnError();
+  std::string error;
+  const auto description = *format == FieldFormat::ImageData
+    ? ReadFirst(file.Reader, error)
+    : Description::FromText(GetText(file.Reader), error);
+  ThrowOnError();
+  if (!description)
+  {
+    throw Failure(fileName + ": " + error);
+  }
+  file.Field = *description;
+  return file;
+}
+
+void FieldInput::AddTo(CLI::App& command, const std::string& name)
+{
+  command.add_option(name, this->FileName, std::string("the light field: ") + FieldFormats)
+    ->required();
+  AddAllowMissing(command, this->AllowMissing);
+}
+
+void AddAllowMissing(CLI::App& command, bool& isAllowed)
+{
+  command.add_flag("--allow-missing", isAllowed,
+    "continue with a warning if viewpoints are missing from a damaged file; otherwise nothing is "
+    "written, and the exit code is 2");
+}
+
+FieldFile OpenField(const FieldInput& input)
+{
+  FieldFile file = OpenField(input.FileName);
+  if (!input.AllowMissing)
+  {
+    // Readers report files without any viewpoint.
+    const int missing = CountMissing(file);
+    const int slices = file.Field.Grid.GetSlices();
+    if (missing > 0 && missing < slices)
+    {
+      throw MissingViewpoints(input.FileName + " is damaged: " + std::to_string(missing) + " of " +
+        std::to_string(slices) +
+        " viewpoints are missing (all commands except benchmark continue without them if "
+        "--allow-missing is given).");
+    }
+    return file;
+  }
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    decoder->AllowMissingOn();
+  }
+  else if (auto* images = vtkCSLFImageReader::SafeDownCast(file.Reader))
+  {
+    images->AllowMissingOn();
+  }
+  return file;
+}
+
+void ReadToDraw(const FieldFile& file)
+{
+  if (file.Format != FieldFormat::Video)
+  {
+    const ProgressBar bar(file.Reader, "Reading");
+    file.Reader->UpdateWholeExtent();
+    ThrowOnError();
+  }
+}
+
+int CountMissing(const FieldFile& file)
+{
+  vtkIdType missing = 0;
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    missing = decoder->FindMissingViewpoints();
+  }
+  else if (auto* images = vtkCSLFImageReader::SafeDownCast(file.Reader))
+  {
+    missing = images->FindMissingViewpoints();
+  }
+  ThrowOnError();
+  return static_cast<int>(missing);
+}
+
+std::string GetCodecName(const FieldFile& file)
+{
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    return decoder->GetCodecName();
+  }
+  if (file.Format == FieldFormat::ImageData)
+  {
+    return "none";
+  }
+  const Channel* color = file.Field.FindChannel(ColorName);
+  return color && color->Type == VTK_FLOAT ? "exr" : "png";
+}
+
+std::uintmax_t CountBytes(const std::string& fileName)
+{
+  std::error_code failure;
+  if (!fs::is_directory(ToPath(fileName), failure))
+  {
+    const std::uintmax_t bytes = fs::file_size(ToPath(fileName), failure);
+    return failure ? 0 : bytes;
+  }
+  std::uintmax_t sum = 0;
+  for (const auto& entry : fs::directory_iterator(ToPath(fileName), failure))
+  {
+    const std::uintmax_t bytes = entry.file_size(failure);
+    sum += failure ? 0 : bytes;
+  }
+  return sum;
+}
+
+void CodingOptions::AddTargetsTo(CLI::App& command)
+{
+  CLI::Option* factor = command
+                          .add_option("--crf", this->CRF,
+                            "constant rate factor on x265's scale for all codecs; smaller values "
+                            "give better and larger files")
+                          ->check(CLI::Range(0.0, 51.0))
+                          ->capture_default_str()
+                          ->group(VideoGroup);
+  CLI::Option* ratio =
+    command
+      .add_option("--target-ratio", this->TargetRatio,
+        "target size of the raw 24-bit colours divided by that of the file, instead of --crf")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->excludes(factor)
+      ->group(VideoGroup);
+  CLI::Option* size =
+    command
+      .add_option("--target-size", this->TargetSize,
+        "target size of the file in bytes, for example 20M or 1.5G, instead of --crf")
+      ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
+      ->check(CLI::Range(1.0, 1e18))
+      ->excludes(factor)
+      ->excludes(ratio)
+      ->group(VideoGroup);
+  command
+    .add_option("--target-psnr", this->TargetPSNR,
+      "target PSNR in dB of the coded colours against the input, instead of --crf")
+    ->check(CLI::Range(1.0, 100.0))
+    ->excludes(factor)
+    ->excludes(ratio)
+    ->excludes(size)
+    ->group(VideoGroup);
+}
+
+void CodingOptions::AddKeyViewsTo(CLI::App& command)
+{
+  CLI::Option* keys =
+    command
+      .add_option("--key-views", this->KeyViews,
+        "step of key views: keep every n-th viewpoint along each side of a face, including those "
+        "on the edges; or \"auto\": as few as reach --target-novel-psnr")
+      ->check(CLI::Range(1, 4096) | CLI::IsMember({ AutomaticKeyViews }))
+      ->capture_default_str()
+      ->group(VideoGroup);
+  command
+    .add_option("--target-novel-psnr", this->TargetNovelPSNR,
+      "target PSNR in dB of omitted viewpoints, reconstructed by the lookup, for --key-views auto "
+      "(default: 35)")
+    ->check(CLI::Range(1.0, 100.0))
+    ->needs(keys)
+    ->group(VideoGroup);
+}
+
+void CodingOptions::AddTo(CLI::App& command)
+{
+  const std::string group = VideoGroup;
+  command.add_option("--codec", this->Codec, "hevc, av1 or h264")
+    ->capture_default_str()
+    ->group(group);
+  this->AddTargetsTo(command);
+  command.add_option("--coverage-crf", this->CoverageCRF, "constant rate factor of coverage")
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--depth-crf", this->DepthCRF, "constant rate factor of depth")
+    ->check(CLI::Range(0.0, 51.0))
+    ->capture_default_str()
+    ->group(group);
+  this->AddKeyViewsTo(command);
+  command
+    .add_option("--preset", this->Preset,
+      "x265 preset, or the equivalent of another encoder: ultrafast ... slow ... placebo")
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--pixel-format", this->PixelFormat,
+      "auto (the default of the codec), yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le, or "
+      "gbrp, which preserves saturated colour maps best; for float colour auto, yuv444p10le or "
+      "yuv444p12le")
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--group-length", this->GroupLength,
+      "viewpoints per group of pictures, the unit of random access")
+    ->check(CLI::Range(1, 16))
+    ->capture_default_str()
+    ->group(group);
+  command.add_flag("--lossless", this->Lossless, "lossless coding")->group(group);
+  command
+    .add_flag("--restart,!--no-restart", this->Restart,
+      "resume an interrupted run from OUTPUT.partial (default), or start from the beginning")
+    ->group(group);
+  command
+    .add_option("--part", this->Parts,
+      "a file to store in the video, for example scene=model/gltf-binary:scene.glb; may be "
+      "repeated")
+    ->allow_extra_args(false)
+    ->type_name("NAME=TYPE:FILE")
+    ->check(FindPartFault)
+    ->group(group);
+}
+
+bool CodingOptions::HasTarget() const
+{
+  return this->TargetRatio > 0.0 || this->TargetSize > 0.0 || this->TargetPSNR > 0.0;
+}
+
+#ifdef CSLF_HAS_ENCODER
+void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
+{
+  encoder->SetCodec(this->Codec.c_str());
+  encoder->SetCRF(this->CRF);
+  encoder->SetCoverageCRF(this->CoverageCRF);
+  encoder->SetDepthCRF(this->DepthCRF);
+  encoder->SetTargetRatio(this->TargetRatio);
+  encoder->SetTargetSize(this->TargetSize);
+  encoder->SetTargetPSNR(this->TargetPSNR);
+  const bool isAutomatic = this->KeyViews == AutomaticKeyViews;
+  if (this->TargetNovelPSNR > 0.0 && !isAutomatic)
+  {
+    throw Failure("--target-novel-psnr needs --key-views auto.");
+  }
+  encoder->SetKeyViewStep(
+    isAutomatic ? vtkCSLFEncoder::AutomaticKeyViews : std::stoi(this->KeyViews, nullptr, 0));
+  encoder->SetTargetNovelViewPSNR(
+    this->TargetNovelPSNR > 0.0 ? this->TargetNovelPSNR : encoder->GetTargetNovelViewPSNR());
+  encoder->SetPreset(this->Preset.c_str());
+  encoder->SetPixelFormat(this->PixelFormat.c_str());
+  encoder->SetGroupLength(this->GroupLength);
+  encoder->SetLossless(this->Lossless);
+  encoder->SetRestart(this->Restart);
+}
+#endif
+
+void RequireWritable(const std::string& fileName)
+{
+  std::error_code failure;
+  if (fs::is_directory(ToPath(fileName), failure))
+  {
+    throw Failure("Cannot write " + fileName + ": it is a folder.");
+  }
+  const std::string target = ResolveTarget(fileName);
+  std::string error;
+  if (!IsReplaceableByFile(target, error) || !IsWritableFolder(GetParent(target), error))
+  {
+    throw Failure("Cannot write " + fileName + ": " + error + ".");
+  }
+}
+
+FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& coding)
+  : FileName(fileName)
+  , Coding(coding)
+{
+  this->Format = tool::GetFormat(fileName);
+  if (this->Format != FieldFormat::Video &&
+    (coding.HasTarget() || coding.HasKeyViews() || !coding.Parts.empty()))
+  {
+    throw Failure("--target-ratio, --target-size, --target-psnr, --key-views and --part need a "
+                  "video as output: .mp4 or .mkv.");
+  }
+#ifndef CSLF_HAS_ENCODER
+  if (this->Format == FieldFormat::Video)
+  {
+    throw Failure(NoEncoder);
+  }
+#endif
+  if (this->Format != FieldFormat::Folder && IsFirstRank())
+  {
+    RequireWritable(fileName);
+  }
+#ifdef CSLF_HAS_ENCODER
+  if (IsFirstRank())
+  {
+    // Checked before days of sampling.
+    this->Parts = ReadParts(coding.Parts);
+    AddParts(vtkNew<vtkCSLFEncoder>(), this->Parts);
+  }
+#endif
+}
+
+nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  switch (this->Format)
+  {
+#ifdef CSLF_HAS_ENCODER
+    case FieldFormat::Video:
+      return this->WriteVideo(connection, label);
+#endif
+    case FieldFormat::ImageData:
+      this->WriteImageData(connection, label);
+      break;
+    default:
+      this->WriteFolder(connection, label);
+      break;
+  }
+  return nlohmann::json::object();
+}
+
+#ifdef CSLF_HAS_ENCODER
+nlohmann::json FieldWriter::WriteVideo(
+  vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputConnection(connection);
+  encoder->SetFileName(this->FileName.c_str());
+  this->Coding.Apply(encoder);
+  AddParts(encoder, this->Parts);
+  const ProgressBar bar(encoder, label);
+  bool isWritten = false;
+  {
+    const SharedWork shared;
+    isWritten = encoder->Write() != 0;
+  }
+  if (!isWritten)
+  {
+    // If processes share the work, those that failed have reported the reason.
+    throw Failure(IsShared() ? GetFirstError() : "Cannot write " + this->FileName + ".");
+  }
+  nlohmann::json json = { { "ratio", encoder->GetActualRatio() } };
+  if (!this->Coding.Lossless)
+  {
+    json["crf"] = encoder->GetActualCRF();
+  }
+  if (encoder->GetActualPSNR() > 0.0)
+  {
+    json["psnr"] = encoder->GetActualPSNR();
+  }
+  if (this->Coding.HasKeyViews())
+  {
+    json["key_view_step"] = encoder->GetActualKeyViewStep();
+  }
+  if (encoder->GetActualNovelViewPSNR() > 0.0)
+  {
+    json["novel_psnr"] = encoder->GetActualNovelViewPSNR();
+  }
+  return json;
+}
+#endif
+
+void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  OutputFile file(this->FileName);
+  {
+    const ProgressBar bar(connection->GetProducer(), label);
+    RequireRoom(connection, file);
+    connection->GetProducer()->UpdateWholeExtent();
+  }
+  ThrowOnError();
+  const auto writer = MakeImageDataWriter();
+  writer->SetInputConnection(connection);
+  WriteTemporary(writer.Get(), file);
+  file.Publish();
+}
+
+void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const
+{
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputConnection(connection);
+  writer->SetFileName(this->FileName.c_str());
+  const ProgressBar bar(writer, label);
+  if (!writer->Write())
+  {
+    throw Failure("Cannot write " + this->FileName + ".");
+  }
+}
+
+std::string DescribeCoding(const nlohmann::json& coding)
+{
+  std::ostringstream text;
+  text << std::setprecision(4);
+  if (coding.contains("ratio"))
+  {
+    text << ", 1/" << coding["ratio"].get<double>() << " of the raw colours";
+  }
+  if (coding.contains("psnr"))
+  {
+    text << ", " << coding["psnr"].get<double>() << " dB";
+  }
+  if (coding.contains("crf"))
+  {
+    text << " at a rate factor of " << coding["crf"].get<double>();
+  }
+  if (coding.contains("key_view_step"))
+  {
+    text << ", key views of step " << coding["key_view_step"].get<int>();
+  }
+  if (coding.contains("novel_psnr"))
+  {
+    text << " with " << coding["novel_psnr"].get<double>() << " dB for the viewpoints between them";
+  }
+  return text.str();
+}
+
+nlohmann::json Summarize(const Description& description)
+{
+  const nlohmann::json whole = description.ToJSON();
+  const glm::dvec3& edges = description.Box.Edges;
+  const bool isCube = edges.x == edges.y && edges.y == edges.z;
+  return { { "views", description.Grid.GetViewpoints() },
+    { "slices", description.Grid.GetSlices() }, { "resolution", description.Grid.GetResolution() },
+    { "center", whole["center"] }, { "edge", isCube ? whole["edges"][0] : whole["edges"] },
+    { "channels", whole["channels"] }, { "sampling", whole["sampling"] } };
+}
+}
+}

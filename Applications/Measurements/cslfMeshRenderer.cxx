@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMeshRenderer.h"
+
+#include "Console/cslfMessages.h"
+#include "Options/cslfCameraOptions.h"
+#include "Scenes/cslfSceneFiles.h"
+
+#include <vtkActor.h>
+#include <vtkAppendPolyData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkTriangleFilter.h>
+
+namespace cslf
+{
+namespace tool
+{
+MeshRenderer::MeshRenderer(const std::string& fileName, int width, int height)
+  : Window(width, height)
+{
+  Scene scene;
+  scene.Parts.push_back(ReadScenePart(fileName));
+  vtkNew<vtkAppendPolyData> append;
+  scene.ForEachPolyData([&](vtkPolyData* polyData) { append->AddInputData(polyData); });
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(append->GetOutputPort());
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  ThrowOnError();
+  this->Mesh = triangles->GetOutput();
+  if (this->GetNumberOfTriangles() == 0)
+  {
+    throw Failure(fileName + " has no triangles.");
+  }
+  this->Mapper->SetInputData(this->Mesh);
+  this->Actor->SetMapper(this->Mapper);
+  this->Window.AddActor(this->Actor);
+}
+
+MeshRenderer::~MeshRenderer() = default;
+
+vtkIdType MeshRenderer::GetNumberOfTriangles() const
+{
+  return this->Mesh->GetNumberOfPolys();
+}
+
+Cube MeshRenderer::GetCube() const
+{
+  double bounds[6];
+  this->Mesh->GetBounds(bounds);
+  return Cube::FromBounds(bounds, DefaultOffset);
+}
+}
+}

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfCameraOptions.h"
+
+#include "Console/cslfMessages.h"
+
+#include <vtkCamera.h>
+
+#include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+// From the front, a little to the right and above; inside the opening of the Cornell box.
+const glm::dvec3 DefaultDirection(0.35, 0.25, 1.0);
+
+constexpr int MaximumSize = 16384;
+
+glm::dvec3 ToVector(const std::vector<double>& values)
+{
+  return { values[0], values[1], values[2] };
+}
+
+std::string CheckFinite(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return std::isfinite(value) ? std::string() : text + " is not finite";
+}
+}
+
+vtkSmartPointer<vtkCamera> MakeCamera(
+  const glm::dvec3& position, const glm::dvec3& focalPoint, const glm::dvec3& up, double viewAngle)
+{
+  const glm::dvec3 view = glm::normalize(focalPoint - position);
+  glm::dvec3 usedUp = up;
+  if (!(glm::length(glm::cross(view, up)) > 1e-6 * glm::length(up)))
+  {
+    usedUp = std::abs(view.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+  }
+  auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->SetPosition(position.x, position.y, position.z);
+  camera->SetFocalPoint(focalPoint.x, focalPoint.y, focalPoint.z);
+  camera->SetViewUp(usedUp.x, usedUp.y, usedUp.z);
+  camera->SetViewAngle(viewAngle);
+  return camera;
+}
+
+void CameraOptions::AddTo(CLI::App& command)
+{
+  const std::string group = "Camera (world coordinates)";
+  command
+    .add_option("--position", this->Position,
+      "position of the camera (default: two cube edges in front of the centre)")
+    ->expected(3)
+    ->check(CheckFinite)
+    ->type_name("X Y Z")
+    ->group(group);
+  command
+    .add_option(
+      "--focal-point", this->FocalPoint, "point that the camera looks at (default: the centre)")
+    ->expected(3)
+    ->check(CheckFinite)
+    ->type_name("X Y Z")
+    ->group(group);
+  command.add_option("--view-up", this->ViewUp, "up direction of the picture")
+    ->expected(3)
+    ->check(CheckFinite)
+    ->type_name("X Y Z")
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--view-angle", this->ViewAngle, "vertical view angle in degrees")
+    ->check(CLI::Range(0.01, 179.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--size", this->Size, "size of the picture in pixels")
+    ->expected(2)
+    ->check(CLI::Range(1, MaximumSize))
+    ->type_name("WIDTH HEIGHT")
+    ->capture_default_str()
+    ->group(group);
+}
+
+vtkSmartPointer<vtkCamera> CameraOptions::MakeCamera(const Cube& cube) const
+{
+  const double edge = std::max({ cube.Edges.x, cube.Edges.y, cube.Edges.z });
+  const glm::dvec3 position = this->Position
+    ? ToVector(*this->Position)
+    : cube.Center + DefaultDistance * edge * glm::normalize(DefaultDirection);
+  const glm::dvec3 focalPoint = this->FocalPoint ? ToVector(*this->FocalPoint) : cube.Center;
+  if (!(glm::length(focalPoint - position) > 0.0))
+  {
+    throw Failure("The camera's position and its focal point must differ.");
+  }
+  return tool::MakeCamera(position, focalPoint, ToVector(this->ViewUp), this->ViewAngle);
+}
+}
+}

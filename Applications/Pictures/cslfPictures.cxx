@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfPictures.h"
+
+#include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
+#include "Files/cslfFileSystem.h"
+#include "Options/cslfToneOptions.h"
+
+#include "vtkCSLFMapper.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkImageExtractComponents.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
+
+#include <CLI/CLI.hpp>
+
+#ifdef CSLF_NEEDS_X_SERVER
+#include <X11/Xlib.h>
+#endif
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+
+namespace fs = std::filesystem;
+
+namespace cslf
+{
+namespace tool
+{
+vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
+{
+  std::error_code failure;
+  if (!fs::is_regular_file(ToPath(fileName), failure))
+  {
+    throw Failure("There is no file " + fileName + ".");
+  }
+  vtkNew<vtkPNGReader> reader;
+  if (!reader->CanReadFile(fileName.c_str()))
+  {
+    throw Failure(fileName + " is not a PNG file.");
+  }
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  ThrowOnError();
+  return reader->GetOutput();
+}
+
+void WritePicture(const std::string& fileName, vtkImageData* picture)
+{
+  const auto bytes = EncodePNG(picture);
+  WriteWholeBytes(bytes->GetPointer(0), bytes->GetNumberOfValues(), fileName);
+}
+
+// In memory, because VTK does not notice all disk errors.
+vtkSmartPointer<vtkUnsignedCharArray> EncodePNG(vtkImageData* picture)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  ThrowOnError();
+  return writer->GetResult();
+}
+
+vtkSmartPointer<vtkImageData> DropAlpha(vtkImageData* picture)
+{
+  vtkNew<vtkImageExtractComponents> extract;
+  extract->SetInputData(picture);
+  extract->SetComponents(0, 1, 2);
+  extract->Update();
+  return extract->GetOutput();
+}
+
+void RequireDisplay()
+{
+#ifdef CSLF_NEEDS_X_SERVER
+  // Kept until the end: a server that loses its last client restarts, and breaks connections that
+  // are made at that moment.
+  static const std::unique_ptr<Display, int (*)(Display*)> display(
+    XOpenDisplay(nullptr), XCloseDisplay);
+  if (!display)
+  {
+    throw Failure("Drawing needs an X server: set DISPLAY, or use xvfb-run -a cslf ...");
+  }
+#endif
+}
+
+const std::vector<LookupName>& GetLookups()
+{
+  static const std::vector<LookupName> lookups = []
+  {
+    std::vector<LookupName> all;
+    for (int lookup = 0; lookup < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++lookup)
+    {
+      all.push_back({ lookup, vtkCSLFMapper::GetLookupName(lookup) });
+    }
+    return all;
+  }();
+  return lookups;
+}
+
+std::vector<LookupName> GetLookups(const Description& description)
+{
+  std::vector<LookupName> lookups = GetLookups();
+  if (!description.FindChannel(DepthName))
+  {
+    lookups.erase(std::remove_if(lookups.begin(), lookups.end(),
+                    [](const LookupName& lookup) { return lookup.Lookup == vtkCSLFMapper::DEPTH; }),
+      lookups.end());
+  }
+  return lookups;
+}
+
+std::vector<std::string> GetLookupNames()
+{
+  std::vector<std::string> names;
+  for (const LookupName& lookup : GetLookups())
+  {
+    names.emplace_back(lookup.Name);
+  }
+  return names;
+}
+
+std::vector<LookupName> ChooseLookups(
+  const std::vector<std::string>& names, const Description& description)
+{
+  const auto isNamed = [&names](const LookupName& lookup)
+  { return names.empty() || std::count(names.begin(), names.end(), lookup.Name) > 0; };
+  if (std::count(names.begin(), names.end(), "depth") > 0 && !description.FindChannel(DepthName))
+  {
+    throw Failure("The depth lookup needs a depth channel, which the field does not have.");
+  }
+  std::vector<LookupName> lookups;
+  const std::vector<LookupName> all = GetLookups(description);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(lookups), isNamed);
+  return lookups;
+}
+
+void AddPixelSamples(CLI::App& command, int& samples)
+{
+  command
+    .add_option("--pixel-samples", samples,
+      "minimum number of rays along each side of a pixel in the depth lookup; with 1, silhouettes "
+      "are jagged")
+    ->check(CLI::Range(1, 4))
+    ->capture_default_str();
+}
+
+void AddLookups(CLI::App& command, std::vector<std::string>& names)
+{
+  command
+    .add_option("--lookups", names,
+      "lookups to measure, for example bilinear,depth (default: all that the field has channels "
+      "for)")
+    ->delimiter(',')
+    ->check(CLI::IsMember(GetLookupNames()));
+}
+
+int FindLookup(const std::string& name)
+{
+  const auto& lookups = GetLookups();
+  const auto found = std::find_if(
+    lookups.begin(), lookups.end(), [&](const LookupName& lookup) { return name == lookup.Name; });
+  return found->Lookup;
+}
+
+std::string ChooseLookup(const std::string& name, const Description& description)
+{
+  if (name == "depth" && !description.FindChannel(DepthName))
+  {
+    AddWarning("The field has no depth: the focal lookup is used.");
+    return "focal";
+  }
+  return name;
+}
+
+FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
+  : Window(width, height)
+{
+  this->Mapper->SetInputConnection(field);
+  this->Actor->SetMapper(this->Mapper);
+  this->Window.AddActor(this->Actor);
+}
+
+FieldRenderer::~FieldRenderer() = default;
+
+void FieldRenderer::SetToneMapping(const ToneMapping& toneMapping)
+{
+  tool::SetToneMapping(this->Mapper, toneMapping);
+}
+
+double FieldRenderer::Draw(vtkCamera* camera, int lookup)
+{
+  this->Mapper->SetLookup(lookup);
+  return this->Window.Draw(camera);
+}
+
+vtkSmartPointer<vtkImageData> FieldRenderer::Render(vtkCamera* camera, int lookup)
+{
+  this->Draw(camera, lookup);
+  return this->Window.Grab();
+}
+
+double FieldRenderer::MeasureFrameRate(vtkCamera* camera, int lookup)
+{
+  constexpr double measuredSeconds = 0.5;
+  constexpr int mostFrames = 100;
+  // An unchanged view would not be looked up again.
+  constexpr double degrees = 0.01;
+  vtkNew<vtkCamera> moved;
+  moved->DeepCopy(camera);
+  this->Draw(moved, lookup);
+  double seconds = 0.0;
+  int frames = 0;
+  while (frames == 0 || (seconds < measuredSeconds && frames < mostFrames))
+  {
+    moved->Azimuth(frames % 2 == 0 ? degrees : -degrees);
+    seconds += this->Draw(moved, lookup);
+    ++frames;
+  }
+  return frames / seconds;
+}
+
+int FieldRenderer::GetPixelSamples() const
+{
+  return this->Mapper->GetPixelSamples();
+}
+
+void FieldRenderer::SetPixelSamples(int samples)
+{
+  this->Mapper->SetPixelSamples(samples);
+}
+
+void FieldRenderer::SetStreaming(bool streaming)
+{
+  this->Mapper->SetStreaming(streaming);
+}
+
+bool FieldRenderer::IsComplete()
+{
+  return this->Mapper->IsComplete();
+}
+
+std::int64_t FieldRenderer::GetTextureBytes()
+{
+  return this->Mapper->GetTextureBytes();
+}
+}
+}

@@ -1,0 +1,438 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSceneFiles.h"
+
+#include "Console/cslfMessages.h"
+#include "Files/cslfFileSystem.h"
+#include "cslfPLYReader.h"
+#include "cslfSceneChecks.h"
+
+#include "Options/cslfNumberChecks.h"
+#include "cslfJSONText.h"
+#include "cslfSoundPolyData.h"
+#include "cslfVTKCompatibility.h"
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFGLTFReader.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFPathTracer.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCellData.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <new>
+#include <set>
+#include <type_traits>
+
+namespace cslf
+{
+namespace tool
+{
+namespace
+{
+constexpr const char* CornellBoxName = "cornell-box";
+constexpr const char* NoEnvironment = "none";
+constexpr const char* WhiteEnvironment = "white";
+constexpr const char* GradientEnvironment = "gradient";
+
+/// The value for glass and plastics, and of glTF's metallic-roughness material.
+constexpr double UsualIndexOfRefraction = 1.5;
+
+using Part = vtkSmartPointer<vtkDataObject>;
+
+template <typename Reader>
+Part ReadWith(const std::string& fileName)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutputDataObject(0);
+}
+
+template <typename Reader, void (*Check)(const std::string&)>
+Part ReadChecked(const std::string& fileName)
+{
+  Check(fileName);
+  return ReadWith<Reader>(fileName);
+}
+
+Part ReadSTL(const std::string& fileName)
+{
+  const bool isText = CheckSTL(fileName);
+  vtkNew<vtkSTLReader> reader;
+  SetSTLFile(reader.Get(), ToPath(fileName), isText);
+  reader->Update();
+  return reader->GetOutput();
+}
+
+const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders()
+{
+  static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
+    { ".ply", ReadPLY },
+    { ".stl", ReadSTL },
+    { ".obj", ReadChecked<vtkOBJReader, CheckOBJ> },
+    { ".vtp", ReadChecked<vtkXMLPolyDataReader, CheckVTKXML> },
+    { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader, CheckVTKXML> },
+    { ".gltf", ReadWith<vtkCSLFGLTFReader> },
+    { ".glb", ReadWith<vtkCSLFGLTFReader> },
+  };
+  return readers;
+}
+
+/// Removes cells that would be read out of bounds, with warnings.
+Part MakePartSound(vtkDataObject* part, const std::string& input)
+{
+  std::set<std::string> removed;
+  const auto makeSound = [&removed](vtkPolyData* polyData)
+  {
+    const SoundPolyData sound = MakeSound(polyData);
+    sound.AddRemoved(removed);
+    return sound.Data;
+  };
+  Part result = part;
+  if (auto* polyData = vtkPolyData::SafeDownCast(part))
+  {
+    result = makeSound(polyData);
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(part))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> leaf;
+    leaf.TakeReference(tree->NewTreeIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (auto* data = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
+      {
+        tree->SetDataSetFrom(leaf, makeSound(data));
+      }
+    }
+  }
+  for (const std::string& what : removed)
+  {
+    AddWarning("Invalid parts of " + input + " were left out: " + what + ".");
+  }
+  return result;
+}
+
+/// Calls `visit` for each polydata of a data object.
+void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)>& visit)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(part);
+  if (!tree)
+  {
+    if (auto* polyData = vtkPolyData::SafeDownCast(part))
+    {
+      visit(polyData);
+    }
+    return;
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> iterator;
+  iterator.TakeReference(tree->NewTreeIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto* polyData = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      visit(polyData);
+    }
+  }
+}
+
+constexpr const char* InputHelp =
+  "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box";
+
+constexpr const char* EnvironmentHelp =
+  "environment light: white, gradient (white above, dark below), none, or the file of a lat-long "
+  "image (default: none for cornell-box, otherwise white)";
+
+bool IsNamedEnvironment(const std::string& environment)
+{
+  return environment == NoEnvironment || environment == WhiteEnvironment ||
+    environment == GradientEnvironment;
+}
+
+template <typename Value>
+void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<Value>& option)
+{
+  const auto found = sampling.find(key);
+  if (!option && found != sampling.end())
+  {
+    try
+    {
+      if constexpr (std::is_integral_v<Value>)
+      {
+        option = ToInteger<Value>(*found);
+      }
+      else
+      {
+        option = found->get<Value>();
+      }
+    }
+    catch (const std::exception&)
+    {
+      AddWarning(std::string("The field's sampling parameter ") + key + " is invalid.");
+    }
+  }
+}
+}
+
+Part ReadScenePart(const std::string& input)
+{
+  if (input == CornellBoxName)
+  {
+    vtkNew<vtkCSLFCornellBoxSource> box;
+    box->Update();
+    return box->GetOutputDataObject(0);
+  }
+  const std::filesystem::path path = ToPath(input);
+  std::string extension = ToName(path.extension());
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto reader = GetReaders().find(extension);
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure))
+  {
+    throw Failure("There is no file " + input + ".");
+  }
+  if (reader == GetReaders().end())
+  {
+    throw Failure(input +
+      " is not a scene: supported are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
+  }
+  Part part;
+  try
+  {
+    part = MakePartSound(reader->second(input), input);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("Cannot read " + input + ": " + failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure("Cannot read " + input + ": there is not enough memory.");
+  }
+  catch (const std::exception&)
+  {
+    // The standard library's messages about wrong sizes do not help users.
+    throw Failure("Cannot read " + input + ": it is damaged or too large.");
+  }
+  const std::string error = GetFirstError();
+  vtkIdType cells = 0;
+  tool::ForEachPolyData(
+    part, [&](vtkPolyData* polyData) { cells += polyData->GetNumberOfCells(); });
+  if (cells == 0 || !error.empty())
+  {
+    // Some readers only warn of files that they cannot read.
+    const std::vector<std::string> warnings = GetWarnings();
+    const std::string cause = warnings.empty() ? "it has no cells." : warnings.back();
+    throw Failure("Cannot read " + input + ": " + (error.empty() ? cause : error));
+  }
+  return part;
+}
+
+void Scene::GetBounds(double bounds[6]) const
+{
+  vtkBoundingBox box;
+  this->ForEachPolyData(
+    [&](vtkPolyData* polyData)
+    {
+      double cells[6];
+      polyData->GetCellsBounds(cells);
+      if (std::all_of(cells, cells + 6, [](double value) { return std::isfinite(value); }))
+      {
+        box.AddBounds(cells);
+      }
+    });
+  if (!box.IsValid())
+  {
+    box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+  }
+  box.GetBounds(bounds);
+}
+
+void Scene::ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const
+{
+  for (const Part& part : this->Parts)
+  {
+    tool::ForEachPolyData(part, visit);
+  }
+}
+
+void SceneOptions::AddInputsTo(CLI::App& command)
+{
+  command.add_option("input", this->Inputs, InputHelp)->required();
+}
+
+void SceneOptions::AddTo(CLI::App& command)
+{
+  this->AddInputsTo(command);
+  this->AddLightAndMaterialTo(command);
+}
+
+void SceneOptions::AddOptionalTo(CLI::App& command)
+{
+  command.add_option("input,--scene", this->Inputs, InputHelp);
+  this->AddLightAndMaterialTo(command);
+}
+
+void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
+{
+  const std::string light = "Light";
+  command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
+  command
+    .add_option("--environment-intensity", this->EnvironmentIntensity,
+      "factor of the environment's radiance (default: 1)")
+    ->check(NonNegative())
+    ->group(light);
+  command
+    .add_flag(
+      "--show-environment", this->ShowEnvironment, "show the environment where rays miss the scene")
+    ->group(light);
+  command.add_option("--exposure", this->Exposure, "factor of the stored radiance (default: 1)")
+    ->check(Positive())
+    ->group(light);
+  command
+    .add_option("--max-depth", this->MaximumDepth,
+      "maximum number of reflections of a light path (default: 8)")
+    ->check(CLI::Range(0, 1000))
+    ->group(light);
+  const std::string material = "Material of the files";
+  command
+    .add_option("--roughness", this->Roughness,
+      "0 is a mirror, 1 is rough; gives the surface a glossy boundary")
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(material);
+  command.add_option("--metallic", this->Metallic, "0 is a dielectric, 1 a metal (default: 0)")
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(material);
+  command
+    .add_option("--base-color", this->BaseColor,
+      "sRGB colour, each component in [0,1]; replaces the colours of the files (default: their "
+      "colours, or gray)")
+    ->expected(3)
+    ->check(CLI::Range(0.0, 1.0))
+    ->group(material);
+}
+
+void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
+{
+  TakeDefault(sampling, "exposure", this->Exposure);
+  TakeDefault(sampling, "maximum_depth", this->MaximumDepth);
+  const auto found = sampling.find("environment");
+  const bool isDescribed = found != sampling.end() && found->is_object();
+  const nlohmann::json environment = isDescribed ? *found : nlohmann::json::object();
+  TakeDefault(environment, "intensity", this->EnvironmentIntensity);
+  const auto named = environment.find("mode");
+  const std::string mode = named != environment.end() && named->is_string() ? *named : "";
+  if (!this->Environment && mode == "image")
+  {
+    throw Failure("The field was sampled with an environment image: specify it by --environment.");
+  }
+  if (!this->Environment && !mode.empty() && mode != "scene")
+  {
+    const nlohmann::json white = { 1.0, 1.0, 1.0 };
+    if (environment.value("color", white) != white)
+    {
+      AddWarning(
+        "The field was sampled with a coloured environment; it is measured with a white one.");
+    }
+    this->Environment = mode == "none" ? NoEnvironment
+      : mode == "gradient"             ? GradientEnvironment
+                                       : WhiteEnvironment;
+  }
+}
+
+bool SceneOptions::HasCornellBox() const
+{
+  return std::find(this->Inputs.begin(), this->Inputs.end(), CornellBoxName) != this->Inputs.end();
+}
+
+Scene SceneOptions::Read() const
+{
+  Scene scene;
+  for (const std::string& input : this->Inputs)
+  {
+    scene.Parts.push_back(ReadScenePart(input));
+    if (input != CornellBoxName)
+    {
+      this->SetMaterial(scene.Parts.back());
+    }
+  }
+  const std::string environment = this->Environment.value_or(NoEnvironment);
+  std::error_code failure;
+  if (!IsNamedEnvironment(environment) &&
+    !std::filesystem::is_regular_file(ToPath(environment), failure))
+  {
+    throw Failure("There is no environment image " + environment + ".");
+  }
+  return scene;
+}
+
+void SceneOptions::SetMaterial(vtkDataObject* part) const
+{
+  ForEachPolyData(part,
+    [this](vtkPolyData* polyData)
+    {
+      if (this->Roughness || this->Metallic)
+      {
+        vtkCSLFMaterial::SetIndexOfRefraction(polyData, UsualIndexOfRefraction);
+        vtkCSLFMaterial::SetRoughness(polyData, this->Roughness.value_or(1.0));
+        vtkCSLFMaterial::SetMetallic(polyData, this->Metallic.value_or(0.0));
+      }
+      if (this->BaseColor)
+      {
+        const std::vector<double>& color = *this->BaseColor;
+        vtkCSLFMaterial::SetBaseColor(polyData, color[0], color[1], color[2]);
+        polyData->GetPointData()->SetActiveScalars(nullptr);
+        polyData->GetCellData()->SetActiveScalars(nullptr);
+      }
+    });
+}
+
+void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
+{
+  for (const Part& part : scene.Parts)
+  {
+    tracer->AddInputDataObject(0, part);
+  }
+  const std::string environment =
+    this->Environment.value_or(this->HasCornellBox() ? NoEnvironment : WhiteEnvironment);
+  if (environment == NoEnvironment)
+  {
+    tracer->SetEnvironmentModeToNone();
+  }
+  else if (environment == WhiteEnvironment)
+  {
+    tracer->SetEnvironmentModeToConstant();
+  }
+  else if (environment == GradientEnvironment)
+  {
+    tracer->SetEnvironmentModeToGradient();
+  }
+  else
+  {
+    tracer->SetEnvironmentModeToImage();
+    tracer->SetEnvironmentFileName(environment.c_str());
+  }
+  tracer->SetEnvironmentIntensity(this->EnvironmentIntensity.value_or(1.0));
+  tracer->SetShowEnvironment(this->ShowEnvironment);
+  tracer->SetExposure(this->Exposure.value_or(1.0));
+  tracer->SetMaximumDepth(this->MaximumDepth.value_or(8));
+}
+}
+}

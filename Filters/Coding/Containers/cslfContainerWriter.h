@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An MP4 or Matroska file of coded groups.
+ */
+#ifndef cslfContainerWriter_h
+#define cslfContainerWriter_h
+
+#include "Coding/Groups/cslfGroupCodec.h"
+#include "cslfHeaderText.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// FFmpeg's name of the container for a file's extension, or null.
+const char* FindContainer(const std::string& fileName);
+
+/// Open, AddTrack for each track, Begin, Write for each group and track, End. Every step returns
+/// false on failure and gives the reason in one line. The file is then unusable.
+class ContainerWriter
+{
+public:
+  ContainerWriter() = default;
+  ~ContainerWriter();
+  ContainerWriter(const ContainerWriter&) = delete;
+  ContainerWriter& operator=(const ContainerWriter&) = delete;
+
+  bool Open(const std::string& fileName, const HeaderTags& tags, std::string& error);
+
+  /// Opens a container for that file name in memory, without making a file.
+  bool OpenInMemory(const std::string& fileName, std::string& error);
+
+  bool AddTrack(const Track& track, int resolution, const std::vector<std::uint8_t>& parameterSets,
+    std::string& error);
+  bool Begin(std::string& error);
+
+  /// Adds a group whose first frame is the track's frame `start`. Packets are timed for a decoder
+  /// that runs `delay` frames ahead.
+  bool Write(std::size_t track, int start, int delay, const CodedGroup& group, std::string& error);
+  bool End(std::string& error);
+
+  /// The bytes of the container opened in memory, after End.
+  std::size_t GetSize() const { return this->Size; }
+
+private:
+  bool Allocate(const std::string& fileName, const std::string& url, std::string& error);
+
+  AVOutput Output;
+  bool InMemory = false;
+  std::size_t Size = 0;
+};
+
+/// The bytes that a container adds to each group of the tracks beside the frames, measured with one
+/// group. Excludes what it stores once. 0 if this cannot be measured.
+double MeasureContainer(const std::string& fileName, const std::vector<Track>& tracks,
+  int resolution, const std::vector<CodedGroup>& parts);
+}
+
+#endif

@@ -1,0 +1,413 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFileHeader.h"
+
+#include "Coding/Frames/cslfFrameOrder.h"
+#include "Coding/Frames/cslfPerceptualQuantizer.h"
+#include "cslfHeaderVersion1.h"
+#include "cslfJSONText.h"
+#include "cslfPrintable.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace cslf
+{
+namespace
+{
+using JSON = nlohmann::json;
+
+constexpr const char* CodingKey = "coding";
+constexpr const char* PartsKey = "parts";
+
+///@{
+/// The keys of the sample encoding of tracks of float colour and depth, and of the curves'
+/// parameters.
+constexpr const char* TransferKey = "transfer";
+constexpr const char* PQName = "smpte2084";
+constexpr const char* WhiteKey = "reference_white";
+constexpr const char* CurveName = "mu-law";
+constexpr const char* MuKey = "mu";
+///@}
+/// The key of coverage tracks.
+constexpr const char* ToleranceKey = "tolerance";
+/// The key for the location of subsampled chroma. If it is absent, chroma lies in the middle.
+constexpr const char* SitingKey = "chroma_location";
+constexpr const char* LeftName = "left";
+
+JSON ToJSON(const CodedTrack& track)
+{
+  const Track& kind = track.Kind;
+  JSON json = { { "role", NameOfRole(kind.Role) }, { "codec", NameOfCodec(kind.Coding) },
+    { "pixel_format", NameOfFormat(kind.Format) }, { "bits", BitsOfFormat(kind.Format) },
+    { "lossless", kind.Lossless }, { "parameter_sets_crc", track.ParameterSetsCRC },
+    { "crc", ToText(track.GroupCRCs) } };
+  if (kind.IsRadiance)
+  {
+    json[TransferKey] = PQName;
+    json[WhiteKey] = kind.Constants.White;
+  }
+  if (kind.IsCurved)
+  {
+    json[TransferKey] = CurveName;
+    json[MuKey] = kind.Constants.Mu;
+  }
+  if (kind.Role == TrackRole::Coverage)
+  {
+    json[ToleranceKey] = kind.GetTolerance();
+  }
+  if (HasSparseChroma(kind) && kind.Siting == AVCHROMA_LOC_LEFT)
+  {
+    json[SitingKey] = LeftName;
+  }
+  return json;
+}
+
+std::invalid_argument TrackFault(const std::string& role, const char* what)
+{
+  return std::invalid_argument("its track \"" + MakePrintable(role) + "\" has " + what);
+}
+
+/// A number in an object, within limits.
+double ToNumber(const JSON& object, const char* key, double lowest, double highest)
+{
+  const auto number = object.at(key).get<double>();
+  if (!(number >= lowest && number <= highest))
+  {
+    throw std::invalid_argument(std::string("its \"") + key + "\" is not valid");
+  }
+  return number;
+}
+
+void ReadTransfer(const JSON& json, Track& kind)
+{
+  const std::string transfer = json.value(TransferKey, "");
+  if (kind.Role == TrackRole::Color && transfer == PQName && CanHoldRadiance(kind.Format))
+  {
+    kind.IsRadiance = true;
+    kind.Constants.White = ToNumber(json, WhiteKey, 1.0, PeakLuminance);
+  }
+  else if (kind.Role == TrackRole::Depth && transfer == CurveName)
+  {
+    kind.IsCurved = true;
+    kind.Constants.Mu = ToNumber(json, MuKey, 1e-3, 1e6);
+  }
+  else if (!transfer.empty())
+  {
+    throw TrackFault(NameOfRole(kind.Role), "an unknown transfer curve");
+  }
+}
+
+CodedTrack ToTrack(TrackRole role, const JSON& json)
+{
+  CodedTrack track;
+  track.Kind.Role = role;
+  const auto codec = CodecOfName(json.at("codec").get<std::string>());
+  const auto format = FindPixelFormat(role, json.at("pixel_format").get<std::string>());
+  if (!codec || !format)
+  {
+    throw TrackFault(NameOfRole(role), "an unknown codec or pixel format");
+  }
+  track.Kind.Coding = *codec;
+  track.Kind.Format = *format;
+  track.Kind.Lossless = json.at("lossless").get<bool>();
+  ReadTransfer(json, track.Kind);
+  const std::string siting = json.value(SitingKey, "");
+  if (!siting.empty() && siting != LeftName)
+  {
+    throw TrackFault(NameOfRole(role), "an unknown chroma location");
+  }
+  track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
+  if (role == TrackRole::Coverage)
+  {
+    ToNumber(json, ToleranceKey, 0.0, track.Kind.Lossless ? 0.0 : 127.0);
+    track.Kind.Constants.CoverageTolerance = ToInteger(json.at(ToleranceKey));
+  }
+  track.ParameterSetsCRC = ToInteger<std::uint32_t>(json.at("parameter_sets_crc"));
+  track.GroupCRCs = ToChecksums(json.at("crc").get<std::string>());
+  return track;
+}
+
+/// Reads the tracks of known roles, and the stream that contains each.
+void ReadTracks(const JSON& json, FileHeader& header)
+{
+  std::set<TrackRole> roles;
+  for (const JSON& item : RequireArray(json))
+  {
+    const std::string name = item.at("role").get<std::string>();
+    const auto role = RoleOfName(name);
+    const auto codec = CodecOfName(item.at("codec").get<std::string>());
+    if (!role)
+    {
+      header.Warnings.push_back(
+        "its track \"" + MakePrintable(name) + "\" has a kind that this version does not support");
+    }
+    else if (!roles.insert(*role).second)
+    {
+      throw std::invalid_argument("it has two tracks with the same role");
+    }
+    if (codec)
+    {
+      header.Streams.push_back({ *codec, role ? static_cast<int>(header.Tracks.size()) : -1 });
+    }
+    if (role)
+    {
+      header.Tracks.push_back(ToTrack(*role, item));
+    }
+  }
+}
+
+void CheckTracks(const FileHeader& header)
+{
+  const auto has = [&header](TrackRole role) { return header.FindTrack(role) != nullptr; };
+  const bool hasBytes = has(TrackRole::DepthHigh) && has(TrackRole::DepthLow);
+  const bool hasByte = has(TrackRole::DepthHigh) || has(TrackRole::DepthLow);
+  const bool depthFits = header.Field.FindChannel(DepthName)
+    ? (has(TrackRole::Depth) ? !hasByte : hasBytes)
+    : !has(TrackRole::Depth) && !hasByte;
+  const bool isFloat = header.Field.FindChannel(ColorName)->Type == VTK_FLOAT;
+  if (header.Tracks.empty() || header.Tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
+    header.Tracks.front().Kind.IsRadiance != isFloat)
+  {
+    throw std::invalid_argument("its tracks do not match its channels");
+  }
+  // A texel's chroma comes from its own tile, but odd tiles would share it with their neighbours.
+  if (NeedsEvenSize(header.Tracks.front().Kind.Format) &&
+    header.Field.Grid.GetResolution() % 2 != 0)
+  {
+    throw TrackFault(NameOfRole(TrackRole::Color), "a pixel format that needs an even resolution");
+  }
+}
+
+/// Groups as [length, how many of that length] pairs.
+JSON GroupsToJSON(const std::vector<int>& groups)
+{
+  JSON json = JSON::array();
+  for (int length : groups)
+  {
+    if (!json.empty() && json.back()[0] == length)
+    {
+      json.back()[1] = json.back()[1].get<int>() + 1;
+    }
+    else
+    {
+      json.push_back({ length, 1 });
+    }
+  }
+  return json;
+}
+
+/// `count` is the number of groups according to the checksums.
+std::vector<int> ToGroups(const JSON& json, std::size_t count)
+{
+  std::vector<int> groups;
+  for (const JSON& item : RequireArray(json))
+  {
+    const int length = ToInteger(item.at(0));
+    const int times = ToInteger(item.at(1));
+    if (length < 1 || length > MaximumGroupLength || times < 1 ||
+      static_cast<std::size_t>(times) > count - groups.size())
+    {
+      throw std::invalid_argument("its groups are not valid");
+    }
+    groups.insert(groups.end(), times, length);
+  }
+  return groups;
+}
+
+std::vector<int> ToSlices(const JSON& json, int count)
+{
+  std::vector<SliceRun> runs;
+  for (const JSON& item : RequireArray(json))
+  {
+    runs.push_back({ ToInteger(item.at(0)), ToInteger(item.at(1)), ToInteger(item.at(2)) });
+  }
+  return FromRuns(runs, count);
+}
+
+/// Keeps the channels that coded files can contain in the form that this version knows.
+void ReadChannels(FileHeader& header)
+{
+  std::vector<Channel> known;
+  for (const Channel& channel : header.Field.Channels)
+  {
+    if (channel.Name == ColorName || channel.Name == DepthName)
+    {
+      known.push_back(channel);
+    }
+    else
+    {
+      header.Field.Unknown.push_back(channel.Name);
+    }
+  }
+  header.Field.Channels = known;
+  for (const std::string& name : header.Field.Unknown)
+  {
+    header.Warnings.push_back(
+      "its channel \"" + MakePrintable(name) + "\" has a kind that this version does not support");
+  }
+  header.Field.Unknown.clear();
+  const Channel* depth = header.Field.FindChannel(DepthName);
+  if (!header.Field.FindChannel(ColorName) || (depth && depth->Type != VTK_UNSIGNED_SHORT))
+  {
+    throw std::invalid_argument("it has no colour, or depth of another type than a file can hold");
+  }
+}
+
+FileHeader Parse(const JSON& json, const HeaderTags& tags)
+{
+  FileHeader header;
+  std::string error;
+  const auto field = Description::FromJSON(json, error);
+  if (!field)
+  {
+    throw std::invalid_argument(error);
+  }
+  header.Field = *field;
+  ReadChannels(header);
+
+  const JSON& coding = json.at(CodingKey);
+  ReadTracks(coding.at("tracks"), header);
+  CheckTracks(header);
+  const std::size_t groups = header.Tracks.front().GroupCRCs.size();
+  header.Groups = ToGroups(coding.at("groups"), groups);
+  const bool equal = std::all_of(header.Tracks.begin(), header.Tracks.end(),
+    [groups](const CodedTrack& track) { return track.GroupCRCs.size() == groups; });
+  const int slices = header.Field.Grid.GetSlices();
+  if (!equal || header.Groups.size() != groups ||
+    std::accumulate(header.Groups.begin(), header.Groups.end(), 0LL) != slices)
+  {
+    throw std::invalid_argument("its groups do not match the number of its viewpoints");
+  }
+  header.Slices = ToSlices(coding.at("order"), slices);
+  if (header.Slices.empty())
+  {
+    throw std::invalid_argument("its frames do not contain each viewpoint exactly once");
+  }
+  header.Coarsest = ToInteger(coding.at("coarsest"));
+  if (coding.at("frame_rate") != FrameRate || header.Coarsest < 0 || header.Coarsest > slices)
+  {
+    throw std::invalid_argument("its timing is not valid");
+  }
+  if (json.contains(PartsKey))
+  {
+    const auto text = tags.find(PartsTagName);
+    header.Parts = SplitParts(RequireArray(json.at(PartsKey)),
+      text == tags.end() ? std::string() : text->second, header.Warnings);
+  }
+  return header;
+}
+
+/// The header's JSON from the first tag that contains it completely.
+std::optional<JSON> FindJSON(
+  const HeaderTags& tags, std::string& warning, bool& isOurs, std::string& error)
+{
+  using States = UnsealedHeader::States;
+  std::optional<JSON> json;
+  for (const char* name : HeaderTagNames)
+  {
+    const auto tag = tags.find(name);
+    const UnsealedHeader header = UnsealHeader(tag == tags.end() ? std::string() : tag->second);
+    isOurs = isOurs || header.State != States::Foreign;
+    if (header.State == States::Whole && !json)
+    {
+      json = ParseJSON(header.JSON);
+    }
+    else if (header.State == States::OtherFormat)
+    {
+      error = "it was written by " +
+        std::string(header.Format > Description::Format ? "a newer" : "another") +
+        " CSLF: format " + std::to_string(header.Format) + ", this reads " +
+        std::to_string(Description::Format) + " and 1";
+    }
+    if (header.State != States::Whole)
+    {
+      warning = std::string("one of the two copies of its description, in the tag \"") + name +
+        "\" is damaged";
+    }
+  }
+  return json;
+}
+}
+
+std::vector<int> FileHeader::GetGroupStarts() const
+{
+  std::vector<int> starts(this->Groups.size() + 1, 0);
+  std::partial_sum(this->Groups.begin(), this->Groups.end(), starts.begin() + 1);
+  return starts;
+}
+
+const Track* FileHeader::FindTrack(TrackRole role) const
+{
+  const auto found = std::find_if(this->Tracks.begin(), this->Tracks.end(),
+    [role](const CodedTrack& track) { return track.Kind.Role == role; });
+  return found == this->Tracks.end() ? nullptr : &found->Kind;
+}
+
+HeaderTags FileHeader::ToTags() const
+{
+  JSON tracks = JSON::array();
+  for (const CodedTrack& track : this->Tracks)
+  {
+    tracks.push_back(ToJSON(track));
+  }
+  JSON order = JSON::array();
+  for (const SliceRun& run : ToRuns(this->Slices))
+  {
+    order.push_back({ run.Start, run.Step, run.Count });
+  }
+  JSON json = this->Field.ToJSON();
+  json[CodingKey] = { { "frame_rate", FrameRate }, { "tracks", tracks }, { "order", order },
+    { "coarsest", this->Coarsest }, { "groups", GroupsToJSON(this->Groups) } };
+  HeaderTags tags;
+  if (!this->Parts.empty())
+  {
+    json[PartsKey] = ListParts(this->Parts);
+    tags[PartsTagName] = JoinParts(this->Parts);
+  }
+  const std::string text = SealHeader(json.dump());
+  for (const char* name : HeaderTagNames)
+  {
+    tags[name] = text;
+  }
+  return tags;
+}
+
+std::optional<FileHeader> FileHeader::FromTags(
+  const HeaderTags& tags, bool& isOurs, std::string& error)
+{
+  isOurs = false;
+  error.clear();
+  try
+  {
+    std::string warning;
+    std::optional<JSON> json = FindJSON(tags, warning, isOurs, error);
+    if (!json && !isOurs)
+    {
+      const auto comment = tags.find(HeaderTagNames[0]);
+      json = ReadVersion1(comment == tags.end() ? std::string() : comment->second, isOurs, error);
+      warning.clear();
+    }
+    if (!json)
+    {
+      error = error.empty() ? "its description is damaged" : error;
+      return std::nullopt;
+    }
+    FileHeader header = Parse(*json, tags);
+    if (!warning.empty())
+    {
+      header.Warnings.push_back(warning);
+    }
+    return header;
+  }
+  catch (const std::exception& exception)
+  {
+    error = exception.what();
+    return std::nullopt;
+  }
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The header of a coded file: the field's description, how it is coded and what else the file
+ * contains. See Documentation/FileFormat.md.
+ */
+#ifndef cslfFileHeader_h
+#define cslfFileHeader_h
+
+#include "Coding/Frames/cslfTrack.h"
+#include "cslfDescription.h"
+#include "cslfFileParts.h"
+#include "cslfHeaderText.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// A track in the header.
+struct CodedTrack
+{
+  Track Kind;
+  std::uint32_t ParameterSetsCRC = 0;
+  std::vector<std::uint32_t> GroupCRCs; ///< one for each group
+};
+
+/// A video stream of the container, which contains a track.
+struct CodedStream
+{
+  Codec Coding = Codec::HEVC;
+  int Track = -1; ///< the header's track, or -1 for a role that this version does not know
+};
+
+struct FileHeader
+{
+  Description Field;
+  std::vector<CodedTrack> Tracks;   ///< of the roles that this version knows
+  std::vector<CodedStream> Streams; ///< of a file that was read, in the container's order
+  std::vector<int> Slices;          ///< the slice of each frame
+  int Coarsest = 0;        ///< how many of the first frames belong to the coarsest nested grid
+  std::vector<int> Groups; ///< the number of frames of each group
+  std::vector<FilePart> Parts;
+  /// Warnings about a file that was read, each in a part of a sentence.
+  std::vector<std::string> Warnings;
+
+  /// The first frame of each group, and one more: the number of frames.
+  std::vector<int> GetGroupStarts() const;
+
+  /// The track of that role, or null.
+  const Track* FindTrack(TrackRole role) const;
+
+  /// The contents of all of the container's tags.
+  HeaderTags ToTags() const;
+
+  /// Reads and checks what ToTags wrote, or what version 1 did. `isOurs` tells whether the texts
+  /// were meant to be that. On bad input returns nothing and gives the reason in one line.
+  static std::optional<FileHeader> FromTags(
+    const HeaderTags& tags, bool& isOurs, std::string& error);
+};
+}
+
+#endif

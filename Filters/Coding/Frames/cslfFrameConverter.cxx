@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFrameConverter.h"
+
+#include "cslfColor.h"
+#include "cslfColorFrames.h"
+#include "cslfDepthCurve.h"
+#include "cslfDepthFill.h"
+#include "cslfLayout.h"
+#include "cslfRadianceFrames.h"
+#include "cslfTexelRows.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace cslf
+{
+namespace
+{
+constexpr int ColorBytes = 4;
+constexpr unsigned short FarDepth = 65535;
+
+/// FFmpeg's decoder has separate names for full-range 8-bit formats. The samples are the same.
+AVPixelFormat WithoutRange(int format)
+{
+  switch (format)
+  {
+    case AV_PIX_FMT_YUVJ420P:
+      return AV_PIX_FMT_YUV420P;
+    case AV_PIX_FMT_YUVJ422P:
+      return AV_PIX_FMT_YUV422P;
+    case AV_PIX_FMT_YUVJ444P:
+      return AV_PIX_FMT_YUV444P;
+    default:
+      return static_cast<AVPixelFormat>(format);
+  }
+}
+
+/// Whether a decoder's frame contains the samples of a track. Gray frames may have chroma, which is
+/// then ignored.
+bool HoldsSamples(const Track& track, int format)
+{
+  const AVPixelFormat plain = WithoutRange(format);
+  if (track.Role == TrackRole::Color)
+  {
+    return plain == track.Format;
+  }
+  const AVPixFmtDescriptor* samples = av_pix_fmt_desc_get(plain);
+  const AVComponentDescriptor* expected = av_pix_fmt_desc_get(track.Format)->comp;
+  return samples && (samples->flags & AV_PIX_FMT_FLAG_RGB) == 0 && samples->comp[0].plane == 0 &&
+    samples->comp[0].step == expected[0].step && samples->comp[0].depth == expected[0].depth;
+}
+
+/// Fills the chroma of a frame that should be gray.
+template <typename Sample>
+void PutNeutralChroma(AVFrame* frame, AVPixelFormat format)
+{
+  const auto neutral = static_cast<Sample>(1U << (BitsOfFormat(format) - 1));
+  const AVPixFmtDescriptor* descriptor = av_pix_fmt_desc_get(format);
+  const int width = AV_CEIL_RSHIFT(frame->width, descriptor->log2_chroma_w);
+  const int height = AV_CEIL_RSHIFT(frame->height, descriptor->log2_chroma_h);
+  for (int plane = 1; plane <= 2; ++plane)
+  {
+    for (int y = 0; y < height; ++y)
+    {
+      std::fill_n(reinterpret_cast<Sample*>(
+                    frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane]),
+        width, neutral);
+    }
+  }
+}
+
+/// The offset of the high or the low byte of a number in memory.
+std::size_t ByteOffset(bool high)
+{
+  const std::uint16_t one = 1;
+  const bool lowFirst = *reinterpret_cast<const std::uint8_t*>(&one) == 1;
+  return high == lowFirst ? 1 : 0;
+}
+
+/// The first sample of a row.
+const std::uint8_t* GetRow(const AVFrame* frame, int plane, int y)
+{
+  return frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane];
+}
+
+/// Visits every texel with its index in the strip and its sample in a plane of a frame.
+template <typename Sample, typename Frame, typename Visit>
+void VisitPlane(int resolution, Frame* frame, int plane, Visit visit)
+{
+  const int width = TileCount * resolution;
+  std::size_t texel = 0;
+  for (int y = 0; y < resolution; ++y)
+  {
+    auto* row = reinterpret_cast<Sample*>(
+      frame->data[plane] + static_cast<std::ptrdiff_t>(y) * frame->linesize[plane]);
+    for (int x = 0; x < width; ++x, ++texel)
+    {
+      visit(texel, row[x]);
+    }
+  }
+}
+}
+
+void TagFrame(const Track& track, int resolution, AVFrame* frame)
+{
+  const bool color = track.Role == TrackRole::Color;
+  frame->width = TileCount * resolution;
+  frame->height = resolution;
+  frame->format = track.Format;
+  frame->color_range = AVCOL_RANGE_JPEG;
+  frame->color_primaries = color ? AVCOL_PRI_BT709 : AVCOL_PRI_UNSPECIFIED;
+  frame->color_trc = !color ? AVCOL_TRC_UNSPECIFIED
+    : track.IsRadiance      ? AVCOL_TRC_SMPTE2084
+                            : AVCOL_TRC_IEC61966_2_1;
+  frame->colorspace = !color          ? AVCOL_SPC_UNSPECIFIED
+    : track.Format == AV_PIX_FMT_GBRP ? AVCOL_SPC_RGB
+                                      : AVCOL_SPC_BT709;
+  frame->chroma_location = HasSparseChroma(track) ? track.Siting : AVCHROMA_LOC_UNSPECIFIED;
+}
+
+double ConstSlice::GetShown(std::size_t texel, int component, double exposure) const
+{
+  const std::size_t place = ColorBytes * texel + component;
+  return this->IsFloat ? ToByte(LinearToSRGB(exposure * this->GetRadiance()[place]))
+                       : this->Color[place];
+}
+
+unsigned char ConstSlice::GetCoverage(std::size_t texel) const
+{
+  return this->IsFloat ? ToByte(this->GetRadiance()[4 * texel + 3])
+                       : this->Color[ColorBytes * texel + 3];
+}
+
+SliceToFrame::SliceToFrame(const Track& track, int resolution)
+  : Kind(track)
+  , Resolution(resolution)
+{
+}
+
+void SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
+{
+  switch (this->Kind.Role)
+  {
+    case TrackRole::Color:
+      if (this->Kind.IsRadiance)
+      {
+        PutRadiance(slice.GetRadiance(), this->Kind.Format, frame);
+      }
+      else
+      {
+        PutColors(slice.Color, this->Resolution, frame);
+      }
+      return;
+    case TrackRole::Coverage:
+      VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
+        [&](std::size_t texel, std::uint8_t& sample) { sample = slice.GetCoverage(texel); });
+      if (HasChroma(this->Kind.Format))
+      {
+        PutNeutralChroma<std::uint8_t>(frame, this->Kind.Format);
+      }
+      return;
+    case TrackRole::Depth:
+    case TrackRole::DepthHigh:
+    case TrackRole::DepthLow:
+      this->PutDepth(slice, frame);
+      return;
+  }
+}
+
+void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
+{
+  if (this->Kind.Role == TrackRole::Depth)
+  {
+    const std::size_t texels =
+      static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
+    this->Coverage.resize(texels);
+    for (std::size_t texel = 0; texel < texels; ++texel)
+    {
+      this->Coverage[texel] = slice.GetCoverage(texel);
+    }
+    this->Filled.resize(texels);
+    FillDepth(this->Resolution, this->Coverage.data(), slice.Depth, this->Filled.data());
+    const std::vector<std::uint16_t>& codes = GetDepthCodes(BitsOfFormat(this->Kind.Format));
+    VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
+      [&](std::size_t texel, std::uint16_t& sample) { sample = codes[this->Filled[texel]]; });
+    if (HasChroma(this->Kind.Format))
+    {
+      PutNeutralChroma<std::uint16_t>(frame, this->Kind.Format);
+    }
+    return;
+  }
+  const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
+  VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
+    [&](std::size_t texel, std::uint8_t& sample)
+    { sample = static_cast<std::uint8_t>(slice.Depth[texel] >> shift); });
+}
+
+FrameToSlice::FrameToSlice(const Track& track, int resolution)
+  : Kind(track)
+  , Resolution(resolution)
+{
+  if (track.IsCurved)
+  {
+    this->Curve = MakeCodedDepths(BitsOfFormat(track.Format), track.Constants.Mu);
+  }
+}
+
+bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
+{
+  if (!HoldsSamples(this->Kind, frame->format) || frame->height != this->Resolution ||
+    frame->width != TileCount * this->Resolution)
+  {
+    return false;
+  }
+  switch (this->Kind.Role)
+  {
+    case TrackRole::Color:
+      if (this->Kind.IsRadiance)
+      {
+        TakeRadiance(frame, this->Kind.Format, this->Kind.Constants.White, slice.GetRadiance());
+      }
+      else
+      {
+        TakeColors(frame, this->Kind.Format, this->Kind.Siting, this->Resolution, slice.Color);
+      }
+      return true;
+    case TrackRole::Coverage:
+      if (slice.IsFloat)
+      {
+        TakeCoverage(frame, slice.GetRadiance());
+        return true;
+      }
+      for (int y = 0; y < frame->height; ++y)
+      {
+        const std::size_t texel = static_cast<std::size_t>(y) * frame->width;
+        SamplesToCoverage(GetRow(frame, 0, y), frame->width, slice.Color + ColorBytes * texel);
+      }
+      return true;
+    case TrackRole::Depth:
+      for (int y = 0; y < frame->height; ++y)
+      {
+        SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
+          BitsOfFormat(this->Kind.Format), this->Curve, frame->width,
+          slice.Depth + static_cast<std::size_t>(y) * frame->width);
+      }
+      return true;
+    case TrackRole::DepthHigh:
+    case TrackRole::DepthLow:
+    {
+      // The two tracks may be processed at the same time, so each writes only its own byte.
+      auto* bytes = reinterpret_cast<std::uint8_t*>(slice.Depth);
+      const std::size_t offset = ByteOffset(this->Kind.Role == TrackRole::DepthHigh);
+      VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
+        [&](std::size_t texel, std::uint8_t sample) { bytes[2 * texel + offset] = sample; });
+      return true;
+    }
+  }
+  return false;
+}
+
+void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
+{
+  if (slice.IsFloat)
+  {
+    const int tolerance = coverage ? coverage->GetTolerance() : 0;
+    JoinRadiance(static_cast<std::size_t>(TileCount) * resolution * resolution, coverage != nullptr,
+      tolerance, slice.GetRadiance(), slice.Depth);
+    return;
+  }
+  // Without coverage, any value counts as full.
+  const int tolerance = coverage ? coverage->GetTolerance() : 255;
+  const int width = TileCount * resolution;
+  for (int y = 0; y < resolution; ++y)
+  {
+    const std::size_t texel = static_cast<std::size_t>(y) * width;
+    JoinTexels(tolerance, width, slice.Color + ColorBytes * texel,
+      slice.Depth ? slice.Depth + texel : nullptr);
+  }
+}
+
+void ClearSlice(int resolution, const Slice& slice)
+{
+  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  const std::size_t bytes = slice.IsFloat ? ColorBytes * sizeof(float) : ColorBytes;
+  std::fill_n(slice.Color, bytes * texels, static_cast<unsigned char>(0));
+  if (slice.Depth)
+  {
+    std::fill_n(slice.Depth, texels, FarDepth);
+  }
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Converts float colour to video frames and back: linear radiance with associated alpha, through
+ * the perceptual quantiser, as Y'CbCr with the matrix of ITU-R BT.709, in full range and full
+ * resolution.
+ */
+#ifndef cslfRadianceFrames_h
+#define cslfRadianceFrames_h
+
+#include "Coding/Codecs/cslfAV.h"
+
+#include <cstddef>
+
+namespace cslf
+{
+/// Whether a frame can store a texel's red, green and blue: neither negative, nor above
+/// MaximumRadiance, nor NaN.
+bool IsCodable(const float* texel);
+
+/// Fills a writable 4:4:4 frame of more than 8 bits with red, green and blue, from 4 floats per
+/// texel.
+void PutRadiance(const float* colors, AVPixelFormat format, AVFrame* frame);
+
+/// Sets red, green and blue, of 4 floats per texel, where radiance 1 is a luminance of `white`.
+void TakeRadiance(const AVFrame* frame, AVPixelFormat format, double white, float* colors);
+
+/// Converts coverage, in bytes, to alpha.
+void TakeCoverage(const AVFrame* frame, float* colors);
+
+/// Combines the channels of a slice. Alpha within `tolerance` of 255 or 0 becomes full or none;
+/// without coverage, all alpha is full. Where nothing is covered, colour is 0 and depth, which may
+/// be null, is 1.
+void JoinRadiance(
+  std::size_t texels, bool hasCoverage, int tolerance, float* colors, unsigned short* depths);
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * One closed group of pictures of one track, encoded separately. Groups share nothing, so they can
+ * be coded in parallel, and the bytes do not depend on how many are.
+ */
+#ifndef cslfGroupCodec_h
+#define cslfGroupCodec_h
+
+#include "Coding/Codecs/cslfVideoEncoders.h"
+#include "Coding/Frames/cslfFrameConverter.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// One coded frame.
+struct CodedFrame
+{
+  int Index = 0; ///< its place in the group in order of presentation
+  std::vector<std::uint8_t> Data;
+};
+
+/// A coded group: frames in decoding order. The first one is a key frame, and no later frame refers
+/// to frames before it.
+struct CodedGroup
+{
+  std::vector<std::uint8_t> ParameterSets; ///< annex B, or AV1's sequence header
+  std::vector<CodedFrame> Frames;
+  std::uint32_t CRC = 0;     ///< over all coded picture data
+  bool CoveredFully = false; ///< of a coverage track: every sample is 255
+  /// A colour track's, once decoded, as in GroupCost; negative if not known.
+  double SquaredError = -1.0;
+};
+
+/// Encodes the slices of a group. On failure returns false and gives the reason in one line.
+bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
+  const std::vector<ConstSlice>& slices, CodedGroup& group, std::string& error);
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGroupCoder.h"
+#include "Pipeline/cslfParallelFor.h"
+
+#include "Coding/RateControl/cslfTrackFactors.h"
+#include "cslfGroupError.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <thread>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// Calls `work` with the numbers below `count` in parallel, and `idle` regularly on the calling
+/// thread. False if any work set its error; returns the first one.
+template <typename Work>
+bool DoSideBySide(
+  std::size_t count, const std::function<void()>& idle, const Work& work, std::string& error)
+{
+  std::vector<std::string> errors(count);
+  const std::thread::id caller = std::this_thread::get_id();
+  ParallelFor(0, static_cast<vtkIdType>(count), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        work(static_cast<std::size_t>(k), errors[k]);
+        if (std::this_thread::get_id() == caller)
+        {
+          idle();
+        }
+      }
+    });
+  const auto failed = std::find_if(
+    errors.begin(), errors.end(), [](const std::string& text) { return !text.empty(); });
+  error = failed == errors.end() ? std::string() : *failed;
+  return error.empty();
+}
+}
+
+GroupCoder::GroupCoder(
+  const EncodeSettings& settings, const Description& field, std::vector<int> groups)
+  : Settings(settings)
+  , Resolution(field.Grid.GetResolution())
+  , IsRadiance(HasRadiance(field))
+  , Groups(std::move(groups))
+{
+  const EncoderChoice choice = ChooseEncoder(settings, this->IsRadiance, this->Resolution);
+  const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
+  {
+    this->Encodings.push_back(
+      { { role, format, settings.Lossless, choice.Encoder->Coding,
+          this->IsRadiance && role == TrackRole::Color, role == TrackRole::Depth },
+        { settings.Preset, crf, settings.GroupLength } });
+  };
+  add(TrackRole::Color, choice.Color, settings.CRF);
+  add(TrackRole::Coverage, choice.Encoder->Coverage, settings.CoverageCRF);
+  const bool hasDepth = field.FindChannel(DepthName) != nullptr;
+  if (hasDepth && settings.Lossless)
+  {
+    add(TrackRole::DepthHigh, AV_PIX_FMT_GRAY8, 0.0);
+    add(TrackRole::DepthLow, AV_PIX_FMT_GRAY8, 0.0);
+  }
+  else if (hasDepth)
+  {
+    add(TrackRole::Depth, choice.Encoder->Depth, settings.DepthCRF);
+  }
+}
+
+std::vector<Track> GroupCoder::GetTracks() const
+{
+  std::vector<Track> tracks;
+  for (const Encoding& encoding : this->Encodings)
+  {
+    tracks.push_back(encoding.Kind);
+  }
+  return tracks;
+}
+
+bool GroupCoder::Encode(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
+  const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const
+{
+  std::vector<Coding> codings = this->Split(tasks, slices, parts);
+  const std::size_t tracks = this->Encodings.size();
+  const auto encode = [&](std::size_t job, std::string& fault)
+  { this->EncodeTrack(job % tracks, codings[job / tracks], fault); };
+  if (!DoSideBySide(tracks * codings.size(), idle, encode, error))
+  {
+    return false;
+  }
+  codings.erase(std::remove_if(codings.begin(), codings.end(),
+                  [](const Coding& coding) { return !coding.IsMeasured; }),
+    codings.end());
+  const auto measure = [&](std::size_t job, std::string& fault)
+  { this->MeasureError(codings[job], fault); };
+  return DoSideBySide(codings.size(), idle, measure, error);
+}
+
+std::vector<GroupCoder::Coding> GroupCoder::Split(const std::vector<CodingTask>& tasks,
+  const std::vector<ConstSlice>& slices, std::vector<GroupParts>& parts) const
+{
+  std::vector<Coding> codings;
+  auto from = slices.begin();
+  for (const CodingTask& task : tasks)
+  {
+    const auto to = from + this->Groups[task.Group];
+    for (double factor : task.Factors)
+    {
+      codings.push_back({ { from, to }, factor, this->IsMeasured(task), nullptr });
+    }
+    from = to;
+  }
+  parts.assign(codings.size(), GroupParts(this->Encodings.size()));
+  for (std::size_t place = 0; place < parts.size(); ++place)
+  {
+    codings[place].Parts = &parts[place];
+  }
+  return codings;
+}
+
+EncodeOptions GroupCoder::GetOptions(const Encoding& encoding, double factor) const
+{
+  EncodeOptions options = encoding.Options;
+  const bool isFixed = this->Settings.Target.Kind == RateTarget::Kinds::Factor;
+  options.CRF = encoding.Kind.Role == TrackRole::Color ? factor
+    : isFixed                                          ? options.CRF
+                                                       : FindTrackFactor(options.CRF, factor);
+  return options;
+}
+
+bool GroupCoder::IsMeasured(const CodingTask& task) const
+{
+  return !this->Settings.Lossless && !this->IsRadiance &&
+    (!task.IsTrial || this->Settings.Target.Kind == RateTarget::Kinds::PSNR);
+}
+
+void GroupCoder::EncodeTrack(std::size_t track, const Coding& coding, std::string& error) const
+{
+  const Encoding& encoding = this->Encodings[track];
+  EncodeGroup(encoding.Kind, this->Resolution, this->GetOptions(encoding, coding.Factor),
+    coding.Frames, (*coding.Parts)[track], error);
+}
+
+void GroupCoder::MeasureError(const Coding& coding, std::string& error) const
+{
+  GroupParts& parts = *coding.Parts;
+  MeasureSquaredError({ this->Encodings[0].Kind, &parts[0] },
+    { this->Encodings[1].Kind, &parts[1] }, this->Resolution, coding.Frames, parts[0].SquaredError,
+    error);
+}
+}

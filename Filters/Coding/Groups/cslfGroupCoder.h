@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Codes groups of a field, all their tracks, in parallel.
+ */
+#ifndef cslfGroupCoder_h
+#define cslfGroupCoder_h
+
+#include "Coding/Writing/cslfEncodeSettings.h"
+#include "cslfCodingTask.h"
+#include "cslfGroupCodec.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// A group's part of each track.
+using GroupParts = std::vector<CodedGroup>;
+
+class GroupCoder
+{
+public:
+  /// Field and settings have passed FindFault; `groups` has the number of frames of each group.
+  GroupCoder(const EncodeSettings& settings, const Description& field, std::vector<int> groups);
+
+  /// The tracks: colour, coverage, and those of depth.
+  std::vector<Track> GetTracks() const;
+
+  /// Does some tasks in parallel. `slices` are those of the tasks' groups, one group after the
+  /// other; `parts` contains those of the first task, for each of its factors, then those of the
+  /// next. `idle` is called regularly on the calling thread. On failure returns false and gives the
+  /// reason.
+  bool Encode(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
+    const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const;
+
+private:
+  struct Encoding
+  {
+    Track Kind;
+    EncodeOptions Options;
+  };
+
+  /// A group that is coded with one factor.
+  struct Coding
+  {
+    std::vector<ConstSlice> Frames;
+    double Factor;
+    bool IsMeasured;
+    GroupParts* Parts;
+  };
+
+  std::vector<Coding> Split(const std::vector<CodingTask>& tasks,
+    const std::vector<ConstSlice>& slices, std::vector<GroupParts>& parts) const;
+  EncodeOptions GetOptions(const Encoding& encoding, double factor) const;
+  bool IsMeasured(const CodingTask& task) const;
+  void EncodeTrack(std::size_t track, const Coding& coding, std::string& error) const;
+  void MeasureError(const Coding& coding, std::string& error) const;
+
+  EncodeSettings Settings;
+  int Resolution;
+  bool IsRadiance;
+  std::vector<int> Groups;
+  std::vector<Encoding> Encodings;
+};
+}
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGroupError.h"
+
+#include "cslfLayout.h"
+#include "cslfTrackDecoder.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr int ColorBytes = 4;
+
+bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packets)
+{
+  for (const CodedFrame& frame : part.Frames)
+  {
+    AVHandle<AVPacket> packet(av_packet_alloc());
+    if (!packet || av_new_packet(packet.get(), static_cast<int>(frame.Data.size())) < 0)
+    {
+      return false;
+    }
+    std::copy(frame.Data.begin(), frame.Data.end(), packet->data);
+    packet->pts = frame.Index;
+    packets.push_back(std::move(packet));
+  }
+  return true;
+}
+
+/// Decodes a track into its part of slices.
+bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& slices)
+{
+  const AVHandle<AVCodecParameters> parameters(avcodec_parameters_alloc());
+  std::vector<AVHandle<AVPacket>> packets;
+  if (!parameters ||
+    !SetParameterSets(IDOfCodec(track.Kind.Coding), track.Part->ParameterSets, parameters.get()) ||
+    !MakePackets(*track.Part, packets))
+  {
+    return false;
+  }
+  const auto decoder = TrackDecoder::Open(parameters.get(), resolution);
+  if (!decoder)
+  {
+    return false;
+  }
+  decoder->Begin(packets, std::vector<bool>(slices.size(), true));
+  FrameToSlice converter(track.Kind, resolution);
+  for (const Slice& slice : slices)
+  {
+    const AVFrame* frame = decoder->Next();
+    if (!frame || !converter.Convert(frame, slice))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+double SumSquares(const unsigned char* a, const unsigned char* b, std::size_t texels)
+{
+  double sum = 0.0;
+  for (std::size_t texel = 0; texel < texels; ++texel)
+  {
+    int squares = 0;
+    for (int component = 0; component < 3; ++component)
+    {
+      const std::size_t place = ColorBytes * texel + component;
+      const int difference = a[place] - b[place];
+      squares += difference * difference;
+    }
+    sum += squares;
+  }
+  return sum;
+}
+}
+
+bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
+  const std::vector<ConstSlice>& slices, double& sum, std::string& error)
+{
+  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
+  std::vector<unsigned char> samples(ColorBytes * texels * slices.size());
+  std::vector<Slice> decoded(slices.size());
+  for (std::size_t k = 0; k < slices.size(); ++k)
+  {
+    decoded[k].Color = samples.data() + ColorBytes * texels * k;
+  }
+  if (!Decode(color, resolution, decoded) || !Decode(coverage, resolution, decoded))
+  {
+    error = "what was coded cannot be decoded";
+    return false;
+  }
+  sum = 0.0;
+  for (std::size_t k = 0; k < slices.size(); ++k)
+  {
+    JoinChannels(resolution, &coverage.Kind, decoded[k]);
+    sum += SumSquares(decoded[k].Color, slices[k].Color, texels);
+  }
+  return true;
+}
+}

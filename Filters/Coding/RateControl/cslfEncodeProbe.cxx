@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfEncodeProbe.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkInformation.h>
+
+#include <chrono>
+#include <ctime>
+#include <utility>
+
+namespace cslf
+{
+EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings)
+  : Producer(producer)
+  , Settings(std::move(settings))
+{
+}
+
+bool EncodeProbe::Begin(std::string& error)
+{
+  this->Producer->UpdateInformation();
+  vtkInformation* information = this->Producer->GetOutputInformation(0);
+  const auto grid = FindGrid(information);
+  if (!grid)
+  {
+    error = "The sampler gives no information about its output.";
+    return false;
+  }
+  error = FindFault(this->Settings, grid->GetResolution());
+  error =
+    error.empty() ? KeyViews::FindFault(grid->GetViewpoints(), this->Settings.KeyViewStep) : error;
+  if (!error.empty())
+  {
+    return false;
+  }
+  int extent[6];
+  grid->GetWholeExtent(extent);
+  extent[5] = extent[4];
+  if (!this->Producer->UpdateExtent(extent))
+  {
+    error = "The sampler failed.";
+    return false;
+  }
+  this->Puller.emplace(information, *grid);
+  this->Puller->SetKeyViewStep(this->Settings.KeyViewStep);
+  this->Writer.emplace("probe.mp4", this->Settings);
+  if (!this->Puller->Begin(error))
+  {
+    return false;
+  }
+  error = FindFault(this->Settings, this->Puller->GetField());
+  if (!error.empty())
+  {
+    return false;
+  }
+  this->Writer->Begin(this->Puller->GetField(), 0);
+  return true;
+}
+
+bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::string& error)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const std::clock_t begin = std::clock();
+  if (!this->Puller->Pull(this->Writer->GetSlices(groups), error))
+  {
+    return false;
+  }
+  costs.RenderSeconds += std::chrono::duration<double>(Clock::now() - start).count();
+  const std::clock_t middle = std::clock();
+  costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
+  std::vector<CodingTask> tasks;
+  for (int group : groups)
+  {
+    tasks.push_back({ group, true, { this->Settings.CRF } });
+  }
+  std::vector<GroupParts> parts;
+  if (!this->Writer->GetCoder().Encode(
+        tasks, this->Puller->GetSlices(), [] {}, parts, error))
+  {
+    return false;
+  }
+  costs.CodingThreadSeconds += static_cast<double>(std::clock() - middle) / CLOCKS_PER_SEC;
+  for (const GroupParts& group : parts)
+  {
+    const GroupCost cost = this->Writer->GetCost(group);
+    this->IsCoveredFully = this->IsCoveredFully && cost.CoveredFully;
+    costs.Bytes.push_back(cost.Bytes + cost.CoverageBytes);
+  }
+  return true;
+}
+
+double EncodeProbe::GetContainerBytes() const
+{
+  return this->Writer->GetContainerBytes(!this->IsCoveredFully);
+}
+}

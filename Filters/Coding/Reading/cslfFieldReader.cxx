@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFieldReader.h"
+
+#include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfSlabs.h"
+
+#include <vtkErrorCode.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// Texels that a thread decodes between two reports of progress, about a second's work.
+constexpr std::size_t TexelsAtOnce = 64 << 20;
+
+/// The number of groups between two reports of progress.
+std::size_t GetGroupsAtOnce(const FileHeader& header)
+{
+  const std::size_t groupTexels = static_cast<std::size_t>(header.Field.Grid.GetStripWidth()) *
+    header.Field.Grid.GetResolution() * MaximumGroupLength;
+  return std::max<std::size_t>(2, TexelsAtOnce / groupTexels) *
+    std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+}
+}
+
+/// Slices that are asked for, and their destination.
+class FieldReader::Range
+{
+public:
+  Range(FieldReader& reader, int first, int last, const Slice& begin)
+    : Decoder(reader.Decoder)
+    , Store(reader.Store)
+    , Texels(static_cast<std::size_t>(reader.GetHeader().Field.Grid.GetStripWidth()) *
+        reader.GetHeader().Field.Grid.GetResolution())
+    , ColorBytes(this->Texels * TexelBytes(*reader.GetHeader().Field.FindChannel(ColorName)))
+    , First(first)
+    , Begin(begin)
+    , Lacks(last - first + 1, 1)
+  {
+  }
+
+  /// Copies the slices that are kept.
+  void CopyKept()
+  {
+    ParallelFor(0, static_cast<vtkIdType>(this->Lacks.size()), 1,
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType place = begin; place < end; ++place)
+        {
+          const DecodedViewpointPointer kept =
+            this->Store.Find(this->First + static_cast<int>(place));
+          if (kept && !kept->IsMissing)
+          {
+            this->Copy(ToSlice(*kept), this->GetTarget(this->First + static_cast<int>(place)));
+            this->Lacks[place] = 0;
+          }
+        }
+      });
+  }
+
+  /// The groups that contain missing slices.
+  std::vector<int> FindGroups()
+  {
+    std::set<int> groups;
+    std::size_t lacking = 0;
+    for (std::size_t place = 0; place < this->Lacks.size(); ++place)
+    {
+      if (this->Lacks[place])
+      {
+        groups.insert(this->Store.GetGroup(this->First + static_cast<int>(place)));
+        ++lacking;
+      }
+    }
+    std::size_t all = 0;
+    for (int group : groups)
+    {
+      all += this->Decoder.GetSlices(group).size();
+    }
+    this->KeepsOthers = all - lacking <= this->Store.GetCapacity();
+    return { groups.begin(), groups.end() };
+  }
+
+  /// Decodes some groups and appends the slices of those that are damaged.
+  void Decode(const std::vector<int>& groups, std::vector<int>& missing)
+  {
+    std::vector<GroupRequest> requests(groups.size());
+    std::vector<Others> others(groups.size());
+    for (std::size_t k = 0; k < groups.size(); ++k)
+    {
+      requests[k] = this->MakeRequest(groups[k], others[k]);
+    }
+    const std::vector<bool> whole = this->Decoder.Decode(requests);
+    for (std::size_t k = 0; k < groups.size(); ++k)
+    {
+      for (int slice : this->Decoder.GetSlices(groups[k]))
+      {
+        if (!whole[k] && this->IsLacking(slice))
+        {
+          missing.push_back(slice);
+        }
+      }
+      for (std::size_t i = 0; whole[k] && i < others[k].size(); ++i)
+      {
+        this->Store.Insert(others[k][i].first, std::move(others[k][i].second));
+      }
+    }
+  }
+
+private:
+  /// Slices of a group that were not asked for.
+  using Others = std::vector<std::pair<int, DecodedViewpoint>>;
+
+  GroupRequest MakeRequest(int group, Others& others)
+  {
+    GroupRequest request;
+    request.Group = group;
+    for (int slice : this->Decoder.GetSlices(group))
+    {
+      Slice target;
+      if (this->IsLacking(slice))
+      {
+        target = this->GetTarget(slice);
+      }
+      else if (this->KeepsOthers && !this->Store.Find(slice))
+      {
+        others.emplace_back(slice, this->Store.Make());
+        target = ToSlice(others.back().second);
+      }
+      request.Slices.push_back(target);
+    }
+    return request;
+  }
+
+  bool IsLacking(int slice) const
+  {
+    const int place = slice - this->First;
+    return place >= 0 && place < static_cast<int>(this->Lacks.size()) && this->Lacks[place] != 0;
+  }
+
+  Slice GetTarget(int slice) const
+  {
+    const std::size_t place = slice - this->First;
+    Slice target = this->Begin;
+    target.Color += this->ColorBytes * place;
+    target.Depth += target.Depth ? this->Texels * place : 0;
+    return target;
+  }
+
+  void Copy(const Slice& from, const Slice& to) const
+  {
+    std::copy_n(from.Color, this->ColorBytes, to.Color);
+    if (to.Depth)
+    {
+      std::copy_n(from.Depth, this->Texels, to.Depth);
+    }
+  }
+
+  GroupDecoder& Decoder;
+  ViewpointStore& Store;
+  std::size_t Texels;     ///< of one slice
+  std::size_t ColorBytes; ///< of one slice
+  int First;
+  Slice Begin;
+  std::vector<char> Lacks; ///< for each slice, whether it is still to be decoded
+  bool KeepsOthers = false;
+};
+
+std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, OpenFailure& failure)
+{
+  auto container = ContainerReader::Open(fileName, failure);
+  if (!container)
+  {
+    return nullptr;
+  }
+  for (const CodedTrack& track : container->GetHeader().Tracks)
+  {
+    if (!FindDecoder(IDOfCodec(track.Kind.Coding)))
+    {
+      failure = { vtkErrorCode::CannotOpenFileError,
+        std::string("this FFmpeg has no decoder for ") + NameOfCodec(track.Kind.Coding) };
+      return nullptr;
+    }
+  }
+  return std::make_unique<FieldReader>(std::move(container));
+}
+
+FieldReader::FieldReader(std::unique_ptr<ContainerReader> container)
+  : Decoder(std::move(container))
+  , Store(this->Decoder)
+{
+}
+
+std::vector<int> FieldReader::Read(
+  int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress)
+{
+  std::vector<int> missing;
+  if (!this->Store.WaitFor(first, last, [&progress] { return progress(0.0); }))
+  {
+    return missing;
+  }
+  Range range(
+    *this, first, last, { color, depth, this->GetHeader().Tracks.front().Kind.IsRadiance });
+  range.CopyKept();
+  const std::vector<int> groups = range.FindGroups();
+  const std::size_t atOnce = GetGroupsAtOnce(this->GetHeader());
+  for (std::size_t begin = 0; begin < groups.size() &&
+       progress(static_cast<double>(begin) / static_cast<double>(groups.size()));
+       begin += atOnce)
+  {
+    const std::size_t end = std::min(begin + atOnce, groups.size());
+    range.Decode({ groups.begin() + static_cast<std::ptrdiff_t>(begin),
+                   groups.begin() + static_cast<std::ptrdiff_t>(end) },
+      missing);
+  }
+  std::sort(missing.begin(), missing.end());
+  return missing;
+}
+
+std::vector<int> FieldReader::FindMissing(const Progress& progress)
+{
+  return this->FindMissing(0, this->GetHeader().Field.Grid.GetSlices() - 1, progress);
+}
+
+std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& progress)
+{
+  std::map<int, std::vector<int>> slicesOfGroups;
+  for (int slice = first; slice <= last; ++slice)
+  {
+    slicesOfGroups[this->Store.GetGroup(slice)].push_back(slice);
+  }
+  std::vector<int> missing;
+  const auto groups = static_cast<double>(slicesOfGroups.size());
+  int checked = 0;
+  for (const auto& [group, slices] : slicesOfGroups)
+  {
+    if (!progress(checked++ / groups))
+    {
+      break;
+    }
+    if (!this->Decoder.Check(group))
+    {
+      missing.insert(missing.end(), slices.begin(), slices.end());
+    }
+  }
+  std::sort(missing.begin(), missing.end());
+  return missing;
+}
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Single viewpoints of a coded light field: decoded on request or earlier in the background, and
+ * kept within a memory budget.
+ */
+#ifndef cslfViewpointStore_h
+#define cslfViewpointStore_h
+
+#include "Coding/Groups/cslfGroupDecoder.h"
+#include "cslfBackgroundSteps.h"
+#include "cslfViewpointCache.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <vector>
+
+namespace cslf
+{
+/// All methods may be called by several threads at once. Those that decode throw std::bad_alloc if
+/// there is not enough memory; background work then leaves the viewpoints to later requests.
+class ViewpointStore
+{
+public:
+  /// The decoder must outlive the store, which stops it when it is destroyed.
+  explicit ViewpointStore(GroupDecoder& decoder);
+  ~ViewpointStore();
+
+  /// The maximum size of kept viewpoints, in bytes.
+  void SetSize(std::uint64_t bytes);
+
+  /// The number of viewpoints in that size.
+  std::size_t GetCapacity();
+
+  /// The group that contains a slice.
+  int GetGroup(int slice) const { return this->GroupOfSlice[slice]; }
+
+  /// A viewpoint to be filled.
+  DecodedViewpoint Make() const;
+
+  /// Whether a viewpoint is kept.
+  bool Has(int slice);
+
+  /// A viewpoint that is kept, or null.
+  DecodedViewpointPointer Find(int slice);
+
+  /// A viewpoint, kept or decoded now.
+  DecodedViewpointPointer Get(int slice);
+
+  void Insert(int slice, DecodedViewpoint viewpoint);
+
+  /// Decodes slices in the background, in this order but group by group. This replaces earlier
+  /// requests that have not begun. Slices at the end that do not fit in the budget are left out.
+  void Prefetch(const std::vector<int>& slices);
+
+  /// Waits until all requested slices are decoded.
+  void Wait();
+
+  /// Waits for the requested ones of these slices, and decodes them first. Calls `goesOn`
+  /// regularly, and stops and returns false if that returns false.
+  bool WaitFor(int first, int last, const std::function<bool()>& goesOn);
+
+private:
+  /// Slices of one group.
+  struct Job
+  {
+    int Group = 0;
+    std::vector<int> Slices;
+  };
+
+  class Progress;
+
+  std::vector<Job> MakeJobs(const std::vector<int>& slices);
+  void FetchNext();
+  std::vector<DecodedViewpoint> Decode(const Job& job, bool alone);
+
+  GroupDecoder& Decoder;
+  std::vector<int> GroupOfSlice;
+  std::uint64_t ViewpointBytes = 0;
+
+  std::mutex Mutex; ///< of all later members except the steps
+  std::condition_variable Changed;
+  ViewpointCache Cache;
+  std::deque<Job> Pending;
+  std::set<int> InProgress; ///< slices
+  BackgroundSteps Steps;
+};
+
+/// The place of a viewpoint's samples.
+Slice ToSlice(const DecodedViewpoint& viewpoint);
+}
+
+#endif

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfEncodeCrew.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr std::uint32_t NoRank = 0xffffffffu;
+
+/// The kind of a message, which is its first number.
+enum Topic : std::uint32_t
+{
+  State,   ///< to rank 0: whether there is an error, and what must be the same on all ranks
+  Verdict, ///< from rank 0: the rank that failed, or NoRank, and rank 0's number
+  Ask,     ///< to rank 0: asks for tasks
+  Share,   ///< from rank 0: tasks, or none at the end
+  Results, ///< to rank 0: the results of a share
+  Done,    ///< to rank 0: no more messages follow
+  Failed,  ///< to rank 0: no more messages follow because of an error
+  Stop     ///< from rank 0: stop the work in progress
+};
+
+ByteBuffer MakeMessage(Topic topic)
+{
+  ByteBuffer buffer;
+  buffer.Put(topic);
+  return buffer;
+}
+
+void Put(const CodingTask& task, ByteBuffer& buffer)
+{
+  buffer.Put(static_cast<std::uint32_t>(task.Group));
+  buffer.Put(task.IsTrial ? 1u : 0u);
+  buffer.Put(static_cast<std::uint32_t>(task.Factors.size()));
+  for (double factor : task.Factors)
+  {
+    buffer.Put(factor);
+  }
+}
+}
+
+EncodeCrew::EncodeCrew(vtkMultiProcessController* controller)
+  : Team(controller)
+  , Working(Team.GetRank() == 0 ? Team.GetCount() - 1 : 0)
+{
+}
+
+EncodeCrew::Verdict EncodeCrew::Agree(bool isWell, const std::string& shared, int told)
+{
+  cslf::EncodeCrew::Verdict verdict{ isWell ? -1 : 0, false, told };
+  if (this->Team.GetCount() == 1)
+  {
+    return verdict;
+  }
+  auto failed = NoRank;
+  auto number = static_cast<std::uint32_t>(told);
+  if (this->Team.GetRank() == 0)
+  {
+    failed = static_cast<std::uint32_t>(this->FindFailed(isWell, shared, verdict.Differs));
+    for (int rank = 1; rank < this->Team.GetCount(); ++rank)
+    {
+      ByteBuffer message = MakeMessage(Topic::Verdict);
+      message.Put(failed);
+      message.Put(number);
+      this->Team.Post(rank, message.GetBytes());
+    }
+  }
+  else
+  {
+    ByteBuffer state = MakeMessage(State);
+    state.Put(isWell ? 0u : 1u);
+    state.Put(std::vector<std::uint8_t>(shared.begin(), shared.end()));
+    this->Team.Post(0, state.GetBytes());
+    // Work that was handed out before another rank failed may still be on its way.
+    for (std::uint32_t topic = State; topic != Topic::Verdict;)
+    {
+      ByteBuffer content(this->Team.Wait().Bytes);
+      content.Take(topic);
+      content.Take(failed);
+      content.Take(number);
+    }
+  }
+  this->Team.Flush();
+  verdict.Failed = static_cast<int>(failed);
+  verdict.Told = static_cast<int>(number);
+  return verdict;
+}
+
+int EncodeCrew::FindFailed(bool isWell, const std::string& shared, bool& differs)
+{
+  const std::vector<std::uint8_t> expected(shared.begin(), shared.end());
+  int failed = isWell ? this->FailedRank : 0;
+  bool equal = true;
+  for (int others = this->Team.GetCount() - 1; others > 0;)
+  {
+    if (this->States.empty())
+    {
+      this->Handle(this->Team.Wait());
+      continue;
+    }
+    const Ranks::Message message = std::move(this->States.back());
+    this->States.pop_back();
+    ByteBuffer content(message.Bytes);
+    std::uint32_t topic = State;
+    std::uint32_t isBad = 0;
+    std::vector<std::uint8_t> theirs;
+    if (content.Take(topic) && content.Take(isBad) && content.Take(theirs))
+    {
+      failed = isBad && (failed < 0 || message.From < failed) ? message.From : failed;
+      equal = equal && (isBad || theirs == expected);
+      --others;
+    }
+  }
+  differs = failed < 0 && !equal;
+  return differs ? 0 : failed;
+}
+
+bool EncodeCrew::Lead(
+  std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take)
+{
+  this->Undealt = std::move(tasks);
+  this->AtOnce = atOnce;
+  this->Take = &take;
+  for (int rank : std::exchange(this->Waiting, {}))
+  {
+    this->Deal(rank);
+  }
+  while (!this->Stopped && !this->Undealt.empty())
+  {
+    ByteBuffer results;
+    if (!make(this->Choose(0), results) || !take(results))
+    {
+      this->StopOthers();
+    }
+    this->Serve();
+  }
+  while (!this->Stopped && this->Outstanding > 0)
+  {
+    this->Handle(this->Team.Wait());
+  }
+  this->Take = nullptr;
+  return !this->Stopped;
+}
+
+void EncodeCrew::Dismiss()
+{
+  this->Dismissed = true;
+  for (int rank : std::exchange(this->Waiting, {}))
+  {
+    this->Deal(rank);
+  }
+  while (this->Working > 0)
+  {
+    this->Handle(this->Team.Wait());
+  }
+}
+
+void EncodeCrew::Follow(const Maker& make)
+{
+  const ByteBuffer ask = MakeMessage(Ask);
+  this->Team.Post(0, ask.GetBytes());
+  bool good = true;
+  while (good && !this->Stopped)
+  {
+    while (!this->Dealt && !this->Stopped)
+    {
+      this->Handle(this->Team.Wait());
+    }
+    const std::vector<CodingTask> tasks = this->Dealt.value_or(std::vector<CodingTask>());
+    this->Dealt.reset();
+    if (this->Stopped || tasks.empty())
+    {
+      break;
+    }
+    this->Team.Post(0, ask.GetBytes());
+    ByteBuffer results = MakeMessage(Results);
+    good = make(tasks, results);
+    if (good)
+    {
+      this->Team.Post(0, results.GetBytes());
+    }
+  }
+  this->Team.Post(0, MakeMessage(good || this->Stopped ? Done : Failed).GetBytes());
+}
+
+std::vector<CodingTask> EncodeCrew::Choose(int rank)
+{
+  // A rank may still have the viewpoints of groups that it has worked on.
+  const auto begin = this->Undealt.begin();
+  const auto own = std::stable_partition(begin, this->Undealt.end(),
+    [&](const CodingTask& task)
+    {
+      const auto maker = this->Makers.find(task.Group);
+      return maker != this->Makers.end() && maker->second == rank;
+    });
+  const int undealt = static_cast<int>(this->Undealt.size());
+  const int held = static_cast<int>(own - begin);
+  // Smaller shares towards the end, so that all ranks finish together.
+  const int fair = this->Team.GetCount() > 1 ? undealt / (2 * this->Team.GetCount()) : undealt;
+  int count = std::min(undealt, std::clamp(fair, 1, this->AtOnce));
+  count = held > 0 ? std::min(count, held) : count;
+  std::vector<CodingTask> chosen(begin, begin + count);
+  this->Undealt.erase(begin, begin + count);
+  for (const CodingTask& task : chosen)
+  {
+    this->Makers[task.Group] = rank;
+  }
+  return chosen;
+}
+
+bool EncodeCrew::Serve()
+{
+  while (auto message = this->Team.Poll())
+  {
+    this->Handle(*std::move(message));
+  }
+  return !this->Stopped;
+}
+
+void EncodeCrew::Handle(Ranks::Message message)
+{
+  ByteBuffer content(message.Bytes);
+  std::uint32_t topic = Stop;
+  content.Take(topic);
+  switch (topic)
+  {
+    case Ask:
+      this->Deal(message.From);
+      break;
+    case Results:
+      --this->Outstanding;
+      if (!this->Stopped && !(*this->Take)(content))
+      {
+        this->StopOthers();
+      }
+      break;
+    case Done:
+      --this->Working;
+      break;
+    case Failed:
+      --this->Working;
+      this->FailedRank = this->FailedRank < 0 ? message.From : this->FailedRank;
+      this->StopOthers();
+      break;
+    case Share:
+      this->HandleShare(content);
+      break;
+    case State:
+      // From a rank that has already finished.
+      this->States.push_back(std::move(message));
+      break;
+    default:
+      this->Stopped = true;
+      break;
+  }
+}
+
+void EncodeCrew::HandleShare(ByteBuffer& content)
+{
+  this->Dealt.emplace();
+  for (std::uint32_t group = 0; content.Take(group);)
+  {
+    CodingTask task;
+    task.Group = static_cast<int>(group);
+    std::uint32_t isTrial = 0;
+    std::uint32_t count = 0;
+    content.Take(isTrial);
+    content.Take(count);
+    task.IsTrial = isTrial != 0;
+    for (double factor = 0.0; count > 0 && content.Take(factor); --count)
+    {
+      task.Factors.push_back(factor);
+    }
+    this->Dealt->push_back(task);
+  }
+}
+
+void EncodeCrew::Deal(int rank)
+{
+  const bool isOver = this->Stopped || this->Dismissed;
+  if (!isOver && this->Undealt.empty())
+  {
+    this->Waiting.push_back(rank);
+    return;
+  }
+  ByteBuffer share = MakeMessage(Share);
+  if (!isOver)
+  {
+    for (const CodingTask& task : this->Choose(rank))
+    {
+      Put(task, share);
+    }
+    ++this->Outstanding;
+  }
+  this->Team.Post(rank, share.GetBytes());
+}
+
+void EncodeCrew::StopOthers()
+{
+  if (!this->Stopped)
+  {
+    this->Stopped = true;
+    for (int rank = 1; rank < this->Team.GetCount(); ++rank)
+    {
+      this->Team.Post(rank, MakeMessage(Stop).GetBytes());
+    }
+  }
+}
+}

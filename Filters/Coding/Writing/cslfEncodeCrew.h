@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Shares the work of writing one file among ranks.
+ *
+ * Rank 0 hands out tasks. Each rank asks for some, does them, sends the results to rank 0 and asks
+ * again, always one share ahead so that it does not wait. Rank 0 works too, and serves the others
+ * whenever it is called. If one rank fails, all stop.
+ */
+#ifndef cslfEncodeCrew_h
+#define cslfEncodeCrew_h
+
+#include "Coding/Groups/cslfCodingTask.h"
+#include "Parallel/cslfRanks.h"
+#include "cslfPart.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+class EncodeCrew
+{
+public:
+  /// The state of the ranks.
+  struct Verdict
+  {
+    int Failed = -1;      ///< the lowest rank with an error, or -1
+    bool Differs = false; ///< rank 0: no error, but the ranks' `shared` differ
+    int Told = 0;         ///< the number given by rank 0
+  };
+
+  /// Does tasks and appends the results to the buffer. False on failure.
+  using Maker = std::function<bool(const std::vector<CodingTask>& tasks, ByteBuffer& results)>;
+
+  /// Takes the results of some rank's tasks. False on failure.
+  using Taker = std::function<bool(ByteBuffer& results)>;
+
+  explicit EncodeCrew(vtkMultiProcessController* controller);
+
+  int GetRank() const { return this->Team.GetRank(); }
+  int GetCount() const { return this->Team.GetCount(); }
+  bool CanTalk() const { return this->Team.CanTalk(); }
+
+  /// Called by all ranks: finds out whether any has an error, and whether `shared` is the same on
+  /// all. Every rank gets rank 0's number.
+  Verdict Agree(bool isWell, const std::string& shared, int told);
+
+  /// Rank 0: lets all ranks do the tasks, at most `atOnce` at a time. True when all are done.
+  bool Lead(std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take);
+
+  /// Rank 0: releases the others. Called once after the last Lead, whether or not it failed.
+  void Dismiss();
+
+  /// Other ranks: does the tasks that rank 0 hands out until there are no more.
+  void Follow(const Maker& make);
+
+  /// To be called regularly during work. False if the work must stop.
+  bool Serve();
+
+  /// Whether the work was stopped early, by this rank or another.
+  bool IsStopped() const { return this->Stopped; }
+
+  /// Rank 0: the first of the others that failed, or -1.
+  int GetFailedRank() const { return this->FailedRank; }
+
+private:
+  int FindFailed(bool isWell, const std::string& shared, bool& differs);
+  std::vector<CodingTask> Choose(int rank);
+  void Handle(Ranks::Message message);
+  void HandleShare(ByteBuffer& content);
+  void Deal(int rank);
+  void StopOthers();
+
+  Ranks Team;
+  bool Stopped = false; ///< the remaining work is not needed
+
+  // Rank 0
+  std::vector<CodingTask> Undealt;
+  int AtOnce = 1;
+  const Taker* Take = nullptr;        ///< while Lead is at work
+  std::map<int, int> Makers;          ///< the rank that worked on a group last
+  std::vector<int> Waiting;           ///< ranks that asked when there were no tasks
+  std::vector<Ranks::Message> States; ///< final results of the others
+  int Outstanding = 0;                ///< the number of shares in work
+  int Working = 0;                    ///< the number of other ranks that are not done
+  int FailedRank = -1;
+  bool Dismissed = false;
+
+  std::optional<std::vector<CodingTask>> Dealt; ///< other ranks: the next tasks
+};
+}
+
+#endif

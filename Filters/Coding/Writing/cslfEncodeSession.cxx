@@ -1,0 +1,531 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfEncodeSession.h"
+
+#include "Coding/Frames/cslfPerceptualQuantizer.h"
+#include "Files/cslfFileSystem.h"
+#include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfSlabs.h"
+
+#include <vtkErrorCode.h>
+#include <vtkInformation.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// The largest size of a slab's samples, in bytes.
+constexpr double SlabBytes = 512.0 * 1024 * 1024;
+
+/// Groups coded at once, for each thread. Each has several tracks, which keeps all threads busy.
+constexpr int GroupsPerThread = 2;
+
+/// The share of the progress for joining the parts.
+constexpr double JoinShare = 0.05;
+}
+
+EncodeSession::EncodeSession(EncodeJob job)
+  : Job(std::move(job))
+  , Crew(this->Job.Controller)
+{
+}
+
+EncodeSession::~EncodeSession() = default;
+
+bool EncodeSession::Fail(unsigned long code, const std::string& text)
+{
+  // The first error is the cause.
+  if (this->Fault.Code == vtkErrorCode::NoError)
+  {
+    this->Fault = { code, text };
+  }
+  return false;
+}
+
+bool EncodeSession::FailWriting(unsigned long code, const std::string& error)
+{
+  return this->Fail(code, this->Job.FileName + " was not written: " + error + ".");
+}
+
+bool EncodeSession::IsWell() const
+{
+  return this->Fault.Code == vtkErrorCode::NoError;
+}
+
+bool EncodeSession::Check(const EncodeFault& before)
+{
+  if (!this->Crew.CanTalk())
+  {
+    // All ranks know it, so the first one reports it.
+    this->Fault = { vtkErrorCode::UserError,
+      this->Crew.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
+                                : "" };
+    return false;
+  }
+  this->Fault = before;
+  if (before.Code == vtkErrorCode::NoError)
+  {
+    this->CheckHere();
+  }
+  return this->Agree({});
+}
+
+bool EncodeSession::CheckGrid()
+{
+  this->Grid = FindGrid(this->Job.Input);
+  if (!this->Grid)
+  {
+    return this->Fail(vtkErrorCode::UserError,
+      "The input is not a whole light field: its extent must be 5 N x N x 6 M^2.");
+  }
+  const int step = std::max(1, this->Job.Settings.KeyViewStep);
+  const std::string fault = KeyViews::FindFault(this->Grid->GetViewpoints(), step);
+  return fault.empty() || this->Fail(vtkErrorCode::UserError, fault);
+}
+
+bool EncodeSession::CheckHere()
+{
+  if (this->Job.FileName.empty())
+  {
+    return this->Fail(vtkErrorCode::NoFileNameError, "There is no file name.");
+  }
+  if (!this->CheckGrid())
+  {
+    return false;
+  }
+  // Only rank 0 touches files.
+  std::string fault = this->Crew.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
+  fault = fault.empty() ? FindFault(this->Job.Settings, this->Grid->GetResolution()) : fault;
+  if (!fault.empty())
+  {
+    return this->Fail(vtkErrorCode::CannotOpenFileError, fault);
+  }
+  this->Puller.emplace(this->Job.Input, *this->Grid);
+  this->Writer.emplace(this->Job.FileName, this->Job.Settings);
+  this->Writer->SetParts(this->Job.Parts);
+  std::string error;
+  return this->Crew.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
+    this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
+}
+
+KeptFile EncodeSession::GetCacheFile() const
+{
+  return this->Crew.GetRank() == 0 ? this->Writer->GetCacheFile() : KeptFile();
+}
+
+bool EncodeSession::Agree(const std::string& shared, int* told)
+{
+  const EncodeCrew::Verdict verdict = this->Crew.Agree(this->IsWell(), shared, told ? *told : 0);
+  if (told)
+  {
+    *told = verdict.Told;
+  }
+  if (verdict.Differs)
+  {
+    this->FailWriting(vtkErrorCode::UserError,
+      "the ranks have different fields, settings, versions or kinds of processor");
+  }
+  if (verdict.Failed >= 0 && verdict.Failed != this->Crew.GetRank())
+  {
+    this->Fault = { vtkErrorCode::UnknownError, "" };
+  }
+  return verdict.Failed < 0;
+}
+
+bool EncodeSession::BeginPulling(bool hasInput)
+{
+  if (!hasInput)
+  {
+    return this->Fail(vtkErrorCode::UnknownError, "The input failed.");
+  }
+  std::string error;
+  if (!this->Puller->Begin(error))
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, error);
+  }
+  error = FindFault(this->Job.Settings, this->Puller->GetField());
+  return error.empty() || this->Fail(vtkErrorCode::UserError, error);
+}
+
+// Rank 0 chooses for all; the ranks agree on it here.
+bool EncodeSession::ChooseKeyViews(bool isReady)
+{
+  std::string error;
+  if (isReady && this->Crew.GetRank() == 0 &&
+    !cslf::ChooseKeyViews(
+      *this->Puller, this->Job.Settings.NovelViewPSNR, [this] { return this->Job.Progress(0.0); },
+      this->Choice, error))
+  {
+    this->FailWriting(vtkErrorCode::UserError, error);
+  }
+  return this->Agree({}, &this->Choice.Step);
+}
+
+bool EncodeSession::BeginWriting()
+{
+  this->Puller->SetKeyViewStep(this->Choice.Step);
+  this->Kept.emplace(this->CountSlicesThatFit());
+  this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
+  return this->Crew.GetRank() != 0 || this->OpenParts();
+}
+
+bool EncodeSession::OpenParts()
+{
+  for (const Channel& channel : this->Puller->GetField().Channels)
+  {
+    if (channel.Name != ColorName && channel.Name != DepthName)
+    {
+      this->Job.Warn("The channel \"" + channel.Name + "\" is left out of the coded file.");
+    }
+  }
+  std::string warning;
+  std::string error;
+  if (!this->Writer->OpenParts(this->Job.Restart, warning, error))
+  {
+    return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
+  }
+  if (!warning.empty())
+  {
+    this->Job.Warn(this->Job.FileName + ": " + warning);
+  }
+  RateTarget target = this->Job.Settings.Target;
+  target.Value = target.Kind == RateTarget::Kinds::Factor ? this->Job.Settings.CRF : target.Value;
+  this->Control.emplace(target, this->Writer->GetRateField());
+  this->Control->SetTrials(this->Writer->ReadTrials());
+  if (!this->Writer->HasRoom(error))
+  {
+    return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
+  }
+  return this->ReportProgress();
+}
+
+bool EncodeSession::Write(bool hasInput)
+{
+  this->Written = true;
+  const AVLogSilence silence;
+  const bool isSettled = !this->Job.Settle || this->Job.Settle(hasInput);
+  // If the input was stopped because another rank failed, that rank reports it.
+  const bool isReady = (isSettled || !hasInput) && this->BeginPulling(hasInput);
+  this->Choice.Step = this->Job.Settings.KeyViewStep;
+  if (this->Choice.Step > 0 || this->ChooseKeyViews(isReady))
+  {
+    const bool hasBegun = isReady && this->BeginWriting();
+    int stored = this->Writer->CountStored();
+    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) && isSettled)
+    {
+      stored = this->Work();
+    }
+    this->TellKept(stored);
+  }
+  if (!this->IsWell())
+  {
+    this->Writer.reset();
+  }
+  else if (this->Puller->HasClipped())
+  {
+    this->Job.Warn("Colour that is negative, above " + std::to_string(MaximumRadiance) +
+      " or not a number is clipped.");
+  }
+  return this->IsWell();
+}
+
+// The rank that reports the error may differ from the one that keeps the groups.
+void EncodeSession::TellKept(int stored)
+{
+  std::string& text = this->Fault.Text;
+  if (stored > 0 && !text.empty())
+  {
+    text.erase(text.find_last_not_of('.') + 1);
+    text += this->Writer->DescribeKept(stored) + ".";
+  }
+}
+
+int EncodeSession::Work()
+{
+  if (this->Crew.GetRank() == 0)
+  {
+    this->Lead();
+    this->Conclude();
+  }
+  else
+  {
+    this->Follow();
+  }
+  int stored = this->Writer->CountStored();
+  this->Agree({}, &stored);
+  return stored;
+}
+
+void EncodeSession::Lead()
+{
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Crew.Serve(); });
+  bool isDone = false;
+  while (!isDone && this->DoNext(isDone))
+  {
+  }
+  this->Crew.Dismiss();
+  // Stopping because another rank failed is not an error of this rank.
+  if (this->Crew.GetFailedRank() >= 0)
+  {
+    this->Fault = {};
+  }
+}
+
+bool EncodeSession::DoNext(bool& isDone)
+{
+  std::vector<CodingTask> tasks;
+  std::string error;
+  if (!this->Control->Next(tasks, error))
+  {
+    this->Writer->DropTrials();
+    return this->FailWriting(vtkErrorCode::UserError, error);
+  }
+  isDone = tasks.empty();
+  std::vector<CodingTask> undone;
+  std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(undone),
+    [this](const CodingTask& task) { return task.IsTrial || this->Writer->IsMissing(task.Group); });
+  return this->Crew.Lead(
+           std::move(undone), this->GetGroupsAtOnce(),
+           [this](const std::vector<CodingTask>& mine, ByteBuffer& results)
+           { return this->Make(mine, results); },
+           [this](ByteBuffer& results) { return this->Take(results); }) &&
+    this->NoteTasks(tasks);
+}
+
+bool EncodeSession::NoteTasks(const std::vector<CodingTask>& tasks)
+{
+  for (const CodingTask& task : tasks)
+  {
+    if (task.IsTrial)
+    {
+      std::string error;
+      return this->Writer->WriteTrials(this->Control->GetTrials(), error) ||
+        this->FailWriting(vtkErrorCode::UnknownError, error);
+    }
+    this->Control->AddCoded(task.Group, this->Writer->GetStoredCost(task.Group));
+  }
+  return true;
+}
+
+void EncodeSession::Conclude()
+{
+  if (!this->IsWell() || this->Crew.GetFailedRank() >= 0)
+  {
+    return;
+  }
+  std::string error;
+  const auto report = [this](double share)
+  { return this->Job.Progress(1.0 - JoinShare + JoinShare * share); };
+  std::string warning;
+  if (!this->Writer->Finish(report, warning, error))
+  {
+    this->FailWriting(vtkErrorCode::UnknownError, error);
+    return;
+  }
+  if (!warning.empty())
+  {
+    this->Job.Warn(warning);
+  }
+  std::error_code ignored;
+  const double bytes =
+    static_cast<double>(std::filesystem::file_size(ToPath(this->Job.FileName), ignored));
+  this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
+    this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR };
+}
+
+void EncodeSession::Follow()
+{
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Crew.Serve(); });
+  this->Crew.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
+    { return this->Make(tasks, results); });
+  if (this->Crew.IsStopped())
+  {
+    this->Fault = {};
+  }
+}
+
+int EncodeSession::CountSlicesThatFit() const
+{
+  double texelBytes = 0.0;
+  for (const Channel& channel : this->Puller->GetField().Channels)
+  {
+    const bool isCoded = channel.Name == ColorName || channel.Name == DepthName;
+    texelBytes += isCoded ? TexelBytes(channel) : 0;
+  }
+  const double sliceBytes = texelBytes * this->Grid->GetStripWidth() * this->Grid->GetResolution();
+  return static_cast<int>(std::min<double>(SlabBytes / sliceBytes, this->Grid->GetSlices()));
+}
+
+int EncodeSession::GetGroupsAtOnce() const
+{
+  const int threads = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  const int fitting = this->CountSlicesThatFit() / this->Job.Settings.GroupLength;
+  return std::max(1, std::min(GroupsPerThread * threads, fitting));
+}
+
+bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& results)
+{
+  std::vector<ConstSlice> slices;
+  std::vector<GroupParts> parts;
+  std::string error;
+  if (!this->Gather(tasks, slices))
+  {
+    return false;
+  }
+  if (!this->Writer->GetCoder().Encode(
+        tasks, slices, [this] { this->Crew.Serve(); }, parts, error))
+  {
+    return this->FailWriting(vtkErrorCode::UnknownError, error);
+  }
+  const GroupParts* next = parts.data();
+  for (const CodingTask& task : tasks)
+  {
+    this->Pack(task, next, results);
+    next += task.Factors.size();
+    if (!task.IsTrial)
+    {
+      this->Kept->Drop(task.Group);
+    }
+  }
+  return true;
+}
+
+bool EncodeSession::Gather(const std::vector<CodingTask>& tasks, std::vector<ConstSlice>& slices)
+{
+  std::vector<int> pulled;
+  for (const CodingTask& task : tasks)
+  {
+    if (!this->Kept->Find(task.Group))
+    {
+      pulled.push_back(task.Group);
+    }
+  }
+  std::string error;
+  if (!this->Puller->Pull(this->Writer->GetSlices(pulled), error))
+  {
+    return this->FailWriting(vtkErrorCode::UnknownError, error);
+  }
+  const std::vector<ConstSlice> fresh = this->Puller->GetSlices();
+  auto from = fresh.begin();
+  for (const CodingTask& task : tasks)
+  {
+    if (const auto* kept = this->Kept->Find(task.Group))
+    {
+      slices.insert(slices.end(), kept->begin(), kept->end());
+      continue;
+    }
+    const auto to = from + this->Writer->GetFrames(task.Group);
+    slices.insert(slices.end(), from, to);
+    if (task.IsTrial)
+    {
+      this->Kept->Keep(task.Group, { from, to }, this->Puller->GetHold());
+    }
+    from = to;
+  }
+  return true;
+}
+
+void EncodeSession::Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const
+{
+  results.Put(static_cast<std::uint32_t>(task.Group));
+  results.Put(task.IsTrial ? static_cast<std::uint32_t>(task.Factors.size()) : 0u);
+  if (!task.IsTrial)
+  {
+    for (const CodedGroup& part : *parts)
+    {
+      results.Put(this->Writer->Pack(part));
+    }
+    return;
+  }
+  for (double factor : task.Factors)
+  {
+    const GroupCost cost = this->Writer->GetCost(*parts++);
+    for (double number : { factor, cost.Bytes, cost.CoverageBytes, cost.SquaredError })
+    {
+      results.Put(number);
+    }
+    results.Put(cost.CoveredFully ? 1u : 0u);
+  }
+}
+
+bool EncodeSession::Take(ByteBuffer& results)
+{
+  for (std::uint32_t group = 0; results.Take(group);)
+  {
+    std::uint32_t trials = 0;
+    bool good = results.Take(trials);
+    for (std::uint32_t trial = 0; good && trial < trials; ++trial)
+    {
+      good = this->TakeTrial(static_cast<int>(group), results);
+    }
+    if (!good || (trials == 0 && !this->TakeGroup(static_cast<int>(group), results)))
+    {
+      return this->FailWriting(
+        vtkErrorCode::UnknownError, "a coded group was damaged during transfer");
+    }
+  }
+  // The first groups show about how much space all will take.
+  std::string error;
+  const bool isFirst = !this->HasCheckedRoom && this->Writer->CountStored() > 0;
+  this->HasCheckedRoom = this->HasCheckedRoom || isFirst;
+  if (isFirst && !this->Writer->HasRoom(error))
+  {
+    return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
+  }
+  return this->ReportProgress();
+}
+
+bool EncodeSession::TakeTrial(int group, ByteBuffer& results)
+{
+  double factor = 0.0;
+  GroupCost cost;
+  std::uint32_t covered = 0;
+  const bool good = results.Take(factor) && results.Take(cost.Bytes) &&
+    results.Take(cost.CoverageBytes) && results.Take(cost.SquaredError) && results.Take(covered);
+  if (good)
+  {
+    cost.CoveredFully = covered != 0;
+    this->Control->AddTrial(group, factor, cost);
+  }
+  return good;
+}
+
+bool EncodeSession::TakeGroup(int group, ByteBuffer& results)
+{
+  GroupParts parts(this->Writer->GetTrackCount());
+  for (CodedGroup& part : parts)
+  {
+    std::vector<std::uint8_t> bytes;
+    if (!results.Take(bytes) || !this->Writer->Unpack(std::move(bytes), part))
+    {
+      return false;
+    }
+  }
+  std::string error;
+  if (!this->Writer->StoreGroup(group, parts, error))
+  {
+    std::string lack;
+    error += this->Writer->HasRoom(lack) ? "" : "; " + lack;
+    return this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
+  }
+  return true;
+}
+
+bool EncodeSession::ReportProgress()
+{
+  const double groups = this->Writer->GetGroupCount();
+  const double missing = static_cast<double>(this->Writer->GetMissingGroups().size());
+  const double trials = this->Control->GetExpectedTrials();
+  const double tried = std::min<double>(trials, this->Control->GetTrialCount());
+  const double share = (tried + groups - missing) / (trials + groups);
+  return this->Job.Progress((1.0 - JoinShare) * share) ||
+    this->FailWriting(vtkErrorCode::UserError, "it was stopped");
+}
+}

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Writes one coded file, alone or together with the other ranks of a controller. Each rank pulls
+ * viewpoints through its own pipeline; only rank 0 touches files.
+ */
+#ifndef cslfEncodeSession_h
+#define cslfEncodeSession_h
+
+#include "Pipeline/cslfKeptGroups.h"
+#include "Pipeline/cslfSlicePuller.h"
+#include "Quality/cslfHeldOutViews.h"
+#include "cslfEncodeCrew.h"
+#include "cslfFieldWriter.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithmOutput;
+class vtkInformation;
+class vtkMultiProcessController;
+
+namespace cslf
+{
+/// What is written, and callbacks.
+struct EncodeJob
+{
+  std::string FileName;
+  EncodeSettings Settings;
+  std::vector<FilePart> Parts;
+  bool Restart = true;
+  vtkAlgorithmOutput* Connection = nullptr;
+  vtkInformation* Input = nullptr; ///< the connection's pipeline information
+  vtkMultiProcessController* Controller = nullptr;
+  std::function<bool(double)> Progress; ///< gets numbers from 0 to 1; false stops the work
+  std::function<void(const std::string&)> Warn;
+
+  /// Ends the cooperation of the ranks' inputs in making their first viewpoint. Gets whether this
+  /// rank's input has it, and returns whether no other rank has failed. May be empty.
+  std::function<bool(bool)> Settle;
+};
+
+/// Why a file was not written: one of vtkErrorCode's, and a sentence.
+struct EncodeFault
+{
+  unsigned long Code = 0;
+  std::string Text;
+};
+
+/// The results.
+struct EncodeOutcome
+{
+  double CRF = 0.0; ///< the mean of all frames
+  double Bytes = 0.0;
+  double Ratio = 0.0; ///< raw 24-bit colour to the file
+  double PSNR = 0.0;  ///< of colour, as measured by RateControl
+  int KeyViewStep = 1;
+  double NovelViewPSNR = 0.0; ///< where it chose the step
+};
+
+class EncodeSession
+{
+public:
+  explicit EncodeSession(EncodeJob job);
+  ~EncodeSession();
+
+  /// Checks everything that can be checked before the input executes, on all ranks. An earlier
+  /// error of this rank comes first. False if there is an error on any rank.
+  bool Check(const EncodeFault& before);
+
+  /// Writes the file, on all ranks. The input contains its first viewpoint unless it has failed.
+  bool Write(bool hasInput);
+
+  bool HasWritten() const { return this->Written; }
+
+  /// After Check, the folder where the input may keep data for a restart. Empty on ranks that do
+  /// not touch files.
+  KeptFile GetCacheFile() const;
+
+  /// The error, if the code is not NoError. The text is empty if another rank reports it.
+  const EncodeFault& GetFault() const { return this->Fault; }
+
+  /// The results, on rank 0 after success.
+  const EncodeOutcome& GetOutcome() const { return this->Outcome; }
+
+private:
+  bool Fail(unsigned long code, const std::string& text);
+  bool FailWriting(unsigned long code, const std::string& error);
+  void TellKept(int stored);
+  bool IsWell() const;
+  bool Agree(const std::string& shared, int* told = nullptr);
+  bool CheckHere();
+  bool CheckGrid();
+  bool BeginPulling(bool hasInput);
+  bool ChooseKeyViews(bool isReady);
+  bool BeginWriting();
+  bool OpenParts();
+
+  int Work(); ///< the number of groups that will be stored in the end
+  void Lead();
+  void Follow();
+  void Conclude();
+  bool DoNext(bool& isDone);
+  bool NoteTasks(const std::vector<CodingTask>& tasks);
+
+  int CountSlicesThatFit() const;
+  int GetGroupsAtOnce() const;
+  bool Make(const std::vector<CodingTask>& tasks, ByteBuffer& results);
+  bool Gather(const std::vector<CodingTask>& tasks, std::vector<ConstSlice>& slices);
+  void Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const;
+  bool Take(ByteBuffer& results);
+  bool TakeTrial(int group, ByteBuffer& results);
+  bool TakeGroup(int group, ByteBuffer& results);
+  bool ReportProgress();
+
+  EncodeJob Job;
+  EncodeCrew Crew;
+  EncodeFault Fault;
+  EncodeOutcome Outcome;
+  std::optional<Layout> Grid; ///< of the input
+  std::optional<SlicePuller> Puller;
+  std::optional<KeptGroups> Kept;
+  std::optional<FieldWriter> Writer;
+  std::optional<RateControl> Control; ///< rank 0
+  KeyViewChoice Choice;
+  bool Written = false;
+  bool HasCheckedRoom = false;
+};
+}
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfEncodeSettings.h"
+
+#include "Coding/Containers/cslfContainerWriter.h"
+#include "Files/cslfFileSystem.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace cslf
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// The size of the smallest pictures that are coded.
+constexpr int MinimumResolution = 16;
+
+/// Means the codec's default pixel format.
+constexpr const char* AutomaticFormat = "auto";
+
+std::string ListCodecs()
+{
+  std::string list;
+  for (const Codec codec : GetCodecs())
+  {
+    list += (list.empty() ? "" : ", ") + std::string(NameOfCodec(codec));
+  }
+  return list;
+}
+
+std::string Join(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+}
+
+EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int resolution)
+{
+  EncoderChoice choice;
+  const Codec codec = *CodecOfName(settings.Codec);
+  if (settings.Lossless || settings.PixelFormat != AutomaticFormat)
+  {
+    choice.Color = settings.Lossless ? AV_PIX_FMT_GBRP
+                                     : *FindPixelFormat(TrackRole::Color, settings.PixelFormat);
+    choice.Encoder = FindEncoder(codec, choice.Color, resolution);
+  }
+  else if ((choice.Encoder = FindEncoder(codec, isRadiance, resolution)))
+  {
+    choice.Color = isRadiance ? choice.Encoder->Radiance : choice.Encoder->Colors.front();
+  }
+  return choice;
+}
+
+bool HasRadiance(const Description& field)
+{
+  return field.FindChannel(ColorName)->Type == VTK_FLOAT;
+}
+
+std::string FindFault(const std::string& fileName)
+{
+  const fs::path path = ToPath(fileName);
+  if (!FindContainer(fileName))
+  {
+    return "The extension of " + fileName + " must be .mp4 or .mkv.";
+  }
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+  {
+    return fileName + " is a folder.";
+  }
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(parent, ignored))
+  {
+    return "The folder of " + fileName + " does not exist.";
+  }
+  return {};
+}
+
+std::string FindFault(const EncodeSettings& settings, int resolution)
+{
+  const auto& presets = GetPresets();
+  if (std::find(presets.begin(), presets.end(), settings.Preset) == presets.end())
+  {
+    return "The preset \"" + settings.Preset + "\" is none of " + Join(presets) + ".";
+  }
+  const auto codec = CodecOfName(settings.Codec);
+  if (!codec)
+  {
+    return "The codec \"" + settings.Codec + "\" is none of " + ListCodecs() + ".";
+  }
+  if (settings.PixelFormat != AutomaticFormat &&
+    !FindPixelFormat(TrackRole::Color, settings.PixelFormat))
+  {
+    return "The pixel format \"" + settings.PixelFormat + "\" is none of auto, " +
+      ListColorFormats() + ".";
+  }
+  const std::string fault = FindFault(settings.Target, settings.Lossless);
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  if (resolution < MinimumResolution)
+  {
+    return "Video needs a resolution of at least " + std::to_string(MinimumResolution) +
+      " texels, the field has " + std::to_string(resolution) + ".";
+  }
+  if (!HasEncoder(*codec))
+  {
+    return "This FFmpeg cannot encode " + settings.Codec +
+      ". It has encoders for: " + ListCodecsToEncode() + ".";
+  }
+  const EncoderChoice choice = ChooseEncoder(settings, false, resolution);
+  if (!choice.Encoder || (settings.Lossless && !choice.Encoder->CanBeLossless))
+  {
+    return "No encoder that this FFmpeg has for " + settings.Codec + " can code " +
+      (settings.Lossless ? "without loss" : settings.PixelFormat) + " at a resolution of " +
+      std::to_string(resolution) + ".";
+  }
+  if (NeedsEvenSize(choice.Color) && resolution % 2 != 0)
+  {
+    return "The pixel format " + NameOfFormat(choice.Color) +
+      " needs an even resolution, the field has " + std::to_string(resolution) + ".";
+  }
+  return {};
+}
+
+std::string FindFault(const Description& field)
+{
+  const Channel* color = field.FindChannel(ColorName);
+  if (!color || (color->Type != VTK_UNSIGNED_CHAR && color->Type != VTK_FLOAT) ||
+    color->Components != 4)
+  {
+    return "The coded file needs \"Color\" as 4 unsigned chars or 4 floats.";
+  }
+  const Channel* depth = field.FindChannel(DepthName);
+  if (depth && (depth->Type != VTK_UNSIGNED_SHORT || depth->Components != 1))
+  {
+    return "The coded file needs \"Depth\" as unsigned short.";
+  }
+  return {};
+}
+
+std::string FindFault(const EncodeSettings& settings, const Description& field)
+{
+  if (!HasRadiance(field))
+  {
+    return {};
+  }
+  if (settings.Target.Kind == RateTarget::Kinds::PSNR)
+  {
+    return "A target PSNR needs byte colour, but the field has float colour.";
+  }
+  if (settings.Lossless)
+  {
+    return "Float colour cannot be coded without loss: write .vti or a folder instead.";
+  }
+  const EncoderChoice choice = ChooseEncoder(settings, true, field.Grid.GetResolution());
+  if (!choice.Encoder)
+  {
+    return "This FFmpeg has no encoder that codes float colour as " + settings.Codec + ".";
+  }
+  if (!CanHoldRadiance(choice.Color))
+  {
+    return "Float colour needs a 4:4:4 pixel format of 10 or 12 bits, such as auto, not " +
+      settings.PixelFormat + ".";
+  }
+  return {};
+}
+}

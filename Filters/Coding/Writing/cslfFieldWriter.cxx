@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfFieldWriter.h"
+
+#include "Coding/Containers/cslfContainerWriter.h"
+#include "Files/cslfLibraries.h"
+#include "Files/cslfWholeFile.h"
+#include "cslfJSON.h"
+#include "cslfPart.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// What a container stores once per file, beside the header, and once per track, as measured.
+struct ContainerBytes
+{
+  double File;
+  double Track;
+};
+constexpr ContainerBytes BytesOfMP4 = { 294.0, 690.0 };
+constexpr ContainerBytes BytesOfMatroska = { 355.0, 275.0 };
+
+/// The bytes of a texel of raw 24-bit colour.
+constexpr double RawTexelBytes = 3.0;
+
+/// The libraries that the bytes of coded groups depend on.
+std::vector<std::string> LibrariesOf(const std::string& codec)
+{
+  std::vector<std::string> names = { "libavcodec.so", "libembree3.so", "libembree4.so" };
+  if (const auto found = CodecOfName(codec))
+  {
+    const std::vector<std::string> more = GetLibraries(*found);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  return names;
+}
+}
+
+FieldWriter::FieldWriter(const std::string& fileName, const EncodeSettings& settings)
+  : FileName(fileName)
+  , Parts(fileName)
+  , Settings(settings)
+{
+}
+
+std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
+{
+  const std::vector<int> starts = this->Header.GetGroupStarts();
+  std::vector<int> slices;
+  for (int group : groups)
+  {
+    const auto begin = this->Header.Slices.begin();
+    slices.insert(slices.end(), begin + starts[group], begin + starts[group + 1]);
+  }
+  return slices;
+}
+
+void FieldWriter::Begin(const Description& field, std::uint32_t sample)
+{
+  FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
+  this->Header.Groups = std::move(order.Groups);
+  this->Header.Coarsest = order.Coarsest;
+  this->Header.Slices = std::move(order.Slices);
+  this->Costs.assign(this->Header.Groups.size(), GroupCost());
+  this->Header.Field = field;
+  this->Header.Field.Channels.clear();
+  for (const char* name : { ColorName, DepthName })
+  {
+    if (const Channel* channel = field.FindChannel(name))
+    {
+      this->Header.Field.Channels.push_back(*channel);
+    }
+  }
+  this->Coder.emplace(this->Settings, field, this->Header.Groups);
+  this->Header.Tracks.clear();
+  for (const Track& track : this->Coder->GetTracks())
+  {
+    this->Header.Tracks.push_back(
+      { track, 0, std::vector<std::uint32_t>(this->Header.Groups.size(), 0) });
+  }
+  this->States.assign(this->Header.Tracks.size(), TrackState());
+  this->Manifest = this->MakeManifest(sample);
+  this->ManifestNumber = NumberManifest(this->Manifest);
+}
+
+std::string FieldWriter::MakeManifest(std::uint32_t sample) const
+{
+  const EncodeSettings& settings = this->Settings;
+  const nlohmann::json manifest = { { "version", 3 }, { "cslf", CSLF_VERSION },
+    { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
+    { "libraries", FindLibraries(LibrariesOf(settings.Codec)) },
+    { "description", this->Header.Field.ToJSON() }, { "sample", sample },
+    { "coding", settings.Codec }, { "preset", settings.Preset },
+    { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
+    { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
+    { "group_length", settings.GroupLength }, { "lossless", settings.Lossless },
+    { "target", static_cast<int>(settings.Target.Kind) },
+    { "target_value", settings.Target.Value } };
+  return manifest.dump();
+}
+
+RateField FieldWriter::GetRateField() const
+{
+  const Layout& grid = this->Header.Field.Grid;
+  return { this->Header.Groups, 1.0 * grid.GetStripWidth() * grid.GetResolution(),
+    [this](bool hasCoverage) { return this->GetContainerBytes(hasCoverage); } };
+}
+
+double FieldWriter::GetContainerBytes(bool hasCoverage) const
+{
+  FileHeader header = this->Header;
+  if (!hasCoverage)
+  {
+    header.Tracks.erase(header.Tracks.begin() + 1);
+  }
+  const bool isMP4 = std::string(FindContainer(this->FileName)) == "mp4";
+  const ContainerBytes& bytes = isMP4 ? BytesOfMP4 : BytesOfMatroska;
+  double sum = bytes.File + bytes.Track * static_cast<double>(header.Tracks.size());
+  for (const auto& [name, text] : header.ToTags())
+  {
+    sum += static_cast<double>(text.size());
+  }
+  return sum;
+}
+
+bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& error)
+{
+  for (const auto& [name, text] : this->Header.ToTags())
+  {
+    if (text.size() > MaximumTagBytes)
+    {
+      error = "the description of this number of groups exceeds the 16 MiB that readers accept";
+      return false;
+    }
+  }
+  bool discarded = false;
+  if (!this->Parts.Open(this->Manifest, restart, discarded, error))
+  {
+    return false;
+  }
+  this->HasParts = true;
+  int damaged = 0;
+  this->Missing.clear();
+  for (int group = 0; group < this->GetGroupCount(); ++group)
+  {
+    const Found found = this->FindGroup(group);
+    damaged += found == Found::Damaged ? 1 : 0;
+    if (found != Found::Whole)
+    {
+      this->Missing.push_back(group);
+    }
+  }
+  if (discarded)
+  {
+    warning = "The interrupted run used another field, other settings, another kind of processor "
+              "or other versions of the libraries: what it wrote is discarded.";
+  }
+  else if (damaged > 0)
+  {
+    warning = std::to_string(damaged) +
+      " group(s) of the interrupted run are damaged and are sampled again.";
+  }
+  return true;
+}
+
+bool FieldWriter::IsMissing(int group) const
+{
+  return std::binary_search(this->Missing.begin(), this->Missing.end(), group);
+}
+
+FieldWriter::Found FieldWriter::FindGroup(int group)
+{
+  GroupParts parts(this->Header.Tracks.size());
+  Found found = Found::Whole;
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    const TrackRole role = this->Header.Tracks[track].Kind.Role;
+    std::string ignored;
+    if (!this->Parts.Has(role, group))
+    {
+      found = Found::Missing;
+    }
+    else if (!this->Parts.Read(role, group, parts[track], ignored) ||
+      parts[track].Frames.size() != static_cast<std::size_t>(this->Header.Groups[group]))
+    {
+      return Found::Damaged;
+    }
+  }
+  if (found == Found::Missing)
+  {
+    return found;
+  }
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    std::string ignored;
+    if (!this->Note(track, group, parts[track], ignored))
+    {
+      return Found::Damaged;
+    }
+  }
+  this->Costs[group] = this->GetCost(parts);
+  return Found::Whole;
+}
+
+GroupCost FieldWriter::GetCost(const GroupParts& parts) const
+{
+  GroupCost cost;
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    const bool isCoverage = this->Header.Tracks[track].Kind.Role == TrackRole::Coverage;
+    for (const CodedFrame& frame : parts[track].Frames)
+    {
+      (isCoverage ? cost.CoverageBytes : cost.Bytes) += static_cast<double>(frame.Data.size());
+    }
+    cost.CoveredFully = isCoverage ? parts[track].CoveredFully : cost.CoveredFully;
+  }
+  const std::vector<Track> tracks = this->Coder->GetTracks();
+  const double container =
+    MeasureContainer(this->FileName, tracks, this->Header.Field.Grid.GetResolution(), parts);
+  const double share = 1.0 / static_cast<double>(tracks.size());
+  cost.CoverageBytes += share * container;
+  cost.Bytes += (1.0 - share) * container;
+  cost.SquaredError = parts.front().SquaredError;
+  return cost;
+}
+
+bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& error)
+{
+  for (std::size_t track = 0; track < parts.size(); ++track)
+  {
+    if (!this->Note(track, group, parts[track], error) ||
+      !this->Parts.Write(this->Header.Tracks[track].Kind.Role, group, parts[track], error))
+    {
+      return false;
+    }
+  }
+  this->Costs[group] = this->GetCost(parts);
+  this->Missing.erase(std::find(this->Missing.begin(), this->Missing.end(), group));
+  return true;
+}
+
+bool FieldWriter::Note(std::size_t track, int group, const CodedGroup& part, std::string& error)
+{
+  TrackState& state = this->States[track];
+  CodedTrack& coded = this->Header.Tracks[track];
+  if (state.ParameterSets.empty())
+  {
+    state.ParameterSets = part.ParameterSets;
+    Framing framing;
+    GetBitstream(coded.Kind.Coding)
+      .ReadConfiguration(part.ParameterSets.data(), part.ParameterSets.size(), framing);
+    coded.ParameterSetsCRC = framing.ParameterSetsCRC;
+  }
+  if (part.ParameterSets != state.ParameterSets)
+  {
+    error = "the encoder produced groups that do not fit together";
+    return false;
+  }
+  coded.GroupCRCs[group] = part.CRC;
+  state.CoveredFully = state.CoveredFully && part.CoveredFully;
+  for (std::size_t k = 0; k < part.Frames.size(); ++k)
+  {
+    this->Delay = std::max(this->Delay, static_cast<int>(k) - part.Frames[k].Index);
+  }
+  return true;
+}
+
+void FieldWriter::DropFullCoverage()
+{
+  for (std::size_t track = 0; track < this->States.size(); ++track)
+  {
+    const TrackRole role = this->Header.Tracks[track].Kind.Role;
+    if (role == TrackRole::Coverage && this->States[track].CoveredFully)
+    {
+      this->States.erase(this->States.begin() + static_cast<std::ptrdiff_t>(track));
+      this->Header.Tracks.erase(this->Header.Tracks.begin() + static_cast<std::ptrdiff_t>(track));
+      return;
+    }
+  }
+}
+
+std::vector<std::uint8_t> FieldWriter::Pack(const CodedGroup& part) const
+{
+  return PackPart(part, this->ManifestNumber);
+}
+
+bool FieldWriter::Unpack(std::vector<std::uint8_t> bytes, CodedGroup& part) const
+{
+  return UnpackPart(std::move(bytes), this->ManifestNumber, part);
+}
+
+double FieldWriter::GetStoredBytes() const
+{
+  double bytes = this->GetContainerBytes(true);
+  for (int group = 0; group < this->GetGroupCount(); ++group)
+  {
+    const GroupCost& cost = this->Costs[group];
+    bytes += this->IsMissing(group) ? 0.0 : cost.Bytes + cost.CoverageBytes;
+  }
+  return bytes;
+}
+
+double FieldWriter::GetWantedBytes() const
+{
+  const RateTarget& target = this->Settings.Target;
+  const Layout& grid = this->Header.Field.Grid;
+  const double texels = 1.0 * grid.GetStripWidth() * grid.GetResolution() * grid.GetSlices();
+  switch (target.Kind)
+  {
+    case RateTarget::Kinds::Bytes:
+      return target.Value;
+    case RateTarget::Kinds::Ratio:
+      return RawTexelBytes * texels / target.Value;
+    default:
+      return 0.0;
+  }
+}
+
+bool FieldWriter::HasRoom(std::string& error) const
+{
+  const double stored = this->GetStoredBytes();
+  double frames = 0.0;
+  double missing = 0.0;
+  for (int group = 0; group < this->GetGroupCount(); ++group)
+  {
+    (this->IsMissing(group) ? missing : frames) += this->GetFrames(group);
+  }
+  const double wanted = this->GetWantedBytes();
+  const double rest = wanted > 0.0 ? std::max(0.0, wanted - stored)
+                                   : (frames > 0.0 ? stored / frames * missing : 0.0);
+  // The remaining data is written twice: as parts, and in the file that joins all parts.
+  const double needed = stored + 2.0 * rest;
+  const bool isGuessed = wanted <= 0.0;
+  return cslf::HasRoom(this->Parts.GetFolder(), needed, isGuessed ? stored + rest : needed, error);
+}
+
+int FieldWriter::CountStored() const
+{
+  return this->HasParts ? this->GetGroupCount() - static_cast<int>(this->Missing.size()) : 0;
+}
+
+std::string FieldWriter::DescribeKept(int stored) const
+{
+  return "; " + std::to_string(stored) + " of " + std::to_string(this->GetGroupCount()) +
+    " groups of viewpoints are kept in " + this->Parts.GetFolder() +
+    ", and the next run resumes from them";
+}
+
+bool FieldWriter::Finish(
+  const std::function<bool(double)>& progress, std::string& warning, std::string& error)
+{
+  this->DropFullCoverage();
+  return this->HasRoom(error) && this->Join(progress, error) && this->Parts.Publish(warning, error);
+}
+
+bool FieldWriter::Join(const std::function<bool(double)>& progress, std::string& error)
+{
+  ContainerWriter container;
+  const int resolution = this->Header.Field.Grid.GetResolution();
+  bool good = container.Open(this->Parts.GetWholeName(), this->Header.ToTags(), error);
+  for (std::size_t track = 0; track < this->States.size(); ++track)
+  {
+    good = good &&
+      container.AddTrack(
+        this->Header.Tracks[track].Kind, resolution, this->States[track].ParameterSets, error);
+  }
+  good = good && container.Begin(error);
+  const std::vector<int> starts = this->Header.GetGroupStarts();
+  for (std::size_t group = 0; good && group < this->Header.Groups.size(); ++group)
+  {
+    for (std::size_t track = 0; good && track < this->States.size(); ++track)
+    {
+      CodedGroup part;
+      const int number = static_cast<int>(group);
+      good = this->Parts.Read(this->Header.Tracks[track].Kind.Role, number, part, error) &&
+        container.Write(track, starts[group], this->Delay, part, error);
+    }
+    if (good && !progress(static_cast<double>(group + 1) / this->Header.Groups.size()))
+    {
+      error = "it was stopped";
+      good = false;
+    }
+  }
+  return good && container.End(error);
+}
+}

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Keeps the coded groups of a light field as parts, and joins them to one file.
+ */
+#ifndef cslfFieldWriter_h
+#define cslfFieldWriter_h
+
+#include "Coding/Containers/cslfFileHeader.h"
+#include "Coding/Frames/cslfFrameOrder.h"
+#include "Coding/Groups/cslfGroupCoder.h"
+#include "cslfPartStore.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// Call Begin first. Then the coder codes every group, on any rank. On the rank that writes the
+/// file, call OpenParts, StoreGroup for each group that is missing, and Finish.
+class FieldWriter
+{
+public:
+  FieldWriter(const std::string& fileName, const EncodeSettings& settings);
+
+  /// The number of groups, after Begin.
+  int GetGroupCount() const { return static_cast<int>(this->Header.Groups.size()); }
+
+  /// The number of frames of a group.
+  int GetFrames(int group) const { return this->Header.Groups[group]; }
+
+  /// The slices of some groups in coding order.
+  std::vector<int> GetSlices(const std::vector<int>& groups) const;
+
+  /// Fixes order and tracks. `field` has passed FindFault; `sample` stands for the field's samples.
+  void Begin(const Description& field, std::uint32_t sample);
+
+  /// What the file contains besides the field.
+  void SetParts(const std::vector<FilePart>& parts) { this->Header.Parts = parts; }
+
+  std::size_t GetTrackCount() const { return this->States.size(); }
+
+  /// The coder of the groups, after Begin.
+  const GroupCoder& GetCoder() const { return *this->Coder; }
+
+  /// The data for rate control. The writer must outlive it.
+  RateField GetRateField() const;
+
+  /// About how much the container adds once.
+  double GetContainerBytes(bool hasCoverage) const;
+
+  /// A text of all that the parts depend on.
+  const std::string& GetManifest() const { return this->Manifest; }
+
+  ///@{
+  /// Converts a group's parts to bytes for messages. Both sides have the same manifest.
+  std::vector<std::uint8_t> Pack(const CodedGroup& part) const;
+  bool Unpack(std::vector<std::uint8_t> bytes, CodedGroup& part) const;
+  ///@}
+
+  /// Makes the folder of parts, or takes over that of a killed run, before anything is known of the
+  /// field. On failure returns false and gives the reason.
+  bool ReserveParts(bool restart, std::string& error)
+  {
+    return this->Parts.Reserve(restart, error);
+  }
+
+  /// The path in that folder where data for a restart may be kept.
+  KeptFile GetCacheFile() const { return this->Parts.GetCacheFile(); }
+
+  /// Opens the folder of parts. If `restart` is set, finds the parts that a killed run left there
+  /// under the same manifest. A warning says what is discarded.
+  bool OpenParts(bool restart, std::string& warning, std::string& error);
+
+  /// The groups that are not stored yet, in coding order.
+  const std::vector<int>& GetMissingGroups() const { return this->Missing; }
+  bool IsMissing(int group) const;
+
+  /// The number of stored groups: 0 before OpenParts, and on ranks that do not write the file.
+  int CountStored() const;
+
+  /// The cost of a group's parts.
+  GroupCost GetCost(const GroupParts& parts) const;
+
+  /// Stores a missing group.
+  bool StoreGroup(int group, const GroupParts& parts, std::string& error);
+
+  /// The cost of a stored group.
+  const GroupCost& GetStoredCost(int group) const { return this->Costs[group]; }
+
+  ///@{
+  /// The results of rate control's trials, kept beside the parts of the same manifest. Empty if
+  /// there are none.
+  std::string ReadTrials() const { return this->Parts.ReadTrials(); }
+  bool WriteTrials(const std::string& text, std::string& error) const
+  {
+    return this->Parts.WriteTrials(text, error);
+  }
+  void DropTrials() const { this->Parts.DropTrials(); }
+  ///@}
+
+  /// Whether the disk has enough space for the rest, judged by the target size of the file or by
+  /// the stored groups. Half of an estimate by these is enough. If not, says how much is missing.
+  bool HasRoom(std::string& error) const;
+
+  /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop. A
+  /// warning says what was left beside the file.
+  bool Finish(
+    const std::function<bool(double)>& progress, std::string& warning, std::string& error);
+
+  /// After Begin, also on ranks that do not write the file: the end of the message of a run that
+  /// ends before the file is complete, with that many groups stored.
+  std::string DescribeKept(int stored) const;
+
+private:
+  /// What is known about a track from its groups.
+  struct TrackState
+  {
+    std::vector<std::uint8_t> ParameterSets;
+    bool CoveredFully = true;
+  };
+
+  /// The parts of a group that an earlier run left. A run that is killed while it writes or removes
+  /// a group's parts leaves some of them.
+  enum class Found
+  {
+    Whole,
+    Missing,
+    Damaged
+  };
+
+  std::string MakeManifest(std::uint32_t sample) const;
+  bool Join(const std::function<bool(double)>& progress, std::string& error);
+  double GetStoredBytes() const;
+  double GetWantedBytes() const;
+  Found FindGroup(int group);
+  bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
+  void DropFullCoverage();
+
+  std::string FileName;
+  PartStore Parts;
+  EncodeSettings Settings;
+  FileHeader Header;
+  std::optional<GroupCoder> Coder;
+  std::vector<TrackState> States; ///< one for each of the header's tracks
+  int Delay = 0; ///< the maximum number of frames by which decoding runs ahead of presentation
+  std::string Manifest;
+  std::uint32_t ManifestNumber = 0;
+  bool HasParts = false;
+  std::vector<int> Missing;
+  std::vector<GroupCost> Costs; ///< of each group that is stored
+};
+}
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfEnvironment.h"
+
+#include "PathTracing/Materials/cslfImageCurve.h"
+#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "cslfColor.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <glm/geometric.hpp>
+
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// The integral of the interpolated image over each pixel, times the pixel's solid angle. It is
+/// above 0 wherever the image is.
+std::vector<double> MakeImportance(const EnvironmentImage& image)
+{
+  const int width = image.Width;
+  const int height = image.Height;
+  const auto luminance = [&](int x, int y)
+  {
+    const int row = std::clamp(y, 0, height - 1);
+    const int column = (x + width) % width;
+    return double(Luminance(image.Pixels[std::size_t(row) * width + column]));
+  };
+  constexpr double kernel[3] = { 0.125, 0.75, 0.125 };
+  std::vector<double> weights(image.Pixels.size(), 0.0);
+  for (int y = 0; y < height; ++y)
+  {
+    const double solidAngle = std::cos(Pi * y / height) - std::cos(Pi * (y + 1) / height);
+    for (int x = 0; x < width; ++x)
+    {
+      double sum = 0.0;
+      for (int j = 0; j < 3; ++j)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          sum += kernel[i] * kernel[j] * luminance(x + i - 1, y + j - 1);
+        }
+      }
+      weights[std::size_t(y) * width + x] = sum * solidAngle;
+    }
+  }
+  return weights;
+}
+
+/// Whether no component is NaN.
+bool IsDirection(const glm::vec3& direction)
+{
+  return std::isfinite(direction.x + direction.y + direction.z);
+}
+}
+
+EnvironmentAxes EnvironmentAxes::FromUp(const glm::dvec3& up)
+{
+  const glm::dvec3 unit = glm::normalize(up);
+  glm::dvec3 right = glm::dvec3(1.0, 0.0, 0.0) - unit.x * unit;
+  if (glm::length(right) < 1e-6)
+  {
+    right = glm::dvec3(0.0, 0.0, 1.0) - unit.z * unit;
+  }
+  right = glm::normalize(right);
+  return { glm::vec3(right), glm::vec3(unit), glm::vec3(glm::cross(right, unit)) };
+}
+
+bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, std::string& error)
+{
+  const auto input = OIIO::ImageInput::open(fileName);
+  if (!input)
+  {
+    error = "The environment image \"" + fileName + "\" cannot be read: " + OIIO::geterror();
+    return false;
+  }
+  const OIIO::ImageSpec spec = input->spec();
+  const std::size_t count = std::size_t(std::max(spec.width, 0)) * std::max(spec.height, 0);
+  std::vector<float> values(count * std::max(spec.nchannels, 0));
+  if (values.empty() ||
+    !input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+  {
+    error = "The environment image \"" + fileName + "\" cannot be read: " + input->geterror();
+    return false;
+  }
+  image.Width = spec.width;
+  image.Height = spec.height;
+  image.Pixels.resize(count);
+  const ImageCurve curve(
+    spec.get_string_attribute("oiio:ColorSpace"), spec.format.is_floating_point());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const float value = values[i * spec.nchannels + (spec.nchannels >= 3 ? c : 0)];
+      const auto linear = static_cast<float>(curve.ToLinear(value));
+      image.Pixels[i][c] = std::isfinite(linear) ? std::max(linear, 0.0f) : 0.0f;
+    }
+  }
+  return true;
+}
+
+Environment::Environment(const glm::vec3& bottom, const glm::vec3& top, const EnvironmentAxes& axes)
+  : Gradient{ bottom, top, axes.Up }
+  , Axes(axes)
+{
+}
+
+Environment::Environment(EnvironmentImage image, float intensity, const EnvironmentAxes& axes)
+  : Axes(axes)
+  , Image(std::move(image))
+{
+  for (glm::vec3& pixel : this->Image.Pixels)
+  {
+    pixel *= intensity;
+  }
+  this->Importance =
+    Distribution2D(MakeImportance(this->Image), this->Image.Width, this->Image.Height);
+}
+
+glm::vec2 Environment::ToImage(const glm::vec3& direction) const
+{
+  const float x = glm::dot(direction, this->Axes.Right);
+  const float y = glm::dot(direction, this->Axes.Up);
+  const float z = glm::dot(direction, this->Axes.Front);
+  return { std::atan2(z, x) * 0.5f * InversePi + 0.5f,
+    std::acos(std::clamp(y, -1.0f, 1.0f)) * InversePi };
+}
+
+glm::vec3 Environment::Interpolate(const glm::vec2& point) const
+{
+  const float x = point.x * static_cast<float>(this->Image.Width) - 0.5f;
+  const float y = point.y * static_cast<float>(this->Image.Height) - 0.5f;
+  const int column = static_cast<int>(std::floor(x));
+  const int row = static_cast<int>(std::floor(y));
+  const float weightX = x - static_cast<float>(column);
+  const float weightY = y - static_cast<float>(row);
+  const auto pixel = [this](int i, int j) -> const glm::vec3&
+  {
+    const int wrapped = (i + this->Image.Width) % this->Image.Width;
+    const int clamped = std::clamp(j, 0, this->Image.Height - 1);
+    return this->Image.Pixels[std::size_t(clamped) * this->Image.Width + wrapped];
+  };
+  return (1.0f - weightY) *
+    ((1.0f - weightX) * pixel(column, row) + weightX * pixel(column + 1, row)) +
+    weightY * ((1.0f - weightX) * pixel(column, row + 1) + weightX * pixel(column + 1, row + 1));
+}
+
+glm::vec3 Environment::GetRadiance(const glm::vec3& direction) const
+{
+  if (!IsDirection(direction))
+  {
+    return glm::vec3(0.0f);
+  }
+  if (this->Image.Pixels.empty())
+  {
+    return this->Gradient.Get(direction);
+  }
+  return this->Interpolate(this->ToImage(direction));
+}
+
+LightSample Environment::Sample(const glm::vec2& u) const
+{
+  float pdf = 0.0f;
+  const glm::vec2 point = this->Importance.Sample(u, pdf);
+  const float azimuth = (point.x - 0.5f) * 2.0f * Pi;
+  const float sine = std::sin(Pi * point.y);
+  LightSample sample;
+  if (sine > 0.0f)
+  {
+    sample.Direction = sine * std::cos(azimuth) * this->Axes.Right +
+      std::cos(Pi * point.y) * this->Axes.Up + sine * std::sin(azimuth) * this->Axes.Front;
+    sample.Radiance = this->Interpolate(point);
+    sample.Pdf = pdf / (2.0f * Pi * Pi * sine);
+  }
+  return sample;
+}
+
+float Environment::Pdf(const glm::vec3& direction) const
+{
+  if (!IsDirection(direction))
+  {
+    return 0.0f;
+  }
+  const glm::vec2 point = this->ToImage(direction);
+  const float sine = std::sin(Pi * point.y);
+  return sine > 0.0f ? this->Importance.GetPdf(point) / (2.0f * Pi * Pi * sine) : 0.0f;
+}
+}

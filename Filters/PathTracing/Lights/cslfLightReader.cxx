@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfLightReader.h"
+
+#include "PathTracing/Shapes/cslfTriangles.h"
+#include "vtkCSLFLight.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cslf
+{
+namespace
+{
+glm::dvec3 GetTuple3(vtkDataArray* array, vtkIdType index)
+{
+  double tuple[3];
+  array->GetTuple(index, tuple);
+  return { tuple[0], tuple[1], tuple[2] };
+}
+
+/// Whether irradiance is finite everywhere except at the light.
+bool IsAttenuation(const glm::dvec3& attenuation, double exponent)
+{
+  return IsFinite(attenuation) && std::isfinite(exponent) && exponent >= 0.0 &&
+    attenuation.x >= 0.0 && attenuation.y >= 0.0 && attenuation.z >= 0.0 &&
+    attenuation != glm::dvec3(0.0);
+}
+
+bool IsDirection(const glm::dvec3& vector)
+{
+  return IsFinite(vector) && glm::length(vector) > 0.0;
+}
+}
+
+void LightReader::Add(vtkDataObject* data)
+{
+  if (data)
+  {
+    this->ReadDirectional(data);
+    this->ReadPoints(data);
+    this->ReadSpots(data);
+  }
+}
+
+void LightReader::BeginRank()
+{
+  this->Directional.Begins.push_back(this->Directional.Lights.size());
+  this->Points.Begins.push_back(this->Points.Lights.size());
+}
+
+void LightReader::Join()
+{
+  this->Directional.Join();
+  this->Points.Join();
+}
+
+void LightReader::LightList::Join()
+{
+  const auto isLess = [](const Light& a, const Light& b)
+  { return a.GetNumbers() < b.GetNumbers(); };
+  using Counts = std::map<Light, int, decltype(isLess)>;
+  Counts most(isLess);
+  std::size_t first = 0;
+  this->Begins.push_back(this->Lights.size());
+  for (const std::size_t end : this->Begins)
+  {
+    Counts counts(isLess);
+    for (; first < end; ++first)
+    {
+      ++counts[this->Lights[first]];
+    }
+    for (const auto& [light, count] : counts)
+    {
+      int& known = most[light];
+      known = std::max(known, count);
+    }
+  }
+  this->Lights.clear();
+  this->Begins.clear();
+  for (const auto& [light, count] : most)
+  {
+    this->Lights.insert(this->Lights.end(), count, light);
+  }
+}
+
+bool LightReader::ReadAttenuations(
+  vtkDataObject* data, const char* name, std::vector<Light>& lights)
+{
+  vtkDataArray* attenuations = data->GetFieldData()->GetArray(name);
+  if (!attenuations)
+  {
+    return true;
+  }
+  if (attenuations->GetNumberOfComponents() != 4 ||
+    attenuations->GetNumberOfTuples() != static_cast<vtkIdType>(lights.size()))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    double tuple[4];
+    attenuations->GetTuple(static_cast<vtkIdType>(i), tuple);
+    lights[i].Attenuation = { tuple[0], tuple[1], tuple[2] };
+    lights[i].AttenuationExponent = tuple[3];
+  }
+  return true;
+}
+
+bool LightReader::ReadCones(vtkDataObject* data, std::vector<Light>& spots)
+{
+  vtkDataArray* axes = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightDirection());
+  vtkDataArray* cones = data->GetFieldData()->GetArray(vtkCSLFLight::SpotLightCone());
+  const auto count = static_cast<vtkIdType>(spots.size());
+  if (!axes || !cones || axes->GetNumberOfComponents() != 3 ||
+    cones->GetNumberOfComponents() != 2 || axes->GetNumberOfTuples() != count ||
+    cones->GetNumberOfTuples() != count)
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    spots[i].Axis = GetTuple3(axes, i);
+    spots[i].ConeAngle = cones->GetComponent(i, 0);
+    spots[i].Exponent = cones->GetComponent(i, 1);
+  }
+  return true;
+}
+
+void LightReader::ReadDirectional(vtkDataObject* data)
+{
+  for (const Light& light : this->Read(data, vtkCSLFLight::DirectionalLightDirection(),
+         vtkCSLFLight::DirectionalLightIrradiance()))
+  {
+    this->AddIf(IsDirection(light.Place), light, this->Directional);
+  }
+}
+
+void LightReader::ReadPoints(vtkDataObject* data)
+{
+  std::vector<Light> points =
+    this->Read(data, vtkCSLFLight::PointLightPosition(), vtkCSLFLight::PointLightIntensity());
+  const bool match = ReadAttenuations(data, vtkCSLFLight::PointLightAttenuation(), points);
+  for (const Light& light : points)
+  {
+    this->AddIf(match, light, this->Points);
+  }
+}
+
+void LightReader::ReadSpots(vtkDataObject* data)
+{
+  std::vector<Light> spots =
+    this->Read(data, vtkCSLFLight::SpotLightPosition(), vtkCSLFLight::SpotLightIntensity());
+  const bool match =
+    ReadCones(data, spots) && ReadAttenuations(data, vtkCSLFLight::SpotLightAttenuation(), spots);
+  for (const Light& light : spots)
+  {
+    this->AddIf(match && IsDirection(light.Axis) && light.ConeAngle >= 0.0 && light.Exponent >= 0.0,
+      light, this->Points);
+  }
+}
+
+std::vector<LightReader::Light> LightReader::Read(
+  vtkDataObject* data, const char* places, const char* powers)
+{
+  std::vector<Light> lights;
+  vtkDataArray* place = data->GetFieldData()->GetArray(places);
+  vtkDataArray* power = data->GetFieldData()->GetArray(powers);
+  if (!data->GetFieldData()->HasArray(places) && !data->GetFieldData()->HasArray(powers))
+  {
+    return lights;
+  }
+  if (!place || !power || place->GetNumberOfComponents() != 3 ||
+    power->GetNumberOfComponents() != 3 || place->GetNumberOfTuples() != power->GetNumberOfTuples())
+  {
+    ++this->Rejected;
+    return lights;
+  }
+  for (vtkIdType i = 0; i < place->GetNumberOfTuples(); ++i)
+  {
+    lights.push_back({ GetTuple3(place, i), GetTuple3(power, i) });
+  }
+  return lights;
+}
+
+void LightReader::AddIf(bool usable, Light light, LightList& list)
+{
+  light.Power = glm::max(light.Power, 0.0);
+  if (usable && IsFinite(light.Place) && IsFinite(light.Power) &&
+    IsAttenuation(light.Attenuation, light.AttenuationExponent))
+  {
+    list.Lights.push_back(light);
+  }
+  else
+  {
+    ++this->Rejected;
+  }
+}
+
+void LightReader::MoveTo(LightSet& lights, const SceneFrame& frame) const
+{
+  for (const Light& light : this->Directional.Lights)
+  {
+    lights.Directional.push_back({ glm::normalize(light.Place), light.Power });
+  }
+  for (const Light& light : this->Points.Lights)
+  {
+    // Distances are in scene space, so they are divided by the scene's radius. The polynomial is
+    // divided by its largest coefficient, so that it fits in floats.
+    const glm::dvec3 inScene =
+      light.Attenuation * glm::dvec3(1.0, frame.Radius, frame.Radius * frame.Radius);
+    const double largest = std::max({ inScene.x, inScene.y, inScene.z });
+    PointLight point{ frame.PointToScene(light.Place),
+      light.Power / std::pow(largest, light.AttenuationExponent) };
+    point.Attenuation = inScene / largest;
+    point.AttenuationExponent = static_cast<float>(light.AttenuationExponent);
+    if (light.Axis != glm::dvec3(0.0))
+    {
+      point.Axis = glm::normalize(light.Axis);
+      point.ConeCosine =
+        static_cast<float>(std::cos(glm::radians(std::min(light.ConeAngle, 180.0))));
+      point.Exponent = static_cast<float>(light.Exponent);
+    }
+    lights.Points.push_back(point);
+  }
+}
+}

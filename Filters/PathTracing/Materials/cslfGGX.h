@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reflection by the microfacets of Trowbridge and Reitz (GGX): Walter et al., "Microfacet Models
+ * for Refraction through Rough Surfaces", EGSR 2007. Directions are local, z being the normal, and
+ * both point away from the surface.
+ */
+#ifndef cslfGGX_h
+#define cslfGGX_h
+
+#include "PathTracing/RandomNumbers/cslfSampling.h"
+
+#include <glm/geometric.hpp>
+
+namespace cslf
+{
+class GGX
+{
+public:
+  /// `alpha` is the square of the perceptual roughness, as in glTF 2.0, appendix B.
+  explicit GGX(float alpha)
+    : Alpha(alpha)
+  {
+  }
+
+  /// The density of facet normals.
+  float Density(const glm::vec3& normal) const
+  {
+    const float x = normal.x / this->Alpha;
+    const float y = normal.y / this->Alpha;
+    const float d = x * x + y * y + normal.z * normal.z;
+    return InversePi / (this->Alpha * this->Alpha * d * d);
+  }
+
+  /// Smith's masking of one direction.
+  float Masking(const glm::vec3& direction) const
+  {
+    return 1.0f / (1.0f + this->Lambda(direction));
+  }
+
+  /// Smith's masking and shadowing, correlated by height (Heitz, JCGT 3(2), 2014).
+  float MaskingShadowing(const glm::vec3& outgoing, const glm::vec3& incident) const
+  {
+    return 1.0f / (1.0f + this->Lambda(outgoing) + this->Lambda(incident));
+  }
+
+  /// The BSDF without its Fresnel factor, times the cosine at the incident direction.
+  float EvaluateCosine(const glm::vec3& outgoing, const glm::vec3& incident) const
+  {
+    if (!(outgoing.z > 0.0f) || !(incident.z > 0.0f))
+    {
+      return 0.0f;
+    }
+    const glm::vec3 half = glm::normalize(outgoing + incident);
+    return this->Density(half) * this->MaskingShadowing(outgoing, incident) / (4.0f * outgoing.z);
+  }
+
+  /// The density of Sample.
+  float Pdf(const glm::vec3& outgoing, const glm::vec3& incident) const
+  {
+    if (!(outgoing.z > 0.0f) || !(incident.z > 0.0f))
+    {
+      return 0.0f;
+    }
+    const glm::vec3 half = glm::normalize(outgoing + incident);
+    return this->Density(half) * this->Masking(outgoing) / (4.0f * outgoing.z);
+  }
+
+  /// The density of the normals of those facets that are seen from the outgoing direction.
+  float VisibleDensity(const glm::vec3& outgoing, const glm::vec3& normal) const
+  {
+    return this->Density(normal) * this->Masking(outgoing) *
+      std::max(0.0f, glm::dot(outgoing, normal)) / outgoing.z;
+  }
+
+  /// The outgoing direction mirrored by one of the facets it sees. May lie below the surface.
+  glm::vec3 Sample(const glm::vec3& outgoing, const glm::vec2& u) const
+  {
+    const glm::vec3 facet = this->SampleFacet(outgoing, u);
+    return 2.0f * glm::dot(outgoing, facet) * facet - outgoing;
+  }
+
+  /// The normal of a facet, with VisibleDensity (Dupuy and Benyoub, "Sampling Visible GGX Normals
+  /// with Spherical Caps", HPG 2023).
+  glm::vec3 SampleFacet(const glm::vec3& outgoing, const glm::vec2& u) const
+  {
+    const glm::vec3 stretched =
+      glm::normalize(glm::vec3(this->Alpha * outgoing.x, this->Alpha * outgoing.y, outgoing.z));
+    float sine = 0.0f;
+    float cosine = 0.0f;
+    SinCosOfTurn(u.x, sine, cosine);
+    const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    const float radius = std::sqrt(std::clamp(1.0f - z * z, 0.0f, 1.0f));
+    const glm::vec3 cap = glm::vec3(radius * cosine, radius * sine, z) + stretched;
+    return glm::normalize(
+      glm::vec3(this->Alpha * cap.x, this->Alpha * cap.y, std::max(cap.z, 1e-7f)));
+  }
+
+private:
+  float Lambda(const glm::vec3& direction) const
+  {
+    const float z2 = direction.z * direction.z;
+    const float tangent2 = std::max(0.0f, 1.0f - z2) / std::max(z2, 1e-12f);
+    return 0.5f * (std::sqrt(1.0f + this->Alpha * this->Alpha * tangent2) - 1.0f);
+  }
+
+  float Alpha;
+};
+}
+
+#endif

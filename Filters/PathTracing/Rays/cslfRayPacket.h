@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Single rays and packets of rays, and their hits.
+ */
+#ifndef cslfRayPacket_h
+#define cslfRayPacket_h
+
+#include "PathTracing/Shapes/cslfMesh.h"
+#include "cslfEmbree.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+
+namespace cslf
+{
+/// A half line in scene space.
+struct Ray
+{
+  glm::vec3 Origin{ 0.0f };
+  glm::vec3 Direction{ 0.0f, 0.0f, 1.0f }; ///< of unit length
+};
+
+/// The first hit of a ray on a triangle, a sphere or a tube.
+struct Hit
+{
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  float Distance = 0.0f;
+  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex
+  float V = 0.0f; ///< and of the third
+  std::uint32_t Mesh = None;
+  std::uint32_t Triangle = None;
+  std::uint32_t Instance = None; ///< of the mesh, if it has any
+  bool Back = false;       ///< whether the ray comes from the side where the vertices run clockwise
+  glm::vec3 Front{ 0.0f }; ///< a mesh's own normal of any length; 0 if unknown
+
+  bool IsValid() const { return this->Mesh != None; }
+  TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V, this->Instance }; }
+};
+
+/// Rays that are traced together, in Embree's layout.
+struct RayPacket
+{
+  static constexpr int Size = 16;
+
+  RTCRayHit16 Query; ///< of each ray its origin, its direction of unit length, and what it hit
+
+  alignas(64) int Active[Size]; ///< -1 for rays, else 0
+
+  /// Whether surfaces count exactly where their opacity is at least one half. Used for depths, so
+  /// that they do not depend on chance.
+  bool PassByHalf = false;
+
+  /// Whether Scene::Intersect met a surface that rays pass at random.
+  bool MeetsVeils = false;
+
+  Ray GetRay(int lane) const
+  {
+    const RTCRay16& ray = this->Query.ray;
+    return { { ray.org_x[lane], ray.org_y[lane], ray.org_z[lane] },
+      { ray.dir_x[lane], ray.dir_y[lane], ray.dir_z[lane] } };
+  }
+
+  void SetRay(int lane, const Ray& ray)
+  {
+    this->Query.ray.org_x[lane] = ray.Origin.x;
+    this->Query.ray.org_y[lane] = ray.Origin.y;
+    this->Query.ray.org_z[lane] = ray.Origin.z;
+    this->Query.ray.dir_x[lane] = ray.Direction.x;
+    this->Query.ray.dir_y[lane] = ray.Direction.y;
+    this->Query.ray.dir_z[lane] = ray.Direction.z;
+  }
+
+  /// Whether Scene::Intersect found something.
+  bool IsHit(int lane) const { return this->Query.hit.geomID[lane] != Hit::None; }
+
+  Hit GetHit(int lane) const
+  {
+    static_assert(Hit::None == RTC_INVALID_GEOMETRY_ID, "hits of nothing are told alike");
+    const RTCHit16& hit = this->Query.hit;
+    const RTCRay16& ray = this->Query.ray;
+    const float away = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] +
+      hit.Ng_z[lane] * ray.dir_z[lane];
+    return { ray.tfar[lane], hit.u[lane], hit.v[lane], hit.geomID[lane], hit.primID[lane],
+      hit.instID[0][lane], away > 0.0f, { hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane] } };
+  }
+};
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The traced scene: triangles, materials and lights, in a space where the bounding sphere is the
+ * unit sphere, so that floats are precise enough for scenes of any position and size.
+ */
+#ifndef cslfScene_h
+#define cslfScene_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/Lights/cslfDirectionalLight.h"
+#include "PathTracing/Lights/cslfEnvironment.h"
+#include "PathTracing/Lights/cslfLocalLights.h"
+#include "PathTracing/Lights/cslfPointLight.h"
+#include "PathTracing/Rays/cslfRayPacket.h"
+#include "PathTracing/Shapes/cslfBox.h"
+#include "PathTracing/Shapes/cslfMesh.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+struct HitLanes;
+struct RayLanes;
+struct ShadowLanes;
+
+/// A surface point as seen by a ray.
+struct SurfaceHit
+{
+  glm::vec3 GeometricNormal; ///< on the side the ray comes from
+  glm::vec3 ShadingNormal;   ///< on that side too, and facing the ray
+  glm::vec3 LeavePosition; ///< the origin of rays that leave on that side: a little off the surface
+  glm::vec3 PassPosition;  ///< the origin of rays that leave on the other side
+  bool Inside;             ///< whether the ray comes from behind: its triangle is clockwise
+  glm::vec3 BaseColor;
+  float Metallic;
+  float Alpha;
+  glm::vec3 Emission;
+  const SurfaceMaterial* Material;
+
+  /// The origin of rays that leave at a cosine to the shading normal.
+  const glm::vec3& GetStart(float cosine) const
+  {
+    return cosine < 0.0f ? this->PassPosition : this->LeavePosition;
+  }
+
+  /// The receiver of light samples: both sides of a surface that transmits light.
+  LightReceiver GetReceiver() const
+  {
+    return { this->LeavePosition,
+      this->Material->Transmission > 0.0f ? glm::vec3(0.0f) : this->ShadingNormal };
+  }
+
+  MaterialPoint GetMaterialPoint() const
+  {
+    return { this->BaseColor, this->Metallic, this->Alpha };
+  }
+};
+
+/// The similarity between world and scene space.
+struct SceneFrame
+{
+  glm::dvec3 Center{ 0.0 };
+  double Radius = 1.0;
+
+  glm::dvec3 PointToScene(const glm::dvec3& pointWC) const
+  {
+    return (pointWC - this->Center) / this->Radius;
+  }
+  glm::dvec3 VectorToScene(const glm::dvec3& vectorWC) const { return vectorWC / this->Radius; }
+};
+
+/// The lights other than emissive surfaces.
+struct LightSet
+{
+  Environment Surroundings;
+  std::vector<DirectionalLight> Directional;
+  std::vector<PointLight> Points;
+};
+
+class VTKCSLF_EXPORT Scene
+{
+public:
+  /// Builds the acceleration structure. Vertices must be finite.
+  Scene(std::vector<Mesh> meshes, LightSet lights);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// The error of the construction; empty if there was none.
+  const std::string& GetError() const { return this->Error; }
+
+  Hit Intersect(const Ray& ray) const;
+  void Intersect(RayPacket& packet) const;
+
+  /// The first hits of incoherent rays.
+  void Intersect(const RayLanes& rays, HitLanes& hits) const;
+
+  /// The share of each light that passes all surfaces on the way. The light's own surface does not
+  /// count. Partly opaque surfaces attenuate; glass and all other surfaces block.
+  void FindTransmittances(ShadowLanes& shadows) const;
+
+  SurfaceHit GetSurface(const Ray& ray, const Hit& hit) const;
+
+  /// The surface as seen along its normal, from the side of the hit.
+  SurfaceHit GetSurface(const Hit& hit) const;
+
+  glm::vec3 GetBaseColor(const Hit& hit) const
+  {
+    return this->Meshes[hit.Mesh].GetBaseColor(hit.GetPlace());
+  }
+
+  const std::vector<Mesh>& GetMeshes() const { return this->Meshes; }
+
+  /// The box around all surfaces; empty if there are none.
+  Box GetBounds() const;
+
+  /// The number of a triangle among those of all meshes that can have a lattice.
+  std::size_t GetTriangleIndex(std::uint32_t mesh, std::uint32_t triangle) const
+  {
+    return this->FirstTriangles[mesh] + triangle;
+  }
+
+  const Environment& GetEnvironment() const { return this->Lights.Surroundings; }
+  const std::vector<DirectionalLight>& GetDirectionalLights() const
+  {
+    return this->Lights.Directional;
+  }
+  const std::vector<PointLight>& GetPointLights() const { return this->Lights.Points; }
+  const LocalLights& GetLocalLights() const { return this->Locals; }
+
+private:
+  struct Acceleration;
+
+  void FindInstances(HitLanes& hits) const;
+  std::uint32_t GetInstance(std::uint32_t mesh, std::uint32_t geometry) const;
+
+  std::vector<Mesh> Meshes;
+  std::vector<std::size_t> FirstTriangles; // of each mesh
+  LightSet Lights;
+  LocalLights Locals;
+  std::string Error;
+  std::unique_ptr<Acceleration> Tree;
+  bool Small = false; // trace rays to the same octant together, wherever they start
+};
+}
+
+#endif

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSceneBuilder.h"
+
+#include "PathTracing/Lights/cslfEnvironmentReader.h"
+#include "PathTracing/Lights/cslfLightReader.h"
+#include "PathTracing/Materials/cslfDisplayedColor.h"
+#include "PathTracing/Materials/cslfMaterialProblems.h"
+#include "PathTracing/Materials/cslfSurfaceColors.h"
+#include "PathTracing/Materials/cslfTextureReader.h"
+#include "PathTracing/Shapes/cslfMeshJoin.h"
+#include "PathTracing/Shapes/cslfMeshMaker.h"
+#include "PathTracing/Shapes/cslfTriangles.h"
+#include "cslfColor.h"
+#include "cslfFingerprint.h"
+#include "cslfOldNames.h"
+#include "cslfSceneBlock.h"
+#include "cslfSoundPolyData.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// The default radius of lines and vertices, in diagonals of the scene's bounding box.
+constexpr double StandardRadius = 0.0005;
+
+/// Warnings for the user, each given once.
+struct Omissions
+{
+  vtkIdType Triangles = 0;
+  vtkIdType Round = 0;
+  vtkIdType WithoutRadius = 0;
+  vtkIdType RoundGlass = 0;
+  vtkIdType InstanceArrays = 0;
+  vtkIdType Instances = 0;
+  vtkIdType Lights = 0;
+  vtkIdType Environments = 0;
+  vtkIdType Textures = 0;
+  std::set<std::string> Unsound; ///< cells that would be read out of bounds
+  std::set<std::string> DataTypes;
+  OldNames Old;
+  MaterialProblems Materials;
+
+  std::string ToText() const
+  {
+    std::string text = this->ListOmitted();
+    for (const std::string& more : { this->Old.ToText(), this->Materials.ToText() })
+    {
+      text += (text.empty() || more.empty() ? "" : " ") + more;
+    }
+    return text;
+  }
+
+private:
+  std::string ListOmitted() const
+  {
+    std::string text;
+    const auto add = [&text](bool present, const std::string& what)
+    {
+      if (present)
+      {
+        text += (text.empty() ? "Parts of the scene were left out: " : ", ") + what;
+      }
+    };
+    const auto count = [&add](vtkIdType number, const char* what)
+    { add(number > 0, std::to_string(number) + " " + what); };
+    count(this->Triangles, "polygon(s) with coordinates that are not finite");
+    count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
+    count(this->WithoutRadius, "sphere(s) or part(s) of lines with a radius of 0");
+    count(this->RoundGlass, "block(s)' transmission of lines or vertices");
+    count(this->InstanceArrays, "block(s)' instances with arrays that do not match");
+    count(this->Instances, "instance(s) with matrices that are not finite or not affine");
+    count(this->Lights, "light(s) with arrays that do not match or invalid values");
+    count(this->Environments, "environment(s) with arrays that do not match or are not finite");
+    count(this->Textures, "block(s)' textures because of missing texture coordinates");
+    for (const std::string& what : this->Unsound)
+    {
+      add(true, what);
+    }
+    for (const std::string& type : this->DataTypes)
+    {
+      add(true, "data of type " + type);
+    }
+    return text.empty() ? text : text + ".";
+  }
+};
+
+VisibleSides ReadSides(vtkDataObject* material)
+{
+  switch (vtkCSLFMaterial::GetVisibleSides(material))
+  {
+    case vtkCSLFMaterial::FrontSide:
+      return VisibleSides::Front;
+    case vtkCSLFMaterial::BackSide:
+      return VisibleSides::Back;
+    default:
+      return VisibleSides::Both;
+  }
+}
+
+class Builder
+{
+public:
+  explicit Builder(const SceneOptions& options)
+    : Options(options)
+    , Colors(options.LookupTable)
+  {
+  }
+
+  BuiltScene Build(const std::vector<vtkDataObject*>& inputs)
+  {
+    const std::vector<int>& ranks = this->Options.Ranks;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+    {
+      if (i > 0 && i < ranks.size() && ranks[i] != ranks[i - 1])
+      {
+        this->Lights.BeginRank();
+      }
+      this->AddInput(inputs[i]);
+    }
+    if (this->Options.InPieces)
+    {
+      this->Lights.Join();
+    }
+    this->Omitted.Lights = this->Lights.GetNumberOfRejected();
+    this->SetRadii();
+    BuiltScene built;
+    if (!(this->Lower.x <= this->Upper.x))
+    {
+      return this->Finish(std::move(built), {}, {});
+    }
+    built.Frame = { 0.5 * (this->Lower + this->Upper),
+      0.5 * glm::length(this->Upper - this->Lower) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      built.Bounds[2 * axis] = this->Lower[axis];
+      built.Bounds[2 * axis + 1] = this->Upper[axis];
+    }
+    LightSet lights;
+    lights.Surroundings = this->Surroundings.value_or(this->Options.Surroundings);
+    built.HasEnvironment = this->Surroundings.has_value();
+    this->Lights.MoveTo(lights, built.Frame);
+    std::vector<Mesh> meshes = this->MakeMeshes(built.Frame);
+    return this->Finish(std::move(built), std::move(meshes), std::move(lights));
+  }
+
+private:
+  void AddLights(vtkDataObject* data)
+  {
+    this->Lights.Add(data);
+    Environment environment;
+    if (!this->Surroundings && HasEnvironment(data))
+    {
+      if (ReadEnvironment(data, environment))
+      {
+        this->Surroundings = std::move(environment);
+      }
+      else
+      {
+        ++this->Omitted.Environments;
+      }
+    }
+  }
+
+  void AddInput(vtkDataObject* data)
+  {
+    const vtkSmartPointer<vtkDataObject> input = RenameOldArrays(data, this->Omitted.Old);
+    this->AddLights(input);
+    auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+    if (!composite)
+    {
+      this->AddLeaf(input, input);
+      return;
+    }
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      const vtkSmartPointer<vtkDataObject> part =
+        RenameOldArrays(leaf->GetCurrentDataObject(), this->Omitted.Old);
+      this->AddLights(part);
+      this->AddLeaf(part, input);
+    }
+  }
+
+  void AddLeaf(vtkDataObject* leaf, vtkDataObject* root)
+  {
+    if (auto* data = vtkPolyData::SafeDownCast(leaf))
+    {
+      const SoundPolyData sound = MakeSound(data);
+      sound.AddRemoved(this->Omitted.Unsound);
+      this->AddPolyData(sound.Data, root);
+    }
+    else if (leaf)
+    {
+      this->Omitted.DataTypes.insert(leaf->GetClassName());
+    }
+  }
+
+  void AddPolyData(vtkPolyData* data, vtkDataObject* root)
+  {
+    const InstanceSelection instances = SelectInstances(data);
+    this->Omitted.InstanceArrays += instances.IsBroken ? 1 : 0;
+    this->Omitted.Instances += instances.Removed;
+    if (data->GetNumberOfCells() == 0 || instances.IsBroken ||
+      (instances.IsPresent && instances.Places.empty()))
+    {
+      return;
+    }
+    SceneBlock block;
+    block.Data = data;
+    block.Instances = instances.Places;
+    this->ReadMaterial(data, root, block);
+    this->CheckTextures(block);
+    this->AddTriangles(data, block);
+    this->AddRound(data, block);
+  }
+
+  void AddTriangles(vtkPolyData* data, SceneBlock block)
+  {
+    TriangleSelection triangles = SelectTriangles(data);
+    this->Omitted.Triangles += triangles.Removed;
+    if (!triangles.Cells.empty())
+    {
+      block.Data = triangles.Surface;
+      block.Triangles = std::move(triangles.Cells);
+      this->AddBlock(std::move(block));
+    }
+  }
+
+  /// Vertices and lines.
+  void AddRound(vtkPolyData* data, const SceneBlock& block)
+  {
+    for (const Mesh::Shapes shape : { Mesh::Shapes::Spheres, Mesh::Shapes::Tubes })
+    {
+      RoundSelection round = SelectRound(data, shape);
+      this->Omitted.Round += round.Removed;
+      if (!round.Parts.empty())
+      {
+        SceneBlock roundBlock = block;
+        roundBlock.Shape = shape;
+        roundBlock.Round = std::move(round.Parts);
+        this->AddRoundBlock(std::move(roundBlock));
+      }
+    }
+  }
+
+  void AddRoundBlock(SceneBlock block)
+  {
+    this->Omitted.RoundGlass += block.Material.Transmission > 0.0f ? 1 : 0;
+    block.Material.Transmission = 0.0f;
+    block.Material.Sides = VisibleSides::Both;
+    block.Textures.Normal = nullptr;
+    block.StandardRadius =
+      block.Shape == Mesh::Shapes::Tubes ? block.LineRadius : block.PointRadius;
+    this->AddBlock(std::move(block));
+  }
+
+  void AddBlock(SceneBlock block)
+  {
+    block.Scalars = this->Options.FindScalars(block.Data, block.ScalarsOfCells);
+    if (block.Scalars && !this->Colors.CanMap(block.Scalars))
+    {
+      this->Omitted.Unsound.insert("colors of a lookup table without values");
+      block.Scalars = nullptr;
+    }
+    if (block.Scalars)
+    {
+      this->Colors.AddToRange(block.Scalars);
+    }
+    block.AddTo(this->Lower, this->Upper, 0.0);
+    this->Blocks.push_back(std::move(block));
+  }
+
+  /// Extends the bounds by the parts of spheres and tubes beyond their points.
+  void SetRadii()
+  {
+    const double diagonal = glm::length(this->Upper - this->Lower);
+    const double standard = diagonal > 0.0 ? StandardRadius * diagonal : 1.0;
+    for (SceneBlock& block : this->Blocks)
+    {
+      if (block.Shape != Mesh::Shapes::Triangles)
+      {
+        block.StandardRadius = block.StandardRadius > 0.0 ? block.StandardRadius : standard;
+        this->Omitted.WithoutRadius += block.RemovePartsWithoutRadius();
+        block.AddTo(this->Lower, this->Upper, block.GetLargestRadius());
+      }
+    }
+  }
+
+  void ReadMaterial(vtkPolyData* data, vtkDataObject* root, SceneBlock& block)
+  {
+    for (vtkDataObject* source : { static_cast<vtkDataObject*>(data), root })
+    {
+      this->Omitted.Materials.FindUnused(source);
+      this->Omitted.Materials.FindOutOfRange(source);
+    }
+    vtkNew<vtkPolyData> holder;
+    vtkCSLFMaterial::Inherit(holder, data);
+    vtkCSLFMaterial::Inherit(holder, root);
+    double color[3];
+    double emission[3];
+    vtkCSLFMaterial::GetBaseColor(holder, color);
+    vtkCSLFMaterial::GetEmission(holder, emission);
+    const auto number = [](double value) { return static_cast<float>(value); };
+    block.Material = SurfaceMaterial(SRGBToLinear(glm::dvec3(color[0], color[1], color[2])),
+      number(vtkCSLFMaterial::GetMetallic(holder)), number(vtkCSLFMaterial::GetRoughness(holder)),
+      number(vtkCSLFMaterial::GetIndexOfRefraction(holder)),
+      glm::vec3(emission[0], emission[1], emission[2]));
+    block.Material.Transmission = number(vtkCSLFMaterial::GetTransmission(holder));
+    block.Material.Thin = vtkCSLFMaterial::GetThinWalled(holder);
+    block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
+    block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
+    block.Material.Sides = ReadSides(holder);
+    block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
+    block.DisplayedWhite = GetDisplayedWhite(holder);
+    block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);
+    block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
+    block.Textures = this->Textures.Read(holder);
+    Fingerprint appearance;
+    appearance.Add(holder->GetFieldData());
+    block.Appearance = appearance.Finish();
+  }
+
+  void CheckTextures(SceneBlock& block)
+  {
+    if (!block.HasTextures())
+    {
+      return;
+    }
+    vtkDataArray* coordinates = block.Data->GetPointData()->GetTCoords();
+    if (!coordinates || coordinates->GetNumberOfComponents() < 2)
+    {
+      block.Textures = MaterialTextures();
+      ++this->Omitted.Textures;
+    }
+    if (block.Textures.MetallicRoughness)
+    {
+      const float ior = block.Material.IndexOfRefraction;
+      const auto known = this->Albedos.try_emplace(ior, ior).first;
+      block.Material.DielectricSpecular = known->second;
+    }
+  }
+
+  std::vector<Mesh> MakeMeshes(const SceneFrame& frame)
+  {
+    std::vector<Mesh> meshes;
+    for (const SceneBlock& block : this->Blocks)
+    {
+      Mesh mesh = MakeMesh(block, frame, this->Colors);
+      if (mesh.GetNumberOfShapes() > 0)
+      {
+        meshes.push_back(std::move(mesh));
+      }
+    }
+    return this->Options.InPieces ? JoinMeshes(std::move(meshes)) : meshes;
+  }
+
+  BuiltScene Finish(BuiltScene built, std::vector<Mesh> meshes, LightSet lights)
+  {
+    built.Warning = this->Omitted.ToText();
+    if (meshes.empty())
+    {
+      built.IsEmpty = true;
+      built.Error = "The scene has no triangles with an area, lines or vertices." +
+        (built.Warning.empty() ? std::string() : " " + built.Warning);
+      return built;
+    }
+    built.Fingerprint = Identify(meshes, lights, built.Frame);
+    built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
+    built.Error = built.World->GetError();
+    if (!built.Error.empty())
+    {
+      built.World.reset();
+    }
+    return built;
+  }
+
+  static std::string Identify(
+    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
+  {
+    Fingerprint identity;
+    identity.Add(
+      std::vector<double>{ frame.Center.x, frame.Center.y, frame.Center.z, frame.Radius });
+    for (const Mesh& mesh : meshes)
+    {
+      identity.Add(mesh);
+    }
+    identity.Add(lights);
+    return identity.Finish();
+  }
+
+  const SceneOptions& Options;
+  SurfaceColors Colors;
+  LightReader Lights;
+  std::optional<Environment> Surroundings; // of the first data object that has one
+  TextureReader Textures;
+  std::map<float, SpecularAlbedo> Albedos; // of any roughness, by the index of refraction
+  std::vector<SceneBlock> Blocks;
+  Omissions Omitted;
+  glm::dvec3 Lower{ VTK_DOUBLE_MAX };
+  glm::dvec3 Upper{ VTK_DOUBLE_MIN };
+};
+}
+
+BuiltScene BuildScene(const std::vector<vtkDataObject*>& inputs, const SceneOptions& options)
+{
+  return Builder(options).Build(inputs);
+}
+}

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Triangles, spheres or tubes of one material, and the values that vary over them.
+ */
+#ifndef cslfMesh_h
+#define cslfMesh_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/Materials/cslfSurfaceMaterial.h"
+#include "PathTracing/Materials/cslfTexture.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cslf
+{
+/// A point of a triangle; or of a sphere or tube.
+struct TrianglePoint
+{
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  std::uint32_t Triangle = 0;
+  float U = 0.0f; ///< barycentric coordinate of the triangle's second vertex; along a tube
+  float V = 0.0f; ///< and of the third
+  std::uint32_t Instance = None;
+};
+
+/// An instance of a mesh, and its colour.
+struct MeshInstance
+{
+  glm::mat3 Linear{ 1.0f }; ///< with the offset: from the mesh to the scene
+  glm::vec3 Offset{ 0.0f };
+  glm::vec3 Color{ 1.0f }; ///< linear; used if the mesh has colours of instances
+  float Opacity = 1.0f;
+  glm::vec3 Emission{ 0.0f }; ///< radiance; used if the mesh has emissions of instances
+};
+
+/// Images that multiply factors of the material. Null if there is none.
+struct MaterialTextures
+{
+  std::shared_ptr<const Texture> BaseColor;         ///< its alpha is opacity
+  std::shared_ptr<const Texture> MetallicRoughness; ///< blue and green
+  std::shared_ptr<const Texture> Normal; ///< in the texture's own frame, [-1,1] stored as [0,1]
+  std::shared_ptr<const Texture> Emission;
+};
+
+struct VTKCSLF_EXPORT Mesh
+{
+  enum class ColorsOf
+  {
+    None,
+    Vertices,
+    Triangles
+  };
+
+  enum class Shapes
+  {
+    Triangles,
+    Spheres, ///< one around each vertex
+    Tubes    ///< with round ends, one around each two vertices
+  };
+
+  Shapes Shape = Shapes::Triangles;
+  std::vector<glm::vec3> Vertices;
+  std::vector<float> Radii; ///< of spheres and tubes, one per vertex
+  /// Of tubes, one a vertex, or none at all: 1 where the tube goes straight on in another one, so
+  /// that its round end lies within that one and is no surface.
+  std::vector<std::uint32_t> Joints;
+  std::vector<glm::uvec3> Triangles;
+  std::vector<glm::vec3> Normals;   ///< one per vertex, or none at all; of length 0 if unknown
+  std::vector<glm::vec2> TexCoords; ///< one per vertex; required if there is a texture
+  std::vector<glm::vec3> Colors;    ///< linear, replacing the material's base colour
+  std::vector<float> Opacities;     ///< those of the colours, or none at all
+  ColorsOf Coloring = ColorsOf::None;
+  std::vector<glm::vec3> Emissions; ///< radiance, replacing the material's, which is their maximum
+  ColorsOf EmissionsOf = ColorsOf::None;
+
+  /// Above 0 if colours and emissions of vertices are displayed (sRGB-encoded) values, and
+  /// interpolated as such: emissions unchanged, colours times this radiance of a white surface.
+  glm::vec3 DisplayedWhite{ 0.0f };
+  SurfaceMaterial Material;
+  MaterialTextures Textures;
+  std::string Appearance; ///< identifies the material and the textures
+
+  /// The instances of the mesh, if it has any. Its vertices may then be in another space than the
+  /// scene's.
+  std::vector<MeshInstance> Instances;
+  bool HasInstanceColors = false;
+  bool HasInstanceEmissions = false;
+  std::uint32_t FirstInstance = 0; ///< among those of the scene
+
+  std::uint32_t GetNumberOfShapes() const;
+
+  /// Interpolated values of the vertices at a point.
+  template <typename Value>
+  Value Interpolate(const std::vector<Value>& values, const TrianglePoint& point) const
+  {
+    switch (this->Shape)
+    {
+      case Shapes::Spheres:
+        return values[point.Triangle];
+      case Shapes::Tubes:
+        return (1.0f - point.U) * values[2 * point.Triangle] +
+          point.U * values[2 * point.Triangle + 1];
+      default:
+        break;
+    }
+    const glm::uvec3& corners = this->Triangles[point.Triangle];
+    return (1.0f - point.U - point.V) * values[corners.x] + point.U * values[corners.y] +
+      point.V * values[corners.z];
+  }
+
+  /// Whether each of its points is one point of the scene, on a triangle.
+  bool CanHoldLattice() const
+  {
+    return this->Shape == Shapes::Triangles && this->Instances.empty();
+  }
+
+  /// Whether it looks the same from all directions, and does not emit light.
+  bool IsDiffuse() const { return this->Material.IsLambertian() && !this->Material.IsEmissive(); }
+
+  /// Whether it reflects no light, like surfaces without lighting, which only emit.
+  bool IsBlack() const
+  {
+    return this->Material.IsLambertian() && this->IsUniform() &&
+      this->Material.BaseColor == glm::vec3(0.0f);
+  }
+
+  /// Whether the material alone determines its colour and roughness everywhere.
+  bool IsUniform() const
+  {
+    return this->Coloring == ColorsOf::None && !this->HasInstanceColors &&
+      !this->Textures.BaseColor && !this->Textures.MetallicRoughness;
+  }
+
+  /// Whether its base colour is that of the material everywhere.
+  bool HasOneColor() const;
+
+  glm::vec3 GetBaseColor(const TrianglePoint& point) const;
+  MaterialPoint GetMaterialPoint(const TrianglePoint& point) const;
+
+  /// Whether light passes anywhere through the surface as if it did not exist.
+  bool IsTranslucent() const;
+
+  /// The probability that light hits the surface, in [0,1].
+  float GetOpacity(const TrianglePoint& point) const;
+
+  /// The radiance of the surface where light hits it.
+  glm::vec3 GetEmission(const TrianglePoint& point) const;
+
+  /// FindLengthOfRounding of each triangle: the precision of its plane. Set by PrepareRounding when
+  /// its corners are known.
+  std::vector<float> LengthsOfRounding;
+  void PrepareRounding();
+
+  /// Computes the weight of each shape's light. Call it once, after everything else is set.
+  void PrepareEmission();
+
+  /// The approximate mean luminance of a shape's emission times its opacity, without that of
+  /// instances: the weight of its light in sampling.
+  float GetEmissionImportance(std::uint32_t shape) const;
+
+  /// A normal on the front side, bent by the normal texture, which must exist. The edges are those
+  /// from the triangle's first corner. Lengths of normals do not matter.
+  glm::vec3 BendNormal(
+    const glm::vec3& normal, const glm::vec3 edges[2], const TrianglePoint& point) const;
+
+private:
+  bool HoldsDisplayed() const { return this->DisplayedWhite.x > 0.0f; }
+  glm::vec3 GetColor(const TrianglePoint& point) const;
+  glm::vec3 GetEmissionFactor(const TrianglePoint& point) const;
+  float EstimateEmission(std::uint32_t shape) const;
+
+  std::vector<float> EmissionImportances; // one per shape if it varies, or none at all
+};
+}
+
+#endif

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMeshMaker.h"
+
+#include "PathTracing/Materials/cslfDisplayedColor.h"
+#include "cslfTriangles.h"
+#include "cslfTubeDivision.h"
+#include "vtkCSLFMaterial.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr std::uint32_t Unused = 0xffffffffu;
+
+// The smallest radius of a tube's end, relative to the other end. Tubes may end in a point, but
+// divisions need a radius above 0.
+constexpr double SmallestEnd = 1e-4;
+
+/// The normal of a point, of unit length, or of length 0 if it has none.
+glm::vec3 GetNormal(vtkDataArray* normals, vtkIdType point)
+{
+  double normal[3];
+  normals->GetTuple(point, normal);
+  const glm::dvec3 vector(normal[0], normal[1], normal[2]);
+  const double length = glm::length(vector);
+  return std::isfinite(length) && length > 0.0 ? glm::vec3(vector / length) : glm::vec3(0.0f);
+}
+
+/// The space of a block's mesh: the scene's or, if the block has instances, its own.
+SceneFrame FindFrame(const SceneBlock& block, const SceneFrame& frame)
+{
+  if (block.Instances.empty())
+  {
+    return frame;
+  }
+  SceneBlock single = block;
+  single.Instances.clear();
+  glm::dvec3 lower(VTK_DOUBLE_MAX);
+  glm::dvec3 upper(VTK_DOUBLE_MIN);
+  single.AddTo(lower, upper, single.GetLargestRadius());
+  return { 0.5 * (lower + upper), 0.5 * glm::length(upper - lower) };
+}
+
+/// Makes the mesh of one block.
+class MeshMaker
+{
+public:
+  MeshMaker(const SceneBlock& block, const SceneFrame& frame)
+    : Source(block)
+    , World(frame)
+    , Frame(FindFrame(block, frame))
+    , Index(block.Data->GetNumberOfPoints(), Unused)
+  {
+  }
+
+  Mesh Make(SurfaceColors& colors)
+  {
+    this->Result.Shape = this->Source.Shape;
+    // Nothing is interpolated over a sphere.
+    if (this->Source.Shape != Mesh::Shapes::Spheres)
+    {
+      this->Result.DisplayedWhite = this->Source.DisplayedWhite;
+    }
+    this->AddTriangles();
+    this->AddRound();
+    this->AddNormals();
+    this->AddTexCoords();
+    this->AddColors(colors);
+    this->Result.Material = this->Source.Material;
+    this->AddEmissions();
+    this->AddInstances();
+    if (this->Result.Shape == Mesh::Shapes::Tubes)
+    {
+      DivideLongTubes(this->Result);
+    }
+    this->Result.Textures = this->Source.Textures;
+    this->Result.Appearance = this->Source.Appearance;
+    return std::move(this->Result);
+  }
+
+private:
+  glm::vec3 ToMesh(vtkIdType point) const
+  {
+    return this->Frame.PointToScene(GetPoint(this->Source.Data, point));
+  }
+
+  void AddTriangles()
+  {
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell : this->Source.Triangles)
+    {
+      this->Source.Data->GetPolys()->GetCellAtId(cell, corners);
+      this->AddTriangle(cell, corners->GetPointer(0));
+    }
+  }
+
+  void AddTriangle(vtkIdType cell, const vtkIdType* corners)
+  {
+    const glm::vec3 first = this->ToMesh(corners[0]);
+    const glm::vec3 normal =
+      glm::cross(this->ToMesh(corners[1]) - first, this->ToMesh(corners[2]) - first);
+    if (!std::isnormal(glm::dot(normal, normal)))
+    {
+      return;
+    }
+    glm::uvec3 triangle;
+    for (int i = 0; i < 3; ++i)
+    {
+      std::uint32_t& index = this->Index[corners[i]];
+      if (index == Unused)
+      {
+        index = static_cast<std::uint32_t>(this->Points.size());
+        this->Points.push_back(corners[i]);
+        this->Result.Vertices.push_back(this->ToMesh(corners[i]));
+      }
+      triangle[i] = index;
+    }
+    this->Result.Triangles.push_back(triangle);
+    this->Cells.push_back(cell);
+  }
+
+  /// Each sphere has its own vertex, each part of a line two.
+  void AddRound()
+  {
+    const int count = this->Source.Shape == Mesh::Shapes::Tubes ? 2 : 1;
+    for (const RoundPart& part : this->Source.Round)
+    {
+      const double radii[2] = { this->Source.GetRadius(part.Points[0]),
+        this->Source.GetRadius(part.Points[1]) };
+      for (int i = 0; i < count; ++i)
+      {
+        this->Points.push_back(part.Points[i]);
+        this->Result.Vertices.push_back(this->ToMesh(part.Points[i]));
+        const double radius = std::max(radii[i], SmallestEnd * radii[1 - i]);
+        this->Result.Radii.push_back(static_cast<float>(radius / this->Frame.Radius));
+      }
+      this->Cells.push_back(part.Cell);
+    }
+  }
+
+  void AddNormals()
+  {
+    vtkDataArray* normals = this->Source.Data->GetPointData()->GetNormals();
+    if (normals && normals->GetNumberOfComponents() == 3)
+    {
+      this->Result.Normals.reserve(this->Points.size());
+      for (vtkIdType point : this->Points)
+      {
+        this->Result.Normals.push_back(GetNormal(normals, point));
+      }
+    }
+  }
+
+  void AddTexCoords()
+  {
+    if (!this->Source.HasTextures())
+    {
+      return;
+    }
+    vtkDataArray* coordinates = this->Source.Data->GetPointData()->GetTCoords();
+    this->Result.TexCoords.reserve(this->Points.size());
+    for (vtkIdType point : this->Points)
+    {
+      const glm::vec2 place(
+        coordinates->GetComponent(point, 0), coordinates->GetComponent(point, 1));
+      this->Result.TexCoords.push_back(std::isfinite(place.x + place.y) ? place : glm::vec2(0.0f));
+    }
+  }
+
+  /// Whether the mesh stores displayed values for arrays of points or cells.
+  bool HoldsDisplayed(bool ofCells) const
+  {
+    return !ofCells && this->Result.DisplayedWhite != glm::vec3(0.0f);
+  }
+
+  void AddColors(SurfaceColors& colors)
+  {
+    if (!this->Source.Scalars)
+    {
+      return;
+    }
+    const MappedColors mapped = colors.Map(this->Source.Scalars);
+    const bool ofCells = this->Source.ScalarsOfCells;
+    this->Result.Coloring = ofCells ? Mesh::ColorsOf::Triangles : Mesh::ColorsOf::Vertices;
+    const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
+    this->Result.Colors.reserve(used.size());
+    for (vtkIdType index : used)
+    {
+      const glm::vec3& color = mapped.Colors[index];
+      this->Result.Colors.push_back(
+        this->HoldsDisplayed(ofCells) ? ToDisplayed(color * this->Result.DisplayedWhite) : color);
+      if (!mapped.Opacities.empty())
+      {
+        this->Result.Opacities.push_back(mapped.Opacities[index]);
+      }
+    }
+  }
+
+  /// Emissions of points come before those of cells, and both before the material's.
+  void AddEmissions()
+  {
+    for (const Mesh::ColorsOf place : { Mesh::ColorsOf::Vertices, Mesh::ColorsOf::Triangles })
+    {
+      const bool ofCells = place == Mesh::ColorsOf::Triangles;
+      vtkDataSetAttributes* attributes = this->Source.Data->GetPointData();
+      if (ofCells)
+      {
+        attributes = this->Source.Data->GetCellData();
+      }
+      vtkDataArray* emissions = attributes->GetArray(vtkCSLFMaterial::EmissionName());
+      if (this->Result.EmissionsOf == Mesh::ColorsOf::None && emissions &&
+        emissions->GetNumberOfComponents() == 3)
+      {
+        this->Result.EmissionsOf = place;
+        this->AddEmissions(emissions, ofCells);
+      }
+    }
+  }
+
+  void AddEmissions(vtkDataArray* emissions, bool ofCells)
+  {
+    const std::vector<vtkIdType>& used = ofCells ? this->Cells : this->Points;
+    glm::vec3& most = this->Result.Material.Emission;
+    most = glm::vec3(0.0f);
+    this->Result.Emissions.reserve(used.size());
+    for (vtkIdType index : used)
+    {
+      const glm::vec3 emission = GetRadiance(emissions, index);
+      this->Result.Emissions.push_back(
+        this->HoldsDisplayed(ofCells) ? ToDisplayed(emission) : emission);
+      most = glm::max(most, emission);
+    }
+  }
+
+  void AddInstances()
+  {
+    const glm::dmat3 scale(this->Frame.Radius / this->World.Radius);
+    for (const BlockInstance& instance : this->Source.Instances)
+    {
+      MeshInstance placed;
+      placed.Linear = glm::dmat3(instance.ToWorld) * scale;
+      placed.Offset = this->World.PointToScene(
+        glm::dvec3(instance.ToWorld * glm::dvec4(this->Frame.Center, 1.0)));
+      placed.Color = instance.Color;
+      placed.Opacity = instance.Opacity;
+      placed.Emission = instance.Emission;
+      this->Result.HasInstanceColors = instance.HasColor;
+      this->Result.Instances.push_back(placed);
+    }
+    this->Result.HasInstanceEmissions =
+      !this->Source.Instances.empty() && this->Source.Instances.front().HasEmission;
+    if (this->Result.HasInstanceEmissions)
+    {
+      glm::vec3& most = this->Result.Material.Emission;
+      most = glm::vec3(0.0f);
+      for (const MeshInstance& instance : this->Result.Instances)
+      {
+        most = glm::max(most, instance.Emission);
+      }
+    }
+  }
+
+  const SceneBlock& Source;
+  const SceneFrame& World;
+  SceneFrame Frame; // of the mesh
+  Mesh Result;
+  std::vector<std::uint32_t> Index; // of each point, its vertex in triangles
+  std::vector<vtkIdType> Points;    // of each vertex, its point
+  std::vector<vtkIdType> Cells;     // of each shape, its cell
+};
+}
+
+Mesh MakeMesh(const SceneBlock& block, const SceneFrame& frame, SurfaceColors& colors)
+{
+  return MeshMaker(block, frame).Make(colors);
+}
+}

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfStoppingRule.h"
+
+#include "PathTracing/SIMD/cslfVectorize.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+// If one sample is to be enough, colours may differ by this many noise targets across the 4 texels
+// of a square's side and half a texel around it. On a gradient, the root mean square error of a
+// sample at a random place in its texel is then about half the target.
+constexpr float RangeOfTarget = 8.0f;
+
+constexpr int Size = TexelSums::Size;
+
+/// Joins the bounds of two halves.
+template <int Half>
+inline void Fold(float* lows, float* highs)
+{
+  for (int lane = 0; lane < Half; ++lane)
+  {
+    lows[lane] = lows[lane + Half] < lows[lane] ? lows[lane + Half] : lows[lane];
+    highs[lane] = highs[lane + Half] > highs[lane] ? highs[lane + Half] : highs[lane];
+  }
+}
+
+/// Extends bounds by the values inside.
+CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& low, float& high)
+{
+  float lows[Size];
+  float highs[Size];
+  for (int lane = 0; lane < Size; ++lane)
+  {
+    const float forLow = inside[lane] ? values[lane] : low;
+    const float forHigh = inside[lane] ? values[lane] : high;
+    lows[lane] = forLow < low ? forLow : low;
+    highs[lane] = forHigh > high ? forHigh : high;
+  }
+  Fold<Size / 2>(lows, highs);
+  Fold<Size / 4>(lows, highs);
+  Fold<Size / 8>(lows, highs);
+  Fold<Size / 16>(lows, highs);
+  low = lows[0];
+  high = highs[0];
+}
+
+/// The variance of a texel's samples.
+glm::vec3 FindVariance(const TexelSums& sums, int texel, const glm::vec3& mean)
+{
+  const auto count = static_cast<float>(sums.Samples);
+  const glm::vec3 squares(
+    sums.RedSquares[texel], sums.GreenSquares[texel], sums.BlueSquares[texel]);
+  return glm::max(squares - count * mean * mean, glm::vec3(0.0f)) / (count - 1.0f);
+}
+
+glm::vec3 FindMean(const TexelSums& sums, int texel)
+{
+  return glm::vec3(sums.Red[texel], sums.Green[texel], sums.Blue[texel]) /
+    static_cast<float>(sums.Samples);
+}
+}
+
+void ColorBounds::Add(
+  const float* red, const float* green, const float* blue, const int* covered, const int* inside)
+{
+  this->AddCoverage(covered, inside);
+  if (this->SomeCovered)
+  {
+    ExtendBounds(red, inside, this->Low.x, this->High.x);
+    ExtendBounds(green, inside, this->Low.y, this->High.y);
+    ExtendBounds(blue, inside, this->Low.z, this->High.z);
+  }
+}
+
+void ColorBounds::AddCoverage(const int* covered, const int* inside)
+{
+  int someCovered = 0;
+  int someEmpty = 0;
+  for (int lane = 0; lane < Size; ++lane)
+  {
+    const int isCovered = covered[lane] != 0 ? -1 : 0;
+    someCovered |= inside[lane] & isCovered;
+    someEmpty |= inside[lane] & ~isCovered;
+  }
+  this->SomeCovered |= someCovered != 0;
+  this->SomeEmpty |= someEmpty != 0;
+}
+
+float ColorBounds::GetRange(const DisplayCurve& display) const
+{
+  const glm::vec3 range = display(this->High) - display(glm::min(this->Low, this->High));
+  return std::max({ range.x, range.y, range.z });
+}
+
+bool StoppingRule::IsPlain(const ColorBounds& seen) const
+{
+  return !seen.AreMixed() && seen.GetRange(this->Display) <= RangeOfTarget * this->Target;
+}
+
+void StoppingRule::TakeByOthers(
+  const bool needs[Size], const int inside[Size], const TexelSums& sums, TexelMeans& means)
+{
+  int texels = 0;
+  int needing = 0;
+  int last = 0;
+  for (int texel = 0; texel < Size; ++texel)
+  {
+    texels += inside[texel] ? 1 : 0;
+    needing += inside[texel] && needs[texel] ? 1 : 0;
+    last = inside[texel] && needs[texel] ? texel : last;
+  }
+  if (texels > 1 && needing == 0)
+  {
+    means.TakeAll(sums);
+  }
+  else if (texels > 1 && needing == 1)
+  {
+    means.Take(last, sums);
+    for (int texel = 0; texel < Size; ++texel)
+    {
+      if (!inside[texel])
+      {
+        means.Take(texel, sums);
+      }
+    }
+  }
+}
+
+void StoppingRule::TakeSingle(const ColorBounds& expected, const int inside[Size],
+  const TexelSums& sums, TexelMeans& means) const
+{
+  bool needs[Size] = {};
+  ColorBounds all = expected;
+  all.Add(sums, inside);
+  const bool areFollowed = std::any_of(sums.Paths, sums.Paths + Size, [](int n) { return n > 0; });
+  if (areFollowed || !this->IsPlain(all))
+  {
+    int one[Size] = {};
+    for (int texel = 0; texel < Size; ++texel)
+    {
+      one[texel] = -1;
+      ColorBounds bounds = expected;
+      bounds.Add(sums, one);
+      needs[texel] = sums.Paths[texel] > 0 || !this->IsPlain(bounds);
+      one[texel] = 0;
+    }
+  }
+  TakeByOthers(needs, inside, sums, means);
+}
+
+void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
+  const int inside[Size], const TexelSums& sums, TexelMeans& means) const
+{
+  if (expected.AreMixed() && this->IsNoisyOutline(0.5f, sums.Samples))
+  {
+    return;
+  }
+  bool needs[Size];
+  for (int texel = 0; texel < Size; ++texel)
+  {
+    needs[texel] = inside[texel] && this->IsNoisy(sums, texel, elsewhere);
+  }
+  TakeByOthers(needs, inside, sums, means);
+}
+
+bool StoppingRule::IsNoisyOutline(float alpha, int samples) const
+{
+  return alpha * (1.0f - alpha) > static_cast<float>(samples - 1) * this->Target * this->Target;
+}
+
+bool StoppingRule::IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const
+{
+  const auto count = static_cast<float>(sums.Samples);
+  if (this->IsNoisyOutline(static_cast<float>(sums.Covered[texel]) / count, sums.Samples))
+  {
+    return true;
+  }
+  const glm::vec3 mean = FindMean(sums, texel);
+  glm::vec3 variance = FindVariance(sums, texel, mean);
+  if (sums.Paths[texel] > 0)
+  {
+    variance = ((count - 1.0f) * variance + elsewhere) / count;
+  }
+  const glm::vec3 error = glm::sqrt(variance / count);
+  // Upwards and downwards: a mean that is clipped at white may be that of a single bright sample.
+  const glm::vec3 shown = this->Display(mean + error) - this->Display(mean - error);
+  return std::max({ shown.x, shown.y, shown.z }) > 2.0f * this->Target;
+}
+
+PathVariance StoppingRule::GetVariance(const TexelSums& sums)
+{
+  PathVariance variance;
+  for (int texel = 0; texel < Size; ++texel)
+  {
+    if (sums.Paths[texel] > 0)
+    {
+      variance.Sum += FindVariance(sums, texel, FindMean(sums, texel));
+      ++variance.Texels;
+    }
+  }
+  return variance;
+}
+}
