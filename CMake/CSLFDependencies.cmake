@@ -50,9 +50,11 @@ if (cslf_vtk_needs_x_server AND CSLF_BUILD_APPLICATIONS AND NOT CSLF_BUILD_PARAV
   find_package(X11 REQUIRED)
 endif ()
 
-find_package(embree 3 QUIET)
-if (NOT embree_FOUND)
-  find_package(embree 4 REQUIRED)
+if (CSLF_ENABLE_SAMPLER)
+  find_package(embree 3 QUIET)
+  if (NOT embree_FOUND)
+    find_package(embree 4 REQUIRED)
+  endif ()
 endif ()
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -60,5 +62,7 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET
   libavformat libavcodec libavutil)
-# Not by OpenImageIO's own CMake files: Debian's need the tools and the headers of an OpenCV.
-pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+if (CSLF_ENABLE_SAMPLER)
+  # Not by OpenImageIO's own CMake files: Debian's need the tools and the headers of an OpenCV.
+  pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+endif ()

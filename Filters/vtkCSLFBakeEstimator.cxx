@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFBakeEstimator.h"
 
+#include "Files/cslfJSONFile.h"
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"
 #include "vtkCSLFEncoder.h"

@@ -3,7 +3,7 @@
 #include "vtkCSLFEncoder.h"
 
 #include "Coding/Writing/cslfEncodeSession.h"
-#include "Parallel/cslfCacheKeeper.h"
+#include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "vtkCSLFPathTracer.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
-#include "Parallel/cslfCacheKeeper.h"
-#include "Parallel/cslfSceneGather.h"
+#include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/SIMD/cslfArithmetic.h"
+#include "PathTracing/Scene/cslfArithmetic.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
+#include "PathTracing/Scene/cslfSceneGather.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfScenePipeline.h"
 #include "cslfColor.h"

@@ -5,7 +5,7 @@
 #include "vtkCSLFPathTracer.h"
 
 #include "Files/cslfLibraries.h"
-#include "Parallel/cslfCacheKeeper.h"
+#include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
 #include "cslfVTKCompatibility.h"

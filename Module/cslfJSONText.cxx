@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfJSONText.h"
 
-#include "Files/cslfFileSystem.h"
-
-#include <filesystem>
-#include <fstream>
-
 namespace cslf
 {
 namespace
@@ -64,22 +59,5 @@ JSON ParseJSON(const std::string& text, std::string* error)
   {
     return Refuse("nested deeper than " + std::to_string(MaximumJSONDepth) + " levels", error);
   }
-}
-
-JSON ReadJSON(const std::string& fileName, std::string* error)
-{
-  std::error_code failure;
-  const std::uintmax_t bytes = std::filesystem::file_size(ToPath(fileName), failure);
-  if (!failure && bytes > MaximumJSONBytes)
-  {
-    return Refuse(TooLong(), error);
-  }
-  std::string text(failure ? 0 : static_cast<std::size_t>(bytes), '\0');
-  std::ifstream file(ToPath(fileName), std::ios::binary);
-  if (failure || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
-  {
-    return Refuse("not readable", error);
-  }
-  return ParseJSON(text, error);
 }
 }

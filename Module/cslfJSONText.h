@@ -29,9 +29,6 @@ constexpr int MaximumJSONDepth = 32;
 /// then says which in a few words.
 VTKCSLF_EXPORT nlohmann::json ParseJSON(const std::string& text, std::string* error = nullptr);
 
-/// The same for a whole file, which is not read if it is too long.
-VTKCSLF_EXPORT nlohmann::json ReadJSON(const std::string& fileName, std::string* error = nullptr);
-
 /// Whether a value is a whole number that the type can hold.
 template <typename Integer>
 bool IsInteger(const nlohmann::json& json)

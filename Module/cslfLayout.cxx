@@ -6,10 +6,19 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace cslf
 {
+std::vector<int> CoarsestNodes(int viewpoints)
+{
+  const int last = viewpoints - 1;
+  const int inner = viewpoints % 2 == 1 ? last / 2 : (2 * last + 3) / 6;
+  const std::set<int> nodes{ 0, inner, last - inner, last };
+  return { nodes.begin(), nodes.end() };
+}
+
 Layout::Layout(int viewpoints, int resolution)
   : BaseNodes(viewpoints)
   , Nodes(std::max(viewpoints, 0))

@@ -55,6 +55,10 @@ constexpr int MaximumViewpoints = 1024; ///< M, along each side of a face
 constexpr int MaximumResolution = 8192; ///< N, texels along each side of a tile
 ///@}
 
+/// The indices, along one side, of the coarsest grid nested in one of `viewpoints` per side: the
+/// ends, and the middle (odd numbers) or the thirds (even numbers), which divide it symmetrically.
+VTKCSLF_EXPORT std::vector<int> CoarsestNodes(int viewpoints);
+
 /// The grid of viewpoints and texels.
 class VTKCSLF_EXPORT Layout
 {

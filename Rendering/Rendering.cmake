@@ -2,36 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the mapper's classes, sources and shaders for Module/CMakeLists.txt.
-list(APPEND classes
-  ../Rendering/vtkCSLFMapper)
-list(APPEND sources
-  ../Rendering/cslfFaceUniforms.cxx
-  ../Rendering/cslfFieldTexture.cxx
-  ../Rendering/cslfFlatUniforms.cxx
-  ../Rendering/cslfFocus.cxx
-  ../Rendering/cslfLookupPicture.cxx
-  ../Rendering/cslfResidency.cxx
-  ../Rendering/cslfSight.cxx
-  ../Rendering/cslfTilePool.cxx
-  ../Rendering/cslfToneMapping.cxx
-  ../Rendering/cslfViewpointLevels.cxx
-  ../Rendering/cslfViewpointSource.cxx
-  ../Rendering/vtkCSLFCubeMapper.cxx)
-list(APPEND private_headers
-  ../Rendering/cslfFaceUniforms.h
-  ../Rendering/cslfFieldTexture.h
-  ../Rendering/cslfFlatUniforms.h
-  ../Rendering/cslfFocus.h
-  ../Rendering/cslfLookupPicture.h
-  ../Rendering/cslfOpenGL.h
-  ../Rendering/cslfResidency.h
-  ../Rendering/cslfSight.h
-  ../Rendering/cslfSightSeries.h
-  ../Rendering/cslfTilePool.h
-  ../Rendering/cslfToneMapping.h
-  ../Rendering/cslfViewpointLevels.h
-  ../Rendering/cslfViewpointSource.h
-  ../Rendering/vtkCSLFCubeMapper.h)
+list(APPEND classes ../Rendering/vtkCSLFMapper)
+list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
+list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
+cslf_add(Rendering
+  FaceUniforms FieldTexture FlatUniforms Focus LookupPicture OpenGL Residency Sight SightSeries
+  TilePool ToneMapping ViewpointLevels ViewpointSource)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS Color Cube Field Guess Lookup MapperFS MapperVS PictureFS PictureVS

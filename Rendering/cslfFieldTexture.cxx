@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldTexture.h"
 
-#include "Coding/Frames/cslfFrameOrder.h"
 #include "Lookup/cslfFaceSpace.h"
+#include "cslfLayout.h"
 #include "cslfOpenGL.h"
 
 #include <vtkOpenGLRenderWindow.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfViewpointLevels.h"
 
-#include "Coding/Frames/cslfFrameOrder.h"
+#include "cslfLayout.h"
 
 #include <algorithm>
 

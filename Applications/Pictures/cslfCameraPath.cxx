@@ -4,8 +4,8 @@
 
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
+#include "Files/cslfJSONFile.h"
 #include "Options/cslfCameraOptions.h"
-#include "cslfJSONText.h"
 
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>

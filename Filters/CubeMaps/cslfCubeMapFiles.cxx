@@ -4,6 +4,7 @@
 
 #include "CubeMaps/cslfEXRHeader.h"
 #include "Files/cslfFileSystem.h"
+#include "Files/cslfJSONFile.h"
 #include "cslfJSONText.h"
 
 #include <vtkType.h>

@@ -7,7 +7,7 @@
 #ifndef cslfTexelChoice_h
 #define cslfTexelChoice_h
 
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampleStream.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef cslfViewExposures_h
 #define cslfViewExposures_h
 
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "cslfDisplayCurve.h"
 
 #include <vector>
 

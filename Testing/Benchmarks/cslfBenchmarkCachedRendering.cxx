@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBenchmarks.h"
 
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
 #include "PathTracing/Rays/cslfEmbree.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfSamplePlaces.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfDescription.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFSampler.h"

@@ -5,8 +5,8 @@
 // gets.
 #include "PathTracing/Materials/cslfBSDF.h"
 #include "PathTracing/Materials/cslfFresnel.h"
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>

@@ -3,7 +3,7 @@
 
 // The scale of displayed differences: sRGB for one exposure, and the most demanding exposure if a
 // viewer may choose.
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfColor.h"
 #include "cslfTesting.h"
 

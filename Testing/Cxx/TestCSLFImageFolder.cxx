@@ -6,8 +6,8 @@
 #include "vtkCSLFImageWriter.h"
 
 #include "CubeMaps/cslfEXRHeader.h"
+#include "Files/cslfJSONFile.h"
 #include "cslfDescription.h"
-#include "cslfJSONText.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 

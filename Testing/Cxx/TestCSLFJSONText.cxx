@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // JSON texts from files: limits of size and depth, and whole numbers that are in range or refused.
+#include "Files/cslfJSONFile.h"
 #include "cslfJSONText.h"
 #include "cslfTesting.h"
 

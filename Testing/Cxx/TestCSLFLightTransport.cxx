@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Scenes whose light is known in closed form, and estimators that must agree.
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 

@@ -3,8 +3,8 @@
 
 // Emissive surfaces sampled as lights: compares samples with their density, light with closed
 // forms, and light sampling with rays that hit the lights by chance.
-#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "PathTracing/Shapes/cslfTubeDivision.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A thousand lights: the cost and noise of a sample, and no light is missed.
-#include "PathTracing/RandomNumbers/cslfDistribution.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfDistribution.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 

@@ -4,7 +4,7 @@
 // Radiance caching where few samples find light: the mean over a crop and over 32 seeds is that of
 // path tracing, so neither the number of samples nor the positions of points are biased by values.
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"
 
 #include <iostream>

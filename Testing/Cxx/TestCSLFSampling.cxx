@@ -5,10 +5,10 @@
 #include "PathTracing/Lights/cslfEnvironment.h"
 #include "PathTracing/Lights/cslfLocalLights.h"
 #include "PathTracing/Materials/cslfFrame.h"
-#include "PathTracing/RandomNumbers/cslfDistribution.h"
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "RandomNumbers/cslfDistribution.h"
+#include "RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>

@@ -4,7 +4,7 @@
 // A scene in pieces on several ranks: lights that come with every piece count once, and messages of
 // any size transport the pieces. If one rank fails, all ranks fail with a message that gives the
 // reason, and none waits.
-#include "Parallel/cslfSceneGather.h"
+#include "PathTracing/Scene/cslfSceneGather.h"
 #include "cslfDescription.h"
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"

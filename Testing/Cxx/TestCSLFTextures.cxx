@@ -3,7 +3,7 @@
 
 // Textures: their pixels, their storage in data, and their effect on light.
 #include "PathTracing/Materials/cslfTexture.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"

@@ -3,8 +3,8 @@
 
 // Opacity and glass, compared with closed forms.
 #include "PathTracing/Materials/cslfFresnel.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 namespace cslf
 {
@@ -68,14 +67,6 @@ void AddBlocks(const Layout& grid, const std::vector<int>& indices, int length,
     }
   }
 }
-}
-
-std::vector<int> CoarsestNodes(int viewpoints)
-{
-  const int last = viewpoints - 1;
-  const int inner = viewpoints % 2 == 1 ? last / 2 : (2 * last + 3) / 6;
-  const std::set<int> nodes{ 0, inner, last - inner, last };
-  return { nodes.begin(), nodes.end() };
 }
 
 FrameOrder MakeFrameOrder(const Layout& grid, int length)

@@ -32,10 +32,6 @@ struct FrameOrder
   int Coarsest = 0;
 };
 
-/// The indices, along one side, of the coarsest grid nested in one of `viewpoints` per side: the
-/// ends, and the middle (odd numbers) or the thirds (even numbers), which divide it symmetrically.
-VTKCSLF_EXPORT std::vector<int> CoarsestNodes(int viewpoints);
-
 /// The frames of the coarsest nested grid, then the rest. Both go face by face through blocks of
 /// neighbouring viewpoints, which are nearly square, along serpentine rows. A block is a group of
 /// at most `length` frames.

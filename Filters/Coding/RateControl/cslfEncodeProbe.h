@@ -8,7 +8,7 @@
 #define cslfEncodeProbe_h
 
 #include "Coding/Writing/cslfFieldWriter.h"
-#include "Pipeline/cslfSlicePuller.h"
+#include "Coding/Writing/cslfSlicePuller.h"
 
 #include <optional>
 #include <string>

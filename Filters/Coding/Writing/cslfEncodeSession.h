@@ -8,11 +8,11 @@
 #ifndef cslfEncodeSession_h
 #define cslfEncodeSession_h
 
-#include "Pipeline/cslfKeptGroups.h"
-#include "Pipeline/cslfSlicePuller.h"
-#include "Quality/cslfHeldOutViews.h"
+#include "Coding/RateControl/cslfHeldOutViews.h"
 #include "cslfEncodeCrew.h"
 #include "cslfFieldWriter.h"
+#include "cslfKeptGroups.h"
+#include "cslfSlicePuller.h"
 
 #include <functional>
 #include <optional>

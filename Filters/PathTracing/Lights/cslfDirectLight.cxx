@@ -4,10 +4,10 @@
 
 #include "PathTracing/Materials/cslfLambert.h"
 #include "PathTracing/Paths/cslfScatterLanes.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
-#include "PathTracing/RandomNumbers/cslfStreamLanes.h"
-#include "PathTracing/SIMD/cslfVectorize.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfStreamLanes.h"
+#include "SIMD/cslfVectorize.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEmitter.h"
 
-#include "PathTracing/RandomNumbers/cslfSampling.h"
 #include "PathTracing/Shapes/cslfHitGeometry.h"
 #include "PathTracing/Shapes/cslfRoundView.h"
+#include "RandomNumbers/cslfSampling.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -3,7 +3,7 @@
 #include "cslfEnvironment.h"
 
 #include "PathTracing/Materials/cslfImageCurve.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
 
 #include <OpenImageIO/imageio.h>

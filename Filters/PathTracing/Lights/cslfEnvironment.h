@@ -9,7 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/RandomNumbers/cslfDistribution.h"
+#include "RandomNumbers/cslfDistribution.h"
 #include "cslfLightSample.h"
 
 #include <glm/geometric.hpp>

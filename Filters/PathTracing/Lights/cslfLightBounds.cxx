@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLightBounds.h"
 
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

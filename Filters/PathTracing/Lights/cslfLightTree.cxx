@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLightTree.h"
 
-#include "PathTracing/SIMD/cslfVectorize.h"
+#include "SIMD/cslfVectorize.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

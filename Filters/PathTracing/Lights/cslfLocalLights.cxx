@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLocalLights.h"
 
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampling.h"
 
 #include <algorithm>
 #include <cstring>

@@ -9,7 +9,7 @@
 #ifndef cslfGGX_h
 #define cslfGGX_h
 
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 
 #include <glm/geometric.hpp>
 

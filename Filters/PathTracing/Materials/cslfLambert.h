@@ -7,7 +7,7 @@
 #ifndef cslfLambert_h
 #define cslfLambert_h
 
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 
 namespace cslf
 {

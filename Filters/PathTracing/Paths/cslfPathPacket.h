@@ -7,8 +7,8 @@
 #ifndef cslfPathPacket_h
 #define cslfPathPacket_h
 
-#include "PathTracing/RandomNumbers/cslfStreamLanes.h"
 #include "PathTracing/Rays/cslfRayLanes.h"
+#include "RandomNumbers/cslfStreamLanes.h"
 
 namespace cslf
 {

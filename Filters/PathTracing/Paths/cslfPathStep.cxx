@@ -5,8 +5,8 @@
 #include "PathTracing/Materials/cslfLambert.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Rays/cslfRayBin.h"
-#include "PathTracing/SIMD/cslfVectorize.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "SIMD/cslfVectorize.h"
 #include "cslfPathIntegrator.h"
 #include "cslfRoulette.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceLanes.h"
 
-#include "PathTracing/SIMD/cslfVectorize.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "SIMD/cslfVectorize.h"
 
 namespace cslf
 {

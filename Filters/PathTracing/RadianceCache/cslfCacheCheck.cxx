@@ -4,8 +4,8 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/Paths/cslfPathBatch.h"
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
+#include "RandomNumbers/cslfSampleStream.h"
 
 #include <glm/geometric.hpp>
 

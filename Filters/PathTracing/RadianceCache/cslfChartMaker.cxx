@@ -3,7 +3,7 @@
 #include "cslfChartMaker.h"
 
 #include "PathTracing/Materials/cslfFrame.h"
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampleStream.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -4,8 +4,8 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "PathTracing/Paths/cslfScatterLanes.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
-#include "PathTracing/RandomNumbers/cslfStreamLanes.h"
+#include "RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfStreamLanes.h"
 #include "cslfHalfSamples.h"
 #include "cslfSampleNoise.h"
 

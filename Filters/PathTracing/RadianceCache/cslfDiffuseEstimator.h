@@ -12,7 +12,7 @@
 
 #include "PathTracing/Paths/cslfPathBatch.h"
 #include "PathTracing/Paths/cslfPathIntegrator.h"
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfCacheShare.h"
 #include "cslfDiffuseLookUp.h"
 #include "cslfGatherDirections.h"

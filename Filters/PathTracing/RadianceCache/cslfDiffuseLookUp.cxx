@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDiffuseLookUp.h"
 
-#include "PathTracing/SIMD/cslfVectorize.h"
+#include "SIMD/cslfVectorize.h"
 #include "cslfRadianceCache.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGatherDirections.h"
 
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
-#include "PathTracing/SIMD/cslfVectorize.h"
+#include "RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampling.h"
+#include "SIMD/cslfVectorize.h"
 
 #include <algorithm>
 #include <cmath>

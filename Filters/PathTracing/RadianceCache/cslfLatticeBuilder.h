@@ -10,7 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Scene/cslfScene.h"
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeLayout.h"
 #include "cslfOpenSides.h"

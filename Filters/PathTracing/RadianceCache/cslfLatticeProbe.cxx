@@ -3,7 +3,7 @@
 #include "cslfLatticeProbe.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfSeconds.h"
 
 #include <vtkNew.h>

@@ -17,7 +17,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Paths/cslfPathIntegrator.h"
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfCacheCheck.h"
 #include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"

@@ -7,7 +7,7 @@
 #ifndef cslfSampleNoise_h
 #define cslfSampleNoise_h
 
-#include "PathTracing/Texels/cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfSurfaceEstimate.h"
 
 #include <glm/vec3.hpp>

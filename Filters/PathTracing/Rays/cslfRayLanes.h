@@ -7,8 +7,8 @@
 #ifndef cslfRayLanes_h
 #define cslfRayLanes_h
 
-#include "PathTracing/SIMD/cslfLanes.h"
 #include "PathTracing/Scene/cslfScene.h"
+#include "SIMD/cslfLanes.h"
 
 namespace cslf
 {

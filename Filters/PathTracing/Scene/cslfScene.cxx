@@ -5,8 +5,8 @@
 #include "PathTracing/Rays/cslfEmbree.h"
 #include "PathTracing/Rays/cslfHitFilter.h"
 #include "PathTracing/Rays/cslfRayLanes.h"
-#include "PathTracing/SIMD/cslfVectorize.h"
 #include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "SIMD/cslfVectorize.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>

@@ -3,7 +3,7 @@
 #include "cslfMesh.h"
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfTriangleGeometry.h"
 
 #include <glm/geometric.hpp>

@@ -3,7 +3,7 @@
 #include "cslfRoundView.h"
 
 #include "PathTracing/Materials/cslfFrame.h"
-#include "PathTracing/RandomNumbers/cslfSampling.h"
+#include "RandomNumbers/cslfSampling.h"
 
 #include <algorithm>
 #include <cmath>

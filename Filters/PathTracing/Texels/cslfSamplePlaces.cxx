@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSamplePlaces.h"
 
-#include "PathTracing/RandomNumbers/cslfSampleStream.h"
-#include "PathTracing/SIMD/cslfVectorize.h"
+#include "RandomNumbers/cslfSampleStream.h"
+#include "SIMD/cslfVectorize.h"
 
 namespace cslf
 {

@@ -16,7 +16,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfTexelSums.h"
 
 #include <glm/vec3.hpp>

@@ -11,7 +11,7 @@
 
 #include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "PathTracing/RadianceCache/cslfDiffuseLookUp.h"
-#include "cslfDisplayCurve.h"
+#include "Quality/cslfDisplayCurve.h"
 #include "cslfRayGrid.h"
 #include "cslfSamplePlaces.h"
 #include "cslfStoppingRule.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTexelSums.h"
 
-#include "PathTracing/SIMD/cslfVectorize.h"
+#include "SIMD/cslfVectorize.h"
 
 #include <algorithm>
 #include <limits>

@@ -7,7 +7,7 @@
 #ifndef cslfStreamLanes_h
 #define cslfStreamLanes_h
 
-#include "PathTracing/SIMD/cslfLanes.h"
+#include "SIMD/cslfLanes.h"
 #include "cslfSampleStream.h"
 
 namespace cslf

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/cslfSlicePuller.h"
+#include "cslfSlicePuller.h"
 
 #include "Pipeline/cslfArrayLayout.h"
 
 #include "Coding/Frames/cslfRadianceFrames.h"
-#include "Coding/Writing/cslfEncodeSettings.h"
+#include "cslfEncodeSettings.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -11,7 +11,7 @@
 #define cslfCacheKeeper_h
 
 #include "Files/cslfWorkFolder.h"
-#include "PathTracing/RadianceCache/cslfCacheShare.h"
+#include "cslfCacheShare.h"
 
 #include <functional>
 #include <string>

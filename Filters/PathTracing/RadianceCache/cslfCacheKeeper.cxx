@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Parallel/cslfCacheKeeper.h"
+#include "cslfCacheKeeper.h"
 
 #include "Files/cslfFileSystem.h"
 #include "Parallel/cslfBroadcast.h"
-#include "PathTracing/RadianceCache/cslfCacheFile.h"
-#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "cslfCacheFile.h"
+#include "cslfRadianceCache.h"
 
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Parallel/cslfSceneGather.h"
+#include "cslfSceneGather.h"
 
-#include "PathTracing/SIMD/cslfArithmetic.h"
+#include "cslfArithmetic.h"
 
 #include <vtkCommunicator.h>
 #include <vtkDataObject.h>

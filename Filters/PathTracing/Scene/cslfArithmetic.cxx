@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfArithmetic.h"
 
-#include "PathTracing/Scene/cslfFingerprint.h"
-#include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "cslfFingerprint.h"
+#include "cslfScene.h"
 
 #include <glm/geometric.hpp>
 

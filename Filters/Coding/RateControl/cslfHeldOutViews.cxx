@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Quality/cslfHeldOutViews.h"
+#include "cslfHeldOutViews.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include "Lookup/cslfLookup.h"

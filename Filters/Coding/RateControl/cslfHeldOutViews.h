@@ -12,7 +12,7 @@
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
 
-#include "Pipeline/cslfSlicePuller.h"
+#include "Coding/Writing/cslfSlicePuller.h"
 
 #include <functional>
 #include <string>

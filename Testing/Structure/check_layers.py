@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks which folders include which, and which libraries they use.
+
+usage: check_layers.py SOURCE_FOLDER
+"""
+import pathlib
+import re
+import sys
+
+# Each layer with the layers that it may include directly. A layer is a folder without its
+# subfolders, or with all of them if none is a layer itself. The classes of Filters, such as
+# vtkCSLFEncoder, combine the layers below that folder.
+LAYERS = {
+    "Module": [],
+    "Filters/SIMD": [],
+    "Filters/Files": ["Module"],
+    "Filters/RandomNumbers": ["Module", "Filters/SIMD"],
+    "Filters/Parallel": ["Module"],
+    "Filters/Pipeline": ["Module"],
+    "Filters/Resampling": ["Module"],
+    "Filters/Lookup": ["Module"],
+    "Filters/Quality": ["Module", "Filters/RandomNumbers"],
+    "Filters/Coding": ["Module", "Filters/SIMD", "Filters/Files", "Filters/Parallel",
+        "Filters/Pipeline", "Filters/Resampling", "Filters/Lookup", "Filters/Quality"],
+    "Filters/PathTracing": ["Module", "Filters/SIMD", "Filters/RandomNumbers", "Filters/Files",
+        "Filters/Parallel", "Filters/Pipeline", "Filters/Quality"],
+    "Filters/CubeMaps": ["Module", "Filters/Files", "Filters/Pipeline"],
+    "Filters/SceneImport": ["Module", "Filters/Pipeline", "Filters/PathTracing"],
+    "Filters/GLTF": ["Module", "Filters/Files", "Filters/SceneImport"],
+    "Filters/Planning": ["Module", "Filters/Files", "Filters/Coding", "Filters/CubeMaps"],
+    "Rendering": ["Module", "Filters/Pipeline", "Filters/Lookup"],
+}
+
+# Helpers of Filters, and the classes whose names and data a layer needs.
+SHARED = {"cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h", "cslfVTKCompatibility.h",
+    "cslfSoundPolyData.h", "vtkCSLFModule.h"}
+CLASSES = {
+    "Filters/PathTracing": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
+    "Filters/SceneImport": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
+    "Filters/GLTF": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
+    "Filters/Planning": {"vtkCSLFSampler.h"},
+    "Filters/Pipeline": {"vtkCSLFDecoder.h"},
+    "Rendering": {"vtkCSLFDecoder.h"},
+}
+
+# Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
+LIBRARIES = {
+    r"embree": ["Filters/PathTracing"],
+    r"OpenImageIO": ["Filters/PathTracing", "Filters/GLTF", "Filters/CubeMaps"],
+    r"libav|libsw": ["Filters/Coding"],
+    r"vtkOpenGL(?!Sphere|Stick)|vtk_gl|glad": ["Rendering"],
+    r"vtk(?!AbstractArray|DataArray|FieldData|ImageData|New|PointData|SmartPointer|StringArray|Type)":
+        [layer for layer in LAYERS if layer != "Module"],
+}
+
+
+def layer_of(folder):
+    """The layer that contains a folder, or None for the classes of Filters."""
+    while folder != ".":
+        if folder in LAYERS:
+            return folder
+        folder = str(pathlib.PurePath(folder).parent)
+    return None
+
+
+def find_header(source, file, name):
+    """The path of an included header of ours below the source folder, or None."""
+    for folder in [file.parent, *(source / root for root in ("Module", "Filters", "Rendering"))]:
+        if (folder / name).is_file():
+            return (folder / name).resolve().relative_to(source)
+    return None
+
+
+def check_own(source, file, layer, name):
+    """What is wrong with the include of a header of ours, or None."""
+    header = find_header(source, file, name)
+    if header is None or header.name in SHARED or header.name in CLASSES.get(layer, ()):
+        return None
+    other = layer_of(str(header.parent))
+    if other is None:
+        return f"includes {header}, which is above it"
+    if other != layer and other not in LAYERS[layer]:
+        return f"includes {header}, but {layer} does not build on {other}"
+    return None
+
+
+def check_library(layer, name):
+    """What is wrong with the include of a header of a library, or None."""
+    for pattern, layers in LIBRARIES.items():
+        if re.match(pattern, name) and layer not in layers:
+            return f"includes {name}, but {layer} does not use that library"
+    return None
+
+
+def find_faults(source):
+    for root in ("Module", "Filters", "Rendering"):
+        for file in sorted((source / root).rglob("*")):
+            layer = layer_of(str(file.parent.relative_to(source)))
+            if file.suffix not in (".h", ".cxx") or layer is None:
+                continue
+            for line in file.read_text(encoding="utf-8").splitlines():
+                include = re.match(r'#\s*include\s*(["<])([^">]+)', line)
+                if include:
+                    own = include[1] == '"'
+                    fault = (check_own(source, file, layer, include[2]) if own
+                        else check_library(layer, include[2]))
+                    if fault:
+                        yield f"{file.relative_to(source)} {fault}"
+
+
+def find_cycle():
+    """A layer that builds on itself, or None."""
+    def reach(layer, seen):
+        for other in LAYERS[layer]:
+            if other not in seen:
+                seen.add(other)
+                reach(other, seen)
+        return seen
+    return next((layer for layer in LAYERS if layer in reach(layer, set())), None)
+
+
+def main():
+    source = pathlib.Path(sys.argv[1]).resolve()
+    faults = list(find_faults(source))
+    cycle = find_cycle()
+    if cycle:
+        faults.append(f"{cycle} builds on itself")
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
