@@ -7,10 +7,10 @@ list(APPEND classes
   ../Filters/vtkCSLFFieldQuality
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFResample)
-cslf_add(Filters Join Printable Seconds SoundPolyData VTKCompatibility)
+cslf_add(Filters Join Printable Seconds ValidPolyData VTKCompatibility)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
-cslf_add(Filters/Files FileLock FileSystem JSONFile Libraries LockedFile WholeFile WorkFolder)
+cslf_add(Filters/Files FileLock FileSystem JSONFile Libraries LockedFile AtomicFile WorkFolder)
 if (WIN32)
   cslf_add(Filters/Files/Windows FileSystem LockedFile Windows)
 else ()
@@ -112,9 +112,9 @@ if (CSLF_ENABLE_SAMPLER)
     GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems
     GLTFValue)
   cslf_add(Filters/SceneImport
-    ActorImporter ActorParts AMRSurface BlockLooks CellNormals ClippedBlock FaceSides GlyphImporter
-    GraphParts ImportedScene ImportLimits LightImporter MappedScalars MoleculeParts PointParts
-    SurfaceLook TextureImage WindowLights)
+    ActorImporter ActorParts AMRSurface BlockAppearances CellNormals ClippedBlock FaceSides
+    GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars MoleculeParts
+    PointParts SurfaceAppearance TextureImage WindowLights)
 endif ()
 
 # Estimates of costs.

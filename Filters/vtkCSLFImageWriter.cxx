@@ -5,7 +5,7 @@
 #include "Pipeline/cslfParallelFor.h"
 
 #include "CubeMaps/cslfCubeMapFiles.h"
-#include "Files/cslfWholeFile.h"
+#include "Files/cslfAtomicFile.h"
 #include "Pipeline/cslfSlabs.h"
 
 #include <vtkCommand.h>
@@ -93,7 +93,7 @@ int vtkCSLFImageWriter::Write()
     return 0;
   }
   const std::string name = this->FileName;
-  cslf::WholeFolder whole(name, cslf::ListCubeMapFiles);
+  cslf::AtomicFolder whole(name, cslf::ListCubeMapFiles);
   std::string error;
   if (!whole.Open("a light field", error))
   {

@@ -4,7 +4,7 @@
 
 #include "PathTracing/Materials/cslfMaterialParameters.h"
 #include "Pipeline/cslfArrayLayout.h"
-#include "SceneImport/cslfSurfaceLook.h"
+#include "SceneImport/cslfSurfaceAppearance.h"
 #include "SceneImport/cslfTextureImage.h"
 #include "cslfColor.h"
 
@@ -127,7 +127,7 @@ void SetFromClassicProperty(vtkDataObject* data, vtkProperty* property)
   const glm::dvec3 ambient(color[0], color[1], color[2]);
   const cslf::Drawing drawing =
     property->GetLighting() ? cslf::Drawing::Lit : cslf::Drawing::Illuminating;
-  const cslf::SurfaceLook look(property, cslf::LightLevel(), drawing, { diffuse });
+  const cslf::SurfaceAppearance look(property, cslf::LightLevel(), drawing, { diffuse });
   SetColors(data, look.GetBaseColor(ambient, diffuse), look.GetEmission(ambient, diffuse));
   vtkCSLFMaterial::SetMetallic(data, look.GetMetallic());
   vtkCSLFMaterial::SetRoughness(data, look.GetRoughness());

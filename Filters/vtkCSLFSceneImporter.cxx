@@ -3,7 +3,7 @@
 #include "vtkCSLFSceneImporter.h"
 
 #include "SceneImport/cslfActorImporter.h"
-#include "SceneImport/cslfBlockLooks.h"
+#include "SceneImport/cslfBlockAppearances.h"
 #include "SceneImport/cslfImportedScene.h"
 #include "SceneImport/cslfLightImporter.h"
 #include "SceneImport/cslfWindowLights.h"
@@ -284,7 +284,7 @@ int vtkCSLFSceneImporter::RequestData(
   }
   cslf::FindEnvironment(this->Renderer, scene);
   cslf::WindowLights lights(this->Renderer, this->HeadlightsAllAround);
-  cslf::FinishLooks(scene, lights, this->InterpolateDisplayedColors);
+  cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
   lights.AddTo(scene.Lights);
   cslf::ImportEnvironment(this->Renderer, lights.GetEnvironmentFactor(), scene);
   SetRadii(scene.Blocks, this->PixelSize);

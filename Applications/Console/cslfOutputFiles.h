@@ -7,8 +7,8 @@
 #ifndef cslfOutputFiles_h
 #define cslfOutputFiles_h
 
+#include "Files/cslfAtomicFile.h"
 #include "Files/cslfFileSystem.h"
-#include "Files/cslfWholeFile.h"
 #include "cslfMessages.h"
 
 #include <cerrno>
@@ -29,7 +29,7 @@ namespace tool
     DescribeShortage(fileName) + (isSentence ? "" : "."));
 }
 
-/// Gives a finished WholeFile or WholeFolder its name.
+/// Gives a finished AtomicFile or AtomicFolder its name.
 template <typename Whole>
 void PublishWhole(Whole& whole, const std::string& name)
 {
@@ -69,7 +69,7 @@ public:
 
 private:
   std::string FileName;
-  WholeFile Whole;
+  AtomicFile Whole;
 };
 
 /// An addition to a message if the disk is the reason, by the system's error number.

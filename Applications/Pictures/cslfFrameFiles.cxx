@@ -81,7 +81,7 @@ public:
 
 private:
   std::string Folder;
-  WholeFolder Whole;
+  AtomicFolder Whole;
   int Frames = 0;
 };
 }

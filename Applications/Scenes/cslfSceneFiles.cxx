@@ -9,8 +9,8 @@
 
 #include "Options/cslfNumberChecks.h"
 #include "cslfJSONText.h"
-#include "cslfSoundPolyData.h"
 #include "cslfVTKCompatibility.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
@@ -101,7 +101,7 @@ Part MakePartSound(vtkDataObject* part, const std::string& input)
   std::set<std::string> removed;
   const auto makeSound = [&removed](vtkPolyData* polyData)
   {
-    const SoundPolyData sound = MakeSound(polyData);
+    const ValidPolyData sound = MakeSound(polyData);
     sound.AddRemoved(removed);
     return sound.Data;
   };

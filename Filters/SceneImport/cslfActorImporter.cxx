@@ -9,8 +9,8 @@
 #include "cslfFaceSides.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
-#include "cslfSoundPolyData.h"
 #include "cslfVTKCompatibility.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
@@ -230,9 +230,9 @@ public:
   bool Import()
   {
     this->FindLimits();
-    this->Look.Property = this->Property;
-    this->Look.Texture = this->FindTexture();
-    this->Look.Opacity = this->Property->GetOpacity();
+    this->Appearance.Property = this->Property;
+    this->Appearance.Texture = this->FindTexture();
+    this->Appearance.Opacity = this->Property->GetOpacity();
     if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(this->Mapper))
     {
       for (vtkPolyData* source : ImportGlyphs(this->Actor, glyphs, this->Matrix, this->Scene))
@@ -317,7 +317,7 @@ private:
     }
     if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
     {
-      const SoundPolyData sound = MakeSound(polyData);
+      const ValidPolyData sound = MakeSound(polyData);
       sound.AddRemoved(this->Scene.Omitted);
       this->Found = this->Found || !sound.IsWhole();
       this->ImportLeaf(sound.Data, style);
@@ -330,10 +330,10 @@ private:
   {
     vtkSmartPointer<vtkPolyData> surface = ExtractSurface(leaf, this->Matrix);
     MappedScalars mapped;
-    this->Look.Color = style.Color;
+    this->Appearance.Color = style.Color;
     if (!style.Color)
     {
-      this->Look.Color = FindColorOfMissing(this->Mapper, surface);
+      this->Appearance.Color = FindColorOfMissing(this->Mapper, surface);
       mapped = MapScalars(this->Mapper, surface, !this->IsTextured(), this->Scene);
       this->MeetIf(mapped.Colors && mapped.WantsTable, ImportLimit::TexturedTables);
     }
@@ -343,8 +343,8 @@ private:
     const vtkSmartPointer<vtkDataObject> named = RenameOldArrays(leaf, this->Scene.Old);
     this->Scene.Materials.FindUnused(named);
     vtkCSLFMaterial::Inherit(block, named);
-    this->Look.Opacity = style.Opacity.value_or(this->Property->GetOpacity());
-    this->Look.HasTable = mapped.Table != nullptr;
+    this->Appearance.Opacity = style.Opacity.value_or(this->Property->GetOpacity());
+    this->Appearance.HasTable = mapped.Table != nullptr;
     SetColors(block, mapped);
     this->AddRepresentation(block);
   }
@@ -355,7 +355,7 @@ private:
     {
       block->GetPointData()->SetNormals(nullptr);
     }
-    this->Look.IsUnlit = this->IsDrawnUnlit(block);
+    this->Appearance.IsUnlit = this->IsDrawnUnlit(block);
     switch (this->Property->GetRepresentation())
     {
       case VTK_POINTS:
@@ -373,18 +373,18 @@ private:
   /// The two sides of faces may look different.
   void AddFaces(vtkPolyData* block)
   {
-    const BlockLook look = this->Look;
+    const BlockAppearance appearance = this->Appearance;
     const bool isReflected = this->Matrix && this->Matrix->Determinant() < 0.0;
     for (const FaceSide& side :
       DivideBySides(this->Actor, block, isReflected, this->IsColored(block)))
     {
-      this->Look.Property = side.Property;
+      this->Appearance.Property = side.Property;
       if (side.IsBack)
       {
-        this->Look.Opacity = side.Property->GetOpacity();
+        this->Appearance.Opacity = side.Property->GetOpacity();
       }
       this->Add(side.Block);
-      this->Look = look;
+      this->Appearance = appearance;
     }
     this->Found = this->Found || block->GetNumberOfCells() > 0;
   }
@@ -392,8 +392,8 @@ private:
   /// Whether a block gets its colours from scalars or from its attributes.
   bool IsColored(vtkPolyData* block) const
   {
-    return this->Look.HasTable || this->Look.Color || block->GetPointData()->GetScalars() ||
-      block->GetCellData()->GetScalars() ||
+    return this->Appearance.HasTable || this->Appearance.Color ||
+      block->GetPointData()->GetScalars() || block->GetCellData()->GetScalars() ||
       block->GetFieldData()->HasArray(vtkCSLFInstances::InstanceColor());
   }
 
@@ -413,7 +413,7 @@ private:
   bool IsTextured() const
   {
     return this->Property->GetInterpolation() == VTK_PBR ? this->Property->GetNumberOfTextures() > 0
-                                                         : this->Look.Texture != nullptr;
+                                                         : this->Appearance.Texture != nullptr;
   }
 
   static void SetColors(vtkPolyData* block, const MappedScalars& mapped)
@@ -457,8 +457,8 @@ private:
   {
     if (piece->GetNumberOfCells() > 0)
     {
-      this->Scene.Blocks.push_back(
-        { piece, this->Property->GetLineWidth(), this->Property->GetPointSize(), this->Look });
+      this->Scene.Blocks.push_back({ piece, this->Property->GetLineWidth(),
+        this->Property->GetPointSize(), this->Appearance });
     }
   }
 
@@ -493,29 +493,29 @@ private:
   /// Edges and vertices that are drawn on the surface with their own colours.
   void AddDecoration(vtkPolyData* block)
   {
-    const BlockLook look = this->Look;
+    const BlockAppearance appearance = this->Appearance;
     if (this->Property->GetEdgeVisibility())
     {
-      this->Look = this->MakeBareLook(this->Property->GetEdgeColor());
+      this->Appearance = this->MakeBareAppearance(this->Property->GetEdgeColor());
       this->AddEdges(MakeBare(block));
     }
     if (this->Property->GetVertexVisibility())
     {
-      this->Look = this->MakeBareLook(this->Property->GetVertexColor());
+      this->Appearance = this->MakeBareAppearance(this->Property->GetVertexColor());
       this->AddPoints(MakeBare(block));
     }
-    this->Look = look;
+    this->Appearance = appearance;
   }
 
   /// One colour, drawn without lights.
-  BlockLook MakeBareLook(const double* color) const
+  BlockAppearance MakeBareAppearance(const double* color) const
   {
-    BlockLook look;
-    look.Property = vtkSmartPointer<vtkProperty>::New();
-    look.Property->SetColor(color[0], color[1], color[2]);
-    look.Opacity = this->Property->GetOpacity();
-    look.IsUnlit = true;
-    return look;
+    BlockAppearance appearance;
+    appearance.Property = vtkSmartPointer<vtkProperty>::New();
+    appearance.Property->SetColor(color[0], color[1], color[2]);
+    appearance.Opacity = this->Property->GetOpacity();
+    appearance.IsUnlit = true;
+    return appearance;
   }
 
   /// Only a block's geometry, with the block's instances.
@@ -537,7 +537,7 @@ private:
   ImportedScene& Scene;
   vtkCompositeDataDisplayAttributes* Attributes;
   bool Found = false;
-  BlockLook Look;
+  BlockAppearance Appearance;
 };
 
 /// The time of a data object and all its leaves.

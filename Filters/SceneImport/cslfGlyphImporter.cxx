@@ -3,7 +3,7 @@
 #include "cslfGlyphImporter.h"
 
 #include "cslfMappedScalars.h"
-#include "cslfSoundPolyData.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkActor.h>
@@ -46,7 +46,7 @@ vtkDataArray* FindArray(
   }
   if (array && array->GetNumberOfTuples() < data->GetNumberOfPoints())
   {
-    SoundPolyData sound;
+    ValidPolyData sound;
     sound.RemovedArrays.insert(array->GetName() ? array->GetName() : "(without a name)");
     sound.AddRemoved(scene.Omitted);
     return nullptr;
@@ -211,7 +211,7 @@ vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source, ImportedScene& scen
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   if (source)
   {
-    const SoundPolyData sound = MakeSound(source);
+    const ValidPolyData sound = MakeSound(source);
     sound.AddRemoved(scene.Omitted);
     copy->CopyStructure(sound.Data);
     copy->GetPointData()->SetNormals(sound.Data->GetPointData()->GetNormals());

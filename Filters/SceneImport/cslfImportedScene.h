@@ -28,8 +28,8 @@
 
 namespace cslf
 {
-/// The window's parameters for a block, which FinishLooks converts to a material.
-struct BlockLook
+/// The window's parameters for a block, which FinishAppearances converts to a material.
+struct BlockAppearance
 {
   vtkSmartPointer<vtkProperty> Property;      ///< null if the material is complete
   vtkSmartPointer<vtkTexture> Texture;        ///< the actor's
@@ -45,7 +45,7 @@ struct ImportedBlock
   vtkSmartPointer<vtkPolyData> Data;
   double LineWidth = 1.0; ///< in pixels
   double PointSize = 1.0;
-  BlockLook Look;
+  BlockAppearance Appearance;
 };
 
 struct ImportedScene

@@ -3,7 +3,7 @@
 #include "cslfActorParts.h"
 
 #include "cslfMappedScalars.h"
-#include "cslfSoundPolyData.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>

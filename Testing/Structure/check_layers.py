@@ -35,7 +35,7 @@ LAYERS = {
 
 # Helpers of Filters, and the classes whose names and data a layer needs.
 SHARED = {"cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h", "cslfVTKCompatibility.h",
-    "cslfSoundPolyData.h", "vtkCSLFModule.h"}
+    "cslfValidPolyData.h", "vtkCSLFModule.h"}
 CLASSES = {
     "Filters/PathTracing": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
     "Filters/SceneImport": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},

@@ -24,7 +24,7 @@ execute_process(
     "${filters}/Files/Windows/cslfLockedFile.cxx"
     "${filters}/Files/cslfFileLock.cxx"
     "${filters}/Files/cslfFileSystem.cxx"
-    "${filters}/Files/cslfWholeFile.cxx"
+    "${filters}/Files/cslfAtomicFile.cxx"
     "${filters}/Files/cslfWorkFolder.cxx"
     -o "${DIRECTORY}/TestWindowsFiles.exe"
   RESULT_VARIABLE result)

@@ -5,8 +5,8 @@
 // argument it is the second process, which must not get the file.
 
 #include "Coding/Reading/cslfBackgroundThread.h"
+#include "Files/cslfAtomicFile.h"
 #include "Files/cslfFileSystem.h"
-#include "Files/cslfWholeFile.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -47,14 +47,14 @@ void Write(const std::string& name, const std::string& text)
 bool IsFree()
 {
   std::string error;
-  return cslf::WholeFile(FileName).Open(error);
+  return cslf::AtomicFile(FileName).Open(error);
 }
 
 void WriteFile(const std::string& text, const std::string& program)
 {
   std::string warning;
   std::string error;
-  cslf::WholeFile file(FileName);
+  cslf::AtomicFile file(FileName);
   Check(file.Open(error), "open", error);
   Check(!IsFree(), "a second writer in the process");
   Check(std::system((program + " second").c_str()) == 0, "a second writer in another process");
@@ -67,7 +67,7 @@ void WriteFolder(const std::string& text)
 {
   std::string warning;
   std::string error;
-  cslf::WholeFolder folder(FolderName, cslf::ListFolder);
+  cslf::AtomicFolder folder(FolderName, cslf::ListFolder);
   Check(folder.Open("texts", error), "open the folder", error);
   Write(folder.GetTemporaryName() + "/a", text);
   Check(folder.Publish(warning, error) && warning.empty(), "publish the folder", warning + error);

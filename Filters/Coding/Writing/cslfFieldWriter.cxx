@@ -3,8 +3,8 @@
 #include "cslfFieldWriter.h"
 
 #include "Coding/Containers/cslfContainerWriter.h"
+#include "Files/cslfAtomicFile.h"
 #include "Files/cslfLibraries.h"
-#include "Files/cslfWholeFile.h"
 #include "cslfJSON.h"
 #include "cslfPart.h"
 

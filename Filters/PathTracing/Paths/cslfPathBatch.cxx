@@ -47,7 +47,7 @@ void PathBatch::Add(const Start& start)
 
 void PathBatch::Begin()
 {
-  this->Living = this->Size;
+  this->ActiveCount = this->Size;
   this->Next.resize(this->Packets.size());
   this->Order.resize(this->Packets.size() * LaneCount);
   this->Radiances.assign(this->Size, glm::vec3(0.0f));
@@ -58,7 +58,7 @@ void PathBatch::Begin()
   }
 }
 
-void PathBatch::GoOn()
+void PathBatch::Compact()
 {
   // Count the paths of each bin.
   const int packets = this->GetNumberOfPackets();
@@ -71,12 +71,12 @@ void PathBatch::GoOn()
       ends[from.Bin[lane]] -= from.Rays.Active[lane];
     }
   }
-  this->Living = 0;
+  this->ActiveCount = 0;
   for (int& end : ends)
   {
     const int size = end;
-    end = this->Living;
-    this->Living += size;
+    end = this->ActiveCount;
+    this->ActiveCount += size;
   }
 
   // Put each at the end of its bin.
@@ -91,13 +91,13 @@ void PathBatch::GoOn()
       }
     }
   }
-  for (int place = 0; place < this->Living; ++place)
+  for (int place = 0; place < this->ActiveCount; ++place)
   {
     const int path = this->Order[place];
     this->Next[place / LaneCount].Take(
       place % LaneCount, this->Packets[path / LaneCount], path % LaneCount);
   }
-  Close(this->Next, this->Living);
+  Close(this->Next, this->ActiveCount);
   this->Packets.swap(this->Next);
 }
 }

@@ -78,7 +78,7 @@ public:
   ///@{
   /// For the functions that follow the paths: packets of the active paths, and their results.
   void Begin();
-  int GetNumberOfPackets() const { return (this->Living + LaneCount - 1) / LaneCount; }
+  int GetNumberOfPackets() const { return (this->ActiveCount + LaneCount - 1) / LaneCount; }
   PathPacket& GetPacket(int packet) { return this->Packets[packet]; }
   glm::vec3* GetRadiances() { return this->Radiances.data(); }
   ///@}
@@ -88,13 +88,13 @@ public:
   bool AreFirstHitsKnown() const { return this->AreSeen; }
 
   /// Gathers the active paths again, with those of a bin side by side.
-  void GoOn();
+  void Compact();
 
 private:
   int Depth;
   bool Averaged;
   int Size = 0;
-  int Living = 0;             // the active paths, in the first packets
+  int ActiveCount = 0;        // the active paths, in the first packets
   bool AreSeen = false;       // whether first rays were traced before
   std::vector<HitLanes> Seen; // by packets of all paths
   std::vector<glm::vec3> Radiances;

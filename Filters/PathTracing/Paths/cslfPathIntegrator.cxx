@@ -87,7 +87,7 @@ void PathIntegrator::Follow(PathBatch& batch, std::uint64_t& rays) const
       }
       rays += step.Advance(packet, hits, batch.GetRadiances());
     }
-    batch.GoOn();
+    batch.Compact();
   }
 }
 }

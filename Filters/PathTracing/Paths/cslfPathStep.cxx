@@ -220,7 +220,7 @@ void PathStep::MakeScattering(const PathPacket& paths)
 /// Adds the diffuse light that the cache knows, and excludes it from later steps.
 void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
 {
-  std::fill_n(this->GoesOn.Values, LaneCount, -1);
+  std::fill_n(this->Continues.Values, LaneCount, -1);
   for (int lane = 0; this->Cache && lane < LaneCount; ++lane)
   {
     if (paths.Rays.Active[lane] == 0)
@@ -241,7 +241,7 @@ void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
     if (isLambertian)
     {
       this->Points.Lit[lane] = 0;
-      this->GoesOn[lane] = this->Cache->IsComplete() ? 0 : -1;
+      this->Continues[lane] = this->Cache->IsComplete() ? 0 : -1;
       continue;
     }
     this->Points.LitLobes[lane] = Lobes::Specular;
@@ -305,7 +305,7 @@ void PathStep::ChooseDirections(PathPacket& paths)
     betas = paths.Beta;
     active = paths.Rays.Active;
   }
-  SampleLambertian(x, y, this->Points.Surfaces, this->GoesOn, paths, this->Local);
+  SampleLambertian(x, y, this->Points.Surfaces, this->Continues, paths, this->Local);
   ForEachLane(others,
     [&](int lane)
     {

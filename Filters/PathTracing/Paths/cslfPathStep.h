@@ -52,7 +52,7 @@ private:
   // Of the packet.
   Vec3Lanes Found; // the radiance that the step adds
   ScatterLanes Points;
-  LaneMask GoesOn;       // whether paths may continue from Lambertian surfaces
+  LaneMask Continues;    // whether paths may continue from Lambertian surfaces
   Lanes<float> Lobe;     // on other surfaces, the random number that chooses it
   Lobes Open[LaneCount]; // on other surfaces, the lobes in which the path may continue
   Lanes<float> OpenProbability;

@@ -221,13 +221,13 @@ void LatticeBuilder::AddPatch(Patch patch)
 }
 
 void LatticeBuilder::BuildPart(const Choice& choice,
-  const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& tell)
+  const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& onEstimate)
 {
   this->IsChosen = choice;
-  this->Tell = tell;
+  this->OnEstimate = onEstimate;
   this->Build([](double) { return true; });
   this->IsChosen = nullptr;
-  this->Tell = nullptr;
+  this->OnEstimate = nullptr;
 }
 
 void LatticeBuilder::FillPart(const Choice& choice, SurfaceEstimator& estimator)
@@ -293,9 +293,9 @@ void LatticeBuilder::BuildBatch()
   }
   for (const Point& point : this->Points)
   {
-    if (this->Tell && !point.IsMean)
+    if (this->OnEstimate && !point.IsMean)
     {
-      this->Tell(point.Place, point.Estimate);
+      this->OnEstimate(point.Place, point.Estimate);
     }
   }
   this->Estimates += this->Points.size() - this->Means;

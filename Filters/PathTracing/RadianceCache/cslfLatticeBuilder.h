@@ -63,10 +63,10 @@ public:
   /// Builds the lattice. `goOn` gets the progress, in [0,1]. Returns false if `goOn` did.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// Builds a part of it. May be called for several disjoint parts. `tell`, which may be empty,
-  /// gets all points.
+  /// Builds a part of it. May be called for several disjoint parts. `onEstimate`, which may be
+  /// empty, gets all points.
   void BuildPart(const Choice& choice,
-    const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& tell);
+    const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& onEstimate);
 
   /// Gives the bricks of a part values at their corners, without checking their accuracy.
   void FillPart(const Choice& choice, SurfaceEstimator& estimator);
@@ -125,7 +125,7 @@ private:
   std::size_t Estimates = 0;
   std::size_t FirstEstimates = 0;
   Choice IsChosen; // empty for all bricks
-  std::function<void(const Hit&, const SurfaceEstimate&)> Tell;
+  std::function<void(const Hit&, const SurfaceEstimate&)> OnEstimate;
 
   // The current batch of triangles.
   std::vector<Patch> Patches;

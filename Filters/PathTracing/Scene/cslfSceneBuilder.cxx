@@ -15,7 +15,7 @@
 #include "cslfFingerprint.h"
 #include "cslfOldNames.h"
 #include "cslfSceneBlock.h"
-#include "cslfSoundPolyData.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -204,7 +204,7 @@ private:
   {
     if (auto* data = vtkPolyData::SafeDownCast(leaf))
     {
-      const SoundPolyData sound = MakeSound(data);
+      const ValidPolyData sound = MakeSound(data);
       sound.AddRemoved(this->Omitted.Unsound);
       this->AddPolyData(sound.Data, root);
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfSurfaceLook.h"
+#include "cslfSurfaceAppearance.h"
 
 #include "PathTracing/Materials/cslfSurfaceMaterial.h"
 #include "cslfColor.h"
@@ -96,8 +96,8 @@ double ToSquaredAlpha(double power)
 }
 }
 
-SurfaceLook::SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing drawing,
-  const std::vector<glm::dvec3>& typical)
+SurfaceAppearance::SurfaceAppearance(vtkProperty* property, const LightLevel& level,
+  Drawing drawing, const std::vector<glm::dvec3>& typical)
   : Property(property)
   , Level(level)
   , Kind(drawing)
@@ -117,7 +117,7 @@ SurfaceLook::SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing
   }
 }
 
-void SurfaceLook::FindPhysical(const std::vector<glm::dvec3>& typical)
+void SurfaceAppearance::FindPhysical(const std::vector<glm::dvec3>& typical)
 {
   this->Roughness = this->Property->GetRoughness();
   const double ior = std::max(this->Property->GetBaseIOR(), 1.0);
@@ -145,12 +145,12 @@ void SurfaceLook::FindPhysical(const std::vector<glm::dvec3>& typical)
   this->UpdateResponse();
 }
 
-bool SurfaceLook::HasMetallicTexture() const
+bool SurfaceAppearance::HasMetallicTexture() const
 {
   return this->Property->GetTexture("materialTex") != nullptr;
 }
 
-double SurfaceLook::GetPhysicalDiffuse(double color) const
+double SurfaceAppearance::GetPhysicalDiffuse(double color) const
 {
   // VTK's diffuse base gets the light that neither the boundary nor the metal mirrors.
   const double albedo = this->Property->GetDiffuse() * color;
@@ -160,7 +160,7 @@ double SurfaceLook::GetPhysicalDiffuse(double color) const
   return (1.0 - metallic) * (1.0 - mirrored) * albedo;
 }
 
-void SurfaceLook::UpdateResponse()
+void SurfaceAppearance::UpdateResponse()
 {
   const auto ior = static_cast<float>(this->IndexOfRefraction);
   const float alpha = SurfaceMaterial::ToAlpha(static_cast<float>(this->Roughness));
@@ -172,7 +172,7 @@ void SurfaceLook::UpdateResponse()
   this->Reflects.Boundary = part * above;
 }
 
-void SurfaceLook::FindHighlight(const std::vector<glm::dvec3>& typical)
+void SurfaceAppearance::FindHighlight(const std::vector<glm::dvec3>& typical)
 {
   // The height above the surroundings, as far as it can be displayed.
   const auto& window = this->Level.Window;
@@ -215,7 +215,7 @@ void SurfaceLook::FindHighlight(const std::vector<glm::dvec3>& typical)
   this->Rest = (ofColor - metal) * diffuse + ofWhite - white;
 }
 
-double SurfaceLook::GetClassicReflectance(int channel, double ambient, double diffuse) const
+double SurfaceAppearance::GetClassicReflectance(int channel, double ambient, double diffuse) const
 {
   const double emitted = this->Property->GetAmbient() * ambient;
   const double reflected = this->Property->GetDiffuse() * diffuse;
@@ -235,14 +235,14 @@ double SurfaceLook::GetClassicReflectance(int channel, double ambient, double di
     (direct * this->Reflects.Diffuse + around * this->Reflects.Base);
 }
 
-double SurfaceLook::GetPhysicalLevel() const
+double SurfaceAppearance::GetPhysicalLevel() const
 {
   const double window = glm::dot(LuminanceWeights, this->Level.Window) / vtkMath::Pi();
   const double traced = glm::dot(LuminanceWeights, this->Level.Direct + this->Level.Around);
   return window > 0.0 && traced > 0.0 ? window / traced : 1.0;
 }
 
-double SurfaceLook::GetPhysicalReflectance(int channel, double color) const
+double SurfaceAppearance::GetPhysicalReflectance(int channel, double color) const
 {
   const double albedo = this->Property->GetDiffuse() * color;
   const double window = this->Level.Window[channel] / vtkMath::Pi();
@@ -261,7 +261,7 @@ double SurfaceLook::GetPhysicalReflectance(int channel, double color) const
   return level * this->MakeUpForGamma(base, window > 0.0 ? window : 1.0);
 }
 
-double SurfaceLook::MakeUpForGamma(double base, double window) const
+double SurfaceAppearance::MakeUpForGamma(double base, double window) const
 {
   // The parts of the light at normal incidence: a diffuse base, a metal in its highlight, whose
   // height is F0 / (4 alpha^2), and the highlight of a rough boundary.
@@ -281,7 +281,8 @@ double SurfaceLook::MakeUpForGamma(double base, double window) const
     : base;
 }
 
-glm::dvec3 SurfaceLook::GetReflectance(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
+glm::dvec3 SurfaceAppearance::GetReflectance(
+  const glm::dvec3& ambient, const glm::dvec3& diffuse) const
 {
   glm::dvec3 reflectance(0.0);
   for (int i = 0; this->Kind != Drawing::Illuminating && i < 3; ++i)
@@ -293,20 +294,22 @@ glm::dvec3 SurfaceLook::GetReflectance(const glm::dvec3& ambient, const glm::dve
   return reflectance;
 }
 
-glm::dvec3 SurfaceLook::GetBaseColor(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
+glm::dvec3 SurfaceAppearance::GetBaseColor(
+  const glm::dvec3& ambient, const glm::dvec3& diffuse) const
 {
   constexpr double precision = 1e12; // the error of encoding and decoding is smaller
   const glm::dvec3 color = LinearToSRGB(this->GetReflectance(ambient, diffuse));
   return glm::round(color * precision) / precision;
 }
 
-bool SurfaceLook::IsEmissive() const
+bool SurfaceAppearance::IsEmissive() const
 {
   return this->Kind == Drawing::Illuminating ||
     (this->Kind == Drawing::Lit && !this->IsPhysical && this->Property->GetAmbient() > 0.0);
 }
 
-glm::dvec3 SurfaceLook::GetEmission(const glm::dvec3& ambient, const glm::dvec3& diffuse) const
+glm::dvec3 SurfaceAppearance::GetEmission(
+  const glm::dvec3& ambient, const glm::dvec3& diffuse) const
 {
   if (!this->IsEmissive())
   {

@@ -4,8 +4,8 @@
  * @file
  * Removes cells and arrays of polygonal data that would cause reads out of bounds.
  */
-#ifndef cslfSoundPolyData_h
-#define cslfSoundPolyData_h
+#ifndef cslfValidPolyData_h
+#define cslfValidPolyData_h
 
 #include "vtkCSLFModule.h" // for export macro
 
@@ -18,7 +18,7 @@
 
 namespace cslf
 {
-struct SoundPolyData
+struct ValidPolyData
 {
   vtkSmartPointer<vtkPolyData> Data;   ///< the given data itself if nothing had to be changed
   vtkIdType RemovedCells = 0;          ///< with ids of points that do not exist
@@ -41,7 +41,7 @@ struct SoundPolyData
 ///   their connectivity;
 /// - arrays of points or cells with fewer tuples than there are points or cells.
 /// All arrays but the points' coordinates are vtkAOSDataArrayTemplate in what comes out.
-VTKCSLF_EXPORT SoundPolyData MakeSound(vtkPolyData* data);
+VTKCSLF_EXPORT ValidPolyData MakeSound(vtkPolyData* data);
 }
 
 #endif

@@ -4,8 +4,8 @@
  * @file
  * Sets the materials and colours of imported blocks once all lights and surfaces are known.
  */
-#ifndef cslfBlockLooks_h
-#define cslfBlockLooks_h
+#ifndef cslfBlockAppearances_h
+#define cslfBlockAppearances_h
 
 #include "cslfImportedScene.h"
 #include "cslfWindowLights.h"
@@ -18,10 +18,10 @@ namespace cslf
 vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
 
 /// Computes the lights for the blocks, and sets the blocks' materials, colours and textures so that
-/// tracing shows what the window shows: see cslfSurfaceLook.h. Material arrays of the data are
-/// kept. `interpolateDisplayed` selects interpolation of displayed values if the window
+/// tracing shows what the window shows: see cslfSurfaceAppearance.h. Material arrays of the data
+/// are kept. `interpolateDisplayed` selects interpolation of displayed values if the window
 /// interpolates them.
-void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed);
+void FinishAppearances(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed);
 }
 
 #endif

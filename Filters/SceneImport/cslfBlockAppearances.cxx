@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfBlockLooks.h"
+#include "cslfBlockAppearances.h"
 
 #include "cslfColor.h"
-#include "cslfSurfaceLook.h"
+#include "cslfSurfaceAppearance.h"
 #include "cslfVTKCompatibility.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
@@ -148,12 +148,12 @@ class BlockFinisher
 public:
   BlockFinisher(const ImportedBlock& block, const LightLevel& level, bool isLit)
     : Data(block.Data)
-    , Look(block.Look)
-    , Ambient(this->GetColor(block.Look.Property->GetAmbientColor()))
-    , Diffuse(this->GetColor(block.Look.Property->GetDiffuseColor()))
+    , Appearance(block.Appearance)
+    , Ambient(this->GetColor(block.Appearance.Property->GetAmbientColor()))
+    , Diffuse(this->GetColor(block.Appearance.Property->GetDiffuseColor()))
     , Level(level)
-    , Kind(GetDrawing(block.Look, isLit))
-    , Surface(block.Look.Property, level, this->Kind, this->GetTypicalColors())
+    , Kind(GetDrawing(block.Appearance, isLit))
+    , Surface(block.Appearance.Property, level, this->Kind, this->GetTypicalColors())
   {
   }
 
@@ -165,8 +165,8 @@ public:
     this->Data->SetFieldData(fields);
 
     vtkNew<vtkPolyData> material;
-    vtkCSLFMaterial::SetFromProperty(material, this->Look.Property);
-    vtkCSLFMaterial::SetOpacity(material, this->Look.Opacity);
+    vtkCSLFMaterial::SetFromProperty(material, this->Appearance.Property);
+    vtkCSLFMaterial::SetOpacity(material, this->Appearance.Opacity);
     vtkCSLFMaterial::SetMetallic(material, this->Surface.GetMetallic());
     vtkCSLFMaterial::SetRoughness(material, this->Surface.GetRoughness());
     vtkCSLFMaterial::SetIndexOfRefraction(material, this->Surface.GetIndexOfRefraction());
@@ -190,19 +190,20 @@ public:
   }
 
 private:
-  static Drawing GetDrawing(const BlockLook& look, bool isLit)
+  static Drawing GetDrawing(const BlockAppearance& appearance, bool isLit)
   {
-    const bool illuminates = !look.Property->GetLighting() || !isLit;
-    return look.IsUnlit ? Drawing::Unlit : illuminates ? Drawing::Illuminating : Drawing::Lit;
+    const bool illuminates = !appearance.Property->GetLighting() || !isLit;
+    return appearance.IsUnlit ? Drawing::Unlit : illuminates ? Drawing::Illuminating : Drawing::Lit;
   }
 
-  bool IsPhysical() const { return this->Look.Property->GetInterpolation() == VTK_PBR; }
+  bool IsPhysical() const { return this->Appearance.Property->GetInterpolation() == VTK_PBR; }
 
   /// Whether the window interpolates displayed values. Physically based shading treats textures,
   /// and in older versions of VTK scalars as well, as light.
   bool IsInterpolatedAsDisplayed() const
   {
-    const bool hasTexture = this->Look.HasTable || this->Look.Property->GetNumberOfTextures() > 0;
+    const bool hasTexture =
+      this->Appearance.HasTable || this->Appearance.Property->GetNumberOfTextures() > 0;
     return !this->IsPhysical() || this->Kind != Drawing::Lit ||
       (PhysicalScalarsAreEncoded && !hasTexture);
   }
@@ -216,16 +217,16 @@ private:
 
   glm::dvec3 GetColor(const double* color) const
   {
-    return this->Look.HasTable ? glm::dvec3(1.0)
-      : this->Look.Color       ? ToColor(this->Look.Color->data())
-                               : ToColor(color);
+    return this->Appearance.HasTable ? glm::dvec3(1.0)
+      : this->Appearance.Color       ? ToColor(this->Appearance.Color->data())
+                                     : ToColor(color);
   }
 
   /// The colour of the property, or greys from black to white if colours vary. The block's own
   /// colours would make the pieces of one surface differ.
   std::vector<glm::dvec3> GetTypicalColors() const
   {
-    const bool varies = this->Look.HasTable || this->Look.Texture ||
+    const bool varies = this->Appearance.HasTable || this->Appearance.Texture ||
       this->Data->GetPointData()->GetScalars() || this->Data->GetCellData()->GetScalars() ||
       this->Data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor());
     if (!varies)
@@ -239,13 +240,13 @@ private:
   void FinishTexture(vtkDataObject* material)
   {
     constexpr int slot = vtkCSLFMaterial::BaseColorTexture;
-    if (!this->IsPhysical() && this->Look.Texture && !this->Look.HasTable)
+    if (!this->IsPhysical() && this->Appearance.Texture && !this->Appearance.HasTable)
     {
-      vtkCSLFMaterial::SetTextureFrom(material, slot, this->Look.Texture);
+      vtkCSLFMaterial::SetTextureFrom(material, slot, this->Appearance.Texture);
     }
     TextureSource source;
     vtkDataObject* holder = material;
-    if (this->Look.HasTable)
+    if (this->Appearance.HasTable)
     {
       holder = this->Data;
     }
@@ -278,12 +279,12 @@ private:
   /// Whether the window converts the texture's colours to linear values.
   bool IsLinearTexture() const
   {
-    if (this->Look.HasTable)
+    if (this->Appearance.HasTable)
     {
       return this->IsPhysical() && PhysicalScalarsAreEncoded;
     }
-    vtkTexture* texture =
-      this->IsPhysical() ? this->Look.Property->GetTexture("albedoTex") : this->Look.Texture.Get();
+    vtkTexture* texture = this->IsPhysical() ? this->Appearance.Property->GetTexture("albedoTex")
+                                             : this->Appearance.Texture.Get();
     return texture && texture->GetUseSRGBColorSpace();
   }
 
@@ -376,12 +377,12 @@ private:
   }
 
   vtkPolyData* Data;
-  const BlockLook& Look;
+  const BlockAppearance& Appearance;
   glm::dvec3 Ambient;
   glm::dvec3 Diffuse;
   LightLevel Level;
   Drawing Kind;
-  SurfaceLook Surface;
+  SurfaceAppearance Surface;
 };
 
 /// The middle of a box and half its largest side. For an empty box, the origin and 1.
@@ -396,23 +397,23 @@ std::pair<glm::dvec3, double> GetExtent(const vtkBoundingBox& box)
   return { ToColor(center), 0.5 * box.GetMaxLength() };
 }
 
-void AddTo(ShadingModels& models, const BlockLook& look)
+void AddTo(ShadingModels& models, const BlockAppearance& appearance)
 {
-  if (!look.Property || (!look.Property->GetLighting() && !look.IsUnlit))
+  if (!appearance.Property || (!appearance.Property->GetLighting() && !appearance.IsUnlit))
   {
     return;
   }
-  if (look.IsUnlit)
+  if (appearance.IsUnlit)
   {
     models.Classic.emplace(0.0, 1.0);
   }
-  else if (look.Property->GetInterpolation() == VTK_PBR)
+  else if (appearance.Property->GetInterpolation() == VTK_PBR)
   {
     models.Physical = true;
   }
   else
   {
-    models.Classic.emplace(look.Property->GetAmbient(), look.Property->GetDiffuse());
+    models.Classic.emplace(appearance.Property->GetAmbient(), appearance.Property->GetDiffuse());
   }
 }
 }
@@ -444,14 +445,14 @@ vtkBoundingBox GetPlacedBounds(vtkPolyData* data)
   return all;
 }
 
-void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed)
+void FinishAppearances(ImportedScene& scene, WindowLights& lights, bool interpolateDisplayed)
 {
   ShadingModels models;
   vtkBoundingBox bounds;
   for (const ImportedBlock& block : scene.Blocks)
   {
     bounds.AddBox(GetPlacedBounds(block.Data));
-    AddTo(models, block.Look);
+    AddTo(models, block.Appearance);
   }
   if (scene.HasEnvironment && !models.Classic.empty())
   {
@@ -465,12 +466,12 @@ void FinishLooks(ImportedScene& scene, WindowLights& lights, bool interpolateDis
   lights.Calibrate(whole.first, whole.second, models);
   for (const ImportedBlock& block : scene.Blocks)
   {
-    if (!block.Look.Property)
+    if (!block.Appearance.Property)
     {
       continue;
     }
     const auto extent = GetExtent(GetPlacedBounds(block.Data));
-    const bool physical = block.Look.Property->GetInterpolation() == VTK_PBR;
+    const bool physical = block.Appearance.Property->GetInterpolation() == VTK_PBR;
     const bool isLit = lights.IsLit() || (physical && scene.HasEnvironment);
     BlockFinisher finisher(block, lights.GetLevel(extent.first, extent.second), isLit);
     finisher.Finish(interpolateDisplayed);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfSoundPolyData.h"
+#include "cslfValidPolyData.h"
 
 #include "Pipeline/cslfArrayLayout.h"
 
@@ -140,7 +140,7 @@ void RemoveBrokenCells(vtkPolyData* data, const CellLists& lists, vtkIdType poin
 }
 }
 
-void SoundPolyData::AddRemoved(std::set<std::string>& list) const
+void ValidPolyData::AddRemoved(std::set<std::string>& list) const
 {
   if (this->RemovedCells > 0)
   {
@@ -156,9 +156,9 @@ void SoundPolyData::AddRemoved(std::set<std::string>& list) const
   }
 }
 
-SoundPolyData MakeSound(vtkPolyData* data)
+ValidPolyData MakeSound(vtkPolyData* data)
 {
-  SoundPolyData sound;
+  ValidPolyData sound;
   const vtkIdType points = CountPoints(data);
   const CellLists lists = { { { data->GetVerts(), points }, { data->GetLines(), points },
     { data->GetPolys(), points }, { data->GetStrips(), points } } };

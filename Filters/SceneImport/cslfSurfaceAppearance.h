@@ -4,8 +4,8 @@
  * @file
  * Converts the appearance of a surface in VTK's window to a material.
  */
-#ifndef cslfSurfaceLook_h
-#define cslfSurfaceLook_h
+#ifndef cslfSurfaceAppearance_h
+#define cslfSurfaceAppearance_h
 
 #include "cslfWindowLights.h"
 
@@ -38,11 +38,11 @@ enum class Drawing
  * diffuse base receives the light left by one boundary and the metal; here the metal takes none of
  * it. Reflectances compensate for both differences, and so does a metallic factor between 0 and 1.
  */
-class SurfaceLook
+class SurfaceAppearance
 {
 public:
   /// `typical` are colours of the surface, to which highlights and the metallic factor are fitted.
-  SurfaceLook(vtkProperty* property, const LightLevel& level, Drawing drawing,
+  SurfaceAppearance(vtkProperty* property, const LightLevel& level, Drawing drawing,
     const std::vector<glm::dvec3>& typical);
 
   /// The linear reflectance, in [0,1]. Ambient and diffuse colours differ only in properties.

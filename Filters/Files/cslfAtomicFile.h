@@ -4,8 +4,8 @@
  * @file
  * A file or folder that appears complete under its name, by renaming, or not at all.
  */
-#ifndef cslfWholeFile_h
-#define cslfWholeFile_h
+#ifndef cslfAtomicFile_h
+#define cslfAtomicFile_h
 
 #include "Files/cslfWorkFolder.h"
 #include "vtkCSLFModule.h" // for export macro
@@ -16,11 +16,11 @@ namespace cslf
 {
 /// Call Open, write to GetTemporaryName, and call Publish. If Open or Publish returns false,
 /// `error` gives the reason in one line. What was not published is removed.
-class VTKCSLF_EXPORT WholeFile
+class VTKCSLF_EXPORT AtomicFile
 {
 public:
-  explicit WholeFile(const std::string& name);
-  ~WholeFile();
+  explicit AtomicFile(const std::string& name);
+  ~AtomicFile();
 
   /// Locks this name against other writers until this object is destroyed.
   bool Open(std::string& error);
@@ -39,11 +39,11 @@ private:
 
 /// The same for a folder, which Open makes. An earlier folder is replaced only if it contains
 /// nothing but the files that `list` returns.
-class VTKCSLF_EXPORT WholeFolder
+class VTKCSLF_EXPORT AtomicFolder
 {
 public:
-  WholeFolder(const std::string& name, WorkFolder::Lister list);
-  ~WholeFolder();
+  AtomicFolder(const std::string& name, WorkFolder::Lister list);
+  ~AtomicFolder();
 
   /// `kind` describes the folder's contents in messages.
   bool Open(const std::string& kind, std::string& error);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/cslfWholeFile.h"
+#include "Files/cslfAtomicFile.h"
 
 #include "Files/cslfFileSystem.h"
 
@@ -28,14 +28,14 @@ bool IsNothing(const std::string&)
 }
 }
 
-WholeFile::WholeFile(const std::string& name)
+AtomicFile::AtomicFile(const std::string& name)
   : Work(name, IsNothing)
 {
 }
 
-WholeFile::~WholeFile() = default;
+AtomicFile::~AtomicFile() = default;
 
-bool WholeFile::Open(std::string& error)
+bool AtomicFile::Open(std::string& error)
 {
   if (!this->Work.Reserve(error))
   {
@@ -46,7 +46,7 @@ bool WholeFile::Open(std::string& error)
   return true;
 }
 
-bool WholeFile::Publish(std::string& warning, std::string& error)
+bool AtomicFile::Publish(std::string& warning, std::string& error)
 {
   if (!PublishFile(this->Temporary, this->Work.GetTarget(), error))
   {
@@ -56,15 +56,15 @@ bool WholeFile::Publish(std::string& warning, std::string& error)
   return true;
 }
 
-WholeFolder::WholeFolder(const std::string& name, WorkFolder::Lister list)
+AtomicFolder::AtomicFolder(const std::string& name, WorkFolder::Lister list)
   : List(list)
   , Work(name, IsNothing, std::move(list))
 {
 }
 
-WholeFolder::~WholeFolder() = default;
+AtomicFolder::~AtomicFolder() = default;
 
-bool WholeFolder::Open(const std::string& kind, std::string& error)
+bool AtomicFolder::Open(const std::string& kind, std::string& error)
 {
   this->Kind = kind;
   if (!this->IsReplaceable(error) || !this->Work.Reserve(error))
@@ -75,7 +75,7 @@ bool WholeFolder::Open(const std::string& kind, std::string& error)
   return MakeFolder(this->Temporary, error);
 }
 
-bool WholeFolder::IsReplaceable(std::string& error) const
+bool AtomicFolder::IsReplaceable(std::string& error) const
 {
   const std::string& folder = this->Work.GetTarget();
   std::error_code ignored;
@@ -101,7 +101,7 @@ bool WholeFolder::IsReplaceable(std::string& error) const
   return true;
 }
 
-bool WholeFolder::Publish(std::string& warning, std::string& error)
+bool AtomicFolder::Publish(std::string& warning, std::string& error)
 {
   if (!this->IsReplaceable(error) || !this->Work.PublishFolder(NewName, error))
   {
