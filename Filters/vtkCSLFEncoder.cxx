@@ -5,7 +5,6 @@
 #include "Coding/Writing/cslfEncodeSession.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPipelineWatch.h"
-#include "vtkCSLFPathTracer.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -24,34 +23,6 @@
 
 vtkStandardNewMacro(vtkCSLFEncoder);
 vtkCxxSetObjectMacro(vtkCSLFEncoder, Controller, vtkMultiProcessController);
-
-/// Lets the path tracers that feed a connection use a cache keeper while this object exists.
-class vtkCSLFEncoder::CacheKeeping
-{
-public:
-  CacheKeeping(vtkAlgorithmOutput* connection, cslf::CacheKeeper* keeper)
-    : Producers(cslf::FindProducers(connection))
-  {
-    this->Set(keeper);
-  }
-  ~CacheKeeping() { this->Set(nullptr); }
-  CacheKeeping(const CacheKeeping&) = delete;
-  CacheKeeping& operator=(const CacheKeeping&) = delete;
-
-private:
-  void Set(cslf::CacheKeeper* keeper)
-  {
-    for (const auto& producer : this->Producers)
-    {
-      if (auto* tracer = vtkCSLFPathTracer::SafeDownCast(producer))
-      {
-        tracer->SetCacheKeeper(keeper);
-      }
-    }
-  }
-
-  std::vector<vtkSmartPointer<vtkAlgorithm>> Producers;
-};
 
 class vtkCSLFEncoder::PartList
 {
@@ -206,7 +177,7 @@ int vtkCSLFEncoder::Write()
   if (session.Check(fault))
   {
     keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
-    const CacheKeeping keeping(job.Connection, &*keeper);
+    const cslf::CacheKeeping keeping(cslf::FindProducers(job.Connection), &*keeper);
     // Write always writes, even if nothing changed.
     this->Modified();
     this->Session = &session;

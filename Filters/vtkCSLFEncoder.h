@@ -327,7 +327,6 @@ private:
   vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
   void operator=(const vtkCSLFEncoder&) = delete;
 
-  class CacheKeeping;
   class PartList;
   cslf::EncodeFault FindFault();
   cslf::EncodeJob MakeJob();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
-#include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Scene/cslfArithmetic.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"

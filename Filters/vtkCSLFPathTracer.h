@@ -49,7 +49,6 @@
 #include <string>     // for std::string
 #include <vector>     // for std::vector
 
-class vtkCSLFEncoder;
 class vtkDataObject;
 class vtkMultiProcessController;
 class vtkRenderer;
@@ -57,7 +56,6 @@ class vtkScalarsToColors;
 
 namespace cslf
 {
-class CacheKeeper;
 class CacheShare;
 struct BuiltScene;
 struct CheckedPicture;
@@ -441,11 +439,6 @@ protected:
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
   void operator=(const vtkCSLFPathTracer&) = delete;
-
-  // While it writes a field, vtkCSLFEncoder sets the keeper, which shares the next cache with other
-  // ranks and stores it for a rerun; afterwards null. It is not owned.
-  friend class vtkCSLFEncoder;
-  void SetCacheKeeper(cslf::CacheKeeper* keeper);
 
   std::vector<vtkDataObject*> GetSceneInputs(vtkInformationVector** inputVector);
   void WritePipelineTimes(std::ostream& key);

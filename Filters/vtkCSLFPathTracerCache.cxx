@@ -32,16 +32,6 @@ void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
   }
 }
 
-void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
-{
-  if (keeper && this->Internals->Keeper != keeper)
-  {
-    // The keeper waits until every rank executes.
-    this->Modified();
-  }
-  this->Internals->Keeper = keeper;
-}
-
 std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 {
   // Excludes parameters of the texels that do not affect the cache.
@@ -106,7 +96,7 @@ bool vtkCSLFPathTracer::UpdateCache(
   using Plan = cslf::CacheKeeper::Plan;
   const std::string key = this->MakeCacheKey(spacing, displayRange);
   const bool isThere = this->Internals->CacheKey == key;
-  cslf::CacheKeeper* keeper = this->Internals->Keeper;
+  cslf::CacheKeeper* keeper = cslf::FindCacheKeeper(this);
   // Ranks make and check a cache together only if they check it at the same texels.
   std::string shared = key;
   if (checked)

@@ -28,7 +28,6 @@ struct vtkCSLFPathTracer::vtkInternals
   std::string CacheKey; // what the cache was built for; empty if there is none
   bool IsProbe = false; // the cache is only roughly right
   bool IsToldOf = true; // whether what the user should know of the cache has been told
-  cslf::CacheKeeper* Keeper = nullptr;
 
   /// On failure returns false and says why.
   static bool MakeEnvironment(
