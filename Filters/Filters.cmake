@@ -44,6 +44,13 @@ set(BEGIN "#ifndef cslfLookupConstants_h\n#define cslfLookupConstants_h\nnamespa
 set(END "}\n#endif")
 configure_file("${constants}" Lookup/cslfLookupConstants.h @ONLY)
 
+# The table of options, which becomes a header. The plugin's XML is made of it, too.
+include("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptions.cmake")
+configure_file("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptionTable.h.in" Options/cslfOptionTable.h
+  @ONLY)
+cslf_add(Filters/Options Option)
+list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable.h")
+
 # Measures of quality.
 cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExposures)
 
@@ -60,7 +67,9 @@ cslf_add(Filters/Coding/Reading
 
 # The encoder.
 if (CSLF_ENABLE_ENCODER)
-  list(APPEND classes ../Filters/vtkCSLFEncoder)
+  list(APPEND classes
+    ../Filters/vtkCSLFEncoder
+    ../Filters/vtkCSLFRateControl)
   cslf_add(Filters/Coding/Codecs EncoderContext VideoEncoders)
   cslf_add(Filters/Coding/Containers ContainerWriter)
   cslf_add(Filters/Coding/Groups GroupCodec GroupCoder GroupError)
@@ -74,6 +83,7 @@ endif ()
 if (CSLF_ENABLE_SAMPLER)
   list(APPEND classes
     ../Filters/vtkCSLFCornellBoxSource
+    ../Filters/vtkCSLFEnvironment
     ../Filters/vtkCSLFFieldReference
     ../Filters/vtkCSLFGLTFReader
     ../Filters/vtkCSLFImageReader
@@ -82,6 +92,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFLight
     ../Filters/vtkCSLFMaterial
     ../Filters/vtkCSLFPathTracer
+    ../Filters/vtkCSLFRadianceCacheOptions
     ../Filters/vtkCSLFSampler
     ../Filters/vtkCSLFSceneImporter
     ../Filters/vtkCSLFViewTracer)

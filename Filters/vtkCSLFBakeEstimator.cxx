@@ -6,10 +6,13 @@
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRadianceCacheOptions.h"
+#include "vtkCSLFRateControl.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <chrono>
@@ -85,12 +88,11 @@ void EraseMeasured(nlohmann::json& manifest)
 
 cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
 {
-  return { encoder->GetPreset(), encoder->GetPixelFormat(), encoder->GetCRF(),
-    encoder->GetCoverageCRF(), encoder->GetDepthCRF(), encoder->GetGroupLength(),
-    encoder->GetLossless(),
-    cslf::MakeRateTarget(
-      encoder->GetTargetRatio(), encoder->GetTargetSize(), encoder->GetTargetPSNR()),
-    std::max(1, encoder->GetKeyViewStep()), 0.0, encoder->GetCodec() };
+  vtkCSLFRateControl* rate = encoder->GetRateControl();
+  return { encoder->GetPreset(), encoder->GetPixelFormat(), rate->GetCRF(), rate->GetCoverageCRF(),
+    rate->GetDepthCRF(), encoder->GetGroupLength(), encoder->GetLossless(),
+    cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
+    std::max(1, rate->GetKeyViewStep()), 0.0, encoder->GetCodec() };
 }
 
 /// Restores a sampler's parameters.
@@ -101,7 +103,7 @@ public:
     : Sampler(sampler)
     , Resolution(sampler->GetResolution())
     , Samples(sampler->GetSamples())
-    , Spacing(sampler->GetCacheSpacing())
+    , CacheOptions(sampler->GetCacheOptions())
     , CacheProbeSeconds(sampler->GetCacheProbeSeconds())
   {
   }
@@ -109,7 +111,7 @@ public:
   {
     this->Sampler->SetResolution(this->Resolution);
     this->Sampler->SetSamples(this->Samples);
-    this->Sampler->SetCacheSpacing(this->Spacing);
+    this->Sampler->SetCacheOptions(this->CacheOptions);
     this->Sampler->SetCacheProbeSeconds(this->CacheProbeSeconds);
   }
   Restorer(const Restorer&) = delete;
@@ -119,7 +121,7 @@ private:
   vtkCSLFSampler* Sampler;
   int Resolution;
   int Samples;
-  double Spacing;
+  vtkSmartPointer<vtkCSLFRadianceCacheOptions> CacheOptions;
   double CacheProbeSeconds;
 };
 }
@@ -173,10 +175,14 @@ double vtkCSLFBakeEstimator::GetSeconds() const
 void vtkCSLFBakeEstimator::BeginProbe()
 {
   // The spacing for the resolution, whatever size is probed.
-  if (this->Sampler->GetCacheSpacing() <= 0.0)
+  if (this->Sampler->GetCacheOptions()->GetSpacing() <= 0.0)
   {
-    this->Sampler->SetCacheSpacing(
+    // A copy, because other filters may use the options, too.
+    vtkNew<vtkCSLFRadianceCacheOptions> cacheOptions;
+    cacheOptions->DeepCopy(this->Sampler->GetCacheOptions());
+    cacheOptions->SetSpacing(
       vtkCSLFPathTracer::GetAutomaticCacheSpacing(this->Sampler->GetResolution()));
+    this->Sampler->SetCacheOptions(cacheOptions);
   }
   this->Sampler->SetCacheProbeSeconds(CacheShare * this->ProbeSeconds);
 }
@@ -302,7 +308,8 @@ int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
     vtkNew<vtkCSLFEncoder> standard;
     cslf::EncodeSettings settings =
       GetSettings(this->Encoder ? this->Encoder.Get() : standard.Get());
-    if (this->Encoder && this->Encoder->GetKeyViewStep() == vtkCSLFEncoder::AutomaticKeyViews)
+    if (this->Encoder &&
+      this->Encoder->GetRateControl()->GetKeyViewStep() == vtkCSLFRateControl::AutomaticKeyViews)
     {
       settings.KeyViewStep = cslf::ToInteger(manifest[place.parent_pointer()], "key_view_step", 1);
     }

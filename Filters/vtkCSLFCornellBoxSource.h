@@ -15,7 +15,7 @@
  * green (0.12, 0.45, 0.15), and the lamp emits the radiance (17, 12, 4).
  *
  * The room is meant to be lit by its lamp alone: set the environment of the filter that traces it
- * to none (vtkCSLFPathTracer::SetEnvironmentModeToNone). Its outside is then black.
+ * to none (vtkCSLFEnvironment::SetModeToNone). Its outside is then black.
  *
  * @sa vtkCSLFSampler vtkCSLFMaterial
  */

@@ -3,8 +3,10 @@
 #include "vtkCSLFEncoder.h"
 
 #include "Coding/Writing/cslfEncodeSession.h"
+#include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPipelineWatch.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -23,6 +25,7 @@
 
 vtkStandardNewMacro(vtkCSLFEncoder);
 vtkCxxSetObjectMacro(vtkCSLFEncoder, Controller, vtkMultiProcessController);
+namespace options = cslf::options;
 
 class vtkCSLFEncoder::PartList
 {
@@ -31,13 +34,17 @@ public:
 };
 
 vtkCSLFEncoder::vtkCSLFEncoder()
-  : Parts(new PartList)
+  : RateControl(vtkSmartPointer<vtkCSLFRateControl>::New())
+  , Parts(new PartList)
+  , GroupLength(options::GroupLength.Default)
+  , Lossless(options::Lossless.Default)
+  , Restart(options::Restart.Default)
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
-  this->SetPreset("slow");
-  this->SetCodec("hevc");
-  this->SetPixelFormat("auto");
+  this->SetPreset(options::Preset.Default);
+  this->SetCodec(options::Codec.Default);
+  this->SetPixelFormat(options::PixelFormat.Default);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -48,6 +55,26 @@ vtkCSLFEncoder::~vtkCSLFEncoder()
   this->SetPreset(nullptr);
   this->SetPixelFormat(nullptr);
   this->SetController(nullptr);
+}
+
+vtkMTimeType vtkCSLFEncoder::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->RateControl->GetMTime());
+}
+
+void vtkCSLFEncoder::SetRateControl(vtkCSLFRateControl* rateControl)
+{
+  cslf::SetOptions(this, this->RateControl, rateControl);
+}
+
+vtkCSLFRateControl* vtkCSLFEncoder::GetRateControl()
+{
+  return this->RateControl;
+}
+
+void vtkCSLFEncoder::SetGroupLength(int length)
+{
+  cslf::SetClamped(this, this->GroupLength, length, options::GroupLength);
 }
 
 int vtkCSLFEncoder::FillInputPortInformation(int, vtkInformation* info)
@@ -70,7 +97,8 @@ vtkImageData* vtkCSLFEncoder::GetInput()
 
 cslf::EncodeFault vtkCSLFEncoder::FindFault()
 {
-  const double targets[] = { this->TargetRatio, this->TargetSize, this->TargetPSNR };
+  vtkCSLFRateControl* rate = this->RateControl;
+  const double targets[] = { rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR() };
   if (std::count(std::begin(targets), std::end(targets), 0.0) < 2)
   {
     return { vtkErrorCode::UserError, "Only one target of ratio, size and PSNR can be met." };
@@ -81,11 +109,12 @@ cslf::EncodeFault vtkCSLFEncoder::FindFault()
 cslf::EncodeJob vtkCSLFEncoder::MakeJob()
 {
   cslf::EncodeJob job;
+  vtkCSLFRateControl* rate = this->RateControl;
   job.FileName = this->FileName ? this->FileName : "";
   job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
-    this->CRF, this->CoverageCRF, this->DepthCRF, this->GroupLength, this->Lossless,
-    cslf::MakeRateTarget(this->TargetRatio, this->TargetSize, this->TargetPSNR), this->KeyViewStep,
-    this->TargetNovelViewPSNR, this->Codec ? this->Codec : "" };
+    rate->GetCRF(), rate->GetCoverageCRF(), rate->GetDepthCRF(), this->GroupLength, this->Lossless,
+    cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
+    rate->GetKeyViewStep(), rate->GetTargetNovelViewPSNR(), this->Codec ? this->Codec : "" };
   job.Parts = this->Parts->Parts;
   job.Restart = this->Restart;
   job.Controller = this->Controller;
@@ -230,18 +259,12 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Codec: " << (this->Codec ? this->Codec : "(none)") << "\n";
-  os << indent << "CRF: " << this->CRF << "\n";
-  os << indent << "TargetRatio: " << this->TargetRatio << "\n";
-  os << indent << "TargetSize: " << this->TargetSize << "\n";
-  os << indent << "TargetPSNR: " << this->TargetPSNR << "\n";
-  os << indent << "CoverageCRF: " << this->CoverageCRF << "\n";
-  os << indent << "DepthCRF: " << this->DepthCRF << "\n";
+  os << indent << "RateControl:\n";
+  this->RateControl->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Preset: " << (this->Preset ? this->Preset : "(none)") << "\n";
   os << indent << "PixelFormat: " << (this->PixelFormat ? this->PixelFormat : "(none)") << "\n";
   os << indent << "GroupLength: " << this->GroupLength << "\n";
   os << indent << "Lossless: " << (this->Lossless ? "On" : "Off") << "\n";
-  os << indent << "KeyViewStep: " << this->KeyViewStep << "\n";
-  os << indent << "TargetNovelViewPSNR: " << this->TargetNovelViewPSNR << "\n";
   os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
   os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

@@ -23,11 +23,12 @@
  * are negative or above 49.26, the end of the curve at 10000 cd/m^2, are clipped with a warning.
  * Alpha keeps 8 bits. Float colour cannot be lossless.
  *
- * Instead of a rate factor, a target can be set: the size of the file (TargetSize), its ratio to
- * the raw colours (TargetRatio), or the quality of its colours (TargetPSNR). A sample of the
- * viewpoints is then coded first, for which they may be requested from the input twice. With
- * KeyViewStep, only an evenly spread subset of the viewpoints is requested and coded: the file is a
- * field of fewer viewpoints (paper, section 3.3). See Documentation/Compression.md.
+ * vtkCSLFRateControl sets the quality. Instead of a rate factor, it can set a target: the size of
+ * the file (TargetSize), its ratio to the raw colours (TargetRatio), or the quality of its colours
+ * (TargetPSNR). A sample of the viewpoints is then coded first, for which they may be requested
+ * from the input twice. With KeyViewStep, only an evenly spread subset of the viewpoints is
+ * requested and coded: the file is a field of fewer viewpoints (paper, section 3.3). See
+ * Documentation/Compression.md.
  *
  * Viewpoints are coded in closed groups of at most GroupLength, beginning with those of the
  * coarsest nested grid. Groups and tracks are coded in parallel with vtkSMPTools, and the file has
@@ -56,16 +57,18 @@
  * fails, all fail. The lowest failing rank reports its error, and Write returns 0 on all.
  *
  * @sa
- * vtkCSLFDecoder vtkCSLFSampler
+ * vtkCSLFDecoder vtkCSLFRateControl vtkCSLFSampler
  */
 #ifndef vtkCSLFEncoder_h
 #define vtkCSLFEncoder_h
 
 #include "vtkAlgorithm.h"
-#include "vtkCSLFModule.h" // For export macro
+#include "vtkCSLFModule.h"   // For export macro
+#include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
 
+class vtkCSLFRateControl;
 class vtkImageData;
 class vtkMultiProcessController;
 class vtkUnsignedCharArray;
@@ -83,6 +86,11 @@ public:
   static vtkCSLFEncoder* New();
   vtkTypeMacro(vtkCSLFEncoder, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Includes the modification time of the rate control.
+   */
+  vtkMTimeType GetMTime() override;
 
   ///@{
   /**
@@ -110,62 +118,10 @@ public:
 
   ///@{
   /**
-   * Set/get the constant rate factor of colour, from 0 (best) to 51 (smallest). An increase by
-   * about 6 halves the size. The scale is that of x265, which is also that of x264. For AV1, the
-   * integer on its own scale with about the same quality is used. Default: 22.
+   * Set/get the rate factors, targets and key views. Null selects new ones with the default values.
    */
-  vtkSetClampMacro(CRF, double, 0.0, 51.0);
-  vtkGetMacro(CRF, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the target ratio of the raw colours, 3 bytes per texel, to the file with all tracks and
-   * the container. The rate factors are chosen accordingly; the ratio is met within 3 %. 0 means no
-   * such target. Only one of the three targets may be set, and none together with Lossless. If a
-   * target cannot be met, an error states what can. Default: 0.
-   */
-  vtkSetClampMacro(TargetRatio, double, 0.0, 1e9);
-  vtkGetMacro(TargetRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the target size of the file in bytes, which is met within 3 %, see TargetRatio.
-   * Default: 0, no such target.
-   */
-  vtkSetClampMacro(TargetSize, double, 0.0, 1e18);
-  vtkGetMacro(TargetSize, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the target PSNR, in dB, of decoded colours against those of the input: red, green and
-   * blue of 8 bits over black, with one mean square error over all texels. It is met within 0.3 dB,
-   * see also TargetRatio. Default: 0, no such target.
-   */
-  vtkSetClampMacro(TargetPSNR, double, 0.0, 100.0);
-  vtkGetMacro(TargetPSNR, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the constant rate factor of coverage, from 0 to 51. If a target determines the rate
-   * factor of colour, and it is above 22, that of coverage is increased by the difference. Default:
-   * 24, with which novel views lose less than 0.3 dB, see Documentation/Compression.md.
-   */
-  vtkSetClampMacro(CoverageCRF, double, 0.0, 51.0);
-  vtkGetMacro(CoverageCRF, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the constant rate factor of depth, from 0 to 51. With a target, it is increased like
-   * that of coverage. Depth is coded by a curve that is finer near the entry face. Default: 8,
-   * because lookups with depth correction need accurate depth.
-   */
-  vtkSetClampMacro(DepthCRF, double, 0.0, 51.0);
-  vtkGetMacro(DepthCRF, double);
+  virtual void SetRateControl(vtkCSLFRateControl* rateControl);
+  vtkCSLFRateControl* GetRateControl();
   ///@}
 
   ///@{
@@ -197,7 +153,7 @@ public:
    * Set/get the maximum number of frames of a closed group, from 1 to 16. A decoder decodes at most
    * this number of frames to get one viewpoint. Default: 16.
    */
-  vtkSetClampMacro(GroupLength, int, 1, 16);
+  void SetGroupLength(int length);
   vtkGetMacro(GroupLength, int);
   ///@}
 
@@ -210,36 +166,6 @@ public:
   vtkSetMacro(Lossless, bool);
   vtkGetMacro(Lossless, bool);
   vtkBooleanMacro(Lossless, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the step of key views: of this number of viewpoints along each side of a face, one is
-   * kept. The viewpoints on the edges are always kept, and between them as few as leave no larger
-   * gap, evenly spread. The step is at most the number of viewpoints minus 1. AutomaticKeyViews
-   * selects the largest step that reaches TargetNovelViewPSNR. Default: 1, which keeps all
-   * viewpoints.
-   */
-  enum
-  {
-    AutomaticKeyViews = 0
-  };
-  vtkSetClampMacro(KeyViewStep, int, AutomaticKeyViews, VTK_INT_MAX);
-  vtkGetMacro(KeyViewStep, int);
-  void SetKeyViewStepToAutomatic() { this->SetKeyViewStep(AutomaticKeyViews); }
-  ///@}
-
-  ///@{
-  /**
-   * Set/get the target PSNR, in dB, of omitted viewpoints, reconstructed from the key views before
-   * coding by the depth lookup (without depth, with the focus at the cube's centre). It is measured
-   * for red, green and blue of 8 bits over black; for floats, at the exposure from 1/16 to 16 times
-   * the baked one at which it is lowest. A seeded sample of viewpoints and texels is used. If no
-   * key views reach the target, an error states the best PSNR. Used only with AutomaticKeyViews.
-   * Default: 35.
-   */
-  vtkSetClampMacro(TargetNovelViewPSNR, double, 0.0, 100.0);
-  vtkGetMacro(TargetNovelViewPSNR, double);
   ///@}
 
   ///@{
@@ -292,9 +218,9 @@ public:
   ///@{
   /**
    * The results of the last Write on rank 0, all 0 if it failed: the mean rate factor of colour
-   * over all viewpoints, the size of the file in bytes, its ratio as defined by TargetRatio, and
-   * its PSNR as defined by TargetPSNR, for which each group is decoded again. The PSNR is at most
-   * 100. It is 0 for lossless files and float colour, for which it is not measured.
+   * over all viewpoints, the size of the file in bytes, its ratio and its PSNR as defined by the
+   * targets of vtkCSLFRateControl. For the PSNR, each group is decoded again. It is at most 100. It
+   * is 0 for lossless files and float colour, for which it is not measured.
    */
   vtkGetMacro(ActualCRF, double);
   vtkGetMacro(ActualSize, double);
@@ -333,23 +259,16 @@ private:
   bool Report(const cslf::EncodeSession& session);
 
   cslf::EncodeSession* Session = nullptr; // while Write is at work
+  vtkSmartPointer<vtkCSLFRateControl> RateControl;
   const std::unique_ptr<PartList> Parts;
   vtkMultiProcessController* Controller = nullptr;
   char* FileName = nullptr;
   char* Codec = nullptr;
-  double CRF = 22.0;
-  double TargetRatio = 0.0;
-  double TargetSize = 0.0;
-  double TargetPSNR = 0.0;
-  double CoverageCRF = 24.0;
-  double DepthCRF = 8.0;
   char* Preset = nullptr;
   char* PixelFormat = nullptr;
-  int GroupLength = 16;
-  bool Lossless = false;
-  int KeyViewStep = 1;
-  double TargetNovelViewPSNR = 35.0;
-  bool Restart = true;
+  int GroupLength;
+  bool Lossless;
+  bool Restart;
   double ActualCRF = 0.0;
   double ActualSize = 0.0;
   double ActualRatio = 0.0;

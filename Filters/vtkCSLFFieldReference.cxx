@@ -12,6 +12,7 @@
 #include "cslfColor.h"
 #include "cslfJSON.h"
 #include "cslfVTKCompatibility.h"
+#include "vtkCSLFEnvironment.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataObject.h>
@@ -278,7 +279,7 @@ private:
     settings.Seed = static_cast<std::uint32_t>(
       cslf::MixBits(ReferenceSalt, static_cast<std::uint32_t>(this->Self->GetSeed())));
     settings.Exposure = this->Self->GetExposure();
-    settings.ShowEnvironment = this->Self->GetShowEnvironment();
+    settings.ShowEnvironment = this->Self->GetEnvironment()->GetShow();
     settings.Paths.MaximumDepth = this->Self->GetMaximumDepth();
     return settings;
   }

@@ -8,7 +8,7 @@
  * reference, and compares them. The scene is on input port 0, with the parameters of
  * vtkCSLFPathTracer. The field, or any range of its viewpoints, is on port 1. It is read in slabs,
  * so it may be larger than memory. Only the compared texels are traced, so the time hardly depends
- * on the size of the field. Set the scene, light, MaximumDepth, ShowEnvironment and Exposure as for
+ * on the size of the field. Set the scene, light, MaximumDepth, Environment and Exposure as for
  * the sampling of the field. If the scene differs from the one recorded in the field's description,
  * a warning is given.
  *

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
+#include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Scene/cslfArithmetic.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
@@ -33,6 +34,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iomanip>
 #include <sstream>
@@ -41,9 +43,16 @@
 
 vtkCxxSetObjectMacro(vtkCSLFPathTracer, Controller, vtkMultiProcessController);
 
+namespace options = cslf::options;
+
 namespace
 {
 glm::dvec3 ToVector(const double tuple[3])
+{
+  return { tuple[0], tuple[1], tuple[2] };
+}
+
+std::array<double, 3> ToArray(const double tuple[3])
 {
   return { tuple[0], tuple[1], tuple[2] };
 }
@@ -79,34 +88,46 @@ void WriteTimes(vtkDataObject* data, std::ostream& key)
     }
   }
 }
+
+/// Writes everything of an environment that is part of a scene.
+void WriteEnvironment(vtkCSLFEnvironment* environment, std::ostream& key)
+{
+  const char* fileName = environment->GetFileName();
+  key << environment->GetMode() << ' ' << environment->GetIntensity() << ' '
+      << (fileName ? fileName : "");
+  for (const double* tuple :
+    { environment->GetColor(), environment->GetBottomColor(), environment->GetUp() })
+  {
+    key << ' ' << tuple[0] << ' ' << tuple[1] << ' ' << tuple[2];
+  }
 }
 
-bool vtkCSLFPathTracer::vtkInternals::MakeEnvironment(
-  vtkCSLFPathTracer* self, cslf::Environment& environment, std::string& error)
+/// On failure returns false and says why.
+bool MakeEnvironment(vtkCSLFEnvironment* from, cslf::Environment& environment, std::string& error)
 {
-  const int mode = self->EnvironmentMode;
-  if (mode == NoEnvironment)
+  const int mode = from->GetMode();
+  if (mode == vtkCSLFEnvironment::NoEnvironment)
   {
     environment = cslf::Environment();
     return true;
   }
-  const glm::dvec3 up = ToVector(self->EnvironmentUp);
+  const glm::dvec3 up = ToVector(from->GetUp());
   if (!(glm::length(up) > 0.0))
   {
-    error = "EnvironmentUp must not be 0.";
+    error = "The environment's Up must not be 0.";
     return false;
   }
   const cslf::EnvironmentAxes axes = cslf::EnvironmentAxes::FromUp(up);
-  const double intensity = self->EnvironmentIntensity;
-  if (mode == ImageEnvironment)
+  const double intensity = from->GetIntensity();
+  if (mode == vtkCSLFEnvironment::ImageEnvironment)
   {
-    if (!self->EnvironmentFileName)
+    if (!from->GetFileName())
     {
-      error = "EnvironmentFileName is not set.";
+      error = "The environment's FileName is not set.";
       return false;
     }
     cslf::EnvironmentImage image;
-    if (!cslf::ReadEnvironmentImage(self->EnvironmentFileName, image, error))
+    if (!cslf::ReadEnvironmentImage(from->GetFileName(), image, error))
     {
       return false;
     }
@@ -114,14 +135,47 @@ bool vtkCSLFPathTracer::vtkInternals::MakeEnvironment(
     return true;
   }
   const double* bottom =
-    mode == GradientEnvironment ? self->EnvironmentBottomColor : self->EnvironmentColor;
-  environment = cslf::Environment(
-    intensity * ToLinear(bottom), intensity * ToLinear(self->EnvironmentColor), axes);
+    mode == vtkCSLFEnvironment::GradientEnvironment ? from->GetBottomColor() : from->GetColor();
+  environment =
+    cslf::Environment(intensity * ToLinear(bottom), intensity * ToLinear(from->GetColor()), axes);
   return true;
 }
 
+/// The environment in the record. A scene's own one replaces it.
+nlohmann::json DescribeEnvironment(vtkCSLFEnvironment* environment, bool isReplaced)
+{
+  if (isReplaced)
+  {
+    return { { options::EnvironmentMode.Key, "scene" } };
+  }
+  static const char* const modes[] = { "none", "constant", "gradient", "image" };
+  const int mode = environment->GetMode();
+  nlohmann::json record = { { options::EnvironmentMode.Key, modes[mode] } };
+  if (mode != vtkCSLFEnvironment::NoEnvironment)
+  {
+    record[options::EnvironmentIntensity.Key] = environment->GetIntensity();
+    record[options::EnvironmentUp.Key] = ToArray(environment->GetUp());
+  }
+  const bool isGradient = mode == vtkCSLFEnvironment::GradientEnvironment;
+  if (isGradient || mode == vtkCSLFEnvironment::ConstantEnvironment)
+  {
+    record[options::EnvironmentColor.Key] = ToArray(environment->GetColor());
+  }
+  if (isGradient)
+  {
+    record[options::EnvironmentBottomColor.Key] = ToArray(environment->GetBottomColor());
+  }
+  return record;
+}
+}
+
 vtkCSLFPathTracer::vtkCSLFPathTracer()
-  : Internals(std::make_unique<vtkInternals>())
+  : Samples(options::Samples.Default)
+  , NoiseTarget(options::NoiseTarget.Default)
+  , MaximumDepth(options::MaximumDepth.Default)
+  , Seed(options::Seed.Default)
+  , Exposure(options::Exposure.Default)
+  , Internals(std::make_unique<vtkInternals>())
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
@@ -131,7 +185,6 @@ vtkCSLFPathTracer::vtkCSLFPathTracer()
 vtkCSLFPathTracer::~vtkCSLFPathTracer()
 {
   this->SetController(nullptr);
-  this->SetEnvironmentFileName(nullptr);
 }
 
 vtkExecutive* vtkCSLFPathTracer::CreateDefaultExecutive()
@@ -152,7 +205,8 @@ vtkExecutive* vtkCSLFPathTracer::CreateDefaultExecutive()
 
 vtkMTimeType vtkCSLFPathTracer::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
+  vtkMTimeType time = std::max({ this->Superclass::GetMTime(),
+    this->Internals->Environment->GetMTime(), this->Internals->CacheOptions->GetMTime() });
   if (vtkScalarsToColors* table = this->Internals->LookupTable)
   {
     time = std::max(time, table->GetMTime());
@@ -162,6 +216,46 @@ vtkMTimeType vtkCSLFPathTracer::GetMTime()
     time = std::max(time, importer->GetMTime());
   }
   return time;
+}
+
+void vtkCSLFPathTracer::SetSamples(int samples)
+{
+  cslf::SetClamped(this, this->Samples, samples, options::Samples);
+}
+
+void vtkCSLFPathTracer::SetNoiseTarget(double target)
+{
+  cslf::SetClamped(this, this->NoiseTarget, target, options::NoiseTarget);
+}
+
+void vtkCSLFPathTracer::SetMaximumDepth(int depth)
+{
+  cslf::SetClamped(this, this->MaximumDepth, depth, options::MaximumDepth);
+}
+
+void vtkCSLFPathTracer::SetExposure(double exposure)
+{
+  cslf::SetClamped(this, this->Exposure, exposure, options::Exposure);
+}
+
+void vtkCSLFPathTracer::SetEnvironment(vtkCSLFEnvironment* environment)
+{
+  cslf::SetOptions(this, this->Internals->Environment, environment);
+}
+
+vtkCSLFEnvironment* vtkCSLFPathTracer::GetEnvironment()
+{
+  return this->Internals->Environment;
+}
+
+void vtkCSLFPathTracer::SetCacheOptions(vtkCSLFRadianceCacheOptions* cacheOptions)
+{
+  cslf::SetOptions(this, this->Internals->CacheOptions, cacheOptions);
+}
+
+vtkCSLFRadianceCacheOptions* vtkCSLFPathTracer::GetCacheOptions()
+{
+  return this->Internals->CacheOptions;
 }
 
 void vtkCSLFPathTracer::SetRenderer(vtkRenderer* renderer)
@@ -307,19 +401,14 @@ std::string vtkCSLFPathTracer::MakeSceneKey(const std::vector<vtkDataObject*>& i
   vtkScalarsToColors* table = this->Internals->LookupTable;
   key << this->DistributedScene << ' ' << this->MustGather() << ' ' << this->ScalarVisibility << ' '
       << this->GetInputArrayInformation(0)->GetMTime() << ' ' << (table ? table->GetMTime() : 0)
-      << ' ' << this->EnvironmentMode << ' ' << this->EnvironmentIntensity << ' '
-      << (this->EnvironmentFileName ? this->EnvironmentFileName : "");
-  for (int i = 0; i < 3; ++i)
-  {
-    key << ' ' << this->EnvironmentColor[i] << ' ' << this->EnvironmentBottomColor[i] << ' '
-        << this->EnvironmentUp[i];
-  }
+      << ' ';
+  WriteEnvironment(this->Internals->Environment, key);
   return key.str();
 }
 
 bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
 {
-  cslf::SceneOptions options;
+  cslf::SceneOptions sceneOptions;
   std::string error;
   if (inputs.empty())
   {
@@ -327,22 +416,22 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   }
   else
   {
-    vtkInternals::MakeEnvironment(this, options.Surroundings, error);
+    MakeEnvironment(this->Internals->Environment, sceneOptions.Surroundings, error);
   }
   std::vector<vtkSmartPointer<vtkDataObject>> parts(inputs.begin(), inputs.end());
   // If one rank cannot take part, the others learn it here.
   if (this->MustGather())
   {
-    this->GatherScene(parts, options.Ranks, error);
+    this->GatherScene(parts, sceneOptions.Ranks, error);
   }
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
     return false;
   }
-  options.LookupTable = this->Internals->LookupTable;
+  sceneOptions.LookupTable = this->Internals->LookupTable;
   bool hasTexts = false;
-  options.FindScalars = [this, &hasTexts](vtkPolyData* data, bool& ofCells) -> vtkDataArray*
+  sceneOptions.FindScalars = [this, &hasTexts](vtkPolyData* data, bool& ofCells) -> vtkDataArray*
   {
     if (!this->ScalarVisibility)
     {
@@ -356,8 +445,8 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
     const bool usable = ofCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
     return usable ? array : nullptr;
   };
-  options.InPieces = this->DistributedScene;
-  this->Internals->Scene = cslf::BuildScene({ parts.begin(), parts.end() }, options);
+  sceneOptions.InPieces = this->DistributedScene;
+  this->Internals->Scene = cslf::BuildScene({ parts.begin(), parts.end() }, sceneOptions);
   if (!this->Internals->Scene.World)
   {
     if (this->Internals->Scene.IsEmpty && this->Internals->Importer)
@@ -423,48 +512,31 @@ cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
   settings.NoiseTarget = this->NoiseTarget;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Exposure = this->Exposure;
-  settings.ShowEnvironment = this->ShowEnvironment;
+  settings.ShowEnvironment = this->Internals->Environment->GetShow();
   settings.Paths.MaximumDepth = this->MaximumDepth;
   return settings;
 }
 
 std::string vtkCSLFPathTracer::DescribeSampling()
 {
-  static const char* const modes[] = { "none", "constant", "gradient", "image" };
-  nlohmann::json environment = { { "mode", modes[this->EnvironmentMode] } };
-  if (this->Internals->Scene.HasEnvironment)
-  {
-    environment["mode"] = "scene";
-  }
-  else if (this->EnvironmentMode != NoEnvironment)
-  {
-    environment["intensity"] = this->EnvironmentIntensity;
-    environment["up"] = this->EnvironmentUp;
-  }
-  const bool own = !this->Internals->Scene.HasEnvironment;
-  const bool gradient = own && this->EnvironmentMode == GradientEnvironment;
-  if (gradient || (own && this->EnvironmentMode == ConstantEnvironment))
-  {
-    environment["color"] = this->EnvironmentColor;
-  }
-  if (gradient)
-  {
-    environment["bottom_color"] = this->EnvironmentBottomColor;
-  }
+  vtkCSLFEnvironment* environment = this->Internals->Environment;
   nlohmann::json sampling = { { "scene", this->Internals->Scene.Fingerprint },
     { "arithmetic", cslf::GetArithmetic() },
     { "integrator", this->Integrator == RadianceCaching ? "radiance-caching" : "path-tracing" },
-    { "samples", this->Samples }, { "maximum_depth", this->MaximumDepth }, { "seed", this->Seed },
-    { "exposure", this->Exposure }, { "show_environment", this->ShowEnvironment },
-    { "environment", environment } };
+    { options::Samples.Key, this->Samples }, { options::MaximumDepth.Key, this->MaximumDepth },
+    { options::Seed.Key, this->Seed }, { options::Exposure.Key, this->Exposure },
+    { options::ShowEnvironment.Key, environment->GetShow() },
+    { "environment", DescribeEnvironment(environment, this->Internals->Scene.HasEnvironment) } };
   if (this->NoiseTarget > 0.0)
   {
-    sampling["noise_target"] = this->NoiseTarget;
+    sampling[options::NoiseTarget.Key] = this->NoiseTarget;
   }
   if (this->Integrator == RadianceCaching)
   {
-    sampling["cache"] = { { "tolerance", this->CacheTolerance }, { "spacing", this->CacheSpacing },
-      { "samples", this->CacheSamples } };
+    vtkCSLFRadianceCacheOptions* cacheOptions = this->Internals->CacheOptions;
+    sampling["cache"] = { { options::CacheTolerance.Key, cacheOptions->GetTolerance() },
+      { options::CacheSpacing.Key, cacheOptions->GetSpacing() },
+      { options::CacheSamples.Key, cacheOptions->GetSamples() } };
     const cslf::RadianceCache* cache = this->Internals->Cache.get();
     if (cache && !this->Internals->CacheKey.empty() && cache->IsCoarsened())
     {
@@ -506,12 +578,14 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
   settings.DisplayRange = displayRange;
   if (this->Integrator == RadianceCaching)
   {
+    const double spacing = this->Internals->CacheOptions->GetSpacing();
+    const bool isChecked = this->Internals->CacheOptions->GetCheck();
     const double automatic =
       GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight));
     const cslf::CheckedPicture whole{ layout.TileWidth, layout.TileHeight, layout.Tiles,
       wholeSlices, grids };
-    if (!this->UpdateCache(this->CacheSpacing > 0.0 ? this->CacheSpacing : automatic, displayRange,
-          share, this->CheckCache ? &whole : nullptr))
+    if (!this->UpdateCache(
+          spacing > 0.0 ? spacing : automatic, displayRange, share, isChecked ? &whole : nullptr))
     {
       return false;
     }
@@ -519,7 +593,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     if (!this->Internals->IsProbe)
     {
       // The cache may have been made without it.
-      if (this->CheckCache && !settings.Cache->GetCheck().IsMade())
+      if (isChecked && !settings.Cache->GetCheck().IsMade())
       {
         this->MeasureCache(whole, nullptr);
       }
@@ -544,10 +618,8 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Integrator: " << this->Integrator << "\n";
-  os << indent << "CacheTolerance: " << this->CacheTolerance << "\n";
-  os << indent << "CacheSpacing: " << this->CacheSpacing << "\n";
-  os << indent << "CacheSamples: " << this->CacheSamples << "\n";
-  os << indent << "CheckCache: " << this->CheckCache << "\n";
+  os << indent << "CacheOptions:\n";
+  this->Internals->CacheOptions->PrintSelf(os, indent.GetNextIndent());
   os << indent << "CheckedTexels: " << this->CheckedTexels << "\n";
   os << indent << "CacheMeanDifference: " << this->CacheMeanDifference << " +- "
      << this->CacheMeanDifferenceError << "\n";
@@ -566,17 +638,8 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDepth: " << this->MaximumDepth << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
-  os << indent << "ShowEnvironment: " << this->ShowEnvironment << "\n";
-  os << indent << "EnvironmentMode: " << this->EnvironmentMode << "\n";
-  os << indent << "EnvironmentColor: " << this->EnvironmentColor[0] << " "
-     << this->EnvironmentColor[1] << " " << this->EnvironmentColor[2] << "\n";
-  os << indent << "EnvironmentBottomColor: " << this->EnvironmentBottomColor[0] << " "
-     << this->EnvironmentBottomColor[1] << " " << this->EnvironmentBottomColor[2] << "\n";
-  os << indent << "EnvironmentIntensity: " << this->EnvironmentIntensity << "\n";
-  os << indent << "EnvironmentFileName: "
-     << (this->EnvironmentFileName ? this->EnvironmentFileName : "(none)") << "\n";
-  os << indent << "EnvironmentUp: " << this->EnvironmentUp[0] << " " << this->EnvironmentUp[1]
-     << " " << this->EnvironmentUp[2] << "\n";
+  os << indent << "Environment:\n";
+  this->Internals->Environment->PrintSelf(os, indent.GetNextIndent());
   os << indent << "ScalarVisibility: " << this->ScalarVisibility << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
   os << indent << "Renderer: " << this->GetRenderer() << "\n";

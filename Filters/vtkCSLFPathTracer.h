@@ -49,6 +49,8 @@
 #include <string>     // for std::string
 #include <vector>     // for std::vector
 
+class vtkCSLFEnvironment;
+class vtkCSLFRadianceCacheOptions;
 class vtkDataObject;
 class vtkMultiProcessController;
 class vtkRenderer;
@@ -72,7 +74,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Includes the modification times of the lookup table and of everything that the renderer shows.
+   * Includes the modification times of the environment, the cache options, the lookup table and
+   * everything that the renderer shows.
    */
   vtkMTimeType GetMTime() override;
 
@@ -104,56 +107,18 @@ public:
 
   ///@{
   /**
-   * The bias of radiance caching, as a fraction of displayed white (sRGB-encoded, Exposure
-   * included). Points are added where the error of interpolation would exceed this value, until
-   * their distance is CacheSpacing. One and a half standard errors of each point are also kept
-   * below this value, as far as CacheSamples allows, and so is the root mean square error of
-   * reflections that are looked up. For byte output, values above white are clipped and need not be
-   * accurate. For floating-point output, a viewer may change the exposure, so the tolerance holds
-   * at any exposure from 1/16 to 16 times Exposure, which takes more paths. Range: 1e-6 to 1.
-   * Default: 1/128, two levels of 8 bits.
+   * The accuracy and cost of radiance caching. Null selects new options with the default values.
    */
-  vtkSetClampMacro(CacheTolerance, double, 1e-6, 1.0);
-  vtkGetMacro(CacheTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * The smallest distance between points of the radiance cache, as a fraction of the diagonal of
-   * the scene's bounds. This is about the width of the sharpest shadow edge. 0 selects 0.3 divided
-   * by the number of texels or pixels along the longer side of a picture, about half a texel on the
-   * far side of the cube. Range: 0 to 1. Default: 0.
-   */
-  vtkSetClampMacro(CacheSpacing, double, 0.0, 1.0);
-  vtkGetMacro(CacheSpacing, double);
+  virtual void SetCacheOptions(vtkCSLFRadianceCacheOptions* cacheOptions);
+  vtkCSLFRadianceCacheOptions* GetCacheOptions();
   ///@}
 
   /**
-   * The spacing that 0 selects, as a fraction of the diagonal of the scene's bounds, for pictures
-   * with `size` texels or pixels along the longer side. Sizes below 1 are treated as 1.
+   * The spacing that 0 selects in the cache options, as a fraction of the diagonal of the scene's
+   * bounds, for pictures with `size` texels or pixels along the longer side. Sizes below 1 are
+   * treated as 1.
    */
   static double GetAutomaticCacheSpacing(int size);
-
-  ///@{
-  /**
-   * The maximum number of paths for one point of the radiance cache. At least 64. Default: 1024.
-   */
-  vtkSetClampMacro(CacheSamples, int, 64, VTK_INT_MAX);
-  vtkGetMacro(CacheSamples, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to compare each new cache with path tracing, at up to 1024 random points of the texels
-   * or pixels that the update will render, with 64 paths each; fewer points if little is to be
-   * rendered. A warning is given if the cache differs by more than its bounds: 2 % of the mean
-   * radiance, or three times CacheTolerance as a root mean square of displayed colours, each
-   * exceeded by more than three standard errors. Default: on.
-   */
-  vtkSetMacro(CheckCache, bool);
-  vtkGetMacro(CheckCache, bool);
-  vtkBooleanMacro(CheckCache, bool);
-  ///@}
 
   ///@{
   /**
@@ -172,17 +137,17 @@ public:
 
   /**
    * The actual spacing of the cache's points, as a fraction of the diagonal of the scene's bounds.
-   * It is larger than CacheSpacing, with a warning, if the scene would need too many bricks. It is
-   * 0 without a cache.
+   * It is larger than the Spacing of the cache options, with a warning, if the scene would need too
+   * many bricks. It is 0 without a cache.
    */
   vtkGetMacro(UsedCacheSpacing, double);
 
   ///@{
   /**
    * The number of paths for each texel or pixel, distributed over its area. Powers of two are
-   * distributed best. At least 1. Default: 64.
+   * distributed best. Range: 1 to 1048576. Default: 64.
    */
-  vtkSetClampMacro(Samples, int, 1, VTK_INT_MAX);
+  void SetSamples(int samples);
   vtkGetMacro(Samples, int);
   ///@}
 
@@ -196,7 +161,7 @@ public:
    * texels of its square determine its number of samples. Range: 0 to 1. Default: 0, which takes
    * all Samples.
    */
-  vtkSetClampMacro(NoiseTarget, double, 0.0, 1.0);
+  void SetNoiseTarget(double target);
   vtkGetMacro(NoiseTarget, double);
   ///@}
 
@@ -204,9 +169,9 @@ public:
   /**
    * The maximum number of reflections of a path: 0 shows emission only, 1 adds direct light, and
    * higher values add indirect light. Each passage through a glass surface counts as a reflection.
-   * At least 0. Default: 8.
+   * Range: 0 to 1000. Default: 8.
    */
-  vtkSetClampMacro(MaximumDepth, int, 0, VTK_INT_MAX);
+  void SetMaximumDepth(int depth);
   vtkGetMacro(MaximumDepth, int);
   ///@}
 
@@ -222,87 +187,17 @@ public:
   /**
    * The factor of the radiance before it is stored. At least 0. Default: 1.
    */
-  vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
+  void SetExposure(double exposure);
   vtkGetMacro(Exposure, double);
   ///@}
 
   ///@{
   /**
-   * Whether rays that miss the scene show the environment, with alpha 1, or nothing, with alpha 0.
-   * Default: off.
+   * The light from infinitely far away. Default, and what null selects: a new environment with the
+   * default values, which is white.
    */
-  vtkSetMacro(ShowEnvironment, bool);
-  vtkGetMacro(ShowEnvironment, bool);
-  vtkBooleanMacro(ShowEnvironment, bool);
-  ///@}
-
-  /**
-   * The kinds of environment: light from infinitely far away.
-   */
-  enum EnvironmentModes
-  {
-    NoEnvironment = 0,   ///< no light
-    ConstantEnvironment, ///< EnvironmentColor from all directions
-    GradientEnvironment, ///< from EnvironmentBottomColor to EnvironmentColor, along EnvironmentUp
-    ImageEnvironment     ///< the lat-long image EnvironmentFileName
-  };
-
-  ///@{
-  /**
-   * The kind of environment. Default: constant. With the default colour, it is white.
-   */
-  vtkSetClampMacro(EnvironmentMode, int, NoEnvironment, ImageEnvironment);
-  vtkGetMacro(EnvironmentMode, int);
-  void SetEnvironmentModeToNone() { this->SetEnvironmentMode(NoEnvironment); }
-  void SetEnvironmentModeToConstant() { this->SetEnvironmentMode(ConstantEnvironment); }
-  void SetEnvironmentModeToGradient() { this->SetEnvironmentMode(GradientEnvironment); }
-  void SetEnvironmentModeToImage() { this->SetEnvironmentMode(ImageEnvironment); }
-  ///@}
-
-  ///@{
-  /**
-   * The colour of a constant environment, and of a gradient at its top: sRGB, in [0,1]. Default:
-   * white.
-   */
-  vtkSetVector3Macro(EnvironmentColor, double);
-  vtkGetVector3Macro(EnvironmentColor, double);
-  ///@}
-
-  ///@{
-  /**
-   * The colour of a gradient at its bottom: sRGB, in [0,1]. Between bottom and top, radiance is
-   * linear in the height of the direction's unit vector. Default: 0.2, 0.2, 0.2.
-   */
-  vtkSetVector3Macro(EnvironmentBottomColor, double);
-  vtkGetVector3Macro(EnvironmentBottomColor, double);
-  ///@}
-
-  ///@{
-  /**
-   * The factor of the environment's linear radiance. At least 0. Default: 1.
-   */
-  vtkSetClampMacro(EnvironmentIntensity, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(EnvironmentIntensity, double);
-  ///@}
-
-  ///@{
-  /**
-   * The file of a lat-long image, in any format that OpenImageIO reads. Floating-point formats hold
-   * linear radiance and others sRGB, unless the file says otherwise. The image is oriented like the
-   * environment texture of a vtkRenderer: its middle is the direction +X, and +Z is a quarter of
-   * its width further to the right. Default: none.
-   */
-  vtkSetFilePathMacro(EnvironmentFileName);
-  vtkGetFilePathMacro(EnvironmentFileName);
-  ///@}
-
-  ///@{
-  /**
-   * The direction of the top of a gradient or an image, of any length but 0. For an image, +X is
-   * made perpendicular to it. Default: 0, 1, 0.
-   */
-  vtkSetVector3Macro(EnvironmentUp, double);
-  vtkGetVector3Macro(EnvironmentUp, double);
+  virtual void SetEnvironment(vtkCSLFEnvironment* environment);
+  vtkCSLFEnvironment* GetEnvironment();
   ///@}
 
   ///@{
@@ -319,7 +214,7 @@ public:
    * A renderer whose visible actors and lights are part of the scene, instead of or in addition to
    * input connections. The result is the same as for the output of a vtkCSLFSceneImporter as input;
    * its documentation describes the conversion of actors, properties and lights. The renderer's
-   * lights replace the environment parameters. The renderer is not drawn and needs no window.
+   * lights replace the Environment. The renderer is not drawn and needs no window.
    * Changes of anything it shows are detected. Default: none.
    */
   virtual void SetRenderer(vtkRenderer* renderer);
@@ -458,28 +353,17 @@ private:
   bool MustGather();
 
   int Integrator = PathTracing;
-  int Samples = 64;
-  double NoiseTarget = 0.0;
-  int MaximumDepth = 8;
-  double CacheTolerance = 1.0 / 128;
-  double CacheSpacing = 0.0;
-  int CacheSamples = 1024;
-  bool CheckCache = true;
+  int Samples;
+  double NoiseTarget;
+  int MaximumDepth;
   int CheckedTexels = 0;
   double CacheMeanDifference = 0.0;
   double CacheMeanDifferenceError = 0.0;
   double CacheRMSDifference = 0.0;
   double CacheRMSDifferenceError = 0.0;
   double UsedCacheSpacing = 0.0;
-  int Seed = 0;
-  double Exposure = 1.0;
-  bool ShowEnvironment = false;
-  int EnvironmentMode = ConstantEnvironment;
-  double EnvironmentColor[3] = { 1.0, 1.0, 1.0 };
-  double EnvironmentBottomColor[3] = { 0.2, 0.2, 0.2 };
-  double EnvironmentIntensity = 1.0;
-  char* EnvironmentFileName = nullptr;
-  double EnvironmentUp[3] = { 0.0, 1.0, 0.0 };
+  int Seed;
+  double Exposure;
   bool ScalarVisibility = true;
   bool InterpolateDisplayedColors = true;
   vtkTypeUInt64 NumberOfRays = 0;

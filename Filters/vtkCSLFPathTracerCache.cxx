@@ -5,6 +5,7 @@
 #include "vtkCSLFPathTracer.h"
 
 #include "Files/cslfLibraries.h"
+#include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
@@ -15,6 +16,8 @@
 #include <chrono>
 #include <memory>
 #include <string>
+
+namespace options = cslf::options;
 
 double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
 {
@@ -36,13 +39,14 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 {
   // Excludes parameters of the texels that do not affect the cache.
   nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
-  for (const char* name : { "samples", "noise_target", "show_environment" })
+  for (const char* name :
+    { options::Samples.Key, options::NoiseTarget.Key, options::ShowEnvironment.Key })
   {
     key.erase(name);
   }
   key["cache"].erase("check");
   key["cache"].erase("used_spacing");
-  key["cache"]["spacing"] = spacing;
+  key["cache"][options::CacheSpacing.Key] = spacing;
   key["cache"]["display_range"] = displayRange;
   key["cslf"] = CSLF_VERSION;
   key["libraries"] = cslf::FindLibraries({ "libembree3.so", "libembree4.so" });
@@ -52,9 +56,9 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 void vtkCSLFPathTracer::MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks)
 {
   cslf::CacheSettings settings;
-  settings.Tolerance = this->CacheTolerance;
+  settings.Tolerance = this->Internals->CacheOptions->GetTolerance();
   settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
-  settings.Samples = this->CacheSamples;
+  settings.Samples = this->Internals->CacheOptions->GetSamples();
   settings.Exposure = this->Exposure;
   settings.DisplayRange = displayRange;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
@@ -178,14 +182,15 @@ void vtkCSLFPathTracer::TellCache()
       << this->UsedCacheSpacing
       << " of the scene's diagonal. Use path tracing if shadow edges must be sharper.");
   }
-  if (check.IsExceeded(this->CacheTolerance))
+  const double tolerance = this->Internals->CacheOptions->GetTolerance();
+  if (check.IsExceeded(tolerance))
   {
     vtkWarningMacro("The radiance cache differs from path tracing by more than its bounds: at "
       << check.Texels << " texels, its mean radiance differs by " << 100.0 * check.Mean << " % (+- "
       << 100.0 * check.MeanError << " %; bound 2 %), and its displayed colours by " << check.RMS
       << " of white in the root mean square (+- " << check.RMSError << "; bound "
-      << cslf::CacheCheck::GetRMSBound(this->CacheTolerance)
-      << "). Use a smaller CacheTolerance or CacheSpacing, more CacheSamples, or path tracing.");
+      << cslf::CacheCheck::GetRMSBound(tolerance)
+      << "). Use a smaller Tolerance or Spacing or more Samples in CacheOptions, or path tracing.");
   }
 }
 

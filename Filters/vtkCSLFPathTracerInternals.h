@@ -9,7 +9,9 @@
 
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFPathTracer.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSceneImporter.h"
 
 #include <vtkScalarsToColors.h>
@@ -22,16 +24,15 @@ struct vtkCSLFPathTracer::vtkInternals
 {
   vtkSmartPointer<vtkCSLFSceneImporter> Importer; // if there is a renderer
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  vtkSmartPointer<vtkCSLFEnvironment> Environment = vtkSmartPointer<vtkCSLFEnvironment>::New();
+  vtkSmartPointer<vtkCSLFRadianceCacheOptions> CacheOptions =
+    vtkSmartPointer<vtkCSLFRadianceCacheOptions>::New();
   cslf::BuiltScene Scene;
   std::string SceneKey; // what the scene was built from; empty if there is none
   std::unique_ptr<cslf::RadianceCache> Cache;
   std::string CacheKey; // what the cache was built for; empty if there is none
   bool IsProbe = false; // the cache is only roughly right
   bool IsToldOf = true; // whether what the user should know of the cache has been told
-
-  /// On failure returns false and says why.
-  static bool MakeEnvironment(
-    vtkCSLFPathTracer* self, cslf::Environment& environment, std::string& error);
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
+#include "vtkCSLFEnvironment.h"
 
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
@@ -128,7 +129,7 @@ int vtkCSLFSampler::RequestData(
     vtkErrorMacro("The cube must strictly contain the scene.");
     return 0;
   }
-  if (!this->GetShowEnvironment())
+  if (!this->GetEnvironment()->GetShow())
   {
     description.SceneBounds.emplace();
     std::copy_n(scene->Bounds, 6, description.SceneBounds->begin());

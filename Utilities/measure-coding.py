@@ -104,8 +104,8 @@ def measure_encoder(field, crf, folder):
     encoder = vtkCSLFEncoder()
     encoder.SetInputConnection(decoder.GetOutputPort())
     encoder.SetFileName(path)
-    encoder.SetCRF(crf)
-    encoder.SetDepthCRF(51)  # not measured
+    encoder.GetRateControl().SetCRF(crf)
+    encoder.GetRateControl().SetDepthCRF(51)  # not measured
     if not encoder.Write():
         raise SystemExit("The encoder could not write " + path)
     result = vtkCSLFDecoder()

@@ -6,6 +6,7 @@
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Files/cslfFileSystem.h"
+#include "Options/cslfTableOptions.h"
 #include "Scenes/cslfSceneChecks.h"
 
 #include "vtkCSLFDecoder.h"
@@ -13,6 +14,7 @@
 #include "vtkCSLFImageWriter.h"
 #ifdef CSLF_HAS_ENCODER
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 #endif
 
 #include <vtkAlgorithmOutput.h>
@@ -51,6 +53,10 @@ constexpr const char* VideoGroup = "Video (.mp4, .mkv)";
 
 /// Means a choice of key views by quality.
 constexpr const char* AutomaticKeyViews = "auto";
+
+/// The smallest targets on the command line. 0 would mean no target.
+constexpr double LeastRatio = 1e-3;
+constexpr double LeastTarget = 1.0;
 
 /// The suffixes of numbers of bytes.
 const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { "G", 1e9 } };
@@ -338,33 +344,23 @@ std::uintmax_t CountBytes(const std::string& fileName)
 
 void CodingOptions::AddTargetsTo(CLI::App& command)
 {
-  CLI::Option* factor = command
-                          .add_option("--crf", this->CRF,
-                            "constant rate factor on x265's scale for all codecs; smaller values "
-                            "give better and larger files")
-                          ->check(CLI::Range(0.0, 51.0))
-                          ->capture_default_str()
-                          ->group(VideoGroup);
+  CLI::Option* factor = AddOption(command, options::CRF, this->CRF)->group(VideoGroup);
   CLI::Option* ratio =
-    command
-      .add_option("--target-ratio", this->TargetRatio,
-        "target size of the raw 24-bit colours divided by that of the file, instead of --crf")
-      ->check(CLI::Range(1e-3, 1e9))
+    command.add_option(options::TargetRatio.Flag, this->TargetRatio, options::TargetRatio.Help)
+      ->check(RangeOf(options::TargetRatio, LeastRatio))
       ->excludes(factor)
       ->group(VideoGroup);
   CLI::Option* size =
     command
-      .add_option("--target-size", this->TargetSize,
-        "target size of the file in bytes, for example 20M or 1.5G, instead of --crf")
+      .add_option(options::TargetSize.Flag, this->TargetSize,
+        options::TargetSize.Help + std::string("; for example 20M or 1.5G"))
       ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
-      ->check(CLI::Range(1.0, 1e18))
+      ->check(RangeOf(options::TargetSize, LeastTarget))
       ->excludes(factor)
       ->excludes(ratio)
       ->group(VideoGroup);
-  command
-    .add_option("--target-psnr", this->TargetPSNR,
-      "target PSNR in dB of the coded colours against the input, instead of --crf")
-    ->check(CLI::Range(1.0, 100.0))
+  command.add_option(options::TargetPSNR.Flag, this->TargetPSNR, options::TargetPSNR.Help)
+    ->check(RangeOf(options::TargetPSNR, LeastTarget))
     ->excludes(factor)
     ->excludes(ratio)
     ->excludes(size)
@@ -375,17 +371,17 @@ void CodingOptions::AddKeyViewsTo(CLI::App& command)
 {
   CLI::Option* keys =
     command
-      .add_option("--key-views", this->KeyViews,
-        "step of key views: keep every n-th viewpoint along each side of a face, including those "
-        "on the edges; or \"auto\": as few as reach --target-novel-psnr")
-      ->check(CLI::Range(1, 4096) | CLI::IsMember({ AutomaticKeyViews }))
+      .add_option(options::KeyViewStep.Flag, this->KeyViews,
+        options::KeyViewStep.Help +
+          std::string("; or \"auto\": as few as reach --target-novel-psnr"))
+      ->check(RangeOf(options::KeyViewStep, 1) | CLI::IsMember({ AutomaticKeyViews }))
       ->capture_default_str()
       ->group(VideoGroup);
   command
-    .add_option("--target-novel-psnr", this->TargetNovelPSNR,
-      "target PSNR in dB of omitted viewpoints, reconstructed by the lookup, for --key-views auto "
-      "(default: 35)")
-    ->check(CLI::Range(1.0, 100.0))
+    .add_option(options::TargetNovelViewPSNR.Flag, this->TargetNovelPSNR,
+      options::TargetNovelViewPSNR.Help + std::string(", for --key-views auto"))
+    ->check(RangeOf(options::TargetNovelViewPSNR, LeastTarget))
+    ->default_str(CLI::detail::to_string(options::TargetNovelViewPSNR.Default))
     ->needs(keys)
     ->group(VideoGroup);
 }
@@ -393,42 +389,16 @@ void CodingOptions::AddKeyViewsTo(CLI::App& command)
 void CodingOptions::AddTo(CLI::App& command)
 {
   const std::string group = VideoGroup;
-  command.add_option("--codec", this->Codec, "hevc, av1 or h264")
-    ->capture_default_str()
-    ->group(group);
+  AddOption(command, options::Codec, this->Codec)->group(group);
   this->AddTargetsTo(command);
-  command.add_option("--coverage-crf", this->CoverageCRF, "constant rate factor of coverage")
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str()
-    ->group(group);
-  command.add_option("--depth-crf", this->DepthCRF, "constant rate factor of depth")
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str()
-    ->group(group);
+  AddOption(command, options::CoverageCRF, this->CoverageCRF)->group(group);
+  AddOption(command, options::DepthCRF, this->DepthCRF)->group(group);
   this->AddKeyViewsTo(command);
-  command
-    .add_option("--preset", this->Preset,
-      "x265 preset, or the equivalent of another encoder: ultrafast ... slow ... placebo")
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--pixel-format", this->PixelFormat,
-      "auto (the default of the codec), yuv444p, yuv444p10le, yuv422p, yuv420p, yuv420p10le, or "
-      "gbrp, which preserves saturated colour maps best; for float colour auto, yuv444p10le or "
-      "yuv444p12le")
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--group-length", this->GroupLength,
-      "viewpoints per group of pictures, the unit of random access")
-    ->check(CLI::Range(1, 16))
-    ->capture_default_str()
-    ->group(group);
-  command.add_flag("--lossless", this->Lossless, "lossless coding")->group(group);
-  command
-    .add_flag("--restart,!--no-restart", this->Restart,
-      "resume an interrupted run from OUTPUT.partial (default), or start from the beginning")
-    ->group(group);
+  AddOption(command, options::Preset, this->Preset)->group(group);
+  AddOption(command, options::PixelFormat, this->PixelFormat)->group(group);
+  AddOption(command, options::GroupLength, this->GroupLength)->group(group);
+  AddOption(command, options::Lossless, this->Lossless)->group(group);
+  AddOption(command, options::Restart, this->Restart)->group(group);
   command
     .add_option("--part", this->Parts,
       "a file to store in the video, for example scene=model/gltf-binary:scene.glb; may be "
@@ -445,24 +415,29 @@ bool CodingOptions::HasTarget() const
 }
 
 #ifdef CSLF_HAS_ENCODER
-void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
+void CodingOptions::ApplyRate(vtkCSLFRateControl* rate) const
 {
-  encoder->SetCodec(this->Codec.c_str());
-  encoder->SetCRF(this->CRF);
-  encoder->SetCoverageCRF(this->CoverageCRF);
-  encoder->SetDepthCRF(this->DepthCRF);
-  encoder->SetTargetRatio(this->TargetRatio);
-  encoder->SetTargetSize(this->TargetSize);
-  encoder->SetTargetPSNR(this->TargetPSNR);
+  rate->SetCRF(this->CRF);
+  rate->SetCoverageCRF(this->CoverageCRF);
+  rate->SetDepthCRF(this->DepthCRF);
+  rate->SetTargetRatio(this->TargetRatio);
+  rate->SetTargetSize(this->TargetSize);
+  rate->SetTargetPSNR(this->TargetPSNR);
   const bool isAutomatic = this->KeyViews == AutomaticKeyViews;
   if (this->TargetNovelPSNR > 0.0 && !isAutomatic)
   {
     throw Failure("--target-novel-psnr needs --key-views auto.");
   }
-  encoder->SetKeyViewStep(
-    isAutomatic ? vtkCSLFEncoder::AutomaticKeyViews : std::stoi(this->KeyViews, nullptr, 0));
-  encoder->SetTargetNovelViewPSNR(
-    this->TargetNovelPSNR > 0.0 ? this->TargetNovelPSNR : encoder->GetTargetNovelViewPSNR());
+  rate->SetKeyViewStep(
+    isAutomatic ? vtkCSLFRateControl::AutomaticKeyViews : std::stoi(this->KeyViews, nullptr, 0));
+  rate->SetTargetNovelViewPSNR(
+    this->TargetNovelPSNR > 0.0 ? this->TargetNovelPSNR : options::TargetNovelViewPSNR.Default);
+}
+
+void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
+{
+  encoder->SetCodec(this->Codec.c_str());
+  this->ApplyRate(encoder->GetRateControl());
   encoder->SetPreset(this->Preset.c_str());
   encoder->SetPixelFormat(this->PixelFormat.c_str());
   encoder->SetGroupLength(this->GroupLength);

@@ -8,6 +8,7 @@
 #ifndef cslfFieldFiles_h
 #define cslfFieldFiles_h
 
+#include "Options/cslfOptionTable.h"
 #include "cslfDescription.h"
 #include "cslfFieldParts.h"
 #include "cslfJSON.h"
@@ -21,6 +22,7 @@
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkCSLFEncoder;
+class vtkCSLFRateControl;
 
 namespace CLI
 {
@@ -97,20 +99,20 @@ std::uintmax_t CountBytes(const std::string& fileName);
 /// The settings of video coding. The defaults are the encoder's.
 struct CodingOptions
 {
-  std::string Codec = "hevc";
-  double CRF = 22.0;
-  double CoverageCRF = 24.0;
-  double DepthCRF = 8.0;
-  double TargetRatio = 0.0;
-  double TargetSize = 0.0;
-  double TargetPSNR = 0.0;
-  std::string KeyViews = "1"; ///< a number, or "auto"
-  double TargetNovelPSNR = 0.0;
-  std::string Preset = "slow";
-  std::string PixelFormat = "auto";
-  int GroupLength = 16;
-  bool Lossless = false;
-  bool Restart = true;
+  std::string Codec = options::Codec.Default;
+  double CRF = options::CRF.Default;
+  double CoverageCRF = options::CoverageCRF.Default;
+  double DepthCRF = options::DepthCRF.Default;
+  double TargetRatio = options::TargetRatio.Default;
+  double TargetSize = options::TargetSize.Default;
+  double TargetPSNR = options::TargetPSNR.Default;
+  std::string KeyViews = "1";   ///< a number, or "auto"
+  double TargetNovelPSNR = 0.0; ///< 0: the default
+  std::string Preset = options::Preset.Default;
+  std::string PixelFormat = options::PixelFormat.Default;
+  int GroupLength = options::GroupLength.Default;
+  bool Lossless = options::Lossless.Default;
+  bool Restart = options::Restart.Default;
   std::vector<std::string> Parts; ///< in the form that ReadParts takes
 
   void AddTo(CLI::App& command);
@@ -123,6 +125,7 @@ struct CodingOptions
   bool HasKeyViews() const { return this->KeyViews != "1"; }
 
 private:
+  void ApplyRate(vtkCSLFRateControl* rate) const; ///< only with the video encoder
   void AddTargetsTo(CLI::App& command);
   void AddKeyViewsTo(CLI::App& command);
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfIntegratorOptions.h"
 
+#include "cslfTableOptions.h"
+
 #include "vtkCSLFPathTracer.h"
 
 #include <CLI/CLI.hpp>
@@ -26,41 +28,15 @@ void IntegratorOptions::AddTo(CLI::App& command)
     ->check(CLI::IsMember({ PathTracing, RadianceCaching }))
     ->capture_default_str()
     ->group(group);
-  command.add_option("--spp", this->Samples, "samples per texel or pixel")
-    ->check(CLI::Range(1, 1 << 20))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--noise", this->NoiseTarget,
-      "take fewer samples where the standard error is at most this fraction of displayed white; 0: "
-      "take all")
-    ->check(CLI::Range(0.0, 1.0))
-    ->capture_default_str()
-    ->group(group);
-  command.add_option("--seed", this->Seed, "random seed")->capture_default_str()->group(group);
-  command
-    .add_option("--cache-tolerance", this->CacheTolerance,
-      "bias and noise of the cache, as a fraction of displayed white")
-    ->check(CLI::Range(1e-6, 1.0))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option("--cache-spacing", this->CacheSpacing,
-      "smallest distance between points of the cache, as a fraction of the scene's diagonal; 0: "
-      "from the resolution")
-    ->check(CLI::Range(0.0, 1.0))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_option(
-      "--cache-samples", this->CacheSamples, "maximum number of paths for a point of the cache")
-    ->check(CLI::Range(64, 1 << 20))
-    ->capture_default_str()
-    ->group(group);
-  command
-    .add_flag("--cache-check,--no-cache-check{false}", this->CacheCheck,
-      "whether to compare the cache with path tracing at random texels (default: yes)")
-    ->group(group);
+  AddOption(command, options::Samples, this->Samples)->group(group);
+  AddOption(command, options::NoiseTarget, this->NoiseTarget)->group(group);
+  AddOption(command, options::Seed, this->Seed)->group(group);
+  using CacheOptions = vtkCSLFRadianceCacheOptions;
+  CacheOptions* cache = this->Cache;
+  AddOption(command, options::CacheTolerance, cache, &CacheOptions::SetTolerance)->group(group);
+  AddOption(command, options::CacheSpacing, cache, &CacheOptions::SetSpacing)->group(group);
+  AddOption(command, options::CacheSamples, cache, &CacheOptions::SetSamples)->group(group);
+  AddOption(command, options::CheckCache, cache, &CacheOptions::SetCheck)->group(group);
 }
 
 void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
@@ -70,10 +46,7 @@ void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
   tracer->SetSamples(this->Samples);
   tracer->SetNoiseTarget(this->NoiseTarget);
   tracer->SetSeed(this->Seed);
-  tracer->SetCacheTolerance(this->CacheTolerance);
-  tracer->SetCacheSpacing(this->CacheSpacing);
-  tracer->SetCacheSamples(this->CacheSamples);
-  tracer->SetCheckCache(this->CacheCheck);
+  tracer->SetCacheOptions(this->Cache);
 }
 
 nlohmann::json IntegratorOptions::GetCost(vtkCSLFPathTracer* tracer)

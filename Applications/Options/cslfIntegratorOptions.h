@@ -7,7 +7,12 @@
 #ifndef cslfIntegratorOptions_h
 #define cslfIntegratorOptions_h
 
+#include "Options/cslfOptionTable.h"
 #include "cslfJSON.h"
+
+#include "vtkCSLFRadianceCacheOptions.h"
+
+#include <vtkSmartPointer.h>
 
 #include <string>
 
@@ -39,13 +44,11 @@ public:
 
 private:
   std::string Integrator;
-  int Samples = 64;
-  double NoiseTarget = 0.0;
-  int Seed = 0;
-  double CacheTolerance = 1.0 / 128;
-  double CacheSpacing = 0.0;
-  int CacheSamples = 1024;
-  bool CacheCheck = true;
+  int Samples = options::Samples.Default;
+  double NoiseTarget = options::NoiseTarget.Default;
+  int Seed = options::Seed.Default;
+  vtkSmartPointer<vtkCSLFRadianceCacheOptions> Cache =
+    vtkSmartPointer<vtkCSLFRadianceCacheOptions>::New();
 };
 }
 }

@@ -8,10 +8,12 @@
 #include "cslfSceneChecks.h"
 
 #include "Options/cslfNumberChecks.h"
+#include "Options/cslfTableOptions.h"
 #include "cslfJSONText.h"
 #include "cslfVTKCompatibility.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
@@ -293,23 +295,15 @@ void SceneOptions::AddOptionalTo(CLI::App& command)
 void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
 {
   const std::string light = "Light";
-  command.add_option("--environment", this->Environment, EnvironmentHelp)->group(light);
-  command
-    .add_option("--environment-intensity", this->EnvironmentIntensity,
-      "factor of the environment's radiance (default: 1)")
+  command.add_option(options::EnvironmentMode.Flag, this->Environment, EnvironmentHelp)
+    ->group(light);
+  AddOptional(command, options::EnvironmentIntensity, this->EnvironmentIntensity)
     ->check(NonNegative())
     ->group(light);
-  command
-    .add_flag(
-      "--show-environment", this->ShowEnvironment, "show the environment where rays miss the scene")
-    ->group(light);
-  command.add_option("--exposure", this->Exposure, "factor of the stored radiance (default: 1)")
-    ->check(Positive())
-    ->group(light);
-  command
-    .add_option("--max-depth", this->MaximumDepth,
-      "maximum number of reflections of a light path (default: 8)")
-    ->check(CLI::Range(0, 1000))
+  AddOption(command, options::ShowEnvironment, this->ShowEnvironment)->group(light);
+  AddOptional(command, options::Exposure, this->Exposure)->check(Positive())->group(light);
+  AddOptional(command, options::MaximumDepth, this->MaximumDepth)
+    ->check(RangeOf(options::MaximumDepth))
     ->group(light);
   const std::string material = "Material of the files";
   command
@@ -331,13 +325,13 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
 
 void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
 {
-  TakeDefault(sampling, "exposure", this->Exposure);
-  TakeDefault(sampling, "maximum_depth", this->MaximumDepth);
+  TakeDefault(sampling, options::Exposure.Key, this->Exposure);
+  TakeDefault(sampling, options::MaximumDepth.Key, this->MaximumDepth);
   const auto found = sampling.find("environment");
   const bool isDescribed = found != sampling.end() && found->is_object();
   const nlohmann::json environment = isDescribed ? *found : nlohmann::json::object();
-  TakeDefault(environment, "intensity", this->EnvironmentIntensity);
-  const auto named = environment.find("mode");
+  TakeDefault(environment, options::EnvironmentIntensity.Key, this->EnvironmentIntensity);
+  const auto named = environment.find(options::EnvironmentMode.Key);
   const std::string mode = named != environment.end() && named->is_string() ? *named : "";
   if (!this->Environment && mode == "image")
   {
@@ -346,7 +340,7 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
   if (!this->Environment && !mode.empty() && mode != "scene")
   {
     const nlohmann::json white = { 1.0, 1.0, 1.0 };
-    if (environment.value("color", white) != white)
+    if (environment.value(options::EnvironmentColor.Key, white) != white)
     {
       AddWarning(
         "The field was sampled with a coloured environment; it is measured with a white one.");
@@ -412,27 +406,28 @@ void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
   }
   const std::string environment =
     this->Environment.value_or(this->HasCornellBox() ? NoEnvironment : WhiteEnvironment);
+  vtkCSLFEnvironment* light = tracer->GetEnvironment();
   if (environment == NoEnvironment)
   {
-    tracer->SetEnvironmentModeToNone();
+    light->SetModeToNone();
   }
   else if (environment == WhiteEnvironment)
   {
-    tracer->SetEnvironmentModeToConstant();
+    light->SetModeToConstant();
   }
   else if (environment == GradientEnvironment)
   {
-    tracer->SetEnvironmentModeToGradient();
+    light->SetModeToGradient();
   }
   else
   {
-    tracer->SetEnvironmentModeToImage();
-    tracer->SetEnvironmentFileName(environment.c_str());
+    light->SetModeToImage();
+    light->SetFileName(environment.c_str());
   }
-  tracer->SetEnvironmentIntensity(this->EnvironmentIntensity.value_or(1.0));
-  tracer->SetShowEnvironment(this->ShowEnvironment);
-  tracer->SetExposure(this->Exposure.value_or(1.0));
-  tracer->SetMaximumDepth(this->MaximumDepth.value_or(8));
+  light->SetIntensity(this->EnvironmentIntensity.value_or(options::EnvironmentIntensity.Default));
+  light->SetShow(this->ShowEnvironment);
+  tracer->SetExposure(this->Exposure.value_or(options::Exposure.Default));
+  tracer->SetMaximumDepth(this->MaximumDepth.value_or(options::MaximumDepth.Default));
 }
 }
 }

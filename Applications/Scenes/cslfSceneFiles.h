@@ -7,6 +7,7 @@
 #ifndef cslfSceneFiles_h
 #define cslfSceneFiles_h
 
+#include "Options/cslfOptionTable.h"
 #include "cslfJSON.h"
 
 #include <vtkSmartPointer.h>
@@ -84,7 +85,7 @@ private:
   std::optional<double> EnvironmentIntensity;
   std::optional<double> Exposure;
   std::optional<int> MaximumDepth;
-  bool ShowEnvironment = false;
+  bool ShowEnvironment = options::ShowEnvironment.Default;
 };
 }
 }

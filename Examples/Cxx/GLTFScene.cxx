@@ -8,6 +8,7 @@
 
 #include <vtkCSLFGLTFReader.h>
 #include <vtkCSLFLight.h>
+#include <vtkCSLFRadianceCacheOptions.h>
 
 #include <vtkCamera.h>
 #include <vtkCubeSource.h>
@@ -122,7 +123,7 @@ int main(int argc, char* argv[])
   vtkCSLFLight::SetEnvironmentImage(scene, MakeSurroundings(), up, right);
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputData(scene);
-  sampler->SetCacheSamples(128); // few are enough for smooth light
+  sampler->GetCacheOptions()->SetSamples(128); // few are enough for smooth light
   example::SetSizes(sampler, argc, argv);
 
   vtkNew<vtkRenderer> renderer;

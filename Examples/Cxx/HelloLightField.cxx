@@ -7,6 +7,7 @@
 #include <vtkCSLFCornellBoxSource.h>
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFEncoder.h>
+#include <vtkCSLFEnvironment.h>
 #include <vtkCSLFMapper.h>
 #include <vtkCSLFSampler.h>
 
@@ -29,7 +30,7 @@ int main(int argc, char* argv[])
   sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : 9);
   sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : 128);
   sampler->SetSamples(argc > 3 ? std::atoi(argv[3]) : 16);
-  sampler->SetEnvironmentModeToNone(); // the box has a lamp
+  sampler->GetEnvironment()->SetModeToNone(); // the box has a lamp
 
   // Write the field; the encoder requests a few viewpoints at a time from the sampler.
   vtkNew<vtkCSLFEncoder> encoder;

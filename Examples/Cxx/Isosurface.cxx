@@ -6,6 +6,9 @@
 // Isosurface [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
+#include <vtkCSLFEnvironment.h>
+#include <vtkCSLFRadianceCacheOptions.h>
+
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourFilter.h>
@@ -59,9 +62,9 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(surface->GetOutputPort());
   sampler->SetLookupTable(colors);
-  sampler->SetCacheSamples(256); // few are enough for smooth light
-  sampler->SetEnvironmentModeToGradient();
-  sampler->SetEnvironmentUp(0.0, 0.0, 1.0);
+  sampler->GetCacheOptions()->SetSamples(256); // few are enough for smooth light
+  sampler->GetEnvironment()->SetModeToGradient();
+  sampler->GetEnvironment()->SetUp(0.0, 0.0, 1.0);
   example::SetSizes(sampler, argc, argv);
 
   // The scene.

@@ -7,6 +7,7 @@
 // LiveActors [viewpoints per side] [texels per side] [samples]
 #include "Example.h"
 
+#include <vtkCSLFEnvironment.h>
 #include <vtkCSLFMaterial.h>
 
 #include <vtkCamera.h>
@@ -47,7 +48,7 @@ int main(int argc, char* argv[])
   vtkCSLFMaterial::SetRoughness(gold, 0.5);
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputData(gold);
-  sampler->SetEnvironmentModeToGradient();
+  sampler->GetEnvironment()->SetModeToGradient();
   example::SetSizes(sampler, argc, argv);
 
   // Draw the field twice: it is sampled once and placed like any other actor.

@@ -8,6 +8,7 @@
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFEncoder.h>
 #include <vtkCSLFFieldReference.h>
+#include <vtkCSLFRateControl.h>
 #include <vtkCSLFSampler.h>
 
 #include <vtkActor.h>
@@ -56,7 +57,7 @@ bool Bake()
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(sampler->GetOutputPort());
   encoder->SetFileName(Fixture);
-  encoder->SetCRF(12.0);
+  encoder->GetRateControl()->SetCRF(12.0);
   return encoder->Write() != 0;
 }
 

@@ -8,6 +8,7 @@
 #include "Example.h"
 
 #include <vtkCSLFCornellBoxSource.h>
+#include <vtkCSLFEnvironment.h>
 
 #include <vtkExtractVOI.h>
 #include <vtkImageAccumulate.h>
@@ -114,7 +115,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetEnvironmentModeToNone(); // the box has a lamp
+  sampler->GetEnvironment()->SetModeToNone(); // the box has a lamp
   example::SetSizes(sampler, argc, argv, 33, 64);
 
   const bool written = WritePicture(ExtractViewpoint(sampler), "SlabwiseViewpoint.png") &&

@@ -10,6 +10,7 @@
 #include <vtkCSLFCornellBoxSource.h>
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFEncoder.h>
+#include <vtkCSLFEnvironment.h>
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -67,7 +68,7 @@ int main(int argc, char* argv[])
   sampler->SetInputConnection(box->GetOutputPort());
   sampler->SetViewpoints(argc > 1 ? std::atoi(argv[1]) : 9);
   sampler->SetResolution(argc > 2 ? std::atoi(argv[2]) : 128);
-  sampler->SetEnvironmentModeToNone(); // the box has a lamp
+  sampler->GetEnvironment()->SetModeToNone(); // the box has a lamp
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputConnection(sampler->GetOutputPort());
   encoder->SetFileName("TimedBake.mp4");

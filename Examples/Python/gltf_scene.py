@@ -87,7 +87,7 @@ up, right = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)
 cslf.vtkCSLFLight.SetEnvironmentImage(scene, make_surroundings(), up, right)
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputData(scene)
-sampler.SetCacheSamples(128)  # few are enough for smooth light
+sampler.GetCacheOptions().SetSamples(128)  # few are enough for smooth light
 set_sizes(sampler, read_sizes(__doc__))
 
 renderer = vtkRenderer()

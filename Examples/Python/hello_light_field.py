@@ -14,7 +14,7 @@ sampler.SetInputConnection(box.GetOutputPort())
 sampler.SetViewpoints(int(sys.argv[1]) if len(sys.argv) > 1 else 9)
 sampler.SetResolution(int(sys.argv[2]) if len(sys.argv) > 2 else 128)
 sampler.SetSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 16)
-sampler.SetEnvironmentModeToNone()  # the box has its own lamp
+sampler.GetEnvironment().SetModeToNone()  # the box has its own lamp
 
 # Write the field; the encoder requests a few viewpoints at a time from the sampler.
 encoder = cslf.vtkCSLFEncoder()

@@ -47,10 +47,10 @@ colors.AddRGBPoint(high, 1.0, 0.9, 0.25)
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(surface.GetOutputPort())
 sampler.SetLookupTable(colors)
-sampler.SetCacheSamples(256)  # few are enough for smooth light
+sampler.GetCacheOptions().SetSamples(256)  # few are enough for smooth light
 set_sizes(sampler, read_sizes(__doc__))
-sampler.SetEnvironmentModeToGradient()
-sampler.SetEnvironmentUp(0.0, 0.0, 1.0)
+sampler.GetEnvironment().SetModeToGradient()
+sampler.GetEnvironment().SetUp(0.0, 0.0, 1.0)
 
 # The scene.
 field = make_field_actor(sampler)

@@ -32,7 +32,7 @@ cslf.vtkCSLFMaterial.SetMetallic(gold, 1.0)
 cslf.vtkCSLFMaterial.SetRoughness(gold, 0.5)
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputData(gold)
-sampler.SetEnvironmentModeToGradient()
+sampler.GetEnvironment().SetModeToGradient()
 set_sizes(sampler, read_sizes(__doc__))
 
 # Draw the field twice: it is sampled once and placed like any other actor.

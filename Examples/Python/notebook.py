@@ -9,7 +9,7 @@ from example import read_sizes, set_sizes
 box = cslf.vtkCSLFCornellBoxSource()
 sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
-sampler.SetEnvironmentModeToNone()  # the box has its own lamp
+sampler.GetEnvironment().SetModeToNone()  # the box has its own lamp
 set_sizes(sampler, read_sizes(__doc__))
 
 # %% A cell that ends with a picture shows it.

@@ -47,7 +47,7 @@ def bake():
     encoder = cslf.vtkCSLFEncoder()
     encoder.SetInputConnection(sampler.GetOutputPort())
     encoder.SetFileName(FIXTURE)
-    encoder.SetCRF(12.0)
+    encoder.GetRateControl().SetCRF(12.0)
     if not encoder.Write():
         return False
     cslf.show(FIXTURE).save("RegressionFixture.png")  # shows the fixture

@@ -15,7 +15,7 @@ M, N = sizes.M, sizes.N
 sampler = cslf.vtkCSLFSampler()
 box = cslf.vtkCSLFCornellBoxSource()
 sampler.SetInputConnection(box.GetOutputPort())
-sampler.SetEnvironmentModeToNone()  # the box has its own lamp
+sampler.GetEnvironment().SetModeToNone()  # the box has its own lamp
 set_sizes(sampler, sizes)
 FRONT = 4  # the face +Z, before the box's open side
 

@@ -22,7 +22,7 @@ sampler = cslf.vtkCSLFSampler()
 sampler.SetInputConnection(box.GetOutputPort())
 sampler.SetViewpoints(options.M)
 sampler.SetResolution(options.N)
-sampler.SetEnvironmentModeToNone()  # the box has its own lamp
+sampler.GetEnvironment().SetModeToNone()  # the box has its own lamp
 encoder = cslf.vtkCSLFEncoder()
 encoder.SetInputConnection(sampler.GetOutputPort())
 encoder.SetFileName("TimedBake.mp4")

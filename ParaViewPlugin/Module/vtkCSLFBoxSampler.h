@@ -13,7 +13,9 @@
 #ifndef vtkCSLFBoxSampler_h
 #define vtkCSLFBoxSampler_h
 
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFParaViewModule.h" // for export macro
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSampler.h"
 
 class VTKCSLFPARAVIEW_EXPORT vtkCSLFBoxSampler : public vtkCSLFSampler
@@ -41,6 +43,35 @@ public:
   void SetUseReferenceBounds(bool use);
   void SetReferenceBounds(
     double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
+  ///@}
+
+  ///@{
+  /**
+   * Set the environment, see vtkCSLFEnvironment, and the accuracy of radiance caching, see
+   * vtkCSLFRadianceCacheOptions. ParaView's properties need setters of the filter.
+   */
+  void SetEnvironmentMode(int mode) { this->GetEnvironment()->SetMode(mode); }
+  void SetEnvironmentColor(double r, double g, double b)
+  {
+    this->GetEnvironment()->SetColor(r, g, b);
+  }
+  void SetEnvironmentBottomColor(double r, double g, double b)
+  {
+    this->GetEnvironment()->SetBottomColor(r, g, b);
+  }
+  void SetEnvironmentIntensity(double intensity)
+  {
+    this->GetEnvironment()->SetIntensity(intensity);
+  }
+  void SetEnvironmentFileName(const char* fileName)
+  {
+    this->GetEnvironment()->SetFileName(fileName);
+  }
+  void SetEnvironmentUp(double x, double y, double z) { this->GetEnvironment()->SetUp(x, y, z); }
+  void SetShowEnvironment(bool show) { this->GetEnvironment()->SetShow(show); }
+  void SetCacheTolerance(double tolerance) { this->GetCacheOptions()->SetTolerance(tolerance); }
+  void SetCacheSamples(int samples) { this->GetCacheOptions()->SetSamples(samples); }
+  void SetCheckCache(bool check) { this->GetCacheOptions()->SetCheck(check); }
   ///@}
 
 protected:

@@ -16,6 +16,7 @@
 
 #include "vtkCSLFEncoder.h"
 #include "vtkCSLFParaViewModule.h" // for export macro
+#include "vtkCSLFRateControl.h"
 
 class VTKCSLFPARAVIEW_EXPORT vtkCSLFFieldWriter : public vtkCSLFEncoder
 {
@@ -28,6 +29,19 @@ public:
    * error code gives the kind of error.
    */
   int Write() override;
+
+  ///@{
+  /**
+   * Set the rate factors and targets, see vtkCSLFRateControl. ParaView's properties need setters of
+   * the writer.
+   */
+  void SetCRF(double factor) { this->GetRateControl()->SetCRF(factor); }
+  void SetCoverageCRF(double factor) { this->GetRateControl()->SetCoverageCRF(factor); }
+  void SetDepthCRF(double factor) { this->GetRateControl()->SetDepthCRF(factor); }
+  void SetTargetRatio(double ratio) { this->GetRateControl()->SetTargetRatio(ratio); }
+  void SetTargetSize(double bytes) { this->GetRateControl()->SetTargetSize(bytes); }
+  void SetTargetPSNR(double psnr) { this->GetRateControl()->SetTargetPSNR(psnr); }
+  ///@}
 
 protected:
   vtkCSLFFieldWriter() = default;

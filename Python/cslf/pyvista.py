@@ -93,7 +93,7 @@ class PlotterComponent:
         encoder.SetInputConnection(sampler.GetOutputPort())
         encoder.SetFileName(os.fspath(file_name))
         if crf is not None:
-            encoder.SetCRF(crf)
+            encoder.GetRateControl().SetCRF(crf)
         with _Errors(sampler, encoder) as errors:
             errors.require(encoder.Write())
         return file_name

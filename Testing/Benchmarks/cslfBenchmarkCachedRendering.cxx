@@ -9,6 +9,7 @@
 #include "RandomNumbers/cslfSampleStream.h"
 #include "cslfDescription.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkDataArray.h>
@@ -201,7 +202,7 @@ void CompareCachedRendering(benchmark::State& state)
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(Viewpoints);
   sampler->SetResolution(Resolution);
   sampler->SetSamples(Samples);

@@ -3,6 +3,7 @@
 #include "cslfBenchmarks.h"
 
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
@@ -73,7 +74,7 @@ void TraceBox(benchmark::State& state)
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFViewTracer> tracer;
   tracer->SetInputConnection(box->GetOutputPort());
-  tracer->SetEnvironmentModeToNone();
+  tracer->GetEnvironment()->SetModeToNone();
   const double bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   Trace(state, tracer, bounds);
 }
@@ -137,7 +138,7 @@ void TraceLamps(benchmark::State& state)
 {
   vtkNew<vtkCSLFViewTracer> tracer;
   tracer->SetInputData(MakeLamps(static_cast<int>(state.range(0))));
-  tracer->SetEnvironmentModeToNone();
+  tracer->GetEnvironment()->SetModeToNone();
   const double bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.1, 0.1 };
   Trace(state, tracer, bounds);
 }

@@ -12,6 +12,7 @@
 #include "vtkCSLFImageWriter.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
+#include "vtkCSLFRateControl.h"
 #include "vtkCSLFResample.h"
 #include "vtkCSLFSampler.h"
 
@@ -248,7 +249,7 @@ void TestEncoder(vtkImageData* field, vtkImageData* other, const std::string& fo
     {
       const std::string name = folder + "/" + std::to_string(keyViews) + std::to_string(k) + ".mp4";
       vtkNew<vtkCSLFEncoder> encoder;
-      encoder->SetKeyViewStep(keyViews);
+      encoder->GetRateControl()->SetKeyViewStep(keyViews);
       CSLF_CHECK(cslf::testing::Encode(encoder, inputs[k], name));
       files[k] = cslf::testing::ReadBytes(name);
     }

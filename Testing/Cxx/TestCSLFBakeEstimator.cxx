@@ -9,7 +9,10 @@
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFImageWriter.h"
+#include "vtkCSLFRadianceCacheOptions.h"
+#include "vtkCSLFRateControl.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkCallbackCommand.h>
@@ -36,14 +39,14 @@ void SetUp(vtkCSLFSampler* sampler)
 {
   vtkNew<vtkCSLFCornellBoxSource> box;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(4);
   sampler->SetResolution(32);
   sampler->SetSamples(4);
   sampler->SetMaximumDepth(3);
-  sampler->SetCacheSamples(64);
-  sampler->SetCacheTolerance(0.05);
-  sampler->SetCacheSpacing(0.02);
+  sampler->GetCacheOptions()->SetSamples(64);
+  sampler->GetCacheOptions()->SetTolerance(0.05);
+  sampler->GetCacheOptions()->SetSpacing(0.02);
 }
 
 double CountBytes(const std::string& name)
@@ -87,7 +90,8 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath)
   CSLF_CHECK(estimator->GetSeconds() > 0.0);
   CSLF_CHECK((estimator->GetCacheSeconds() > 0.0) == !isPath);
   CSLF_CHECK(sampler->GetResolution() == 32 && sampler->GetSamples() == 4);
-  CSLF_CHECK(sampler->GetCacheSpacing() == 0.02 && sampler->GetCacheProbeSeconds() == 0.0);
+  CSLF_CHECK(
+    sampler->GetCacheOptions()->GetSpacing() == 0.02 && sampler->GetCacheProbeSeconds() == 0.0);
   encoder->SetInputConnection(sampler->GetOutputPort());
   const std::string name = folder + "/field.mkv";
   encoder->SetFileName(name.c_str());
@@ -265,7 +269,7 @@ void TestRecall(const std::string& folder)
   CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 0);
   CSLF_CHECK(sampler->GetSamples() == 64);
   sampler->SetSeed(0);
-  encoder->SetCRF(30.0);
+  encoder->GetRateControl()->SetCRF(30.0);
   CSLF_CHECK(estimator->RecallSamples(killed.c_str()) == 0);
 }
 }

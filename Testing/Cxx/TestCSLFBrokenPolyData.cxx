@@ -8,6 +8,7 @@
 #include "cslfTesting.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSampler.h"
 #include "vtkCSLFSceneImporter.h"
 #include "vtkCSLFViewTracer.h"
@@ -327,7 +328,7 @@ void CheckSampler(const Case& of)
   sampler->SetViewpoints(2);
   sampler->SetResolution(8);
   sampler->SetSamples(1);
-  sampler->SetCacheSamples(16);
+  sampler->GetCacheOptions()->SetSamples(16);
   const Messages messages(sampler);
   CSLF_CHECK((sampler->GetExecutive()->Update() == 1) == of.ShowsSquare);
 }
@@ -388,7 +389,7 @@ void TestNonFinite()
     sampler->SetViewpoints(2);
     sampler->SetResolution(8);
     sampler->SetSamples(1);
-    sampler->SetCacheSamples(16);
+    sampler->GetCacheOptions()->SetSamples(16);
     const Messages messages(sampler);
     CSLF_CHECK(sampler->GetExecutive()->Update() == 1);
     CSLF_CHECK(messages.Contain("polygon(s) with coordinates that are not finite"));

@@ -5,6 +5,8 @@
 // existing one.
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSampler.h"
 #include "vtkCSLFViewTracer.h"
 
@@ -39,9 +41,9 @@ void TestSampler()
   sampler->SetInputConnection(box->GetOutputPort());
   sampler->SetViewpoints(2);
   sampler->SetResolution(16);
-  sampler->SetEnvironmentModeToNone();
-  sampler->SetCacheSpacing(0.02);
-  CSLF_CHECK(sampler->GetCheckCache());
+  sampler->GetEnvironment()->SetModeToNone();
+  sampler->GetCacheOptions()->SetSpacing(0.02);
+  CSLF_CHECK(sampler->GetCacheOptions()->GetCheck());
   sampler->Update();
 
   // No difference.
@@ -62,8 +64,8 @@ void TestSampler()
   sampler->Update();
   CSLF_CHECK(sampler->GetNumberOfCacheRays() == 0);
   CSLF_CHECK(sampler->GetCacheMeanDifference() == mean);
-  sampler->SetCacheTolerance(0.01);
-  sampler->SetCacheTolerance(1.0 / 128);
+  sampler->GetCacheOptions()->SetTolerance(0.01);
+  sampler->GetCacheOptions()->SetTolerance(1.0 / 128);
   sampler->SetSeed(1);
   sampler->Update();
   CSLF_CHECK(sampler->GetCacheMeanDifference() != mean);
@@ -74,7 +76,7 @@ void TestSampler()
   CSLF_CHECK(GetDescription(sampler) == description);
 
   // Switched off.
-  sampler->CheckCacheOff();
+  sampler->GetCacheOptions()->CheckOff();
   sampler->SetSeed(2);
   sampler->Update();
   CSLF_CHECK(sampler->GetCheckedTexels() == 0 && sampler->GetCacheMeanDifference() == 0.0);
@@ -95,17 +97,17 @@ void TestWarning()
   tracer->SetInputConnection(box->GetOutputPort());
   tracer->SetCamera(camera);
   tracer->SetSize(64, 64);
-  tracer->SetEnvironmentModeToNone();
+  tracer->GetEnvironment()->SetModeToNone();
   tracer->Update();
   CSLF_CHECK(tracer->GetCheckedTexels() == 0 && tracer->GetUsedCacheSpacing() == 0.0);
 
   tracer->SetIntegratorToRadianceCaching();
-  tracer->SetCacheSpacing(0.02);
+  tracer->GetCacheOptions()->SetSpacing(0.02);
   tracer->Update();
   CSLF_CHECK(!observer->GetWarning());
   CSLF_CHECK(tracer->GetCheckedTexels() > 0);
 
-  tracer->SetCacheSpacing(1.0);
+  tracer->GetCacheOptions()->SetSpacing(1.0);
   tracer->Update();
   CSLF_CHECK(observer->GetWarning());
   CSLF_CHECK(observer->GetWarningMessage().find("differs from path tracing") != std::string::npos);

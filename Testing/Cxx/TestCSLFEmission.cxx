@@ -3,6 +3,7 @@
 
 // Emission of points, cells and instances: its appearance, and its light on other surfaces.
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
@@ -69,7 +70,7 @@ Color Look(vtkDataObject* scene, double x, double height, int integrator, int de
   tracer->SetMaximumDepth(depth);
   tracer->SetIntegrator(integrator);
   tracer->SetColorTypeToFloat();
-  tracer->SetEnvironmentModeToNone();
+  tracer->GetEnvironment()->SetModeToNone();
   tracer->Update();
   Color mean = { 0.0, 0.0, 0.0 };
   for (int i = 0; i < 64; ++i)

@@ -8,6 +8,7 @@
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -36,7 +37,7 @@ std::string Encode(
     std::to_string(item.Resolution) + suffix + item.Extension;
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetCodec(item.Codec);
-  encoder->SetCoverageCRF(16);
+  encoder->GetRateControl()->SetCoverageCRF(16);
   encoder->SetPixelFormat(item.PixelFormat);
   encoder->SetPreset("fast");
   CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));

@@ -7,6 +7,7 @@
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -103,7 +104,7 @@ void TestRoundTrip(const std::string& folder, const std::string& codec,
   const std::string fileName = folder + "/" + codec + std::to_string(int(crf)) + ".mp4";
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetCodec(codec.c_str());
-  encoder->SetCRF(crf);
+  encoder->GetRateControl()->SetCRF(crf);
   encoder->SetPreset("fast");
   CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
   vtkNew<vtkCSLFDecoder> decoder;

@@ -9,6 +9,7 @@
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -60,7 +61,7 @@ void TestSlices(
   vtkNew<vtkCSLFEncoder> encoder;
   SetUp(encoder, fileName);
   encoder->LosslessOn();
-  encoder->SetKeyViewStep(step);
+  encoder->GetRateControl()->SetKeyViewStep(step);
   encoder->SetInputConnection(source->GetOutputPort());
   CSLF_CHECK(encoder->Write() == 1);
   CSLF_CHECK(encoder->GetActualKeyViewStep() == step);
@@ -103,8 +104,8 @@ void TestChoice(const std::string& fileName)
     vtkNew<vtkCSLFEncoder> encoder;
     SetUp(encoder, fileName);
     encoder->SetInputData(field);
-    encoder->SetKeyViewStepToAutomatic();
-    encoder->SetTargetNovelViewPSNR(goal);
+    encoder->GetRateControl()->SetKeyViewStepToAutomatic();
+    encoder->GetRateControl()->SetTargetNovelViewPSNR(goal);
     CSLF_CHECK(encoder->Write() == 1);
     std::cout << "step " << encoder->GetActualKeyViewStep() << ", "
               << encoder->GetActualNovelViewPSNR() << " dB\n";
@@ -125,8 +126,8 @@ double MeasureFewest(vtkImageData* field, const std::string& fileName)
   vtkNew<vtkCSLFEncoder> encoder;
   SetUp(encoder, fileName);
   encoder->SetInputData(field);
-  encoder->SetKeyViewStepToAutomatic();
-  encoder->SetTargetNovelViewPSNR(1.0);
+  encoder->GetRateControl()->SetKeyViewStepToAutomatic();
+  encoder->GetRateControl()->SetTargetNovelViewPSNR(1.0);
   CSLF_CHECK(encoder->Write() == 1);
   return encoder->GetActualNovelViewPSNR();
 }
@@ -181,12 +182,12 @@ int TestCSLFEncoderKeyViews(int argc, char* argv[])
   TestChoice(folder + "/choice.mp4");
   TestExposures(folder + "/exposures.mp4");
   TestRefused(folder + "/refused.mp4", "must be 1 to 4",
-    [](vtkCSLFEncoder* encoder) { encoder->SetKeyViewStep(5); });
+    [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetKeyViewStep(5); });
   TestRefused(folder + "/refused.mp4", "no key views reach a PSNR of 90 dB: the best",
     [](vtkCSLFEncoder* encoder)
     {
-      encoder->SetKeyViewStepToAutomatic();
-      encoder->SetTargetNovelViewPSNR(90.0);
+      encoder->GetRateControl()->SetKeyViewStepToAutomatic();
+      encoder->GetRateControl()->SetTargetNovelViewPSNR(90.0);
     });
   return cslf::testing::Result();
 }

@@ -7,6 +7,8 @@
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRadianceCacheOptions.h"
+#include "vtkCSLFRateControl.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkCallbackCommand.h>
@@ -75,9 +77,9 @@ void TestTarget(const Setting& setting)
   const auto change = [](vtkCSLFEncoder* encoder)
   {
     encoder->SetGroupLength(1);
-    encoder->SetTargetPSNR(30.0);
-    encoder->SetKeyViewStepToAutomatic();
-    encoder->SetTargetNovelViewPSNR(12.0);
+    encoder->GetRateControl()->SetTargetPSNR(30.0);
+    encoder->GetRateControl()->SetKeyViewStepToAutomatic();
+    encoder->GetRateControl()->SetTargetNovelViewPSNR(12.0);
   };
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputData(setting.Field);
@@ -150,7 +152,7 @@ void TestOutOfReach(const Setting& setting)
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetInputData(setting.Field);
   Set(setting, encoder);
-  encoder->SetTargetPSNR(99.0);
+  encoder->GetRateControl()->SetTargetPSNR(99.0);
   for (const char* message : { "a PSNR of 99 dB cannot be met", "no key views reach" })
   {
     const cslf::testing::Observed observed(encoder);
@@ -158,8 +160,8 @@ void TestOutOfReach(const Setting& setting)
     CSLF_CHECK(setting.Sum(observed.GetErrors()) == 1);
     CSLF_CHECK(setting.GetRank() != 0 || observed.HasError(message));
     CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
-    encoder->SetKeyViewStepToAutomatic();
-    encoder->SetTargetNovelViewPSNR(99.0);
+    encoder->GetRateControl()->SetKeyViewStepToAutomatic();
+    encoder->GetRateControl()->SetTargetNovelViewPSNR(99.0);
   }
 }
 
@@ -195,7 +197,7 @@ void TestFailures(const Setting& setting)
     TestFailure(setting, rank, rank, "is none of ultrafast",
       [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetPreset("quick"); });
     TestFailure(setting, rank, 0, "different fields, settings, versions or kinds",
-      [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->SetCRF(30.0); });
+      [](FieldSource*, vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetCRF(30.0); });
   }
   // In the middle of the work, on any rank: the same slice fails in the sources of all ranks. The
   // last slice is one of the last to be coded.
@@ -263,7 +265,7 @@ void TestDifferentSamplers(const Setting& setting)
   {
     vtkNew<vtkCSLFSampler> sampler;
     sampler->SetViewpoints(isLast && !checksDiffer ? 3 : 2);
-    sampler->SetCheckCache(!isLast || !checksDiffer);
+    sampler->GetCacheOptions()->SetCheck(!isLast || !checksDiffer);
     sampler->SetResolution(16);
     sampler->SetInputConnection(sphere->GetOutputPort());
     vtkNew<vtkCSLFEncoder> encoder;

@@ -8,6 +8,7 @@
 #include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -176,8 +177,8 @@ void TestManifest(vtkImageData* field, const Remains& remains, const std::string
   }
   CSLF_CHECK(hasEncoder);
 
-  const Remains other = Interrupt(
-    field, remains.Folder + "-other.mp4", [](vtkCSLFEncoder* encoder) { encoder->SetCRF(40.0); });
+  const Remains other = Interrupt(field, remains.Folder + "-other.mp4",
+    [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetCRF(40.0); });
   PutBack(remains);
   for (const char* name : { "/group-0-color.part", "/group-1-depth.part" })
   {
@@ -233,7 +234,8 @@ void TestForeign(vtkImageData* field, const Remains& remains, const std::string&
 void TestChange(vtkImageData* field, const Remains& remains, const std::string& fileName)
 {
   const int slices = field->GetExtent()[5] + 1;
-  const Change change = [](vtkCSLFEncoder* encoder) { encoder->SetDepthCRF(20.0); };
+  const Change change = [](vtkCSLFEncoder* encoder)
+  { encoder->GetRateControl()->SetDepthCRF(20.0); };
   PutBack(remains);
   Outcome outcome = Write(field, fileName, change);
   CSLF_CHECK(outcome.Written && outcome.Warnings == 1 && outcome.Slices >= slices);
@@ -258,8 +260,8 @@ void TestTarget(vtkImageData* field, const std::string& fileName)
   const Change change = [](vtkCSLFEncoder* encoder)
   {
     encoder->SetGroupLength(1);
-    encoder->SetTargetPSNR(30.0);
-    encoder->SetKeyViewStep(2);
+    encoder->GetRateControl()->SetTargetPSNR(30.0);
+    encoder->GetRateControl()->SetKeyViewStep(2);
   };
   const Remains remains = Interrupt(field, fileName, change);
   const std::vector<char> expected = ReadBytes(fileName);

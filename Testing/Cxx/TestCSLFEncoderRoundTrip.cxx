@@ -7,6 +7,7 @@
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -30,7 +31,7 @@ void Report(const std::string& what, const std::string& fileName, vtkImageData* 
 void TestCoverage(vtkImageData* field, const std::string& fileName)
 {
   vtkNew<vtkCSLFEncoder> encoder;
-  encoder->SetCoverageCRF(16.0);
+  encoder->GetRateControl()->SetCoverageCRF(16.0);
   const std::string fine = fileName + ".fine" + fileName.substr(fileName.size() - 4);
   CSLF_CHECK(cslf::testing::Encode(encoder, field, fine));
   const auto whole = cslf::testing::Decode(fine);
@@ -73,7 +74,7 @@ void TestPixelFormats(vtkImageData* field, const std::string& folder)
     const std::string fileName = folder + "/" + format + ".mp4";
     vtkNew<vtkCSLFEncoder> encoder;
     encoder->SetPixelFormat(format);
-    encoder->SetCRF(18);
+    encoder->GetRateControl()->SetCRF(18);
     encoder->SetGroupLength(5);
     CSLF_CHECK(cslf::testing::Encode(encoder, field, fileName));
     vtkNew<vtkCSLFDecoder> decoder;

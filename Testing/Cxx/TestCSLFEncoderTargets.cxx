@@ -9,6 +9,7 @@
 #include "cslfFieldSource.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -77,7 +78,7 @@ void TestTargets(
     [&](vtkCSLFEncoder* encoder)
     {
       encoder->SetGroupLength(groupLength);
-      encoder->SetTargetRatio(12.0);
+      encoder->GetRateControl()->SetTargetRatio(12.0);
     });
   CSLF_CHECK_NEAR(raw / scaled.Bytes / 12.0, 1.0, 0.03);
   CSLF_CHECK(scaled.Slices <= 2 * slices);
@@ -85,7 +86,7 @@ void TestTargets(
     [&](vtkCSLFEncoder* encoder)
     {
       encoder->SetGroupLength(groupLength);
-      encoder->SetTargetSize(raw / 25.0);
+      encoder->GetRateControl()->SetTargetSize(raw / 25.0);
     });
   CSLF_CHECK_NEAR(sized.Bytes * 25.0 / raw, 1.0, 0.03);
   for (double psnr : psnrs)
@@ -94,7 +95,7 @@ void TestTargets(
       [&](vtkCSLFEncoder* encoder)
       {
         encoder->SetGroupLength(groupLength);
-        encoder->SetTargetPSNR(psnr);
+        encoder->GetRateControl()->SetTargetPSNR(psnr);
       });
     CSLF_CHECK_NEAR(outcome.PSNR, psnr, 0.3);
     CSLF_CHECK(outcome.Slices <= 2 * slices);
@@ -114,7 +115,7 @@ void TestThreads(vtkImageData* field, const std::string& folder)
           [](vtkCSLFEncoder* encoder)
           {
             encoder->SetGroupLength(4);
-            encoder->SetTargetRatio(20.0);
+            encoder->GetRateControl()->SetTargetRatio(20.0);
           });
       });
     bytes[threads - 1] = cslf::testing::ReadBytes(name);
@@ -147,23 +148,23 @@ void TestRefused(
 void TestOutOfReach(vtkImageData* field, const std::string& folder)
 {
   TestRefused(field, folder, "at a rate factor of 51 it is about",
-    [](vtkCSLFEncoder* encoder) { encoder->SetTargetSize(100.0); });
+    [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetTargetSize(100.0); });
   TestRefused(field, folder, "at a rate factor of 0 it is about",
-    [](vtkCSLFEncoder* encoder) { encoder->SetTargetSize(1e9); });
-  TestRefused(
-    field, folder, "cannot be met", [](vtkCSLFEncoder* encoder) { encoder->SetTargetRatio(1e6); });
+    [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetTargetSize(1e9); });
+  TestRefused(field, folder, "cannot be met",
+    [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetTargetRatio(1e6); });
   TestRefused(field, folder, "a PSNR of 99 dB cannot be met",
-    [](vtkCSLFEncoder* encoder) { encoder->SetTargetPSNR(99.0); });
+    [](vtkCSLFEncoder* encoder) { encoder->GetRateControl()->SetTargetPSNR(99.0); });
   TestRefused(field, folder, "Only one target",
     [](vtkCSLFEncoder* encoder)
     {
-      encoder->SetTargetPSNR(30.0);
-      encoder->SetTargetRatio(30.0);
+      encoder->GetRateControl()->SetTargetPSNR(30.0);
+      encoder->GetRateControl()->SetTargetRatio(30.0);
     });
   TestRefused(field, folder, "lossless",
     [](vtkCSLFEncoder* encoder)
     {
-      encoder->SetTargetPSNR(30.0);
+      encoder->GetRateControl()->SetTargetPSNR(30.0);
       encoder->LosslessOn();
     });
 }

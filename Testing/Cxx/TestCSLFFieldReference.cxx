@@ -4,6 +4,7 @@
 // Compares a field with path-traced texels: the effect of noise, the cap, slabs, threads, errors.
 #include "Quality/cslfTexelChoice.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFFieldQuality.h"
 #include "vtkCSLFFieldReference.h"
 #include "vtkCSLFSampler.h"
@@ -40,7 +41,7 @@ void SetScene(vtkCSLFPathTracer* tracer)
   sphere->SetPhiResolution(32);
   sphere->Update();
   tracer->AddInputData(sphere->GetOutput());
-  tracer->SetEnvironmentModeToGradient();
+  tracer->GetEnvironment()->SetModeToGradient();
   tracer->SetMaximumDepth(2);
   tracer->SetIntegratorToPathTracing();
 }

@@ -8,6 +8,7 @@
 #include "cslfColor.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
@@ -254,7 +255,7 @@ void TestSphereAbovePlane()
     tracer->SetCamera(camera);
     tracer->SetSize(size, size);
     tracer->SetSamples(64);
-    tracer->SetEnvironmentModeToNone();
+    tracer->GetEnvironment()->SetModeToNone();
     tracer->SetColorTypeToFloat();
     cached ? tracer->SetIntegratorToRadianceCaching() : tracer->SetIntegratorToPathTracing();
     tracer->Update();
@@ -320,7 +321,7 @@ void TestInvalidLights()
       tracer->SetSize(1, 1);
       tracer->SetSamples(16);
       tracer->SetMaximumDepth(1);
-      tracer->SetEnvironmentModeToNone();
+      tracer->GetEnvironment()->SetModeToNone();
       tracer->SetIntegratorToPathTracing();
       tracer->SetColorTypeToFloat();
       vtkNew<vtkTest::ErrorObserver> messages;

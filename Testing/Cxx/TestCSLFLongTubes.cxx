@@ -5,6 +5,7 @@
 // and the light that passes them if they are translucent.
 #include "cslfColor.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
@@ -83,7 +84,7 @@ struct Picture
     tracer->SetCamera(camera);
     tracer->SetSize(Size, Size);
     tracer->SetSamples(view.Samples);
-    tracer->SetEnvironmentModeToNone();
+    tracer->GetEnvironment()->SetModeToNone();
     tracer->SetColorTypeToFloat();
     tracer->SetMaximumDepth(1);
     tracer->Update();

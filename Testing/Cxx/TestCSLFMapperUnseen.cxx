@@ -6,6 +6,7 @@
 #include "Lookup/cslfLookup.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSampler.h"
@@ -52,7 +53,7 @@ int TestCSLFMapperUnseen(int, char*[])
   sampler->SetCubeCenter(0.0, 0.0, 0.0);
   sampler->SetCubeEdges(2.0, 2.0, 2.0);
   sampler->SetIntegratorToPathTracing();
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(9);
   sampler->SetResolution(96);
   sampler->SetSamples(1);

@@ -4,6 +4,7 @@
 // The path tracer's inputs: colours, materials, blocks, and broken data.
 #include "cslfColor.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
@@ -340,7 +341,7 @@ void TestLightsInFieldData()
   scene->SetBlock(2, lights);
   Viewer viewer;
   viewer.Tracer->SetInputDataObject(scene);
-  viewer.Tracer->SetEnvironmentModeToNone();
+  viewer.Tracer->GetEnvironment()->SetModeToNone();
   viewer.Tracer->SetSize(80, 40);
   CSLF_CHECK(viewer.Update());
   double color[4];

@@ -9,6 +9,7 @@
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
@@ -186,7 +187,7 @@ void TestDepths()
   Comparison comparison(box->GetOutput(), 0.4, 0.2, 4.0);
   for (vtkCSLFViewTracer* tracer : { comparison.Reference.Get(), comparison.Cached.Get() })
   {
-    tracer->SetEnvironmentModeToNone();
+    tracer->GetEnvironment()->SetModeToNone();
   }
   for (const int depth : { 0, 1, 2, 8 })
   {

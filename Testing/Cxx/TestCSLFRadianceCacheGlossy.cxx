@@ -10,6 +10,7 @@
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
@@ -120,8 +121,8 @@ void TestFloorAndSphere()
     IntegratorComparison comparison(MakeStillLife(metallic), 1.2, 0.9, 2.0);
     for (vtkCSLFViewTracer* tracer : { comparison.Reference.Get(), comparison.Cached.Get() })
     {
-      tracer->SetEnvironmentModeToGradient();
-      tracer->SetEnvironmentBottomColor(0.2, 0.3, 0.4);
+      tracer->GetEnvironment()->SetModeToGradient();
+      tracer->GetEnvironment()->SetBottomColor(0.2, 0.3, 0.4);
     }
     CSLF_CHECK(comparison.GetPSNR() > 38.0);
     const vtkTypeUInt64 rays = comparison.Cached->GetNumberOfRays();

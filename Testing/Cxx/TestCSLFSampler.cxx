@@ -7,6 +7,7 @@
 #include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSampler.h"
@@ -77,7 +78,7 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(viewpoints);
   sampler->SetResolution(resolution);
   sampler->SetSamples(3);
@@ -100,7 +101,7 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   // One thread, slices one by one, by another filter: the same bytes. The scene is built once.
   vtkNew<vtkCSLFSampler> slabs;
   slabs->SetInputConnection(box->GetOutputPort());
-  slabs->SetEnvironmentModeToNone();
+  slabs->GetEnvironment()->SetModeToNone();
   slabs->SetViewpoints(viewpoints);
   slabs->SetResolution(resolution);
   slabs->SetSamples(3);
@@ -145,7 +146,7 @@ void TestPieces()
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(2);
   sampler->SetResolution(16);
   sampler->SetSamples(2);
@@ -304,7 +305,7 @@ void TestDepthAndCoverage()
 
   // With the environment shown, every texel is covered. A texel that sees only sky is at the
   // distance of the cube.
-  sampler->ShowEnvironmentOn();
+  sampler->GetEnvironment()->ShowOn();
   sampler->SetSamples(1);
   sampler->Update();
   color = sampler->GetOutput()->GetPointData()->GetArray(cslf::ColorName);
@@ -326,8 +327,8 @@ void TestWhiteFurnace()
   sampler->SetResolution(16);
   sampler->SetSamples(32);
   sampler->SetColorTypeToFloat();
-  sampler->SetEnvironmentColor(0.5, 0.6, 0.7);
-  sampler->SetEnvironmentIntensity(2.0);
+  sampler->GetEnvironment()->SetColor(0.5, 0.6, 0.7);
+  sampler->GetEnvironment()->SetIntensity(2.0);
   sampler->SetExposure(0.25);
   for (bool smooth : { true, false })
   {
@@ -382,14 +383,14 @@ void TestErrors()
   sampler->SetColorType(VTK_DOUBLE);
   expect("ColorType");
   sampler->SetColorTypeToFloat();
-  sampler->SetEnvironmentModeToImage();
-  expect("EnvironmentFileName is not set");
-  sampler->SetEnvironmentFileName("no such file.exr");
+  sampler->GetEnvironment()->SetModeToImage();
+  expect("FileName is not set");
+  sampler->GetEnvironment()->SetFileName("no such file.exr");
   expect("cannot be read");
-  sampler->SetEnvironmentModeToGradient();
-  sampler->SetEnvironmentUp(0, 0, 0);
-  expect("EnvironmentUp");
-  sampler->SetEnvironmentUp(0, 0, 1);
+  sampler->GetEnvironment()->SetModeToGradient();
+  sampler->GetEnvironment()->SetUp(0, 0, 0);
+  expect("Up must not be 0");
+  sampler->GetEnvironment()->SetUp(0, 0, 1);
   CSLF_CHECK(sampler->GetExecutive()->Update() == 1);
   CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() == 5 * 2 * 2 * 24);
   CSLF_CHECK(!observer->GetError() && !pipeline->GetError());

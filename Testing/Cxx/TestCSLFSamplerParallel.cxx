@@ -7,6 +7,7 @@
 #include "cslfTesting.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkCellArray.h>
@@ -84,7 +85,7 @@ void SetUp(vtkCSLFSampler* sampler, vtkMultiProcessController* controller)
   sampler->SetResolution(12);
   sampler->SetSamples(4);
   // The test needs equal bytes, not a good picture.
-  sampler->SetCacheSamples(64);
+  sampler->GetCacheOptions()->SetSamples(64);
 }
 
 /// A field's description and its samples.

@@ -7,6 +7,7 @@
 #include "PathTracing/Scene/cslfSceneGather.h"
 #include "cslfDescription.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFSampler.h"
@@ -61,7 +62,7 @@ void SetUp(vtkCSLFSampler* sampler, vtkMultiProcessController* controller)
   sampler->SetController(controller);
   sampler->DistributedSceneOn();
   sampler->SetIntegratorToPathTracing();
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(2);
   sampler->SetResolution(8);
   sampler->SetSamples(4);
@@ -282,7 +283,7 @@ struct Pipeline
   {
     SetUp(this->Sampler, controller);
     this->Sampler->SetInputConnection(this->Source->GetOutputPort());
-    this->Sampler->SetEnvironmentModeToConstant();
+    this->Sampler->GetEnvironment()->SetModeToConstant();
     this->Sampler->AddObserver(vtkCommand::ErrorEvent, this->Messages);
     for (vtkObject* object : { static_cast<vtkObject*>(this->Sampler->GetExecutive()),
            static_cast<vtkObject*>(this->Source),
@@ -377,10 +378,10 @@ void TestFailures(vtkMultiProcessController* controller)
       controller, rank,
       [](Pipeline& pipeline)
       {
-        pipeline.Sampler->SetEnvironmentModeToImage();
-        pipeline.Sampler->SetEnvironmentFileName("/no/such/image.exr");
+        pipeline.Sampler->GetEnvironment()->SetModeToImage();
+        pipeline.Sampler->GetEnvironment()->SetFileName("/no/such/image.exr");
       },
-      [](Pipeline& pipeline) { pipeline.Sampler->SetEnvironmentModeToConstant(); }, "");
+      [](Pipeline& pipeline) { pipeline.Sampler->GetEnvironment()->SetModeToConstant(); }, "");
   }
 }
 }

@@ -7,6 +7,7 @@
 #include "cslfTestWindow.h"
 #include "cslfTesting.h"
 #include "cslfVTKCompatibility.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFSceneImporter.h"
 #include "vtkCSLFViewTracer.h"
@@ -253,7 +254,7 @@ void TestEmission()
   vtkNew<vtkCSLFViewTracer> tracer;
   tracer->SetCamera(camera);
   tracer->SetInputData(lamp);
-  tracer->SetEnvironmentModeToNone();
+  tracer->GetEnvironment()->SetModeToNone();
   Look(tracer);
   const double middle = tracer->GetOutput()->GetPointData()->GetScalars()->GetComponent(0, 0);
   const double white = 1.055 * std::pow(9.0, 1.0 / 2.4) - 0.055;

@@ -4,6 +4,7 @@
 // Vertices as spheres, lines as tubes, and instances of all.
 #include "cslfColor.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
@@ -142,7 +143,7 @@ void TestSpheres()
   const double irradiance[3] = { vtkMath::Pi(), vtkMath::Pi(), vtkMath::Pi() };
   vtkCSLFLight::AddDirectionalLight(data, direction, irradiance);
   Viewer viewer;
-  viewer.Tracer->SetEnvironmentModeToNone();
+  viewer.Tracer->GetEnvironment()->SetModeToNone();
   viewer.Tracer->SetMaximumDepth(1);
   viewer.Look(data);
   CSLF_CHECK_NEAR(viewer.GetArea(), 2.0 * vtkMath::Pi() * 0.25, 0.02);
@@ -293,7 +294,7 @@ void TestInstances()
   const double irradiance[3] = { vtkMath::Pi(), vtkMath::Pi(), vtkMath::Pi() };
   vtkCSLFLight::AddDirectionalLight(sphere, direction, irradiance);
   vtkCSLFMaterial::SetBaseColor(sphere, 1, 1, 1);
-  viewer.Tracer->SetEnvironmentModeToNone();
+  viewer.Tracer->GetEnvironment()->SetModeToNone();
   viewer.Tracer->SetMaximumDepth(1);
   viewer.Look(sphere);
   CSLF_CHECK_NEAR(viewer.GetArea(), vtkMath::Pi() * 0.5 * 1.5, 0.03);
@@ -357,7 +358,7 @@ void TestInstancesOfLamps()
       }
     }
     Viewer viewer;
-    viewer.Tracer->SetEnvironmentModeToNone();
+    viewer.Tracer->GetEnvironment()->SetModeToNone();
     viewer.Tracer->SetMaximumDepth(1);
     viewer.Tracer->SetSamples(256);
     viewer.Look(scene);

@@ -6,6 +6,8 @@
 #include "PathTracing/RadianceCache/cslfLatticeLayout.h"
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
+#include "vtkCSLFEnvironment.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 
 #include <vtkCylinderSource.h>
 #include <vtkDiskSource.h>
@@ -102,10 +104,10 @@ Cost Measure(vtkPolyData* scene, double y)
   Comparison comparison(scene, 0.5 * y, y, 2.0 * y);
   for (vtkCSLFViewTracer* tracer : { comparison.Reference.Get(), comparison.Cached.Get() })
   {
-    tracer->SetEnvironmentModeToGradient();
+    tracer->GetEnvironment()->SetModeToGradient();
   }
-  comparison.Cached->SetCacheSpacing(0.01);
-  comparison.Cached->SetCacheTolerance(0.005);
+  comparison.Cached->GetCacheOptions()->SetSpacing(0.01);
+  comparison.Cached->GetCacheOptions()->SetTolerance(0.005);
   const double psnr = comparison.GetPSNR();
   return { static_cast<double>(comparison.Cached->GetNumberOfCacheRays()), psnr };
 }

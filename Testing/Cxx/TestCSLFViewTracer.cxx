@@ -4,6 +4,7 @@
 // The view tracer's cameras, and environments seen directly and in a mirror.
 #include "cslfColor.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFViewTracer.h"
 
@@ -125,9 +126,9 @@ void TestEnvironments(const std::string& fileName)
   tracer->SetSize(1, 1);
   tracer->SetSamples(1);
   tracer->SetColorTypeToFloat();
-  tracer->ShowEnvironmentOn();
-  tracer->SetEnvironmentModeToImage();
-  tracer->SetEnvironmentFileName(fileName.c_str());
+  tracer->GetEnvironment()->ShowOn();
+  tracer->GetEnvironment()->SetModeToImage();
+  tracer->GetEnvironment()->SetFileName(fileName.c_str());
   camera->SetViewAngle(0.001);
   const auto look = [&](const glm::dvec3& direction)
   {
@@ -140,7 +141,7 @@ void TestEnvironments(const std::string& fileName)
   const double up[2][3] = { { 0, 1, 0 }, { 0, 0, 1 } };
   for (int turned = 0; turned < 2; ++turned)
   {
-    tracer->SetEnvironmentUp(up[turned][0], up[turned][1], up[turned][2]);
+    tracer->GetEnvironment()->SetUp(up[turned][0], up[turned][1], up[turned][2]);
     for (int y = 0; y < height; ++y)
     {
       for (int x = 0; x < width; ++x)
@@ -160,11 +161,11 @@ void TestEnvironments(const std::string& fileName)
   }
 
   // A gradient along an axis.
-  tracer->SetEnvironmentModeToGradient();
-  tracer->SetEnvironmentUp(0, 3, 0);
-  tracer->SetEnvironmentColor(1, 1, 0);
-  tracer->SetEnvironmentBottomColor(0, 0, 0);
-  tracer->SetEnvironmentIntensity(2.0);
+  tracer->GetEnvironment()->SetModeToGradient();
+  tracer->GetEnvironment()->SetUp(0, 3, 0);
+  tracer->GetEnvironment()->SetColor(1, 1, 0);
+  tracer->GetEnvironment()->SetBottomColor(0, 0, 0);
+  tracer->GetEnvironment()->SetIntensity(2.0);
   CSLF_CHECK_NEAR(look({ 0, 1, 0 }).x, 2.0, 1e-4);
   CSLF_CHECK_NEAR(look({ 0, -1, 0 }).x, 0.0, 1e-4);
   CSLF_CHECK_NEAR(look({ 0.8, 0.6, 0 }).x, 1.6, 1e-4);
@@ -187,21 +188,21 @@ void TestMirrorInView(const std::string& fileName)
   tracer->SetCamera(camera);
   tracer->SetSize(1, 1);
   tracer->SetColorTypeToFloat();
-  tracer->SetEnvironmentModeToImage();
-  tracer->SetEnvironmentFileName(fileName.c_str());
+  tracer->GetEnvironment()->SetModeToImage();
+  tracer->GetEnvironment()->SetFileName(fileName.c_str());
   camera->SetViewAngle(0.001);
   for (int i = 0; i < 20; ++i)
   {
     const glm::dvec3 from =
       glm::normalize(glm::dvec3(std::cos(1.3 * i), std::sin(1.3 * i), 0.2 + 0.1 * i));
-    tracer->ShowEnvironmentOff();
+    tracer->GetEnvironment()->ShowOff();
     camera->SetPosition(from.x, from.y, from.z);
     camera->SetFocalPoint(0, 0, 0);
     camera->SetViewUp(0.3, 0.5, -0.7);
     tracer->Update();
     const glm::dvec4 reflected = GetPixel(tracer, 0, 0);
     const glm::dvec3 back(-2.0 * from.x, -2.0 * from.y, 2.0 * from.z);
-    tracer->ShowEnvironmentOn();
+    tracer->GetEnvironment()->ShowOn();
     camera->SetPosition(back.x, back.y, back.z);
     camera->SetFocalPoint(2.0 * back.x, 2.0 * back.y, 2.0 * back.z);
     tracer->Update();

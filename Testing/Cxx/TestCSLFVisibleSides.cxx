@@ -8,6 +8,7 @@
 #include "cslfIntegratorComparison.h"
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkCubeSource.h>
@@ -173,8 +174,8 @@ void TestCache()
   IntegratorComparison pictures(scene, 0.6, 0.5, 4.0);
   for (vtkCSLFViewTracer* tracer : { pictures.Reference.Get(), pictures.Cached.Get() })
   {
-    tracer->SetEnvironmentModeToConstant();
-    tracer->SetEnvironmentIntensity(1.0);
+    tracer->GetEnvironment()->SetModeToConstant();
+    tracer->GetEnvironment()->SetIntensity(1.0);
     tracer->SetMaximumDepth(4);
   }
   pictures.Reference->SetSamples(2048);

@@ -8,6 +8,7 @@
 #define cslfIntegratorComparison_h
 
 #include "vtkCSLFImageQuality.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFViewTracer.h"
 
 #include <vtkCamera.h>
@@ -37,8 +38,8 @@ public:
       tracer->SetSamples(256);
     }
     this->Cached->SetIntegratorToRadianceCaching();
-    this->Cached->SetCacheSpacing(0.02);
-    this->Cached->SetCacheTolerance(0.02);
+    this->Cached->GetCacheOptions()->SetSpacing(0.02);
+    this->Cached->GetCacheOptions()->SetTolerance(0.02);
     this->Cached->SetSamples(64);
   }
 

@@ -35,7 +35,7 @@ def sample_sphere():
     sampler.SetViewpoints(VIEWPOINTS)
     sampler.SetResolution(RESOLUTION)
     sampler.SetSamples(4)
-    sampler.SetEnvironmentModeToNone()
+    sampler.GetEnvironment().SetModeToNone()
     sampler.Update()
     return sampler.GetOutput()
 

@@ -135,7 +135,7 @@ class OneView:
         camera.SetViewAngle(CAMERA["view_angle"])
         tracer = cslf.vtkCSLFViewTracer()
         tracer.SetInputConnection(self.box.GetOutputPort())
-        tracer.SetEnvironmentModeToNone()
+        tracer.GetEnvironment().SetModeToNone()
         tracer.SetMaximumDepth(REFLECTIONS)
         tracer.SetColorTypeToFloat()
         tracer.SetCamera(camera)

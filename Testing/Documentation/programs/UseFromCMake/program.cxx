@@ -3,6 +3,7 @@
 
 // The minimum for a project that finds CSLF: a field that is sampled, and a mapper that shows it.
 #include <vtkCSLFCornellBoxSource.h>
+#include <vtkCSLFEnvironment.h>
 #include <vtkCSLFMapper.h>
 #include <vtkCSLFSampler.h>
 
@@ -15,7 +16,7 @@ int main()
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetEnvironmentModeToNone();
+  sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(2);
   sampler->SetResolution(16);
   sampler->SetSamples(1);

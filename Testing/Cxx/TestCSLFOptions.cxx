@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The options of path tracers: defaults and ranges are those of the table of options, and a change
+// of an option object executes the filters that use it again.
+#include "Options/cslfOptionTable.h"
+#include "cslfOptionChecks.h"
+#include "cslfTesting.h"
+#include "vtkCSLFCornellBoxSource.h"
+#include "vtkCSLFEnvironment.h"
+#include "vtkCSLFRadianceCacheOptions.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkNew.h>
+
+#include <functional>
+#include <string>
+
+namespace
+{
+namespace options = cslf::options;
+using cslf::testing::CheckOption;
+using cslf::testing::CheckVector;
+
+void TestPathTracer()
+{
+  using Tracer = vtkCSLFPathTracer;
+  vtkNew<vtkCSLFSampler> sampler;
+  Tracer* tracer = sampler;
+  CheckOption(options::Samples, tracer, &Tracer::SetSamples, &Tracer::GetSamples);
+  CheckOption(options::NoiseTarget, tracer, &Tracer::SetNoiseTarget, &Tracer::GetNoiseTarget);
+  CheckOption(options::MaximumDepth, tracer, &Tracer::SetMaximumDepth, &Tracer::GetMaximumDepth);
+  CheckOption(options::Seed, tracer, &Tracer::SetSeed, &Tracer::GetSeed);
+  CheckOption(options::Exposure, tracer, &Tracer::SetExposure, &Tracer::GetExposure);
+}
+
+void TestEnvironment()
+{
+  using Environment = vtkCSLFEnvironment;
+  vtkNew<Environment> light;
+  CheckOption(options::EnvironmentMode, light.Get(), &Environment::SetMode, &Environment::GetMode);
+  CheckOption(options::EnvironmentIntensity, light.Get(), &Environment::SetIntensity,
+    &Environment::GetIntensity);
+  CheckOption(options::ShowEnvironment, light.Get(), &Environment::SetShow, &Environment::GetShow);
+  CheckVector(options::EnvironmentColor, light->GetColor());
+  CheckVector(options::EnvironmentBottomColor, light->GetBottomColor());
+  CheckVector(options::EnvironmentUp, light->GetUp());
+  CSLF_CHECK(light->GetFileName() == nullptr);
+
+  light->SetModeToGradient();
+  light->SetColor(0.1, 0.2, 0.3);
+  light->SetBottomColor(0.4, 0.5, 0.6);
+  light->SetIntensity(2.0);
+  light->SetFileName("sky.exr");
+  light->SetUp(0.0, 0.0, 1.0);
+  light->ShowOn();
+  vtkNew<Environment> copy;
+  copy->DeepCopy(light);
+  CSLF_CHECK(copy->GetMode() == Environment::GradientEnvironment && copy->GetShow());
+  CSLF_CHECK(copy->GetColor()[1] == 0.2 && copy->GetBottomColor()[2] == 0.6);
+  CSLF_CHECK(copy->GetIntensity() == 2.0 && copy->GetUp()[2] == 1.0);
+  CSLF_CHECK(std::string(copy->GetFileName()) == "sky.exr");
+}
+
+void TestCacheOptions()
+{
+  using Cache = vtkCSLFRadianceCacheOptions;
+  vtkNew<Cache> cache;
+  CheckOption(options::CacheTolerance, cache.Get(), &Cache::SetTolerance, &Cache::GetTolerance);
+  CheckOption(options::CacheSpacing, cache.Get(), &Cache::SetSpacing, &Cache::GetSpacing);
+  CheckOption(options::CacheSamples, cache.Get(), &Cache::SetSamples, &Cache::GetSamples);
+  CheckOption(options::CheckCache, cache.Get(), &Cache::SetCheck, &Cache::GetCheck);
+  cache->SetTolerance(0.5);
+  cache->SetSamples(100);
+  vtkNew<Cache> copy;
+  copy->DeepCopy(cache);
+  CSLF_CHECK(copy->GetTolerance() == 0.5 && copy->GetSamples() == 100 && copy->GetCheck());
+}
+
+void TestExecution()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(4);
+  sampler->SetSamples(1);
+  sampler->GetCacheOptions()->SetSpacing(0.1);
+  sampler->GetCacheOptions()->CheckOff();
+  cslf::testing::ExecutionCounter counter(sampler);
+  vtkNew<vtkCSLFEnvironment> environment;
+  vtkNew<vtkCSLFRadianceCacheOptions> cacheOptions;
+  cacheOptions->DeepCopy(sampler->GetCacheOptions());
+  const std::function<void()> changes[] = { [] {},
+    [&] { sampler->GetEnvironment()->SetModeToNone(); },
+    [&] { sampler->GetEnvironment()->SetUp(1.0, 0.0, 0.0); },
+    [&] { sampler->GetCacheOptions()->SetTolerance(0.1); },
+    [&] { sampler->SetEnvironment(environment); }, [&] { environment->SetIntensity(2.0); },
+    [&] { sampler->SetCacheOptions(cacheOptions); }, [&] { cacheOptions->SetSamples(64); } };
+  for (const auto& change : changes)
+  {
+    change();
+    sampler->Update();
+    CSLF_CHECK(counter.Take() == 1);
+    sampler->Update();
+    CSLF_CHECK(counter.Take() == 0);
+  }
+
+  // Null selects the defaults.
+  sampler->SetEnvironment(nullptr);
+  sampler->SetCacheOptions(nullptr);
+  CSLF_CHECK(sampler->GetEnvironment() && sampler->GetEnvironment() != environment);
+  CSLF_CHECK(sampler->GetEnvironment()->GetIntensity() == options::EnvironmentIntensity.Default);
+  CSLF_CHECK(sampler->GetCacheOptions() && sampler->GetCacheOptions() != cacheOptions);
+  CSLF_CHECK(sampler->GetCacheOptions()->GetSamples() == options::CacheSamples.Default);
+}
+}
+
+int TestCSLFOptions(int, char*[])
+{
+  TestPathTracer();
+  TestEnvironment();
+  TestCacheOptions();
+  TestExecution();
+  return cslf::testing::Result();
+}
