@@ -4,8 +4,8 @@
 # Reads the table of options, cslfOptions.json. For a row NAME, it sets the variables NAME_DEFAULT,
 # NAME_RANGE (attributes of ParaView's domains) and NAME_HELP (a sentence) for configure_file, and
 # it appends the row in C++ to cslf_option_rows. A row without minimum or maximum has no limit. If
-# the useful range is smaller than the permitted one, "slider" is that of ParaView's panel; without a
-# second value, there is no slider.
+# the useful range is smaller than the permitted one, "slider" is that of ParaView's panel. Without
+# a second value, there is no slider.
 
 # Sets the variables `name`, `type` and so on to the fields of a row, or to empty texts.
 macro (cslf_read_fields table row)
@@ -106,6 +106,8 @@ function (cslf_read_options file)
   set(cslf_option_rows "${rows}" PARENT_SCOPE)
 endfunction ()
 
-set_property(DIRECTORY APPEND
-  PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/cslfOptions.json")
+if (NOT CMAKE_SCRIPT_MODE_FILE)
+  set_property(DIRECTORY APPEND
+    PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/cslfOptions.json")
+endif ()
 cslf_read_options("${CMAKE_CURRENT_LIST_DIR}/cslfOptions.json")

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The XML of the ParaView plugin, as made of the table of options, without ParaView: each placeholder
+# is a row of the table, and the result has the row's default, range and help.
+cmake_minimum_required(VERSION 3.22)
+include("${SOURCE}/Filters/Options/cslfOptions.cmake")
+
+function (expect what text part)
+  string(FIND "${text}" "${part}" place)
+  if (place EQUAL -1)
+    message(SEND_ERROR "${what} lacks ${part}")
+  endif ()
+endfunction ()
+
+foreach (kind IN ITEMS Filters Writers)
+  set(template "${SOURCE}/ParaViewPlugin/CSLF${kind}.xml.in")
+  file(READ "${template}" text)
+  string(REGEX MATCHALL "@[A-Za-z_]+@" placeholders "${text}")
+  foreach (placeholder IN LISTS placeholders)
+    string(REPLACE "@" "" variable "${placeholder}")
+    if (NOT DEFINED "${variable}")
+      message(SEND_ERROR "${template}: ${placeholder} is not in the table of options.")
+    endif ()
+  endforeach ()
+  configure_file("${template}" "${DIRECTORY}/CSLF${kind}.xml" @ONLY)
+  file(READ "${DIRECTORY}/CSLF${kind}.xml" "${kind}")
+endforeach ()
+
+expect(CSLFFilters.xml "${Filters}" [[default_values="0.0078125"]])
+expect(CSLFFilters.xml "${Filters}" [[default_values="0.2 0.2 0.2"]])
+expect(CSLFFilters.xml "${Filters}" [[<DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>]])
+expect(CSLFFilters.xml "${Filters}" [[<IntRangeDomain name="range" min="64" max="65536"/>]])
+expect(CSLFFilters.xml "${Filters}" [[<IntRangeDomain name="range"/>]])
+expect(CSLFFilters.xml "${Filters}" [[<Documentation>The seed of all random numbers.</Documentation>]])
+expect(CSLFWriters.xml "${Writers}" [[default_values="22"]])
+expect(CSLFWriters.xml "${Writers}" [[default_values="hevc"]])
+expect(CSLFWriters.xml "${Writers}" [[<DoubleRangeDomain name="range" min="0" max="51"/>]])
+expect(CSLFWriters.xml "${Writers}" [[<DoubleRangeDomain name="range" min="0"/>]])
