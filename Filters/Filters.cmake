@@ -129,7 +129,7 @@ if (CSLF_ENABLE_SAMPLER)
 endif ()
 
 # Estimates of costs.
-if (CSLF_ENABLE_SAMPLER AND CSLF_ENABLE_ENCODER)
+if (CSLF_ENABLE_ENCODER)
   list(APPEND classes ../Filters/vtkCSLFBakeEstimator)
   cslf_add(Filters/Planning BakeProbe FieldDetail)
 endif ()

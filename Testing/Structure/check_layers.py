@@ -15,6 +15,7 @@ import sys
 LAYERS = {
     "Module": [],
     "Filters/SIMD": [],
+    "Filters/Options": [],
     "Filters/Files": ["Module"],
     "Filters/RandomNumbers": ["Module", "Filters/SIMD"],
     "Filters/Parallel": ["Module"],
