@@ -222,7 +222,7 @@ private:
   {
     const cslf::Channel& channel = *stream.GetDescription().FindChannel(cslf::ColorName);
     const unsigned char* texel = stream.GetSlice(channel, this->GetSlice(k)) +
-      this->Chosen[k] % this->SliceTexels * cslf::TexelBytes(channel);
+      this->Chosen[k] % this->SliceTexels * channel.GetTexelBytes();
     unsigned char color[4];
     if (channel.Type == VTK_FLOAT)
     {

@@ -125,7 +125,7 @@ void ReadSlab(const char* folder, const cslf::Description& description, const cs
     std::vector<unsigned char*> targets;
     for (std::size_t c = 0; c < arrays.size(); ++c)
     {
-      targets.push_back(arrays[c] + offset * cslf::TexelBytes(description.Channels[c]));
+      targets.push_back(arrays[c] + offset * description.Channels[c].GetTexelBytes());
     }
     return ReadViewpoint(folder, description, slice, targets, texels);
   };

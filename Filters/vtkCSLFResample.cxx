@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFResample.h"
 #include "Pipeline/cslfArrayLayout.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
 
@@ -41,20 +42,6 @@ int GetSlicesAtOnce(const int extent[6])
 {
   const double texels = (extent[1] + 1.0) * (extent[3] + 1.0);
   return static_cast<int>(std::max(2.0, PullBytes / (TexelBytesEstimate * texels)));
-}
-
-/// A point-data array for each channel.
-void Allocate(const cslf::Description& field, vtkImageData* image)
-{
-  for (const cslf::Channel& channel : field.Channels)
-  {
-    auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
-    array->SetName(channel.Name.c_str());
-    array->SetNumberOfComponents(channel.Components);
-    array->SetNumberOfTuples(image->GetNumberOfPoints());
-    image->GetPointData()->AddArray(array);
-  }
-  image->GetPointData()->SetActiveScalars(cslf::ColorName);
 }
 }
 
@@ -155,14 +142,7 @@ private:
     }
     this->Field = field;
     const cslf::Description coarse = this->Nesting.Apply(*field);
-    int extent[6];
-    this->Nesting.GetWholeExtent(extent);
-    extent[4] = slices.First;
-    extent[5] = slices.Last;
-    this->Output->SetExtent(extent);
-    this->Output->SetSpacing(1.0, 1.0, 1.0);
-    this->Output->SetOrigin(0.0, 0.0, 0.0);
-    Allocate(coarse, this->Output);
+    cslf::AllocateSlices(coarse, slices.First, slices.Last, this->Output);
     coarse.WriteTo(this->Output->GetFieldData());
     return true;
   }

@@ -5,23 +5,21 @@
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
 #include "vtkCSLFEnvironment.h"
 
+#include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,32 +28,26 @@ vtkStandardNewMacro(vtkCSLFSampler);
 
 namespace
 {
-/// A point-data array for each channel.
-cslf::TexelOutput Allocate(const cslf::Description& description, vtkImageData* image)
+/// The arrays of an image to which texels are written.
+cslf::TexelOutput FindOutput(const cslf::Description& description, vtkImageData* image)
 {
   cslf::TexelOutput output;
   for (const cslf::Channel& channel : description.Channels)
   {
-    auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
-    array->SetName(channel.Name.c_str());
-    array->SetNumberOfComponents(channel.Components);
-    array->SetNumberOfTuples(image->GetNumberOfPoints());
-    image->GetPointData()->AddArray(array);
-    void* values = array->GetVoidPointer(0);
-    if (channel.Name == cslf::DepthName)
+    void* values = image->GetPointData()->GetArray(channel.Name.c_str())->GetVoidPointer(0);
+    switch (cslf::FindForm(channel)->Kind)
     {
-      output.Depth = static_cast<unsigned short*>(values);
-    }
-    else if (channel.Type == VTK_FLOAT)
-    {
-      output.ColorFloats = static_cast<float*>(values);
-    }
-    else
-    {
-      output.ColorBytes = static_cast<unsigned char*>(values);
+      case cslf::SampleKind::ByteColor:
+        output.ColorBytes = static_cast<unsigned char*>(values);
+        break;
+      case cslf::SampleKind::FloatColor:
+        output.ColorFloats = static_cast<float*>(values);
+        break;
+      default:
+        output.Depth = static_cast<unsigned short*>(values);
+        break;
     }
   }
-  image->GetPointData()->SetActiveScalars(cslf::ColorName);
   return output;
 }
 }
@@ -134,10 +126,11 @@ int vtkCSLFSampler::RequestData(
     description.SceneBounds.emplace();
     std::copy_n(scene->Bounds, 6, description.SceneBounds->begin());
   }
-  description.Channels.push_back(cslf::MakeColorChannel(this->ColorType));
+  description.Channels.push_back(cslf::MakeChannel(cslf::KnownChannel::Color, this->ColorType));
   if (this->GenerateDepth)
   {
-    description.Channels.push_back(cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT));
+    description.Channels.push_back(
+      cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_UNSIGNED_SHORT));
   }
   const std::string fault = description.FindFault();
   if (!fault.empty())
@@ -149,15 +142,8 @@ int vtkCSLFSampler::RequestData(
   // Allocate the requested slices.
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  const int slices[2] = { extent[4], extent[5] };
-  description.Grid.GetWholeExtent(extent);
-  const int wholeSlices = extent[5] - extent[4] + 1;
-  extent[4] = slices[0];
-  extent[5] = slices[1];
-  output->SetExtent(extent);
-  output->SetSpacing(1.0, 1.0, 1.0);
-  output->SetOrigin(0.0, 0.0, 0.0);
-  const cslf::TexelOutput texels = Allocate(description, output);
+  cslf::AllocateSlices(description, extent[4], extent[5], output);
+  const cslf::TexelOutput texels = FindOutput(description, output);
 
   // Render them.
   const int side = this->Resolution;
@@ -165,7 +151,7 @@ int vtkCSLFSampler::RequestData(
     extent[5] - extent[4] + 1 };
   const auto makeRays = [&](int slice, int tile)
   { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); };
-  if (!this->Render(layout, wholeSlices, makeRays, texels))
+  if (!this->Render(layout, description.Grid.GetSlices(), makeRays, texels))
   {
     output->Initialize();
     return 1;

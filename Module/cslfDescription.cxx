@@ -132,8 +132,7 @@ Description Parse(const JSON& json)
     Channel channel;
     channel.Name = item.at("name").get<std::string>();
     channel.Type = FindType(item.at("type").get<std::string>());
-    const bool isOurs = channel.Name == ColorName || channel.Name == DepthName;
-    if (channel.Type == VTK_VOID && !isOurs)
+    if (channel.Type == VTK_VOID && !FindKnownChannel(channel.Name))
     {
       description.Unknown.push_back(channel.Name);
       continue;
@@ -195,16 +194,6 @@ std::string FindMisfit(const Description& description, vtkImageData* image)
   }
   return {};
 }
-}
-
-Channel MakeColorChannel(int type)
-{
-  return { ColorName, type, 4, type == VTK_UNSIGNED_CHAR ? SRGBEncoding : LinearEncoding };
-}
-
-Channel MakeDepthChannel(int type)
-{
-  return { DepthName, type, 1, DepthEncoding };
 }
 
 glm::dvec3 Description::GetSceneMinimumCC() const

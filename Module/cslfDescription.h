@@ -8,6 +8,7 @@
 #ifndef cslfDescription_h
 #define cslfDescription_h
 
+#include "cslfChannel.h"
 #include "cslfCube.h"
 #include "cslfJSONForward.h"
 #include "cslfLayout.h"
@@ -24,26 +25,6 @@ class vtkImageData;
 
 namespace cslf
 {
-/// One point-data array of the field.
-struct Channel
-{
-  std::string Name; ///< the array's name
-  int Type = 0;     ///< VTK's scalar type, such as VTK_UNSIGNED_CHAR
-  int Components = 1;
-  std::string Encoding; ///< what the numbers mean, one of the names below
-};
-
-/// The names of the two arrays that all code knows.
-constexpr const char* ColorName = "Color";
-constexpr const char* DepthName = "Depth";
-
-/// `Color` as bytes: sRGB-encoded mean of the samples that hit, times alpha.
-constexpr const char* SRGBEncoding = "srgb-associated-alpha";
-/// `Color` as floats: linear radiance times exposure, associated alpha.
-constexpr const char* LinearEncoding = "linear-associated-alpha";
-/// `Depth`: the first hit as a fraction of the chord from viewpoint to texel centre.
-constexpr const char* DepthEncoding = "chord-fraction";
-
 ///@{
 /// The upper limits of a description. Files that exceed them are refused before memory is
 /// allocated.
@@ -59,11 +40,6 @@ constexpr std::int64_t MaximumFieldBytes = std::int64_t(1) << 50; ///< of all sa
 constexpr double MaximumCoordinate = 1e30;
 constexpr double MinimumRelativeEdge = 1e-12; ///< of the distance from the origin, for each axis
 ///@}
-
-/// `Color` of 4 unsigned chars or 4 floats.
-VTKCSLF_EXPORT Channel MakeColorChannel(int type);
-/// `Depth` of one unsigned short or float.
-VTKCSLF_EXPORT Channel MakeDepthChannel(int type);
 
 struct VTKCSLF_EXPORT Description
 {
@@ -91,8 +67,14 @@ struct VTKCSLF_EXPORT Description
   glm::dvec3 GetSceneMinimumCC() const;
   glm::dvec3 GetSceneMaximumCC() const;
 
+  ///@{
   /// The channel of that name, or null.
   const Channel* FindChannel(const std::string& name) const;
+  const Channel* FindChannel(KnownChannel id) const { return this->FindChannel(NameOf(id)); }
+  ///@}
+
+  /// The size of a texel of all channels of a valid description, in bytes.
+  std::int64_t GetTexelBytes() const;
 
   /// The size of all samples of a valid description, in bytes.
   std::int64_t GetBytes() const;

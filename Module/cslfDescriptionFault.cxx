@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfDescription.h"
 
-#include <vtkDataArray.h>
 #include <vtkType.h>
 
 #include <algorithm>
@@ -14,22 +13,6 @@ namespace cslf
 {
 namespace
 {
-/// A channel whose meaning is known, in one of its possible forms.
-struct KnownChannel
-{
-  const char* Name;
-  int Type;
-  int Components;
-  const char* Encoding;
-};
-
-constexpr KnownChannel KnownChannels[] = {
-  { ColorName, VTK_UNSIGNED_CHAR, 4, SRGBEncoding },
-  { ColorName, VTK_FLOAT, 4, LinearEncoding },
-  { DepthName, VTK_UNSIGNED_SHORT, 1, DepthEncoding },
-  { DepthName, VTK_FLOAT, 1, DepthEncoding },
-};
-
 bool IsName(const std::string& name)
 {
   const auto isPrintable = [](unsigned char letter) { return letter >= ' ' && letter != 0x7f; };
@@ -49,21 +32,9 @@ std::string FindFault(const Channel& channel)
     return "the channel \"" + channel.Name + "\" does not have 1 to " +
       std::to_string(MaximumComponents) + " components";
   }
-  bool isKnown = false;
-  bool fits = false;
-  for (const KnownChannel& known : KnownChannels)
-  {
-    if (channel.Name == known.Name)
-    {
-      isKnown = true;
-      fits = fits ||
-        (channel.Type == known.Type && channel.Components == known.Components &&
-          channel.Encoding == known.Encoding);
-    }
-  }
-  return isKnown && !fits ? "the channel \"" + channel.Name +
+  return FindKnownChannel(channel.Name) && !FindForm(channel) ? "the channel \"" + channel.Name +
       "\" has a type, a number of components or an encoding that it cannot have"
-                          : std::string();
+                                                              : std::string();
 }
 
 std::string FindFault(const std::vector<Channel>& channels)
@@ -128,14 +99,19 @@ std::string FindFault(const Cube& box, const std::array<double, 6>& bounds)
 }
 }
 
-std::int64_t Description::GetBytes() const
+std::int64_t Description::GetTexelBytes() const
 {
-  std::int64_t texelBytes = 0;
+  std::int64_t bytes = 0;
   for (const Channel& channel : this->Channels)
   {
-    texelBytes += std::int64_t(channel.Components) * vtkDataArray::GetDataTypeSize(channel.Type);
+    bytes += channel.GetTexelBytes();
   }
-  return texelBytes * this->Grid.GetStripWidth() * this->Grid.GetResolution() *
+  return bytes;
+}
+
+std::int64_t Description::GetBytes() const
+{
+  return this->GetTexelBytes() * this->Grid.GetStripWidth() * this->Grid.GetResolution() *
     this->Grid.GetSlices();
 }
 

@@ -297,7 +297,7 @@ std::optional<CubeMapFolder> ReadCubeMapDescription(const std::string& folder, s
 bool WriteCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice,
   const unsigned char* texels, std::string& error)
 {
-  const int texelBytes = TexelBytes(channel);
+  const int texelBytes = channel.GetTexelBytes();
   const std::size_t texelCount =
     static_cast<std::size_t>(FaceCount) * grid.GetResolution() * grid.GetResolution();
   std::vector<unsigned char> pixels(texelCount * texelBytes);
@@ -323,7 +323,7 @@ bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& c
   {
     return false;
   }
-  const int texelBytes = TexelBytes(channel);
+  const int texelBytes = channel.GetTexelBytes();
   std::vector<unsigned char> pixels(
     std::size_t(FaceCount) * grid.GetResolution() * grid.GetResolution() * texelBytes);
   if (!input->read_image(0, 0, 0, -1, PixelType(channel), pixels.data()))
@@ -349,22 +349,7 @@ bool ProbeCubeMap(const std::string& folder, const Layout& grid, const Channel& 
     return OpenCubeMap(CubeMapFileName(folder, channel, slice), grid, channel) != nullptr;
   }
   std::vector<unsigned char> texels(
-    std::size_t(TileCount) * grid.GetResolution() * grid.GetResolution() * TexelBytes(channel));
+    std::size_t(TileCount) * grid.GetResolution() * grid.GetResolution() * channel.GetTexelBytes());
   return ReadCubeMap(folder, grid, channel, slice, texels.data());
-}
-
-void FillEmpty(const Channel& channel, unsigned char* texels, std::size_t count)
-{
-  const bool isDepth = channel.Encoding == DepthEncoding;
-  const std::size_t values = count * channel.Components;
-  if (isDepth && channel.Type == VTK_FLOAT)
-  {
-    std::fill_n(reinterpret_cast<float*>(texels), values, 1.0f);
-  }
-  else
-  {
-    // In integers, all bits set is depth 1.
-    std::memset(texels, isDepth ? 0xff : 0, count * TexelBytes(channel));
-  }
 }
 }

@@ -56,9 +56,6 @@ bool ReadCubeMap(const std::string& folder, const Layout& grid, const Channel& c
 /// Whether the file exists with the right size and type and correct checksums. Only EXR files are
 /// decoded, because their checksum is that of the pixels.
 bool ProbeCubeMap(const std::string& folder, const Layout& grid, const Channel& channel, int slice);
-
-/// The value of texels that were not read: depth 1, all else 0.
-void FillEmpty(const Channel& channel, unsigned char* texels, std::size_t count);
 }
 
 #endif

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldArrays.h"
 
-#include "cslfSlabs.h"
-
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
@@ -60,12 +58,8 @@ void AllocateSlices(const Description& field, int first, int last, vtkImageData*
 
 bool AreEnough(const Description& field, vtkIdType there, vtkIdType count)
 {
-  double texelBytes = 0.0;
-  for (const Channel& channel : field.Channels)
-  {
-    texelBytes += TexelBytes(channel);
-  }
-  const double sliceBytes = texelBytes * field.Grid.GetStripWidth() * field.Grid.GetResolution();
+  const double sliceBytes = static_cast<double>(field.GetTexelBytes()) *
+    field.Grid.GetStripWidth() * field.Grid.GetResolution();
   return sliceBytes * static_cast<double>(count) <= LittleBytes ||
     MostMissing * static_cast<double>(there) >= static_cast<double>(count);
 }

@@ -36,11 +36,6 @@ constexpr int SlabCount = 64;
 constexpr vtkIdType SlicesAhead = 512;
 }
 
-int TexelBytes(const Channel& channel)
-{
-  return channel.Components * vtkDataArray::GetDataTypeSize(channel.Type);
-}
-
 void SplitAlongZ(vtkInformation* information)
 {
   vtkExtentTranslator::UPDATE_SPLIT_MODE()->Set(information, vtkExtentTranslator::Z_SLAB_MODE);
@@ -197,6 +192,7 @@ const unsigned char* SlabStream::GetSlice(const Channel& channel, int slice) con
   const Layout& grid = this->FieldDescription.Grid;
   const std::int64_t texels = std::int64_t(grid.GetStripWidth()) * grid.GetResolution();
   const std::int64_t offset = (slice - this->Image->GetExtent()[4]) * texels;
-  return static_cast<const unsigned char*>(array->GetVoidPointer(0)) + offset * TexelBytes(channel);
+  return static_cast<const unsigned char*>(array->GetVoidPointer(0)) +
+    offset * channel.GetTexelBytes();
 }
 }

@@ -95,9 +95,6 @@ private:
 /// Splits the output of that pipeline information into pieces, which are ranges of z slices. They
 /// share one slice, like pieces of image data.
 void SplitAlongZ(vtkInformation* information);
-
-/// The bytes of one texel of a channel.
-int TexelBytes(const Channel& channel);
 }
 
 #endif

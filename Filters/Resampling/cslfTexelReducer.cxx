@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -114,12 +113,12 @@ CoveredTexels FindCovered(const Value* color, std::int64_t count)
 CoveredTexels FindCovered(
   const Description& field, vtkImageData* image, std::int64_t first, std::int64_t count)
 {
-  const Channel* color = field.FindChannel(ColorName);
+  const Channel* color = field.FindChannel(KnownChannel::Color);
   if (!color || color->Components != 4)
   {
     return CoveredTexels(static_cast<std::size_t>(count), true);
   }
-  vtkDataArray* array = image->GetPointData()->GetArray(ColorName);
+  vtkDataArray* array = image->GetPointData()->GetArray(color->Name.c_str());
   switch (color->Type)
   {
     vtkTemplateMacro(
@@ -163,17 +162,15 @@ void ReduceMean(const Squares& squares, int components, const CoveredTexels& cov
     });
 }
 
-/// The smallest of the covered texels; 1, or its integer code, if none is covered.
+/// The smallest of the covered texels, or the fill value if none is covered.
 template <typename Value>
-void ReduceDepth(
-  const Squares& squares, const CoveredTexels& covered, const Value* input, Value* output)
+void ReduceMinimum(const Squares& squares, Value fill, const CoveredTexels& covered,
+  const Value* input, Value* output)
 {
-  const Value farthest =
-    std::is_integral<Value>::value ? std::numeric_limits<Value>::max() : static_cast<Value>(1);
   squares.ForEach(
     [&](std::int64_t to, const std::vector<std::int64_t>& from)
     {
-      Value least = farthest;
+      Value least = fill;
       for (std::int64_t texel : from)
       {
         least = covered[texel] ? std::min(least, input[texel]) : least;
@@ -186,18 +183,21 @@ template <typename Value>
 void ReduceChannel(const Squares& squares, const Channel& channel, const CoveredTexels& covered,
   const Value* input, Value* output)
 {
-  if (channel.Encoding == DepthEncoding && channel.Components == 1)
+  switch (FindReduction(channel))
   {
-    ReduceDepth(squares, covered, input, output);
-  }
-  else if (channel.Encoding == LinearEncoding)
-  {
-    // With associated alpha, empty texels count as dark.
-    ReduceMean(squares, channel.Components, CoveredTexels(covered.size(), true), input, output);
-  }
-  else
-  {
-    ReduceMean(squares, channel.Components, covered, input, output);
+    case Reduction::Minimum:
+      ReduceMinimum(squares, ToStored<Value>(FindFill(channel)), covered, input, output);
+      return;
+    case Reduction::Mean:
+      ReduceMean(squares, channel.Components, CoveredTexels(covered.size(), true), input, output);
+      return;
+    case Reduction::CoveredMean:
+      ReduceMean(squares, channel.Components, covered, input, output);
+      return;
+    case Reduction::LightMean:
+      ReduceColorBytes(squares, reinterpret_cast<const unsigned char*>(input),
+        reinterpret_cast<unsigned char*>(output));
+      return;
   }
 }
 }
@@ -224,13 +224,6 @@ void TexelReducer::Reduce(
     const void* source =
       input->GetPointData()->GetArray(name)->GetVoidPointer(channel.Components * from);
     void* target = output->GetPointData()->GetArray(name)->GetVoidPointer(channel.Components * to);
-    if (channel.Encoding == SRGBEncoding && channel.Type == VTK_UNSIGNED_CHAR &&
-      channel.Components == 4)
-    {
-      ReduceColorBytes(
-        squares, static_cast<const unsigned char*>(source), static_cast<unsigned char*>(target));
-      continue;
-    }
     switch (channel.Type)
     {
       vtkTemplateMacro(ReduceChannel(squares, channel, covered, static_cast<const VTK_TT*>(source),

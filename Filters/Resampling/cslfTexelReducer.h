@@ -14,13 +14,8 @@ class vtkImageData;
 namespace cslf
 {
 /**
- * A texel stands for the area of `divisor` x `divisor` texels of the input.
- *
- * - Colour bytes: the mean of what the samples that hit saw, which is linear and weighted by
- *   coverage; alpha is the mean coverage.
- * - Linear colours: the mean of all components.
- * - Depth (`chord-fraction`): the smallest of the covered texels; 1 where none is.
- * - Other channels: the mean of the covered texels, or of all where none is.
+ * A texel stands for the area of `divisor` x `divisor` texels of the input. How it is computed
+ * follows from the channel's encoding: see Reduction.
  */
 class TexelReducer
 {

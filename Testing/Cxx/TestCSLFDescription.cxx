@@ -27,8 +27,8 @@ cslf::Description MakeDescription()
   cslf::Description description;
   description.Grid = cslf::Layout(9, { 0, 4, 8 }, 4);
   description.Box = { { 0.1, -2.0, 3e5 }, { 1.0, 2.0, 0.3 } };
-  description.Channels = { cslf::MakeColorChannel(VTK_UNSIGNED_CHAR),
-    cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT) };
+  description.Channels = { cslf::MakeChannel(cslf::KnownChannel::Color, VTK_UNSIGNED_CHAR),
+    cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_UNSIGNED_SHORT) };
   description.SceneBounds = { 0.0, 0.5, -3.0, -1.0, 2.99999e5, 3.00001e5 };
   description.Sampling = R"({"seed":7})";
   return description;
@@ -176,8 +176,9 @@ void TestChannels()
   CheckFault(misfit, setSecond({ "Depth", VTK_UNSIGNED_CHAR, 1, cslf::DepthEncoding }));
   CheckFault(misfit, setSecond({ "Depth", VTK_UNSIGNED_SHORT, 2, cslf::DepthEncoding }));
   CheckFault(misfit, setSecond({ "Depth", VTK_FLOAT, 1, "metres" }));
-  CheckFault("two channels", setSecond(cslf::MakeColorChannel(VTK_UNSIGNED_CHAR)));
-  CheckFault("two channels", setSecond(cslf::MakeColorChannel(VTK_FLOAT)));
+  CheckFault(
+    "two channels", setSecond(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_UNSIGNED_CHAR)));
+  CheckFault("two channels", setSecond(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT)));
   CheckFault("printable", setSecond({ "", VTK_FLOAT, 1, "" }));
   CheckFault("printable", setSecond({ std::string("Color\0", 6), VTK_FLOAT, 1, "" }));
   CheckFault("printable", setSecond({ std::string(101, 'a'), VTK_FLOAT, 1, "" }));
@@ -191,8 +192,8 @@ void TestChannels()
         description.Channels.push_back({ std::to_string(k), VTK_FLOAT, 1, "" });
       }
     });
-  CheckNoFault(setFirst(cslf::MakeColorChannel(VTK_FLOAT)));
-  CheckNoFault(setSecond(cslf::MakeDepthChannel(VTK_FLOAT)));
+  CheckNoFault(setFirst(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT)));
+  CheckNoFault(setSecond(cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_FLOAT)));
   CheckNoFault(setSecond({ "Normals", VTK_FLOAT, 3, "" }));
 }
 
@@ -213,7 +214,7 @@ void TestSizes()
   CSLF_CHECK(description.GetBytes() == 6 * 54 * 5 * 16);
   // Far beyond 32 bits, and beyond the exact integers of doubles.
   description.Grid = cslf::Layout(cslf::MaximumViewpoints, cslf::MaximumResolution);
-  description.Channels = { cslf::MakeColorChannel(VTK_FLOAT) };
+  description.Channels = { cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT) };
   CSLF_CHECK(description.GetBytes() == std::int64_t(16) * 30 << 46);
 }
 

@@ -61,8 +61,9 @@ vtkSmartPointer<vtkImageData> MakeNumbers(int viewpoints, int resolution)
   cslf::Description description;
   description.Grid = cslf::Layout(viewpoints, resolution);
   description.Box = Box;
-  description.Channels = { cslf::MakeColorChannel(VTK_UNSIGNED_CHAR),
-    cslf::MakeDepthChannel(VTK_UNSIGNED_SHORT), { "Heat", VTK_UNSIGNED_CHAR, 2, "celsius" } };
+  description.Channels = { cslf::MakeChannel(cslf::KnownChannel::Color, VTK_UNSIGNED_CHAR),
+    cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_UNSIGNED_SHORT),
+    { "Heat", VTK_UNSIGNED_CHAR, 2, "celsius" } };
   auto field = vtkSmartPointer<vtkImageData>::New();
   int extent[6];
   description.Grid.GetWholeExtent(extent);

@@ -148,10 +148,10 @@ vtkSmartPointer<vtkImageData> MakeTestField(const Layout& layout, const Cube& bo
   const glm::dvec3 most =
     box.PointToWorld(glm::dvec3(WallHalf, WallHalf, SphereCenter.z + SphereRadius));
   description.SceneBounds = { least.x, most.x, least.y, most.y, least.z, most.z };
-  description.Channels.push_back(MakeColorChannel(colorType));
+  description.Channels.push_back(MakeChannel(KnownChannel::Color, colorType));
   if (depthType != 0)
   {
-    description.Channels.push_back(MakeDepthChannel(depthType));
+    description.Channels.push_back(MakeChannel(KnownChannel::Depth, depthType));
   }
 
   auto image = vtkSmartPointer<vtkImageData>::New();

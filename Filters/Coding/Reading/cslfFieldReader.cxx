@@ -39,7 +39,7 @@ public:
     , Store(reader.Store)
     , Texels(static_cast<std::size_t>(reader.GetHeader().Field.Grid.GetStripWidth()) *
         reader.GetHeader().Field.Grid.GetResolution())
-    , ColorBytes(this->Texels * TexelBytes(*reader.GetHeader().Field.FindChannel(ColorName)))
+    , ColorBytes(this->Texels * reader.GetHeader().Field.FindChannel(ColorName)->GetTexelBytes())
     , First(first)
     , Begin(begin)
     , Lacks(last - first + 1, 1)

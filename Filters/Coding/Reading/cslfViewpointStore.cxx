@@ -3,7 +3,6 @@
 #include "cslfViewpointStore.h"
 
 #include "Pipeline/cslfFieldArrays.h"
-#include "Pipeline/cslfSlabs.h"
 
 #include <algorithm>
 #include <chrono>
@@ -42,12 +41,8 @@ ViewpointStore::ViewpointStore(GroupDecoder& decoder)
       this->GroupOfSlice[slice] = group;
     }
   }
-  std::uint64_t texelBytes = 0;
-  for (const Channel& channel : field.Channels)
-  {
-    texelBytes += TexelBytes(channel);
-  }
-  this->ViewpointBytes = texelBytes * field.Grid.GetStripWidth() * field.Grid.GetResolution();
+  this->ViewpointBytes = static_cast<std::uint64_t>(field.GetTexelBytes()) *
+    field.Grid.GetStripWidth() * field.Grid.GetResolution();
 }
 
 ViewpointStore::~ViewpointStore()

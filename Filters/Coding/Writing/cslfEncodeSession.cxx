@@ -357,7 +357,7 @@ int EncodeSession::CountSlicesThatFit() const
   for (const Channel& channel : this->Puller->GetField().Channels)
   {
     const bool isCoded = channel.Name == ColorName || channel.Name == DepthName;
-    texelBytes += isCoded ? TexelBytes(channel) : 0;
+    texelBytes += isCoded ? channel.GetTexelBytes() : 0;
   }
   const double sliceBytes = texelBytes * this->Grid->GetStripWidth() * this->Grid->GetResolution();
   return static_cast<int>(std::min<double>(SlabBytes / sliceBytes, this->Grid->GetSlices()));

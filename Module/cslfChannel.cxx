@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfChannel.h"
+
+#include <vtkDataArray.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+namespace cslf
+{
+namespace
+{
+constexpr ChannelForm Forms[] = {
+  { KnownChannel::Color, ColorName, SRGBEncoding, VTK_UNSIGNED_CHAR, 4, SampleKind::ByteColor, 0.0,
+    Reduction::LightMean, Interpolation::Linear },
+  { KnownChannel::Color, ColorName, LinearEncoding, VTK_FLOAT, 4, SampleKind::FloatColor, 0.0,
+    Reduction::Mean, Interpolation::Linear },
+  { KnownChannel::Depth, DepthName, DepthEncoding, VTK_UNSIGNED_SHORT, 1, SampleKind::Number16, 1.0,
+    Reduction::Minimum, Interpolation::Nearest },
+  { KnownChannel::Depth, DepthName, DepthEncoding, VTK_FLOAT, 1, SampleKind::FloatNumber, 1.0,
+    Reduction::Minimum, Interpolation::Nearest },
+};
+
+template <typename Condition>
+const ChannelForm* FindFirst(Condition condition)
+{
+  const auto found = std::find_if(std::begin(Forms), std::end(Forms), condition);
+  return found == std::end(Forms) ? nullptr : found;
+}
+
+const ChannelForm* FindEncoding(const Channel& channel)
+{
+  return FindFirst([&](const ChannelForm& form) { return channel.Encoding == form.Encoding; });
+}
+}
+
+int Channel::GetTexelBytes() const
+{
+  return this->Components * vtkDataArray::GetDataTypeSize(this->Type);
+}
+
+const ChannelForm* FindForm(const Channel& channel)
+{
+  return FindFirst(
+    [&](const ChannelForm& form)
+    {
+      return channel.Name == form.Name && channel.Type == form.Type &&
+        channel.Components == form.Components && channel.Encoding == form.Encoding;
+    });
+}
+
+Channel MakeChannel(KnownChannel id, int type)
+{
+  const ChannelForm* form =
+    FindFirst([=](const ChannelForm& row) { return row.Id == id && row.Type == type; });
+  return form ? Channel{ form->Name, type, form->Components, form->Encoding }
+              : Channel{ NameOf(id), type, 1, {} };
+}
+
+const char* NameOf(KnownChannel id)
+{
+  return FindFirst([id](const ChannelForm& form) { return form.Id == id; })->Name;
+}
+
+std::optional<KnownChannel> FindKnownChannel(const std::string& name)
+{
+  const ChannelForm* form = FindFirst([&](const ChannelForm& row) { return name == row.Name; });
+  return form ? std::make_optional(form->Id) : std::nullopt;
+}
+
+Reduction FindReduction(const Channel& channel)
+{
+  const ChannelForm* form = FindEncoding(channel);
+  const Reduction reduction = form ? form->Reduce : Reduction::CoveredMean;
+  // Only numbers have a smallest one, and only byte colours have a curve.
+  const bool fits = reduction == Reduction::Minimum ? channel.Components == 1
+    : reduction == Reduction::LightMean
+    ? channel.Type == form->Type && channel.Components == form->Components
+    : true;
+  return fits ? reduction : Reduction::CoveredMean;
+}
+
+double FindFill(const Channel& channel)
+{
+  const ChannelForm* form = FindEncoding(channel);
+  return form ? form->Fill : 0.0;
+}
+
+void FillEmpty(const Channel& channel, void* texels, std::size_t count)
+{
+  const std::size_t values = count * channel.Components;
+  const double fill = FindFill(channel);
+  switch (channel.Type)
+  {
+    vtkTemplateMacro(std::fill_n(static_cast<VTK_TT*>(texels), values, ToStored<VTK_TT>(fill)));
+    default:
+      break;
+  }
+}
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The channels of a light field, and the one table of what is known of each: its encodings, and how
+ * their samples are stored, filled, reduced and interpolated.
+ */
+#ifndef cslfChannel_h
+#define cslfChannel_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+namespace cslf
+{
+/// One point-data array of the field.
+struct VTKCSLF_EXPORT Channel
+{
+  std::string Name; ///< the array's name
+  int Type = 0;     ///< VTK's scalar type, such as VTK_UNSIGNED_CHAR
+  int Components = 1;
+  std::string Encoding; ///< what the numbers mean, one of the names below
+
+  /// The size of a texel, in bytes.
+  int GetTexelBytes() const;
+};
+
+/// The channels whose meaning is known, in the order of their tracks in a file. Another one is
+/// added here and in the table of cslfChannel.cxx.
+enum class KnownChannel
+{
+  Color,
+  Depth
+};
+constexpr KnownChannel KnownChannels[] = { KnownChannel::Color, KnownChannel::Depth };
+constexpr std::size_t KnownChannelCount = std::size(KnownChannels);
+
+/// The names of their arrays.
+constexpr const char* ColorName = "Color";
+constexpr const char* DepthName = "Depth";
+
+/// `Color` as bytes: sRGB-encoded mean of the samples that hit, times alpha.
+constexpr const char* SRGBEncoding = "srgb-associated-alpha";
+/// `Color` as floats: linear radiance times exposure, associated alpha.
+constexpr const char* LinearEncoding = "linear-associated-alpha";
+/// `Depth`: the first hit as a fraction of the chord from viewpoint to texel centre.
+constexpr const char* DepthEncoding = "chord-fraction";
+
+/// The layout of a texel's samples.
+enum class SampleKind
+{
+  ByteColor,  ///< 4 bytes: red, green, blue, alpha
+  FloatColor, ///< 4 floats: the same, linear
+  Number16,   ///< 1 unsigned short: a number from 0 to 1
+  FloatNumber ///< 1 float
+};
+
+/// How a square of texels becomes one texel.
+enum class Reduction
+{
+  CoveredMean, ///< the mean of the covered texels, or of all where none is
+  Mean,        ///< the mean of all: with associated alpha, empty texels count as dark
+  LightMean,   ///< the mean of what the samples that hit saw: linear, weighted by coverage
+  Minimum      ///< the smallest of the covered texels, or the fill value where none is
+};
+
+/// How textures are read between texels.
+enum class Interpolation
+{
+  Linear,
+  Nearest
+};
+
+/// A known channel in one of its possible forms: a row of the table.
+struct ChannelForm
+{
+  KnownChannel Id;
+  const char* Name;
+  const char* Encoding;
+  int Type;
+  int Components;
+  SampleKind Kind;
+  double Fill; ///< the number where nothing is covered
+  Reduction Reduce;
+  Interpolation Interpolate;
+};
+
+/// The form of a channel, or null if the channel is not known or cannot have its type, number of
+/// components or encoding.
+const ChannelForm* FindForm(const Channel& channel);
+
+/// The channel with samples of a VTK type, which must be one that it can have.
+VTKCSLF_EXPORT Channel MakeChannel(KnownChannel id, int type);
+
+VTKCSLF_EXPORT const char* NameOf(KnownChannel id);
+std::optional<KnownChannel> FindKnownChannel(const std::string& name);
+
+/// How any channel is reduced, which follows from its encoding.
+Reduction FindReduction(const Channel& channel);
+
+/// The number where nothing is covered, in any channel.
+double FindFill(const Channel& channel);
+
+/// Fills texels of a channel with that number.
+void FillEmpty(const Channel& channel, void* texels, std::size_t count);
+
+/// A number from 0 to 1 as it is stored; integers have all their codes.
+template <typename Value>
+Value ToStored(double number)
+{
+  constexpr Value largest = std::is_integral<Value>::value ? std::numeric_limits<Value>::max() : 1;
+  return number >= 1.0 ? largest : static_cast<Value>(number * static_cast<double>(largest));
+}
+}
+
+#endif
