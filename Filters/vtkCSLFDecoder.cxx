@@ -57,7 +57,7 @@ public:
     }
   }
 
-  cslf::DecodedViewpointPointer GetViewpoint(vtkCSLFDecoder* self, vtkIdType z);
+  std::optional<cslf::ViewpointSamples> GetViewpoint(vtkCSLFDecoder* self, vtkIdType z);
 
   bool HasViewpoint(vtkIdType z) const
   {
@@ -248,7 +248,8 @@ int vtkCSLFDecoder::RequestInformation(
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   cslf::SplitAlongZ(outInfo);
   const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
-  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, field.FindChannel(cslf::ColorName)->Type, 4);
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    outInfo, field.FindChannel(cslf::KnownChannel::Color)->Type, 4);
   return 1;
 }
 
@@ -335,13 +336,9 @@ void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
     return;
   }
   cslf::AllocateSlices(this->Internal->Reader->GetHeader().Field, first, last, output);
-  output->GetPointData()->SetActiveScalars(cslf::ColorName);
   output->GetFieldData()->PassData(this->Internal->Field);
-  vtkDataArray* color = output->GetPointData()->GetArray(cslf::ColorName);
-  vtkDataArray* depth = output->GetPointData()->GetArray(cslf::DepthName);
   this->Internal->SetMissing(
-    this->Internal->Reader->Read(first, last, static_cast<unsigned char*>(color->GetVoidPointer(0)),
-      depth ? static_cast<unsigned short*>(depth->GetVoidPointer(0)) : nullptr,
+    this->Internal->Reader->Read(first, last, cslf::ViewpointSamples(output),
       [this](double progress) { return this->ReportProgress(progress); }));
 }
 
@@ -435,10 +432,10 @@ bool vtkCSLFDecoder::RequireViewpoint(vtkIdType z)
 }
 
 // A viewpoint from the cache, decoded now if necessary. Null if there is not enough memory.
-cslf::DecodedViewpointPointer vtkCSLFDecoder::Internals::GetViewpoint(
+std::optional<cslf::ViewpointSamples> vtkCSLFDecoder::Internals::GetViewpoint(
   vtkCSLFDecoder* self, vtkIdType z)
 {
-  cslf::DecodedViewpointPointer viewpoint;
+  std::optional<cslf::ViewpointSamples> viewpoint;
   self->Guard(
     [&]
     {
@@ -455,7 +452,7 @@ bool vtkCSLFDecoder::IsViewpointDamaged(vtkIdType z)
     return true;
   }
   const auto viewpoint = this->Internal->GetViewpoint(this, z);
-  const bool isMissing = viewpoint && viewpoint->IsMissing;
+  const bool isMissing = viewpoint && viewpoint->IsEmpty();
   if (isMissing && !this->AllowMissing && this->Internal->Damage.empty())
   {
     this->Guard([this] { return this->ReportFileDamage(); });
@@ -475,7 +472,7 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   {
     return false;
   }
-  if (viewpoint->IsMissing)
+  if (viewpoint->IsEmpty())
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     vtkErrorMacro("Viewpoint " << z << " of " << this->FileName << " is damaged.");
@@ -484,11 +481,7 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   int extent[6];
   this->Internal->GetExtent(z, z, extent);
   image->SetExtent(extent);
-  image->GetPointData()->SetScalars(viewpoint->Color);
-  if (viewpoint->Depth)
-  {
-    image->GetPointData()->AddArray(viewpoint->Depth);
-  }
+  viewpoint->AddTo(image);
   image->GetFieldData()->PassData(this->Internal->Field);
   return true;
 }

@@ -209,7 +209,7 @@ private:
 
   bool Check(const cslf::Description& description)
   {
-    const cslf::Channel* color = description.FindChannel(cslf::ColorName);
+    const cslf::Channel* color = description.FindChannel(cslf::KnownChannel::Color);
     if (!color || color->Components != 4)
     {
       vtkErrorWithObjectMacro(this->Self, "The field has no colours.");
@@ -220,7 +220,7 @@ private:
 
   void TakeColor(const cslf::SlabStream& stream, vtkIdType k)
   {
-    const cslf::Channel& channel = *stream.GetDescription().FindChannel(cslf::ColorName);
+    const cslf::Channel& channel = *stream.GetDescription().FindChannel(cslf::KnownChannel::Color);
     const unsigned char* texel = stream.GetSlice(channel, this->GetSlice(k)) +
       this->Chosen[k] % this->SliceTexels * channel.GetTexelBytes();
     unsigned char color[4];

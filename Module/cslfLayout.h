@@ -13,6 +13,7 @@
 
 #include "cslfCube.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace cslf
@@ -89,6 +90,12 @@ public:
 
   /// 5 N: the width of a slice.
   int GetStripWidth() const { return TileCount * this->Resolution; }
+
+  /// 5 N x N: the texels of a slice.
+  std::size_t GetStripTexels() const
+  {
+    return static_cast<std::size_t>(this->GetStripWidth()) * this->Resolution;
+  }
 
   /// The whole extent of the image data, in VTK's order.
   void GetWholeExtent(int extent[6]) const;

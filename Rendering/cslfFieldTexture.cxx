@@ -142,7 +142,7 @@ void FieldTexture::Bring(const WantedTiles& wanted)
 {
   const ViewpointSamples samples = this->Source->Get(wanted.Slice);
   this->IsChanged = true;
-  if (!samples.Color)
+  if (samples.IsEmpty())
   {
     this->Present.SetDamaged(wanted.Slice);
     ++this->Damaged;
@@ -280,8 +280,8 @@ void FieldTexture::MakeSceneTexture()
 void FieldTexture::Activate(int entryFace)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  const Handle handles[] = { this->Pool.GetColor(), this->Pool.GetDepth(), this->Tables[entryFace],
-    this->SceneTexture };
+  const Handle handles[] = { this->Pool.GetTexture(KnownChannel::Color),
+    this->Pool.GetTexture(KnownChannel::Depth), this->Tables[entryFace], this->SceneTexture };
   for (std::size_t i = 0; i < this->Units.size(); ++i)
   {
     if (this->Units[i] < 0)

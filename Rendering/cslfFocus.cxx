@@ -18,12 +18,14 @@ int FindFocalSlice(const Description& description, int face)
 glm::dvec3 FindFocalPoint(const Description& description, int face, const ViewpointSamples& samples)
 {
   glm::dvec3 point(0.0);
-  const Channel* depth = description.FindChannel(DepthName);
-  if (!depth || !samples.Color)
+  const Channel* depth = description.FindChannel(KnownChannel::Depth);
+  if (!depth || samples.IsEmpty())
   {
     return point;
   }
   const double scale = depth->Type == VTK_UNSIGNED_SHORT ? 1.0 / 65535.0 : 1.0;
+  vtkDataArray* colors = samples.GetArray(KnownChannel::Color);
+  vtkDataArray* depths = samples.GetArray(KnownChannel::Depth);
   const Layout& grid = description.Grid;
   const int resolution = grid.GetResolution();
   const int axis = FaceAxis(face);
@@ -31,12 +33,12 @@ glm::dvec3 FindFocalPoint(const Description& description, int face, const Viewpo
   std::vector<double> fractions;
   for (int q = 0; q < resolution; ++q)
   {
-    const vtkIdType row = samples.First + q * grid.GetStripWidth() + tile * resolution;
+    const vtkIdType row = samples.GetFirst() + q * grid.GetStripWidth() + tile * resolution;
     for (vtkIdType texel = row; texel < row + resolution; ++texel)
     {
-      if (samples.Color->GetComponent(texel, 3) > 0.0)
+      if (colors->GetComponent(texel, 3) > 0.0)
       {
-        fractions.push_back(scale * samples.Depth->GetComponent(texel, 0));
+        fractions.push_back(scale * depths->GetComponent(texel, 0));
       }
     }
   }

@@ -184,8 +184,8 @@ void LookupPicture::Compile(vtkOpenGLRenderWindow* window, const View& view, Fie
 void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field,
   double seconds, int mostSamples)
 {
-  const bool isSearched =
-    asked.Lookup == vtkCSLFMapper::DEPTH && field.GetField().FindChannel(DepthName) != nullptr;
+  const bool isSearched = asked.Lookup == vtkCSLFMapper::DEPTH &&
+    field.GetField().FindChannel(KnownChannel::Depth) != nullptr;
   View view = asked;
   view.Samples = isSearched ? asked.Samples : 1;
   if (this->Window && this->Window != window)
@@ -221,7 +221,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->Changes = field.GetChanges();
   this->IsSearched = isSearched;
   this->Allocate(field);
-  this->BuildPrograms(field.GetField().FindChannel(DepthName) != nullptr);
+  this->BuildPrograms(field.GetField().FindChannel(KnownChannel::Depth) != nullptr);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
@@ -277,7 +277,7 @@ void LookupPicture::Target::Release(vtkWindow* window)
 void LookupPicture::Allocate(const FieldTexture& field)
 {
   this->Framebuffer->ReleaseGraphicsResources(this->Window);
-  const bool isByte = field.GetField().FindChannel(ColorName)->Type == VTK_UNSIGNED_CHAR;
+  const bool isByte = field.GetField().FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
   const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
   this->Picture.Allocate(this->Window, this->Size, colorType, this->IsSearched);
   if (this->IsSearched)

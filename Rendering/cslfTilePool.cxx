@@ -24,24 +24,14 @@ struct Format
   int Bytes; ///< of a texel in graphics memory
 };
 
-Format ColorFormat(const Channel& channel)
-{
-  return channel.Type == VTK_UNSIGNED_CHAR ? Format{ GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 }
-                                           : Format{ GL_RGBA16F, GL_RGBA, GL_FLOAT, 8 };
-}
+/// In the order of SampleKind.
+constexpr Format Formats[] = { { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4 },
+  { GL_RGBA16F, GL_RGBA, GL_FLOAT, 8 }, { GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2 },
+  { GL_R32F, GL_RED, GL_FLOAT, 4 } };
 
-Format DepthFormat(const Channel& channel)
+const Format& FormatOf(const Channel& channel)
 {
-  return channel.Type == VTK_UNSIGNED_SHORT ? Format{ GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2 }
-                                            : Format{ GL_R32F, GL_RED, GL_FLOAT, 4 };
-}
-
-std::int64_t CountTileBytes(const Description& field)
-{
-  const Channel* depth = field.FindChannel(DepthName);
-  const int texel =
-    ColorFormat(*field.FindChannel(ColorName)).Bytes + (depth ? DepthFormat(*depth).Bytes : 0);
-  return std::int64_t{ texel } * field.Grid.GetResolution() * field.Grid.GetResolution();
+  return Formats[static_cast<std::size_t>(FindForm(channel)->Kind)];
 }
 
 GLint GetLimit(GLenum name)
@@ -72,6 +62,14 @@ bool TilePool::Create(const Description& field, int blocks, int mostSlots, std::
 {
   this->Free();
   this->Field = field;
+  this->Field.Channels.clear();
+  for (const Channel& channel : field.Channels)
+  {
+    if (FindForm(channel))
+    {
+      this->Field.Channels.push_back(channel);
+    }
+  }
   this->Blocks = blocks;
   int slots = mostSlots;
   while (slots > LeastSlots && !(this->ChooseLayers(slots) && this->CountBytes() <= limit))
@@ -92,8 +90,13 @@ bool TilePool::Create(const Description& field, int blocks, int mostSlots, std::
 
 std::int64_t TilePool::CountBytes() const
 {
-  return CountTileBytes(this->Field) * this->TilesPerLayer *
-    (1 + this->Blocks * this->LayersPerBlock);
+  std::int64_t texel = 0;
+  for (const Channel& channel : this->Field.Channels)
+  {
+    texel += FormatOf(channel).Bytes;
+  }
+  const int side = this->Field.Grid.GetResolution();
+  return texel * side * side * this->TilesPerLayer * (1 + this->Blocks * this->LayersPerBlock);
 }
 
 bool TilePool::ChooseLayers(int slots)
@@ -114,11 +117,11 @@ bool TilePool::Allocate()
   const int side = this->Field.Grid.GetResolution();
   const int height = side * this->TilesPerLayer;
   const int layers = 1 + this->Blocks * this->LayersPerBlock;
-  this->Color = CreateTexture(
-    ColorFormat(*this->Field.FindChannel(ColorName)), GL_LINEAR, side, height, layers);
-  if (const Channel* depth = this->Field.FindChannel(DepthName))
+  for (const Channel& channel : this->Field.Channels)
   {
-    this->Depth = CreateTexture(DepthFormat(*depth), GL_NEAREST, side, height, layers);
+    const ChannelForm& form = *FindForm(channel);
+    const GLenum filter = form.Interpolate == Interpolation::Linear ? GL_LINEAR : GL_NEAREST;
+    this->TextureOf(form.Id) = CreateTexture(FormatOf(channel), filter, side, height, layers);
   }
   this->Bytes = this->CountBytes();
   this->ClearFirstLayer();
@@ -131,20 +134,14 @@ void TilePool::ClearFirstLayer()
   const int side = this->Field.Grid.GetResolution();
   const int height = side * this->TilesPerLayer;
   const std::vector<float> zeros(4 * static_cast<std::size_t>(side) * height, 0.0F);
-  const Channel* channels[] = { this->Field.FindChannel(ColorName),
-    this->Field.FindChannel(DepthName) };
   this->BeginUploads();
   glPixelStorei(GL_UNPACK_ROW_LENGTH, side);
-  for (const Channel* channel : channels)
+  for (const Channel& channel : this->Field.Channels)
   {
-    if (channel)
-    {
-      const bool isColor = channel == channels[0];
-      const Format format = isColor ? ColorFormat(*channel) : DepthFormat(*channel);
-      glBindTexture(GL_TEXTURE_2D_ARRAY, isColor ? this->Color : this->Depth);
-      glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, height, 1, format.Components,
-        format.Type, zeros.data());
-    }
+    const Format& format = FormatOf(channel);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, this->TextureOf(FindForm(channel)->Id));
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, side, height, 1, format.Components,
+      format.Type, zeros.data());
   }
   this->EndUploads();
 }
@@ -162,17 +159,15 @@ void TilePool::Upload(const ViewpointSamples& samples, int tile, int block, int 
   const int side = this->Field.Grid.GetResolution();
   const int row = slot % this->TilesPerLayer * side;
   const int layer = this->GetFirstLayer(block) + slot / this->TilesPerLayer;
-  const auto upload = [&](Handle handle, const Format& format, vtkDataArray* array)
+  for (const Channel& channel : this->Field.Channels)
   {
-    const vtkIdType first = (samples.First + tile * side) * array->GetNumberOfComponents();
-    glBindTexture(GL_TEXTURE_2D_ARRAY, handle);
+    const KnownChannel id = FindForm(channel)->Id;
+    const Format& format = FormatOf(channel);
+    vtkDataArray* array = samples.GetArray(id);
+    const vtkIdType first = (samples.GetFirst() + tile * side) * array->GetNumberOfComponents();
+    glBindTexture(GL_TEXTURE_2D_ARRAY, this->TextureOf(id));
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, row, layer, side, side, 1, format.Components,
       format.Type, array->GetVoidPointer(first));
-  };
-  upload(this->Color, ColorFormat(*this->Field.FindChannel(ColorName)), samples.Color);
-  if (this->Depth)
-  {
-    upload(this->Depth, DepthFormat(*this->Field.FindChannel(DepthName)), samples.Depth);
   }
 }
 
@@ -184,10 +179,8 @@ void TilePool::EndUploads()
 
 void TilePool::Free()
 {
-  glDeleteTextures(1, &this->Color);
-  glDeleteTextures(1, &this->Depth);
-  this->Color = 0;
-  this->Depth = 0;
+  glDeleteTextures(static_cast<GLsizei>(this->Textures.size()), this->Textures.data());
+  this->Textures.fill(0);
   this->Bytes = 0;
 }
 }

@@ -10,6 +10,8 @@
 #include "cslfDescription.h"
 #include "cslfViewpointSource.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace cslf
@@ -33,13 +35,14 @@ public:
   bool Create(const Description& field, int blocks, int mostSlots, std::int64_t limit);
   void Free();
 
-  bool IsCreated() const { return this->Color != 0; }
+  bool IsCreated() const { return this->GetTexture(KnownChannel::Color) != 0; }
   int GetBlocks() const { return this->Blocks; }
   int GetSlots() const { return this->Slots; }
   int GetTilesPerLayer() const { return this->TilesPerLayer; }
   std::int64_t GetBytes() const { return this->Bytes; }
-  Handle GetColor() const { return this->Color; }
-  Handle GetDepth() const { return this->Depth; }
+
+  /// The texture of a channel, or 0 if the field does not have it.
+  Handle GetTexture(KnownChannel id) const { return this->Textures[static_cast<std::size_t>(id)]; }
 
   /// The first layer of a block.
   int GetFirstLayer(int block) const { return 1 + block * this->LayersPerBlock; }
@@ -50,19 +53,19 @@ public:
   void EndUploads();
 
 private:
+  Handle& TextureOf(KnownChannel id) { return this->Textures[static_cast<std::size_t>(id)]; }
   bool ChooseLayers(int slots);
   std::int64_t CountBytes() const;
   bool Allocate();
   void ClearFirstLayer();
 
-  Description Field;
+  Description Field; ///< with its known channels only
   int Blocks = 0;
   int Slots = 0;
   int TilesPerLayer = 1;
   int LayersPerBlock = 0;
   std::int64_t Bytes = 0;
-  Handle Color = 0;
-  Handle Depth = 0; ///< 0 if the field has none
+  std::array<Handle, KnownChannelCount> Textures{};
   int Alignment = 4;
   int RowLength = 0;
 };

@@ -8,7 +8,6 @@
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 
@@ -16,20 +15,12 @@ namespace cslf
 {
 namespace
 {
-ViewpointSamples GetSamples(vtkImageData* image)
-{
-  ViewpointSamples samples;
-  samples.Color = image->GetPointData()->GetArray(ColorName);
-  samples.Depth = image->GetPointData()->GetArray(DepthName);
-  return samples;
-}
-
 class ImageSource : public ViewpointSource
 {
 public:
   ImageSource(const Description& field, vtkImageData* image)
     : ViewpointSource(field)
-    , Whole(GetSamples(ToAOS(image, image->GetExtent()[4], image->GetExtent()[5])))
+    , Whole(ToAOS(image, image->GetExtent()[4], image->GetExtent()[5]))
   {
   }
 
@@ -39,10 +30,8 @@ public:
 
   ViewpointSamples Get(int slice) override
   {
-    const Layout& grid = this->GetDescription().Grid;
-    ViewpointSamples samples = this->Whole;
-    samples.First = static_cast<vtkIdType>(slice) * grid.GetStripWidth() * grid.GetResolution();
-    return samples;
+    return this->Whole.At(
+      static_cast<vtkIdType>(slice * this->GetDescription().Grid.GetStripTexels()));
   }
 
   void Sort(std::vector<int>&) override {}
@@ -86,7 +75,7 @@ public:
     vtkNew<vtkImageData> image;
     return this->Decoder->IsViewpointDamaged(slice) || !this->Decoder->GetViewpoint(slice, image)
       ? ViewpointSamples{}
-      : GetSamples(image);
+      : ViewpointSamples(image);
   }
 
   void Sort(std::vector<int>& slices) override

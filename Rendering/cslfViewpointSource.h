@@ -34,7 +34,7 @@ public:
   /// Whether Get costs almost nothing.
   virtual bool IsReady(int slice) = 0;
 
-  /// A viewpoint's samples. Waits for them. Without Color if they are damaged.
+  /// A viewpoint's samples. Waits for them. They are empty if they are damaged.
   virtual ViewpointSamples Get(int slice) = 0;
 
   /// Sorts slices into the order in which all of them are ready soonest.

@@ -305,7 +305,7 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
 {
   std::string options;
   const cslf::Description& field = this->Source->GetDescription();
-  if (field.FindChannel(cslf::ColorName)->Encoding == cslf::LinearEncoding)
+  if (field.FindChannel(cslf::KnownChannel::Color)->Encoding == cslf::LinearEncoding)
   {
     options += "#define LINEAR_COLOR\n";
   }

@@ -220,7 +220,7 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenImage(vtkImageData* im
   if (field)
   {
     const int* extent = image->GetExtent();
-    if (!field->FindChannel(cslf::ColorName))
+    if (!field->FindChannel(cslf::KnownChannel::Color))
     {
       error = "The light field has no colour.";
     }

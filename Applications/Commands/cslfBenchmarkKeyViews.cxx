@@ -82,7 +82,7 @@ vtkSmartPointer<vtkImageData> MakePlainField(vtkImageData* image, Description fi
   auto opaque = vtk::TakeSmartPointer(colors->NewInstance());
   opaque->DeepCopy(colors);
   opaque->FillComponent(3, colors->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0);
-  field.Channels = { *field.FindChannel(ColorName) };
+  field.Channels = { *field.FindChannel(KnownChannel::Color) };
   auto plain = vtkSmartPointer<vtkImageData>::New();
   plain->SetExtent(image->GetExtent());
   plain->GetPointData()->AddArray(opaque);
@@ -313,7 +313,7 @@ void WritePlot(const Options& options, const std::vector<Series>& all)
 /// Throws a Failure if the field cannot be coded as requested.
 void CheckField(const Options& options, const Description& field)
 {
-  if (!field.FindChannel(DepthName))
+  if (!field.FindChannel(KnownChannel::Depth))
   {
     throw Failure("Key views need a depth channel, which the field does not have.");
   }

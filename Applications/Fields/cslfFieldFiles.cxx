@@ -321,7 +321,7 @@ std::string GetCodecName(const FieldFile& file)
   {
     return "none";
   }
-  const Channel* color = file.Field.FindChannel(ColorName);
+  const Channel* color = file.Field.FindChannel(KnownChannel::Color);
   return color && color->Type == VTK_FLOAT ? "exr" : "png";
 }
 

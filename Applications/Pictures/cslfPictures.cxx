@@ -110,7 +110,7 @@ const std::vector<LookupName>& GetLookups()
 std::vector<LookupName> GetLookups(const Description& description)
 {
   std::vector<LookupName> lookups = GetLookups();
-  if (!description.FindChannel(DepthName))
+  if (!description.FindChannel(KnownChannel::Depth))
   {
     lookups.erase(std::remove_if(lookups.begin(), lookups.end(),
                     [](const LookupName& lookup) { return lookup.Lookup == vtkCSLFMapper::DEPTH; }),
@@ -134,7 +134,8 @@ std::vector<LookupName> ChooseLookups(
 {
   const auto isNamed = [&names](const LookupName& lookup)
   { return names.empty() || std::count(names.begin(), names.end(), lookup.Name) > 0; };
-  if (std::count(names.begin(), names.end(), "depth") > 0 && !description.FindChannel(DepthName))
+  if (std::count(names.begin(), names.end(), "depth") > 0 &&
+    !description.FindChannel(KnownChannel::Depth))
   {
     throw Failure("The depth lookup needs a depth channel, which the field does not have.");
   }
@@ -174,7 +175,7 @@ int FindLookup(const std::string& name)
 
 std::string ChooseLookup(const std::string& name, const Description& description)
 {
-  if (name == "depth" && !description.FindChannel(DepthName))
+  if (name == "depth" && !description.FindChannel(KnownChannel::Depth))
   {
     AddWarning("The field has no depth: the focal lookup is used.");
     return "focal";

@@ -77,19 +77,16 @@ Lookup::Lookup(const Description& description, vtkImageData* image)
 Lookup::Lookup(const Description& description, vtkImageData* image, const std::vector<int>& slices)
   : Field(description)
   , Grid(description, image, slices)
-  , Depth(description.Grid, image->GetPointData()->GetArray(DepthName), slices)
+  , Samples(image)
+  , Depth(description.Grid, this->Samples.GetArray(KnownChannel::Depth), slices)
 {
-  this->Samples.Color = image->GetPointData()->GetArray(ColorName);
-  this->Samples.Depth = image->GetPointData()->GetArray(DepthName);
 }
 
 void Lookup::LeaveOut(int seenFaces)
 {
   this->LeftOut = seenFaces;
   this->Grid = SceneGrid(this->Field);
-  ViewpointSamples samples = this->Samples;
-  const vtkIdType texels =
-    static_cast<vtkIdType>(this->Field.Grid.GetStripWidth()) * this->Field.Grid.GetResolution();
+  const auto texels = static_cast<vtkIdType>(this->Field.Grid.GetStripTexels());
   for (int slice = 0; slice < this->Field.Grid.GetSlices(); ++slice)
   {
     const int face = this->Field.Grid.ViewpointOf(slice).Face;
@@ -101,8 +98,7 @@ void Lookup::LeaveOut(int seenFaces)
       {
         tiles |= this->IsKept(face, tile) ? 1 << tile : 0;
       }
-      samples.First = strip * texels;
-      this->Grid.Add(slice, samples, tiles);
+      this->Grid.Add(slice, this->Samples.At(strip * texels), tiles);
     }
   }
   this->Grid.Spread();
@@ -228,7 +224,7 @@ Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
 // point.
 double Lookup::GuessSurface(const Ray& ray, const View& view, double fraction) const
 {
-  if (!this->Samples.Depth)
+  if (!this->Samples.GetArray(KnownChannel::Depth))
   {
     return fraction;
   }
@@ -531,7 +527,7 @@ LookupResult Lookup::Unseen(const Ray& ray) const
 
 LookupResult Lookup::DepthCorrected(const RayCoordinates& ray) const
 {
-  if (!this->Samples.Depth)
+  if (!this->Samples.GetArray(KnownChannel::Depth))
   {
     return this->Focal(ray, glm::dvec3(0.0));
   }

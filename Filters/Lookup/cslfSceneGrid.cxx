@@ -86,7 +86,7 @@ SceneGrid::SceneGrid(const Description& description)
   : Field(description.Grid)
   , Minimum(description.GetSceneMinimumCC() - SceneMargin)
   , Maximum(description.GetSceneMaximumCC() + SceneMargin)
-  , Rings(CountCells(), description.FindChannel(DepthName) ? NoRing : 0)
+  , Rings(CountCells(), description.FindChannel(KnownChannel::Depth) ? NoRing : 0)
   , Known(description.Grid.GetSlices(), 0)
 {
 }
@@ -95,13 +95,11 @@ SceneGrid::SceneGrid(
   const Description& description, vtkImageData* image, const std::vector<int>& slices)
   : SceneGrid(description)
 {
-  ViewpointSamples samples;
-  samples.Color = image->GetPointData()->GetArray(ColorName);
-  samples.Depth = image->GetPointData()->GetArray(DepthName);
+  const ViewpointSamples samples(image);
+  const auto texels = static_cast<vtkIdType>(description.Grid.GetStripTexels());
   for (vtkIdType place : ChoosePlaces(description.Grid, slices))
   {
-    samples.First = place * description.Grid.GetStripWidth() * description.Grid.GetResolution();
-    this->Add(slices[place], samples);
+    this->Add(slices[place], samples.At(place * texels));
   }
   this->Spread();
 }
@@ -109,7 +107,7 @@ SceneGrid::SceneGrid(
 void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
 {
   tiles &= ~this->Known[slice];
-  if (!samples.Depth || tiles == 0)
+  if (!samples.GetArray(KnownChannel::Depth) || tiles == 0)
   {
     return;
   }
@@ -124,30 +122,28 @@ void SceneGrid::Add(int slice, const ViewpointSamples& samples, int tiles)
     {
       if (tiles >> tile & 1)
       {
-        LookThrough(this->Field, viewpoint, tile, colors + 4 * samples.First,
-          depths + samples.First, depthScale, see);
+        LookThrough(this->Field, viewpoint, tile, colors, depths, depthScale, see);
       }
     }
   };
   const auto lookAtDepth = [&](const auto* colors)
   {
-    if (samples.Depth->GetDataType() == VTK_UNSIGNED_SHORT)
+    if (const auto* depths = samples.Get<unsigned short>(KnownChannel::Depth))
     {
-      look(colors, static_cast<const unsigned short*>(samples.Depth->GetVoidPointer(0)),
-        1.0 / 65535.0);
+      look(colors, depths, 1.0 / 65535.0);
     }
     else
     {
-      look(colors, static_cast<const float*>(samples.Depth->GetVoidPointer(0)), 1.0);
+      look(colors, samples.Get<float>(KnownChannel::Depth), 1.0);
     }
   };
-  if (samples.Color->GetDataType() == VTK_UNSIGNED_CHAR)
+  if (const auto* bytes = samples.Get<unsigned char>(KnownChannel::Color))
   {
-    lookAtDepth(static_cast<const unsigned char*>(samples.Color->GetVoidPointer(0)));
+    lookAtDepth(bytes);
   }
   else
   {
-    lookAtDepth(static_cast<const float*>(samples.Color->GetVoidPointer(0)));
+    lookAtDepth(samples.Get<float>(KnownChannel::Color));
   }
 }
 

@@ -37,6 +37,31 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples
   return array;
 }
 
+ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples)
+{
+  ViewpointSamples samples;
+  for (const KnownChannel id : KnownChannels)
+  {
+    if (const Channel* channel = field.FindChannel(id))
+    {
+      samples.SetArray(id, MakeArray(*channel, tuples));
+    }
+  }
+  return samples;
+}
+
+void Clear(const Description& field, const ViewpointSamples& samples)
+{
+  const std::size_t texels = field.Grid.GetStripTexels();
+  for (const KnownChannel id : KnownChannels)
+  {
+    if (const Channel* channel = field.FindChannel(id))
+    {
+      FillEmpty(*channel, samples.GetMemory(id), texels);
+    }
+  }
+}
+
 void AllocateSlices(const Description& field, int first, int last, vtkImageData* image)
 {
   int extent[6];

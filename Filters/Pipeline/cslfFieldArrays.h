@@ -8,6 +8,7 @@
 #define cslfFieldArrays_h
 
 #include "cslfDescription.h"
+#include "cslfViewpointSamples.h"
 
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
@@ -19,6 +20,12 @@ namespace cslf
 /// An array of a channel. Throws std::bad_alloc if there is not enough memory. VTK would also
 /// report an error of the internal array.
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples);
+
+/// The known channels of a field, with arrays of that many tuples. Throws std::bad_alloc.
+ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples);
+
+/// Fills a viewpoint's texels as if nothing was covered.
+void Clear(const Description& field, const ViewpointSamples& samples);
 
 /// Sets the range of slices of image data, and allocates arrays for all channels. The first becomes
 /// the active one. Throws std::bad_alloc.

@@ -19,13 +19,13 @@ constexpr double HiddenShare = 0.19;
 constexpr double White = 255.0;
 
 /// The squared error if 2 x 2 texels get their mean, over red, green and blue.
-double SquareError(const ConstSlice& slice, std::size_t texel, std::size_t width)
+double SquareError(const ColorTexels& colors, std::size_t texel, std::size_t width)
 {
   double sum = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    const double values[4] = { slice.GetShown(texel, c), slice.GetShown(texel + 1, c),
-      slice.GetShown(texel + width, c), slice.GetShown(texel + width + 1, c) };
+    const double values[4] = { colors.GetShown(texel, c), colors.GetShown(texel + 1, c),
+      colors.GetShown(texel + width, c), colors.GetShown(texel + width + 1, c) };
     const double mean = 0.25 * (values[0] + values[1] + values[2] + values[3]);
     for (const double value : values)
     {
@@ -36,7 +36,7 @@ double SquareError(const ConstSlice& slice, std::size_t texel, std::size_t width
 }
 }
 
-FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
+FieldDetail FindDetail(const std::vector<ViewpointSamples>& slices, int resolution)
 {
   FieldDetail detail;
   detail.Resolution = resolution;
@@ -45,18 +45,20 @@ FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution)
   double sum = 0.0;
   std::size_t count = 0;
   std::vector<unsigned short> depths;
-  for (const ConstSlice& slice : slices)
+  for (const ViewpointSamples& slice : slices)
   {
+    const ColorTexels colors(slice);
+    const auto* depth = slice.Get<unsigned short>(KnownChannel::Depth);
     for (int y = 0; y + 1 < resolution; y += 2)
     {
       for (std::size_t i = 0; i < squares * TileCount; ++i)
       {
         const std::size_t texel = y * width + i / squares * resolution + 2 * (i % squares);
-        sum += SquareError(slice, texel, width);
+        sum += SquareError(colors, texel, width);
         count += 12;
-        if (slice.Depth && slice.GetCoverage(texel) > 0)
+        if (depth && colors.GetCoverage(texel) > 0)
         {
-          depths.push_back(slice.Depth[texel]);
+          depths.push_back(depth[texel]);
         }
       }
     }

@@ -8,7 +8,7 @@
 #ifndef cslfFieldDetail_h
 #define cslfFieldDetail_h
 
-#include "Coding/Frames/cslfFrameConverter.h"
+#include "cslfViewpointSamples.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ struct FieldDetail
 };
 
 /// Measures the detail of some slices of a field, with squares of 2 x 2 texels within tiles.
-FieldDetail FindDetail(const std::vector<ConstSlice>& slices, int resolution);
+FieldDetail FindDetail(const std::vector<ViewpointSamples>& slices, int resolution);
 
 /// The detail of the relevant part: the most detailed quarter.
 FieldDetail MergeDetails(std::vector<FieldDetail> details);

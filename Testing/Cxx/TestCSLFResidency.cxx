@@ -277,9 +277,7 @@ void TestSceneGrid()
     return;
   }
   cslf::SceneGrid grid(*field);
-  cslf::ViewpointSamples samples;
-  samples.Color = image->GetPointData()->GetArray(cslf::ColorName);
-  samples.Depth = image->GetPointData()->GetArray(cslf::DepthName);
+  const cslf::ViewpointSamples samples(image);
   grid.Add(0, samples, 1);
   CSLF_CHECK(grid.Spread());
   const auto rings = grid.GetRings();

@@ -166,10 +166,10 @@ void CheckTracks(const FileHeader& header)
   const auto has = [&header](TrackRole role) { return header.FindTrack(role) != nullptr; };
   const bool hasBytes = has(TrackRole::DepthHigh) && has(TrackRole::DepthLow);
   const bool hasByte = has(TrackRole::DepthHigh) || has(TrackRole::DepthLow);
-  const bool depthFits = header.Field.FindChannel(DepthName)
+  const bool depthFits = header.Field.FindChannel(KnownChannel::Depth)
     ? (has(TrackRole::Depth) ? !hasByte : hasBytes)
     : !has(TrackRole::Depth) && !hasByte;
-  const bool isFloat = header.Field.FindChannel(ColorName)->Type == VTK_FLOAT;
+  const bool isFloat = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
   if (header.Tracks.empty() || header.Tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
     header.Tracks.front().Kind.IsRadiance != isFloat)
   {
@@ -235,7 +235,7 @@ void ReadChannels(FileHeader& header)
   std::vector<Channel> known;
   for (const Channel& channel : header.Field.Channels)
   {
-    if (channel.Name == ColorName || channel.Name == DepthName)
+    if (FindKnownChannel(channel.Name))
     {
       known.push_back(channel);
     }
@@ -251,8 +251,9 @@ void ReadChannels(FileHeader& header)
       "its channel \"" + MakePrintable(name) + "\" has a kind that this version does not support");
   }
   header.Field.Unknown.clear();
-  const Channel* depth = header.Field.FindChannel(DepthName);
-  if (!header.Field.FindChannel(ColorName) || (depth && depth->Type != VTK_UNSIGNED_SHORT))
+  const Channel* depth = header.Field.FindChannel(KnownChannel::Depth);
+  if (!header.Field.FindChannel(KnownChannel::Color) ||
+    (depth && depth->Type != VTK_UNSIGNED_SHORT))
   {
     throw std::invalid_argument("it has no colour, or depth of another type than a file can hold");
   }

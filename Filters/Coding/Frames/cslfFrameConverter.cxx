@@ -18,7 +18,6 @@ namespace cslf
 namespace
 {
 constexpr int ColorBytes = 4;
-constexpr unsigned short FarDepth = 65535;
 
 /// FFmpeg's decoder has separate names for full-range 8-bit formats. The samples are the same.
 AVPixelFormat WithoutRange(int format)
@@ -119,68 +118,60 @@ void TagFrame(const Track& track, int resolution, AVFrame* frame)
   frame->chroma_location = HasSparseChroma(track) ? track.Siting : AVCHROMA_LOC_UNSPECIFIED;
 }
 
-double ConstSlice::GetShown(std::size_t texel, int component, double exposure) const
-{
-  const std::size_t place = ColorBytes * texel + component;
-  return this->IsFloat ? ToByte(LinearToSRGB(exposure * this->GetRadiance()[place]))
-                       : this->Color[place];
-}
-
-unsigned char ConstSlice::GetCoverage(std::size_t texel) const
-{
-  return this->IsFloat ? ToByte(this->GetRadiance()[4 * texel + 3])
-                       : this->Color[ColorBytes * texel + 3];
-}
-
 SliceToFrame::SliceToFrame(const Track& track, int resolution)
   : Kind(track)
   , Resolution(resolution)
 {
 }
 
-void SliceToFrame::Convert(const ConstSlice& slice, AVFrame* frame)
+void SliceToFrame::Convert(const ViewpointSamples& samples, AVFrame* frame)
 {
   switch (this->Kind.Role)
   {
     case TrackRole::Color:
       if (this->Kind.IsRadiance)
       {
-        PutRadiance(slice.GetRadiance(), this->Kind.Format, frame);
+        PutRadiance(samples.Get<float>(KnownChannel::Color), this->Kind.Format, frame);
       }
       else
       {
-        PutColors(slice.Color, this->Resolution, frame);
+        PutColors(samples.Get<unsigned char>(KnownChannel::Color), this->Resolution, frame);
       }
       return;
     case TrackRole::Coverage:
+    {
+      const ColorTexels colors(samples);
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint8_t& sample) { sample = slice.GetCoverage(texel); });
+        [&](std::size_t texel, std::uint8_t& sample) { sample = colors.GetCoverage(texel); });
       if (HasChroma(this->Kind.Format))
       {
         PutNeutralChroma<std::uint8_t>(frame, this->Kind.Format);
       }
       return;
+    }
     case TrackRole::Depth:
     case TrackRole::DepthHigh:
     case TrackRole::DepthLow:
-      this->PutDepth(slice, frame);
+      this->PutDepth(samples, frame);
       return;
   }
 }
 
-void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
+void SliceToFrame::PutDepth(const ViewpointSamples& samples, AVFrame* frame)
 {
+  const auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
   if (this->Kind.Role == TrackRole::Depth)
   {
     const std::size_t texels =
       static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
+    const ColorTexels colors(samples);
     this->Coverage.resize(texels);
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
-      this->Coverage[texel] = slice.GetCoverage(texel);
+      this->Coverage[texel] = colors.GetCoverage(texel);
     }
     this->Filled.resize(texels);
-    FillDepth(this->Resolution, this->Coverage.data(), slice.Depth, this->Filled.data());
+    FillDepth(this->Resolution, this->Coverage.data(), depths, this->Filled.data());
     const std::vector<std::uint16_t>& codes = GetDepthCodes(BitsOfFormat(this->Kind.Format));
     VisitPlane<std::uint16_t>(this->Resolution, frame, 0,
       [&](std::size_t texel, std::uint16_t& sample) { sample = codes[this->Filled[texel]]; });
@@ -193,7 +184,7 @@ void SliceToFrame::PutDepth(const ConstSlice& slice, AVFrame* frame)
   const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
   VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
     [&](std::size_t texel, std::uint8_t& sample)
-    { sample = static_cast<std::uint8_t>(slice.Depth[texel] >> shift); });
+    { sample = static_cast<std::uint8_t>(depths[texel] >> shift); });
 }
 
 FrameToSlice::FrameToSlice(const Track& track, int resolution)
@@ -206,35 +197,38 @@ FrameToSlice::FrameToSlice(const Track& track, int resolution)
   }
 }
 
-bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
+bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples)
 {
   if (!HoldsSamples(this->Kind, frame->format) || frame->height != this->Resolution ||
     frame->width != TileCount * this->Resolution)
   {
     return false;
   }
+  auto* bytes = samples.Get<unsigned char>(KnownChannel::Color);
+  auto* floats = samples.Get<float>(KnownChannel::Color);
+  auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
   switch (this->Kind.Role)
   {
     case TrackRole::Color:
       if (this->Kind.IsRadiance)
       {
-        TakeRadiance(frame, this->Kind.Format, this->Kind.Constants.White, slice.GetRadiance());
+        TakeRadiance(frame, this->Kind.Format, this->Kind.Constants.White, floats);
       }
       else
       {
-        TakeColors(frame, this->Kind.Format, this->Kind.Siting, this->Resolution, slice.Color);
+        TakeColors(frame, this->Kind.Format, this->Kind.Siting, this->Resolution, bytes);
       }
       return true;
     case TrackRole::Coverage:
-      if (slice.IsFloat)
+      if (floats)
       {
-        TakeCoverage(frame, slice.GetRadiance());
+        TakeCoverage(frame, floats);
         return true;
       }
       for (int y = 0; y < frame->height; ++y)
       {
         const std::size_t texel = static_cast<std::size_t>(y) * frame->width;
-        SamplesToCoverage(GetRow(frame, 0, y), frame->width, slice.Color + ColorBytes * texel);
+        SamplesToCoverage(GetRow(frame, 0, y), frame->width, bytes + ColorBytes * texel);
       }
       return true;
     case TrackRole::Depth:
@@ -242,30 +236,33 @@ bool FrameToSlice::Convert(const AVFrame* frame, const Slice& slice)
       {
         SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
           BitsOfFormat(this->Kind.Format), this->Curve, frame->width,
-          slice.Depth + static_cast<std::size_t>(y) * frame->width);
+          depths + static_cast<std::size_t>(y) * frame->width);
       }
       return true;
     case TrackRole::DepthHigh:
     case TrackRole::DepthLow:
     {
       // The two tracks may be processed at the same time, so each writes only its own byte.
-      auto* bytes = reinterpret_cast<std::uint8_t*>(slice.Depth);
+      auto* parts = reinterpret_cast<std::uint8_t*>(depths);
       const std::size_t offset = ByteOffset(this->Kind.Role == TrackRole::DepthHigh);
       VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
-        [&](std::size_t texel, std::uint8_t sample) { bytes[2 * texel + offset] = sample; });
+        [&](std::size_t texel, std::uint8_t sample) { parts[2 * texel + offset] = sample; });
       return true;
     }
   }
   return false;
 }
 
-void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
+void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples& samples)
 {
-  if (slice.IsFloat)
+  auto* bytes = samples.Get<unsigned char>(KnownChannel::Color);
+  auto* floats = samples.Get<float>(KnownChannel::Color);
+  auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
+  if (floats)
   {
     const int tolerance = coverage ? coverage->GetTolerance() : 0;
     JoinRadiance(static_cast<std::size_t>(TileCount) * resolution * resolution, coverage != nullptr,
-      tolerance, slice.GetRadiance(), slice.Depth);
+      tolerance, floats, depths);
     return;
   }
   // Without coverage, any value counts as full.
@@ -274,19 +271,7 @@ void JoinChannels(int resolution, const Track* coverage, const Slice& slice)
   for (int y = 0; y < resolution; ++y)
   {
     const std::size_t texel = static_cast<std::size_t>(y) * width;
-    JoinTexels(tolerance, width, slice.Color + ColorBytes * texel,
-      slice.Depth ? slice.Depth + texel : nullptr);
-  }
-}
-
-void ClearSlice(int resolution, const Slice& slice)
-{
-  const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
-  const std::size_t bytes = slice.IsFloat ? ColorBytes * sizeof(float) : ColorBytes;
-  std::fill_n(slice.Color, bytes * texels, static_cast<unsigned char>(0));
-  if (slice.Depth)
-  {
-    std::fill_n(slice.Depth, texels, FarDepth);
+    JoinTexels(tolerance, width, bytes + ColorBytes * texel, depths ? depths + texel : nullptr);
   }
 }
 }

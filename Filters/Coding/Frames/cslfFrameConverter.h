@@ -13,6 +13,7 @@
 #define cslfFrameConverter_h
 
 #include "cslfTrack.h"
+#include "cslfViewpointSamples.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,30 +21,6 @@
 
 namespace cslf
 {
-/// One viewpoint's samples: strips of 5 N x N texels.
-struct ConstSlice
-{
-  const unsigned char* Color = nullptr;  ///< 4 a texel; if IsFloat, the memory of 4 floats
-  const unsigned short* Depth = nullptr; ///< 1 a texel, or null
-  bool IsFloat = false;
-
-  const float* GetRadiance() const { return reinterpret_cast<const float*>(this->Color); }
-  /// Red, green or blue as displayed over black, from 0 to 255; floats at that multiple of the
-  /// exposure.
-  double GetShown(std::size_t texel, int component, double exposure = 1.0) const;
-  /// Alpha as a byte.
-  unsigned char GetCoverage(std::size_t texel) const;
-};
-
-struct Slice
-{
-  unsigned char* Color = nullptr;
-  unsigned short* Depth = nullptr;
-  bool IsFloat = false;
-
-  float* GetRadiance() const { return reinterpret_cast<float*>(this->Color); }
-};
-
 /// Sets the size, format and colour tags of what a track's encoder or frame holds.
 void TagFrame(const Track& track, int resolution, AVFrame* frame);
 
@@ -54,10 +31,10 @@ public:
   SliceToFrame(const Track& track, int resolution);
 
   /// Fills a writable frame that has the track's format and size.
-  void Convert(const ConstSlice& slice, AVFrame* frame);
+  void Convert(const ViewpointSamples& samples, AVFrame* frame);
 
 private:
-  void PutDepth(const ConstSlice& slice, AVFrame* frame);
+  void PutDepth(const ViewpointSamples& samples, AVFrame* frame);
 
   Track Kind;
   int Resolution;
@@ -72,7 +49,7 @@ public:
   FrameToSlice(const Track& track, int resolution);
 
   /// False if the frame has another format or size than the track.
-  bool Convert(const AVFrame* frame, const Slice& slice);
+  bool Convert(const AVFrame* frame, const ViewpointSamples& samples);
 
 private:
   Track Kind;
@@ -84,10 +61,7 @@ private:
 /// full unless its track is lossless. Colour is clamped to coverage (floats: 0 where nothing is
 /// covered), and depth is 1 where nothing is covered. Without a coverage track the slice is covered
 /// everywhere.
-void JoinChannels(int resolution, const Track* coverage, const Slice& slice);
-
-/// The substitute for a missing viewpoint: nothing covered, depth 1.
-void ClearSlice(int resolution, const Slice& slice);
+void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples& samples);
 }
 
 #endif

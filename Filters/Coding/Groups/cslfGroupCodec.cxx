@@ -28,7 +28,7 @@ int TakePackets(
 }
 
 int EncodeFrames(AVCodecContext* context, const Track& track, int resolution,
-  const std::vector<ConstSlice>& slices, CodedGroup& group)
+  const std::vector<ViewpointSamples>& slices, CodedGroup& group)
 {
   SliceToFrame converter(track, resolution);
   const Bitstream& bitstream = GetBitstream(track.Coding);
@@ -85,14 +85,15 @@ bool SealGroup(const Bitstream& bitstream, std::size_t frames, CodedGroup& group
   return group.Frames.size() == frames && group.Frames.front().Index == 0;
 }
 
-bool IsCoveredFully(int resolution, const std::vector<ConstSlice>& slices)
+bool IsCoveredFully(int resolution, const std::vector<ViewpointSamples>& slices)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
-  for (const ConstSlice& slice : slices)
+  for (const ViewpointSamples& slice : slices)
   {
+    const ColorTexels colors(slice);
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
-      if (slice.GetCoverage(texel) != 255)
+      if (colors.GetCoverage(texel) != 255)
       {
         return false;
       }
@@ -103,7 +104,7 @@ bool IsCoveredFully(int resolution, const std::vector<ConstSlice>& slices)
 }
 
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
-  const std::vector<ConstSlice>& slices, CodedGroup& group, std::string& error)
+  const std::vector<ViewpointSamples>& slices, CodedGroup& group, std::string& error)
 {
   group = CodedGroup();
   const VideoEncoder* encoder = FindEncoder(track.Coding, track.Format, resolution);

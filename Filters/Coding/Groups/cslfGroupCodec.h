@@ -38,7 +38,7 @@ struct CodedGroup
 
 /// Encodes the slices of a group. On failure returns false and gives the reason in one line.
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
-  const std::vector<ConstSlice>& slices, CodedGroup& group, std::string& error);
+  const std::vector<ViewpointSamples>& slices, CodedGroup& group, std::string& error);
 }
 
 #endif

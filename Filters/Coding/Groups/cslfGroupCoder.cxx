@@ -59,7 +59,7 @@ GroupCoder::GroupCoder(
   };
   add(TrackRole::Color, choice.Color, settings.CRF);
   add(TrackRole::Coverage, choice.Encoder->Coverage, settings.CoverageCRF);
-  const bool hasDepth = field.FindChannel(DepthName) != nullptr;
+  const bool hasDepth = field.FindChannel(KnownChannel::Depth) != nullptr;
   if (hasDepth && settings.Lossless)
   {
     add(TrackRole::DepthHigh, AV_PIX_FMT_GRAY8, 0.0);
@@ -81,8 +81,9 @@ std::vector<Track> GroupCoder::GetTracks() const
   return tracks;
 }
 
-bool GroupCoder::Encode(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
-  const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const
+bool GroupCoder::Encode(const std::vector<CodingTask>& tasks,
+  const std::vector<ViewpointSamples>& slices, const std::function<void()>& idle,
+  std::vector<GroupParts>& parts, std::string& error) const
 {
   std::vector<Coding> codings = this->Split(tasks, slices, parts);
   const std::size_t tracks = this->Encodings.size();
@@ -101,7 +102,7 @@ bool GroupCoder::Encode(const std::vector<CodingTask>& tasks, const std::vector<
 }
 
 std::vector<GroupCoder::Coding> GroupCoder::Split(const std::vector<CodingTask>& tasks,
-  const std::vector<ConstSlice>& slices, std::vector<GroupParts>& parts) const
+  const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const
 {
   std::vector<Coding> codings;
   auto from = slices.begin();

@@ -33,7 +33,7 @@ public:
   /// other; `parts` contains those of the first task, for each of its factors, then those of the
   /// next. `idle` is called regularly on the calling thread. On failure returns false and gives the
   /// reason.
-  bool Encode(const std::vector<CodingTask>& tasks, const std::vector<ConstSlice>& slices,
+  bool Encode(const std::vector<CodingTask>& tasks, const std::vector<ViewpointSamples>& slices,
     const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const;
 
 private:
@@ -46,14 +46,14 @@ private:
   /// A group that is coded with one factor.
   struct Coding
   {
-    std::vector<ConstSlice> Frames;
+    std::vector<ViewpointSamples> Frames;
     double Factor;
     bool IsMeasured;
     GroupParts* Parts;
   };
 
   std::vector<Coding> Split(const std::vector<CodingTask>& tasks,
-    const std::vector<ConstSlice>& slices, std::vector<GroupParts>& parts) const;
+    const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const;
   EncodeOptions GetOptions(const Encoding& encoding, double factor) const;
   bool IsMeasured(const CodingTask& task) const;
   void EncodeTrack(std::size_t track, const Coding& coding, std::string& error) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGroupDecoder.h"
 
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include <algorithm>
@@ -103,7 +104,7 @@ bool GroupDecoder::DecodeAlone(const GroupRequest& request, const GroupPackets& 
   // them.
   for (std::size_t place = 0; isGood && place < request.Slices.size(); ++place)
   {
-    if (request.Slices[place].Color)
+    if (!request.Slices[place].IsEmpty())
     {
       std::transform(workers.begin(), workers.end(), frames.begin(),
         [](const std::unique_ptr<Worker>& worker) { return worker->Decoder->Next(); });
@@ -118,7 +119,7 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request, const GroupPackets&
   std::vector<int> places;
   for (std::size_t place = 0; place < request.Slices.size(); ++place)
   {
-    if (request.Slices[place].Color)
+    if (!request.Slices[place].IsEmpty())
     {
       places.push_back(static_cast<int>(place));
     }
@@ -198,9 +199,9 @@ std::unique_ptr<GroupDecoder::Worker> GroupDecoder::Begin(
     return nullptr;
   }
   std::vector<bool> wanted;
-  for (const Slice& slice : request.Slices)
+  for (const ViewpointSamples& slice : request.Slices)
   {
-    wanted.push_back(slice.Color != nullptr);
+    wanted.push_back(!slice.IsEmpty());
   }
   worker->Decoder->Begin(packets.Tracks[track], wanted);
   return worker;
@@ -216,7 +217,7 @@ void GroupDecoder::PutBack(Workers& workers)
 }
 
 bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*>& frames,
-  int place, const Slice& slice) const
+  int place, const ViewpointSamples& slice) const
 {
   for (std::size_t track = 0; track < frames.size(); ++track)
   {
@@ -233,11 +234,11 @@ bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*
 
 void GroupDecoder::Clear(const GroupRequest& request) const
 {
-  for (const Slice& slice : request.Slices)
+  for (const ViewpointSamples& slice : request.Slices)
   {
-    if (slice.Color)
+    if (!slice.IsEmpty())
     {
-      ClearSlice(this->GetHeader().Field.Grid.GetResolution(), slice);
+      cslf::Clear(this->GetHeader().Field, slice);
     }
   }
 }

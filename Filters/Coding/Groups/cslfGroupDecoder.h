@@ -22,7 +22,7 @@ namespace cslf
 struct GroupRequest
 {
   int Group = 0;
-  std::vector<Slice> Slices; ///< of each frame; those without colour are not wanted
+  std::vector<ViewpointSamples> Slices; ///< of each frame; empty ones are not wanted
 };
 
 /// All methods may be called by several threads at once. Those that decode or read throw
@@ -84,7 +84,7 @@ private:
     std::size_t track, const GroupRequest& request, const GroupPackets& packets);
   void PutBack(Workers& workers);
   bool Join(const Workers& workers, const std::vector<const AVFrame*>& frames, int place,
-    const Slice& slice) const;
+    const ViewpointSamples& slice) const;
   void Clear(const GroupRequest& request) const;
 
   std::unique_ptr<ContainerReader> Container;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGroupError.h"
 
+#include "Pipeline/cslfFieldArrays.h"
 #include "cslfLayout.h"
 #include "cslfTrackDecoder.h"
 
@@ -32,7 +33,7 @@ bool MakePackets(const CodedGroup& part, std::vector<AVHandle<AVPacket>>& packet
 }
 
 /// Decodes a track into its part of slices.
-bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& slices)
+bool Decode(const TrackPart& track, int resolution, const std::vector<ViewpointSamples>& slices)
 {
   const AVHandle<AVCodecParameters> parameters(avcodec_parameters_alloc());
   std::vector<AVHandle<AVPacket>> packets;
@@ -49,7 +50,7 @@ bool Decode(const TrackPart& track, int resolution, const std::vector<Slice>& sl
   }
   decoder->Begin(packets, std::vector<bool>(slices.size(), true));
   FrameToSlice converter(track.Kind, resolution);
-  for (const Slice& slice : slices)
+  for (const ViewpointSamples& slice : slices)
   {
     const AVFrame* frame = decoder->Next();
     if (!frame || !converter.Convert(frame, slice))
@@ -79,14 +80,17 @@ double SumSquares(const unsigned char* a, const unsigned char* b, std::size_t te
 }
 
 bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
-  const std::vector<ConstSlice>& slices, double& sum, std::string& error)
+  const std::vector<ViewpointSamples>& slices, double& sum, std::string& error)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
-  std::vector<unsigned char> samples(ColorBytes * texels * slices.size());
-  std::vector<Slice> decoded(slices.size());
+  ViewpointSamples samples;
+  samples.SetArray(KnownChannel::Color,
+    MakeArray(MakeChannel(KnownChannel::Color, VTK_UNSIGNED_CHAR),
+      static_cast<vtkIdType>(texels * slices.size())));
+  std::vector<ViewpointSamples> decoded(slices.size());
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
-    decoded[k].Color = samples.data() + ColorBytes * texels * k;
+    decoded[k] = samples.At(static_cast<vtkIdType>(texels * k));
   }
   if (!Decode(color, resolution, decoded) || !Decode(coverage, resolution, decoded))
   {
@@ -97,7 +101,8 @@ bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int 
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
     JoinChannels(resolution, &coverage.Kind, decoded[k]);
-    sum += SumSquares(decoded[k].Color, slices[k].Color, texels);
+    sum += SumSquares(decoded[k].Get<unsigned char>(KnownChannel::Color),
+      slices[k].Get<unsigned char>(KnownChannel::Color), texels);
   }
   return true;
 }

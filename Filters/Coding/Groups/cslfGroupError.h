@@ -25,7 +25,7 @@ struct TrackPart
 /// texels, in units of 1/255. Colour has associated alpha, so this is the error over black. On
 /// failure returns false and gives the reason in one line.
 bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
-  const std::vector<ConstSlice>& slices, double& sum, std::string& error);
+  const std::vector<ViewpointSamples>& slices, double& sum, std::string& error);
 }
 
 #endif

@@ -54,7 +54,7 @@ public:
   bool Make(const std::vector<int>& groups, GroupCosts& costs, std::string& error);
 
   /// The viewpoints of the groups that were made last.
-  std::vector<ConstSlice> GetSlices() const { return this->Puller->GetSlices(); }
+  std::vector<ViewpointSamples> GetSlices() const { return this->Puller->GetSlices(); }
 
   /// The approximate size of what a file contains beside the groups.
   double GetContainerBytes() const;

@@ -10,12 +10,8 @@
 #include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
 
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkUnsignedShortArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,26 +133,15 @@ std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, dou
   return slices;
 }
 
-/// Image data of some slices; its arrays do not own the memory.
-template <typename Array, typename Value>
-void AddArray(vtkImageData* image, const char* name, int components, const Value* values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetArray(const_cast<Value*>(values), components * image->GetNumberOfPoints(), 1);
-  image->GetPointData()->AddArray(array);
-}
-
 /// The squared differences of red, green and blue as they are displayed.
 double CompareDisplayed(
-  const glm::dvec4& color, const ConstSlice& truth, std::size_t texel, double exposure)
+  const glm::dvec4& color, const ColorTexels& truth, std::size_t texel, double exposure)
 {
   double squares = 0.0;
   for (int component = 0; component < 3; ++component)
   {
-    const double shown = truth.IsFloat ? LinearToSRGB(exposure * color[component])
-                                       : std::clamp(color[component], 0.0, 1.0);
+    const double shown = truth.AreFloats() ? LinearToSRGB(exposure * color[component])
+                                           : std::clamp(color[component], 0.0, 1.0);
     const double difference = std::round(Peak * shown) - truth.GetShown(texel, component, exposure);
     squares += difference * difference;
   }
@@ -165,14 +150,14 @@ double CompareDisplayed(
 
 /// The mean square errors of some texels of a viewpoint, looked up from key views.
 ExposureErrors Compare(const Lookup& lookup, const ChannelReader& colors, const Layout& grid,
-  int slice, const ConstSlice& truth)
+  int slice, const ColorTexels& truth)
 {
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
   const int width = grid.GetStripWidth();
   const TexelChoice texels(static_cast<std::uint64_t>(width) * resolution, TexelsPerView,
     static_cast<std::uint32_t>(slice));
-  const std::vector<double> exposures = GetViewExposures(truth.IsFloat);
+  const std::vector<double> exposures = GetViewExposures(truth.AreFloats());
   std::vector<double> squares(texels.GetCount() * exposures.size());
   ParallelFor(0, static_cast<vtkIdType>(texels.GetCount()), 0,
     [&](vtkIdType begin, vtkIdType end)
@@ -220,25 +205,15 @@ bool MeasureView(
   {
     return false;
   }
-  // The pulled slices are contiguous.
-  const std::vector<ConstSlice> pulled = puller.GetSlices();
+  // All pulled slices are in the same arrays, one after the other.
+  const std::vector<ViewpointSamples> pulled = puller.GetSlices();
   vtkNew<vtkImageData> image;
   image->SetDimensions(
     whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
-  if (pulled.front().IsFloat)
-  {
-    AddArray<vtkFloatArray>(image, ColorName, 4, pulled.front().GetRadiance());
-  }
-  else
-  {
-    AddArray<vtkUnsignedCharArray>(image, ColorName, 4, pulled.front().Color);
-  }
-  if (pulled.front().Depth)
-  {
-    AddArray<vtkUnsignedShortArray>(image, DepthName, 1, pulled.front().Depth);
-  }
-  const ChannelReader colors(field.Grid, image->GetPointData()->GetArray(ColorName), around);
-  errors = Compare(Lookup(field, image, around), colors, whole.Grid, view, pulled.back());
+  pulled.front().AddTo(image);
+  const ChannelReader colors(field.Grid, pulled.front().GetArray(KnownChannel::Color), around);
+  errors =
+    Compare(Lookup(field, image, around), colors, whole.Grid, view, ColorTexels(pulled.back()));
   return true;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldReader.h"
 
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
-#include "Pipeline/cslfSlabs.h"
 
 #include <vtkErrorCode.h>
 #include <vtkSMPTools.h>
@@ -34,12 +34,10 @@ std::size_t GetGroupsAtOnce(const FileHeader& header)
 class FieldReader::Range
 {
 public:
-  Range(FieldReader& reader, int first, int last, const Slice& begin)
+  Range(FieldReader& reader, int first, int last, const ViewpointSamples& begin)
     : Decoder(reader.Decoder)
     , Store(reader.Store)
-    , Texels(static_cast<std::size_t>(reader.GetHeader().Field.Grid.GetStripWidth()) *
-        reader.GetHeader().Field.Grid.GetResolution())
-    , ColorBytes(this->Texels * reader.GetHeader().Field.FindChannel(ColorName)->GetTexelBytes())
+    , Field(reader.GetHeader().Field)
     , First(first)
     , Begin(begin)
     , Lacks(last - first + 1, 1)
@@ -54,11 +52,11 @@ public:
       {
         for (vtkIdType place = begin; place < end; ++place)
         {
-          const DecodedViewpointPointer kept =
-            this->Store.Find(this->First + static_cast<int>(place));
-          if (kept && !kept->IsMissing)
+          const int slice = this->First + static_cast<int>(place);
+          const auto kept = this->Store.Find(slice);
+          if (kept && !kept->IsEmpty())
           {
-            this->Copy(ToSlice(*kept), this->GetTarget(this->First + static_cast<int>(place)));
+            kept->CopyTo(this->GetTarget(slice), this->Field.Grid.GetStripTexels());
             this->Lacks[place] = 0;
           }
         }
@@ -115,7 +113,7 @@ public:
 
 private:
   /// Slices of a group that were not asked for.
-  using Others = std::vector<std::pair<int, DecodedViewpoint>>;
+  using Others = std::vector<std::pair<int, ViewpointSamples>>;
 
   GroupRequest MakeRequest(int group, Others& others)
   {
@@ -123,15 +121,16 @@ private:
     request.Group = group;
     for (int slice : this->Decoder.GetSlices(group))
     {
-      Slice target;
+      ViewpointSamples target;
       if (this->IsLacking(slice))
       {
         target = this->GetTarget(slice);
       }
       else if (this->KeepsOthers && !this->Store.Find(slice))
       {
-        others.emplace_back(slice, this->Store.Make());
-        target = ToSlice(others.back().second);
+        target =
+          MakeSamples(this->Field, static_cast<vtkIdType>(this->Field.Grid.GetStripTexels()));
+        others.emplace_back(slice, target);
       }
       request.Slices.push_back(target);
     }
@@ -144,30 +143,17 @@ private:
     return place >= 0 && place < static_cast<int>(this->Lacks.size()) && this->Lacks[place] != 0;
   }
 
-  Slice GetTarget(int slice) const
+  ViewpointSamples GetTarget(int slice) const
   {
-    const std::size_t place = slice - this->First;
-    Slice target = this->Begin;
-    target.Color += this->ColorBytes * place;
-    target.Depth += target.Depth ? this->Texels * place : 0;
-    return target;
-  }
-
-  void Copy(const Slice& from, const Slice& to) const
-  {
-    std::copy_n(from.Color, this->ColorBytes, to.Color);
-    if (to.Depth)
-    {
-      std::copy_n(from.Depth, this->Texels, to.Depth);
-    }
+    return this->Begin.At(
+      static_cast<vtkIdType>(slice - this->First) * this->Field.Grid.GetStripTexels());
   }
 
   GroupDecoder& Decoder;
   ViewpointStore& Store;
-  std::size_t Texels;     ///< of one slice
-  std::size_t ColorBytes; ///< of one slice
+  const Description& Field;
   int First;
-  Slice Begin;
+  ViewpointSamples Begin;
   std::vector<char> Lacks; ///< for each slice, whether it is still to be decoded
   bool KeepsOthers = false;
 };
@@ -198,15 +184,14 @@ FieldReader::FieldReader(std::unique_ptr<ContainerReader> container)
 }
 
 std::vector<int> FieldReader::Read(
-  int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress)
+  int first, int last, const ViewpointSamples& target, const Progress& progress)
 {
   std::vector<int> missing;
   if (!this->Store.WaitFor(first, last, [&progress] { return progress(0.0); }))
   {
     return missing;
   }
-  Range range(
-    *this, first, last, { color, depth, this->GetHeader().Tracks.front().Kind.IsRadiance });
+  Range range(*this, first, last, target);
   range.CopyKept();
   const std::vector<int> groups = range.FindGroups();
   const std::size_t atOnce = GetGroupsAtOnce(this->GetHeader());

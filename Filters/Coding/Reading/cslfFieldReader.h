@@ -33,13 +33,12 @@ public:
   /// The size of all packets of each track, in bytes. Reads the whole file.
   std::vector<std::int64_t> CountBytes() { return this->Decoder.CountBytes(); }
 
-  /// Decodes the slices `first` to `last` into arrays of just these; `color` is the memory of
-  /// floats where the field's colour is float, and `depth` may be null. Groups without any of them
+  /// Decodes the slices `first` to `last` into arrays of just these. Groups without any of them
   /// are not read, and slices that are kept are not decoded. The other slices of these groups are
   /// kept if they fit. Slices of damaged groups are cleared and their numbers returned in ascending
   /// order.
   std::vector<int> Read(
-    int first, int last, unsigned char* color, unsigned short* depth, const Progress& progress);
+    int first, int last, const ViewpointSamples& target, const Progress& progress);
 
   /// The slices of damaged groups, all or those from `first` to `last`, in ascending order. Nothing
   /// is decoded: groups are damaged if their checksums are wrong or if decoding failed before.

@@ -12,18 +12,18 @@ void ViewpointCache::SetCapacity(std::size_t capacity)
   this->Shrink();
 }
 
-DecodedViewpointPointer ViewpointCache::Find(int slice)
+std::optional<ViewpointSamples> ViewpointCache::Find(int slice)
 {
   const auto found = this->Places.find(slice);
   if (found == this->Places.end())
   {
-    return nullptr;
+    return std::nullopt;
   }
   this->Entries.splice(this->Entries.begin(), this->Entries, found->second);
   return found->second->Content;
 }
 
-void ViewpointCache::Insert(int slice, DecodedViewpointPointer viewpoint)
+void ViewpointCache::Insert(int slice, ViewpointSamples viewpoint)
 {
   if (this->Find(slice))
   {

@@ -7,26 +7,15 @@
 #ifndef cslfViewpointCache_h
 #define cslfViewpointCache_h
 
-#include <vtkDataArray.h>
-#include <vtkSmartPointer.h>
+#include "cslfViewpointSamples.h"
 
 #include <cstddef>
 #include <list>
-#include <memory>
+#include <optional>
 #include <unordered_map>
 
 namespace cslf
 {
-/// The arrays of one decoded slice. They are shared and must not be changed.
-struct DecodedViewpoint
-{
-  bool IsMissing = true; ///< damaged: the arrays, if any, are meaningless
-  vtkSmartPointer<vtkDataArray> Color;
-  vtkSmartPointer<vtkDataArray> Depth; ///< null where the field has none
-};
-
-using DecodedViewpointPointer = std::shared_ptr<const DecodedViewpoint>;
-
 /// Keeps the most recently used viewpoints, by slice. Only one thread may use it at a time.
 class ViewpointCache
 {
@@ -37,16 +26,16 @@ public:
 
   bool Has(int slice) const { return this->Places.count(slice) != 0; }
 
-  /// Null if it is not kept. A viewpoint that is found counts as used.
-  DecodedViewpointPointer Find(int slice);
+  /// Nothing if it is not kept. A viewpoint that is found counts as used. A damaged one is empty.
+  std::optional<ViewpointSamples> Find(int slice);
 
-  void Insert(int slice, DecodedViewpointPointer viewpoint);
+  void Insert(int slice, ViewpointSamples viewpoint);
 
 private:
   struct Entry
   {
     int Slice = 0;
-    DecodedViewpointPointer Content;
+    ViewpointSamples Content;
   };
 
   void Shrink();

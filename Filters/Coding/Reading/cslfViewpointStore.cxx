@@ -18,16 +18,6 @@ namespace
 constexpr std::chrono::milliseconds AskingInterval{ 50 };
 }
 
-Slice ToSlice(const DecodedViewpoint& viewpoint)
-{
-  Slice slice;
-  slice.Color = static_cast<unsigned char*>(viewpoint.Color->GetVoidPointer(0));
-  slice.Depth =
-    viewpoint.Depth ? static_cast<unsigned short*>(viewpoint.Depth->GetVoidPointer(0)) : nullptr;
-  slice.IsFloat = viewpoint.Color->GetDataType() == VTK_FLOAT;
-  return slice;
-}
-
 ViewpointStore::ViewpointStore(GroupDecoder& decoder)
   : Decoder(decoder)
   , GroupOfSlice(decoder.GetHeader().Slices.size())
@@ -63,40 +53,25 @@ std::size_t ViewpointStore::GetCapacity()
   return this->Cache.GetCapacity();
 }
 
-DecodedViewpoint ViewpointStore::Make() const
-{
-  const Description& field = this->Decoder.GetHeader().Field;
-  DecodedViewpoint viewpoint;
-  const vtkIdType texels =
-    static_cast<vtkIdType>(field.Grid.GetStripWidth()) * field.Grid.GetResolution();
-  viewpoint.IsMissing = false;
-  viewpoint.Color = MakeArray(*field.FindChannel(ColorName), texels);
-  if (const Channel* depth = field.FindChannel(DepthName))
-  {
-    viewpoint.Depth = MakeArray(*depth, texels);
-  }
-  return viewpoint;
-}
-
 bool ViewpointStore::Has(int slice)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Cache.Has(slice);
 }
 
-DecodedViewpointPointer ViewpointStore::Find(int slice)
+std::optional<ViewpointSamples> ViewpointStore::Find(int slice)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Cache.Find(slice);
 }
 
-DecodedViewpointPointer ViewpointStore::Get(int slice)
+ViewpointSamples ViewpointStore::Get(int slice)
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
   this->Changed.wait(lock, [&] { return this->InProgress.count(slice) == 0; });
-  if (DecodedViewpointPointer kept = this->Cache.Find(slice))
+  if (const auto kept = this->Cache.Find(slice))
   {
-    return kept;
+    return *kept;
   }
   for (Job& job : this->Pending)
   {
@@ -104,18 +79,17 @@ DecodedViewpointPointer ViewpointStore::Get(int slice)
   }
   lock.unlock();
   constexpr bool alone = false;
-  std::vector<DecodedViewpoint> decoded =
-    this->Decode({ this->GroupOfSlice[slice], { slice } }, alone);
-  auto viewpoint = std::make_shared<const DecodedViewpoint>(std::move(decoded.front()));
+  const ViewpointSamples viewpoint =
+    this->Decode({ this->GroupOfSlice[slice], { slice } }, alone).front();
   lock.lock();
   this->Cache.Insert(slice, viewpoint);
   return viewpoint;
 }
 
-void ViewpointStore::Insert(int slice, DecodedViewpoint viewpoint)
+void ViewpointStore::Insert(int slice, ViewpointSamples viewpoint)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Cache.Insert(slice, std::make_shared<const DecodedViewpoint>(std::move(viewpoint)));
+  this->Cache.Insert(slice, std::move(viewpoint));
 }
 
 void ViewpointStore::Prefetch(const std::vector<int>& slices)
@@ -226,16 +200,16 @@ void ViewpointStore::FetchNext()
     progress.Begin(job.Slices);
   }
   constexpr bool alone = true;
-  std::vector<DecodedViewpoint> decoded = this->Decode(job, alone);
+  std::vector<ViewpointSamples> decoded = this->Decode(job, alone);
   for (std::size_t k = 0; k < decoded.size(); ++k)
   {
     this->Insert(job.Slices[k], std::move(decoded[k]));
   }
 }
 
-std::vector<DecodedViewpoint> ViewpointStore::Decode(const Job& job, bool alone)
+std::vector<ViewpointSamples> ViewpointStore::Decode(const Job& job, bool alone)
 {
-  std::vector<DecodedViewpoint> viewpoints;
+  std::vector<ViewpointSamples> viewpoints;
   if (job.Slices.empty())
   {
     return viewpoints;
@@ -247,6 +221,7 @@ std::vector<DecodedViewpoint> ViewpointStore::Decode(const Job& job, bool alone)
     viewpoints.resize(job.Slices.size());
     return viewpoints;
   }
+  const Description& field = this->Decoder.GetHeader().Field;
   const std::vector<int> frames = this->Decoder.GetSlices(job.Group);
   GroupRequest request;
   request.Group = job.Group;
@@ -254,16 +229,12 @@ std::vector<DecodedViewpoint> ViewpointStore::Decode(const Job& job, bool alone)
   for (int slice : job.Slices)
   {
     const auto frame = std::find(frames.begin(), frames.end(), slice) - frames.begin();
-    viewpoints.push_back(this->Make());
-    request.Slices[frame] = ToSlice(viewpoints.back());
+    viewpoints.push_back(MakeSamples(field, static_cast<vtkIdType>(field.Grid.GetStripTexels())));
+    request.Slices[frame] = viewpoints.back();
   }
   const bool isWhole = alone ? this->Decoder.DecodeAlone(request, *packets)
                              : this->Decoder.DecodeTracks(request, *packets);
-  for (DecodedViewpoint& viewpoint : viewpoints)
-  {
-    viewpoint.IsMissing = !isWhole;
-  }
-  return viewpoints;
+  return isWhole ? viewpoints : std::vector<ViewpointSamples>(viewpoints.size());
 }
 
 void ViewpointStore::Wait()

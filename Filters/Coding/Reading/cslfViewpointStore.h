@@ -17,6 +17,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -40,19 +41,16 @@ public:
   /// The group that contains a slice.
   int GetGroup(int slice) const { return this->GroupOfSlice[slice]; }
 
-  /// A viewpoint to be filled.
-  DecodedViewpoint Make() const;
-
   /// Whether a viewpoint is kept.
   bool Has(int slice);
 
-  /// A viewpoint that is kept, or null.
-  DecodedViewpointPointer Find(int slice);
+  /// A viewpoint that is kept, or nothing. It is empty if it is damaged.
+  std::optional<ViewpointSamples> Find(int slice);
 
-  /// A viewpoint, kept or decoded now.
-  DecodedViewpointPointer Get(int slice);
+  /// A viewpoint, kept or decoded now. It is empty if it is damaged.
+  ViewpointSamples Get(int slice);
 
-  void Insert(int slice, DecodedViewpoint viewpoint);
+  void Insert(int slice, ViewpointSamples viewpoint);
 
   /// Decodes slices in the background, in this order but group by group. This replaces earlier
   /// requests that have not begun. Slices at the end that do not fit in the budget are left out.
@@ -77,7 +75,7 @@ private:
 
   std::vector<Job> MakeJobs(const std::vector<int>& slices);
   void FetchNext();
-  std::vector<DecodedViewpoint> Decode(const Job& job, bool alone);
+  std::vector<ViewpointSamples> Decode(const Job& job, bool alone);
 
   GroupDecoder& Decoder;
   std::vector<int> GroupOfSlice;
@@ -90,9 +88,6 @@ private:
   std::set<int> InProgress; ///< slices
   BackgroundSteps Steps;
 };
-
-/// The place of a viewpoint's samples.
-Slice ToSlice(const DecodedViewpoint& viewpoint);
 }
 
 #endif

@@ -180,7 +180,7 @@ bool EncodeSession::OpenParts()
 {
   for (const Channel& channel : this->Puller->GetField().Channels)
   {
-    if (channel.Name != ColorName && channel.Name != DepthName)
+    if (!FindKnownChannel(channel.Name))
     {
       this->Job.Warn("The channel \"" + channel.Name + "\" is left out of the coded file.");
     }
@@ -356,8 +356,7 @@ int EncodeSession::CountSlicesThatFit() const
   double texelBytes = 0.0;
   for (const Channel& channel : this->Puller->GetField().Channels)
   {
-    const bool isCoded = channel.Name == ColorName || channel.Name == DepthName;
-    texelBytes += isCoded ? channel.GetTexelBytes() : 0;
+    texelBytes += FindKnownChannel(channel.Name) ? channel.GetTexelBytes() : 0;
   }
   const double sliceBytes = texelBytes * this->Grid->GetStripWidth() * this->Grid->GetResolution();
   return static_cast<int>(std::min<double>(SlabBytes / sliceBytes, this->Grid->GetSlices()));
@@ -372,7 +371,7 @@ int EncodeSession::GetGroupsAtOnce() const
 
 bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& results)
 {
-  std::vector<ConstSlice> slices;
+  std::vector<ViewpointSamples> slices;
   std::vector<GroupParts> parts;
   std::string error;
   if (!this->Gather(tasks, slices))
@@ -397,7 +396,8 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& resul
   return true;
 }
 
-bool EncodeSession::Gather(const std::vector<CodingTask>& tasks, std::vector<ConstSlice>& slices)
+bool EncodeSession::Gather(
+  const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices)
 {
   std::vector<int> pulled;
   for (const CodingTask& task : tasks)
@@ -412,7 +412,7 @@ bool EncodeSession::Gather(const std::vector<CodingTask>& tasks, std::vector<Con
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
-  const std::vector<ConstSlice> fresh = this->Puller->GetSlices();
+  const std::vector<ViewpointSamples> fresh = this->Puller->GetSlices();
   auto from = fresh.begin();
   for (const CodingTask& task : tasks)
   {
@@ -425,7 +425,7 @@ bool EncodeSession::Gather(const std::vector<CodingTask>& tasks, std::vector<Con
     slices.insert(slices.end(), from, to);
     if (task.IsTrial)
     {
-      this->Kept->Keep(task.Group, { from, to }, this->Puller->GetHold());
+      this->Kept->Keep(task.Group, { from, to });
     }
     from = to;
   }

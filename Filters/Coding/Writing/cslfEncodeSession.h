@@ -109,7 +109,7 @@ private:
   int CountSlicesThatFit() const;
   int GetGroupsAtOnce() const;
   bool Make(const std::vector<CodingTask>& tasks, ByteBuffer& results);
-  bool Gather(const std::vector<CodingTask>& tasks, std::vector<ConstSlice>& slices);
+  bool Gather(const std::vector<CodingTask>& tasks, std::vector<ViewpointSamples>& slices);
   void Pack(const CodingTask& task, const GroupParts* parts, ByteBuffer& results) const;
   bool Take(ByteBuffer& results);
   bool TakeTrial(int group, ByteBuffer& results);

@@ -63,7 +63,7 @@ EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int
 
 bool HasRadiance(const Description& field)
 {
-  return field.FindChannel(ColorName)->Type == VTK_FLOAT;
+  return field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
 }
 
 std::string FindFault(const std::string& fileName)
@@ -136,13 +136,13 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
 
 std::string FindFault(const Description& field)
 {
-  const Channel* color = field.FindChannel(ColorName);
+  const Channel* color = field.FindChannel(KnownChannel::Color);
   if (!color || (color->Type != VTK_UNSIGNED_CHAR && color->Type != VTK_FLOAT) ||
     color->Components != 4)
   {
     return "The coded file needs \"Color\" as 4 unsigned chars or 4 floats.";
   }
-  const Channel* depth = field.FindChannel(DepthName);
+  const Channel* depth = field.FindChannel(KnownChannel::Depth);
   if (depth && (depth->Type != VTK_UNSIGNED_SHORT || depth->Components != 1))
   {
     return "The coded file needs \"Depth\" as unsigned short.";

@@ -69,9 +69,9 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
   this->Costs.assign(this->Header.Groups.size(), GroupCost());
   this->Header.Field = field;
   this->Header.Field.Channels.clear();
-  for (const char* name : { ColorName, DepthName })
+  for (const KnownChannel id : KnownChannels)
   {
-    if (const Channel* channel = field.FindChannel(name))
+    if (const Channel* channel = field.FindChannel(id))
     {
       this->Header.Field.Channels.push_back(*channel);
     }

@@ -7,10 +7,10 @@
 #ifndef cslfKeptGroups_h
 #define cslfKeptGroups_h
 
-#include "Coding/Frames/cslfFrameConverter.h"
+#include "cslfViewpointSamples.h"
 
 #include <map>
-#include <memory>
+#include <utility>
 #include <vector>
 
 namespace cslf
@@ -24,22 +24,22 @@ public:
   {
   }
 
-  /// Keeps a group's slices, whose samples live as long as `hold`, if there is room.
-  void Keep(int group, std::vector<ConstSlice> slices, std::shared_ptr<const void> hold)
+  /// Keeps a group's slices if there is room.
+  void Keep(int group, std::vector<ViewpointSamples> slices)
   {
     const int count = static_cast<int>(slices.size());
     if (count <= this->Room && this->Groups.count(group) == 0)
     {
       this->Room -= count;
-      this->Groups[group] = { std::move(slices), std::move(hold) };
+      this->Groups[group] = std::move(slices);
     }
   }
 
   /// The slices of a group, or null.
-  const std::vector<ConstSlice>* Find(int group) const
+  const std::vector<ViewpointSamples>* Find(int group) const
   {
     const auto found = this->Groups.find(group);
-    return found == this->Groups.end() ? nullptr : &found->second.Slices;
+    return found == this->Groups.end() ? nullptr : &found->second;
   }
 
   void Drop(int group)
@@ -47,20 +47,14 @@ public:
     const auto found = this->Groups.find(group);
     if (found != this->Groups.end())
     {
-      this->Room += static_cast<int>(found->second.Slices.size());
+      this->Room += static_cast<int>(found->second.size());
       this->Groups.erase(found);
     }
   }
 
 private:
-  struct Group
-  {
-    std::vector<ConstSlice> Slices;
-    std::shared_ptr<const void> Hold;
-  };
-
   int Room;
-  std::map<int, Group> Groups;
+  std::map<int, std::vector<ViewpointSamples>> Groups;
 };
 }
 

@@ -3,6 +3,7 @@
 #include "cslfSlicePuller.h"
 
 #include "Pipeline/cslfArrayLayout.h"
+#include "Pipeline/cslfFieldArrays.h"
 
 #include "Coding/Frames/cslfRadianceFrames.h"
 #include "cslfEncodeSettings.h"
@@ -22,20 +23,6 @@
 
 namespace cslf
 {
-namespace
-{
-const unsigned char* GetColor(vtkImageData* image)
-{
-  return static_cast<unsigned char*>(image->GetPointData()->GetArray(ColorName)->GetVoidPointer(0));
-}
-
-const unsigned short* GetDepth(vtkImageData* image)
-{
-  return static_cast<unsigned short*>(
-    image->GetPointData()->GetArray(DepthName)->GetVoidPointer(0));
-}
-}
-
 std::optional<Layout> FindGrid(vtkInformation* information)
 {
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
@@ -56,7 +43,6 @@ SlicePuller::SlicePuller(vtkInformation* information, const Layout& grid)
   : Information(information)
   , Grid(grid)
   , Keys(grid.GetViewpoints(), 1)
-  , Texels(static_cast<std::size_t>(grid.GetStripWidth()) * grid.GetResolution())
 {
 }
 
@@ -74,9 +60,6 @@ bool SlicePuller::Begin(std::string& error)
   }
   this->Field = *field;
   this->Text = field->ToText();
-  this->HasDepth = field->FindChannel(DepthName) != nullptr;
-  this->IsFloat = field->FindChannel(ColorName)->Type == VTK_FLOAT;
-  this->ColorBytes = this->IsFloat ? 4 * sizeof(float) : 4;
   return true;
 }
 
@@ -85,24 +68,29 @@ std::uint32_t SlicePuller::GetFirstChecksum() const
   vtkImageData* input = vtkImageData::GetData(this->Information);
   const int first = input->GetExtent()[4];
   const vtkSmartPointer<vtkImageData> image = ToAOS(input, first, first);
-  uLong checksum = ::crc32(0, GetColor(image), static_cast<uInt>(this->ColorBytes * this->Texels));
-  if (this->HasDepth)
+  const ViewpointSamples samples(image);
+  uLong checksum = 0;
+  for (const KnownChannel id : KnownChannels)
   {
-    checksum = ::crc32(checksum, reinterpret_cast<const Bytef*>(GetDepth(image)),
-      static_cast<uInt>(this->Texels * sizeof(unsigned short)));
+    if (const Channel* channel = this->Field.FindChannel(id))
+    {
+      checksum = ::crc32(checksum, static_cast<const Bytef*>(samples.GetMemory(id)),
+        static_cast<uInt>(channel->GetTexelBytes() * this->Grid.GetStripTexels()));
+    }
   }
   return static_cast<std::uint32_t>(checksum);
 }
 
 bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
 {
-  if (this->Pulled.use_count() != 1)
+  this->Pulled.clear();
+  const auto texels = static_cast<vtkIdType>(this->Grid.GetStripTexels());
+  const ViewpointSamples all =
+    MakeSamples(this->Field, texels * static_cast<vtkIdType>(slices.size()));
+  for (std::size_t place = 0; place < slices.size(); ++place)
   {
-    // Nobody else references the new ones.
-    this->Pulled = std::make_shared<Samples>();
+    this->Pulled.push_back(all.At(texels * static_cast<vtkIdType>(place)));
   }
-  this->Pulled->Color.resize(this->ColorBytes * this->Texels * slices.size());
-  this->Pulled->Depth.resize(this->HasDepth ? this->Texels * slices.size() : 0);
   std::vector<std::pair<int, std::size_t>> sorted; // slice, place
   for (std::size_t place = 0; place < slices.size(); ++place)
   {
@@ -124,7 +112,7 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     }
     for (; begin < end; ++begin)
     {
-      this->Copy(image, sorted[begin].first, sorted[begin].second);
+      this->Copy(image, sorted[begin].first, this->Pulled[sorted[begin].second]);
     }
   }
   return true;
@@ -158,37 +146,17 @@ vtkSmartPointer<vtkImageData> SlicePuller::Update(int first, int last, std::stri
   return field ? ToAOS(image, first, last) : nullptr;
 }
 
-void SlicePuller::Copy(vtkImageData* image, int slice, std::size_t place)
+void SlicePuller::Copy(vtkImageData* image, int slice, const ViewpointSamples& target)
 {
-  const std::size_t offset = this->Texels * (slice - image->GetExtent()[4]);
-  const std::size_t bytes = this->ColorBytes * this->Texels;
-  unsigned char* to = this->Pulled->Color.data() + bytes * place;
-  std::copy_n(GetColor(image) + this->ColorBytes * offset, bytes, to);
-  if (this->IsFloat)
+  const std::size_t texels = this->Grid.GetStripTexels();
+  const auto first = static_cast<vtkIdType>(texels * (slice - image->GetExtent()[4]));
+  ViewpointSamples(image).At(first).CopyTo(target, texels);
+  if (const auto* color = target.Get<float>(KnownChannel::Color))
   {
-    const auto* color = reinterpret_cast<const float*>(to);
-    for (std::size_t texel = 0; texel < this->Texels; ++texel)
+    for (std::size_t texel = 0; texel < texels; ++texel)
     {
       this->Clipped = this->Clipped || !IsCodable(color + 4 * texel);
     }
   }
-  if (this->HasDepth)
-  {
-    std::copy_n(GetDepth(image) + offset, this->Texels,
-      this->Pulled->Depth.begin() + static_cast<std::ptrdiff_t>(this->Texels * place));
-  }
-}
-
-std::vector<ConstSlice> SlicePuller::GetSlices() const
-{
-  const Samples& pulled = *this->Pulled;
-  std::vector<ConstSlice> slices(pulled.Color.size() / (this->ColorBytes * this->Texels));
-  for (std::size_t place = 0; place < slices.size(); ++place)
-  {
-    slices[place].Color = pulled.Color.data() + this->ColorBytes * this->Texels * place;
-    slices[place].IsFloat = this->IsFloat;
-    slices[place].Depth = this->HasDepth ? pulled.Depth.data() + this->Texels * place : nullptr;
-  }
-  return slices;
 }
 }

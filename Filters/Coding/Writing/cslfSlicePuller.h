@@ -7,14 +7,13 @@
 #ifndef cslfSlicePuller_h
 #define cslfSlicePuller_h
 
-#include "Coding/Frames/cslfFrameConverter.h"
 #include "Resampling/cslfKeyViews.h"
 #include "cslfDescription.h"
+#include "cslfViewpointSamples.h"
 
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,35 +50,23 @@ public:
   /// the reason in one line.
   bool Pull(const std::vector<int>& slices, std::string& error);
 
-  /// The slices pulled last, in the requested order. Valid until the next pull, or as long as the
-  /// result of GetHold is kept.
-  std::vector<ConstSlice> GetSlices() const;
-  std::shared_ptr<const void> GetHold() const { return this->Pulled; }
+  /// The slices pulled last, in the requested order.
+  const std::vector<ViewpointSamples>& GetSlices() const { return this->Pulled; }
 
   /// Whether a texel pulled so far has a float colour that a video cannot hold.
   bool HasClipped() const { return this->Clipped; }
 
 private:
-  struct Samples
-  {
-    std::vector<unsigned char> Color;
-    std::vector<unsigned short> Depth;
-  };
-
   vtkSmartPointer<vtkImageData> Update(int first, int last, std::string& error);
-  void Copy(vtkImageData* image, int slice, std::size_t place);
+  void Copy(vtkImageData* image, int slice, const ViewpointSamples& target);
 
   vtkInformation* Information;
   Layout Grid;
   KeyViews Keys;
-  std::size_t Texels; ///< of one slice
   Description Field;
   std::string Text; ///< the description
-  bool HasDepth = false;
-  bool IsFloat = false;
-  std::size_t ColorBytes = 4; ///< of one texel
   bool Clipped = false;
-  std::shared_ptr<Samples> Pulled; ///< of the slices pulled last
+  std::vector<ViewpointSamples> Pulled; ///< last
 };
 }
 
