@@ -49,7 +49,8 @@ void TestJoined(int tolerance)
     std::copy_n(color, 4, &colors[4 * k]);
   }
   cslf::SamplesToCoverage(coverage.data(), 256, colors.data());
-  cslf::JoinTexels(tolerance, 256, colors.data(), depths.data());
+  cslf::JoinTexels(tolerance, 256, colors.data());
+  cslf::FillUncovered(65535, 256, colors.data(), depths.data());
   for (int k = 0; k < 256; ++k)
   {
     const int alpha = k >= 255 - tolerance ? 255 : k <= tolerance ? 0 : k;
@@ -59,7 +60,6 @@ void TestJoined(int tolerance)
     CSLF_CHECK(colors[4 * k + 3] == alpha);
     CSLF_CHECK(depths[k] == (alpha == 0 ? 65535 : 1234));
   }
-  cslf::JoinTexels(tolerance, 256, colors.data(), nullptr);
 }
 }
 

@@ -22,7 +22,7 @@ void Interrupt(const std::string& out)
   part.ParameterSets = { 1, 2 };
   part.Frames = { { 0, { 3 } }, { 1, { 4, 5 } } };
   cslf::fuzzing::Require(store.Open(Manifest, true, discarded, error) && !discarded &&
-    store.WriteTrials(Trials, error) && store.Write(cslf::TrackRole::Color, 0, part, error));
+    store.WriteTrials(Trials, error) && store.Write(cslf::ColorRole, 0, part, error));
 }
 
 /// Continues with the existing files.
@@ -38,12 +38,12 @@ void Resume(const std::string& out)
   }
   store.ReadTrials();
   cslf::CodedGroup part;
-  if (store.Read(cslf::TrackRole::Color, 0, part, error))
+  if (store.Read(cslf::ColorRole, 0, part, error))
   {
-    cslf::fuzzing::Require(store.Has(cslf::TrackRole::Color, 0));
-    cslf::fuzzing::Require(store.Write(cslf::TrackRole::Color, 1, part, error));
+    cslf::fuzzing::Require(store.Has(cslf::ColorRole, 0));
+    cslf::fuzzing::Require(store.Write(cslf::ColorRole, 1, part, error));
     cslf::CodedGroup again;
-    cslf::fuzzing::Require(store.Read(cslf::TrackRole::Color, 1, again, error) &&
+    cslf::fuzzing::Require(store.Read(cslf::ColorRole, 1, again, error) &&
       again.ParameterSets == part.ParameterSets && again.Frames.size() == part.Frames.size());
   }
 }

@@ -78,11 +78,11 @@ EncoderOptions MakeX265Options(const Track& track, const EncodeOptions& options)
     { "rc-lookahead", std::to_string(Lookahead) }, { "bframes", "8" }, { "ref", "5" },
     { "weightp", "0" }, { "weightb", "0" }, { "early-skip", "1" }, { "psy-rd", "0" },
     { "psy-rdoq", "0" }, { "aq-mode", "0" } };
-  if (track.Role == TrackRole::Color && !track.Lossless)
+  if (track.Role.Part == Plane::Colors && !track.Lossless)
   {
     Append(GetColorOptions(track.Format, options.Preset), all.OfLibrary);
   }
-  if (track.Role != TrackRole::Color)
+  if (track.Role.Part != Plane::Colors)
   {
     all.OfLibrary.push_back({ "rskip", "0" });
   }
@@ -206,8 +206,21 @@ const VideoEncoder* FindFirst(Condition condition)
 
 bool VideoEncoder::CanCode(AVPixelFormat format) const
 {
-  return format == this->Coverage || format == this->Depth || format == this->Radiance ||
-    std::find(this->Colors.begin(), this->Colors.end(), format) != this->Colors.end();
+  return format == this->Bytes || format == this->Numbers || format == this->FloatColors ||
+    std::find(this->ByteColors.begin(), this->ByteColors.end(), format) != this->ByteColors.end();
+}
+
+AVPixelFormat VideoEncoder::GetFormat(SampleKind kind, Plane plane) const
+{
+  switch (plane)
+  {
+    case Plane::Colors:
+      return kind == SampleKind::FloatColor ? this->FloatColors : this->ByteColors.front();
+    case Plane::Numbers:
+      return this->Numbers;
+    default:
+      return this->Bytes;
+  }
 }
 
 std::vector<std::string> GetLibraries(Codec codec)
@@ -239,7 +252,7 @@ const VideoEncoder* FindEncoder(Codec codec, bool isRadiance, int resolution)
     [=](const VideoEncoder& encoder)
     {
       return encoder.Coding == codec && resolution >= encoder.MinimumResolution &&
-        (!isRadiance || encoder.Radiance != AV_PIX_FMT_NONE);
+        (!isRadiance || encoder.FloatColors != AV_PIX_FMT_NONE);
     });
 }
 

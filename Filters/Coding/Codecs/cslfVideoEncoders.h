@@ -48,14 +48,17 @@ struct VideoEncoder
   const char* LibraryOption; ///< FFmpeg's option that contains the library's options
   int MinimumResolution;     ///< in texels along each side of a tile
   bool CanBeLossless;
-  bool CanShareProcess;              ///< whether several may run at once
-  std::vector<AVPixelFormat> Colors; ///< of bytes of colour; the first is the default
-  AVPixelFormat Coverage;
-  AVPixelFormat Depth;
-  AVPixelFormat Radiance; ///< of float colour; AV_PIX_FMT_NONE if there is none
+  bool CanShareProcess;                  ///< whether several may run at once
+  std::vector<AVPixelFormat> ByteColors; ///< the first is the default
+  AVPixelFormat Bytes;                   ///< coverage, and the bytes of numbers
+  AVPixelFormat Numbers;
+  AVPixelFormat FloatColors; ///< AV_PIX_FMT_NONE if there is none
   EncoderOptions (*MakeOptions)(const Track& track, const EncodeOptions& options);
 
   bool CanCode(AVPixelFormat format) const;
+
+  /// The default format of a plane of that kind of samples.
+  AVPixelFormat GetFormat(SampleKind kind, Plane plane) const;
 };
 
 /// The libraries of all encoders for a codec: those that its bytes may depend on.

@@ -107,7 +107,7 @@ bool ContainerWriter::AddTrack(const Track& track, int resolution,
   }
   stream->time_base = FrameTime;
   stream->avg_frame_rate = { FrameRate, 1 };
-  stream->disposition = track.Role == TrackRole::Color ? AV_DISPOSITION_DEFAULT : 0;
+  stream->disposition = track.Role == ColorRole ? AV_DISPOSITION_DEFAULT : 0;
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include <vtkType.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -56,7 +57,7 @@ JSON ToJSON(const CodedTrack& track)
     json[TransferKey] = CurveName;
     json[MuKey] = kind.Constants.Mu;
   }
-  if (kind.Role == TrackRole::Coverage)
+  if (kind.Role == CoverageRole)
   {
     json[ToleranceKey] = kind.GetTolerance();
   }
@@ -86,12 +87,12 @@ double ToNumber(const JSON& object, const char* key, double lowest, double highe
 void ReadTransfer(const JSON& json, Track& kind)
 {
   const std::string transfer = json.value(TransferKey, "");
-  if (kind.Role == TrackRole::Color && transfer == PQName && CanHoldRadiance(kind.Format))
+  if (kind.Role.Part == Plane::Colors && transfer == PQName && CanHoldRadiance(kind.Format))
   {
     kind.IsRadiance = true;
     kind.Constants.White = ToNumber(json, WhiteKey, 1.0, PeakLuminance);
   }
-  else if (kind.Role == TrackRole::Depth && transfer == CurveName)
+  else if (kind.Role.Part == Plane::Numbers && transfer == CurveName)
   {
     kind.IsCurved = true;
     kind.Constants.Mu = ToNumber(json, MuKey, 1e-3, 1e6);
@@ -107,7 +108,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
   CodedTrack track;
   track.Kind.Role = role;
   const auto codec = CodecOfName(json.at("codec").get<std::string>());
-  const auto format = FindPixelFormat(role, json.at("pixel_format").get<std::string>());
+  const auto format = FindPixelFormat(role.Part, json.at("pixel_format").get<std::string>());
   if (!codec || !format)
   {
     throw TrackFault(NameOfRole(role), "an unknown codec or pixel format");
@@ -122,7 +123,7 @@ CodedTrack ToTrack(TrackRole role, const JSON& json)
     throw TrackFault(NameOfRole(role), "an unknown chroma location");
   }
   track.Kind.Siting = siting.empty() ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_LEFT;
-  if (role == TrackRole::Coverage)
+  if (role == CoverageRole)
   {
     ToNumber(json, ToleranceKey, 0.0, track.Kind.Lossless ? 0.0 : 127.0);
     track.Kind.Constants.CoverageTolerance = ToInteger(json.at(ToleranceKey));
@@ -161,16 +162,24 @@ void ReadTracks(const JSON& json, FileHeader& header)
   }
 }
 
+/// Whether a channel of numbers has either one track or one for each byte, if the field has it.
+bool FitsTracks(const FileHeader& header, KnownChannel id)
+{
+  const auto has = [&](Plane plane) { return header.FindTrack({ id, plane }) != nullptr; };
+  const bool hasByte = has(Plane::HighByte) || has(Plane::LowByte);
+  if (!header.Field.FindChannel(id))
+  {
+    return !has(Plane::Numbers) && !hasByte;
+  }
+  return has(Plane::Numbers) ? !hasByte : has(Plane::HighByte) && has(Plane::LowByte);
+}
+
 void CheckTracks(const FileHeader& header)
 {
-  const auto has = [&header](TrackRole role) { return header.FindTrack(role) != nullptr; };
-  const bool hasBytes = has(TrackRole::DepthHigh) && has(TrackRole::DepthLow);
-  const bool hasByte = has(TrackRole::DepthHigh) || has(TrackRole::DepthLow);
-  const bool depthFits = header.Field.FindChannel(KnownChannel::Depth)
-    ? (has(TrackRole::Depth) ? !hasByte : hasBytes)
-    : !has(TrackRole::Depth) && !hasByte;
+  const bool fits = std::all_of(std::begin(KnownChannels), std::end(KnownChannels),
+    [&](KnownChannel id) { return KindOf(id) != SampleKind::Number16 || FitsTracks(header, id); });
   const bool isFloat = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
-  if (header.Tracks.empty() || header.Tracks.front().Kind.Role != TrackRole::Color || !depthFits ||
+  if (header.Tracks.empty() || !(header.Tracks.front().Kind.Role == ColorRole) || !fits ||
     header.Tracks.front().Kind.IsRadiance != isFloat)
   {
     throw std::invalid_argument("its tracks do not match its channels");
@@ -179,7 +188,7 @@ void CheckTracks(const FileHeader& header)
   if (NeedsEvenSize(header.Tracks.front().Kind.Format) &&
     header.Field.Grid.GetResolution() % 2 != 0)
   {
-    throw TrackFault(NameOfRole(TrackRole::Color), "a pixel format that needs an even resolution");
+    throw TrackFault(NameOfRole(ColorRole), "a pixel format that needs an even resolution");
   }
 }
 
@@ -251,9 +260,9 @@ void ReadChannels(FileHeader& header)
       "its channel \"" + MakePrintable(name) + "\" has a kind that this version does not support");
   }
   header.Field.Unknown.clear();
-  const Channel* depth = header.Field.FindChannel(KnownChannel::Depth);
-  if (!header.Field.FindChannel(KnownChannel::Color) ||
-    (depth && depth->Type != VTK_UNSIGNED_SHORT))
+  const bool hasFloatNumbers = std::any_of(known.begin(), known.end(),
+    [](const Channel& channel) { return FindForm(channel)->Kind == SampleKind::FloatNumber; });
+  if (!header.Field.FindChannel(KnownChannel::Color) || hasFloatNumbers)
   {
     throw std::invalid_argument("it has no colour, or depth of another type than a file can hold");
   }

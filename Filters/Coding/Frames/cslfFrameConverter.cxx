@@ -40,7 +40,7 @@ AVPixelFormat WithoutRange(int format)
 bool HoldsSamples(const Track& track, int format)
 {
   const AVPixelFormat plain = WithoutRange(format);
-  if (track.Role == TrackRole::Color)
+  if (track.Role.Part == Plane::Colors)
   {
     return plain == track.Format;
   }
@@ -77,6 +77,27 @@ std::size_t ByteOffset(bool high)
   return high == lowFirst ? 1 : 0;
 }
 
+/// The numbers of a channel, and their value where nothing is covered.
+struct FilledNumbers
+{
+  unsigned short* Values;
+  unsigned short Fill;
+};
+
+std::vector<FilledNumbers> FindNumbers(const ViewpointSamples& samples)
+{
+  std::vector<FilledNumbers> found;
+  for (const KnownChannel id : KnownChannels)
+  {
+    if (auto* values = samples.Get<unsigned short>(id))
+    {
+      const Channel channel = MakeChannel(id, VTK_UNSIGNED_SHORT);
+      found.push_back({ values, ToStored<unsigned short>(FindFill(channel)) });
+    }
+  }
+  return found;
+}
+
 /// The first sample of a row.
 const std::uint8_t* GetRow(const AVFrame* frame, int plane, int y)
 {
@@ -103,7 +124,7 @@ void VisitPlane(int resolution, Frame* frame, int plane, Visit visit)
 
 void TagFrame(const Track& track, int resolution, AVFrame* frame)
 {
-  const bool color = track.Role == TrackRole::Color;
+  const bool color = track.Role.Part == Plane::Colors;
   frame->width = TileCount * resolution;
   frame->height = resolution;
   frame->format = track.Format;
@@ -126,19 +147,19 @@ SliceToFrame::SliceToFrame(const Track& track, int resolution)
 
 void SliceToFrame::Convert(const ViewpointSamples& samples, AVFrame* frame)
 {
-  switch (this->Kind.Role)
+  switch (this->Kind.Role.Part)
   {
-    case TrackRole::Color:
+    case Plane::Colors:
       if (this->Kind.IsRadiance)
       {
-        PutRadiance(samples.Get<float>(KnownChannel::Color), this->Kind.Format, frame);
+        PutRadiance(samples.Get<float>(this->Kind.Role.Source), this->Kind.Format, frame);
       }
       else
       {
-        PutColors(samples.Get<unsigned char>(KnownChannel::Color), this->Resolution, frame);
+        PutColors(samples.Get<unsigned char>(this->Kind.Role.Source), this->Resolution, frame);
       }
       return;
-    case TrackRole::Coverage:
+    case Plane::Coverage:
     {
       const ColorTexels colors(samples);
       VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
@@ -149,18 +170,18 @@ void SliceToFrame::Convert(const ViewpointSamples& samples, AVFrame* frame)
       }
       return;
     }
-    case TrackRole::Depth:
-    case TrackRole::DepthHigh:
-    case TrackRole::DepthLow:
-      this->PutDepth(samples, frame);
+    case Plane::Numbers:
+    case Plane::HighByte:
+    case Plane::LowByte:
+      this->PutNumbers(samples, frame);
       return;
   }
 }
 
-void SliceToFrame::PutDepth(const ViewpointSamples& samples, AVFrame* frame)
+void SliceToFrame::PutNumbers(const ViewpointSamples& samples, AVFrame* frame)
 {
-  const auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
-  if (this->Kind.Role == TrackRole::Depth)
+  const auto* depths = samples.Get<unsigned short>(this->Kind.Role.Source);
+  if (this->Kind.Role.Part == Plane::Numbers)
   {
     const std::size_t texels =
       static_cast<std::size_t>(TileCount) * this->Resolution * this->Resolution;
@@ -181,7 +202,7 @@ void SliceToFrame::PutDepth(const ViewpointSamples& samples, AVFrame* frame)
     }
     return;
   }
-  const int shift = this->Kind.Role == TrackRole::DepthHigh ? 8 : 0;
+  const int shift = this->Kind.Role.Part == Plane::HighByte ? 8 : 0;
   VisitPlane<std::uint8_t>(this->Resolution, frame, 0,
     [&](std::size_t texel, std::uint8_t& sample)
     { sample = static_cast<std::uint8_t>(depths[texel] >> shift); });
@@ -204,12 +225,12 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
   {
     return false;
   }
-  auto* bytes = samples.Get<unsigned char>(KnownChannel::Color);
-  auto* floats = samples.Get<float>(KnownChannel::Color);
-  auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
-  switch (this->Kind.Role)
+  auto* bytes = samples.Get<unsigned char>(this->Kind.Role.Source);
+  auto* floats = samples.Get<float>(this->Kind.Role.Source);
+  auto* depths = samples.Get<unsigned short>(this->Kind.Role.Source);
+  switch (this->Kind.Role.Part)
   {
-    case TrackRole::Color:
+    case Plane::Colors:
       if (this->Kind.IsRadiance)
       {
         TakeRadiance(frame, this->Kind.Format, this->Kind.Constants.White, floats);
@@ -219,7 +240,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
         TakeColors(frame, this->Kind.Format, this->Kind.Siting, this->Resolution, bytes);
       }
       return true;
-    case TrackRole::Coverage:
+    case Plane::Coverage:
       if (floats)
       {
         TakeCoverage(frame, floats);
@@ -231,7 +252,7 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
         SamplesToCoverage(GetRow(frame, 0, y), frame->width, bytes + ColorBytes * texel);
       }
       return true;
-    case TrackRole::Depth:
+    case Plane::Numbers:
       for (int y = 0; y < frame->height; ++y)
       {
         SamplesToDepths(reinterpret_cast<const std::uint16_t*>(GetRow(frame, 0, y)),
@@ -239,12 +260,12 @@ bool FrameToSlice::Convert(const AVFrame* frame, const ViewpointSamples& samples
           depths + static_cast<std::size_t>(y) * frame->width);
       }
       return true;
-    case TrackRole::DepthHigh:
-    case TrackRole::DepthLow:
+    case Plane::HighByte:
+    case Plane::LowByte:
     {
       // The two tracks may be processed at the same time, so each writes only its own byte.
       auto* parts = reinterpret_cast<std::uint8_t*>(depths);
-      const std::size_t offset = ByteOffset(this->Kind.Role == TrackRole::DepthHigh);
+      const std::size_t offset = ByteOffset(this->Kind.Role.Part == Plane::HighByte);
       VisitPlane<const std::uint8_t>(this->Resolution, frame, 0,
         [&](std::size_t texel, std::uint8_t sample) { parts[2 * texel + offset] = sample; });
       return true;
@@ -257,21 +278,27 @@ void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples&
 {
   auto* bytes = samples.Get<unsigned char>(KnownChannel::Color);
   auto* floats = samples.Get<float>(KnownChannel::Color);
-  auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
-  if (floats)
-  {
-    const int tolerance = coverage ? coverage->GetTolerance() : 0;
-    JoinRadiance(static_cast<std::size_t>(TileCount) * resolution * resolution, coverage != nullptr,
-      tolerance, floats, depths);
-    return;
-  }
-  // Without coverage, any value counts as full.
-  const int tolerance = coverage ? coverage->GetTolerance() : 255;
+  const std::vector<FilledNumbers> allNumbers = FindNumbers(samples);
+  // Without coverage, any byte counts as full.
+  const int tolerance = coverage ? coverage->GetTolerance() : floats ? 0 : 255;
   const int width = TileCount * resolution;
   for (int y = 0; y < resolution; ++y)
   {
     const std::size_t texel = static_cast<std::size_t>(y) * width;
-    JoinTexels(tolerance, width, bytes + ColorBytes * texel, depths ? depths + texel : nullptr);
+    if (floats)
+    {
+      JoinRadiance(width, coverage != nullptr, tolerance, floats + 4 * texel);
+    }
+    else
+    {
+      JoinTexels(tolerance, width, bytes + ColorBytes * texel);
+    }
+    for (const FilledNumbers& numbers : allNumbers)
+    {
+      floats
+        ? FillUncovered(numbers.Fill, width, floats + 4 * texel, numbers.Values + texel)
+        : FillUncovered(numbers.Fill, width, bytes + ColorBytes * texel, numbers.Values + texel);
+    }
   }
 }
 }

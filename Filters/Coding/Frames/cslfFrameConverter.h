@@ -34,7 +34,7 @@ public:
   void Convert(const ViewpointSamples& samples, AVFrame* frame);
 
 private:
-  void PutDepth(const ViewpointSamples& samples, AVFrame* frame);
+  void PutNumbers(const ViewpointSamples& samples, AVFrame* frame);
 
   Track Kind;
   int Resolution;
@@ -59,8 +59,8 @@ private:
 
 /// Combines the channels of a decoded slice. Coverage within 3/255 of none or full becomes none or
 /// full unless its track is lossless. Colour is clamped to coverage (floats: 0 where nothing is
-/// covered), and depth is 1 where nothing is covered. Without a coverage track the slice is covered
-/// everywhere.
+/// covered), and numbers are filled where nothing is covered. Without a coverage track the slice is
+/// covered everywhere.
 void JoinChannels(int resolution, const Track* coverage, const ViewpointSamples& samples);
 }
 

@@ -104,10 +104,8 @@ void TakeCoverage(const AVFrame* frame, float* colors)
   }
 }
 
-void JoinRadiance(
-  std::size_t texels, bool hasCoverage, int tolerance, float* colors, unsigned short* depths)
+void JoinRadiance(std::size_t texels, bool hasCoverage, int tolerance, float* colors)
 {
-  constexpr unsigned short far = 65535;
   const float low = (tolerance + 0.5F) / 255.0F;
   const float high = 1.0F - low;
   for (std::size_t texel = 0; texel < texels; ++texel)
@@ -120,10 +118,6 @@ void JoinRadiance(
     else if (color[3] < low)
     {
       std::fill_n(color, Components, 0.0F);
-      if (depths)
-      {
-        depths[texel] = far;
-      }
     }
   }
 }

@@ -30,10 +30,8 @@ void TakeRadiance(const AVFrame* frame, AVPixelFormat format, double white, floa
 void TakeCoverage(const AVFrame* frame, float* colors);
 
 /// Combines the channels of a slice. Alpha within `tolerance` of 255 or 0 becomes full or none;
-/// without coverage, all alpha is full. Where nothing is covered, colour is 0 and depth, which may
-/// be null, is 1.
-void JoinRadiance(
-  std::size_t texels, bool hasCoverage, int tolerance, float* colors, unsigned short* depths);
+/// without coverage, all alpha is full. Where nothing is covered, colour is 0.
+void JoinRadiance(std::size_t texels, bool hasCoverage, int tolerance, float* colors);
 }
 
 #endif

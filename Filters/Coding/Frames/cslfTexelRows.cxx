@@ -59,8 +59,7 @@ CSLF_VECTORIZE void SamplesToCoverage(const std::uint8_t* samples, int count, un
   }
 }
 
-CSLF_VECTORIZE void JoinTexels(
-  int tolerance, int count, unsigned char* colors, unsigned short* depths)
+CSLF_VECTORIZE void JoinTexels(int tolerance, int count, unsigned char* colors)
 {
   const std::uint32_t none = tolerance;
   const std::uint32_t full = 255 - tolerance;
@@ -77,10 +76,6 @@ CSLF_VECTORIZE void JoinTexels(
     WriteTexel(red << TexelBytes::Red | green << TexelBytes::Green | blue << TexelBytes::Blue |
         coverage << TexelBytes::Coverage,
       colors, k);
-  }
-  for (int k = 0; depths && k < count; ++k)
-  {
-    depths[k] = colors[4 * k + 3] == 0 ? 65535 : depths[k];
   }
 }
 }

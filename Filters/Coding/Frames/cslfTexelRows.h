@@ -23,10 +23,18 @@ VTKCSLF_EXPORT void SamplesToDepths(const std::uint16_t* samples, int bits,
 VTKCSLF_EXPORT void SamplesToCoverage(
   const std::uint8_t* samples, int count, unsigned char* colors);
 
-/// Sets coverage within `tolerance` of 255 or 0 to 255 or 0, clamps colour to coverage, and sets
-/// depth, which may be null, to 65535 where nothing is covered.
-VTKCSLF_EXPORT void JoinTexels(
-  int tolerance, int count, unsigned char* colors, unsigned short* depths);
+/// Sets coverage within `tolerance` of 255 or 0 to 255 or 0, and clamps colour to coverage.
+VTKCSLF_EXPORT void JoinTexels(int tolerance, int count, unsigned char* colors);
+
+/// Sets numbers to a value where the fourth component of colours is 0.
+template <typename Component>
+void FillUncovered(unsigned short fill, int count, const Component* colors, unsigned short* numbers)
+{
+  for (int k = 0; k < count; ++k)
+  {
+    numbers[k] = colors[4 * k + 3] == Component(0) ? fill : numbers[k];
+  }
+}
 }
 
 #endif

@@ -2,60 +2,105 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTrack.h"
 
+#include <vtkType.h>
+
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <map>
 
 namespace cslf
 {
 namespace
 {
-struct RoleRow
+/// A plane: the end of its tracks' names, and the pixel formats that these may have.
+struct PlaneRow
 {
-  TrackRole Role;
-  const char* Name;
+  const char* Suffix;
   std::vector<AVPixelFormat> Formats;
 };
 
-const std::vector<RoleRow>& GetRoles()
+/// In the order of Plane.
+const std::vector<PlaneRow>& GetPlaneRows()
 {
-  static const std::vector<RoleRow> roles = {
-    { TrackRole::Color, "color",
+  static const std::vector<PlaneRow> rows = {
+    { "",
       { AV_PIX_FMT_YUV444P, AV_PIX_FMT_YUV444P10, AV_PIX_FMT_YUV422P, AV_PIX_FMT_YUV420P,
         AV_PIX_FMT_YUV420P10, AV_PIX_FMT_GBRP, AV_PIX_FMT_YUV444P12 } },
-    { TrackRole::Coverage, "coverage", { AV_PIX_FMT_GRAY8, AV_PIX_FMT_YUV420P } },
-    { TrackRole::Depth, "depth", { AV_PIX_FMT_GRAY12, AV_PIX_FMT_GRAY10, AV_PIX_FMT_YUV420P10 } },
-    { TrackRole::DepthHigh, "depth-high", { AV_PIX_FMT_GRAY8 } },
-    { TrackRole::DepthLow, "depth-low", { AV_PIX_FMT_GRAY8 } },
+    { "coverage", { AV_PIX_FMT_GRAY8, AV_PIX_FMT_YUV420P } },
+    { "", { AV_PIX_FMT_GRAY12, AV_PIX_FMT_GRAY10, AV_PIX_FMT_YUV420P10 } },
+    { "-high", { AV_PIX_FMT_GRAY8 } },
+    { "-low", { AV_PIX_FMT_GRAY8 } },
   };
-  return roles;
+  return rows;
 }
 
-const RoleRow& GetRow(TrackRole role)
+const PlaneRow& GetRow(Plane plane)
 {
-  return *std::find_if(
-    GetRoles().begin(), GetRoles().end(), [role](const RoleRow& row) { return row.Role == role; });
+  return GetPlaneRows()[static_cast<std::size_t>(plane)];
 }
+
+std::string MakeName(const TrackRole& role)
+{
+  // Coverage is that of all channels.
+  std::string name = role.Part == Plane::Coverage ? "" : NameOf(role.Source);
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name + GetRow(role.Part).Suffix;
+}
+
+/// The roles of all known channels, by name.
+const std::map<std::string, TrackRole>& GetRoles()
+{
+  static const std::map<std::string, TrackRole> roles = []
+  {
+    std::map<std::string, TrackRole> all;
+    for (const KnownChannel id : KnownChannels)
+    {
+      for (const bool isLossless : { false, true })
+      {
+        for (const Plane plane : GetPlanes(KindOf(id), isLossless))
+        {
+          all[MakeName({ id, plane })] = { id, plane };
+        }
+      }
+    }
+    return all;
+  }();
+  return roles;
+}
+}
+
+SampleKind KindOf(KnownChannel id)
+{
+  const ChannelForm* bytes = FindForm(MakeChannel(id, VTK_UNSIGNED_CHAR));
+  return bytes ? bytes->Kind : SampleKind::Number16;
+}
+
+std::vector<Plane> GetPlanes(SampleKind kind, bool isLossless)
+{
+  if (kind == SampleKind::ByteColor || kind == SampleKind::FloatColor)
+  {
+    return { Plane::Colors, Plane::Coverage };
+  }
+  return isLossless ? std::vector<Plane>{ Plane::HighByte, Plane::LowByte }
+                    : std::vector<Plane>{ Plane::Numbers };
 }
 
 const char* NameOfRole(TrackRole role)
 {
-  return GetRow(role).Name;
+  return GetRoles().find(MakeName(role))->first.c_str();
 }
 
 std::optional<TrackRole> RoleOfName(const std::string& name)
 {
-  for (const RoleRow& row : GetRoles())
-  {
-    if (name == row.Name)
-    {
-      return row.Role;
-    }
-  }
-  return std::nullopt;
+  const auto found = GetRoles().find(name);
+  return found == GetRoles().end() ? std::nullopt : std::make_optional(found->second);
 }
 
-std::optional<AVPixelFormat> FindPixelFormat(TrackRole role, const std::string& name)
+std::optional<AVPixelFormat> FindPixelFormat(Plane plane, const std::string& name)
 {
-  for (const AVPixelFormat format : GetRow(role).Formats)
+  for (const AVPixelFormat format : GetRow(plane).Formats)
   {
     if (name == NameOfFormat(format))
     {
@@ -68,7 +113,7 @@ std::optional<AVPixelFormat> FindPixelFormat(TrackRole role, const std::string& 
 std::string ListColorFormats()
 {
   std::string list;
-  for (const AVPixelFormat format : GetRow(TrackRole::Color).Formats)
+  for (const AVPixelFormat format : GetRow(Plane::Colors).Formats)
   {
     list += (list.empty() ? "" : ", ") + NameOfFormat(format);
   }
@@ -100,7 +145,7 @@ bool HasChroma(AVPixelFormat format)
 
 bool HasSparseChroma(const Track& track)
 {
-  return track.Role == TrackRole::Color && av_pix_fmt_desc_get(track.Format)->log2_chroma_w > 0;
+  return track.Role.Part == Plane::Colors && av_pix_fmt_desc_get(track.Format)->log2_chroma_w > 0;
 }
 
 bool NeedsEvenSize(AVPixelFormat format)

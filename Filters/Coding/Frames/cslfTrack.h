@@ -8,22 +8,50 @@
 #define cslfTrack_h
 
 #include "Coding/Codecs/cslfCodec.h"
+#include "cslfChannel.h"
 
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace cslf
 {
-/// The contents of a track's samples.
-enum class TrackRole
+/// The part of a channel's samples that a track contains.
+enum class Plane
 {
-  Color,     ///< red, green, blue
-  Coverage,  ///< alpha
-  Depth,     ///< depth, rounded to the track's bits
-  DepthHigh, ///< the high byte of 16-bit depth
-  DepthLow   ///< its low byte
+  Colors,   ///< red, green, blue
+  Coverage, ///< alpha
+  Numbers,  ///< numbers from 0 to 1, rounded to the track's bits
+  HighByte, ///< the high byte of 16-bit numbers
+  LowByte   ///< the low byte
 };
+
+/// The contents of a track: a plane of a channel.
+struct TrackRole
+{
+  KnownChannel Source = KnownChannel::Color;
+  Plane Part = Plane::Colors;
+
+  bool operator==(const TrackRole& other) const
+  {
+    return this->Source == other.Source && this->Part == other.Part;
+  }
+  bool operator<(const TrackRole& other) const
+  {
+    return std::tie(this->Source, this->Part) < std::tie(other.Source, other.Part);
+  }
+};
+
+/// The tracks that every reader and writer needs.
+constexpr TrackRole ColorRole{ KnownChannel::Color, Plane::Colors };
+constexpr TrackRole CoverageRole{ KnownChannel::Color, Plane::Coverage };
+
+/// The kind of samples of a channel whose type is integer, which tells colours from numbers.
+SampleKind KindOf(KnownChannel id);
+
+/// The planes in which a kind of samples is coded. Numbers are coded without loss as two bytes.
+std::vector<Plane> GetPlanes(SampleKind kind, bool isLossless);
 
 /// The information about samples that a file stores beside their format.
 struct ReaderConstants
@@ -39,12 +67,12 @@ struct ReaderConstants
 /// machine's byte order, like the frames of FFmpeg's codecs.
 struct Track
 {
-  TrackRole Role = TrackRole::Color;
+  TrackRole Role;
   AVPixelFormat Format = AV_PIX_FMT_YUV444P;
   bool Lossless = false;
   Codec Coding = Codec::HEVC;
   bool IsRadiance = false; ///< colour: linear radiance through the perceptual quantiser
-  bool IsCurved = false;   ///< depth: through the curve of cslfDepthCurve.h
+  bool IsCurved = false;   ///< numbers: through the curve of cslfDepthCurve.h
   /// Colour with less chroma than luma: where it lies, AVCHROMA_LOC_LEFT or, in older files,
   /// AVCHROMA_LOC_CENTER.
   AVChromaLocation Siting = AVCHROMA_LOC_LEFT;
@@ -60,12 +88,12 @@ constexpr int FrameRate = 25;
 /// The most frames of a closed group of pictures.
 constexpr int MaximumGroupLength = 16;
 
-/// The names in files.
+/// The names in files: the channel's in lower case, and the plane's.
 const char* NameOfRole(TrackRole role);
 std::optional<TrackRole> RoleOfName(const std::string& name);
 
-/// The pixel format of that FFmpeg name if a track of that role may have it.
-std::optional<AVPixelFormat> FindPixelFormat(TrackRole role, const std::string& name);
+/// The pixel format of that FFmpeg name if a track of that plane may have it.
+std::optional<AVPixelFormat> FindPixelFormat(Plane plane, const std::string& name);
 
 /// The pixel formats that a user may choose for colour, for messages: "yuv444p, ...".
 std::string ListColorFormats();

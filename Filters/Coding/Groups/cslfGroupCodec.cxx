@@ -142,7 +142,7 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
     error = "the encoder did not give one packet for each frame";
     return false;
   }
-  group.CoveredFully = track.Role == TrackRole::Coverage && IsCoveredFully(resolution, slices);
+  group.CoveredFully = track.Role == CoverageRole && IsCoveredFully(resolution, slices);
   return true;
 }
 }

@@ -50,24 +50,32 @@ GroupCoder::GroupCoder(
   , Groups(std::move(groups))
 {
   const EncoderChoice choice = ChooseEncoder(settings, this->IsRadiance, this->Resolution);
-  const auto add = [&](TrackRole role, AVPixelFormat format, double crf)
+  for (const KnownChannel id : KnownChannels)
   {
-    this->Encodings.push_back(
-      { { role, format, settings.Lossless, choice.Encoder->Coding,
-          this->IsRadiance && role == TrackRole::Color, role == TrackRole::Depth },
-        { settings.Preset, crf, settings.GroupLength } });
-  };
-  add(TrackRole::Color, choice.Color, settings.CRF);
-  add(TrackRole::Coverage, choice.Encoder->Coverage, settings.CoverageCRF);
-  const bool hasDepth = field.FindChannel(KnownChannel::Depth) != nullptr;
-  if (hasDepth && settings.Lossless)
-  {
-    add(TrackRole::DepthHigh, AV_PIX_FMT_GRAY8, 0.0);
-    add(TrackRole::DepthLow, AV_PIX_FMT_GRAY8, 0.0);
+    if (const Channel* channel = field.FindChannel(id))
+    {
+      this->AddTracks(id, FindForm(*channel)->Kind, choice);
+    }
   }
-  else if (hasDepth)
+}
+
+void GroupCoder::AddTracks(KnownChannel id, SampleKind kind, const EncoderChoice& choice)
+{
+  for (const Plane plane : GetPlanes(kind, this->Settings.Lossless))
   {
-    add(TrackRole::Depth, choice.Encoder->Depth, settings.DepthCRF);
+    Track track;
+    track.Role = { id, plane };
+    track.Format = plane == Plane::Colors ? choice.Color : choice.Encoder->GetFormat(kind, plane);
+    track.Lossless = this->Settings.Lossless;
+    track.Coding = choice.Encoder->Coding;
+    track.IsRadiance = kind == SampleKind::FloatColor && plane == Plane::Colors;
+    track.IsCurved = plane == Plane::Numbers;
+    const double crf = plane == Plane::Colors ? this->Settings.CRF
+      : plane == Plane::Coverage              ? this->Settings.CoverageCRF
+      : plane == Plane::Numbers               ? this->Settings.DepthCRF
+                                              : 0.0;
+    this->Encodings.push_back(
+      { track, { this->Settings.Preset, crf, this->Settings.GroupLength } });
   }
 }
 
@@ -127,9 +135,9 @@ EncodeOptions GroupCoder::GetOptions(const Encoding& encoding, double factor) co
 {
   EncodeOptions options = encoding.Options;
   const bool isFixed = this->Settings.Target.Kind == RateTarget::Kinds::Factor;
-  options.CRF = encoding.Kind.Role == TrackRole::Color ? factor
-    : isFixed                                          ? options.CRF
-                                                       : FindTrackFactor(options.CRF, factor);
+  options.CRF = encoding.Kind.Role.Part == Plane::Colors ? factor
+    : isFixed                                            ? options.CRF
+                                                         : FindTrackFactor(options.CRF, factor);
   return options;
 }
 

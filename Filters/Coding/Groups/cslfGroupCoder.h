@@ -26,7 +26,7 @@ public:
   /// Field and settings have passed FindFault; `groups` has the number of frames of each group.
   GroupCoder(const EncodeSettings& settings, const Description& field, std::vector<int> groups);
 
-  /// The tracks: colour, coverage, and those of depth.
+  /// The tracks: colour, coverage, and those of further channels.
   std::vector<Track> GetTracks() const;
 
   /// Does some tasks in parallel. `slices` are those of the tasks' groups, one group after the
@@ -52,6 +52,7 @@ private:
     GroupParts* Parts;
   };
 
+  void AddTracks(KnownChannel id, SampleKind kind, const EncoderChoice& choice);
   std::vector<Coding> Split(const std::vector<CodingTask>& tasks,
     const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const;
   EncodeOptions GetOptions(const Encoding& encoding, double factor) const;

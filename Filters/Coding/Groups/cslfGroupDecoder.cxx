@@ -228,7 +228,7 @@ bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*
     }
   }
   const FileHeader& header = this->GetHeader();
-  JoinChannels(header.Field.Grid.GetResolution(), header.FindTrack(TrackRole::Coverage), slice);
+  JoinChannels(header.Field.Grid.GetResolution(), header.FindTrack(CoverageRole), slice);
   return true;
 }
 

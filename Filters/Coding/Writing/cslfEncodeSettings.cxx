@@ -50,13 +50,14 @@ EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int
   const Codec codec = *CodecOfName(settings.Codec);
   if (settings.Lossless || settings.PixelFormat != AutomaticFormat)
   {
-    choice.Color = settings.Lossless ? AV_PIX_FMT_GBRP
-                                     : *FindPixelFormat(TrackRole::Color, settings.PixelFormat);
+    choice.Color =
+      settings.Lossless ? AV_PIX_FMT_GBRP : *FindPixelFormat(Plane::Colors, settings.PixelFormat);
     choice.Encoder = FindEncoder(codec, choice.Color, resolution);
   }
   else if ((choice.Encoder = FindEncoder(codec, isRadiance, resolution)))
   {
-    choice.Color = isRadiance ? choice.Encoder->Radiance : choice.Encoder->Colors.front();
+    choice.Color = choice.Encoder->GetFormat(
+      isRadiance ? SampleKind::FloatColor : SampleKind::ByteColor, Plane::Colors);
   }
   return choice;
 }
@@ -99,7 +100,7 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
     return "The codec \"" + settings.Codec + "\" is none of " + ListCodecs() + ".";
   }
   if (settings.PixelFormat != AutomaticFormat &&
-    !FindPixelFormat(TrackRole::Color, settings.PixelFormat))
+    !FindPixelFormat(Plane::Colors, settings.PixelFormat))
   {
     return "The pixel format \"" + settings.PixelFormat + "\" is none of auto, " +
       ListColorFormats() + ".";
@@ -136,16 +137,17 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
 
 std::string FindFault(const Description& field)
 {
-  const Channel* color = field.FindChannel(KnownChannel::Color);
-  if (!color || (color->Type != VTK_UNSIGNED_CHAR && color->Type != VTK_FLOAT) ||
-    color->Components != 4)
+  if (!field.FindChannel(KnownChannel::Color))
   {
     return "The coded file needs \"Color\" as 4 unsigned chars or 4 floats.";
   }
-  const Channel* depth = field.FindChannel(KnownChannel::Depth);
-  if (depth && (depth->Type != VTK_UNSIGNED_SHORT || depth->Components != 1))
+  for (const Channel& channel : field.Channels)
   {
-    return "The coded file needs \"Depth\" as unsigned short.";
+    const ChannelForm* form = FindForm(channel);
+    if (form && form->Kind == SampleKind::FloatNumber)
+    {
+      return "The coded file needs \"" + channel.Name + "\" as unsigned short.";
+    }
   }
   return {};
 }

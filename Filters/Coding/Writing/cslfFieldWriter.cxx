@@ -212,7 +212,7 @@ GroupCost FieldWriter::GetCost(const GroupParts& parts) const
   GroupCost cost;
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
-    const bool isCoverage = this->Header.Tracks[track].Kind.Role == TrackRole::Coverage;
+    const bool isCoverage = this->Header.Tracks[track].Kind.Role == CoverageRole;
     for (const CodedFrame& frame : parts[track].Frames)
     {
       (isCoverage ? cost.CoverageBytes : cost.Bytes) += static_cast<double>(frame.Data.size());
@@ -275,7 +275,7 @@ void FieldWriter::DropFullCoverage()
   for (std::size_t track = 0; track < this->States.size(); ++track)
   {
     const TrackRole role = this->Header.Tracks[track].Kind.Role;
-    if (role == TrackRole::Coverage && this->States[track].CoveredFully)
+    if (role == CoverageRole && this->States[track].CoveredFully)
     {
       this->States.erase(this->States.begin() + static_cast<std::ptrdiff_t>(track));
       this->Header.Tracks.erase(this->Header.Tracks.begin() + static_cast<std::ptrdiff_t>(track));
