@@ -76,7 +76,7 @@ if (CSLF_ENABLE_ENCODER)
   cslf_add(Filters/Coding/RateControl
     EncodeProbe GroupStages HeldOutViews RateControl RateModel TrackFactors)
   cslf_add(Filters/Coding/Writing
-    EncodeCrew EncodeSession EncodeSettings FieldWriter KeptGroups Part PartStore SlicePuller)
+    EncodeRanks EncodeSession EncodeSettings FieldWriter GroupCache Part PartStore SlicePuller)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.

@@ -201,7 +201,7 @@ int vtkCSLFEncoder::Write()
   }
   std::optional<cslf::CacheKeeper> keeper;
   cslf::EncodeJob job = this->MakeJob();
-  job.Settle = [&keeper](bool isWell) { return keeper->Settle(isWell); };
+  job.Synchronize = [&keeper](bool isWell) { return keeper->Synchronize(isWell); };
   cslf::EncodeSession session(job);
   if (session.Check(fault))
   {

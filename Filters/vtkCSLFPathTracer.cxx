@@ -597,7 +597,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
       {
         this->MeasureCache(whole, nullptr);
       }
-      this->TellCache();
+      this->ReportCache();
     }
   }
   const auto start = std::chrono::steady_clock::now();

@@ -347,7 +347,7 @@ private:
     double spacing, double displayRange, double share, const cslf::CheckedPicture* checked);
   bool FillCache(double share);
   void MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks);
-  void TellCache();
+  void ReportCache();
   bool ProbeCache(double spacing, double displayRange);
   void MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks);
   bool MustGather();

@@ -160,7 +160,7 @@ void vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::
   cache.SetCheck(cslf::CheckCache(*this->Internals->Scene.World, cache, picture, settings));
 }
 
-void vtkCSLFPathTracer::TellCache()
+void vtkCSLFPathTracer::ReportCache()
 {
   const cslf::RadianceCache& cache = *this->Internals->Cache;
   const cslf::CacheCheck& check = cache.GetCheck();

@@ -62,7 +62,7 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
 }
 
 //------------------------------------------------------------------------------
-// Bringing samples
+// Loading samples
 
 bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight>& sights,
   const TexturePace& pace, std::string& error)
@@ -89,7 +89,7 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
     this->Sights = sights;
     this->Present.Aim(sights);
     this->Pool.BeginUploads();
-    pace.Waits ? this->BringAll() : this->BringSome(pace);
+    pace.Waits ? this->LoadAll() : this->LoadSome(pace);
     this->Pool.EndUploads();
     if (std::exchange(this->IsChanged, false))
     {
@@ -138,7 +138,7 @@ bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace&
   return true;
 }
 
-void FieldTexture::Bring(const WantedTiles& wanted)
+void FieldTexture::Load(const WantedTiles& wanted)
 {
   const ViewpointSamples samples = this->Source->Get(wanted.Slice);
   this->IsChanged = true;
@@ -165,7 +165,7 @@ void FieldTexture::Bring(const WantedTiles& wanted)
   }
 }
 
-void FieldTexture::BringAll()
+void FieldTexture::LoadAll()
 {
   std::vector<WantedTiles> missing = this->Present.ListMissing();
   while (!missing.empty())
@@ -180,20 +180,20 @@ void FieldTexture::BringAll()
       if (this->Source->IsReady(wanted.Slice))
       {
         isAnyReady = true;
-        this->Bring(wanted);
+        this->Load(wanted);
       }
     }
     // A source without enough memory keeps nothing ready.
     if (!isAnyReady)
     {
-      this->Bring(missing.front());
+      this->Load(missing.front());
     }
     missing = this->Present.ListMissing();
   }
   this->Missing = 0;
 }
 
-void FieldTexture::BringSome(const TexturePace& pace)
+void FieldTexture::LoadSome(const TexturePace& pace)
 {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(pace.Seconds);
@@ -219,7 +219,7 @@ void FieldTexture::BringSome(const TexturePace& pace)
     }
     if (wanted.Level == 0 || this->Source->IsReady(wanted.Slice))
     {
-      this->Bring(wanted);
+      this->Load(wanted);
     }
   }
   this->Missing = this->Present.ListMissing().size();

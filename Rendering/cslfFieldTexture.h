@@ -89,9 +89,9 @@ private:
   using Handle = unsigned int;
 
   bool MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace);
-  void BringAll();
-  void BringSome(const TexturePace& pace);
-  void Bring(const WantedTiles& wanted);
+  void LoadAll();
+  void LoadSome(const TexturePace& pace);
+  void Load(const WantedTiles& wanted);
   void MakeTables();
   void MakeSceneTexture();
   int FindFirstLayer(int entryFace, int tile) const;

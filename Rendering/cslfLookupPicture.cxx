@@ -58,12 +58,12 @@ constexpr double LeastGuessDivisor = 3.0;
 constexpr double MostGuessDivisor = 12.0;
 /// The marks of the depth lookup's passes on their pixels, as z of DC. Each pass skips pixels
 /// marked by an earlier one.
-constexpr float NothingMark = -1.0F;
+constexpr float MissMark = -1.0F;
 constexpr float CheckMark = -0.5F;
 constexpr float SearchMark = 0.0F;
 constexpr float RestMark = 0.5F;
 /// The depth of pixels that no pass has drawn.
-constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::NothingDC);
+constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::MissDC);
 
 /// The length in pixels of an edge of the cube at its centre, seen from the side. 0 if the centre
 /// is behind the eye.
@@ -328,7 +328,7 @@ void LookupPicture::BuildPrograms(bool hasDepth)
   if (this->IsSearched)
   {
     this->GuessSearch = build("LookupGuess", true);
-    this->Nothing = build("LookupNothing");
+    this->Miss = build("LookupMiss");
     this->Check = build("LookupGuessed");
     this->Search = build("LookupSeen");
     this->Rest = build("LookupUnseen");
@@ -336,7 +336,7 @@ void LookupPicture::BuildPrograms(bool hasDepth)
   else
   {
     this->Search = build(lookups[this->Current.Lookup]);
-    this->Nothing.reset();
+    this->Miss.reset();
     this->Check.reset();
     this->GuessSearch.reset();
     this->Rest.reset();
@@ -386,7 +386,7 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   fcdc->Transpose();
   program->SetUniformMatrix("FCDCMatrix", fcdc);
   program->SetUniformMatrix("DCFCMatrix", dcfc);
-  if (this->Check && (program == this->Check->Program || program == this->Nothing->Program))
+  if (this->Check && (program == this->Check->Program || program == this->Miss->Program))
   {
     const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
     program->SetUniformi("GuessDepth", this->Guess.Depths->GetTextureUnit());
@@ -426,7 +426,7 @@ void LookupPicture::DrawPicture(FieldTexture& field)
     state->vtkglEnable(GL_DEPTH_TEST);
     if (hasGuess)
     {
-      this->DrawFaces(field, *this->Nothing, NothingMark);
+      this->DrawFaces(field, *this->Miss, MissMark);
       this->DrawFaces(field, *this->Check, CheckMark);
       this->Guess.Depths->Deactivate();
     }
@@ -517,7 +517,7 @@ void LookupPicture::Release(vtkWindow* window)
   if (this->Window && this->Window == window)
   {
     this->Search.reset();
-    this->Nothing.reset();
+    this->Miss.reset();
     this->Check.reset();
     this->GuessSearch.reset();
     this->Rest.reset();

@@ -123,7 +123,7 @@ private:
   Target Guess;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> GuessSearch; ///< a small picture's depths
-  std::unique_ptr<vtkOpenGLQuadHelper> Nothing;     ///< where they and the grid have nothing
+  std::unique_ptr<vtkOpenGLQuadHelper> Miss;        ///< where they and the grid have nothing
   std::unique_ptr<vtkOpenGLQuadHelper>
     Check; ///< looks up surfaces that a small picture's depths suggest
   std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< remaining pixels; without depth, all

@@ -140,7 +140,7 @@ void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-// Brings what the camera can use, but nothing between the two passes of one picture.
+// Loads what the camera can use, but nothing between the two passes of one picture.
 void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

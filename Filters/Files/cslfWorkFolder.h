@@ -22,11 +22,11 @@
 
 namespace cslf
 {
-/// Where something is written, and where it is kept when it is complete. Empty names mean nowhere.
-struct KeptFile
+/// Where something is written, and where it is when it is complete. Empty names mean nowhere.
+struct PersistentFile
 {
   std::string Unfinished;
-  std::string Kept;
+  std::string Final;
 };
 
 class WorkFolder

@@ -42,7 +42,7 @@ Guess FindGuess()
 // Whether the guess has nothing around the fragment.
 bool GuessNothing()
 {
-  return FindGuess().Z == vec4(NothingDC);
+  return FindGuess().Z == vec4(MissDC);
 }
 
 // The plane of FC through the guess around the fragment. False if the guess has gaps there.
@@ -56,7 +56,7 @@ bool GuessPlane(out vec4 plane)
     0.5 * guess.Size * vec2(mix(z.y - z.x, z.w - z.z, guess.Offset.y), row.y - row.x);
   vec2 fragmentDC = 2.0 * gl_FragCoord.xy / PictureSize - 1.0;
   plane = vec4(slope, -1.0, here - dot(slope, fragmentDC)) * FCDCMatrix;
-  return all(lessThan(z, vec4(NothingDC)));
+  return all(lessThan(z, vec4(MissDC)));
 }
 
 // How much the clearances of the four views grow with w in front of a plane. Negative for views
@@ -87,7 +87,7 @@ LookupResult LookupGuess(Ray ray)
 
 // Like LookupSeen, if the guess has nothing on the ray. Not final if the grid does not confirm
 // this.
-LookupResult LookupNothing(Ray ray)
+LookupResult LookupMiss(Ray ray)
 {
   LookupResult result = FindNothing();
   result.IsFinal = GuessNothing();

@@ -78,7 +78,7 @@ vec4 ReadPicture(out float z)
 #ifdef PICTURE_SAMPLES
   ivec2 first = ivec2(position) * PictureSamples;
   vec4 sum = vec4(0.0);
-  z = NothingDC;
+  z = MissDC;
   for (int y = 0; y < PictureSamples; ++y)
   {
     for (int x = 0; x < PictureSamples; ++x)

@@ -43,5 +43,5 @@ void main()
 #endif
   gl_FragData[0] = color;
   vec4 hitDC = FCDCMatrix * vec4(ray.Entry + result.Fraction * ray.Chord, 1.0);
-  gl_FragData[1] = vec4(color.a > 0.0 ? hitDC.z / hitDC.w : NothingDC);
+  gl_FragData[1] = vec4(color.a > 0.0 ? hitDC.z / hitDC.w : MissDC);
 }

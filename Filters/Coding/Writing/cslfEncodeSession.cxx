@@ -33,7 +33,7 @@ constexpr double JoinShare = 0.05;
 
 EncodeSession::EncodeSession(EncodeJob job)
   : Job(std::move(job))
-  , Crew(this->Job.Controller)
+  , Peers(this->Job.Controller)
 {
 }
 
@@ -61,12 +61,12 @@ bool EncodeSession::IsWell() const
 
 bool EncodeSession::Check(const EncodeFault& before)
 {
-  if (!this->Crew.CanTalk())
+  if (!this->Peers.CanTalk())
   {
     // All ranks know it, so the first one reports it.
     this->Fault = { vtkErrorCode::UserError,
-      this->Crew.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
-                                : "" };
+      this->Peers.GetRank() == 0 ? "Several ranks can write a file only through a vtkMPIController."
+                                 : "" };
     return false;
   }
   this->Fault = before;
@@ -101,7 +101,7 @@ bool EncodeSession::CheckHere()
     return false;
   }
   // Only rank 0 touches files.
-  std::string fault = this->Crew.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
+  std::string fault = this->Peers.GetRank() == 0 ? FindFault(this->Job.FileName) : std::string();
   fault = fault.empty() ? FindFault(this->Job.Settings, this->Grid->GetResolution()) : fault;
   if (!fault.empty())
   {
@@ -111,28 +111,29 @@ bool EncodeSession::CheckHere()
   this->Writer.emplace(this->Job.FileName, this->Job.Settings);
   this->Writer->SetParts(this->Job.Parts);
   std::string error;
-  return this->Crew.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
+  return this->Peers.GetRank() != 0 || this->Writer->ReserveParts(this->Job.Restart, error) ||
     this->FailWriting(vtkErrorCode::CannotOpenFileError, error);
 }
 
-KeptFile EncodeSession::GetCacheFile() const
+PersistentFile EncodeSession::GetCacheFile() const
 {
-  return this->Crew.GetRank() == 0 ? this->Writer->GetCacheFile() : KeptFile();
+  return this->Peers.GetRank() == 0 ? this->Writer->GetCacheFile() : PersistentFile();
 }
 
-bool EncodeSession::Agree(const std::string& shared, int* told)
+bool EncodeSession::Agree(const std::string& shared, int* fromRoot)
 {
-  const EncodeCrew::Verdict verdict = this->Crew.Agree(this->IsWell(), shared, told ? *told : 0);
-  if (told)
+  const EncodeRanks::Verdict verdict =
+    this->Peers.Agree(this->IsWell(), shared, fromRoot ? *fromRoot : 0);
+  if (fromRoot)
   {
-    *told = verdict.Told;
+    *fromRoot = verdict.FromRoot;
   }
   if (verdict.Differs)
   {
     this->FailWriting(vtkErrorCode::UserError,
       "the ranks have different fields, settings, versions or kinds of processor");
   }
-  if (verdict.Failed >= 0 && verdict.Failed != this->Crew.GetRank())
+  if (verdict.Failed >= 0 && verdict.Failed != this->Peers.GetRank())
   {
     this->Fault = { vtkErrorCode::UnknownError, "" };
   }
@@ -158,7 +159,7 @@ bool EncodeSession::BeginPulling(bool hasInput)
 bool EncodeSession::ChooseKeyViews(bool isReady)
 {
   std::string error;
-  if (isReady && this->Crew.GetRank() == 0 &&
+  if (isReady && this->Peers.GetRank() == 0 &&
     !cslf::ChooseKeyViews(
       *this->Puller, this->Job.Settings.NovelViewPSNR, [this] { return this->Job.Progress(0.0); },
       this->Choice, error))
@@ -171,9 +172,9 @@ bool EncodeSession::ChooseKeyViews(bool isReady)
 bool EncodeSession::BeginWriting()
 {
   this->Puller->SetKeyViewStep(this->Choice.Step);
-  this->Kept.emplace(this->CountSlicesThatFit());
+  this->Cached.emplace(this->CountSlicesThatFit());
   this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
-  return this->Crew.GetRank() != 0 || this->OpenParts();
+  return this->Peers.GetRank() != 0 || this->OpenParts();
 }
 
 bool EncodeSession::OpenParts()
@@ -210,19 +211,20 @@ bool EncodeSession::Write(bool hasInput)
 {
   this->Written = true;
   const AVLogSilence silence;
-  const bool isSettled = !this->Job.Settle || this->Job.Settle(hasInput);
+  const bool isSynchronized = !this->Job.Synchronize || this->Job.Synchronize(hasInput);
   // If the input was stopped because another rank failed, that rank reports it.
-  const bool isReady = (isSettled || !hasInput) && this->BeginPulling(hasInput);
+  const bool isReady = (isSynchronized || !hasInput) && this->BeginPulling(hasInput);
   this->Choice.Step = this->Job.Settings.KeyViewStep;
   if (this->Choice.Step > 0 || this->ChooseKeyViews(isReady))
   {
     const bool hasBegun = isReady && this->BeginWriting();
     int stored = this->Writer->CountStored();
-    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) && isSettled)
+    if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) &&
+      isSynchronized)
     {
       stored = this->Work();
     }
-    this->TellKept(stored);
+    this->ReportStored(stored);
   }
   if (!this->IsWell())
   {
@@ -237,7 +239,7 @@ bool EncodeSession::Write(bool hasInput)
 }
 
 // The rank that reports the error may differ from the one that keeps the groups.
-void EncodeSession::TellKept(int stored)
+void EncodeSession::ReportStored(int stored)
 {
   std::string& text = this->Fault.Text;
   if (stored > 0 && !text.empty())
@@ -249,7 +251,7 @@ void EncodeSession::TellKept(int stored)
 
 int EncodeSession::Work()
 {
-  if (this->Crew.GetRank() == 0)
+  if (this->Peers.GetRank() == 0)
   {
     this->Lead();
     this->Conclude();
@@ -265,14 +267,14 @@ int EncodeSession::Work()
 
 void EncodeSession::Lead()
 {
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Crew.Serve(); });
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Peers.Serve(); });
   bool isDone = false;
   while (!isDone && this->DoNext(isDone))
   {
   }
-  this->Crew.Dismiss();
+  this->Peers.Dismiss();
   // Stopping because another rank failed is not an error of this rank.
-  if (this->Crew.GetFailedRank() >= 0)
+  if (this->Peers.GetFailedRank() >= 0)
   {
     this->Fault = {};
   }
@@ -291,7 +293,7 @@ bool EncodeSession::DoNext(bool& isDone)
   std::vector<CodingTask> undone;
   std::copy_if(tasks.begin(), tasks.end(), std::back_inserter(undone),
     [this](const CodingTask& task) { return task.IsTrial || this->Writer->IsMissing(task.Group); });
-  return this->Crew.Lead(
+  return this->Peers.Lead(
            std::move(undone), this->GetGroupsAtOnce(),
            [this](const std::vector<CodingTask>& mine, ByteBuffer& results)
            { return this->Make(mine, results); },
@@ -316,7 +318,7 @@ bool EncodeSession::NoteTasks(const std::vector<CodingTask>& tasks)
 
 void EncodeSession::Conclude()
 {
-  if (!this->IsWell() || this->Crew.GetFailedRank() >= 0)
+  if (!this->IsWell() || this->Peers.GetFailedRank() >= 0)
   {
     return;
   }
@@ -342,10 +344,10 @@ void EncodeSession::Conclude()
 
 void EncodeSession::Follow()
 {
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Crew.Serve(); });
-  this->Crew.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Peers.Serve(); });
+  this->Peers.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
     { return this->Make(tasks, results); });
-  if (this->Crew.IsStopped())
+  if (this->Peers.IsStopped())
   {
     this->Fault = {};
   }
@@ -379,7 +381,7 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& resul
     return false;
   }
   if (!this->Writer->GetCoder().Encode(
-        tasks, slices, [this] { this->Crew.Serve(); }, parts, error))
+        tasks, slices, [this] { this->Peers.Serve(); }, parts, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
@@ -390,7 +392,7 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& resul
     next += task.Factors.size();
     if (!task.IsTrial)
     {
-      this->Kept->Drop(task.Group);
+      this->Cached->Drop(task.Group);
     }
   }
   return true;
@@ -402,7 +404,7 @@ bool EncodeSession::Gather(
   std::vector<int> pulled;
   for (const CodingTask& task : tasks)
   {
-    if (!this->Kept->Find(task.Group))
+    if (!this->Cached->Find(task.Group))
     {
       pulled.push_back(task.Group);
     }
@@ -416,7 +418,7 @@ bool EncodeSession::Gather(
   auto from = fresh.begin();
   for (const CodingTask& task : tasks)
   {
-    if (const auto* kept = this->Kept->Find(task.Group))
+    if (const auto* kept = this->Cached->Find(task.Group))
     {
       slices.insert(slices.end(), kept->begin(), kept->end());
       continue;
@@ -425,7 +427,7 @@ bool EncodeSession::Gather(
     slices.insert(slices.end(), from, to);
     if (task.IsTrial)
     {
-      this->Kept->Keep(task.Group, { from, to });
+      this->Cached->Keep(task.Group, { from, to });
     }
     from = to;
   }

@@ -9,9 +9,9 @@
 #define cslfEncodeSession_h
 
 #include "Coding/RateControl/cslfHeldOutViews.h"
-#include "cslfEncodeCrew.h"
+#include "cslfEncodeRanks.h"
 #include "cslfFieldWriter.h"
-#include "cslfKeptGroups.h"
+#include "cslfGroupCache.h"
 #include "cslfSlicePuller.h"
 
 #include <functional>
@@ -40,7 +40,7 @@ struct EncodeJob
 
   /// Ends the cooperation of the ranks' inputs in making their first viewpoint. Gets whether this
   /// rank's input has it, and returns whether no other rank has failed. May be empty.
-  std::function<bool(bool)> Settle;
+  std::function<bool(bool)> Synchronize;
 };
 
 /// Why a file was not written: one of vtkErrorCode's, and a sentence.
@@ -78,7 +78,7 @@ public:
 
   /// After Check, the folder where the input may keep data for a restart. Empty on ranks that do
   /// not touch files.
-  KeptFile GetCacheFile() const;
+  PersistentFile GetCacheFile() const;
 
   /// The error, if the code is not NoError. The text is empty if another rank reports it.
   const EncodeFault& GetFault() const { return this->Fault; }
@@ -89,9 +89,9 @@ public:
 private:
   bool Fail(unsigned long code, const std::string& text);
   bool FailWriting(unsigned long code, const std::string& error);
-  void TellKept(int stored);
+  void ReportStored(int stored);
   bool IsWell() const;
-  bool Agree(const std::string& shared, int* told = nullptr);
+  bool Agree(const std::string& shared, int* fromRoot = nullptr);
   bool CheckHere();
   bool CheckGrid();
   bool BeginPulling(bool hasInput);
@@ -117,12 +117,12 @@ private:
   bool ReportProgress();
 
   EncodeJob Job;
-  EncodeCrew Crew;
+  EncodeRanks Peers;
   EncodeFault Fault;
   EncodeOutcome Outcome;
   std::optional<Layout> Grid; ///< of the input
   std::optional<SlicePuller> Puller;
-  std::optional<KeptGroups> Kept;
+  std::optional<GroupCache> Cached;
   std::optional<FieldWriter> Writer;
   std::optional<RateControl> Control; ///< rank 0
   KeyViewChoice Choice;

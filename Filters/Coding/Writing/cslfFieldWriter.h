@@ -70,7 +70,7 @@ public:
   }
 
   /// The path in that folder where data for a restart may be kept.
-  KeptFile GetCacheFile() const { return this->Parts.GetCacheFile(); }
+  PersistentFile GetCacheFile() const { return this->Parts.GetCacheFile(); }
 
   /// Opens the folder of parts. If `restart` is set, finds the parts that a killed run left there
   /// under the same manifest. A warning says what is discarded.

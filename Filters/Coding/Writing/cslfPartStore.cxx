@@ -171,7 +171,7 @@ void PartStore::DropTrials() const
   this->Work.Remove(TrialsName);
 }
 
-KeptFile PartStore::GetCacheFile() const
+PersistentFile PartStore::GetCacheFile() const
 {
   return { this->Work.GetScratchName(CacheName), this->Work.GetName(CacheName) };
 }

@@ -55,7 +55,7 @@ public:
   ///@}
 
   /// The path where data for a restart may be kept. It is removed with the folder.
-  KeptFile GetCacheFile() const;
+  PersistentFile GetCacheFile() const;
 
   /// The path where the complete file is assembled before it is renamed.
   std::string GetWholeName() const;

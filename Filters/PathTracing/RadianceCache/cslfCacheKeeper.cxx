@@ -55,7 +55,7 @@ private:
 };
 }
 
-CacheKeeper::CacheKeeper(vtkMultiProcessController* controller, KeptFile file,
+CacheKeeper::CacheKeeper(vtkMultiProcessController* controller, PersistentFile file,
   std::function<void(const std::string&)> warn)
   : Controller(controller)
   , File(std::move(file))
@@ -149,7 +149,7 @@ CacheKeeper::Plan CacheKeeper::Join(const std::string& key, const std::string& s
   return worst != Absent && this->IsOfAll(shared) ? Plan::Together : Plan::Alone;
 }
 
-bool CacheKeeper::Settle(bool isWell)
+bool CacheKeeper::Synchronize(bool isWell)
 {
   if (!this->HasMet)
   {
@@ -161,9 +161,9 @@ bool CacheKeeper::Settle(bool isWell)
 bool CacheKeeper::Read(RadianceCache& cache)
 {
   auto state = CacheFileState::Missing;
-  if (!this->File.Kept.empty())
+  if (!this->File.Final.empty())
   {
-    state = ReadCacheFile(this->File.Kept, this->Key, cache);
+    state = ReadCacheFile(this->File.Final, this->Key, cache);
   }
   if (state == CacheFileState::Damaged)
   {
@@ -186,7 +186,7 @@ bool CacheKeeper::Write(RadianceCache& cache) const
 {
   std::string ignored;
   if (WriteCacheFile(this->File.Unfinished, this->Key, cache) &&
-    PublishFile(this->File.Unfinished, this->File.Kept, ignored))
+    PublishFile(this->File.Unfinished, this->File.Final, ignored))
   {
     return true;
   }
@@ -204,9 +204,9 @@ bool CacheKeeper::Make(RadianceCache& cache, const std::function<bool()>& fill)
   {
     return false;
   }
-  if (!this->File.Kept.empty() && !this->Write(cache))
+  if (!this->File.Final.empty() && !this->Write(cache))
   {
-    this->Warn("The radiance cache could not be stored in " + this->File.Kept +
+    this->Warn("The radiance cache could not be stored in " + this->File.Final +
       ": a rerun would have to compute it again.");
   }
   return true;

@@ -4,8 +4,8 @@
  * @file
  * Makes a radiance cache once for all ranks, and keeps it in a file for a restart.
  *
- * The ranks synchronise once: the first filter that needs a cache joins. If a rank has none, Settle
- * informs the others. So no rank waits forever for one whose input failed.
+ * The ranks synchronise once: the first filter that needs a cache joins. If a rank has none,
+ * Synchronize informs the others. So no rank waits forever for one whose input failed.
  */
 #ifndef cslfCacheKeeper_h
 #define cslfCacheKeeper_h
@@ -39,7 +39,7 @@ public:
   };
 
   /// The controller may be null. The file is rank 0's. An empty name means no file.
-  CacheKeeper(vtkMultiProcessController* controller, KeptFile file,
+  CacheKeeper(vtkMultiProcessController* controller, PersistentFile file,
     std::function<void(const std::string&)> warn);
 
   /// A rank needs the cache of this key. `isThere` says whether it has it already. Ranks make it
@@ -48,7 +48,7 @@ public:
 
   /// A rank needs no more cache, because its work is done or failed. `isWell` says whether there
   /// was no error. False if there was an error on a rank that did not join.
-  bool Settle(bool isWell);
+  bool Synchronize(bool isWell);
 
   /// Whether all joined ranks had the cache.
   bool IsEverywhere() const { return this->AllHave; }
@@ -82,7 +82,7 @@ private:
   bool Write(RadianceCache& cache) const;
 
   vtkMultiProcessController* Controller;
-  KeptFile File;
+  PersistentFile File;
   std::function<void(const std::string&)> Warn;
   std::string Key;
   bool HasMet = false;

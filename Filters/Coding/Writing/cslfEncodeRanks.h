@@ -8,8 +8,8 @@
  * again, always one share ahead so that it does not wait. Rank 0 works too, and serves the others
  * whenever it is called. If one rank fails, all stop.
  */
-#ifndef cslfEncodeCrew_h
-#define cslfEncodeCrew_h
+#ifndef cslfEncodeRanks_h
+#define cslfEncodeRanks_h
 
 #include "Coding/Groups/cslfCodingTask.h"
 #include "Parallel/cslfRanks.h"
@@ -23,7 +23,7 @@
 
 namespace cslf
 {
-class EncodeCrew
+class EncodeRanks
 {
 public:
   /// The state of the ranks.
@@ -31,7 +31,7 @@ public:
   {
     int Failed = -1;      ///< the lowest rank with an error, or -1
     bool Differs = false; ///< rank 0: no error, but the ranks' `shared` differ
-    int Told = 0;         ///< the number given by rank 0
+    int FromRoot = 0;     ///< the number given by rank 0
   };
 
   /// Does tasks and appends the results to the buffer. False on failure.
@@ -40,7 +40,7 @@ public:
   /// Takes the results of some rank's tasks. False on failure.
   using Taker = std::function<bool(ByteBuffer& results)>;
 
-  explicit EncodeCrew(vtkMultiProcessController* controller);
+  explicit EncodeRanks(vtkMultiProcessController* controller);
 
   int GetRank() const { return this->Team.GetRank(); }
   int GetCount() const { return this->Team.GetCount(); }
@@ -48,7 +48,7 @@ public:
 
   /// Called by all ranks: finds out whether any has an error, and whether `shared` is the same on
   /// all. Every rank gets rank 0's number.
-  Verdict Agree(bool isWell, const std::string& shared, int told);
+  Verdict Agree(bool isWell, const std::string& shared, int fromRoot);
 
   /// Rank 0: lets all ranks do the tasks, at most `atOnce` at a time. True when all are done.
   bool Lead(std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take);

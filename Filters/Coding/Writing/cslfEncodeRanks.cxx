@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfEncodeCrew.h"
+#include "cslfEncodeRanks.h"
 
 #include <algorithm>
 #include <utility>
@@ -43,21 +43,21 @@ void Put(const CodingTask& task, ByteBuffer& buffer)
 }
 }
 
-EncodeCrew::EncodeCrew(vtkMultiProcessController* controller)
+EncodeRanks::EncodeRanks(vtkMultiProcessController* controller)
   : Team(controller)
   , Working(Team.GetRank() == 0 ? Team.GetCount() - 1 : 0)
 {
 }
 
-EncodeCrew::Verdict EncodeCrew::Agree(bool isWell, const std::string& shared, int told)
+EncodeRanks::Verdict EncodeRanks::Agree(bool isWell, const std::string& shared, int fromRoot)
 {
-  cslf::EncodeCrew::Verdict verdict{ isWell ? -1 : 0, false, told };
+  cslf::EncodeRanks::Verdict verdict{ isWell ? -1 : 0, false, fromRoot };
   if (this->Team.GetCount() == 1)
   {
     return verdict;
   }
   auto failed = NoRank;
-  auto number = static_cast<std::uint32_t>(told);
+  auto number = static_cast<std::uint32_t>(fromRoot);
   if (this->Team.GetRank() == 0)
   {
     failed = static_cast<std::uint32_t>(this->FindFailed(isWell, shared, verdict.Differs));
@@ -86,11 +86,11 @@ EncodeCrew::Verdict EncodeCrew::Agree(bool isWell, const std::string& shared, in
   }
   this->Team.Flush();
   verdict.Failed = static_cast<int>(failed);
-  verdict.Told = static_cast<int>(number);
+  verdict.FromRoot = static_cast<int>(number);
   return verdict;
 }
 
-int EncodeCrew::FindFailed(bool isWell, const std::string& shared, bool& differs)
+int EncodeRanks::FindFailed(bool isWell, const std::string& shared, bool& differs)
 {
   const std::vector<std::uint8_t> expected(shared.begin(), shared.end());
   int failed = isWell ? this->FailedRank : 0;
@@ -119,7 +119,7 @@ int EncodeCrew::FindFailed(bool isWell, const std::string& shared, bool& differs
   return differs ? 0 : failed;
 }
 
-bool EncodeCrew::Lead(
+bool EncodeRanks::Lead(
   std::vector<CodingTask> tasks, int atOnce, const Maker& make, const Taker& take)
 {
   this->Undealt = std::move(tasks);
@@ -146,7 +146,7 @@ bool EncodeCrew::Lead(
   return !this->Stopped;
 }
 
-void EncodeCrew::Dismiss()
+void EncodeRanks::Dismiss()
 {
   this->Dismissed = true;
   for (int rank : std::exchange(this->Waiting, {}))
@@ -159,7 +159,7 @@ void EncodeCrew::Dismiss()
   }
 }
 
-void EncodeCrew::Follow(const Maker& make)
+void EncodeRanks::Follow(const Maker& make)
 {
   const ByteBuffer ask = MakeMessage(Ask);
   this->Team.Post(0, ask.GetBytes());
@@ -187,7 +187,7 @@ void EncodeCrew::Follow(const Maker& make)
   this->Team.Post(0, MakeMessage(good || this->Stopped ? Done : Failed).GetBytes());
 }
 
-std::vector<CodingTask> EncodeCrew::Choose(int rank)
+std::vector<CodingTask> EncodeRanks::Choose(int rank)
 {
   // A rank may still have the viewpoints of groups that it has worked on.
   const auto begin = this->Undealt.begin();
@@ -212,7 +212,7 @@ std::vector<CodingTask> EncodeCrew::Choose(int rank)
   return chosen;
 }
 
-bool EncodeCrew::Serve()
+bool EncodeRanks::Serve()
 {
   while (auto message = this->Team.Poll())
   {
@@ -221,7 +221,7 @@ bool EncodeCrew::Serve()
   return !this->Stopped;
 }
 
-void EncodeCrew::Handle(Ranks::Message message)
+void EncodeRanks::Handle(Ranks::Message message)
 {
   ByteBuffer content(message.Bytes);
   std::uint32_t topic = Stop;
@@ -259,7 +259,7 @@ void EncodeCrew::Handle(Ranks::Message message)
   }
 }
 
-void EncodeCrew::HandleShare(ByteBuffer& content)
+void EncodeRanks::HandleShare(ByteBuffer& content)
 {
   this->Dealt.emplace();
   for (std::uint32_t group = 0; content.Take(group);)
@@ -279,7 +279,7 @@ void EncodeCrew::HandleShare(ByteBuffer& content)
   }
 }
 
-void EncodeCrew::Deal(int rank)
+void EncodeRanks::Deal(int rank)
 {
   const bool isOver = this->Stopped || this->Dismissed;
   if (!isOver && this->Undealt.empty())
@@ -299,7 +299,7 @@ void EncodeCrew::Deal(int rank)
   this->Team.Post(rank, share.GetBytes());
 }
 
-void EncodeCrew::StopOthers()
+void EncodeRanks::StopOthers()
 {
   if (!this->Stopped)
   {

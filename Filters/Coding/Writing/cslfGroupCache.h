@@ -4,8 +4,8 @@
  * @file
  * Viewpoints that will be needed again, kept if memory allows.
  */
-#ifndef cslfKeptGroups_h
-#define cslfKeptGroups_h
+#ifndef cslfGroupCache_h
+#define cslfGroupCache_h
 
 #include "cslfViewpointSamples.h"
 
@@ -15,11 +15,11 @@
 
 namespace cslf
 {
-class KeptGroups
+class GroupCache
 {
 public:
   /// Keeps at most this many slices.
-  explicit KeptGroups(int slices)
+  explicit GroupCache(int slices)
     : Room(slices)
   {
   }
