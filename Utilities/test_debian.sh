@@ -74,6 +74,8 @@ fi
 rm -rf --one-file-system "$root"
 cp --archive "$root.bare" "$root"
 cp /etc/resolv.conf "$root/etc/"
+# Debian's installer writes this file, debootstrap does not.
+[ -e "$root/etc/hosts" ] || echo "127.0.0.1 localhost" >"$root/etc/hosts"
 # The proxy settings and the like of this machine.
 apt-config dump Acquire >"$root/etc/apt/apt.conf.d/10acquire"
 # The system is temporary, so packages need not be safe from a power cut.
