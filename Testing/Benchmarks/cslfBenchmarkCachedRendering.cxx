@@ -182,7 +182,8 @@ private:
       std::fill_n(rayHit.ray.flags, RayPacket::Size, 0u);
       std::fill_n(rayHit.hit.geomID, RayPacket::Size, RTC_INVALID_GEOMETRY_ID);
       std::fill_n(rayHit.hit.instID[0], RayPacket::Size, RTC_INVALID_GEOMETRY_ID);
-      EmbreeIntersect16(this->Tree.get(), query, true, valid, rayHit);
+      EmbreeIntersect16(
+        this->Tree.get(), GetPacketWidth(this->Device.get()), query, true, valid, rayHit);
       for (const unsigned int geometry : rayHit.hit.geomID)
       {
         hits += geometry != RTC_INVALID_GEOMETRY_ID;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A field as VTK's image data in XML.
+#include "Scenes/cslfSceneChecks.h"
 #include "cslfDescription.h"
 #include "cslfFuzzing.h"
-#include "cslfSceneChecks.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
