@@ -10,7 +10,7 @@ list(APPEND classes
 cslf_add(Filters Join Printable Seconds ValidPolyData VTKCompatibility)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
-cslf_add(Filters/Files FileLock FileSystem JSONFile Libraries LockedFile AtomicFile WorkFolder)
+cslf_add(Filters/Files AtomicFile FileLock FileSystem JSONFile Libraries LockedFile WorkFolder)
 if (WIN32)
   cslf_add(Filters/Files/Windows FileSystem LockedFile Windows)
 else ()

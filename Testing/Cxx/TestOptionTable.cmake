@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The XML of the ParaView plugin, as made of the table of options, without ParaView: each placeholder
-# is a row of the table, and the result has the row's default, range and help.
+# Makes the XML of the ParaView plugin from the table of options, without ParaView. Each @reference@
+# must name a row of the table, and the result must have the row's default, range and help.
 cmake_minimum_required(VERSION 3.22)
 include("${SOURCE}/Filters/Options/cslfOptions.cmake")
 
@@ -16,11 +16,11 @@ endfunction ()
 foreach (kind IN ITEMS Filters Writers)
   set(template "${SOURCE}/ParaViewPlugin/CSLF${kind}.xml.in")
   file(READ "${template}" text)
-  string(REGEX MATCHALL "@[A-Za-z_]+@" placeholders "${text}")
-  foreach (placeholder IN LISTS placeholders)
-    string(REPLACE "@" "" variable "${placeholder}")
+  string(REGEX MATCHALL "@[A-Za-z_]+@" references "${text}")
+  foreach (reference IN LISTS references)
+    string(REPLACE "@" "" variable "${reference}")
     if (NOT DEFINED "${variable}")
-      message(SEND_ERROR "${template}: ${placeholder} is not in the table of options.")
+      message(SEND_ERROR "${template}: ${reference} is not in the table of options.")
     endif ()
   endforeach ()
   configure_file("${template}" "${DIRECTORY}/CSLF${kind}.xml" @ONLY)

@@ -9,9 +9,8 @@ import pathlib
 import re
 import sys
 
-# Each layer with the layers that it may include directly. A layer is a folder without its
-# subfolders, or with all of them if none is a layer itself. The classes of Filters, such as
-# vtkCSLFEncoder, combine the layers below that folder.
+# Each layer, with the layers whose headers it may include. A layer is a folder with its subfolders.
+# The classes of Filters itself, such as vtkCSLFEncoder, combine these layers and are not checked.
 LAYERS = {
     "Module": [],
     "Filters/SIMD": [],
@@ -34,7 +33,7 @@ LAYERS = {
     "Rendering": ["Module", "Filters/Pipeline", "Filters/Lookup"],
 }
 
-# Helpers of Filters, and the classes whose names and data a layer needs.
+# Headers of Filters itself that all layers may include, and classes that single layers may use.
 SHARED = {"cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h", "cslfVTKCompatibility.h",
     "cslfValidPolyData.h", "vtkCSLFModule.h"}
 CLASSES = {
