@@ -97,7 +97,7 @@ int main(int argc, char* argv[])
   Command chosen;
   for (const auto add :
     { AddSample, AddEncode, AddDecode, AddResample, AddRender, AddTrace, AddCompare, AddInfo,
-      AddView, AddEvaluate, AddEvaluateTexels, AddBenchmark, AddSheet, AddExport })
+      AddView, AddEvaluate, AddEvaluateTexels, AddBenchmark, AddSheet, AddExport, AddScenes })
   {
     add(app, chosen);
   }

@@ -44,6 +44,7 @@ void AddInfo(CLI::App& app, Command& chosen);
 void AddView(CLI::App& app, Command& chosen);
 void AddEvaluate(CLI::App& app, Command& chosen);
 void AddEvaluateTexels(CLI::App& app, Command& chosen);
+void AddScenes(CLI::App& app, Command& chosen);
 void AddSheet(CLI::App& app, Command& chosen);
 void AddExport(CLI::App& app, Command& chosen);
 void AddBenchmark(CLI::App& app, Command& chosen);

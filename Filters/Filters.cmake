@@ -95,6 +95,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFRadianceCacheOptions
     ../Filters/vtkCSLFSampler
     ../Filters/vtkCSLFSceneImporter
+    ../Filters/vtkCSLFSceneSource
     ../Filters/vtkCSLFViewTracer)
   list(APPEND sources ../Filters/vtkCSLFPathTracerCache.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
@@ -126,6 +127,8 @@ if (CSLF_ENABLE_SAMPLER)
     ActorImporter ActorParts AMRSurface BlockAppearances CellNormals ClippedBlock FaceSides
     GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars MoleculeParts
     PointParts SurfaceAppearance TextureImage WindowLights)
+  cslf_add(Filters/Scenes
+    Arrows Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain Turbulence)
 endif ()
 
 # Estimates of costs.

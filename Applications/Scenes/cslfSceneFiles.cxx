@@ -9,14 +9,15 @@
 
 #include "Options/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
+#include "SceneImport/cslfBlockAppearances.h"
 #include "cslfJSONText.h"
 #include "cslfVTKCompatibility.h"
 #include "cslfValidPolyData.h"
-#include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFEnvironment.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
+#include "vtkCSLFSceneSource.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCellData.h>
@@ -155,11 +156,11 @@ void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)
 }
 
 constexpr const char* InputHelp =
-  "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or cornell-box";
+  "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or names that cslf scenes lists";
 
 constexpr const char* EnvironmentHelp =
   "environment light: white, gradient (white above, dark below), none, or the file of a lat-long "
-  "image (default: none for cornell-box, otherwise white)";
+  "image (default: for files white, and for scenes by name their own light)";
 
 bool IsNamedEnvironment(const std::string& environment)
 {
@@ -194,11 +195,12 @@ void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<
 
 Part ReadScenePart(const std::string& input)
 {
-  if (input == CornellBoxName)
+  if (vtkCSLFSceneSource::HasScene(input.c_str()))
   {
-    vtkNew<vtkCSLFCornellBoxSource> box;
-    box->Update();
-    return box->GetOutputDataObject(0);
+    vtkNew<vtkCSLFSceneSource> source;
+    source->SetSceneName(input.c_str());
+    source->Update();
+    return source->GetOutputDataObject(0);
   }
   const std::filesystem::path path = ToPath(input);
   std::string extension = ToName(path.extension());
@@ -213,7 +215,8 @@ Part ReadScenePart(const std::string& input)
   if (reader == GetReaders().end())
   {
     throw Failure(input +
-      " is not a scene: supported are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and cornell-box.");
+      " is not a scene: supported are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and the names that "
+      "cslf scenes lists.");
   }
   Part part;
   try
@@ -253,11 +256,10 @@ void Scene::GetBounds(double bounds[6]) const
   this->ForEachPolyData(
     [&](vtkPolyData* polyData)
     {
-      double cells[6];
-      polyData->GetCellsBounds(cells);
-      if (std::all_of(cells, cells + 6, [](double value) { return std::isfinite(value); }))
+      const vtkBoundingBox placed = GetPlacedBounds(polyData);
+      if (placed.IsValid() && std::isfinite(placed.GetDiagonalLength()))
       {
-        box.AddBounds(cells);
+        box.AddBox(placed);
       }
     });
   if (!box.IsValid())
@@ -305,7 +307,7 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
   AddOptional(command, options::MaximumDepth, this->MaximumDepth)
     ->check(RangeOf(options::MaximumDepth))
     ->group(light);
-  const std::string material = "Material of the files";
+  const std::string material = "Material of the scene, except for cornell-box";
   command
     .add_option("--roughness", this->Roughness,
       "0 is a mirror, 1 is rough; gives the surface a glossy boundary")
@@ -398,15 +400,9 @@ void SceneOptions::SetMaterial(vtkDataObject* part) const
     });
 }
 
-void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
+void SceneOptions::SetEnvironmentMode(vtkCSLFEnvironment* light) const
 {
-  for (const Part& part : scene.Parts)
-  {
-    tracer->AddInputDataObject(0, part);
-  }
-  const std::string environment =
-    this->Environment.value_or(this->HasCornellBox() ? NoEnvironment : WhiteEnvironment);
-  vtkCSLFEnvironment* light = tracer->GetEnvironment();
+  const std::string environment = this->Environment.value_or(WhiteEnvironment);
   if (environment == NoEnvironment)
   {
     light->SetModeToNone();
@@ -424,6 +420,24 @@ void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
     light->SetModeToImage();
     light->SetFileName(environment.c_str());
   }
+  const auto named = std::find_if(this->Inputs.begin(), this->Inputs.end(),
+    [](const std::string& input) { return vtkCSLFSceneSource::HasScene(input.c_str()); });
+  if (!this->Environment && named != this->Inputs.end())
+  {
+    vtkNew<vtkCSLFSceneSource> source;
+    source->SetSceneName(named->c_str());
+    source->SetUpEnvironment(light);
+  }
+}
+
+void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
+{
+  for (const Part& part : scene.Parts)
+  {
+    tracer->AddInputDataObject(0, part);
+  }
+  vtkCSLFEnvironment* light = tracer->GetEnvironment();
+  this->SetEnvironmentMode(light);
   light->SetIntensity(this->EnvironmentIntensity.value_or(options::EnvironmentIntensity.Default));
   light->SetShow(this->ShowEnvironment);
   tracer->SetExposure(this->Exposure.value_or(options::Exposure.Default));

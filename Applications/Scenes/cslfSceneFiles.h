@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+class vtkCSLFEnvironment;
 class vtkCSLFPathTracer;
 class vtkDataObject;
 class vtkPolyData;
@@ -36,14 +37,16 @@ class Scene
 public:
   std::vector<vtkSmartPointer<vtkDataObject>> Parts;
 
-  /// The bounds of all cells, in VTK's order. A unit box around the origin if there are none.
+  /// The bounds of all cells and of their instances, in VTK's order. A unit box around the origin
+  /// if there are none.
   void GetBounds(double bounds[6]) const;
 
   /// Visits the polygonal data of all parts.
   void ForEachPolyData(const std::function<void(vtkPolyData*)>& visit) const;
 };
 
-/// Reads one file of a scene, or the Cornell box. Throws a Failure if nothing is visible.
+/// Reads one file of a scene, or makes the scene of vtkCSLFSceneSource that has this name. Throws a
+/// Failure if nothing is visible.
 vtkSmartPointer<vtkDataObject> ReadScenePart(const std::string& input);
 
 /// A scene's files and the material and light options of the command line.
@@ -76,6 +79,7 @@ public:
 private:
   void AddLightAndMaterialTo(CLI::App& command);
   void SetMaterial(vtkDataObject* part) const;
+  void SetEnvironmentMode(vtkCSLFEnvironment* light) const;
 
   std::vector<std::string> Inputs;
   std::optional<double> Roughness;

@@ -15,7 +15,7 @@
 namespace cslf
 {
 /// The bounds of a block's cells, in all its instances.
-vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
+VTKCSLF_EXPORT vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
 
 /// Computes the lights for the blocks, and sets the blocks' materials, colours and textures so that
 /// tracing shows what the window shows: see cslfSurfaceAppearance.h. Material arrays of the data

@@ -29,6 +29,7 @@ LAYERS = {
     "Filters/CubeMaps": ["Module", "Filters/Files", "Filters/Pipeline"],
     "Filters/SceneImport": ["Module", "Filters/Pipeline", "Filters/PathTracing"],
     "Filters/GLTF": ["Module", "Filters/Files", "Filters/SceneImport"],
+    "Filters/Scenes": [],
     "Filters/Planning": ["Module", "Filters/Files", "Filters/Coding", "Filters/CubeMaps"],
     "Rendering": ["Module", "Filters/Pipeline", "Filters/Lookup"],
 }

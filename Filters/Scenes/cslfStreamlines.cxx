@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfProceduralScene.h"
+#include "cslfSceneActors.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkMinimalStandardRandomSequence.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTubeFilter.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace cslf
+{
+namespace
+{
+constexpr int Lines = 150;
+constexpr int Steps = 166;
+constexpr double StepLength = 0.035;
+constexpr double Radius = 0.008;
+
+/// Hill's spherical vortex in the unit sphere, with swirl around Y: its streamlines wind around
+/// nested rings.
+glm::dvec3 GetVelocity(const glm::dvec3& point)
+{
+  constexpr double swirl = 4.0;
+  const double across = point.x * point.x + point.z * point.z;
+  const double around = swirl * (1.0 - across - point.y * point.y);
+  return { point.x * point.y - around * point.z, 1.0 - 2.0 * across - point.y * point.y,
+    point.z * point.y + around * point.x };
+}
+
+glm::dvec3 GetDirection(const glm::dvec3& point)
+{
+  return glm::normalize(GetVelocity(point));
+}
+
+/// The next point of a streamline, by the Runge-Kutta method of fourth order.
+glm::dvec3 Advance(const glm::dvec3& point)
+{
+  const glm::dvec3 a = GetDirection(point);
+  const glm::dvec3 b = GetDirection(point + 0.5 * StepLength * a);
+  const glm::dvec3 c = GetDirection(point + 0.5 * StepLength * b);
+  const glm::dvec3 d = GetDirection(point + StepLength * c);
+  return point + StepLength / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+}
+
+/// A random point of the vortex.
+glm::dvec3 MakeSeed(vtkMinimalStandardRandomSequence* random)
+{
+  glm::dvec3 seed;
+  do
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      seed[i] = random->GetNextRangeValue(-0.95, 0.95);
+    }
+  } while (glm::length(seed) > 0.95);
+  return seed;
+}
+}
+
+void AddStreamlines(vtkRenderer* renderer)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(1);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkFloatArray> speeds;
+  speeds->SetName("Speed");
+  for (int line = 0; line < Lines; ++line)
+  {
+    glm::dvec3 point = MakeSeed(random);
+    lines->InsertNextCell(Steps + 1);
+    for (int step = 0; step <= Steps; ++step)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(point.x, point.y, point.z));
+      speeds->InsertNextValue(static_cast<float>(glm::length(GetVelocity(point))));
+      point = Advance(point);
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->GetPointData()->SetScalars(speeds);
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(data);
+  tubes->SetNumberOfSides(8);
+  tubes->SetRadius(Radius);
+  tubes->CappingOn();
+  tubes->Update();
+  AddSurface(renderer, tubes->GetOutput(), MakeViridis(0.0, 1.6));
+}
+}
