@@ -128,7 +128,7 @@ if (CSLF_ENABLE_SAMPLER)
     GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars MoleculeParts
     PointParts SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/Scenes
-    Arrows Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain Turbulence)
+    Arrows Assembly Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain Turbulence)
 endif ()
 
 # Estimates of costs.

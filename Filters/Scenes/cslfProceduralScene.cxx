@@ -19,6 +19,8 @@ const std::vector<ProceduralScene>& GetProceduralScenes()
 #endif
     { "terrain", "400 x 400 heights in UTM metres, with a sun and the sky.", SceneLight::Window,
       AddTerrain },
+    { "assembly", "Two planetary gears of metals and plastics, tessellated as by CAD programs.",
+      SceneLight::Gradient, AddAssembly },
     { "turbulence", "An isosurface of two million triangles in procedural noise.",
       SceneLight::White, AddTurbulence },
     { "pipes", "Pipes, half pipes and bowls: open sheets, seen from both sides.",

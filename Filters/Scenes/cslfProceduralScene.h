@@ -39,6 +39,7 @@ void AddStreamlines(vtkRenderer* renderer);
 void AddArrows(vtkRenderer* renderer);
 void AddMolecule(vtkRenderer* renderer);
 void AddTerrain(vtkRenderer* renderer);
+void AddAssembly(vtkRenderer* renderer);
 void AddTurbulence(vtkRenderer* renderer);
 void AddPipes(vtkRenderer* renderer);
 ///@}

@@ -16,7 +16,7 @@ namespace cslf
 {
 namespace
 {
-constexpr int Size = 160; // points along each edge
+constexpr int Size = 168; // points along each edge
 
 /// A sum of octaves of noise, from coarse to fine.
 double GetTurbulence(vtkPerlinNoise* noise, const double point[3])
