@@ -9,6 +9,25 @@ cslf_run(trace cornell-box -o box.png ${view})
 cslf_run(trace "${DATA}/dragon.ply" -o dragon.png ${view} --environment gradient --roughness 0.3 --metallic 1
   --base-color 0.9 0.6 0.3)
 
+# The scenes that need no files.
+cslf_run(scenes)
+foreach (name IN ITEMS cornell-box isosurfaces streamlines glyphs terrain assembly turbulence pipes)
+  if (NOT output MATCHES "(^|\n)${name} +[A-Z0-9][^\n]+\\.\n")
+    message(FATAL_ERROR "cslf scenes does not list ${name}:\n${output}")
+  endif ()
+endforeach ()
+cslf_run(scenes --json)
+expect_json(cornell-box scenes 0 name)
+expect_json(40 scenes 0 triangles)
+expect_json(-1.0 scenes 0 bounds 0)
+expect_json(isosurfaces scenes 1 name)
+expect_json(137778 scenes 1 triangles)
+expect_json(30.0 scenes 1 bounds 5)
+expect_json(20000 scenes 3 instances)
+cslf_run(sample glyphs -o glyphs.vti -M 2 -N 8 --spp 1 --max-depth 1 --integrator path)
+cslf_run(evaluate-texels glyphs.vti glyphs --texels 100 --reference-spp 4)
+cslf_run(trace pipes terrain -o scenes.png ${view} --roughness 0.5)
+
 # One square in four formats gives one picture.
 file(WRITE "${DIRECTORY}/square.obj"
   "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n")

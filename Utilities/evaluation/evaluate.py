@@ -38,17 +38,19 @@ def main():
     parser.add_argument("--source", type=Path, required=True)
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--scenes", type=lambda text: text.split(","), default=[])
     # With nargs "*", argparse checks the empty list, too.
     parser.add_argument("studies", nargs="*", metavar="STUDY", choices=[[], *NAMES])
     options = parser.parse_args()
     setting = QUICK if options.quick else FULL
-    folder = (options.build.parent / "evaluation-quick" if options.quick
+    folder = (options.build.parent / "evaluation-scenes" if options.scenes
+              else options.build.parent / "evaluation-quick" if options.quick
               else options.source / "Documentation" / "evaluation")
     work = options.build.parent / ("fields-quick" if options.quick else "fields")
     cslf = str(options.build / "bin" / "cslf")
     sys.path.insert(0, str(options.build / "lib" / "python3" / "dist-packages"))
     tool = Tool(cslf, work, folder)
-    studies = Studies(tool, setting, options.source / "Testing" / "Data")
+    studies = Studies(tool, setting, options.source / "Testing" / "Data", options.scenes)
     report = Report(tool, setting)
     machine = describe_machine(cslf)
     for name in options.studies or NAMES:

@@ -11,7 +11,9 @@ import matplotlib.pyplot as plt
 
 from studies import LOOKUPS
 
-TITLES = {"cornell-box": "Cornell box", "dragon": "dragon"}
+
+def get_title(scene):
+    return "Cornell box" if scene == "cornell-box" else scene
 
 
 def table(head, rows):
@@ -63,11 +65,11 @@ class Report:
         for scene, fields in found.items():
             for field in fields:
                 texels = field["slices"] * 5 * field["resolution"] ** 2
-                rows.append([TITLES[scene], field["views"], field["resolution"],
+                rows.append([get_title(scene), field["views"], field["resolution"],
                              count(6 * field["views"] ** 2), f"{field['seconds']:.1f}",
                              f"{texels / field['seconds'] / 1e6:.2f}",
                              f"{field['peak_bytes'] / 2**20:.0f}"])
-        curves = [(TITLES[scene], [field["views"] for field in fields],
+        curves = [(get_title(scene), [field["views"] for field in fields],
                    [field["seconds"] for field in fields]) for scene, fields in found.items()]
         return ("## Sampling\n\n" +
                 paragraph("Table 1 of the paper, with 1 536 to 9 600 viewpoints. Each texel gets "
@@ -105,12 +107,12 @@ class Report:
         for scene, fields in found.items():
             for field in fields:
                 coded = field["coded"]["bytes"]
-                rows.append([TITLES[scene], field["viewpoints"], field["resolution"],
+                rows.append([get_title(scene), field["viewpoints"], field["resolution"],
                              megabytes(field["raw_bytes"]), megabytes(coded),
                              f"{field['raw_bytes'] / coded:.0f}"])
             for n in sorted({field["resolution"] for field in fields}):
                 chosen = [field for field in fields if field["resolution"] == n]
-                curves.append((f"{TITLES[scene]}, N = {n}",
+                curves.append((f"{get_title(scene)}, N = {n}",
                                [field["viewpoints"] for field in chosen],
                                [field["coded"]["bytes"] / 1e6 for field in chosen]))
         return ("## Size\n\n" +
@@ -158,7 +160,7 @@ class Report:
             limits = "; ".join(f"{series['name'].replace('paper: ', '')}: "
                                f"{series['uncoded_psnr']:.2f}" for series in result["series"])
             parts.append(
-                f"\n{TITLES[scene].capitalize()}, M = {field['viewpoints']}, N = "
+                f"\n{get_title(scene).capitalize()}, M = {field['viewpoints']}, N = "
                 f"{field['resolution']}:\n\n" +
                 table(["the paper's way (bytes)", "PSNR (dB)", "times fewer bytes at this PSNR",
                        "dB gained at this size"], rows) +
@@ -211,15 +213,15 @@ class Report:
             outcomes = result["outcomes"]
             for each in outcomes:
                 name = "cached radiance" if each["name"] == "as told" else each["name"]
-                rows.append([TITLES[scene], name, f"{each['psnr']:.2f}",
+                rows.append([get_title(scene), name, f"{each['psnr']:.2f}",
                              f"{each['field_seconds']:.0f}"])
             paths = [each for each in outcomes if each["name"] != "as told"]
             told = outcomes[-1]
-            curves.append((f"{TITLES[scene]}, path tracing", [e["field_seconds"] for e in paths],
+            curves.append((f"{get_title(scene)}, path tracing", [e["field_seconds"] for e in paths],
                            [e["psnr"] for e in paths]))
-            curves.append((f"{TITLES[scene]}, cached radiance", [told["field_seconds"]],
+            curves.append((f"{get_title(scene)}, cached radiance", [told["field_seconds"]],
                            [told["psnr"]]))
-        ratios = ", ".join(f"{TITLES[scene]} {result['ratio']:.1f}"
+        ratios = ", ".join(f"{get_title(scene)} {result['ratio']:.1f}"
                            for scene, result in found.items())
         return ("## Noise against time\n\n" +
                 paragraph("PSNR of texels of a field (M = 17, N = 128) against a reference, and "

@@ -53,27 +53,31 @@ QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints
 
 
 class Studies:
-    def __init__(self, tool, setting, data):
+    def __init__(self, tool, setting, data, names=()):
         self.tool = tool
         self.setting = setting
         self.truth = ("--truth", tool.work / "truth")
         self.scenes = {
             "cornell-box": ("cornell-box",),
             "dragon": (data / "dragon.ply", "--roughness", 0.3, "--environment", "white")}
+        self.compared = {name: self.get_inputs(name) for name in names or self.scenes}
         self.mirror = (data / "dragon.ply", "--roughness", 0.05, "--environment", "white")
+
+    def get_inputs(self, scene):
+        return self.scenes.get(scene, (scene,))
 
     def sample(self, scene, viewpoints, resolution, inputs=None, integrator="cache"):
         """Returns the field's file and the measurements of its sampling."""
         name = f"{scene}-{viewpoints}x{resolution}" + ("" if integrator == "cache" else "-path")
         file = self.tool.work / f"{name}.vti"
         return file, self.tool.measure(
-            f"sample-{name}", "sample", *(inputs or self.scenes[scene]), "-M", viewpoints, "-N",
+            f"sample-{name}", "sample", *(inputs or self.get_inputs(scene)), "-M", viewpoints, "-N",
             resolution, *QUALITY, "--integrator", integrator, "-o", file, output=file)
 
     def evaluate(self, name, field, scene, *options, output, inputs=None, views=None):
         setting = self.setting
         return self.tool.measure(
-            f"evaluate-{name}", "evaluate", field, *(inputs or self.scenes[scene]), "--views",
+            f"evaluate-{name}", "evaluate", field, *(inputs or self.get_inputs(scene)), "--views",
             views or setting.views, "--size", setting.size, "--spp", setting.spp, *self.truth,
             *options, output=output)
 
@@ -81,7 +85,7 @@ class Studies:
     def sampling(self):
         n = self.setting.resolution(128)
         return {scene: [self.sample(scene, m, n)[1] for m in (16, 32, 40)]
-                for scene in self.scenes}
+                for scene in self.compared}
 
     # Time and memory of fields that become larger than memory, with one sample per texel.
     def scaling(self):
@@ -98,8 +102,8 @@ class Studies:
 
     # The paper's figure 3.
     def sizes(self):
-        found = {scene: [] for scene in self.scenes}
-        for scene in self.scenes:
+        found = {scene: [] for scene in self.compared}
+        for scene in self.compared:
             for m in (16, 32, 40):
                 field = self.sample(scene, m, self.setting.resolution(128))[0]
                 for divisor in (1, 2):
@@ -145,7 +149,7 @@ class Studies:
     def key_views(self):
         found = {}
         setting = self.setting
-        for scene, inputs in self.scenes.items():
+        for scene, inputs in self.compared.items():
             field = self.sample(scene, setting.key_viewpoints, setting.fine_resolution())[0]
             folder = self.tool.work / f"key-views-{scene}"
             shutil.rmtree(folder, ignore_errors=True)  # may be left by an interrupted run
@@ -204,7 +208,7 @@ class Studies:
             f"integrators-{scene}", "benchmark", "sampler", *inputs, "-M", 17, "-N", 128,
             "--reference-spp", setting.reference_spp, "--path-spp", "4,16,64", "--views", 12,
             "--texels", 100000 // setting.divisor ** 2, *QUALITY)
-            for scene, inputs in self.scenes.items()}
+            for scene, inputs in self.compared.items()}
 
     # The same compared with an independent renderer.
     def cycles(self):
