@@ -118,7 +118,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Shapes
     Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels
-    FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer TexelSums)
+    ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   cslf_add(Filters/GLTF
     GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems

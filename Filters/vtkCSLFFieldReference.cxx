@@ -5,6 +5,7 @@
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
@@ -249,9 +250,10 @@ private:
   bool TraceChunk(const cslf::BuiltScene& scene, vtkIdType first, vtkIdType last)
   {
     // A slice is a half of a texel. Its number determines its random numbers.
-    std::vector<float> cells(4 * Cells * Halves * (last - first));
-    cslf::TexelOutput output;
-    output.ColorFloats = cells.data();
+    const vtkIdType count = Cells * Halves * (last - first);
+    cslf::ViewpointSamples output;
+    output.SetArray(cslf::KnownChannel::Color,
+      cslf::MakeArray(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT), count));
     const cslf::PictureLayout layout{ CellSide, CellSide, 1, static_cast<int>(Halves * first),
       static_cast<int>(Halves * (last - first)) };
     const auto grids = [&](int slice, int) { return this->MakeRays(scene.Frame, slice / Halves); };
@@ -265,7 +267,8 @@ private:
       });
     for (vtkIdType k = first; isDone && k < last; ++k)
     {
-      const float* halves = cells.data() + 4 * Cells * Halves * (k - first);
+      const float* halves =
+        output.Get<float>(cslf::KnownChannel::Color) + 4 * Cells * Halves * (k - first);
       this->Compare(k, Half(halves), Half(halves + 4 * Cells));
     }
     return isDone;

@@ -553,7 +553,8 @@ std::string vtkCSLFPathTracer::DescribeSampling()
 }
 
 bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlices,
-  const std::function<cslf::RayGrid(int slice, int tile)>& grids, const cslf::TexelOutput& output)
+  const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+  const cslf::ViewpointSamples& output)
 {
   if (this->CostTime != this->GetMTime())
   {
@@ -572,8 +573,9 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
   // The share of the cache in the progress is an estimate.
   const double share = this->Integrator == RadianceCaching ? 0.5 : 0.0;
   // A viewer may change the exposure of float colours; bytes are clipped at white.
-  const double displayRange =
-    output.ColorFloats ? cslf::DisplayCurve::FloatRange : cslf::DisplayCurve::ByteRange;
+  const double displayRange = output.Get<float>(cslf::KnownChannel::Color)
+    ? cslf::DisplayCurve::FloatRange
+    : cslf::DisplayCurve::ByteRange;
   cslf::RenderSettings settings = this->GetRenderSettings();
   settings.DisplayRange = displayRange;
   if (this->Integrator == RadianceCaching)

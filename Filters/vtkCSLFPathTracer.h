@@ -59,12 +59,12 @@ class vtkScalarsToColors;
 namespace cslf
 {
 class CacheShare;
+class ViewpointSamples;
 struct BuiltScene;
 struct CheckedPicture;
 struct PictureLayout;
 struct RayGrid;
 struct RenderSettings;
-struct TexelOutput;
 }
 
 class VTKCSLF_EXPORT vtkCSLFPathTracer : public vtkImageAlgorithm
@@ -325,11 +325,12 @@ protected:
 
   /**
    * Renders a picture of the scene that UpdateScene returned, with progress. Returns false if
-   * aborted. The layout may be a part of the slices of the whole picture.
+   * aborted. The layout may be a part of the slices of the whole picture. The output has the arrays
+   * of the requested channels.
    */
   bool Render(const cslf::PictureLayout& layout, int wholeSlices,
     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
-    const cslf::TexelOutput& output);
+    const cslf::ViewpointSamples& output);
 
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;

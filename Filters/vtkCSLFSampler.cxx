@@ -10,15 +10,13 @@
 #include "cslfDescription.h"
 #include "vtkCSLFEnvironment.h"
 
-#include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
@@ -26,35 +24,36 @@
 
 vtkStandardNewMacro(vtkCSLFSampler);
 
-namespace
-{
-/// The arrays of an image to which texels are written.
-cslf::TexelOutput FindOutput(const cslf::Description& description, vtkImageData* image)
-{
-  cslf::TexelOutput output;
-  for (const cslf::Channel& channel : description.Channels)
-  {
-    void* values = image->GetPointData()->GetArray(channel.Name.c_str())->GetVoidPointer(0);
-    switch (cslf::FindForm(channel)->Kind)
-    {
-      case cslf::SampleKind::ByteColor:
-        output.ColorBytes = static_cast<unsigned char*>(values);
-        break;
-      case cslf::SampleKind::FloatColor:
-        output.ColorFloats = static_cast<float*>(values);
-        break;
-      default:
-        output.Depth = static_cast<unsigned short*>(values);
-        break;
-    }
-  }
-  return output;
-}
-}
-
 vtkCSLFSampler::vtkCSLFSampler()
 {
   this->SetIntegratorToRadianceCaching();
+  for (const cslf::KnownChannel id : cslf::TexelSums::ListChannels())
+  {
+    if (id != cslf::KnownChannel::Color)
+    {
+      this->ChannelSelection->AddArray(cslf::NameOf(id), id == cslf::KnownChannel::Depth);
+    }
+  }
+}
+
+vtkDataArraySelection* vtkCSLFSampler::GetChannelSelection()
+{
+  return this->ChannelSelection;
+}
+
+void vtkCSLFSampler::SetGenerateDepth(bool generate)
+{
+  this->ChannelSelection->SetArraySetting(cslf::DepthName, generate);
+}
+
+bool vtkCSLFSampler::GetGenerateDepth()
+{
+  return this->ChannelSelection->ArrayIsEnabled(cslf::DepthName) != 0;
+}
+
+vtkMTimeType vtkCSLFSampler::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ChannelSelection->GetMTime());
 }
 
 bool vtkCSLFSampler::CheckParameters()
@@ -126,11 +125,16 @@ int vtkCSLFSampler::RequestData(
     description.SceneBounds.emplace();
     std::copy_n(scene->Bounds, 6, description.SceneBounds->begin());
   }
-  description.Channels.push_back(cslf::MakeChannel(cslf::KnownChannel::Color, this->ColorType));
-  if (this->GenerateDepth)
+  for (const cslf::KnownChannel id : cslf::TexelSums::ListChannels())
   {
-    description.Channels.push_back(
-      cslf::MakeChannel(cslf::KnownChannel::Depth, VTK_UNSIGNED_SHORT));
+    if (id == cslf::KnownChannel::Color)
+    {
+      description.Channels.push_back(cslf::MakeChannel(id, this->ColorType));
+    }
+    else if (this->ChannelSelection->ArrayIsEnabled(cslf::NameOf(id)))
+    {
+      description.Channels.push_back(cslf::MakeChannel(id));
+    }
   }
   const std::string fault = description.FindFault();
   if (!fault.empty())
@@ -143,7 +147,6 @@ int vtkCSLFSampler::RequestData(
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   cslf::AllocateSlices(description, extent[4], extent[5], output);
-  const cslf::TexelOutput texels = FindOutput(description, output);
 
   // Render them.
   const int side = this->Resolution;
@@ -151,7 +154,7 @@ int vtkCSLFSampler::RequestData(
     extent[5] - extent[4] + 1 };
   const auto makeRays = [&](int slice, int tile)
   { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); };
-  if (!this->Render(layout, description.Grid.GetSlices(), makeRays, texels))
+  if (!this->Render(layout, description.Grid.GetSlices(), makeRays, cslf::ViewpointSamples(output)))
   {
     output->Initialize();
     return 1;
@@ -173,5 +176,7 @@ void vtkCSLFSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CubeEdges: " << this->CubeEdges[0] << " " << this->CubeEdges[1] << " "
      << this->CubeEdges[2] << "\n";
   os << indent << "ColorType: " << this->ColorType << "\n";
-  os << indent << "GenerateDepth: " << this->GenerateDepth << "\n";
+  os << indent << "GenerateDepth: " << this->GetGenerateDepth() << "\n";
+  os << indent << "ChannelSelection:\n";
+  this->ChannelSelection->PrintSelf(os, indent.GetNextIndent());
 }

@@ -33,6 +33,10 @@
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkCSLFPathTracer.h"
 
+#include <vtkNew.h>
+
+class vtkDataArraySelection;
+
 class VTKCSLF_EXPORT vtkCSLFSampler : public vtkCSLFPathTracer
 {
 public:
@@ -105,12 +109,23 @@ public:
 
   ///@{
   /**
-   * Whether to generate the array `Depth`. Default: on.
+   * Whether to generate the array `Depth`: its entry in the selection of channels. Default: on.
    */
-  vtkSetMacro(GenerateDepth, bool);
-  vtkGetMacro(GenerateDepth, bool);
+  void SetGenerateDepth(bool generate);
+  bool GetGenerateDepth();
   vtkBooleanMacro(GenerateDepth, bool);
   ///@}
+
+  /**
+   * The channels that can be sampled besides `Color`, by the names of their arrays, and which of
+   * them are. Other names have no effect. Default: only `Depth` is enabled.
+   */
+  vtkDataArraySelection* GetChannelSelection();
+
+  /**
+   * Includes the modification time of the selection of channels.
+   */
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkCSLFSampler();
@@ -134,7 +149,7 @@ private:
   double CubeCenter[3] = { 0.0, 0.0, 0.0 };
   double CubeEdges[3] = { 2.0, 2.0, 2.0 };
   int ColorType = VTK_UNSIGNED_CHAR;
-  bool GenerateDepth = true;
+  vtkNew<vtkDataArraySelection> ChannelSelection;
 };
 
 #endif

@@ -161,20 +161,11 @@ int vtkCSLFViewTracer::RequestData(
   output->SetDimensions(this->Size[0], this->Size[1], 1);
   output->AllocateScalars(this->ColorType, 4);
   output->GetPointData()->GetScalars()->SetName(cslf::ColorName);
-  cslf::TexelOutput pixels;
-  if (this->ColorType == VTK_FLOAT)
-  {
-    pixels.ColorFloats = static_cast<float*>(output->GetScalarPointer());
-  }
-  else
-  {
-    pixels.ColorBytes = static_cast<unsigned char*>(output->GetScalarPointer());
-  }
 
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::PictureLayout layout{ this->Size[0], this->Size[1], 1, 0, 1 };
   if (!this->Render(
-        layout, 1, [&rays](int, int) { return rays; }, pixels))
+        layout, 1, [&rays](int, int) { return rays; }, cslf::ViewpointSamples(output)))
   {
     output->Initialize();
     return 1;

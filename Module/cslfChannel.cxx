@@ -59,6 +59,11 @@ Channel MakeChannel(KnownChannel id, int type)
               : Channel{ NameOf(id), type, 1, {} };
 }
 
+Channel MakeChannel(KnownChannel id)
+{
+  return MakeChannel(id, FindFirst([id](const ChannelForm& form) { return form.Id == id; })->Type);
+}
+
 const char* NameOf(KnownChannel id)
 {
   return FindFirst([id](const ChannelForm& form) { return form.Id == id; })->Name;

@@ -98,6 +98,9 @@ const ChannelForm* FindForm(const Channel& channel);
 /// The channel with samples of a VTK type, which must be one that it can have.
 VTKCSLF_EXPORT Channel MakeChannel(KnownChannel id, int type);
 
+/// The channel in the first of its forms in the table.
+VTKCSLF_EXPORT Channel MakeChannel(KnownChannel id);
+
 VTKCSLF_EXPORT const char* NameOf(KnownChannel id);
 std::optional<KnownChannel> FindKnownChannel(const std::string& name);
 

@@ -17,14 +17,19 @@
 #include "cslfLayout.h"
 #include "vtkCSLFSampler.h"
 
+#include <vtkDataArraySelection.h>
 #include <vtkNew.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <sstream>
+#include <string>
 
 namespace cslf
 {
@@ -50,7 +55,7 @@ struct Options
   double SuggestForPSNR = 0.0;
   double SuggestForSize = 0.0;
   bool Estimate = false;
-  bool NoDepth = false;
+  std::map<std::string, bool> Channels; ///< whether to sample each
   bool Float = false;
 };
 
@@ -95,7 +100,10 @@ void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
   sampler->SetViewpoints(options.Viewpoints);
   sampler->SetResolution(options.Resolution);
   options.Integrator.Apply(sampler);
-  sampler->SetGenerateDepth(!options.NoDepth);
+  for (const auto& [name, isSampled] : options.Channels)
+  {
+    sampler->GetChannelSelection()->SetArraySetting(name.c_str(), isSampled);
+  }
   sampler->SetColorType(options.Float ? VTK_FLOAT : VTK_UNSIGNED_CHAR);
   SetCube(options, sampler);
 }
@@ -252,6 +260,26 @@ Result Run(const Options& options)
   return result;
 }
 
+/// Adds a flag for each channel that can be sampled besides colour.
+void AddChannels(CLI::App& command, Options& options, const std::string& group)
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  vtkDataArraySelection* channels = sampler->GetChannelSelection();
+  for (int i = 0; i < channels->GetNumberOfArrays(); ++i)
+  {
+    const char* name = channels->GetArrayName(i);
+    const bool isDefault = channels->GetArraySetting(i) != 0;
+    std::string flag = name;
+    std::transform(flag.begin(), flag.end(), flag.begin(),
+      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    bool& isSampled = options.Channels.emplace(name, isDefault).first->second;
+    command
+      .add_flag("--" + flag + ",--no-" + flag + "{false}", isSampled,
+        std::string("whether to sample the channel ") + name + (isDefault ? " (default: yes)" : ""))
+      ->group(group);
+  }
+}
+
 void AddField(CLI::App& command, Options& options)
 {
   command.add_option(
@@ -296,7 +324,7 @@ void AddField(CLI::App& command, Options& options)
     ->expected(1, 3)
     ->check(Positive())
     ->group(field);
-  command.add_flag("--no-depth", options.NoDepth, "omit the depth channel")->group(field);
+  AddChannels(command, options, field);
   command.add_flag("--float", options.Float, "store linear float colours instead of sRGB bytes")
     ->group(field);
 }

@@ -15,6 +15,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -138,6 +139,36 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
   sampler->Update();
   CSLF_CHECK(GetBytes(sampler->GetOutput(), cslf::ColorName) != color);
   CSLF_CHECK(!sampler->GetOutput()->GetPointData()->GetArray(cslf::DepthName));
+}
+
+/// Channels besides colour are selected by name, and a change of the selection samples anew.
+void TestChannels()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->GetEnvironment()->SetModeToNone();
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(4);
+  sampler->SetSamples(1);
+  vtkDataArraySelection* channels = sampler->GetChannelSelection();
+  for (int i = 0; i < channels->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = channels->GetArrayName(i);
+    CSLF_CHECK(name != cslf::ColorName);
+    CSLF_CHECK((channels->GetArraySetting(i) != 0) == (name == cslf::DepthName));
+  }
+  CSLF_CHECK(sampler->GetGenerateDepth());
+  channels->DisableAllArrays();
+  CSLF_CHECK(!sampler->GetGenerateDepth());
+  sampler->Update();
+  CSLF_CHECK(sampler->GetOutput()->GetPointData()->GetNumberOfArrays() == 1);
+  channels->EnableAllArrays();
+  CSLF_CHECK(sampler->GetGenerateDepth());
+  sampler->Update();
+  CSLF_CHECK(
+    sampler->GetOutput()->GetPointData()->GetNumberOfArrays() == 1 + channels->GetNumberOfArrays());
+  CSLF_CHECK(GetDescription(sampler->GetOutput()).FindFault().empty());
 }
 
 /// Pieces are z slabs, which together are the whole.
@@ -419,6 +450,7 @@ int TestCSLFSampler(int, char*[])
   TestShapeAndSlabs(2, 5, VTK_UNSIGNED_CHAR);
   TestShapeAndSlabs(3, 8, VTK_FLOAT);
   TestDepthAndCoverage();
+  TestChannels();
   TestPieces();
   TestSceneHash();
   TestWhiteFurnace();

@@ -8,6 +8,10 @@
 #include "cslfTestTransport.h"
 #include "cslfTesting.h"
 
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkUnsignedShortArray.h>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -71,14 +75,21 @@ Texel Render(const cslf::Scene& scene, int samples)
   grid.OriginX = { 0.1, 0.0, 0.0 };
   grid.OriginY = { 0.0, 0.1, 0.0 };
   grid.Direction = { 0.0, 0.0, -4.0 };
-  Texel texel{};
-  cslf::TexelOutput output;
-  output.ColorFloats = texel.Color;
-  output.Depth = &texel.Depth;
+  vtkNew<vtkFloatArray> color;
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(1);
+  vtkNew<vtkUnsignedShortArray> depth;
+  depth->SetNumberOfTuples(1);
+  cslf::ViewpointSamples output;
+  output.SetArray(cslf::KnownChannel::Color, color);
+  output.SetArray(cslf::KnownChannel::Depth, depth);
   const cslf::PictureLayout layout{ 1, 1, 1, 0, 1 };
   const cslf::TexelRenderer renderer(
     scene, layout, settings, [&grid](int, int) { return grid; }, output);
   CSLF_CHECK(renderer.Render([](double) { return true; }));
+  Texel texel{};
+  color->GetTypedTuple(0, texel.Color);
+  texel.Depth = depth->GetValue(0);
   return texel;
 }
 

@@ -10,6 +10,9 @@
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "cslfTesting.h"
 
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+
 #include <glm/vec4.hpp>
 
 #include <cstdint>
@@ -32,9 +35,11 @@ public:
 
   std::vector<float> Render(const RenderSettings& settings, std::uint64_t* rays = nullptr)
   {
-    std::vector<float> colors(4 * this->Size * this->Size);
-    TexelOutput output;
-    output.ColorFloats = colors.data();
+    vtkNew<vtkFloatArray> colors;
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(this->Size * this->Size);
+    ViewpointSamples output;
+    output.SetArray(KnownChannel::Color, colors);
     RayGrid grid;
     const double step = 2.0 / this->Size;
     grid.Origin = { -1.0, -1.0, this->Height };
@@ -49,7 +54,7 @@ public:
     {
       *rays = renderer.GetNumberOfRays();
     }
-    return colors;
+    return { colors->Begin(), colors->End() };
   }
 
   /// The mean of all texels.

@@ -4,6 +4,7 @@
 
 #include "PathTracing/Shapes/cslfMesh.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "cslfFingerprint.h"
 #include "cslfScene.h"
 
@@ -71,11 +72,13 @@ std::string TracePicture()
   const double step = 1.4 / PictureSide;
   const RayGrid rays{ { -0.7, -0.7, 1.5 }, { step, 0.0, 0.0 }, { 0.0, step, 0.0 },
     { 0.1, 0.05, -3.0 }, { 0.001, 0.0, 0.0 }, { 0.0, 0.001, 0.0 } };
-  std::vector<float> colors(4 * PictureSide * PictureSide);
-  std::vector<unsigned short> depths(PictureSide * PictureSide);
-  TexelOutput output;
-  output.ColorFloats = colors.data();
-  output.Depth = depths.data();
+  constexpr int texels = PictureSide * PictureSide;
+  ViewpointSamples output;
+  for (const auto& [id, type] : { std::pair(KnownChannel::Color, VTK_FLOAT),
+         std::pair(KnownChannel::Depth, VTK_UNSIGNED_SHORT) })
+  {
+    output.SetArray(id, MakeArray(MakeChannel(id, type), texels));
+  }
   RenderSettings settings;
   settings.Samples = PictureSamples;
   const PictureLayout layout{ PictureSide, PictureSide, 1, 0, 1 };
@@ -83,8 +86,10 @@ std::string TracePicture()
     scene, layout, settings, [&rays](int, int) { return rays; }, output);
   renderer.Render([](double) { return true; });
   Fingerprint hash;
-  hash.Add(colors);
-  hash.Add(depths);
+  const auto* colors = output.Get<float>(KnownChannel::Color);
+  const auto* depths = output.Get<unsigned short>(KnownChannel::Depth);
+  hash.Add(std::vector<float>(colors, colors + 4 * texels));
+  hash.Add(std::vector<unsigned short>(depths, depths + texels));
   return hash.Finish().substr(0, HashDigits);
 }
 }

@@ -57,13 +57,14 @@ glm::vec3 FindVariance(const TexelSums& sums, int texel, const glm::vec3& mean)
 {
   const auto count = static_cast<float>(sums.Samples);
   const glm::vec3 squares(
-    sums.RedSquares[texel], sums.GreenSquares[texel], sums.BlueSquares[texel]);
+    sums.Squares.Red[texel], sums.Squares.Green[texel], sums.Squares.Blue[texel]);
   return glm::max(squares - count * mean * mean, glm::vec3(0.0f)) / (count - 1.0f);
 }
 
 glm::vec3 FindMean(const TexelSums& sums, int texel)
 {
-  return glm::vec3(sums.Red[texel], sums.Green[texel], sums.Blue[texel]) /
+  const PacketRadiance& sum = sums.GetRadiance();
+  return glm::vec3(sum.Red[texel], sum.Green[texel], sum.Blue[texel]) /
     static_cast<float>(sums.Samples);
 }
 }
@@ -105,37 +106,29 @@ bool StoppingRule::IsPlain(const ColorBounds& seen) const
   return !seen.AreMixed() && seen.GetRange(this->Display) <= RangeOfTarget * this->Target;
 }
 
-void StoppingRule::TakeByOthers(
-  const bool needs[Size], const int inside[Size], const TexelSums& sums, TexelMeans& means)
+void StoppingRule::TakeByOthers(const bool needs[Size], const int inside[Size], TexelSums& sums)
 {
   int texels = 0;
   int needing = 0;
-  int last = 0;
   for (int texel = 0; texel < Size; ++texel)
   {
     texels += inside[texel] ? 1 : 0;
     needing += inside[texel] && needs[texel] ? 1 : 0;
-    last = inside[texel] && needs[texel] ? texel : last;
   }
-  if (texels > 1 && needing == 0)
+  if (texels > 1 && needing <= 1)
   {
-    means.TakeAll(sums);
-  }
-  else if (texels > 1 && needing == 1)
-  {
-    means.Take(last, sums);
+    // A single texel that needs more has enough itself, as none of the others needs more.
+    int enough[Size];
     for (int texel = 0; texel < Size; ++texel)
     {
-      if (!inside[texel])
-      {
-        means.Take(texel, sums);
-      }
+      enough[texel] = !inside[texel] || needing == 0 || needs[texel] ? -1 : 0;
     }
+    sums.Take(enough);
   }
 }
 
-void StoppingRule::TakeSingle(const ColorBounds& expected, const int inside[Size],
-  const TexelSums& sums, TexelMeans& means) const
+void StoppingRule::TakeSingle(
+  const ColorBounds& expected, const int inside[Size], TexelSums& sums) const
 {
   bool needs[Size] = {};
   ColorBounds all = expected;
@@ -153,11 +146,11 @@ void StoppingRule::TakeSingle(const ColorBounds& expected, const int inside[Size
       one[texel] = 0;
     }
   }
-  TakeByOthers(needs, inside, sums, means);
+  TakeByOthers(needs, inside, sums);
 }
 
 void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
-  const int inside[Size], const TexelSums& sums, TexelMeans& means) const
+  const int inside[Size], TexelSums& sums) const
 {
   if (expected.AreMixed() && this->IsNoisyOutline(0.5f, sums.Samples))
   {
@@ -168,7 +161,7 @@ void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
   {
     needs[texel] = inside[texel] && this->IsNoisy(sums, texel, elsewhere);
   }
-  TakeByOthers(needs, inside, sums, means);
+  TakeByOthers(needs, inside, sums);
 }
 
 bool StoppingRule::IsNoisyOutline(float alpha, int samples) const

@@ -39,7 +39,8 @@ public:
   /// Adds the only samples of the texels inside.
   void Add(const TexelSums& sums, const int inside[RayPacket::Size])
   {
-    this->Add(sums.Red, sums.Green, sums.Blue, sums.Covered, inside);
+    const PacketRadiance& radiance = sums.GetRadiance();
+    this->Add(radiance.Red, radiance.Green, radiance.Blue, sums.Covered, inside);
   }
 
   /// Adds only whether the rays inside hit a surface.
@@ -97,23 +98,23 @@ public:
   /// Whether a single sample of each texel may suffice where rays see such colours.
   bool IsPlain(const ColorBounds& seen) const;
 
-  /// Accepts the means of the texels that have enough samples. With a single sample each, a texel
+  /// Takes the means of the texels that have enough samples. With a single sample each, a texel
   /// has enough if all others of the square see what is expected.
-  void TakeSingle(const ColorBounds& expected, const int inside[TexelSums::Size],
-    const TexelSums& sums, TexelMeans& means) const;
+  void TakeSingle(
+    const ColorBounds& expected, const int inside[TexelSums::Size], TexelSums& sums) const;
 
   /// With more samples, a texel has enough if the standard error of all others is at most the
   /// target. If an outline is expected, this must also hold for a half-covered texel. The variance
   /// of traced paths elsewhere counts like one sample.
   void Take(const ColorBounds& expected, const glm::vec3& elsewhere,
-    const int inside[TexelSums::Size], const TexelSums& sums, TexelMeans& means) const;
+    const int inside[TexelSums::Size], TexelSums& sums) const;
 
   /// The variance of the texels with traced paths.
   static PathVariance GetVariance(const TexelSums& sums);
 
 private:
-  static void TakeByOthers(const bool needs[TexelSums::Size], const int inside[TexelSums::Size],
-    const TexelSums& sums, TexelMeans& means);
+  static void TakeByOthers(
+    const bool needs[TexelSums::Size], const int inside[TexelSums::Size], TexelSums& sums);
   bool IsNoisyOutline(float alpha, int samples) const;
   bool IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const;
 

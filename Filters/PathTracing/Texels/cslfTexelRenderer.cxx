@@ -3,8 +3,6 @@
 #include "cslfTexelRenderer.h"
 #include "Pipeline/cslfParallelFor.h"
 
-#include "cslfColor.h"
-
 #include <vtkSMPThreadLocal.h>
 #include <vtkType.h>
 
@@ -62,11 +60,15 @@ struct TexelRenderer::Block
   std::uint64_t Hashes[RayPacket::Size];   // of the texels, for their random numbers
   TexelPlaces Texels;
   TexelSums Sums;
-  TexelMeans Means;
-  ColorBounds Expected;     // what rays see that no texel averages
-  bool MayEndSoon = false;  // whether a single sample may be enough
-  bool LacksDepths = false; // whether samples determine the depth
-  PathVariance Variance;    // of the first samples
+  ColorBounds Expected;      // what rays see that no texel averages
+  bool MayEndSoon = false;   // whether a single sample may be enough
+  bool LacksNearest = false; // whether samples may be the hits nearest to the centres
+  PathVariance Variance;     // of the first samples
+
+  explicit Block(const ViewpointSamples& output)
+    : Sums(output)
+  {
+  }
 };
 
 /// Paths of a run of blocks that wait to be followed together. They depend only on the run.
@@ -86,12 +88,13 @@ struct TexelRenderer::PathQueue
 
 TexelRenderer::TexelRenderer(const Scene& scene, const PictureLayout& layout,
   const RenderSettings& settings, std::function<RayGrid(int slice, int tile)> grids,
-  const TexelOutput& output)
+  const ViewpointSamples& output)
   : World(scene)
   , Layout(layout)
   , Settings(settings)
   , Grids(std::move(grids))
   , Output(output)
+  , NeedsNearest(TexelSums(output).NeedsNearest())
   , Integrator(scene, settings.Paths, settings.Cache)
   , Known(scene, settings.Cache)
   , Bounds(scene.GetBounds())
@@ -137,7 +140,7 @@ void TexelRenderer::RenderRun(std::int64_t index, PathQueue& queue) const
   const std::int64_t rows = this->GetRowsOfTile();
   const int begin = static_cast<int>(index % runs) * this->GetBlocksOfRun();
   index /= runs;
-  Block first;
+  Block first(this->Output);
   first.Y = static_cast<int>(index % rows) * BlockSide;
   index /= rows;
   first.Tile = static_cast<int>(index % this->Layout.Tiles);
@@ -214,7 +217,7 @@ void TexelRenderer::RenderBlocks(std::vector<Block>& blocks, PathQueue& queue) c
     {
       // No sample would see anything.
       block.Sums.Samples = 1;
-      block.Means.TakeAll(block.Sums);
+      block.Sums.TakeAll();
     }
   }
   if (this->IsAdaptive())
@@ -225,7 +228,7 @@ void TexelRenderer::RenderBlocks(std::vector<Block>& blocks, PathQueue& queue) c
   this->AddUpTo(this->Settings.Samples, blocks, queue);
   for (Block& block : blocks)
   {
-    block.Means.TakeAll(block.Sums);
+    block.Sums.TakeAll();
     this->Write(block);
   }
 }
@@ -244,7 +247,7 @@ void TexelRenderer::TakeSingles(std::vector<Block>& blocks, PathQueue& queue) co
   {
     if (block.MayEndSoon)
     {
-      this->Rule.TakeSingle(block.Expected, block.Inside, block.Sums, block.Means);
+      this->Rule.TakeSingle(block.Expected, block.Inside, block.Sums);
     }
   }
 }
@@ -258,7 +261,7 @@ void TexelRenderer::TakeEnough(std::vector<Block>& blocks, PathQueue& queue) con
     this->AddUpTo(static_cast<int>(samples), blocks, queue);
     for (Block& block : blocks)
     {
-      if (samples == StoppingRule::FewestSamples && !block.Means.AreTaken())
+      if (samples == StoppingRule::FewestSamples && !block.Sums.AreTaken())
       {
         block.Variance = StoppingRule::GetVariance(block.Sums);
         all.Add(block.Variance);
@@ -266,10 +269,10 @@ void TexelRenderer::TakeEnough(std::vector<Block>& blocks, PathQueue& queue) con
     }
     for (Block& block : blocks)
     {
-      if (!block.Means.AreTaken())
+      if (!block.Sums.AreTaken())
       {
-        this->Rule.Take(block.Expected, all.GetMeanWithout(block.Variance), block.Inside,
-          block.Sums, block.Means);
+        this->Rule.Take(
+          block.Expected, all.GetMeanWithout(block.Variance), block.Inside, block.Sums);
       }
     }
   }
@@ -279,7 +282,7 @@ void TexelRenderer::AddUpTo(int samples, std::vector<Block>& blocks, PathQueue& 
 {
   for (Block& block : blocks)
   {
-    if (!block.Means.AreTaken())
+    if (!block.Sums.AreTaken())
     {
       this->AddUpTo(samples, block, queue);
     }
@@ -333,14 +336,15 @@ void TexelRenderer::AddPacket(
   {
     this->Follow(packet, block, group, covered, queue);
   }
-  block.Sums.Add(group, radiance, covered);
+  const PacketHits hits{ this->World, group, places, packet, scale };
+  block.Sums.Add({ hits, radiance, covered });
   if (this->IsAdaptive())
   {
     block.Sums.AddSquares(group, radiance);
   }
-  if (block.LacksDepths)
+  if (block.LacksNearest)
   {
-    block.Sums.AddDepths(group, packet, scale, places.X, places.Y);
+    block.Sums.KeepNearest(hits);
   }
 }
 
@@ -406,7 +410,7 @@ void TexelRenderer::FollowPaths(PathQueue& queue) const
   for (int path = 0; path < queue.Batch.GetSize(); ++path)
   {
     const PathQueue::Source& source = queue.Sources[path];
-    source.Sums->AddPath(source.Texel, queue.Batch.GetRadiance(path));
+    source.Sums->AddPath(source.Texel, queue.Batch, path);
   }
   queue.Batch.Clear();
   queue.Sources.clear();
@@ -421,7 +425,7 @@ bool TexelRenderer::MayMeetScene(const Block& block) const
 
 void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
 {
-  if (!this->Output.Depth && !this->IsAdaptive())
+  if (!this->NeedsNearest && !this->IsAdaptive())
   {
     return;
   }
@@ -439,13 +443,13 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
   const int centers = KeepInside(block.Inside, packet);
   this->World.Intersect(packet);
-  if (this->Output.Depth)
+  if (this->NeedsNearest)
   {
     // If the ray to the centre sees nothing, the samples may see something.
-    block.Sums.AddDepths(TexelGroup(RayPacket::Size), packet, scale, places.X, places.Y);
+    block.Sums.KeepNearest({ this->World, TexelGroup(RayPacket::Size), places, packet, scale });
     for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
     {
-      block.LacksDepths |= block.Inside[lane] && !packet.IsHit(lane);
+      block.LacksNearest |= block.Inside[lane] && !packet.IsHit(lane);
     }
   }
   else
@@ -508,40 +512,15 @@ bool TexelRenderer::AddSeen(const RayPacket& packet, const int inside[], ColorBo
 
 void TexelRenderer::Write(const Block& block) const
 {
-  const TexelMeans& means = block.Means;
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  std::int64_t indices[RayPacket::Size];
+  for (int texel = 0; texel < RayPacket::Size; ++texel)
   {
-    if (!block.Inside[lane])
-    {
-      continue;
-    }
     const std::int64_t row =
       std::int64_t(block.Slice - this->Layout.FirstSlice) * this->Layout.TileHeight + block.Y +
-      TexelPlaces::GetRow(lane);
-    const std::int64_t texel = row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth +
-      block.X + TexelPlaces::GetColumn(lane);
-    const double scale = this->Settings.Exposure / means.Samples[lane];
-    const glm::dvec3 radiance =
-      scale * glm::dvec3(means.Red[lane], means.Green[lane], means.Blue[lane]);
-    const double alpha = static_cast<double>(means.Covered[lane]) / means.Samples[lane];
-    if (this->Output.ColorBytes)
-    {
-      EncodeColor(radiance, alpha, this->Output.ColorBytes + 4 * texel);
-    }
-    if (this->Output.ColorFloats)
-    {
-      float* color = this->Output.ColorFloats + 4 * texel;
-      color[0] = static_cast<float>(radiance.x);
-      color[1] = static_cast<float>(radiance.y);
-      color[2] = static_cast<float>(radiance.z);
-      color[3] = static_cast<float>(alpha);
-    }
-    if (this->Output.Depth)
-    {
-      const float depth =
-        means.Covered[lane] > 0 ? std::clamp(block.Sums.Depth[lane], 0.0f, 1.0f) : 1.0f;
-      this->Output.Depth[texel] = static_cast<unsigned short>(65535.0f * depth + 0.5f);
-    }
+      TexelPlaces::GetRow(texel);
+    indices[texel] = row * this->Layout.GetWidth() + block.Tile * this->Layout.TileWidth + block.X +
+      TexelPlaces::GetColumn(texel);
   }
+  block.Sums.Write(this->Settings.Exposure, block.Inside, indices);
 }
 }

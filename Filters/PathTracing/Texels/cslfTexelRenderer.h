@@ -16,6 +16,7 @@
 #include "cslfSamplePlaces.h"
 #include "cslfStoppingRule.h"
 #include "cslfTexelSums.h"
+#include "cslfViewpointSamples.h"
 
 #include <atomic>
 #include <cstddef>
@@ -37,15 +38,6 @@ struct PictureLayout
   int GetWidth() const { return this->Tiles * this->TileWidth; }
 };
 
-/// The destination of texels; null arrays are not written. The first slice comes first, and x
-/// varies fastest.
-struct TexelOutput
-{
-  unsigned char* ColorBytes = nullptr; ///< 4 per texel, as written by EncodeColor
-  float* ColorFloats = nullptr;        ///< 4 per texel: linear radiance times exposure, and alpha
-  unsigned short* Depth = nullptr; ///< the ray's parameter at the hit, [0,1] stored as [0,65535]
-};
-
 struct RenderSettings
 {
   int Samples = 64;
@@ -60,11 +52,14 @@ struct RenderSettings
 
 /// Renders the texels of a picture. A texel depends only on its absolute position and the settings,
 /// however the texels are distributed.
+///
+/// The arrays are those of the channels of TexelSums that are requested, among them `Color`. The
+/// first slice comes first, and x varies fastest.
 class VTKCSLF_EXPORT TexelRenderer
 {
 public:
   TexelRenderer(const Scene& scene, const PictureLayout& layout, const RenderSettings& settings,
-    std::function<RayGrid(int slice, int tile)> grids, const TexelOutput& output);
+    std::function<RayGrid(int slice, int tile)> grids, const ViewpointSamples& output);
 
   /// Renders all texels on VTK's threads. Between batches calls a function on the calling thread
   /// with the progress; if that returns false, stops and returns false.
@@ -109,7 +104,8 @@ private:
   PictureLayout Layout;
   RenderSettings Settings;
   std::function<RayGrid(int, int)> Grids;
-  TexelOutput Output;
+  ViewpointSamples Output;
+  bool NeedsNearest;
   PathIntegrator Integrator;
   DiffuseLookUp Known;
   Box Bounds;

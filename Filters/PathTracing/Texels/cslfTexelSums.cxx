@@ -13,150 +13,148 @@ namespace
 {
 constexpr int Size = TexelSums::Size;
 
-template <int Texels, typename Value>
-inline void AddSamples(Value* __restrict sums, const Value* __restrict values)
+/// Marks hits that are nearer to their texels' centres than all before.
+CSLF_VECTORIZE void FindNearest(const PacketHits& hits, float* offsets, int* nearest)
 {
-  for (int sample = 0; sample < Size / Texels; ++sample)
+  alignas(64) float squares[Size]; // the largest values if nothing is hit
+  CSLF_LANE_LOOP
+  for (int lane = 0; lane < Size; ++lane)
   {
-    for (int texel = 0; texel < Texels; ++texel)
+    const float offsetX = hits.Places.X[lane] - 0.5f;
+    const float offsetY = hits.Places.Y[lane] - 0.5f;
+    const int isHit = static_cast<int>(hits.Rays.Query.hit.geomID[lane]) == -1 ? 0 : -1;
+    const float square = offsetX * offsetX + offsetY * offsetY;
+    squares[lane] = isHit ? square : std::numeric_limits<float>::max();
+  }
+  for (int first = 0; first < Size; first += hits.Group.Size)
+  {
+    CSLF_LANE_LOOP
+    for (int i = 0; i < hits.Group.Size; ++i)
     {
-      sums[texel] += values[sample * Texels + texel];
+      float& offset = offsets[hits.Group.First + i];
+      nearest[first + i] = squares[first + i] < offset ? -1 : 0;
+      offset = squares[first + i] < offset ? squares[first + i] : offset;
     }
   }
 }
 
-/// Adds the values of a packet's samples to those of their texels.
-template <typename Value>
-inline void AddTo(Value* sums, const TexelGroup& group, const Value* values)
-{
-  switch (group.Size)
-  {
-    case Size:
-      AddSamples<Size>(sums, values);
-      break;
-    case 4:
-      AddSamples<4>(sums + group.First, values);
-      break;
-    default:
-      AddSamples<1>(sums + group.First, values);
-      break;
-  }
-}
-
-CSLF_VECTORIZE void AddColors(
-  TexelSums& sums, const TexelGroup& group, const PacketRadiance& radiance, const int* counts)
-{
-  AddTo(sums.Red, group, radiance.Red);
-  AddTo(sums.Green, group, radiance.Green);
-  AddTo(sums.Blue, group, radiance.Blue);
-  AddTo(sums.Covered, group, counts);
-}
-
-CSLF_VECTORIZE void AddSquaredColors(
-  TexelSums& sums, const TexelGroup& group, const PacketRadiance& radiance)
-{
-  PacketRadiance squares;
-  for (int lane = 0; lane < Size; ++lane)
-  {
-    squares.Red[lane] = radiance.Red[lane] * radiance.Red[lane];
-    squares.Green[lane] = radiance.Green[lane] * radiance.Green[lane];
-    squares.Blue[lane] = radiance.Blue[lane] * radiance.Blue[lane];
-  }
-  AddTo(sums.RedSquares, group, squares.Red);
-  AddTo(sums.GreenSquares, group, squares.Green);
-  AddTo(sums.BlueSquares, group, squares.Blue);
-}
-}
-
-TexelSums::TexelSums()
-{
-  std::fill_n(this->Depth, Size, 1.0f);
-  std::fill_n(this->DepthOffset, Size, std::numeric_limits<float>::max());
-}
-
-void TexelSums::Add(
-  const TexelGroup& group, const PacketRadiance& radiance, const int covered[Size])
+CSLF_VECTORIZE void AddCovered(int* sums, const TexelGroup& group, const int* covered)
 {
   alignas(64) int counts[Size];
   for (int lane = 0; lane < Size; ++lane)
   {
     counts[lane] = -covered[lane];
   }
-  AddColors(*this, group, radiance, counts);
+  ChannelSum::AddTo(sums, group, counts);
 }
 
-void TexelSums::AddPath(int texel, const glm::vec3& radiance)
+CSLF_VECTORIZE void AddSquare(float* sums, const TexelGroup& group, const float* values)
 {
-  this->Red[texel] += radiance.x;
-  this->Green[texel] += radiance.y;
-  this->Blue[texel] += radiance.z;
-  this->RedSquares[texel] += radiance.x * radiance.x;
-  this->GreenSquares[texel] += radiance.y * radiance.y;
-  this->BlueSquares[texel] += radiance.z * radiance.z;
+  alignas(64) float squares[Size];
+  for (int lane = 0; lane < Size; ++lane)
+  {
+    squares[lane] = values[lane] * values[lane];
+  }
+  ChannelSum::AddTo(sums, group, squares);
+}
+
+template <typename... Sums>
+std::vector<KnownChannel> ListChannelsOf(const std::tuple<Sums...>*)
+{
+  return { Sums::Id... };
+}
+}
+
+std::vector<KnownChannel> TexelSums::ListChannels()
+{
+  return ListChannelsOf(static_cast<const ChannelList*>(nullptr));
+}
+
+TexelSums::TexelSums(const ViewpointSamples& output)
+  : Output(&output)
+{
+  std::fill_n(this->NearestOffset, Size, std::numeric_limits<float>::max());
+}
+
+template <typename Self, typename Function>
+void TexelSums::ForEach(Self& self, Function function)
+{
+  std::apply([&](auto&... sums)
+    { ((self.Output->GetArray(sums.Id) ? function(sums) : void()), ...); },
+    self.Channels);
+}
+
+bool TexelSums::NeedsNearest() const
+{
+  bool needs = false;
+  ForEach(*this, [&needs](const auto& sum) { needs |= sum.NeedsNearest; });
+  return needs;
+}
+
+void TexelSums::KeepNearest(const PacketHits& hits)
+{
+  alignas(64) int nearest[Size];
+  FindNearest(hits, this->NearestOffset, nearest);
+  ForEach(*this, [&](auto& sum) { sum.KeepNearest(hits, nearest); });
+}
+
+CSLF_VECTORIZE void TexelSums::Add(const PacketSamples& samples)
+{
+  AddCovered(this->Covered, samples.First.Group, samples.Covered);
+  ForEach(*this, [&samples](auto& sum) { sum.Add(samples); });
+}
+
+void TexelSums::AddPath(int texel, const PathBatch& batch, int path)
+{
+  const glm::vec3& radiance = batch.GetRadiance(path);
+  this->Squares.Red[texel] += radiance.x * radiance.x;
+  this->Squares.Green[texel] += radiance.y * radiance.y;
+  this->Squares.Blue[texel] += radiance.z * radiance.z;
   ++this->Covered[texel];
   ++this->Paths[texel];
+  ForEach(*this, [&](auto& sum) { sum.AddPath(texel, batch, path); });
 }
 
 void TexelSums::AddSquares(const TexelGroup& group, const PacketRadiance& radiance)
 {
-  AddSquaredColors(*this, group, radiance);
+  AddSquare(this->Squares.Red, group, radiance.Red);
+  AddSquare(this->Squares.Green, group, radiance.Green);
+  AddSquare(this->Squares.Blue, group, radiance.Blue);
 }
 
-CSLF_VECTORIZE void TexelSums::AddDepths(const TexelGroup& group, const RayPacket& packet,
-  const PacketScale& scale, const float x[Size], const float y[Size])
+CSLF_VECTORIZE void TexelSums::Take(const int texels[Size])
 {
-  alignas(64) float depths[Size];
-  alignas(64) float offsets[Size]; // the largest values if nothing is hit
-  CSLF_LANE_LOOP
-  for (int lane = 0; lane < Size; ++lane)
+  alignas(64) int taking[Size];
+  for (int texel = 0; texel < Size; ++texel)
   {
-    const float offsetX = x[lane] - 0.5f;
-    const float offsetY = y[lane] - 0.5f;
-    const int isHit = static_cast<int>(packet.Query.hit.geomID[lane]) == -1 ? 0 : -1;
-    const float offset = offsetX * offsetX + offsetY * offsetY;
-    offsets[lane] = isHit ? offset : std::numeric_limits<float>::max();
-    depths[lane] = scale.Start[lane] + packet.Query.ray.tfar[lane] / scale.Length[lane];
+    taking[texel] = this->TakenSamples[texel] == 0 ? texels[texel] : 0;
+    this->TakenSamples[texel] = taking[texel] ? this->Samples : this->TakenSamples[texel];
+    this->TakenCovered[texel] = taking[texel] ? this->Covered[texel] : this->TakenCovered[texel];
+    this->TakenCount -= taking[texel];
   }
-  for (int first = 0; first < Size; first += group.Size)
+  ForEach(*this, [&taking](auto& sum) { sum.Take(taking); });
+}
+
+void TexelSums::TakeAll()
+{
+  int all[Size];
+  std::fill_n(all, Size, -1);
+  this->Take(all);
+}
+
+void TexelSums::Write(
+  double exposure, const int inside[Size], const std::int64_t indices[Size]) const
+{
+  WrittenTexels texels;
+  texels.Exposure = exposure;
+  for (int texel = 0; texel < Size; ++texel)
   {
-    CSLF_LANE_LOOP
-    for (int i = 0; i < group.Size; ++i)
+    if (inside[texel])
     {
-      const int texel = group.First + i;
-      const bool isNearer = offsets[first + i] < this->DepthOffset[texel];
-      this->Depth[texel] = isNearer ? depths[first + i] : this->Depth[texel];
-      this->DepthOffset[texel] = isNearer ? offsets[first + i] : this->DepthOffset[texel];
+      texels.Texels[texels.Count++] = { texel, indices[texel], this->TakenSamples[texel],
+        this->TakenCovered[texel] };
     }
   }
-}
-
-void TexelMeans::Take(int texel, const TexelSums& sums)
-{
-  if (this->Samples[texel] == 0)
-  {
-    this->Samples[texel] = sums.Samples;
-    this->Covered[texel] = sums.Covered[texel];
-    this->Red[texel] = sums.Red[texel];
-    this->Green[texel] = sums.Green[texel];
-    this->Blue[texel] = sums.Blue[texel];
-    ++this->Taken;
-  }
-}
-
-void TexelMeans::TakeAll(const TexelSums& sums)
-{
-  if (this->Taken == 0)
-  {
-    std::fill_n(this->Samples, Size, sums.Samples);
-    std::copy_n(sums.Covered, Size, this->Covered);
-    std::copy_n(sums.Red, Size, this->Red);
-    std::copy_n(sums.Green, Size, this->Green);
-    std::copy_n(sums.Blue, Size, this->Blue);
-    this->Taken = Size;
-  }
-  for (int texel = 0; texel < Size && this->Taken < Size; ++texel)
-  {
-    this->Take(texel, sums);
-  }
+  ForEach(*this, [&](const auto& sum) { sum.Write(texels, *this->Output); });
 }
 }

@@ -2,77 +2,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sums of the samples of texels.
+ * The sums of the samples of texels: of all channels, and those that decide when to stop.
  */
 #ifndef cslfTexelSums_h
 #define cslfTexelSums_h
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/RadianceCache/cslfDiffuseLookUp.h"
-#include "cslfRayGrid.h"
-#include "cslfSamplePlaces.h"
+#include "cslfColorSum.h"
+#include "cslfDepthSum.h"
+
+#include <tuple>
+#include <vector>
 
 namespace cslf
 {
 /// For as many texels as a packet has rays.
-struct VTKCSLF_EXPORT TexelSums
+class VTKCSLF_EXPORT TexelSums
 {
-  static constexpr int Size = RayPacket::Size;
+public:
+  static constexpr int Size = ChannelSum::Size;
 
-  alignas(64) float Red[Size] = {};
-  alignas(64) float Green[Size] = {};
-  alignas(64) float Blue[Size] = {};
-  alignas(64) float RedSquares[Size] = {}; ///< of the samples' radiance, if it is requested
-  alignas(64) float GreenSquares[Size] = {};
-  alignas(64) float BlueSquares[Size] = {};
-  alignas(64) int Covered[Size] = {};  ///< the number of samples that see something
-  alignas(64) int Paths[Size] = {};    ///< the number of samples whose paths were followed
-  alignas(64) float Depth[Size];       ///< the grid's parameter of the sample nearest to the centre
-  alignas(64) float DepthOffset[Size]; ///< squared, from the centre to that sample
-  int Samples = 0;                     ///< of each texel
+  /// All channels that can be sampled.
+  using ChannelList = std::tuple<ColorSum, DepthSum>;
 
-  TexelSums();
+  /// Their names in the table of channels, in the order of the list.
+  static std::vector<KnownChannel> ListChannels();
 
-  /// Adds samples of some texels. `covered` is -1 if a sample sees something, else 0 with radiance
-  /// 0.
-  void Add(const TexelGroup& group, const PacketRadiance& radiance, const int covered[Size]);
+  /// Sums for the channels of some arrays, which must outlive them. `Color` must be one of them.
+  explicit TexelSums(const ViewpointSamples& output);
 
-  /// Adds the missing part of a sample: the radiance of a path in one of the texels.
-  void AddPath(int texel, const glm::vec3& radiance);
+  /// Whether a requested channel depends on the hits nearest to the texels' centres.
+  bool NeedsNearest() const;
+
+  ///@{
+  /// Pass what rays see to all requested channels: see ChannelSum.
+  void KeepNearest(const PacketHits& hits);
+  void Add(const PacketSamples& samples);
+  void AddPath(int texel, const PathBatch& batch, int path);
+  ///@}
 
   /// Adds the squares of the samples.
   void AddSquares(const TexelGroup& group, const PacketRadiance& radiance);
 
-  /// Sets the depth if a hit is the nearest one to its texel's centre so far. Positions are in the
-  /// texel, in [0,1].
-  void AddDepths(const TexelGroup& group, const RayPacket& packet, const PacketScale& scale,
-    const float x[Size], const float y[Size]);
-};
+  /// Takes the means of some texels' samples so far, unless that was done before. Texels are marked
+  /// by -1.
+  void Take(const int texels[Size]);
+  void TakeAll();
 
-/// The values that texels store: the means of as many samples as each texel needs.
-class VTKCSLF_EXPORT TexelMeans
-{
-public:
-  static constexpr int Size = TexelSums::Size;
+  /// Whether the means of all texels are taken.
+  bool AreTaken() const { return this->TakenCount == Size; }
 
-  int Samples[Size] = {}; ///< 0 if there is no mean yet
-  int Covered[Size];      ///< the number of samples that see something
-  float Red[Size];        ///< sums over the samples
-  float Green[Size];
-  float Blue[Size];
+  /// Writes the means of texels inside, which are marked by -1, to the arrays.
+  void Write(double exposure, const int inside[Size], const std::int64_t indices[Size]) const;
 
-  /// Takes the mean of a texel's samples so far, unless that was done before.
-  void Take(int texel, const TexelSums& sums);
+  /// The sums of the radiance of all samples so far.
+  const PacketRadiance& GetRadiance() const { return std::get<ColorSum>(this->Channels).GetSum(); }
 
-  /// Takes the means of all texels.
-  void TakeAll(const TexelSums& sums);
-
-  /// Whether all texels have their means.
-  bool AreTaken() const { return this->Taken == Size; }
+  PacketRadiance Squares{};           ///< sums of the squares of the radiance, if added
+  alignas(64) int Covered[Size] = {}; ///< the number of samples that see something
+  alignas(64) int Paths[Size] = {};   ///< the number of samples whose paths were followed
+  int Samples = 0;                    ///< of each texel
 
 private:
-  int Taken = 0;
+  /// Calls a function with the sums of each requested channel.
+  template <typename Self, typename Function>
+  static void ForEach(Self& self, Function function);
+
+  const ViewpointSamples* Output;
+  ChannelList Channels;
+  alignas(64) float NearestOffset[Size]; // squared, from the centre to the nearest hit
+  int TakenCount = 0;                    // of texels
+  int TakenSamples[Size] = {};           // 0 if the mean is not taken yet
+  int TakenCovered[Size];
 };
 }
 
