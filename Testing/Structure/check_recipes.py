@@ -11,7 +11,7 @@ import re
 import sys
 
 # What the examples of the recipes would add.
-EXAMPLES = re.compile(r"Sheen|Sharp|SetLookupTo|Illuminance|Fog")
+EXAMPLES = re.compile(r"Sheen|Sharp|SetLookupTo|[Ss]lope|Fog")
 FILE = re.compile(r"[\w/.-]+\.(h|cxx|glsl|xml|xml\.in|cmake|in|json|py|md|txt)")
 SOURCES = (".h", ".cxx", ".glsl", ".py", ".cmake", ".xml", ".in", ".json")
 

@@ -4,14 +4,15 @@
  * @file
  * What all lobes of a BSDF have in common. A lobe is a class with these members:
  *
- *     static constexpr Lobes Kind;                        // Diffuse or Specular
- *     static bool IsIn(const SurfaceMaterial& material);  // whether a surface of it may have the
- * lobe Lobe(const SurfaceMaterial& material, const MaterialPoint& point, const glm::vec3& outgoing,
- *       bool inside);
- *     bool IsSmooth() const;      // whether it scatters nothing: light goes in one or two
- * directions float GetImportance() const;                 // for sampling: about the albedo's
- * luminance glm::vec3 EvaluateCosine(const glm::vec3& incident) const; float Pdf(const glm::vec3&
- * incident) const; bool Sample(float which, const glm::vec2& u, LobeSample& sample) const;
+ * - `static constexpr Lobes Kind`: Diffuse or Specular
+ * - `static bool IsIn(const SurfaceMaterial&)`: whether a surface of a material may have it
+ * - a constructor from `const SurfaceMaterial&`, `const MaterialPoint&`, the outgoing direction and
+ *   `bool inside`
+ * - `bool IsSmooth() const`: whether it scatters nothing: light goes in one or two directions
+ * - `float GetImportance() const`: for sampling, about the albedo's luminance
+ * - `glm::vec3 EvaluateCosine(const glm::vec3& incident) const`: the BSDF times the cosine
+ * - `float Pdf(const glm::vec3& incident) const`: the density of Sample
+ * - `bool Sample(float which, const glm::vec2& u, LobeSample&) const`: false if the path ends
  *
  * Directions are local: z is the shading normal on the outgoing direction's side, and all of them
  * point away from the surface. BSDF has the list of all lobes.
