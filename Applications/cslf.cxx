@@ -79,6 +79,7 @@ void AddCommonOptions(CLI::App* app, bool& isJSON, int& threads)
   {
     app->add_flag("--json", isJSON, "print one JSON object instead of text");
     app->add_option("--threads", threads, "number of threads (default: number of cores)")
+      ->default_str("") // not 0, which stands for it
       ->check(Positive());
   }
 }

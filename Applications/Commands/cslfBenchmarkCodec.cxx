@@ -282,27 +282,21 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
     "and coverage use the encoder's default rate factors.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
+  command->option_defaults()->always_capture_default();
   command->add_option("--crfs", options->CRFs, "rate factors of colour, for example 20,24,28")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str();
-  command->add_option("--codecs", options->Codecs, "codecs, for example hevc,av1")
-    ->delimiter(',')
-    ->capture_default_str();
+    ->check(CLI::Range(0.0, 51.0));
+  command->add_option("--codecs", options->Codecs, "codecs, for example hevc,av1")->delimiter(',');
   command->add_option("--presets", options->Presets, "presets, for example fast,medium")
-    ->delimiter(',')
-    ->capture_default_str();
+    ->delimiter(',');
   command
     ->add_option("--pixel-formats", options->PixelFormats,
       "pixel formats of colour, for example yuv444p,yuv420p")
-    ->delimiter(',')
-    ->capture_default_str();
+    ->delimiter(',');
   command->add_option("--group-length", options->GroupLength, "viewpoints per group of pictures")
-    ->check(CLI::Range(1, 16))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 16));
   command->add_option("--repeats", options->Repeats, "repetitions for measuring the speed")
-    ->check(CLI::Range(1, 1000))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 1000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -391,33 +391,28 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     "logarithm of bytes is interpolated linearly in dB.");
   const auto options = std::make_shared<Options>();
   options->AddTo(*command);
+  command->option_defaults()->always_capture_default();
   command
     ->add_option(
       "--steps", options->Steps, "steps of key views, for example 2,4; each must divide M - 1")
     ->delimiter(',')
-    ->check(CLI::Range(1, 4096))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 4096));
   command
     ->add_option("--divisors", options->Divisors,
       "divisors of the resolution of key views, for example 1,2; each must divide N into at least "
       "16")
     ->delimiter(',')
-    ->check(CLI::Range(1, 16384))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 16384));
   command->add_option("--crfs", options->CRFs, "rate factors of colour, for example 20,28,36")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str();
+    ->check(CLI::Range(0.0, 51.0));
   command->add_option("--depth-crfs", options->DepthCRFs, "rate factors of the key views' depth")
     ->delimiter(',')
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str();
+    ->check(CLI::Range(0.0, 51.0));
   command
     ->add_option("--coverage-crf", options->CoverageCRF, "rate factor of the key views' coverage")
-    ->check(CLI::Range(0.0, 51.0))
-    ->capture_default_str();
-  command->add_option("--preset", options->Preset, "x265 preset for both methods")
-    ->capture_default_str();
+    ->check(CLI::Range(0.0, 51.0));
+  command->add_option("--preset", options->Preset, "x265 preset for both methods");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -226,15 +226,12 @@ void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
   command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
     ->required();
   command->add_option("-o,--output", options->Folder, "folder for the results")->required();
+  command->option_defaults()->always_capture_default();
   command->add_option("--lookup", options->Lookup, "the lookup")
-    ->check(CLI::IsMember(GetLookupNames()))
-    ->capture_default_str();
+    ->check(CLI::IsMember(GetLookupNames()));
   command->add_option("--size", options->Size, "width and height of a picture, in pixels")
-    ->check(CLI::Range(1, 8192))
-    ->capture_default_str();
-  command->add_option("--repeats", options->Repeats, "repetitions")
-    ->check(CLI::Range(1, 10000))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 8192));
+  command->add_option("--repeats", options->Repeats, "repetitions")->check(CLI::Range(1, 10000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -267,34 +267,27 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
   const auto options = std::make_shared<Options>();
   options->Scene.AddTo(*command);
   options->Integrator.AddTo(*command);
+  command->option_defaults()->always_capture_default();
   command->add_option("-M,--viewpoints", options->Viewpoints, "viewpoints along each side")
-    ->check(CLI::Range(2, 4096))
-    ->capture_default_str();
+    ->check(CLI::Range(2, 4096));
   command->add_option("-N,--resolution", options->Resolution, "texels along each side")
-    ->check(CLI::Range(1, 16384))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 16384));
   command
     ->add_option("--path-spp", options->PathSamples,
       "numbers of samples per texel for path tracing, at least two, for example 16,64")
     ->delimiter(',')
     ->expected(2, 16)
-    ->check(CLI::Range(1, 1 << 20))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 1 << 20));
   command->add_option("--views", options->Views, "viewpoints to measure, spread over the field")
-    ->check(CLI::Range(1, 1000000))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 1000000));
   command->add_option("--texels", options->Texels, "texels to measure in all views together")
-    ->check(CLI::Range(1, 100000000))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 100000000));
   command
     ->add_option("--reference-spp", options->ReferenceSamples,
       "samples per texel of the reference; rounded up to a multiple of 32")
-    ->check(CLI::Range(1, 1 << 24))
-    ->capture_default_str();
-  command
-    ->add_option("--reference-seed", options->ReferenceSeed,
-      "random seed of viewpoints, texels and the reference")
-    ->capture_default_str();
+    ->check(CLI::Range(1, 1 << 24));
+  command->add_option("--reference-seed", options->ReferenceSeed,
+    "random seed of viewpoints, texels and the reference");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }

@@ -86,16 +86,14 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
   const auto options = std::make_shared<Options>();
   options->Field.AddTo(*command);
   options->Scene.AddTo(*command);
+  command->option_defaults()->always_capture_default();
   command->add_option("--texels", options->Texels, "texels to measure, or all if there are fewer")
-    ->check(CLI::Range(1, 100000000))
-    ->capture_default_str();
+    ->check(CLI::Range(1, 100000000));
   command
     ->add_option("--reference-spp", options->Samples,
       "samples per texel of the reference, in both halves together; rounded up to a multiple of 32")
-    ->check(CLI::Range(1, 1 << 24))
-    ->capture_default_str();
-  command->add_option("--seed", options->Seed, "random seed of texels and the reference")
-    ->capture_default_str();
+    ->check(CLI::Range(1, 1 << 24));
+  command->add_option("--seed", options->Seed, "random seed of texels and the reference");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
 }
 }
