@@ -17,9 +17,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The results of a command: for people, and for programs (`--json`).
 struct Result
@@ -54,7 +52,6 @@ void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen);
 void AddBenchmarkRender(CLI::App& benchmark, Command& chosen);
 void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen);
 ///@}
-}
 }
 
 #endif

@@ -7,9 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 void AddBenchmark(CLI::App& app, Command& chosen)
 {
@@ -34,6 +32,5 @@ void AddBenchmark(CLI::App& app, Command& chosen)
       });
   }
 #endif
-}
 }
 }

@@ -19,9 +19,7 @@
 #include <memory>
 #include <optional>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -298,6 +296,5 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
   command->add_option("--repeats", options->Repeats, "repetitions for measuring the speed")
     ->check(CLI::Range(1, 1000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

@@ -31,9 +31,7 @@
 #include <memory>
 #include <optional>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -414,6 +412,5 @@ void AddBenchmarkKeyViews(CLI::App& benchmark, Command& chosen)
     ->check(CLI::Range(0.0, 51.0));
   command->add_option("--preset", options->Preset, "x265 preset for both methods");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

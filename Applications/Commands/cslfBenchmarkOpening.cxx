@@ -24,9 +24,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -233,6 +231,5 @@ void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
     ->check(CLI::Range(1, 8192));
   command->add_option("--repeats", options->Repeats, "repetitions")->check(CLI::Range(1, 10000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

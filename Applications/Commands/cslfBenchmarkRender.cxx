@@ -24,9 +24,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -374,6 +372,5 @@ void AddBenchmarkRender(CLI::App& benchmark, Command& chosen)
     ->capture_default_str();
   command->add_option("--mesh", options->Mesh, "a mesh to compare with: a scene file");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

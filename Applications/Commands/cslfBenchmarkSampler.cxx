@@ -26,9 +26,7 @@
 #include <memory>
 #include <random>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -289,6 +287,5 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
   command->add_option("--reference-seed", options->ReferenceSeed,
     "random seed of viewpoints, texels and the reference");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

@@ -20,9 +20,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -101,6 +99,5 @@ void AddCompare(CLI::App& app, Command& chosen)
       chosen = [options, arePictures]
       { return arePictures ? ComparePictures(*options) : CompareFields(*options); };
     });
-}
 }
 }

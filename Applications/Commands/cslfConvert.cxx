@@ -18,9 +18,7 @@
 #include <optional>
 #include <sstream>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -143,6 +141,5 @@ void AddEncode(CLI::App& app, Command& chosen)
 void AddDecode(CLI::App& app, Command& chosen)
 {
   Add(app, chosen, "decode", "Decode a light field to image data or cube maps", false);
-}
 }
 }

@@ -31,9 +31,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -334,6 +332,5 @@ void AddEvaluate(CLI::App& app, Command& chosen)
   command->add_option("--contact-sheet", options->ContactSheet, "a .png file with all pictures");
   command->add_option("--title", options->Title, "name of the scene on the contact sheet");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

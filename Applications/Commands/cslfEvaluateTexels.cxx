@@ -17,9 +17,7 @@
 
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -95,6 +93,5 @@ void AddEvaluateTexels(CLI::App& app, Command& chosen)
     ->check(CLI::Range(1, 1 << 24));
   command->add_option("--seed", options->Seed, "random seed of texels and the reference");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

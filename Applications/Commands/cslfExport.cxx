@@ -31,9 +31,7 @@
 
 namespace fs = std::filesystem;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -130,6 +128,5 @@ void AddExport(CLI::App& app, Command& chosen)
   options->Scene.AddInputsTo(*command);
   command->add_option("-o,--output", options->Output, "the output: .obj")->required();
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

@@ -12,9 +12,7 @@
 
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -93,6 +91,5 @@ void AddInfo(CLI::App& app, Command& chosen)
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
     ->required();
   command->callback([fileName, &chosen] { chosen = [fileName] { return Run(*fileName); }; });
-}
 }
 }

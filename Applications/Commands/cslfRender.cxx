@@ -22,9 +22,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -126,6 +124,5 @@ void AddRender(CLI::App& app, Command& chosen)
     ->capture_default_str()
     ->group("Camera path");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

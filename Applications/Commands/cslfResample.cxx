@@ -19,9 +19,7 @@
 #include <memory>
 #include <sstream>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -97,6 +95,5 @@ void AddResample(CLI::App& app, Command& chosen)
       SetShared(IsVideo(options->Output));
       chosen = [options] { return Run(*options); };
     });
-}
 }
 }

@@ -31,9 +31,7 @@
 #include <sstream>
 #include <string>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -358,6 +356,5 @@ void AddSample(CLI::App& app, Command& chosen)
       SetShared(!options->Estimate && IsVideo(options->Output));
       chosen = [options] { return options->Estimate ? Estimate(*options) : Run(*options); };
     });
-}
 }
 }

@@ -15,9 +15,7 @@
 
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -62,6 +60,5 @@ void AddSheet(CLI::App& app, Command& chosen)
   command->add_option(
     "--label", options->Labels, "a line of text below each picture; one option per picture");
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

@@ -20,9 +20,7 @@
 
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -69,6 +67,5 @@ void AddTrace(CLI::App& app, Command& chosen)
   options->Integrator.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

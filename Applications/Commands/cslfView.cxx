@@ -26,9 +26,7 @@
 #include <chrono>
 #include <memory>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -217,6 +215,5 @@ void AddView(CLI::App& app, Command& chosen)
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
-}
 }
 }

@@ -21,9 +21,7 @@
 #include <regex>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -235,6 +233,5 @@ ProgressBar::~ProgressBar()
     this->Algorithm->RemoveObserver(this->Observer);
     std::fprintf(stderr, "\r\033[K");
   }
-}
 }
 }

@@ -15,9 +15,7 @@
 class vtkAlgorithm;
 class vtkXMLReader;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Ends the command. If VTK has reported an error before, that one is shown, because it is the
 /// cause.
@@ -74,7 +72,6 @@ private:
   vtkAlgorithm* Algorithm;
   unsigned long Observer = 0;
 };
-}
 }
 
 #endif

@@ -17,9 +17,7 @@
 #include <string>
 #include <system_error>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The reason may be empty.
 [[noreturn]] inline void FailWriting(const std::string& fileName, const std::string& reason)
@@ -120,7 +118,6 @@ inline void WriteWholeBytes(const void* bytes, std::size_t count, const std::str
 inline void WriteWholeText(const std::string& text, const std::string& fileName)
 {
   WriteWholeBytes(text.data(), text.size(), fileName);
-}
 }
 }
 

@@ -17,9 +17,7 @@
 #include <exception>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -169,6 +167,5 @@ Ending Conclude(const std::string& error)
   }
   ending.HasFailed = !Agree(error.empty() && ending.Error.empty());
   return ending;
-}
 }
 }

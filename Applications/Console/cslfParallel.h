@@ -14,9 +14,7 @@
 
 class vtkMultiProcessController;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// MPI from initialisation to finalisation, if mpirun started the process.
 class ParallelRun
@@ -70,7 +68,6 @@ struct Ending
 /// Gathers the results of all processes. Each calls this at the end of a command, with its error.
 /// The first process prints the error of the first that failed.
 Ending Conclude(const std::string& error);
-}
 }
 
 #endif

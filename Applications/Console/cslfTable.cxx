@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 std::string Table::ToText() const
 {
@@ -63,6 +61,5 @@ std::string Format(double value, int digits)
   char buffer[64];
   std::snprintf(buffer, sizeof(buffer), "%.*f", digits, value);
   return buffer;
-}
 }
 }

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class Table
 {
@@ -31,6 +29,5 @@ private:
 
 /// A number with this many digits after the point.
 std::string Format(double value, int digits);
-}
 }
 #endif

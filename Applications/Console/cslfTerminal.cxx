@@ -8,9 +8,7 @@
 #include <unistd.h>
 #endif
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 bool IsErrorTerminal()
 {
@@ -22,6 +20,5 @@ bool IsErrorTerminal()
 #else
   return ::isatty(STDERR_FILENO) != 0;
 #endif
-}
 }
 }

@@ -7,13 +7,10 @@
 #ifndef cslfTerminal_h
 #define cslfTerminal_h
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Whether standard error is a terminal that understands escape sequences.
 bool IsErrorTerminal();
-}
 }
 
 #endif

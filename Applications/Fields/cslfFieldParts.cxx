@@ -16,9 +16,7 @@
 #include <optional>
 #include <system_error>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -151,6 +149,5 @@ FieldPart FindPart(
       "; ask for one as NAME=TYPE.");
   }
   return found.front();
-}
 }
 }

@@ -13,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 struct FieldFile;
 
@@ -48,7 +46,6 @@ void MergeParts(std::vector<FieldPart>& parts, const std::vector<FieldPart>& oth
 /// `fileName` is the field's.
 FieldPart FindPart(
   const std::vector<FieldPart>& parts, const std::string& name, const std::string& fileName);
-}
 }
 
 #endif

@@ -21,9 +21,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -159,6 +157,5 @@ void CodecSweep::CompareViews(vtkImageData* decoded, CodecPoint& point)
   {
     point.ViewPSNR.push_back(Mean(MeasureViews(renderer, lookup.Lookup, this->Views).PSNR));
   }
-}
 }
 }

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The results of one way of coding.
 struct CodecPoint
@@ -66,7 +64,6 @@ private:
   std::vector<NovelView> Views;
   std::vector<LookupName> Lookups;
 };
-}
 }
 
 #endif

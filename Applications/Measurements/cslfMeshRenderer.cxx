@@ -12,9 +12,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkTriangleFilter.h>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 MeshRenderer::MeshRenderer(const std::string& fileName, int width, int height)
   : Window(width, height)
@@ -51,6 +49,5 @@ Cube MeshRenderer::GetCube() const
   double bounds[6];
   this->Mesh->GetBounds(bounds);
   return Cube::FromBounds(bounds, DefaultOffset);
-}
 }
 }

@@ -19,9 +19,7 @@ class vtkActor;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class MeshRenderer
 {
@@ -45,7 +43,6 @@ private:
   vtkNew<vtkActor> Actor;
   OffscreenWindow Window;
 };
-}
 }
 
 #endif

@@ -24,9 +24,7 @@
 #include <cmath>
 #include <random>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -156,6 +154,5 @@ ViewQuality MeasureViews(FieldRenderer& renderer, int lookup, const std::vector<
     result.SSIM.push_back(quality->GetSSIM());
   }
   return result;
-}
 }
 }

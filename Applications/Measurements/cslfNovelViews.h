@@ -19,9 +19,7 @@ class vtkCamera;
 class vtkImageData;
 class vtkImageStencilData;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class FieldRenderer;
 struct NovelViewOptions;
@@ -63,7 +61,6 @@ double ComputeChangePSNR(vtkImageData* truthBefore, vtkImageData* pictureBefore,
 /// The pixels whose ray meets the cube. Row 0 is at the bottom, as in VTK's images.
 vtkSmartPointer<vtkImageStencilData> MakeCubeStencil(
   const Cube& cube, vtkCamera* camera, int width, int height);
-}
 }
 
 #endif

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -161,6 +159,5 @@ std::optional<double> FindPSNR(const std::vector<RatePoint>& front, double bytes
   }
   const double part = std::log(bytes / below.Bytes) / std::log(above->Bytes / below.Bytes);
   return below.PSNR + part * (above->PSNR - below.PSNR);
-}
 }
 }

@@ -11,9 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The result of a coder at one setting.
 struct RatePoint
@@ -40,7 +38,6 @@ std::optional<double> FindBytes(const std::vector<RatePoint>& front, double psnr
 /// The PSNR that a front has at these bytes, likewise. The best one for more bytes than all;
 /// nothing for fewer than those of the smallest point.
 std::optional<double> FindPSNR(const std::vector<RatePoint>& front, double bytes);
-}
 }
 
 #endif

@@ -12,9 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 inline double Mean(const std::vector<double>& values)
 {
@@ -31,7 +29,6 @@ inline double Median(std::vector<double> values)
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   return values.size() % 2 != 0 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 }
 }
 

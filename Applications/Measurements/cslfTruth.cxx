@@ -25,9 +25,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -186,6 +184,5 @@ std::string TruthTracer::GetFileName(vtkCamera* camera, int size, int samples, i
     { focalPoint[0], focalPoint[1], focalPoint[2] }, { up[0], up[1], up[2] },
     camera->GetViewAngle() };
   return this->Folder + "/" + ComputeMD5(key.dump()) + ".vti";
-}
 }
 }

@@ -19,9 +19,7 @@ class vtkCamera;
 class vtkImageData;
 class vtkImageStencilData;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class Scene;
 class SceneOptions;
@@ -61,7 +59,6 @@ private:
   std::string Folder;
   std::string Description; ///< of the scene and the settings of tracing
 };
-}
 }
 
 #endif

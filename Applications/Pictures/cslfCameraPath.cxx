@@ -22,9 +22,7 @@
 #include <functional>
 #include <optional>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -177,6 +175,5 @@ Cameras CameraPathOptions::MakeCameras(vtkCamera* start) const
   return this->Path == OrbitName ? MakeOrbit(start, this->Frames)
     : this->Path == SwingName    ? MakeSwing(start, this->Frames)
                                  : ReadPath(this->Path, this->Frames, start->GetViewAngle());
-}
 }
 }

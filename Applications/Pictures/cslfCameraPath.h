@@ -19,9 +19,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 constexpr const char* OrbitName = "orbit";
 constexpr const char* SwingName = "swing";
@@ -54,7 +52,6 @@ private:
   std::string Path;
   int Frames = 72;
 };
-}
 }
 
 #endif

@@ -26,9 +26,7 @@
 #include <limits>
 #include <sstream>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -200,6 +198,5 @@ void WriteChart(const std::string& fileName, const Chart& chart)
   view->GetRenderWindow()->Render();
   ThrowOnError();
   WritePicture(fileName, GrabPicture(view->GetRenderWindow()));
-}
 }
 }

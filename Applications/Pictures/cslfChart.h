@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Points joined by lines, in the given order.
 struct ChartCurve
@@ -40,7 +38,6 @@ struct Chart
 
 /// Draws a chart into a PNG. Throws a Failure.
 void WriteChart(const std::string& fileName, const Chart& chart);
-}
 }
 
 #endif

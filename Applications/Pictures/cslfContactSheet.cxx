@@ -10,9 +10,7 @@
 
 #include <algorithm>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -95,6 +93,5 @@ vtkSmartPointer<vtkImageData> MakeContactSheet(
     }
   }
   return sheet;
-}
 }
 }

@@ -14,9 +14,7 @@
 
 class vtkImageData;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// A picture of red, green and blue bytes, and its label.
 struct LabelledPicture
@@ -29,7 +27,6 @@ struct LabelledPicture
 /// space.
 vtkSmartPointer<vtkImageData> MakeContactSheet(
   const std::vector<LabelledPicture>& pictures, int columns);
-}
 }
 
 #endif

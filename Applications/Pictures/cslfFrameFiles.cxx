@@ -20,9 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -102,6 +100,5 @@ std::unique_ptr<FrameWriter> MakeFrameWriter(
       "Cannot write " + output + ": pictures along a path are written to " + FrameFormats + ".");
   }
   return std::make_unique<FolderWriter>(output);
-}
 }
 }

@@ -12,9 +12,7 @@
 
 class vtkImageData;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The formats, for help and errors.
 constexpr const char* FrameFormats = "a folder, .mp4 or .mkv";
@@ -37,7 +35,6 @@ public:
 /// destination is not writable or the format is unknown.
 std::unique_ptr<FrameWriter> MakeFrameWriter(
   const std::string& output, int width, int height, double frameRate);
-}
 }
 
 #endif

@@ -18,9 +18,7 @@
 #include "Fields/cslfFieldFiles.h"
 #endif
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 #ifdef CSLF_HAS_ENCODER
 namespace
@@ -191,5 +189,4 @@ std::unique_ptr<FrameWriter> MakeMovieWriter(const std::string&, int, int, doubl
   throw Failure(NoEncoder);
 }
 #endif
-}
 }

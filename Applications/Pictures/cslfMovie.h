@@ -9,15 +9,12 @@
 
 #include "cslfFrameFiles.h"
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Throws a Failure if this tool or its FFmpeg cannot encode such pictures. Their width and height
 /// must be even.
 std::unique_ptr<FrameWriter> MakeMovieWriter(
   const std::string& fileName, int width, int height, double frameRate);
-}
 }
 
 #endif

@@ -14,9 +14,7 @@
 #include <chrono>
 #include <regex>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
 {
@@ -75,6 +73,5 @@ std::string OffscreenWindow::GetDeviceName()
   const std::string capabilities = this->Window->ReportCapabilities();
   std::smatch match;
   return std::regex_search(capabilities, match, line) ? match[1].str() : "unknown";
-}
 }
 }

@@ -18,9 +18,7 @@ class vtkImageData;
 class vtkRenderWindow;
 class vtkRenderer;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The red, green and blue of a window's picture. Throws a Failure.
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
@@ -53,7 +51,6 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
 };
-}
 }
 
 #endif

@@ -31,9 +31,7 @@
 
 namespace fs = std::filesystem;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
 {
@@ -253,6 +251,5 @@ bool FieldRenderer::IsComplete()
 std::int64_t FieldRenderer::GetTextureBytes()
 {
   return this->Mapper->GetTextureBytes();
-}
 }
 }

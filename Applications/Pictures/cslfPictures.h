@@ -30,9 +30,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Reads a PNG of 8 bits. Throws a Failure.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
@@ -126,7 +124,6 @@ private:
   vtkNew<vtkActor> Actor;
   OffscreenWindow Window;
 };
-}
 }
 
 #endif

@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -99,6 +97,5 @@ vtkSmartPointer<vtkImageData> RefiningTruth::MakePicture(const ToneMapping& tone
     EncodeShown(toneMapping, scale * radiance, scale * this->Sums[i + 3], pixels);
   }
   return picture;
-}
 }
 }

@@ -19,9 +19,7 @@ class vtkCSLFViewTracer;
 class vtkCamera;
 class vtkImageData;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class RefiningTruth
 {
@@ -55,7 +53,6 @@ private:
   int PassSamples = 1;      ///< of the next pass
   std::vector<double> Sums; ///< linear red, green, blue and coverage, of all samples
 };
-}
 }
 
 #endif

@@ -18,9 +18,7 @@
 
 #include <algorithm>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -88,6 +86,5 @@ vtkSmartPointer<vtkActor> MakeViewpointMarkers(const Description& field)
   const auto actor = MakeUnlitActor(mapper, 1.0, 0.75, 0.2);
   actor->GetProperty()->SetPointSize(3.0);
   return actor;
-}
 }
 }

@@ -14,9 +14,7 @@
 class vtkActor;
 class vtkProp;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The edges of the cube.
 vtkSmartPointer<vtkActor> MakeOutline(const Cube& cube);
@@ -27,7 +25,6 @@ vtkSmartPointer<vtkProp> MakeAxes(const Cube& cube);
 
 /// A dot at each of the field's viewpoints.
 vtkSmartPointer<vtkActor> MakeViewpointMarkers(const Description& field);
-}
 }
 
 #endif

@@ -26,9 +26,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -375,6 +373,5 @@ vtkTypeInt64 Viewer::GetTextureBytes() const
 ToneMapping Viewer::GetToneMapping() const
 {
   return { this->Mapper->GetExposure(), this->Mapper->GetToneMapping() };
-}
 }
 }

@@ -31,9 +31,7 @@ class vtkRenderWindow;
 class vtkRenderer;
 class vtkTextActor;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 struct FieldFile;
 
@@ -123,7 +121,6 @@ private:
   std::chrono::steady_clock::time_point FrameStart;
   std::deque<double> FrameSeconds;
 };
-}
 }
 
 #endif

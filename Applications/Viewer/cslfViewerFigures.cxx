@@ -22,9 +22,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -160,6 +158,5 @@ std::map<std::string, double> Viewer::GetPSNR() const
     }
   }
   return values;
-}
 }
 }

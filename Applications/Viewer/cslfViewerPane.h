@@ -15,9 +15,7 @@
 #include <array>
 #include <string>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 constexpr int TruthPane = -1; ///< stands for the reference instead of a lookup
 constexpr double Background[3] = { 0.1, 0.1, 0.12 };
@@ -39,7 +37,6 @@ inline std::array<int, 2> GetSize(vtkRenderer* renderer)
   std::array<int, 2> size;
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
   return size;
-}
 }
 }
 
