@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The commands of the tool, one file each.
+ * The commands of the tool, which the files in Commands define.
  */
 #ifndef cslfCommands_h
 #define cslfCommands_h

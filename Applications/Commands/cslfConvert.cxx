@@ -1,19 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// cslf encode and cslf decode: convert a light field to another format.
+// cslf encode, cslf decode and cslf resample: write a light field to another file.
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Options/cslfNumberChecks.h"
 #include "cslfCommands.h"
+
+#include "vtkCSLFResample.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
+#include <vtkNew.h>
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -28,6 +31,8 @@ struct Options
   std::string Output;
   CodingOptions Coding;
   std::optional<std::string> Part; ///< requested instead of the field
+  int ResolutionDivisor = 1;
+  int ViewpointStride = 1;
 };
 
 /// The size of all channels, uncoded.
@@ -42,19 +47,10 @@ double CountRawBytes(const Description& description)
   return texel * grid.GetStripWidth() * grid.GetResolution() * grid.GetSlices();
 }
 
-void CheckOutput(const Options& options)
-{
-  std::error_code failure;
-  if (std::filesystem::equivalent(options.Input.FileName, options.Output, failure))
-  {
-    throw Failure("The input and the output are the same.");
-  }
-}
-
 /// Writes a part of a video to a file.
 Result Extract(const Options& options)
 {
-  CheckOutput(options);
+  RequireOther(options.Input.FileName, options.Output);
   RequireWritable(options.Output);
   const FieldFile file = OpenField(options.Input.FileName);
   const FieldPart part = FindPart(GetParts(file), *options.Part, options.Input.FileName);
@@ -68,7 +64,42 @@ Result Extract(const Options& options)
   return result;
 }
 
-Result Run(const Options& options, bool toVideo)
+/// Writes the field of a connection. Only the first process has a result; `isCoarser` selects its
+/// details.
+Result Write(const Options& options, const FieldWriter& writer, vtkAlgorithmOutput* connection,
+  const char* label, bool isCoarser)
+{
+  const nlohmann::json coding = writer.Write(connection, label);
+  ThrowOnError();
+
+  if (!IsFirstRank())
+  {
+    return {};
+  }
+  const Description field = OpenField(options.Output).Field;
+  Result result;
+  result.JSON = Summarize(field);
+  result.JSON["output"] = options.Output;
+  result.JSON["bytes"] = CountBytes(options.Output);
+  result.JSON.update(coding);
+  std::ostringstream text;
+  text << options.Output << ": ";
+  if (isCoarser)
+  {
+    const int resolution = field.Grid.GetResolution();
+    text << field.Grid.GetSlices() << " viewpoints of " << resolution << " x " << resolution
+         << " texels, ";
+  }
+  else
+  {
+    result.JSON["raw_bytes"] = CountRawBytes(field);
+  }
+  text << CountBytes(options.Output) << " bytes" << DescribeCoding(coding) << "\n";
+  result.Text = text.str();
+  return result;
+}
+
+Result Convert(const Options& options, bool toVideo)
 {
   FieldWriter writer(options.Output, options.Coding);
   if ((writer.GetFormat() == FieldFormat::Video) != toVideo)
@@ -76,29 +107,24 @@ Result Run(const Options& options, bool toVideo)
     throw Failure(toVideo ? "cslf encode writes .mp4 or .mkv; see cslf decode for other formats."
                           : "cslf decode writes .vti or a folder; see cslf encode for video.");
   }
-  CheckOutput(options);
+  RequireOther(options.Input.FileName, options.Output);
   const FieldFile file = OpenField(options.Input);
   writer.TakeParts(file);
-  const nlohmann::json coding =
-    writer.Write(file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding");
-  ThrowOnError();
+  return Write(
+    options, writer, file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding", false);
+}
 
-  if (!IsFirstRank())
-  {
-    return {};
-  }
-  const FieldFile written = OpenField(options.Output);
-  Result result;
-  result.JSON = Summarize(written.Field);
-  result.JSON["output"] = options.Output;
-  result.JSON["bytes"] = CountBytes(options.Output);
-  result.JSON["raw_bytes"] = CountRawBytes(written.Field);
-  result.JSON.update(coding);
-  std::ostringstream text;
-  text << options.Output << ": " << CountBytes(options.Output) << " bytes" << DescribeCoding(coding)
-       << "\n";
-  result.Text = text.str();
-  return result;
+Result Resample(const Options& options)
+{
+  FieldWriter writer(options.Output, options.Coding);
+  RequireOther(options.Input.FileName, options.Output);
+  const FieldFile file = OpenField(options.Input);
+  writer.TakeParts(file);
+  vtkNew<vtkCSLFResample> resample;
+  resample->SetInputConnection(file.Reader->GetOutputPort());
+  resample->SetResolutionDivisor(options.ResolutionDivisor);
+  resample->SetViewpointStride(options.ViewpointStride);
+  return Write(options, writer, resample->GetOutputPort(), "Resampling", true);
 }
 
 void Add(CLI::App& app, Command& chosen, const char* name, const char* help, bool toVideo)
@@ -128,7 +154,7 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
     {
       SetShared(IsVideo(options->Output) && !options->Part);
       chosen = [options, toVideo]
-      { return options->Part ? Extract(*options) : Run(*options, toVideo); };
+      { return options->Part ? Extract(*options) : Convert(*options, toVideo); };
     });
 }
 }
@@ -141,5 +167,34 @@ void AddEncode(CLI::App& app, Command& chosen)
 void AddDecode(CLI::App& app, Command& chosen)
 {
   Add(app, chosen, "decode", "Decode a light field to image data or cube maps", false);
+}
+
+void AddResample(CLI::App& app, Command& chosen)
+{
+  CLI::App* command =
+    app.add_subcommand("resample", "Make a coarser light field with fewer texels or viewpoints");
+  const auto options = std::make_shared<Options>();
+  options->Input.AddTo(*command, "input");
+  command
+    ->add_option(
+      "-o,--output", options->Output, std::string("the coarser light field: ") + FieldFormats)
+    ->required();
+  command
+    ->add_option("--resolution-divisor", options->ResolutionDivisor,
+      "texels along each side to combine into one; must divide N")
+    ->check(Positive())
+    ->capture_default_str();
+  command
+    ->add_option("--viewpoint-stride", options->ViewpointStride,
+      "keep every n-th viewpoint along each side; must divide M - 1")
+    ->check(Positive())
+    ->capture_default_str();
+  options->Coding.AddTo(*command);
+  command->callback(
+    [options, &chosen]
+    {
+      SetShared(IsVideo(options->Output));
+      chosen = [options] { return Resample(*options); };
+    });
 }
 }

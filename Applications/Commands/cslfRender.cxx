@@ -3,6 +3,7 @@
 
 // cslf render: novel views of a light field, single or along a camera path.
 #include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Measurements/cslfStatistics.h"
@@ -19,7 +20,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 
 namespace cslf::tool
@@ -91,11 +91,7 @@ Result RunPath(const Options& options)
 
 Result Run(const Options& options)
 {
-  std::error_code failure;
-  if (std::filesystem::equivalent(options.Field.FileName, options.Output, failure))
-  {
-    throw Failure("The input and the output are the same.");
-  }
+  RequireOther(options.Field.FileName, options.Output);
   return options.Path.IsEmpty() ? RunView(options) : RunPath(options);
 }
 }

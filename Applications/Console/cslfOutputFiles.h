@@ -13,6 +13,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <system_error>
@@ -25,6 +26,16 @@ namespace cslf::tool
   const bool isSentence = !reason.empty() && reason.back() == '.';
   throw Failure("Cannot write " + fileName + (reason.empty() ? "" : ": " + reason) +
     DescribeShortage(fileName) + (isSentence ? "" : "."));
+}
+
+/// Throws a Failure if writing the output would replace the input.
+inline void RequireOther(const std::string& input, const std::string& output)
+{
+  std::error_code failure;
+  if (std::filesystem::equivalent(input, output, failure))
+  {
+    throw Failure("The input and the output are the same.");
+  }
 }
 
 /// Gives a finished AtomicFile or AtomicFolder its name.
