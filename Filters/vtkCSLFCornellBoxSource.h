@@ -36,8 +36,7 @@ protected:
   vtkCSLFCornellBoxSource();
   ~vtkCSLFCornellBoxSource() override = default;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkCSLFCornellBoxSource(const vtkCSLFCornellBoxSource&) = delete;

@@ -60,8 +60,7 @@ protected:
   vtkCSLFGLTFReader();
   ~vtkCSLFGLTFReader() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkCSLFGLTFReader(const vtkCSLFGLTFReader&) = delete;

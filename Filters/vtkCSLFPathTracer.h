@@ -308,8 +308,7 @@ protected:
 
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
    * The scene of the inputs, or null after an error. Valid until the next call.

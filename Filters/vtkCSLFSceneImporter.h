@@ -128,8 +128,7 @@ protected:
   vtkCSLFSceneImporter();
   ~vtkCSLFSceneImporter() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
    * Whether one of the renderer's props is part of the scene, for subclasses to decide. All are.

@@ -30,7 +30,7 @@ public:
   void NoteMeeting() { this->HasMet = true; }
 
   vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int UpdateInformation() override;
   vtkTypeBool Update(int port, vtkInformationVector* requests) override;
   using vtkCompositeDataPipeline::Update;

@@ -78,8 +78,7 @@ protected:
   vtkCSLFBoxSampler() = default;
   ~vtkCSLFBoxSampler() override = default;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkCSLFBoxSampler(const vtkCSLFBoxSampler&) = delete;

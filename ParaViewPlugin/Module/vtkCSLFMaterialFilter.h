@@ -44,8 +44,7 @@ protected:
   ~vtkCSLFMaterialFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkCSLFMaterialFilter(const vtkCSLFMaterialFilter&) = delete;

@@ -69,8 +69,7 @@ protected:
   vtkCSLFViewScene();
   ~vtkCSLFViewScene() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkCSLFViewScene(const vtkCSLFViewScene&) = delete;
