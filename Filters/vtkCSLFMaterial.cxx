@@ -203,6 +203,11 @@ void Set(vtkDataObject* data, ParameterIndex index, const double* values)
   data->GetFieldData()->AddArray(array);
 }
 
+void Set(vtkDataObject* data, ParameterIndex index, double value)
+{
+  Set(data, index, &value);
+}
+
 vtkDataArray* Find(vtkDataObject* data, const Parameter& parameter)
 {
   vtkDataArray* array = data ? data->GetFieldData()->GetArray(parameter.Name) : nullptr;
@@ -251,149 +256,51 @@ void vtkCSLFMaterial::SetFromProperty(vtkDataObject* data, vtkProperty* property
   }
 }
 
-void vtkCSLFMaterial::SetBaseColor(vtkDataObject* data, double red, double green, double blue)
-{
-  const double color[3] = { red, green, blue };
-  Set(data, BaseColor, color);
-}
+// Defines the methods of a parameter that is a colour.
+#define cslfColorMacro(name)                                                                       \
+  void vtkCSLFMaterial::Set##name(vtkDataObject* data, double red, double green, double blue)      \
+  {                                                                                                \
+    const double color[3] = { red, green, blue };                                                  \
+    Set(data, name, color);                                                                        \
+  }                                                                                                \
+  void vtkCSLFMaterial::Get##name(vtkDataObject* data, double color[3])                            \
+  {                                                                                                \
+    Get(data, name, color);                                                                        \
+  }
 
-void vtkCSLFMaterial::GetBaseColor(vtkDataObject* data, double color[3])
-{
-  Get(data, BaseColor, color);
-}
+// Defines the methods of a parameter that is a number.
+#define cslfNumberMacro(name, type)                                                                \
+  void vtkCSLFMaterial::Set##name(vtkDataObject* data, type value)                                 \
+  {                                                                                                \
+    Set(data, name, value);                                                                        \
+  }                                                                                                \
+  type vtkCSLFMaterial::Get##name(vtkDataObject* data)                                             \
+  {                                                                                                \
+    return static_cast<type>(Get(data, name));                                                     \
+  }
 
-void vtkCSLFMaterial::SetMetallic(vtkDataObject* data, double metallic)
-{
-  Set(data, Metallic, &metallic);
-}
-
-double vtkCSLFMaterial::GetMetallic(vtkDataObject* data)
-{
-  return Get(data, Metallic);
-}
-
-void vtkCSLFMaterial::SetRoughness(vtkDataObject* data, double roughness)
-{
-  Set(data, Roughness, &roughness);
-}
-
-double vtkCSLFMaterial::GetRoughness(vtkDataObject* data)
-{
-  return Get(data, Roughness);
-}
-
-void vtkCSLFMaterial::SetEmission(vtkDataObject* data, double red, double green, double blue)
-{
-  const double radiance[3] = { red, green, blue };
-  Set(data, Emission, radiance);
-}
-
-void vtkCSLFMaterial::GetEmission(vtkDataObject* data, double radiance[3])
-{
-  Get(data, Emission, radiance);
-}
-
-void vtkCSLFMaterial::SetIndexOfRefraction(vtkDataObject* data, double index)
-{
-  Set(data, IndexOfRefraction, &index);
-}
-
-double vtkCSLFMaterial::GetIndexOfRefraction(vtkDataObject* data)
-{
-  return Get(data, IndexOfRefraction);
-}
-
-void vtkCSLFMaterial::SetTransmission(vtkDataObject* data, double transmission)
-{
-  Set(data, Transmission, &transmission);
-}
-
-double vtkCSLFMaterial::GetTransmission(vtkDataObject* data)
-{
-  return Get(data, Transmission);
-}
-
-void vtkCSLFMaterial::SetThinWalled(vtkDataObject* data, bool thin)
-{
-  const double value = thin ? 1.0 : 0.0;
-  Set(data, ThinWalled, &value);
-}
-
-bool vtkCSLFMaterial::GetThinWalled(vtkDataObject* data)
-{
-  return Get(data, ThinWalled) != 0.0;
-}
-
-void vtkCSLFMaterial::SetOpacity(vtkDataObject* data, double opacity)
-{
-  Set(data, Opacity, &opacity);
-}
-
-double vtkCSLFMaterial::GetOpacity(vtkDataObject* data)
-{
-  return Get(data, Opacity);
-}
-
-void vtkCSLFMaterial::SetOpacityCutoff(vtkDataObject* data, double cutoff)
-{
-  Set(data, OpacityCutoff, &cutoff);
-}
-
-double vtkCSLFMaterial::GetOpacityCutoff(vtkDataObject* data)
-{
-  return Get(data, OpacityCutoff);
-}
+cslfColorMacro(BaseColor);
+cslfNumberMacro(Metallic, double);
+cslfNumberMacro(Roughness, double);
+cslfColorMacro(Emission);
+cslfNumberMacro(IndexOfRefraction, double);
+cslfNumberMacro(Transmission, double);
+cslfNumberMacro(ThinWalled, bool);
+cslfNumberMacro(Opacity, double);
+cslfNumberMacro(OpacityCutoff, double);
+cslfNumberMacro(NormalScale, double);
+cslfNumberMacro(LineRadius, double);
+cslfNumberMacro(PointRadius, double);
+cslfColorMacro(DisplayedWhite);
 
 void vtkCSLFMaterial::SetVisibleSides(vtkDataObject* data, int sides)
 {
-  const double value = sides;
-  Set(data, VisibleSides, &value);
+  Set(data, VisibleSides, sides);
 }
 
 int vtkCSLFMaterial::GetVisibleSides(vtkDataObject* data)
 {
   return static_cast<int>(std::lround(Get(data, VisibleSides)));
-}
-
-void vtkCSLFMaterial::SetNormalScale(vtkDataObject* data, double scale)
-{
-  Set(data, NormalScale, &scale);
-}
-
-double vtkCSLFMaterial::GetNormalScale(vtkDataObject* data)
-{
-  return Get(data, NormalScale);
-}
-
-void vtkCSLFMaterial::SetLineRadius(vtkDataObject* data, double radius)
-{
-  Set(data, LineRadius, &radius);
-}
-
-double vtkCSLFMaterial::GetLineRadius(vtkDataObject* data)
-{
-  return Get(data, LineRadius);
-}
-
-void vtkCSLFMaterial::SetPointRadius(vtkDataObject* data, double radius)
-{
-  Set(data, PointRadius, &radius);
-}
-
-double vtkCSLFMaterial::GetPointRadius(vtkDataObject* data)
-{
-  return Get(data, PointRadius);
-}
-
-void vtkCSLFMaterial::SetDisplayedWhite(vtkDataObject* data, double red, double green, double blue)
-{
-  const double radiance[3] = { red, green, blue };
-  Set(data, DisplayedWhite, radiance);
-}
-
-void vtkCSLFMaterial::GetDisplayedWhite(vtkDataObject* data, double radiance[3])
-{
-  Get(data, DisplayedWhite, radiance);
 }
 
 const char* vtkCSLFMaterial::TextureName(int slot)
