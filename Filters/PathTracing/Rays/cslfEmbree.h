@@ -40,11 +40,15 @@ enum class Passing
 };
 
 #if RTC_VERSION_MAJOR < 4
+using EmbreeContext = RTCIntersectContext;
+#else
+using EmbreeContext = RTCRayQueryContext;
+#endif
 
 /// The data of a query for the opacity filters. All queries pass it.
 struct EmbreeQuery
 {
-  RTCIntersectContext Context; // first, because filters get a pointer to it
+  EmbreeContext Context; // first, because filters get a pointer to it
   Passing Rule;
   float* Transmittance = nullptr; // of the rays by their id, if they are attenuated
   bool* MeetsVeils = nullptr;     // set if an opacity is neither 0 nor 1
@@ -52,14 +56,61 @@ struct EmbreeQuery
   explicit EmbreeQuery(Passing rule)
     : Rule(rule)
   {
+#if RTC_VERSION_MAJOR < 4
     rtcInitIntersectContext(&this->Context);
+#else
+    rtcInitRayQueryContext(&this->Context);
+#endif
   }
 };
+
+/// Embree's query for the first hits of a type of packet, with the arguments of its version.
+template <typename RayHits, typename... Arguments>
+void CallIntersect(Arguments... arguments)
+{
+  if constexpr (std::is_same_v<RayHits, RTCRayHit16>)
+  {
+    rtcIntersect16(arguments...);
+  }
+  else if constexpr (std::is_same_v<RayHits, RTCRayHit8>)
+  {
+    rtcIntersect8(arguments...);
+  }
+  else
+  {
+    rtcIntersect4(arguments...);
+  }
+}
+
+/// Embree's query for occlusion, likewise.
+template <typename Rays, typename... Arguments>
+void CallOccluded(Arguments... arguments)
+{
+  if constexpr (std::is_same_v<Rays, RTCRay16>)
+  {
+    rtcOccluded16(arguments...);
+  }
+  else if constexpr (std::is_same_v<Rays, RTCRay8>)
+  {
+    rtcOccluded8(arguments...);
+  }
+  else
+  {
+    rtcOccluded4(arguments...);
+  }
+}
 
 /// The first hit of one ray.
 inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit)
 {
+#if RTC_VERSION_MAJOR < 4
   rtcIntersect1(scene, &query.Context, &rayHit);
+#else
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &query.Context;
+  rtcIntersect1(scene, &rayHit, &arguments);
+#endif
 }
 
 /// The first hits of a packet of rays, which may be coherent. Lanes with valid == 0 are not
@@ -68,20 +119,17 @@ template <typename RayHits>
 void EmbreeIntersectPacket(
   RTCScene scene, EmbreeQuery query, bool alike, const int* valid, RayHits& rayHits)
 {
+#if RTC_VERSION_MAJOR < 4
   query.Context.flags =
     alike ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  if constexpr (std::is_same_v<RayHits, RTCRayHit16>)
-  {
-    rtcIntersect16(valid, scene, &query.Context, &rayHits);
-  }
-  else if constexpr (std::is_same_v<RayHits, RTCRayHit8>)
-  {
-    rtcIntersect8(valid, scene, &query.Context, &rayHits);
-  }
-  else
-  {
-    rtcIntersect4(valid, scene, &query.Context, &rayHits);
-  }
+  CallIntersect<RayHits>(valid, scene, &query.Context, &rayHits);
+#else
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = alike ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  arguments.context = &query.Context;
+  CallIntersect<RayHits>(valid, scene, &rayHits, &arguments);
+#endif
 }
 
 /// Whether anything lies along each ray of an incoherent packet. If so, sets tfar to -infinity. The
@@ -89,89 +137,17 @@ void EmbreeIntersectPacket(
 template <typename Rays>
 void EmbreeOccludedPacket(RTCScene scene, EmbreeQuery query, const int* valid, Rays& rays)
 {
+#if RTC_VERSION_MAJOR < 4
   query.Context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  if constexpr (std::is_same_v<Rays, RTCRay16>)
-  {
-    rtcOccluded16(valid, scene, &query.Context, &rays);
-  }
-  else if constexpr (std::is_same_v<Rays, RTCRay8>)
-  {
-    rtcOccluded8(valid, scene, &query.Context, &rays);
-  }
-  else
-  {
-    rtcOccluded4(valid, scene, &query.Context, &rays);
-  }
-}
-
+  CallOccluded<Rays>(valid, scene, &query.Context, &rays);
 #else
-
-struct EmbreeQuery
-{
-  RTCRayQueryContext Context;
-  Passing Rule;
-  float* Transmittance = nullptr;
-  bool* MeetsVeils = nullptr;
-
-  explicit EmbreeQuery(Passing rule)
-    : Rule(rule)
-  {
-    rtcInitRayQueryContext(&this->Context);
-  }
-};
-
-inline void EmbreeIntersect(RTCScene scene, EmbreeQuery query, RTCRayHit& rayHit)
-{
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.context = &query.Context;
-  rtcIntersect1(scene, &rayHit, &arguments);
-}
-
-template <typename RayHits>
-void EmbreeIntersectPacket(
-  RTCScene scene, EmbreeQuery query, bool alike, const int* valid, RayHits& rayHits)
-{
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.flags = alike ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
-  arguments.context = &query.Context;
-  if constexpr (std::is_same_v<RayHits, RTCRayHit16>)
-  {
-    rtcIntersect16(valid, scene, &rayHits, &arguments);
-  }
-  else if constexpr (std::is_same_v<RayHits, RTCRayHit8>)
-  {
-    rtcIntersect8(valid, scene, &rayHits, &arguments);
-  }
-  else
-  {
-    rtcIntersect4(valid, scene, &rayHits, &arguments);
-  }
-}
-
-template <typename Rays>
-void EmbreeOccludedPacket(RTCScene scene, EmbreeQuery query, const int* valid, Rays& rays)
-{
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
   arguments.context = &query.Context;
-  if constexpr (std::is_same_v<Rays, RTCRay16>)
-  {
-    rtcOccluded16(valid, scene, &rays, &arguments);
-  }
-  else if constexpr (std::is_same_v<Rays, RTCRay8>)
-  {
-    rtcOccluded8(valid, scene, &rays, &arguments);
-  }
-  else
-  {
-    rtcOccluded4(valid, scene, &rays, &arguments);
-  }
-}
-
+  CallOccluded<Rays>(valid, scene, &rays, &arguments);
 #endif
+}
 
 /// The number of rays that Embree traces side by side on this machine: 16, 8 or 4.
 inline int GetPacketWidth(RTCDevice device)
@@ -208,6 +184,24 @@ void ForEachPart(Packet& packet, const Trace& trace)
   }
 }
 
+/// Traces a packet of 16 in packets of `width`: as a whole, or in parts as above.
+template <typename Part8, typename Part4, typename Packet, typename Trace>
+void TraceParts(int width, Packet& packet, const Trace& trace)
+{
+  if (width == 16)
+  {
+    trace(0, packet);
+  }
+  else if (width == 8)
+  {
+    ForEachPart<Part8>(packet, trace);
+  }
+  else
+  {
+    ForEachPart<Part4>(packet, trace);
+  }
+}
+
 /// The first hits of 16 rays, which may be coherent. Lanes with valid == 0 are not changed. They
 /// are traced in packets of GetPacketWidth: Embree 3 ignores `valid` in wider packets, and ends the
 /// process if a lane's numbers are not finite.
@@ -216,18 +210,7 @@ inline void EmbreeIntersect16(RTCScene scene, int width, const EmbreeQuery& quer
 {
   const auto trace = [scene, &query, alike, valid](std::size_t first, auto& part)
   { EmbreeIntersectPacket(scene, query, alike, valid + first, part); };
-  if (width == 16)
-  {
-    trace(0, rayHits);
-  }
-  else if (width == 8)
-  {
-    ForEachPart<RTCRayHit8>(rayHits, trace);
-  }
-  else
-  {
-    ForEachPart<RTCRayHit4>(rayHits, trace);
-  }
+  TraceParts<RTCRayHit8, RTCRayHit4>(width, rayHits, trace);
 }
 
 /// Whether anything lies along each of 16 incoherent rays. If so, sets tfar to -infinity.
@@ -236,18 +219,7 @@ inline void EmbreeOccluded16(
 {
   const auto trace = [scene, &query, valid](std::size_t first, auto& part)
   { EmbreeOccludedPacket(scene, query, valid + first, part); };
-  if (width == 16)
-  {
-    trace(0, rays);
-  }
-  else if (width == 8)
-  {
-    ForEachPart<RTCRay8>(rays, trace);
-  }
-  else
-  {
-    ForEachPart<RTCRay4>(rays, trace);
-  }
+  TraceParts<RTCRay8, RTCRay4>(width, rays, trace);
 }
 }
 
