@@ -23,6 +23,8 @@
 #include <string>
 
 vtkStandardNewMacro(vtkCSLFBakeEstimator);
+vtkCxxSetSmartPointerMacro(vtkCSLFBakeEstimator, Encoder, vtkCSLFEncoder);
+vtkCxxSetSmartPointerMacro(vtkCSLFBakeEstimator, Sampler, vtkCSLFSampler);
 
 namespace
 {
@@ -139,27 +141,9 @@ struct vtkCSLFBakeEstimator::Outlook
 vtkCSLFBakeEstimator::vtkCSLFBakeEstimator() = default;
 vtkCSLFBakeEstimator::~vtkCSLFBakeEstimator() = default;
 
-void vtkCSLFBakeEstimator::SetSampler(vtkCSLFSampler* sampler)
-{
-  if (this->Sampler != sampler)
-  {
-    this->Sampler = sampler;
-    this->Modified();
-  }
-}
-
 vtkCSLFSampler* vtkCSLFBakeEstimator::GetSampler()
 {
   return this->Sampler;
-}
-
-void vtkCSLFBakeEstimator::SetEncoder(vtkCSLFEncoder* encoder)
-{
-  if (this->Encoder != encoder)
-  {
-    this->Encoder = encoder;
-    this->Modified();
-  }
 }
 
 vtkCSLFEncoder* vtkCSLFBakeEstimator::GetEncoder()

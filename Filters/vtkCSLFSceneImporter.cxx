@@ -33,6 +33,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
+vtkCxxSetSmartPointerMacro(vtkCSLFSceneImporter, Renderer, vtkRenderer);
 
 namespace
 {
@@ -197,15 +198,6 @@ vtkCSLFSceneImporter::vtkCSLFSceneImporter()
 }
 
 vtkCSLFSceneImporter::~vtkCSLFSceneImporter() = default;
-
-void vtkCSLFSceneImporter::SetRenderer(vtkRenderer* renderer)
-{
-  if (this->Renderer != renderer)
-  {
-    this->Renderer = renderer;
-    this->Modified();
-  }
-}
 
 vtkRenderer* vtkCSLFSceneImporter::GetRenderer()
 {

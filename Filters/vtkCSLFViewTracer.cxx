@@ -26,6 +26,7 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkCSLFViewTracer);
+vtkCxxSetSmartPointerMacro(vtkCSLFViewTracer, Camera, vtkCamera);
 
 namespace
 {
@@ -97,15 +98,6 @@ vtkMTimeType vtkCSLFViewTracer::GetMTime()
   return this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
 }
 
-void vtkCSLFViewTracer::SetCamera(vtkCamera* camera)
-{
-  if (this->Camera != camera)
-  {
-    this->Camera = camera;
-    this->Modified();
-  }
-}
-
 vtkCamera* vtkCSLFViewTracer::GetCamera()
 {
   return this->Camera;
@@ -139,12 +131,10 @@ int vtkCSLFViewTracer::RequestInformation(
     return 0;
   }
   const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
-  const double spacing[3] = { 1.0, 1.0, 1.0 };
-  const double origin[3] = { 0.0, 0.0, 0.0 };
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::SPACING(), spacing, 3);
-  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
   vtkDataObject::SetPointDataActiveScalarInfo(info, this->ColorType, 4);
   return 1;
 }

@@ -84,33 +84,28 @@ private:
   template <typename Value>
   void Interpolate(std::vector<Value>& values) const
   {
-    if (values.empty())
-    {
-      return;
-    }
-    std::vector<Value> divided;
-    divided.reserve(this->Places.size());
-    for (const TrianglePoint& place : this->Places)
-    {
-      divided.push_back(this->Whole.Interpolate(values, place));
-    }
-    values = std::move(divided);
+    Replace(values, this->Places,
+      [this, &values](const TrianglePoint& place)
+      { return this->Whole.Interpolate(values, place); });
   }
 
   template <typename Value>
   void Repeat(std::vector<Value>& values) const
   {
-    if (values.empty())
+    Replace(values, this->Tubes, [&values](std::uint32_t tube) { return values[tube]; });
+  }
+
+  /// Replaces values, if there are any, by one for each of the origins.
+  template <typename Value, typename Origin, typename Get>
+  static void Replace(
+    std::vector<Value>& values, const std::vector<Origin>& origins, const Get& get)
+  {
+    if (!values.empty())
     {
-      return;
+      std::vector<Value> divided(origins.size());
+      std::transform(origins.begin(), origins.end(), divided.begin(), get);
+      values = std::move(divided);
     }
-    std::vector<Value> divided;
-    divided.reserve(this->Tubes.size());
-    for (std::uint32_t tube : this->Tubes)
-    {
-      divided.push_back(values[tube]);
-    }
-    values = std::move(divided);
   }
 
   const Mesh& Whole;
