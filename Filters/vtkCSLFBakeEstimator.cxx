@@ -17,8 +17,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <iterator>
 #include <limits>
 #include <string>
 

@@ -33,7 +33,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFFieldReference);

@@ -23,7 +23,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkCSLFViewTracer);
 vtkCxxSetSmartPointerMacro(vtkCSLFViewTracer, Camera, vtkCamera);

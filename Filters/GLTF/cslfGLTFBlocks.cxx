@@ -12,7 +12,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include <array>
 #include <cstddef>
 #include <set>
 #include <string>

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace cslf
 {

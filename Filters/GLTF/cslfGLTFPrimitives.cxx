@@ -13,7 +13,6 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -15,8 +15,6 @@
 #include "cslfTrack.h"
 #include "cslfViewpointSamples.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace cslf

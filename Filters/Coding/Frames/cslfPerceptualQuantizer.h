@@ -11,7 +11,6 @@
 
 #include "vtkCSLFModule.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace cslf

@@ -5,7 +5,6 @@
 #include "cslfLayout.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace cslf
 {

@@ -12,7 +12,6 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <utility>

@@ -5,7 +5,6 @@
 #include "Files/cslfFileSystem.h"
 #include "cslfPart.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

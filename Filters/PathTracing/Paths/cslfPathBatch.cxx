@@ -4,8 +4,6 @@
 
 #include "PathTracing/Rays/cslfRayBin.h"
 
-#include <algorithm>
-
 namespace cslf
 {
 namespace

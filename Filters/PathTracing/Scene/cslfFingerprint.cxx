@@ -11,7 +11,6 @@
 #include <vtksys/MD5.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace cslf
 {

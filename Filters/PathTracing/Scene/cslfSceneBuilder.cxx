@@ -29,7 +29,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
