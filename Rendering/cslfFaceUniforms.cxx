@@ -12,9 +12,8 @@
 
 namespace cslf
 {
-void SetFaceUniforms(vtkShaderProgram* program, int face)
+void GetFaceToCube(int face, vtkMatrix4x4* fccc)
 {
-  vtkNew<vtkMatrix4x4> fccc;
   const glm::dvec3 originCC = FaceSpaceToCube(face, glm::dvec3(0.0));
   for (int column = 0; column < 4; ++column)
   {
@@ -23,13 +22,19 @@ void SetFaceUniforms(vtkShaderProgram* program, int face)
     {
       unit[column] = 1.0;
     }
-    const glm::dvec3 pointCC = column < 3 ? FaceSpaceToCube(face, unit) - originCC : originCC;
-    // GLSL's matrices are stored by columns.
+    const glm::dvec3 imageCC = column < 3 ? FaceSpaceToCube(face, unit) - originCC : originCC;
     for (int row = 0; row < 3; ++row)
     {
-      fccc->SetElement(column, row, pointCC[row]);
+      fccc->SetElement(row, column, imageCC[row]);
     }
   }
+}
+
+void SetFaceUniforms(vtkShaderProgram* program, int face)
+{
+  vtkNew<vtkMatrix4x4> fccc;
+  GetFaceToCube(face, fccc);
+  fccc->Transpose(); // GLSL's matrices are stored by columns.
   program->SetUniformMatrix("FCCCMatrix", fccc);
 
   const auto frames = ListExitFrames(face);

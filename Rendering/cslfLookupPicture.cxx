@@ -361,24 +361,10 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   const DisplayRows rows = CutOut(this->Current.CCDC, this->Viewport, this->Area);
   vtkNew<vtkMatrix4x4> ccdc;
   ccdc->DeepCopy(&rows[0].x);
+  vtkNew<vtkMatrix4x4> fccc;
+  GetFaceToCube(entryFace, fccc);
   vtkNew<vtkMatrix4x4> fcdc;
-  for (int column = 0; column < 4; ++column)
-  {
-    glm::dvec3 unit(0.0);
-    if (column < 3)
-    {
-      unit[column] = 1.0;
-    }
-    const glm::dvec3 origin = FaceSpaceToCube(entryFace, glm::dvec3(0.0));
-    const glm::dvec3 axis = column < 3 ? FaceSpaceToCube(entryFace, unit) - origin : origin;
-    const double in[4] = { axis.x, axis.y, axis.z, column < 3 ? 0.0 : 1.0 };
-    double out[4];
-    ccdc->MultiplyPoint(in, out);
-    for (int row = 0; row < 4; ++row)
-    {
-      fcdc->SetElement(row, column, out[row]);
-    }
-  }
+  vtkMatrix4x4::Multiply4x4(ccdc, fccc, fcdc);
   // GLSL's matrices are stored by columns.
   vtkNew<vtkMatrix4x4> dcfc;
   vtkMatrix4x4::Invert(fcdc, dcfc);
