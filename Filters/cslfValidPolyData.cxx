@@ -5,8 +5,6 @@
 #include "Pipeline/cslfArrayLayout.h"
 
 #include <vtkAbstractArray.h>
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -96,17 +94,9 @@ private:
   template <typename Visit>
   void ForEach(Visit visit) const
   {
-    if (this->Count == 0)
+    if (this->Count > 0)
     {
-      return;
-    }
-    auto cell = vtk::TakeSmartPointer(this->Cells->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType count;
-      const vtkIdType* ids;
-      cell->GetCurrentCell(count, ids);
-      visit(cell->GetCurrentCellId(), count, ids);
+      ForEachCell(this->Cells, visit);
     }
   }
 };

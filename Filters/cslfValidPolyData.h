@@ -9,6 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -42,6 +44,20 @@ struct ValidPolyData
 /// - arrays of points or cells with fewer tuples than there are points or cells.
 /// All arrays but the points' coordinates are vtkAOSDataArrayTemplate in what comes out.
 VTKCSLF_EXPORT ValidPolyData MakeSound(vtkPolyData* data);
+
+/// Calls `visit(cell, count, points)` for each cell of a valid list.
+template <typename Visit>
+void ForEachCell(vtkCellArray* cells, Visit visit)
+{
+  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count;
+    const vtkIdType* points;
+    cell->GetCurrentCell(count, points);
+    visit(cell->GetCurrentCellId(), count, points);
+  }
+}
 }
 
 #endif

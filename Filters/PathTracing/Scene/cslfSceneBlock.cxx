@@ -4,11 +4,10 @@
 
 #include "PathTracing/Shapes/cslfTriangles.h"
 #include "cslfColor.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
@@ -90,28 +89,24 @@ RoundSelection SelectRound(vtkPolyData* data, Mesh::Shapes shape)
   const bool tubes = shape == Mesh::Shapes::Tubes;
   const vtkIdType first = tubes ? data->GetNumberOfVerts() : 0;
   vtkCellArray* cells = tubes ? data->GetLines() : data->GetVerts();
-  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-  {
-    vtkIdType count;
-    const vtkIdType* points;
-    cell->GetCurrentCell(count, points);
-    const vtkIdType index = first + cell->GetCurrentCellId();
-    if (IsGhost(data, index))
+  ForEachCell(cells,
+    [&](vtkIdType cell, vtkIdType count, const vtkIdType* points)
     {
-      continue;
-    }
-    if (!std::all_of(points, points + count,
-          [data](vtkIdType point) { return IsFinite(GetPoint(data, point)); }))
-    {
-      ++selection.Removed;
-      continue;
-    }
-    for (vtkIdType i = tubes ? 1 : 0; i < count; ++i)
-    {
-      selection.Parts.push_back({ { points[tubes ? i - 1 : i], points[i] }, index });
-    }
-  }
+      if (IsGhost(data, first + cell))
+      {
+        return;
+      }
+      if (!std::all_of(points, points + count,
+            [data](vtkIdType point) { return IsFinite(GetPoint(data, point)); }))
+      {
+        ++selection.Removed;
+        return;
+      }
+      for (vtkIdType i = tubes ? 1 : 0; i < count; ++i)
+      {
+        selection.Parts.push_back({ { points[tubes ? i - 1 : i], points[i] }, first + cell });
+      }
+    });
   return selection;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTriangles.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
+#include "cslfValidPolyData.h"
+
 #include <vtkDataSetAttributes.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -20,20 +20,6 @@ namespace cslf
 {
 namespace
 {
-/// Calls `visit(cell, count, points)` for each polygon.
-template <typename Visit>
-void ForEachPolygon(vtkPolyData* data, Visit visit)
-{
-  auto cell = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-  {
-    vtkIdType count;
-    const vtkIdType* points;
-    cell->GetCurrentCell(count, points);
-    visit(cell->GetCurrentCellId(), count, points);
-  }
-}
-
 bool AreFinite(vtkPolyData* data, vtkIdType count, const vtkIdType* points)
 {
   return std::all_of(
@@ -54,7 +40,7 @@ vtkSmartPointer<vtkPolyData> RemoveBrokenPolygons(vtkPolyData* data, vtkIdType& 
 {
   const vtkIdType firstPolygon = data->GetNumberOfVerts() + data->GetNumberOfLines();
   std::vector<vtkIdType> broken;
-  ForEachPolygon(data,
+  ForEachCell(data->GetPolys(),
     [&](vtkIdType cell, vtkIdType count, const vtkIdType* points)
     {
       if (count > 3 && !AreFinite(data, count, points))
@@ -108,7 +94,7 @@ TriangleSelection SelectTriangles(vtkPolyData* data)
   triangulation->PassLinesOff();
   triangulation->Update();
   selection.Surface = triangulation->GetOutput();
-  ForEachPolygon(selection.Surface,
+  ForEachCell(selection.Surface->GetPolys(),
     [&](vtkIdType cell, vtkIdType count, const vtkIdType* points)
     {
       if (IsGhost(selection.Surface, cell))
