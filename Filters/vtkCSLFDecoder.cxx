@@ -242,11 +242,7 @@ int vtkCSLFDecoder::RequestInformation(
   int extent[6];
   this->Internal->Reader->GetHeader().Field.Grid.GetWholeExtent(extent);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  outInfo->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
-  outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
-  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  cslf::SplitAlongZ(outInfo);
+  cslf::SetFieldInformation(outInfo, extent);
   const cslf::Description& field = this->Internal->Reader->GetHeader().Field;
   vtkDataObject::SetPointDataActiveScalarInfo(
     outInfo, field.FindChannel(cslf::KnownChannel::Color)->Type, 4);

@@ -7,6 +7,7 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfSlabs.h"
 #include "cslfPrintable.h"
 
 #include <vtkDataArray.h>
@@ -249,10 +250,7 @@ int vtkCSLFImageReader::RequestInformation(
   extent[4] = folder.Slices.First;
   extent[5] = folder.Slices.Last;
   vtkInformation* information = outputVector->GetInformationObject(0);
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  information->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
-  information->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
-  information->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  cslf::SetFieldInformation(information, extent);
   if (!folder.Field.Channels.empty())
   {
     const cslf::Channel& first = folder.Field.Channels[0];

@@ -165,12 +165,7 @@ int vtkCSLFResample::RequestInformation(
   }
   int extent[6];
   nesting->GetWholeExtent(extent);
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-  outInfo->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
-  outInfo->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
-  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  cslf::SplitAlongZ(outInfo);
+  cslf::SetFieldInformation(outputVector->GetInformationObject(0), extent);
   return 1;
 }
 

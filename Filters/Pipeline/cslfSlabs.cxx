@@ -41,6 +41,15 @@ void SplitAlongZ(vtkInformation* information)
   vtkExtentTranslator::UPDATE_SPLIT_MODE()->Set(information, vtkExtentTranslator::Z_SLAB_MODE);
 }
 
+void SetFieldInformation(vtkInformation* information, const int wholeExtent[6])
+{
+  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), wholeExtent, 6);
+  information->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  information->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  information->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  SplitAlongZ(information);
+}
+
 SlabStream::SlabStream(vtkAlgorithmOutput* connection)
   : Producer(connection->GetProducer())
   , Decoder(vtkCSLFDecoder::SafeDownCast(this->Producer))

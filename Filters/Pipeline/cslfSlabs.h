@@ -95,6 +95,10 @@ private:
 /// Splits the output of that pipeline information into pieces, which are ranges of z slices. They
 /// share one slice, like pieces of image data.
 void SplitAlongZ(vtkInformation* information);
+
+/// Sets an output's information: a light field of that whole extent, any slices of which can be
+/// requested.
+void SetFieldInformation(vtkInformation* information, const int wholeExtent[6]);
 }
 
 #endif
