@@ -37,15 +37,22 @@ int GetTile(vtkCSLFSampler* sampler, int entry, int exit)
   return (exit > entry ? exit - 1 : exit) * sampler->GetResolution();
 }
 
-/// One viewpoint as a picture: the middle of the face +Z, whose five tiles lie side by side.
-vtkSmartPointer<vtkAlgorithm> ExtractViewpoint(vtkCSLFSampler* sampler)
+/// The middle viewpoint of a face, whose five tiles lie side by side.
+vtkSmartPointer<vtkAlgorithm> ExtractMiddle(vtkCSLFSampler* sampler, int face)
 {
   const int n = sampler->GetResolution();
   const int middle = sampler->GetViewpoints() / 2;
-  const int z = GetViewpoint(sampler, Front, middle, middle);
-  vtkNew<vtkExtractVOI> part;
+  const int z = GetViewpoint(sampler, face, middle, middle);
+  auto part = vtkSmartPointer<vtkExtractVOI>::New();
   part->SetInputConnection(sampler->GetOutputPort());
   part->SetVOI(0, 5 * n - 1, 0, n - 1, z, z);
+  return part;
+}
+
+/// One viewpoint as a picture: the middle of the face +Z.
+vtkSmartPointer<vtkAlgorithm> ExtractViewpoint(vtkCSLFSampler* sampler)
+{
+  const auto part = ExtractMiddle(sampler, Front);
   vtkNew<vtkImageExtractComponents> colors;
   colors->SetInputConnection(part->GetOutputPort());
   colors->SetComponents(0, 1, 2);
@@ -94,12 +101,7 @@ bool WritePicture(vtkAlgorithm* picture, const char* fileName)
 /// The mean of green of a face's middle viewpoint. Light leaves the box only through its open side.
 double GetBrightness(vtkCSLFSampler* sampler, int face)
 {
-  const int n = sampler->GetResolution();
-  const int middle = sampler->GetViewpoints() / 2;
-  const int z = GetViewpoint(sampler, face, middle, middle);
-  vtkNew<vtkExtractVOI> part;
-  part->SetInputConnection(sampler->GetOutputPort());
-  part->SetVOI(0, 5 * n - 1, 0, n - 1, z, z);
+  const auto part = ExtractMiddle(sampler, face);
   vtkNew<vtkImageExtractComponents> green;
   green->SetInputConnection(part->GetOutputPort());
   green->SetComponents(1);

@@ -74,15 +74,22 @@ cslf::Description GetDescription(vtkImageData* image)
   return description.value_or(cslf::Description());
 }
 
-void TestShapeAndSlabs(int viewpoints, int resolution, int type)
+/// The box, which has its own lamp.
+void SetUp(vtkCSLFSampler* sampler, vtkCSLFCornellBoxSource* box, int viewpoints, int resolution,
+  int samples)
 {
-  vtkNew<vtkCSLFCornellBoxSource> box;
-  vtkNew<vtkCSLFSampler> sampler;
   sampler->SetInputConnection(box->GetOutputPort());
   sampler->GetEnvironment()->SetModeToNone();
   sampler->SetViewpoints(viewpoints);
   sampler->SetResolution(resolution);
-  sampler->SetSamples(3);
+  sampler->SetSamples(samples);
+}
+
+void TestShapeAndSlabs(int viewpoints, int resolution, int type)
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, box, viewpoints, resolution, 3);
   sampler->SetSeed(11);
   sampler->SetColorType(type);
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2 }, [&sampler]() { sampler->Update(); });
@@ -101,11 +108,7 @@ void TestShapeAndSlabs(int viewpoints, int resolution, int type)
 
   // One thread, slices one by one, by another filter: the same bytes. The scene is built once.
   vtkNew<vtkCSLFSampler> slabs;
-  slabs->SetInputConnection(box->GetOutputPort());
-  slabs->GetEnvironment()->SetModeToNone();
-  slabs->SetViewpoints(viewpoints);
-  slabs->SetResolution(resolution);
-  slabs->SetSamples(3);
+  SetUp(slabs, box, viewpoints, resolution, 3);
   slabs->SetSeed(11);
   slabs->SetColorType(type);
   std::string slabColor;
@@ -176,11 +179,7 @@ void TestPieces()
 {
   vtkNew<vtkCSLFCornellBoxSource> box;
   vtkNew<vtkCSLFSampler> sampler;
-  sampler->SetInputConnection(box->GetOutputPort());
-  sampler->GetEnvironment()->SetModeToNone();
-  sampler->SetViewpoints(2);
-  sampler->SetResolution(16);
-  sampler->SetSamples(2);
+  SetUp(sampler, box, 2, 16, 2);
   sampler->Update();
   const std::string whole = GetBytes(sampler->GetOutput(), cslf::ColorName);
   const std::size_t slice = whole.size() / 24;

@@ -26,6 +26,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cmath>
@@ -113,20 +114,27 @@ double FromBelowToAbove(double x)
   return std::abs(x - 0.5) < 0.1 ? vtkMath::Nan() : 140.0 * x - 20.0;
 }
 
-void TestRange()
+/// The imported texture of the square, which is neither repeated nor interpolated.
+vtkSmartPointer<vtkImageData> ImportTexture(const Square& square)
 {
-  // The range of the mapper, not of the table.
-  Square square([](double x) { return 100.0 * x; });
-  square.Mapper->SetScalarRange(0.0, 100.0);
   vtkNew<vtkCSLFSceneImporter> importer;
   importer->SetRenderer(square.Renderer);
   importer->Update();
-  vtkNew<vtkImageData> image;
+  auto image = vtkSmartPointer<vtkImageData>::New();
   bool repeat = true;
   bool interpolate = true;
   CSLF_CHECK(vtkCSLFMaterial::GetTexture(importer->GetOutput()->GetBlock(0),
     vtkCSLFMaterial::BaseColorTexture, image, repeat, interpolate));
   CSLF_CHECK(!repeat && !interpolate);
+  return image;
+}
+
+void TestRange()
+{
+  // The range of the mapper, not of the table.
+  Square square([](double x) { return 100.0 * x; });
+  square.Mapper->SetScalarRange(0.0, 100.0);
+  const auto image = ImportTexture(square);
   const int width = image->GetDimensions()[0];
   double middle[4];
   double last[4];
@@ -191,14 +199,7 @@ void TestFunctions()
   opacities->AddPoint(100.0, 1.0);
   colors->SetScalarOpacityFunction(opacities);
   colors->EnableOpacityMappingOn();
-  vtkNew<vtkCSLFSceneImporter> importer;
-  importer->SetRenderer(square.Renderer);
-  importer->Update();
-  vtkNew<vtkImageData> image;
-  bool repeat = true;
-  bool interpolate = true;
-  CSLF_CHECK(vtkCSLFMaterial::GetTexture(importer->GetOutput()->GetBlock(0),
-    vtkCSLFMaterial::BaseColorTexture, image, repeat, interpolate));
+  const auto image = ImportTexture(square);
   CSLF_CHECK_NEAR(image->GetPointData()->GetScalars()->GetComponent(1, 3), 0.2 * 255.0, 10.0);
   CSLF_CHECK_NEAR(image->GetPointData()->GetScalars()->GetComponent(12, 3), 255.0, 10.0);
 
