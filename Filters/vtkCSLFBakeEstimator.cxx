@@ -5,6 +5,7 @@
 #include "Files/cslfJSONFile.h"
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"
+#include "cslfSeconds.h"
 #include "vtkCSLFEncoder.h"
 #include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFRateControl.h"
@@ -51,10 +52,7 @@ public:
     : Seconds(seconds)
   {
   }
-  ~Stopwatch()
-  {
-    this->Seconds = std::chrono::duration<double>(Clock::now() - this->Start).count();
-  }
+  ~Stopwatch() { this->Seconds = cslf::SecondsSince(this->Start); }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 

@@ -6,6 +6,7 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfSlabs.h"
+#include "cslfJoin.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -281,11 +282,7 @@ int vtkCSLFDecoder::RequestData(
 
 void vtkCSLFDecoder::WarnOfHeader()
 {
-  std::string all;
-  for (const std::string& warning : this->Internal->Reader->GetHeader().Warnings)
-  {
-    all += (all.empty() ? "" : "; ") + warning;
-  }
+  const std::string all = cslf::Join(this->Internal->Reader->GetHeader().Warnings, "; ");
   if (!all.empty())
   {
     vtkWarningMacro(<< this->FileName << " can be read, but " << all << ".");

@@ -11,6 +11,7 @@
 #include "Pictures/cslfCameraPath.h"
 #include "Pictures/cslfChart.h"
 #include "Pictures/cslfPictures.h"
+#include "cslfSeconds.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCamera.h>
@@ -133,8 +134,7 @@ void MeasureMoving(const Options& options, const Cube& cube, const std::vector<N
 std::unique_ptr<FieldRenderer> Open(
   const Options& options, int lookup, bool isStreaming, FieldFile& file, double& seconds)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   file = OpenField(options.Field);
   ReadToDraw(file);
   auto renderer = std::make_unique<FieldRenderer>(
@@ -143,7 +143,7 @@ std::unique_ptr<FieldRenderer> Open(
   const int stillSamples = renderer->GetPixelSamples();
   renderer->SetPixelSamples(1);
   renderer->Draw(CameraOptions().MakeCamera(file.Field.Box), lookup);
-  seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  seconds = SecondsSince(start);
   renderer->SetPixelSamples(stillSamples);
   return renderer;
 }

@@ -5,6 +5,7 @@
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
 #include "cslfCommands.h"
+#include "cslfJoin.h"
 
 #include <vtkAlgorithm.h>
 
@@ -18,12 +19,8 @@ namespace
 {
 std::string JoinNumbers(const nlohmann::json& numbers)
 {
-  std::string text;
-  for (const auto& number : numbers)
-  {
-    text += (text.empty() ? "" : " ") + number.dump();
-  }
-  return text;
+  return JoinAs(
+    numbers, [](const nlohmann::json& number) { return number.dump(); }, " ");
 }
 
 nlohmann::json ListParts(const FieldFile& file)

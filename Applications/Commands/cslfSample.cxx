@@ -15,6 +15,7 @@
 #endif
 #include "Options/cslfNumberChecks.h"
 #include "cslfLayout.h"
+#include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
 
 #include <vtkDataArraySelection.h>
@@ -241,8 +242,7 @@ Result Run(const Options& options)
     return {};
   }
   const FieldFile file = OpenField(options.Output);
-  const double seconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = SecondsSince(start);
   Result result;
   result.JSON = Summarize(file.Field);
   result.JSON["cost"] = IntegratorOptions::GetCost(sampler);

@@ -5,6 +5,7 @@
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
+#include "cslfJoin.h"
 
 #include "vtkCSLFDecoder.h"
 
@@ -63,16 +64,6 @@ vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& fileName)
 std::string Describe(const FieldPart& part)
 {
   return "\"" + part.Name + "\" (" + part.Type + ")";
-}
-
-std::string Describe(const std::vector<FieldPart>& parts)
-{
-  std::string text;
-  for (const FieldPart& part : parts)
-  {
-    text += (text.empty() ? "" : ", ") + Describe(part);
-  }
-  return text;
 }
 }
 
@@ -141,12 +132,12 @@ FieldPart FindPart(
   }
   if (found.empty())
   {
-    throw Failure(fileName + " has no part \"" + name + "\" but " + Describe(parts) + ".");
+    throw Failure(fileName + " has no part \"" + name + "\" but " + JoinAs(parts, Describe) + ".");
   }
   if (found.size() > 1)
   {
-    throw Failure(fileName + " has more than one part \"" + name + "\": " + Describe(found) +
-      "; ask for one as NAME=TYPE.");
+    throw Failure(fileName + " has more than one part \"" + name +
+      "\": " + JoinAs(found, Describe) + "; ask for one as NAME=TYPE.");
   }
   return found.front();
 }

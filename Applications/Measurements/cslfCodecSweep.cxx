@@ -4,6 +4,7 @@
 
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfSeconds.h"
 #include "cslfStatistics.h"
 
 #include "vtkCSLFDecoder.h"
@@ -26,11 +27,6 @@ namespace cslf::tool
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Image data as the input of a pipeline.
 vtkSmartPointer<vtkTrivialProducer> Produce(vtkImageData* image)

@@ -3,6 +3,7 @@
 #include "cslfOffscreenWindow.h"
 
 #include "Console/cslfMessages.h"
+#include "cslfSeconds.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -51,13 +52,12 @@ void OffscreenWindow::SetDesiredUpdateRate(double rate)
 
 double OffscreenWindow::Draw(vtkCamera* camera)
 {
-  using Clock = std::chrono::steady_clock;
   this->Renderer->SetActiveCamera(camera);
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
   this->Window->WaitForCompletion();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = SecondsSince(start);
   ThrowOnError();
   return seconds;
 }

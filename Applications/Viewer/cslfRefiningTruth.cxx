@@ -4,6 +4,7 @@
 
 #include "Console/cslfMessages.h"
 #include "Options/cslfToneOptions.h"
+#include "cslfSeconds.h"
 
 #include "vtkCSLFViewTracer.h"
 
@@ -59,8 +60,7 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2], int mostSamples
     this->Tracer->SetCamera(this->Camera);
     this->Tracer->SetSize(size[0], size[1]);
   }
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const int samples = std::clamp(mostSamples - this->Samples, 1, this->PassSamples);
   this->Tracer->SetSamples(samples);
   this->Tracer->SetSeed(this->Passes);
@@ -73,7 +73,7 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2], int mostSamples
   }
   this->Samples += samples;
   ++this->Passes;
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = SecondsSince(start);
   if (seconds < ShortSeconds)
   {
     this->PassSamples = std::min(2 * this->PassSamples, MostPassSamples);

@@ -3,6 +3,7 @@
 #include "cslfEncoderContext.h"
 
 #include "Coding/Frames/cslfFrameConverter.h"
+#include "cslfJoin.h"
 
 #include <algorithm>
 #include <cctype>
@@ -112,14 +113,10 @@ const EncoderOption* FindNamed(
 }
 
 /// The library's options as FFmpeg passes them on.
-std::string Join(const std::vector<EncoderOption>& options)
+std::string JoinOptions(const std::vector<EncoderOption>& options)
 {
-  std::string text;
-  for (const EncoderOption& option : options)
-  {
-    text += (text.empty() ? "" : ":") + option.Name + "=" + option.Value;
-  }
-  return text;
+  return JoinAs(
+    options, [](const EncoderOption& option) { return option.Name + "=" + option.Value; }, ":");
 }
 
 bool SetOptions(const VideoEncoder& encoder, const EncoderOptions& options, AVCodecContext* context,
@@ -128,7 +125,7 @@ bool SetOptions(const VideoEncoder& encoder, const EncoderOptions& options, AVCo
   std::vector<EncoderOption> all = options.OfFFmpeg;
   if (!options.OfLibrary.empty())
   {
-    all.push_back({ encoder.LibraryOption, Join(options.OfLibrary) });
+    all.push_back({ encoder.LibraryOption, JoinOptions(options.OfLibrary) });
   }
   for (const EncoderOption& option : all)
   {
@@ -151,7 +148,7 @@ bool Open(const VideoEncoder& encoder, const AVCodec* codec, const EncoderOption
 {
   static std::mutex mutex;
   static std::set<std::string> checked;
-  const std::string key = std::string(encoder.Name) + " " + Join(options.OfLibrary);
+  const std::string key = std::string(encoder.Name) + " " + JoinOptions(options.OfLibrary);
   bool isChecked = false;
   {
     const std::lock_guard<std::mutex> lock(mutex);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTrack.h"
 
+#include "cslfJoin.h"
+
 #include <vtkType.h>
 
 #include <algorithm>
@@ -112,12 +114,7 @@ std::optional<AVPixelFormat> FindPixelFormat(Plane plane, const std::string& nam
 
 std::string ListColorFormats()
 {
-  std::string list;
-  for (const AVPixelFormat format : GetRow(Plane::Colors).Formats)
-  {
-    list += (list.empty() ? "" : ", ") + NameOfFormat(format);
-  }
-  return list;
+  return JoinAs(GetRow(Plane::Colors).Formats, NameOfFormat);
 }
 
 std::string NameOfFormat(AVPixelFormat format)

@@ -4,6 +4,7 @@
 
 #include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfJoin.h"
 
 #include <vtkType.h>
 
@@ -22,26 +23,6 @@ constexpr int MinimumResolution = 16;
 
 /// Means the codec's default pixel format.
 constexpr const char* AutomaticFormat = "auto";
-
-std::string ListCodecs()
-{
-  std::string list;
-  for (const Codec codec : GetCodecs())
-  {
-    list += (list.empty() ? "" : ", ") + std::string(NameOfCodec(codec));
-  }
-  return list;
-}
-
-std::string Join(const std::vector<std::string>& names)
-{
-  std::string list;
-  for (const std::string& name : names)
-  {
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
-}
 }
 
 EncoderChoice ChooseEncoder(const EncodeSettings& settings, bool isRadiance, int resolution)
@@ -97,7 +78,8 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
   const auto codec = CodecOfName(settings.Codec);
   if (!codec)
   {
-    return "The codec \"" + settings.Codec + "\" is none of " + ListCodecs() + ".";
+    return "The codec \"" + settings.Codec + "\" is none of " + JoinAs(GetCodecs(), NameOfCodec) +
+      ".";
   }
   if (settings.PixelFormat != AutomaticFormat &&
     !FindPixelFormat(Plane::Colors, settings.PixelFormat))
