@@ -131,6 +131,17 @@ vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType tup
   return array;
 }
 
+void AddTexts(vtkFieldData* data, const char* name, const std::vector<const char*>& texts)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const char* text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  data->AddArray(array);
+}
+
 struct Case
 {
   const char* Name;
@@ -189,68 +200,45 @@ std::vector<Case> MakeCellCases()
 /// All faults of arrays.
 std::vector<Case> MakeArrayCases()
 {
+  const char* isShort = "array Short, which is too short";
+  const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+  const auto withCellArray = [](const vtkSmartPointer<vtkDataArray>& array)
+  { return [array](vtkPolyData* data) { data->GetCellData()->AddArray(array); }; };
   return {
     { "short colors of cells",
       [](vtkPolyData* data)
       { data->GetCellData()->SetScalars(MakeArray<vtkUnsignedCharArray>("Short", 3, 1)); },
-      "array Short, which is too short", true },
+      isShort, true },
     { "short colors of points",
       [](vtkPolyData* data)
       { data->GetPointData()->SetScalars(MakeArray<vtkUnsignedCharArray>("Short", 3, 3)); },
-      "array Short, which is too short", true },
+      isShort, true },
     { "short normals",
       [](vtkPolyData* data)
       { data->GetPointData()->SetNormals(MakeArray<vtkFloatArray>("Short", 3, 1)); },
-      "array Short, which is too short", true },
-    { "short array that nobody uses",
-      [](vtkPolyData* data)
-      { data->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("Short", 9, 0)); },
-      "array Short, which is too short", true },
-    { "short ghosts",
-      [](vtkPolyData* data)
-      {
-        data->GetCellData()->AddArray(
-          MakeArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), 1, 1));
-      },
+      isShort, true },
+    { "short array that nobody uses", withCellArray(MakeArray<vtkDoubleArray>("Short", 9, 0)),
+      isShort, true },
+    { "short ghosts", withCellArray(MakeArray<vtkUnsignedCharArray>(ghosts, 1, 1)),
       "which is too short", true },
     { "normals of two components",
       [](vtkPolyData* data)
       { data->GetPointData()->AddArray(MakeArray<vtkFloatArray>("Normals", 2, 4)); },
       "", true },
-    { "ghosts of the wrong type",
-      [](vtkPolyData* data)
-      {
-        data->GetCellData()->AddArray(
-          MakeArray<vtkIntArray>(vtkDataSetAttributes::GhostArrayName(), 1, 2));
-      },
-      "", true },
+    { "ghosts of the wrong type", withCellArray(MakeArray<vtkIntArray>(ghosts, 1, 2)), "", true },
     { "instances that are texts",
       [](vtkPolyData* data)
-      {
-        vtkNew<vtkStringArray> texts;
-        texts->SetName(vtkCSLFInstances::InstanceMatrix());
-        texts->InsertNextValue("here");
-        data->GetFieldData()->AddArray(texts);
-      },
+      { AddTexts(data->GetFieldData(), vtkCSLFInstances::InstanceMatrix(), { "here" }); },
       "instances with arrays that do not match", false, true },
     { "lights that are texts",
       [](vtkPolyData* data)
-      {
-        vtkNew<vtkStringArray> texts;
-        texts->SetName(vtkCSLFLight::PointLightPosition());
-        texts->InsertNextValue("there");
-        data->GetFieldData()->AddArray(texts);
-      },
+      { AddTexts(data->GetFieldData(), vtkCSLFLight::PointLightPosition(), { "there" }); },
       "1 light(s) with arrays that do not match", true, true },
     { "colors that are texts",
       [](vtkPolyData* data)
       {
-        vtkNew<vtkStringArray> texts;
-        texts->SetName("Colors");
-        texts->InsertNextValue("red");
-        texts->InsertNextValue("green");
         data->GetCellData()->Initialize();
-        data->GetCellData()->AddArray(texts);
+        AddTexts(data->GetCellData(), "Colors", { "red", "green" });
       },
       "is not numeric", true, true },
   };
