@@ -307,16 +307,22 @@ void CheckViewTracer(const Case& of)
   }
 }
 
-void CheckSampler(const Case& of)
+vtkSmartPointer<vtkCSLFSampler> MakeSampler(vtkPolyData* data)
 {
-  vtkSmartPointer<vtkPolyData> data = MakeSquare();
-  of.Break(data);
-  vtkNew<vtkCSLFSampler> sampler;
+  auto sampler = vtkSmartPointer<vtkCSLFSampler>::New();
   sampler->SetInputData(data);
   sampler->SetViewpoints(2);
   sampler->SetResolution(8);
   sampler->SetSamples(1);
   sampler->GetCacheOptions()->SetSamples(16);
+  return sampler;
+}
+
+void CheckSampler(const Case& of)
+{
+  vtkSmartPointer<vtkPolyData> data = MakeSquare();
+  of.Break(data);
+  const auto sampler = MakeSampler(data);
   const Messages messages(sampler);
   CSLF_CHECK((sampler->GetExecutive()->Update() == 1) == of.ShowsSquare);
 }
@@ -372,12 +378,7 @@ void TestNonFinite()
     const vtkIdType wrong = points->InsertNextPoint(value, 0, 0);
     data->SetPoints(points);
     AddBrokenCells(data, wrong);
-    vtkNew<vtkCSLFSampler> sampler;
-    sampler->SetInputData(data);
-    sampler->SetViewpoints(2);
-    sampler->SetResolution(8);
-    sampler->SetSamples(1);
-    sampler->GetCacheOptions()->SetSamples(16);
+    const auto sampler = MakeSampler(data);
     const Messages messages(sampler);
     CSLF_CHECK(sampler->GetExecutive()->Update() == 1);
     CSLF_CHECK(messages.Contain("polygon(s) with coordinates that are not finite"));

@@ -76,8 +76,7 @@ void TestSurface(ShapeComparison& window)
   actor->SetMapper(mapper);
   actor->SetPosition(0.1, 0.0, 0.0);
   actor->RotateX(20.0);
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddActor(actor);
+  window.ShowOnly(actor);
   const vtkSmartPointer<vtkPlane> plane = MakePlane(0.8, 0.6, 0.0, 0.2);
   mapper->AddClippingPlane(plane);
   CheckPicture(window, "A cut cube", 0.06);
@@ -184,8 +183,7 @@ void TestComposite(ShapeComparison& window)
   mapper->AddClippingPlane(MakePlane(0.0, 1.0, 0.0, 0.05));
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddActor(actor);
+  window.ShowOnly(actor);
   CheckPicture(window, "Cut blocks", 0.08);
 }
 
@@ -214,8 +212,7 @@ void TestGlyphs(ShapeComparison& window)
   mapper->AddClippingPlane(MakePlane(1, 0, 0, 0.43));
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddActor(actor);
+  window.ShowOnly(actor);
   CheckPicture(window, "Cut glyphs", 0.08);
   const auto scene = Import(window.Renderer);
   CSLF_CHECK(GetCount(scene) == 2);

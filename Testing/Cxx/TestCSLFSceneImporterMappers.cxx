@@ -109,8 +109,7 @@ void TestMolecules(ShapeComparison& window)
   mapper->SetAtomicRadiusScaleFactor(0.3f);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddActor(actor);
+  window.ShowOnly(actor);
   {
     const Import import(window.Renderer);
     CSLF_CHECK(import.Warning.empty() && import.GetCount() == 1);
@@ -205,8 +204,7 @@ void TestGraphs(ShapeComparison& window)
   mapper->SetVertexPointSize(9.0f);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddActor(actor);
+  window.ShowOnly(actor);
   {
     const Import import(window.Renderer);
     CSLF_CHECK(import.Warning.empty() && import.GetCount() == 2);
@@ -275,8 +273,7 @@ void TestPointMappers(ShapeComparison& window)
   splats->SetScaleArray("Sizes");
   splats->SetScaleFactor(0.5);
   actor->SetMapper(splats);
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddActor(actor);
+  window.ShowOnly(actor);
   {
     const Import import(window.Renderer);
     CSLF_CHECK(import.Warns("splats") && import.GetCount() == 1);

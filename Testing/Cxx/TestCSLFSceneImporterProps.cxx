@@ -44,8 +44,7 @@ using cslf::testing::ShapeComparison;
 /// Draws and traces one prop alone.
 void Check(ShapeComparison& window, const char* name, vtkProp* prop)
 {
-  window.Renderer->RemoveAllViewProps();
-  window.Renderer->AddViewProp(prop);
+  window.ShowOnly(prop);
   const double share = window.Compare();
   std::cout << name << ": " << 100.0 * share << " % of " << window.Covered << " pixels differ\n";
   CSLF_CHECK(window.Covered > 500 && share < 0.08); // pixels on the silhouette

@@ -57,8 +57,7 @@ struct Scene
     this->Actor->SetMapper(this->Mapper);
     this->Actor->SetTexture(this->Texture);
     this->Texture->SetInputData(this->Image);
-    window.Renderer->RemoveAllViewProps();
-    window.Renderer->AddActor(this->Actor);
+    window.ShowOnly(this->Actor);
   }
 
   void SetScalars(vtkDataArray* scalars, bool ofCells = false)

@@ -42,6 +42,12 @@ public:
     this->Window->AddRenderer(this->Renderer);
   }
 
+  void ShowOnly(vtkProp* prop)
+  {
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->AddViewProp(prop);
+  }
+
   /// Draws and traces.
   void Update()
   {
