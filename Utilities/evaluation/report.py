@@ -206,6 +206,14 @@ class Report:
                 self.plot("frame-rates", curves, "triangles of the mesh", "frames per second",
                           log=(True, False)))
 
+    @staticmethod
+    def tell_ratio(result):
+        """How many times as long path tracing takes, and from which measurements this follows."""
+        *paths, cached = (each["psnr"] for each in result["outcomes"])
+        beyond = max(min(paths) - cached, cached - max(paths))
+        how = f"extrapolated by {beyond:.1f} dB" if beyond > 0 else "interpolated"
+        return f"{result['ratio']:.1f} ({how})"
+
     def integrators(self, found):
         rows = []
         curves = []
@@ -221,15 +229,22 @@ class Report:
                            [e["psnr"] for e in paths]))
             curves.append((f"{get_title(scene)}, cached radiance", [told["field_seconds"]],
                            [told["psnr"]]))
-        ratios = ", ".join(f"{get_title(scene)} {result['ratio']:.1f}"
+        ratios = ", ".join(f"{get_title(scene)} {self.tell_ratio(result)}"
                            for scene, result in found.items())
+        setting = next(iter(found.values()))
         return ("## Noise against time\n\n" +
-                paragraph("PSNR of texels of a field (M = 17, N = 128) against a reference, and "
-                          "the seconds that sampling the whole field takes.") + "\n" +
+                paragraph(f"PSNR of {count(setting['texels'])} texels of a field (M = 17, N = 128) "
+                          f"in {setting['views']} of its viewpoints, against a reference of "
+                          f"{setting['reference_spp']} samples, and the seconds that sampling the "
+                          "whole field takes, extrapolated from these viewpoints. Cached radiance "
+                          "takes at most 16 samples, and fewer if their standard error falls to "
+                          "0.004 of white. Each was measured once.") + "\n" +
                 table(["scene", "integrator", "PSNR (dB)", "seconds"], rows) +
                 "\n" +
-                paragraph("For equal PSNR, path tracing takes longer by these factors: "
-                          f"{ratios}.") + "\n" +
+                paragraph("To reach the PSNR of cached radiance, path tracing takes longer by "
+                          f"these factors: {ratios}. "
+                          "[Performance](../Performance.md#speed-at-equal-quality) compares other "
+                          "viewpoints with more samples of path tracing.") + "\n" +
                 self.plot("integrators", curves, "seconds", "PSNR (dB)", log=(True, False)))
 
     def cycles(self, found):
