@@ -369,7 +369,11 @@ private:
         meshes.push_back(std::move(mesh));
       }
     }
-    return this->Options.InPieces ? JoinMeshes(std::move(meshes)) : meshes;
+    if (this->Options.InPieces)
+    {
+      meshes = JoinMeshes(std::move(meshes));
+    }
+    return meshes;
   }
 
   BuiltScene Finish(BuiltScene built, std::vector<Mesh> meshes, LightSet lights)
