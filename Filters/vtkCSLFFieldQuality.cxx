@@ -230,7 +230,7 @@ std::vector<cslf::Slab> PlanSlabs(cslf::SlabStream streams[2], const cslf::Slab&
 {
   const auto isWanted = [&whole](int slice) { return slice >= whole.First && slice <= whole.Last; };
   const int chosen = !streams[0].IsVideo() && streams[1].IsVideo() ? 1 : 0;
-  const std::vector<cslf::Slab> slabs = streams[chosen].PlanSlabs(isWanted);
+  std::vector<cslf::Slab> slabs = streams[chosen].PlanSlabs(isWanted);
   streams[0].Announce(slabs);
   streams[1].Announce(slabs);
   return slabs;

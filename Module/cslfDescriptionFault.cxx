@@ -46,7 +46,7 @@ std::string FindFault(const std::vector<Channel>& channels)
   std::set<std::string> names;
   for (const Channel& channel : channels)
   {
-    const std::string fault = FindFault(channel);
+    std::string fault = FindFault(channel);
     if (!fault.empty())
     {
       return fault;

@@ -37,6 +37,7 @@ constexpr int TableTexels = 2;
 std::vector<int> ListSlices(const std::vector<WantedTiles>& wanted)
 {
   std::vector<int> slices;
+  slices.reserve(wanted.size());
   for (const WantedTiles& tiles : wanted)
   {
     slices.push_back(tiles.Slice);

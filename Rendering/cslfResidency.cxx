@@ -154,6 +154,7 @@ std::vector<bool> Residency::FindSeen(int face) const
     const std::vector<int>& nodes = this->Levels.GetNodes(level);
     const int cells = static_cast<int>(nodes.size()) - 1;
     std::vector<glm::dvec2> ranges; // of a cell and its neighbours, along either side
+    ranges.reserve(nodes.size());
     for (int cell = 0; cell < cells; ++cell)
     {
       ranges.emplace_back(this->Grid.NodeCoordinate(nodes[std::max(cell - 1, 0)]),
@@ -279,6 +280,7 @@ std::vector<WantedTiles> Residency::ListMissing() const
   std::sort(
     found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<WantedTiles> missing;
+  missing.reserve(found.size());
   for (const auto& entry : found)
   {
     missing.push_back(entry.second);
@@ -356,6 +358,7 @@ Residency::Table Residency::MakeTable(int face) const
   const FaceState& state = this->Faces[face];
   const int cells = this->Grid.GetBaseNodes() - 1;
   std::vector<int> intervals;
+  intervals.reserve(this->Grid.GetBaseNodes());
   for (int cell = 0; cell < cells; ++cell)
   {
     intervals.push_back(this->Grid.FindNodes(-1.0 + 2.0 * (cell + 0.5) / cells).Lower);

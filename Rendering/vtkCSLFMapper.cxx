@@ -70,6 +70,7 @@ void vtkCSLFMapper::vtkInternals::FindFocalPoints()
 {
   const cslf::Description& field = this->Source->GetDescription();
   std::vector<int> slices;
+  slices.reserve(cslf::FaceCount);
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
     slices.push_back(cslf::FindFocalSlice(field, face));

@@ -143,7 +143,7 @@ vtkSmartPointer<vtkImageData> TruthTracer::GetHalf(
   {
     return ReadHalf(fileName, size);
   }
-  const auto half = this->TraceHalf(camera, size, samples, seed);
+  auto half = this->TraceHalf(camera, size, samples, seed);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(half);
   // Raw appended data is not always readable with newer versions of expat.

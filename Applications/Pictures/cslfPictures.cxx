@@ -96,6 +96,7 @@ const std::vector<LookupName>& GetLookups()
   static const std::vector<LookupName> lookups = []
   {
     std::vector<LookupName> all;
+    all.reserve(vtkCSLFMapper::NUMBER_OF_LOOKUPS);
     for (int lookup = 0; lookup < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++lookup)
     {
       all.push_back({ lookup, vtkCSLFMapper::GetLookupName(lookup) });

@@ -242,7 +242,7 @@ private:
     for (const auto& names :
       { std::pair("u", "v"), std::pair("texture_u", "texture_v"), std::pair("s", "t") })
     {
-      const Places places = FindAll(element, { names.first, names.second });
+      Places places = FindAll(element, { names.first, names.second });
       if (!places.empty())
       {
         return places;

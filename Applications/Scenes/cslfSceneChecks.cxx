@@ -134,9 +134,9 @@ private:
   void Continue(std::string& line)
   {
     std::string next;
-    for (std::size_t last = line.find_last_not_of("\r");
+    for (std::size_t last = line.find_last_not_of('\r');
          last != std::string::npos && line[last] == '\\' && std::getline(this->File, next);
-         last = line.find_last_not_of("\r"))
+         last = line.find_last_not_of('\r'))
     {
       ++this->Line;
       line.replace(last, std::string::npos, " " + next);

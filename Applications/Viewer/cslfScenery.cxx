@@ -83,7 +83,7 @@ vtkSmartPointer<vtkActor> MakeViewpointMarkers(const Description& field)
   markers->SetVerts(dots);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(markers);
-  const auto actor = MakeUnlitActor(mapper, 1.0, 0.75, 0.2);
+  auto actor = MakeUnlitActor(mapper, 1.0, 0.75, 0.2);
   actor->GetProperty()->SetPointSize(3.0);
   return actor;
 }

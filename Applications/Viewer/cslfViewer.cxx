@@ -64,7 +64,7 @@ std::string MakeScreenshotName()
 {
   for (int number = 1;; ++number)
   {
-    const std::string name = "cslf-view-" + std::to_string(number) + ".png";
+    std::string name = "cslf-view-" + std::to_string(number) + ".png";
     if (!std::filesystem::exists(ToPath(name)))
     {
       return name;

@@ -40,7 +40,7 @@ public:
   std::string TakeText()
   {
     const unsigned char* zero = std::find(this->Place, this->End, 0);
-    const std::string text(this->Place, zero);
+    std::string text(this->Place, zero);
     this->Take(static_cast<std::size_t>(zero - this->Place) + 1);
     return text;
   }

@@ -72,8 +72,9 @@ std::string FindBuildID(const dl_phdr_info& library)
   for (int k = 0; k < library.dlpi_phnum; ++k)
   {
     const ElfW(Phdr)& segment = library.dlpi_phdr[k];
+    // The loader's addresses are integers. NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* notes = reinterpret_cast<const char*>(library.dlpi_addr + segment.p_vaddr);
-    const std::string found =
+    std::string found =
       segment.p_type == PT_NOTE ? ReadBuildID(notes, segment.p_memsz) : std::string();
     if (!found.empty())
     {

@@ -22,7 +22,7 @@ constexpr double MostMissing = 64.0;
 
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples)
 {
-  const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
   array->SetName(channel.Name.c_str());
   array->SetNumberOfComponents(channel.Components);
   const vtkIdType values = tuples * channel.Components;

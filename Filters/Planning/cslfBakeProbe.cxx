@@ -59,6 +59,7 @@ constexpr double LeastRenderingSeconds = 0.2;
 std::vector<int> Spread(int count, int whole)
 {
   std::vector<int> chosen;
+  chosen.reserve(count);
   for (int i = 0; i < count; ++i)
   {
     chosen.push_back(static_cast<int>((i + 0.5) * whole / count));

@@ -97,7 +97,7 @@ vtkIdType CountRound(vtkPolyData* block)
 /// Only the polygons of a block, or only its vertices and lines.
 vtkSmartPointer<vtkPolyData> TakeCells(vtkPolyData* block, bool round)
 {
-  const vtkSmartPointer<vtkPolyData> copy = CopyWithOwnFields(block);
+  vtkSmartPointer<vtkPolyData> copy = CopyWithOwnFields(block);
   const vtkIdType count = CountRound(block);
   if (count > 0)
   {

@@ -108,7 +108,7 @@ public:
   vtkSmartPointer<vtkPolyData> MakeShapes()
   {
     this->AddPoints();
-    const vtkSmartPointer<vtkPolyData> shapes =
+    vtkSmartPointer<vtkPolyData> shapes =
       MakeSpheres(this->Points, this->Radii, this->Colors ? this->PointColors.Get() : nullptr);
     if (this->Mapper->GetScaleFactor() == 0.0)
     {

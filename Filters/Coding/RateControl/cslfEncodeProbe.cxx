@@ -71,6 +71,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   const std::clock_t middle = std::clock();
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
   std::vector<CodingTask> tasks;
+  tasks.reserve(groups.size());
   for (int group : groups)
   {
     tasks.push_back({ group, true, { this->Settings.CRF } });

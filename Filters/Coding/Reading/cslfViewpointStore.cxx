@@ -79,7 +79,7 @@ ViewpointSamples ViewpointStore::Get(int slice)
   }
   lock.unlock();
   constexpr bool alone = false;
-  const ViewpointSamples viewpoint =
+  ViewpointSamples viewpoint =
     this->Decode({ this->GroupOfSlice[slice], { slice } }, alone).front();
   lock.lock();
   this->Cache.Insert(slice, viewpoint);

@@ -87,7 +87,7 @@ std::string FindFault(const EncodeSettings& settings, int resolution)
     return "The pixel format \"" + settings.PixelFormat + "\" is none of auto, " +
       ListColorFormats() + ".";
   }
-  const std::string fault = FindFault(settings.Target, settings.Lossless);
+  std::string fault = FindFault(settings.Target, settings.Lossless);
   if (!fault.empty())
   {
     return fault;

@@ -19,7 +19,7 @@ PathIntegrator::PathIntegrator(
   {
     for (const Mesh& mesh : scene.GetMeshes())
     {
-      this->LookUps.push_back(mesh.IsDiffuse() && mesh.CanHoldLattice());
+      this->LookUps.push_back(mesh.IsDiffuse() && mesh.CanHoldLattice() ? 1 : 0);
     }
   }
 }

@@ -65,7 +65,7 @@ LatticeBuilder::LatticeBuilder(const Scene& scene, const OpenSides& sides,
   : World(scene)
   , Sides(sides)
   , Layout(layout)
-  , Settings(std::move(settings))
+  , Settings(settings)
   , Estimator(&estimator)
   , Lattices{ layout.MakeLattice(), layout.MakeLattice() }
 {

@@ -82,9 +82,10 @@ public:
   template <typename Value>
   void Add(const Value& value)
   {
-    static_assert(sizeof(Value) % sizeof(std::uint32_t) == 0, "it must be whole words");
+    constexpr std::size_t wordBytes = sizeof(std::uint32_t);
+    static_assert(sizeof(Value) % wordBytes == 0, "it must be whole words");
     std::memcpy(&this->Values[this->Count], &value, sizeof(Value));
-    this->Count += sizeof(Value) / sizeof(std::uint32_t);
+    this->Count += sizeof(Value) / wordBytes;
   }
 
   /// The value of an array at an index, if it has any.
@@ -276,7 +277,7 @@ private:
 };
 }
 
-std::vector<Mesh> JoinMeshes(std::vector<Mesh> pieces)
+std::vector<Mesh> JoinMeshes(std::vector<Mesh>&& pieces)
 {
   std::map<Kind, Mesh> joined;
   for (Mesh& piece : pieces)

@@ -16,7 +16,7 @@ namespace cslf
 /// Joins meshes of equal materials and equal instances, merges equal vertices, and sorts meshes,
 /// shapes and vertices by their values. So the result depends neither on how the surfaces were
 /// divided into pieces nor on the order of these.
-std::vector<Mesh> JoinMeshes(std::vector<Mesh> pieces);
+std::vector<Mesh> JoinMeshes(std::vector<Mesh>&& pieces);
 }
 
 #endif
