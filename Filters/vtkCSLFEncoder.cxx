@@ -6,6 +6,7 @@
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPipelineWatch.h"
+#include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 
 #include <vtkErrorCode.h>
@@ -26,6 +27,37 @@
 vtkStandardNewMacro(vtkCSLFEncoder);
 vtkCxxSetObjectMacro(vtkCSLFEncoder, Controller, vtkMultiProcessController);
 namespace options = cslf::options;
+
+namespace
+{
+/// Lends a keeper to the path tracers that feed a connection while this object exists.
+class CacheKeeping
+{
+public:
+  CacheKeeping(vtkAlgorithmOutput* connection, cslf::CacheKeeper* keeper)
+    : Filters(cslf::FindProducers(connection))
+  {
+    this->Lend(keeper);
+  }
+  ~CacheKeeping() { this->Lend(nullptr); }
+  CacheKeeping(const CacheKeeping&) = delete;
+  CacheKeeping& operator=(const CacheKeeping&) = delete;
+
+private:
+  void Lend(cslf::CacheKeeper* keeper)
+  {
+    for (const auto& filter : this->Filters)
+    {
+      if (auto* tracer = vtkCSLFPathTracer::SafeDownCast(filter))
+      {
+        tracer->SetCacheKeeper(keeper);
+      }
+    }
+  }
+
+  std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
+};
+}
 
 class vtkCSLFEncoder::PartList
 {
@@ -206,7 +238,7 @@ int vtkCSLFEncoder::Write()
   if (session.Check(fault))
   {
     keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
-    const cslf::CacheKeeping keeping(cslf::FindProducers(job.Connection), &*keeper);
+    const CacheKeeping keeping(job.Connection, &*keeper);
     // Write always writes, even if nothing changed.
     this->Modified();
     this->Session = &session;

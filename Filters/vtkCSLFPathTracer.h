@@ -58,6 +58,7 @@ class vtkScalarsToColors;
 
 namespace cslf
 {
+class CacheKeeper;
 class CacheShare;
 class ViewpointSamples;
 struct BuiltScene;
@@ -301,6 +302,12 @@ public:
   vtkGetMacro(CacheProbeSeconds, double);
   vtkGetMacro(ExpectedCacheSeconds, double);
   ///@}
+
+  /**
+   * Lends a keeper of radiance caches, for consumers such as vtkCSLFEncoder that wait until it is
+   * used: if it is not null, the next update executes. Default: null.
+   */
+  void SetCacheKeeper(cslf::CacheKeeper* keeper);
 
 protected:
   vtkCSLFPathTracer();

@@ -35,6 +35,15 @@ void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
   }
 }
 
+void vtkCSLFPathTracer::SetCacheKeeper(cslf::CacheKeeper* keeper)
+{
+  this->Internals->CacheKeeper = keeper;
+  if (keeper)
+  {
+    this->Modified();
+  }
+}
+
 std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 {
   // Excludes parameters of the texels that do not affect the cache.
@@ -100,7 +109,7 @@ bool vtkCSLFPathTracer::UpdateCache(
   using Plan = cslf::CacheKeeper::Plan;
   const std::string key = this->MakeCacheKey(spacing, displayRange);
   const bool isThere = this->Internals->CacheKey == key;
-  cslf::CacheKeeper* keeper = cslf::FindCacheKeeper(this);
+  cslf::CacheKeeper* keeper = this->Internals->CacheKeeper;
   // Ranks make and check a cache together only if they check it at the same texels.
   std::string shared = key;
   if (checked)

@@ -7,12 +7,8 @@
 #include "cslfCacheFile.h"
 #include "cslfRadianceCache.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkCommunicator.h>
 #include <vtkMultiProcessController.h>
-#include <vtkNew.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,9 +17,6 @@ namespace cslf
 {
 namespace
 {
-/// The event by which a path tracer asks for a keeper. Its data is a pointer to one.
-constexpr unsigned long KeeperEvent = vtkCommand::UserEvent + 0x43534c46;
-
 /// Sends rank 0's values to all others.
 class Broadcaster
 {
@@ -210,37 +203,5 @@ bool CacheKeeper::Make(RadianceCache& cache, const std::function<bool()>& fill)
       ": a rerun would have to compute it again.");
   }
   return true;
-}
-
-CacheKeeper* FindCacheKeeper(vtkAlgorithm* tracer)
-{
-  CacheKeeper* keeper = nullptr;
-  tracer->InvokeEvent(KeeperEvent, &keeper);
-  return keeper;
-}
-
-CacheKeeping::CacheKeeping(
-  const std::vector<vtkSmartPointer<vtkAlgorithm>>& filters, CacheKeeper* keeper)
-{
-  for (const auto& filter : filters)
-  {
-    if (filter->IsA("vtkCSLFPathTracer"))
-    {
-      vtkNew<vtkCallbackCommand> command;
-      command->SetClientData(keeper);
-      command->SetCallback([](vtkObject*, unsigned long, void* offered, void* asked)
-        { *static_cast<CacheKeeper**>(asked) = static_cast<CacheKeeper*>(offered); });
-      this->Observers.emplace_back(filter, filter->AddObserver(KeeperEvent, command));
-      filter->Modified();
-    }
-  }
-}
-
-CacheKeeping::~CacheKeeping()
-{
-  for (const auto& [filter, observer] : this->Observers)
-  {
-    filter->RemoveObserver(observer);
-  }
 }
 }

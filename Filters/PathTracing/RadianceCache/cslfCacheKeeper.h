@@ -13,14 +13,10 @@
 #include "Files/cslfWorkFolder.h"
 #include "cslfCacheShare.h"
 
-#include <vtkSmartPointer.h>
-
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkMultiProcessController;
 
 namespace cslf
@@ -88,25 +84,6 @@ private:
   bool HasMet = false;
   bool IsBroken = false;
   bool AllHave = false;
-};
-
-/// The keeper that the consumer of a path tracer's output offers for its cache; null if there is
-/// none.
-CacheKeeper* FindCacheKeeper(vtkAlgorithm* tracer);
-
-/// Offers a keeper to path tracers while this object exists.
-class CacheKeeping
-{
-public:
-  /// Other filters than path tracers are ignored. The path tracers execute again, because the
-  /// keeper waits until every rank does.
-  CacheKeeping(const std::vector<vtkSmartPointer<vtkAlgorithm>>& filters, CacheKeeper* keeper);
-  ~CacheKeeping();
-  CacheKeeping(const CacheKeeping&) = delete;
-  CacheKeeping& operator=(const CacheKeeping&) = delete;
-
-private:
-  std::vector<std::pair<vtkSmartPointer<vtkAlgorithm>, unsigned long>> Observers;
 };
 }
 
