@@ -33,7 +33,7 @@ struct Case
 std::string Encode(
   const Case& item, vtkImageData* field, const std::string& folder, const std::string& suffix = "")
 {
-  const std::string fileName = folder + "/" + item.Codec + "-" + item.ExpectedFormat + "-" +
+  std::string fileName = folder + "/" + item.Codec + "-" + item.ExpectedFormat + "-" +
     std::to_string(item.Resolution) + suffix + item.Extension;
   vtkNew<vtkCSLFEncoder> encoder;
   encoder->SetCodec(item.Codec);

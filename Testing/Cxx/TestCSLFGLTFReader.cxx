@@ -117,7 +117,7 @@ std::string WriteText(const std::string& folder, json document)
 {
   std::ofstream(folder + "/TestCSLFGLTFReader.bin", std::ios::binary) << MakeBuffer();
   document["buffers"][0]["uri"] = "TestCSLFGLTFReader.bin";
-  const std::string name = folder + "/TestCSLFGLTFReader.gltf";
+  std::string name = folder + "/TestCSLFGLTFReader.gltf";
   std::ofstream(name) << document.dump();
   return name;
 }
@@ -136,7 +136,7 @@ std::string WriteBinary(const std::string& folder, const json& document)
   std::string text = document.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::string binary = MakeBuffer();
-  const std::string name = folder + "/TestCSLFGLTFReader.glb";
+  std::string name = folder + "/TestCSLFGLTFReader.glb";
   std::ofstream(name, std::ios::binary)
     << "glTF" << number(2) << number(28 + text.size() + binary.size()) << number(text.size())
     << "JSON" << text << number(binary.size()) << std::string("BIN\0", 4) << binary;

@@ -239,6 +239,7 @@ void TestNoise()
     const std::vector<cslf::Emitter> emitters = ListEmitters(scene);
     CSLF_CHECK(emitters.size() >= 1000);
     std::vector<double> powers;
+    powers.reserve(emitters.size());
     for (const cslf::Emitter& emitter : emitters)
     {
       powers.push_back(emitter.GetBounds().Power);
@@ -335,6 +336,7 @@ void TestProbabilities()
     const cslf::Scene scene(std::move(lamps.Meshes), std::move(lamps.Lights));
     const std::vector<cslf::Emitter> emitters = ListEmitters(scene);
     std::vector<cslf::LightBounds> bounds;
+    bounds.reserve(emitters.size());
     for (const cslf::Emitter& emitter : emitters)
     {
       bounds.push_back(emitter.GetBounds());

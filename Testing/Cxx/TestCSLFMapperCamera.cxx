@@ -91,7 +91,8 @@ void TestTiles()
   CSLF_CHECK(pixels->GetNumberOfValues() == static_cast<vtkIdType>(whole.Colors.size()));
   for (std::size_t i = 0; i < tiled.Colors.size(); ++i)
   {
-    tiled.Colors[i] = static_cast<unsigned char>(pixels->GetComponent(i / 3, i % 3));
+    const auto component = static_cast<int>(i % 3);
+    tiled.Colors[i] = static_cast<unsigned char>(pixels->GetComponent(i / 3, component));
   }
   std::cout << "tiles: " << cslf::testing::ComparePictures(tiled, whole) << " dB\n";
   CSLF_CHECK(cslf::testing::ComparePictures(tiled, whole) > 45.0);

@@ -40,7 +40,7 @@ vtkSmartPointer<vtkActor> AddSheet(View& view, double z, double half, double opa
   source->SetPoint2(-half, half, z);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
-  const auto actor = view.Add(mapper);
+  auto actor = view.Add(mapper);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
   actor->GetProperty()->SetOpacity(opacity);

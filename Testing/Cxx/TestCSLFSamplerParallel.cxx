@@ -30,6 +30,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -122,11 +123,8 @@ void TestBlocks(vtkMultiProcessController* controller)
   together->SetInputDataObject(MakeBlocks({ rank }, count));
   const Sampled field = Sample(together);
 
-  std::vector<int> all;
-  for (int i = 0; i < count; ++i)
-  {
-    all.push_back(i);
-  }
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
   vtkNew<vtkCSLFSampler> alone;
   SetUp(alone, nullptr);
   alone->SetInputDataObject(MakeBlocks(all, count));

@@ -276,8 +276,9 @@ double Compare(vtkImageAlgorithm* first, vtkImageAlgorithm* second)
   for (vtkIdType i = 0; a && b && i < a->GetNumberOfValues(); ++i)
   {
     const int components = a->GetNumberOfComponents();
-    const double value = a->GetComponent(i / components, i % components);
-    const double error = value - b->GetComponent(i / components, i % components);
+    const auto component = static_cast<int>(i % components);
+    const double value = a->GetComponent(i / components, component);
+    const double error = value - b->GetComponent(i / components, component);
     sum += error * error;
     brightness += value;
   }

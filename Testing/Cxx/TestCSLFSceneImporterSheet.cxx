@@ -165,7 +165,7 @@ SheetPicture DrawChanged(vtkRenderer* renderer, const Change& change)
     change(changed);
     actor->SetProperty(changed);
   }
-  const SheetPicture picture = cslf::testing::DrawWindow(renderer, Finer * Size, Background);
+  SheetPicture picture = cslf::testing::DrawWindow(renderer, Finer * Size, Background);
   std::size_t next = 0;
   for (vtkActor* actor : vtk::Range(renderer->GetActors()))
   {

@@ -131,7 +131,7 @@ __attribute__((destructor)) static void Report(void)
 }
 
 /* The function that is wrapped. */
-#define NEXT(function) ((__typeof__(&function))dlsym(RTLD_NEXT, #function))
+#define NEXT(function) ((__typeof__(&(function)))dlsym(RTLD_NEXT, #function))
 
 ssize_t write(int file, const void* bytes, size_t count)
 {
