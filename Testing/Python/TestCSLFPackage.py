@@ -5,7 +5,7 @@ drawn."""
 import json
 import unittest
 
-from cslf import vtkCSLFMapper, vtkCSLFMaterial, vtkCSLFSampler
+from cslf import vtkCSLFMapper, vtkCSLFMaterial, vtkCSLFSampler, vtkCSLFSceneSource
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkRenderer, vtkRenderWindow,
@@ -56,6 +56,15 @@ class TestCSLFPackage(unittest.TestCase):
         description = json.loads(text)
         self.assertEqual(description["resolution"], RESOLUTION)
         self.assertEqual(description["nodes"], list(range(VIEWPOINTS)))
+
+    def test_scenes(self):
+        names = [vtkCSLFSceneSource.GetSceneName(i)
+                 for i in range(vtkCSLFSceneSource.GetNumberOfScenes())]
+        self.assertIn("isosurfaces", names)
+        source = vtkCSLFSceneSource()
+        source.SetSceneName("pipes")
+        source.Update()
+        self.assertEqual(source.GetOutput().GetNumberOfBlocks(), 9)
 
     @unittest.skipIf(vtk_to_numpy is None, "numpy is not installed")
     def test_numpy(self):
