@@ -207,8 +207,8 @@ Part ReadScenePart(const std::string& input)
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto reader = GetReaders().find(extension);
-  std::error_code failure;
-  if (!std::filesystem::is_regular_file(path, failure))
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code))
   {
     throw Failure("There is no file " + input + ".");
   }

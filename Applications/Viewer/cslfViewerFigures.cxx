@@ -19,7 +19,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
+#include <initializer_list>
 #include <numeric>
 
 namespace cslf::tool
@@ -86,10 +86,15 @@ void Viewer::Measure()
 {
   const std::vector<Pane*> shown = this->GetShownPanes();
   Pane* place = this->FindPane(TruthPane);
-  std::vector<vtkProp*> hidden{ this->Outline, this->Axes, this->Markers, place->Label };
-  hidden.erase(std::remove_if(hidden.begin(), hidden.end(),
-                 [](vtkProp* prop) { return !prop->GetVisibility(); }),
-    hidden.end());
+  std::vector<vtkProp*> hidden;
+  for (vtkProp* prop :
+    std::initializer_list<vtkProp*>{ this->Outline, this->Axes, this->Markers, place->Label })
+  {
+    if (prop->GetVisibility())
+    {
+      hidden.push_back(prop);
+    }
+  }
   const auto setHidden = [&](bool isHidden)
   {
     for (vtkProp* prop : hidden)
