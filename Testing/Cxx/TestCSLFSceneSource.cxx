@@ -170,7 +170,7 @@ int TestCSLFSceneSource(int, char*[])
   TestSizes("terrain", 318402.0);
   TestSizes("assembly", 50000.0);
   TestSizes("turbulence", 2000000.0);
-  TestSizes("pipes", 30000.0);
+  TestSizes("pipes", 27500.0);
   TestEnvironment("cornell-box", vtkCSLFEnvironment::NoEnvironment);
   TestEnvironment("terrain", vtkCSLFEnvironment::NoEnvironment);
   TestEnvironment("isosurfaces", vtkCSLFEnvironment::ConstantEnvironment);
