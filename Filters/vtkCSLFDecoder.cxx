@@ -3,6 +3,7 @@
 #include "vtkCSLFDecoder.h"
 
 #include "Coding/Reading/cslfFieldReader.h"
+#include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfSlabs.h"
@@ -84,7 +85,8 @@ public:
 };
 
 vtkCSLFDecoder::vtkCSLFDecoder()
-  : Internal(new Internals)
+  : AllowMissing(cslf::options::AllowMissing.Default)
+  , Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
 }

@@ -222,7 +222,7 @@ private:
 
   char* FileName = nullptr;
   vtkTypeInt64 CacheSize = 512 << 20;
-  bool AllowMissing = true;
+  bool AllowMissing;
   const std::unique_ptr<Internals> Internal;
 };
 

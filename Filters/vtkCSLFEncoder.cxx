@@ -104,10 +104,7 @@ vtkCSLFRateControl* vtkCSLFEncoder::GetRateControl()
   return this->RateControl;
 }
 
-void vtkCSLFEncoder::SetGroupLength(int length)
-{
-  cslf::SetClamped(this, this->GroupLength, length, options::GroupLength);
-}
+cslfSetOptionMacro(vtkCSLFEncoder, GroupLength, GroupLength);
 
 int vtkCSLFEncoder::FillInputPortInformation(int, vtkInformation* info)
 {

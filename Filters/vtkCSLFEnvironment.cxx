@@ -27,15 +27,8 @@ vtkCSLFEnvironment::~vtkCSLFEnvironment()
   this->SetFileName(nullptr);
 }
 
-void vtkCSLFEnvironment::SetMode(int mode)
-{
-  cslf::SetClamped(this, this->Mode, mode, options::EnvironmentMode);
-}
-
-void vtkCSLFEnvironment::SetIntensity(double intensity)
-{
-  cslf::SetClamped(this, this->Intensity, intensity, options::EnvironmentIntensity);
-}
+cslfSetOptionMacro(vtkCSLFEnvironment, Mode, EnvironmentMode);
+cslfSetOptionMacro(vtkCSLFEnvironment, Intensity, EnvironmentIntensity);
 
 void vtkCSLFEnvironment::DeepCopy(vtkCSLFEnvironment* source)
 {

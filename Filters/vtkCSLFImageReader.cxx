@@ -4,6 +4,7 @@
 
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
@@ -137,7 +138,8 @@ void ReadSlab(const char* folder, const cslf::Description& description, const cs
 vtkStandardNewMacro(vtkCSLFImageReader);
 
 vtkCSLFImageReader::vtkCSLFImageReader()
-  : Internal(new Internals)
+  : AllowMissing(cslf::options::AllowMissing.Default)
+  , Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
 }

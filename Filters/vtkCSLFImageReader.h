@@ -102,7 +102,7 @@ private:
   bool ReadRange(int first, int last, vtkImageData* image);
 
   char* FileName = nullptr;
-  bool AllowMissing = true;
+  bool AllowMissing;
   const std::unique_ptr<Internals> Internal;
 };
 

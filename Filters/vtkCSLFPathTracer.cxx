@@ -148,9 +148,9 @@ nlohmann::json DescribeEnvironment(vtkCSLFEnvironment* environment, bool isRepla
   {
     return { { options::EnvironmentMode.Key, "scene" } };
   }
-  static const char* const modes[] = { "none", "constant", "gradient", "image" };
   const int mode = environment->GetMode();
-  nlohmann::json record = { { options::EnvironmentMode.Key, modes[mode] } };
+  nlohmann::json record = { { options::EnvironmentMode.Key,
+    options::EnvironmentMode.Names[mode] } };
   if (mode != vtkCSLFEnvironment::NoEnvironment)
   {
     record[options::EnvironmentIntensity.Key] = environment->GetIntensity();
@@ -175,6 +175,9 @@ vtkCSLFPathTracer::vtkCSLFPathTracer()
   , MaximumDepth(options::MaximumDepth.Default)
   , Seed(options::Seed.Default)
   , Exposure(options::Exposure.Default)
+  , ScalarVisibility(options::ScalarVisibility.Default)
+  , InterpolateDisplayedColors(options::InterpolateDisplayedColors.Default)
+  , DistributedScene(options::DistributedScene.Default)
   , Internals(std::make_unique<vtkInternals>())
 {
   this->SetInputArrayToProcess(
@@ -218,25 +221,10 @@ vtkMTimeType vtkCSLFPathTracer::GetMTime()
   return time;
 }
 
-void vtkCSLFPathTracer::SetSamples(int samples)
-{
-  cslf::SetClamped(this, this->Samples, samples, options::Samples);
-}
-
-void vtkCSLFPathTracer::SetNoiseTarget(double target)
-{
-  cslf::SetClamped(this, this->NoiseTarget, target, options::NoiseTarget);
-}
-
-void vtkCSLFPathTracer::SetMaximumDepth(int depth)
-{
-  cslf::SetClamped(this, this->MaximumDepth, depth, options::MaximumDepth);
-}
-
-void vtkCSLFPathTracer::SetExposure(double exposure)
-{
-  cslf::SetClamped(this, this->Exposure, exposure, options::Exposure);
-}
+cslfSetOptionMacro(vtkCSLFPathTracer, Samples, Samples);
+cslfSetOptionMacro(vtkCSLFPathTracer, NoiseTarget, NoiseTarget);
+cslfSetOptionMacro(vtkCSLFPathTracer, MaximumDepth, MaximumDepth);
+cslfSetOptionMacro(vtkCSLFPathTracer, Exposure, Exposure);
 
 void vtkCSLFPathTracer::SetEnvironment(vtkCSLFEnvironment* environment)
 {

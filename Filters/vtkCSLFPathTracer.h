@@ -371,8 +371,8 @@ private:
   double UsedCacheSpacing = 0.0;
   int Seed;
   double Exposure;
-  bool ScalarVisibility = true;
-  bool InterpolateDisplayedColors = true;
+  bool ScalarVisibility;
+  bool InterpolateDisplayedColors;
   vtkTypeUInt64 NumberOfRays = 0;
   vtkTypeUInt64 NumberOfCacheRays = 0;
   vtkTypeUInt64 NumberOfCachePoints = 0;
@@ -381,7 +381,7 @@ private:
   double CacheProbeSeconds = 0.0;
   double ExpectedCacheSeconds = 0.0;
   vtkMTimeType CostTime = 0; // of the parameters that the cost belongs to
-  bool DistributedScene = false;
+  bool DistributedScene;
   vtkTypeUInt64 GatheredBytes = 0;
   vtkMultiProcessController* Controller = nullptr;
 

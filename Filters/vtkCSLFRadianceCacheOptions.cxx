@@ -18,20 +18,9 @@ vtkCSLFRadianceCacheOptions::vtkCSLFRadianceCacheOptions()
 {
 }
 
-void vtkCSLFRadianceCacheOptions::SetTolerance(double tolerance)
-{
-  cslf::SetClamped(this, this->Tolerance, tolerance, options::CacheTolerance);
-}
-
-void vtkCSLFRadianceCacheOptions::SetSpacing(double spacing)
-{
-  cslf::SetClamped(this, this->Spacing, spacing, options::CacheSpacing);
-}
-
-void vtkCSLFRadianceCacheOptions::SetSamples(int samples)
-{
-  cslf::SetClamped(this, this->Samples, samples, options::CacheSamples);
-}
+cslfSetOptionMacro(vtkCSLFRadianceCacheOptions, Tolerance, CacheTolerance);
+cslfSetOptionMacro(vtkCSLFRadianceCacheOptions, Spacing, CacheSpacing);
+cslfSetOptionMacro(vtkCSLFRadianceCacheOptions, Samples, CacheSamples);
 
 void vtkCSLFRadianceCacheOptions::DeepCopy(vtkCSLFRadianceCacheOptions* source)
 {

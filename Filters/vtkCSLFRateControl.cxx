@@ -22,45 +22,14 @@ vtkCSLFRateControl::vtkCSLFRateControl()
 {
 }
 
-void vtkCSLFRateControl::SetCRF(double factor)
-{
-  cslf::SetClamped(this, this->CRF, factor, options::CRF);
-}
-
-void vtkCSLFRateControl::SetCoverageCRF(double factor)
-{
-  cslf::SetClamped(this, this->CoverageCRF, factor, options::CoverageCRF);
-}
-
-void vtkCSLFRateControl::SetDepthCRF(double factor)
-{
-  cslf::SetClamped(this, this->DepthCRF, factor, options::DepthCRF);
-}
-
-void vtkCSLFRateControl::SetTargetRatio(double ratio)
-{
-  cslf::SetClamped(this, this->TargetRatio, ratio, options::TargetRatio);
-}
-
-void vtkCSLFRateControl::SetTargetSize(double bytes)
-{
-  cslf::SetClamped(this, this->TargetSize, bytes, options::TargetSize);
-}
-
-void vtkCSLFRateControl::SetTargetPSNR(double psnr)
-{
-  cslf::SetClamped(this, this->TargetPSNR, psnr, options::TargetPSNR);
-}
-
-void vtkCSLFRateControl::SetKeyViewStep(int step)
-{
-  cslf::SetClamped(this, this->KeyViewStep, step, options::KeyViewStep);
-}
-
-void vtkCSLFRateControl::SetTargetNovelViewPSNR(double psnr)
-{
-  cslf::SetClamped(this, this->TargetNovelViewPSNR, psnr, options::TargetNovelViewPSNR);
-}
+cslfSetOptionMacro(vtkCSLFRateControl, CRF, CRF);
+cslfSetOptionMacro(vtkCSLFRateControl, CoverageCRF, CoverageCRF);
+cslfSetOptionMacro(vtkCSLFRateControl, DepthCRF, DepthCRF);
+cslfSetOptionMacro(vtkCSLFRateControl, TargetRatio, TargetRatio);
+cslfSetOptionMacro(vtkCSLFRateControl, TargetSize, TargetSize);
+cslfSetOptionMacro(vtkCSLFRateControl, TargetPSNR, TargetPSNR);
+cslfSetOptionMacro(vtkCSLFRateControl, KeyViewStep, KeyViewStep);
+cslfSetOptionMacro(vtkCSLFRateControl, TargetNovelViewPSNR, TargetNovelViewPSNR);
 
 void vtkCSLFRateControl::DeepCopy(vtkCSLFRateControl* source)
 {

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFResample.h"
+
+#include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfParallelFor.h"
-
 #include "Pipeline/cslfSlabs.h"
 #include "Resampling/cslfNesting.h"
 #include "Resampling/cslfTexelReducer.h"
@@ -28,6 +29,14 @@
 #include <string>
 
 vtkStandardNewMacro(vtkCSLFResample);
+cslfSetOptionMacro(vtkCSLFResample, ResolutionDivisor, ResolutionDivisor);
+cslfSetOptionMacro(vtkCSLFResample, ViewpointStride, ViewpointStride);
+
+vtkCSLFResample::vtkCSLFResample()
+  : ResolutionDivisor(cslf::options::ResolutionDivisor.Default)
+  , ViewpointStride(cslf::options::ViewpointStride.Default)
+{
+}
 
 namespace
 {

@@ -52,7 +52,7 @@ public:
    * The number of texels along each side that are combined into one. At least 1. Default: 1, no
    * change.
    */
-  vtkSetClampMacro(ResolutionDivisor, int, 1, VTK_INT_MAX);
+  void SetResolutionDivisor(int divisor);
   vtkGetMacro(ResolutionDivisor, int);
   ///@}
 
@@ -61,12 +61,12 @@ public:
    * The stride of viewpoints along each side of a face: every n-th is kept, beginning with the
    * first. At least 1. Default: 1, all of them.
    */
-  vtkSetClampMacro(ViewpointStride, int, 1, VTK_INT_MAX);
+  void SetViewpointStride(int stride);
   vtkGetMacro(ViewpointStride, int);
   ///@}
 
 protected:
-  vtkCSLFResample() = default;
+  vtkCSLFResample();
   ~vtkCSLFResample() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -82,8 +82,8 @@ private:
   /// What is to be made of the input. Nothing after an error.
   std::optional<cslf::Nesting> MakeNesting(vtkInformationVector** inputVector);
 
-  int ResolutionDivisor = 1;
-  int ViewpointStride = 1;
+  int ResolutionDivisor;
+  int ViewpointStride;
 };
 
 #endif

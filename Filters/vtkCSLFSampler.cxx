@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSampler.h"
 
+#include "Options/cslfOptionTable.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
@@ -23,17 +24,27 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkCSLFSampler);
+cslfSetOptionMacro(vtkCSLFSampler, Viewpoints, Viewpoints);
+cslfSetOptionMacro(vtkCSLFSampler, Resolution, Resolution);
+cslfSetOptionMacro(vtkCSLFSampler, Offset, Offset);
+
+namespace options = cslf::options;
 
 vtkCSLFSampler::vtkCSLFSampler()
+  : Viewpoints(options::Viewpoints.Default)
+  , Resolution(options::Resolution.Default)
+  , AutomaticCube(options::AutomaticCube.Default)
+  , Offset(options::Offset.Default)
 {
-  this->SetIntegratorToRadianceCaching();
+  this->SetIntegrator(options::Integrator.Default);
   for (const cslf::KnownChannel id : cslf::TexelSums::ListChannels())
   {
     if (id != cslf::KnownChannel::Color)
     {
-      this->ChannelSelection->AddArray(cslf::NameOf(id), id == cslf::KnownChannel::Depth);
+      this->ChannelSelection->AddArray(cslf::NameOf(id), false);
     }
   }
+  this->SetGenerateDepth(options::GenerateDepth.Default);
 }
 
 vtkDataArraySelection* vtkCSLFSampler::GetChannelSelection()

@@ -48,7 +48,7 @@ public:
   /**
    * M, the number of viewpoints along each side of a face: from 2 to 1024. Default: 17.
    */
-  vtkSetClampMacro(Viewpoints, int, 2, 1024);
+  void SetViewpoints(int viewpoints);
   vtkGetMacro(Viewpoints, int);
   ///@}
 
@@ -56,7 +56,7 @@ public:
   /**
    * N, the number of texels along each side of a tile: from 1 to 8192. Default: 128.
    */
-  vtkSetClampMacro(Resolution, int, 1, 8192);
+  void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);
   ///@}
 
@@ -76,7 +76,7 @@ public:
    * The margin of an automatic cube on each side of the scene, as a fraction of the scene's longest
    * side. Range: 1e-6 to 1e6. Default: 0.05.
    */
-  vtkSetClampMacro(Offset, double, 1e-6, 1e6);
+  void SetOffset(double offset);
   vtkGetMacro(Offset, double);
   ///@}
 
@@ -142,10 +142,10 @@ private:
 
   bool CheckParameters();
 
-  int Viewpoints = 17;
-  int Resolution = 128;
-  bool AutomaticCube = true;
-  double Offset = 0.05;
+  int Viewpoints;
+  int Resolution;
+  bool AutomaticCube;
+  double Offset;
   double CubeCenter[3] = { 0.0, 0.0, 0.0 };
   double CubeEdges[3] = { 2.0, 2.0, 2.0 };
   int ColorType = VTK_UNSIGNED_CHAR;

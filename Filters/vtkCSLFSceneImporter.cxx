@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSceneImporter.h"
 
+#include "Options/cslfOptionTable.h"
 #include "SceneImport/cslfActorImporter.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "SceneImport/cslfImportedScene.h"
@@ -193,6 +194,7 @@ void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
 }
 
 vtkCSLFSceneImporter::vtkCSLFSceneImporter()
+  : InterpolateDisplayedColors(cslf::options::InterpolateDisplayedColors.Default)
 {
   this->SetNumberOfInputPorts(0);
 }

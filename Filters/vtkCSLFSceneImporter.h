@@ -141,7 +141,7 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   bool HeadlightsAllAround = true;
-  bool InterpolateDisplayedColors = true;
+  bool InterpolateDisplayedColors;
   double PixelSize = 0.001;
   bool FindingTime = false; // where the importer's own output is among what it looks at
 };

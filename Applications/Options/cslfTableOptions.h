@@ -13,10 +13,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cslf
 {
@@ -26,11 +30,14 @@ namespace tool
 template <typename T>
 CLI::Validator RangeOf(const NumberOption<T>& row, T least)
 {
-  if (row.Maximum == std::numeric_limits<T>::max())
+  if (row.Maximum < std::numeric_limits<T>::max())
   {
-    return AtLeast(least, "below " + CLI::detail::to_string(least), "NUMBER");
+    return CLI::Range(least, row.Maximum);
   }
-  return CLI::Range(least, row.Maximum);
+  const std::string limit = CLI::detail::to_string(least);
+  return least > std::numeric_limits<T>::lowest()
+    ? AtLeast(static_cast<double>(least), "below " + limit, ">=" + limit)
+    : CLI::Validator();
 }
 
 /// Accepts the numbers of the row's range.
@@ -40,15 +47,44 @@ CLI::Validator RangeOf(const NumberOption<T>& row)
   return RangeOf(row, row.Minimum);
 }
 
-///@{
-/// Adds a row's option, which sets a variable. The variable has the default.
-template <typename T>
-CLI::Option* AddOption(CLI::App& command, const NumberOption<T>& row, T& value)
+/// The help of a switch, with its default.
+inline std::string GetHelp(const cslf::Option<bool>& row)
 {
-  CLI::Option* option = command.add_option(row.Flag, value, row.Help)->capture_default_str();
-  const bool isLimited =
-    row.Minimum != std::numeric_limits<T>::lowest() || row.Maximum != std::numeric_limits<T>::max();
-  return isLimited ? option->check(RangeOf(row)) : option;
+  return row.Help + std::string(row.Default ? " (default: yes)" : "");
+}
+
+/// Adds a row's option, which calls a function with the number of the chosen name.
+template <std::size_t Count>
+CLI::Option* AddChoice(
+  CLI::App& command, const EnumOption<Count>& row, int value, const std::function<void(int)>& set)
+{
+  const std::vector<std::string> names(row.Names.begin(), row.Names.end());
+  return command
+    .add_option_function<std::string>(
+      row.Flag,
+      [names, set](const std::string& name)
+      { set(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin())); },
+      row.Help)
+    ->check(CLI::IsMember(names))
+    ->default_str(names[value]);
+}
+
+///@{
+/// Adds a row's option, which sets a variable. The variable has the default. For numbers, another
+/// range may replace the row's.
+template <typename T>
+CLI::Option* AddOption(CLI::App& command, const NumberOption<T>& row, T& value,
+  const std::optional<CLI::Validator>& range = std::nullopt)
+{
+  return command.add_option(row.Flag, value, row.Help)
+    ->check(range.value_or(RangeOf(row)))
+    ->capture_default_str();
+}
+
+template <std::size_t Count>
+CLI::Option* AddOption(CLI::App& command, const EnumOption<Count>& row, int& value)
+{
+  return AddChoice(command, row, value, [&value](int chosen) { value = chosen; });
 }
 
 inline CLI::Option* AddOption(
@@ -59,30 +95,38 @@ inline CLI::Option* AddOption(
 
 inline CLI::Option* AddOption(CLI::App& command, const cslf::Option<bool>& row, bool& value)
 {
-  return command.add_flag(
-    row.Flag, value, row.Help + std::string(row.Default ? " (default: yes)" : ""));
+  return command.add_flag(row.Flag, value, GetHelp(row));
 }
 ///@}
 
-/// Adds a row's option, which sets a variable that is empty without it. Its range must be checked.
+/// Adds a row's option, which sets a variable that is empty without it.
 template <typename T>
 CLI::Option* AddOptional(CLI::App& command, const NumberOption<T>& row, std::optional<T>& value)
 {
   return command.add_option(row.Flag, value, row.Help)
+    ->check(RangeOf(row))
     ->default_str(CLI::detail::to_string(row.Default));
 }
 
 ///@{
-/// Adds a row's option, which calls a setter of an object.
+/// Adds a row's option, which calls a setter of an object. For numbers, another range may replace
+/// the row's.
 template <typename T, typename Object>
-CLI::Option* AddOption(
-  CLI::App& command, const NumberOption<T>& row, Object* object, void (Object::*set)(T))
+CLI::Option* AddOption(CLI::App& command, const NumberOption<T>& row, Object* object,
+  void (Object::*set)(T), const std::optional<CLI::Validator>& range = std::nullopt)
 {
   return command
     .add_option_function<T>(
       row.Flag, [object, set](const T& value) { (object->*set)(value); }, row.Help)
-    ->default_str(CLI::detail::to_string(row.Default))
-    ->check(RangeOf(row));
+    ->check(range.value_or(RangeOf(row)))
+    ->default_str(CLI::detail::to_string(row.Default));
+}
+
+template <std::size_t Count, typename Object>
+CLI::Option* AddOption(
+  CLI::App& command, const EnumOption<Count>& row, Object* object, void (Object::*set)(int))
+{
+  return AddChoice(command, row, row.Default, [object, set](int value) { (object->*set)(value); });
 }
 
 template <typename Object>
@@ -90,8 +134,7 @@ CLI::Option* AddOption(
   CLI::App& command, const cslf::Option<bool>& row, Object* object, void (Object::*set)(bool))
 {
   return command.add_flag_function(
-    row.Flag, [object, set](std::int64_t count) { (object->*set)(count > 0); },
-    row.Help + std::string(row.Default ? " (default: yes)" : ""));
+    row.Flag, [object, set](std::int64_t count) { (object->*set)(count > 0); }, GetHelp(row));
 }
 ///@}
 }

@@ -9,6 +9,9 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
+#include <cstddef>
+
 namespace cslf
 {
 /// An option without range: a switch, a text or a vector.
@@ -40,6 +43,13 @@ struct NumberOption
   }
 };
 
+/// A choice. In JSON and on the command line, values have names.
+template <std::size_t Count>
+struct EnumOption : NumberOption<int>
+{
+  std::array<const char*, Count> Names;
+};
+
 /// Sets a member of a vtkObject as vtkSetClampMacro does, with the range of an option.
 template <typename Object, typename T>
 void SetClamped(Object* self, T& member, T value, const NumberOption<T>& option)
@@ -67,5 +77,12 @@ void SetOptions(Object* self, vtkSmartPointer<Options>& member, Options* options
   }
 }
 }
+
+/// Defines a setter of a vtkObject with the range of a row of the table.
+#define cslfSetOptionMacro(Class, Name, Row)                                                       \
+  void Class::Set##Name(decltype(Name) value)                                                      \
+  {                                                                                                \
+    cslf::SetClamped(this, this->Name, value, cslf::options::Row);                                 \
+  }
 
 #endif

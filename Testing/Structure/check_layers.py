@@ -24,14 +24,14 @@ LAYERS = {
     "Filters/Quality": ["Module", "Filters/RandomNumbers"],
     "Filters/Coding": ["Module", "Filters/SIMD", "Filters/Files", "Filters/Parallel",
         "Filters/Pipeline", "Filters/Resampling", "Filters/Lookup", "Filters/Quality"],
-    "Filters/PathTracing": ["Module", "Filters/SIMD", "Filters/RandomNumbers", "Filters/Files",
-        "Filters/Parallel", "Filters/Pipeline", "Filters/Quality"],
+    "Filters/PathTracing": ["Module", "Filters/SIMD", "Filters/Options", "Filters/RandomNumbers",
+        "Filters/Files", "Filters/Parallel", "Filters/Pipeline", "Filters/Quality"],
     "Filters/CubeMaps": ["Module", "Filters/Files", "Filters/Pipeline"],
     "Filters/SceneImport": ["Module", "Filters/Pipeline", "Filters/PathTracing"],
     "Filters/GLTF": ["Module", "Filters/Files", "Filters/SceneImport"],
     "Filters/Scenes": [],
     "Filters/Planning": ["Module", "Filters/Files", "Filters/Coding", "Filters/CubeMaps"],
-    "Rendering": ["Module", "Filters/Pipeline", "Filters/Lookup"],
+    "Rendering": ["Module", "Filters/Options", "Filters/Pipeline", "Filters/Lookup"],
 }
 
 # Headers of Filters itself that all layers may include, and classes that single layers may use.

@@ -7,6 +7,7 @@
 #ifndef cslfMaterialParameters_h
 #define cslfMaterialParameters_h
 
+#include "Options/cslfOptionTable.h"
 #include "vtkCSLFMaterial.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ struct Parameter
 
 // The tracer computes in floats.
 inline constexpr double Unlimited = 1e30;
+
 /// Each parameter's row in the table.
 enum ParameterIndex
 {
@@ -48,15 +50,20 @@ enum ParameterIndex
   NumberOfParameters
 };
 
+inline Parameter MakeParameter(const char* name, const NumberOption<double>& row)
+{
+  return { name, 1, row.Default, row.Minimum, row.Maximum };
+}
+
 inline const Parameter Parameters[] = {
-  { vtkCSLFMaterial::BaseColorName(), 3, 0.8, 0.0, 1.0 },
-  { vtkCSLFMaterial::MetallicName(), 1, 0.0, 0.0, 1.0 },
-  { vtkCSLFMaterial::RoughnessName(), 1, 1.0, 0.0, 1.0 },
-  { vtkCSLFMaterial::EmissionName(), 3, 0.0, 0.0, Unlimited },
-  { vtkCSLFMaterial::IndexOfRefractionName(), 1, 1.0, 1.0, Unlimited },
-  { vtkCSLFMaterial::TransmissionName(), 1, 0.0, 0.0, 1.0 },
-  { vtkCSLFMaterial::ThinWalledName(), 1, 0.0, 0.0, 1.0 },
-  { vtkCSLFMaterial::OpacityName(), 1, 1.0, 0.0, 1.0 },
+  { vtkCSLFMaterial::BaseColorName(), 3, options::BaseColor.Default[0], 0.0, 1.0 },
+  MakeParameter(vtkCSLFMaterial::MetallicName(), options::Metallic),
+  MakeParameter(vtkCSLFMaterial::RoughnessName(), options::Roughness),
+  { vtkCSLFMaterial::EmissionName(), 3, options::Emission.Default[0], 0.0, Unlimited },
+  MakeParameter(vtkCSLFMaterial::IndexOfRefractionName(), options::IndexOfRefraction),
+  MakeParameter(vtkCSLFMaterial::TransmissionName(), options::Transmission),
+  { vtkCSLFMaterial::ThinWalledName(), 1, options::ThinWalled.Default ? 1.0 : 0.0, 0.0, 1.0 },
+  MakeParameter(vtkCSLFMaterial::OpacityName(), options::Opacity),
   { vtkCSLFMaterial::OpacityCutoffName(), 1, 0.0, 0.0, 1.0 },
   { vtkCSLFMaterial::VisibleSidesName(), 1, vtkCSLFMaterial::BothSides, vtkCSLFMaterial::BothSides,
     vtkCSLFMaterial::BackSide },
