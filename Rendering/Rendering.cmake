@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Names the mapper's classes, sources and shaders for Module/CMakeLists.txt.
-list(APPEND classes ../Rendering/vtkCSLFMapper)
+list(APPEND classes ../Rendering/vtkCSLFMapper ../Rendering/vtkCSLFToneMapping)
 list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
   FaceUniforms FieldTexture FlatUniforms Focus LookupPicture OpenGL Residency Sight SightSeries
-  TilePool ToneMapping ViewpointLevels ViewpointSource)
+  TilePool ViewpointLevels ViewpointSource)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS Color Cube Field Guess Lookup MapperFS MapperVS PictureFS PictureVS

@@ -321,9 +321,9 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
   {
     options += "#define PICTURE_COARSE\n";
   }
-  if (!this->ToneMapping.IsIdentity())
+  if (!this->ToneMapping->IsIdentity())
   {
-    options += "#define TONE_MAPPING " + std::to_string(this->ToneMapping.Curve) + "\n";
+    options += "#define TONE_MAPPING " + std::to_string(this->ToneMapping->GetCurve()) + "\n";
   }
   return options;
 }
@@ -447,9 +447,9 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   }
   program->SetUniformf("Opacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
   program->SetUniformi("CoveragePass", this->CoveragePass);
-  if (!this->ToneMapping.IsIdentity())
+  if (!this->ToneMapping->IsIdentity())
   {
-    program->SetUniformf("Exposure", static_cast<float>(this->ToneMapping.Exposure));
+    program->SetUniformf("Exposure", static_cast<float>(this->ToneMapping->GetExposure()));
   }
   this->SetClippingUniforms(program);
 }

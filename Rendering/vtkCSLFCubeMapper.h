@@ -14,10 +14,11 @@
 #include "cslfFieldTexture.h"
 #include "cslfLookupPicture.h"
 #include "cslfSightSeries.h"
-#include "cslfToneMapping.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkSmartPointer.h>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -69,7 +70,7 @@ public:
   }
 
   /// How radiance becomes colour.
-  void SetToneMapping(const cslf::ToneMapping& toneMapping) { this->ToneMapping = toneMapping; }
+  void SetToneMapping(vtkCSLFToneMapping* toneMapping) { this->ToneMapping = toneMapping; }
 
   /// What the last picture's camera saw of the cube.
   const cslf::Sight& GetSight() const { return this->Sight; }
@@ -137,8 +138,8 @@ private:
   int PixelSamples = 2;
   double DrawSeconds = 0.0;
   std::vector<glm::dvec4> ClippingPlanesCC;
-  cslf::ToneMapping ToneMapping;
-  std::string Options; ///< the shader's, for the picture being drawn
+  vtkSmartPointer<vtkCSLFToneMapping> ToneMapping; ///< never null when drawing
+  std::string Options;                             ///< the shader's, for the picture being drawn
 
   // For the picture being drawn.
   int Face = 0;             ///< of the cube, in turn

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMapper.h"
 
+#include "Options/cslfOptionTable.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
 #include "cslfViewpointSource.h"
 #include "vtkCSLFCubeMapper.h"
 #include "vtkCSLFDecoder.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
 #include <vtkCommand.h>
@@ -24,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -102,11 +103,22 @@ std::vector<glm::dvec4> vtkCSLFMapper::vtkInternals::GetClippingPlanesCC(
 }
 
 vtkStandardNewMacro(vtkCSLFMapper);
+cslfSetOptionMacro(vtkCSLFMapper, Lookup, Lookup);
+cslfSetOptionMacro(vtkCSLFMapper, PixelSamples, PixelSamples);
+
+namespace options = cslf::options;
 
 //------------------------------------------------------------------------------
 vtkCSLFMapper::vtkCSLFMapper()
-  : Internals(new vtkInternals)
+  : Lookup(options::Lookup.Default)
+  , AutomaticFocalPoint(options::AutomaticFocalPoint.Default)
+  , AutoAdjustResolution(options::AutoAdjustResolution.Default)
+  , PixelSamples(options::PixelSamples.Default)
+  , ToneMapping(vtkSmartPointer<vtkCSLFToneMapping>::New())
+  , TextureMemoryLimit(vtkTypeInt64(options::TextureMemory.Default) << 20)
+  , Internals(new vtkInternals)
 {
+  std::copy_n(options::FocalPoint.Default.begin(), 3, this->FocalPoint);
 }
 
 //------------------------------------------------------------------------------
@@ -136,16 +148,27 @@ const char* vtkCSLFMapper::GetLookupAsString()
 //------------------------------------------------------------------------------
 const char* vtkCSLFMapper::GetLookupName(int lookup)
 {
-  static const char* const names[] = { "nearest", "linear", "bilinear", "focal", "depth" };
-  static_assert(std::size(names) == NUMBER_OF_LOOKUPS, "each lookup needs a name");
+  constexpr auto& names = options::Lookup.Names;
+  static_assert(names.size() == NUMBER_OF_LOOKUPS, "each lookup needs a name");
   return lookup >= 0 && lookup < NUMBER_OF_LOOKUPS ? names[lookup] : nullptr;
 }
 
 //------------------------------------------------------------------------------
-const char* vtkCSLFMapper::GetToneMappingAsString()
+vtkMTimeType vtkCSLFMapper::GetMTime()
 {
-  static const char* const names[] = { "clamp", "reinhard", "aces" };
-  return names[this->ToneMapping];
+  return std::max(this->Superclass::GetMTime(), this->ToneMapping->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::SetToneMapping(vtkCSLFToneMapping* toneMapping)
+{
+  cslf::SetOptions(this, this->ToneMapping, toneMapping);
+}
+
+//------------------------------------------------------------------------------
+vtkCSLFToneMapping* vtkCSLFMapper::GetToneMapping()
+{
+  return this->ToneMapping;
 }
 
 //------------------------------------------------------------------------------
@@ -281,7 +304,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
   cubeMapper->SetFocalPointsCC(internals.GetFocalPointsCC(this));
   cubeMapper->SetClippingPlanesCC(internals.GetClippingPlanesCC(this, actor));
-  cubeMapper->SetToneMapping({ this->Exposure, this->ToneMapping });
+  cubeMapper->SetToneMapping(this->ToneMapping);
   cubeMapper->SetStreaming(this->Streaming, this->TextureMemoryLimit);
   cubeMapper->Render(renderer, actor);
   this->HasTranslucentPart = !cubeMapper->IsDrawnAtOnce();
@@ -350,7 +373,6 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetAutoAdjustResolution(other->GetAutoAdjustResolution());
     this->SetFocalPoint(other->GetFocalPoint());
     this->SetPixelSamples(other->GetPixelSamples());
-    this->SetExposure(other->GetExposure());
     this->SetToneMapping(other->GetToneMapping());
     this->SetStreaming(other->GetStreaming());
     this->SetTextureMemoryLimit(other->GetTextureMemoryLimit());
@@ -368,8 +390,8 @@ void vtkCSLFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FocalPoint: (" << this->FocalPoint[0] << ", " << this->FocalPoint[1] << ", "
      << this->FocalPoint[2] << ")\n";
   os << indent << "PixelSamples: " << this->PixelSamples << "\n";
-  os << indent << "Exposure: " << this->Exposure << "\n";
-  os << indent << "ToneMapping: " << this->GetToneMappingAsString() << "\n";
+  os << indent << "ToneMapping:\n";
+  this->ToneMapping->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Streaming: " << (this->Streaming ? "on" : "off") << "\n";
   os << indent << "TextureMemoryLimit: " << this->TextureMemoryLimit << "\n";
 }

@@ -46,7 +46,7 @@
  * A mapper can be drawn in several windows. Each window keeps the samples in its own graphics
  * memory until its resources are released.
  *
- * @sa vtkCSLFSampler vtkCSLFDecoder
+ * @sa vtkCSLFSampler vtkCSLFDecoder vtkCSLFToneMapping
  */
 #ifndef vtkCSLFMapper_h
 #define vtkCSLFMapper_h
@@ -54,11 +54,13 @@
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkImageData.h"  // for SetInputData
 #include "vtkMapper.h"
+#include "vtkSmartPointer.h" // for vtkSmartPointer
 
 #include <memory> // for the internals
 
 class vtkCSLFCubeMapper;
 class vtkCSLFDecoder;
+class vtkCSLFToneMapping;
 
 namespace cslf
 {
@@ -73,6 +75,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Includes the modification time of the tone mapping.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
    * The method of looking up a light ray in the samples.
    */
   enum LookupType
@@ -85,22 +92,12 @@ public:
     NUMBER_OF_LOOKUPS
   };
 
-  /**
-   * The mapping of radiance to the range of a display, as in vtkToneMappingPass.
-   */
-  enum ToneMappingType
-  {
-    CLAMP = 0,    ///< values above white are displayed as white
-    REINHARD = 1, ///< divided by 1 plus the luminance
-    ACES = 2      ///< a film-like curve: the fit of the ACES transforms by K. Narkowicz
-  };
-
   ///@{
   /**
    * The lookup. If the field has no depth channel, DEPTH is drawn as FOCAL about the cube's centre.
    * Default: DEPTH.
    */
-  vtkSetClampMacro(Lookup, int, NEAREST, NUMBER_OF_LOOKUPS - 1);
+  void SetLookup(int lookup);
   vtkGetMacro(Lookup, int);
   void SetLookupToNearest() { this->SetLookup(NEAREST); }
   void SetLookupToLinear() { this->SetLookup(LINEAR); }
@@ -157,32 +154,17 @@ public:
    * enough to benefit and use 1. If texels are smaller than pixels, all lookups use more. Default:
    * 2.
    */
-  vtkSetClampMacro(PixelSamples, int, 1, 4);
+  void SetPixelSamples(int samples);
   vtkGetMacro(PixelSamples, int);
   ///@}
 
   ///@{
   /**
-   * The factor of the displayed radiance, in addition to the exposure that the field was sampled
-   * with. It acts on linear values, also if the field holds sRGB-encoded ones, but cannot restore
-   * values that were clamped: sample as `float` to choose the exposure at view time. At least 0.
-   * Default: 1.
+   * The exposure and tone mapping of the displayed radiance. Null selects a new one with the
+   * default values, which displays colours unchanged.
    */
-  vtkSetClampMacro(Exposure, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Exposure, double);
-  ///@}
-
-  ///@{
-  /**
-   * The mapping of radiance times exposure before it is sRGB-encoded. With CLAMP, the field looks
-   * like its path-traced reference. Default: CLAMP.
-   */
-  vtkSetClampMacro(ToneMapping, int, CLAMP, ACES);
-  vtkGetMacro(ToneMapping, int);
-  void SetToneMappingToClamp() { this->SetToneMapping(CLAMP); }
-  void SetToneMappingToReinhard() { this->SetToneMapping(REINHARD); }
-  void SetToneMappingToACES() { this->SetToneMapping(ACES); }
-  const char* GetToneMappingAsString();
+  virtual void SetToneMapping(vtkCSLFToneMapping* toneMapping);
+  vtkCSLFToneMapping* GetToneMapping();
   ///@}
 
   ///@{
@@ -263,7 +245,7 @@ public:
   ///@}
 
   /**
-   * Copies the parameters and the input of another mapper.
+   * Takes the parameters and the input of another mapper, and shares its tone mapping.
    */
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
@@ -283,15 +265,14 @@ private:
   void ReportDamage(int damaged, int undamaged);
   vtkCSLFCubeMapper* GetCubeMapper(vtkWindow* window);
 
-  int Lookup = DEPTH;
-  bool AutomaticFocalPoint = true;
-  bool AutoAdjustResolution = true;
-  double FocalPoint[3] = { 0.0, 0.0, 0.0 };
-  int PixelSamples = 2;
-  double Exposure = 1.0;
-  int ToneMapping = CLAMP;
+  int Lookup;
+  bool AutomaticFocalPoint;
+  bool AutoAdjustResolution;
+  double FocalPoint[3];
+  int PixelSamples;
+  vtkSmartPointer<vtkCSLFToneMapping> ToneMapping;
   bool Streaming = false;
-  vtkTypeInt64 TextureMemoryLimit = vtkTypeInt64(2) << 30;
+  vtkTypeInt64 TextureMemoryLimit;
   bool HasTranslucentPart = true; // after the opaque pass that was drawn last
 
   class vtkInternals;

@@ -42,7 +42,7 @@ struct Options
   std::string OutputFolder;
   std::string ContactSheet;
   std::string Title;
-  int PixelSamples = 2;
+  int PixelSamples = options::PixelSamples.Default;
   std::vector<std::string> Lookups; ///< if empty, all that the field has the channels for
   NovelViewOptions Novel;
   CameraPathOptions Path;

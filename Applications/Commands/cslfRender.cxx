@@ -32,7 +32,7 @@ struct Options
   std::string Output;
   std::string Lookup = "depth";
   ToneOptions Tone;
-  int PixelSamples = 2;
+  int PixelSamples = options::PixelSamples.Default;
   CameraOptions Camera;
   CameraPathOptions Path;
   double FrameRate = 25.0;

@@ -10,6 +10,7 @@
 #include "Scenes/cslfSceneFiles.h"
 
 #include "vtkCSLFImageQuality.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -132,7 +133,8 @@ std::vector<NovelView> TraceNovelViews(
   for (const auto& camera : MakeNovelViews(cube, novel.Views, novel.Seed, options.HasCornellBox()))
   {
     const int number = static_cast<int>(views.size());
-    const Truth truth = tracer.Trace(camera, novel.Size, novel.Samples, novel.Seed + number);
+    const Truth truth = tracer.Trace(
+      camera, novel.Size, novel.Samples, novel.Seed + number, vtkNew<vtkCSLFToneMapping>());
     const auto stencil = MakeCubeStencil(cube, camera, novel.Size, novel.Size);
     views.push_back({ camera, truth.Picture, stencil, ComputeNoiseFloor(truth, stencil) });
   }

@@ -31,7 +31,7 @@ namespace
 {
 /// The weighted sum of two linear float pictures, encoded like the field's colours.
 vtkSmartPointer<vtkImageData> EncodeSum(vtkImageData* first, double firstWeight,
-  vtkImageData* second, double secondWeight, const ToneMapping& toneMapping)
+  vtkImageData* second, double secondWeight, vtkCSLFToneMapping* toneMapping)
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(first->GetDimensions());
@@ -116,7 +116,7 @@ TruthTracer::TruthTracer(const SceneOptions& options, const Scene& scene, const 
 TruthTracer::~TruthTracer() = default;
 
 Truth TruthTracer::Trace(
-  vtkCamera* camera, int size, int samples, int seed, const ToneMapping& toneMapping)
+  vtkCamera* camera, int size, int samples, int seed, vtkCSLFToneMapping* toneMapping)
 {
   const int firstSamples = samples / 2;
   const int secondSamples = samples - firstSamples;

@@ -7,13 +7,12 @@
 #ifndef cslfTruth_h
 #define cslfTruth_h
 
-#include "cslfToneMapping.h"
-
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
 
+class vtkCSLFToneMapping;
 class vtkCSLFViewTracer;
 class vtkCamera;
 class vtkImageData;
@@ -47,8 +46,7 @@ public:
 
   /// Traces a square view with `samples` per pixel, half of them in each half, and applies the tone
   /// mapping. Throws a Failure.
-  Truth Trace(
-    vtkCamera* camera, int size, int samples, int seed, const ToneMapping& toneMapping = {});
+  Truth Trace(vtkCamera* camera, int size, int samples, int seed, vtkCSLFToneMapping* toneMapping);
 
 private:
   vtkSmartPointer<vtkImageData> GetHalf(vtkCamera* camera, int size, int samples, int seed);

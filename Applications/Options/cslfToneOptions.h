@@ -7,11 +7,11 @@
 #ifndef cslfToneOptions_h
 #define cslfToneOptions_h
 
-#include "cslfToneMapping.h"
+#include "vtkCSLFToneMapping.h"
 
-#include <string>
+#include <vtkSmartPointer.h>
 
-class vtkCSLFMapper;
+#include <glm/vec3.hpp>
 
 namespace CLI
 {
@@ -28,19 +28,15 @@ public:
   /// Adds --view-exposure and --tone-mapping.
   void AddTo(CLI::App& command);
 
-  ToneMapping Get() const;
+  vtkCSLFToneMapping* Get() const { return this->Tone; }
 
 private:
-  double Exposure = 1.0;
-  std::string Curve = "clamp";
+  vtkSmartPointer<vtkCSLFToneMapping> Tone = vtkSmartPointer<vtkCSLFToneMapping>::New();
 };
 
-/// Sets these options of a mapper.
-void SetToneMapping(vtkCSLFMapper* mapper, const ToneMapping& toneMapping);
-
 /// A pixel of linear radiance, associated with its coverage `alpha`, as displayed over black.
-void EncodeShown(
-  const ToneMapping& toneMapping, const glm::dvec3& radiance, double alpha, unsigned char color[3]);
+void EncodeShown(vtkCSLFToneMapping* toneMapping, const glm::dvec3& radiance, double alpha,
+  unsigned char color[3]);
 }
 }
 

@@ -5,7 +5,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
-#include "Options/cslfToneOptions.h"
+#include "Options/cslfTableOptions.h"
 
 #include "vtkCSLFMapper.h"
 
@@ -146,12 +146,7 @@ std::vector<LookupName> ChooseLookups(
 
 void AddPixelSamples(CLI::App& command, int& samples)
 {
-  command
-    .add_option("--pixel-samples", samples,
-      "minimum number of rays along each side of a pixel in the depth lookup; with 1, silhouettes "
-      "are jagged")
-    ->check(CLI::Range(1, 4))
-    ->capture_default_str();
+  AddOption(command, options::PixelSamples, samples);
 }
 
 void AddLookups(CLI::App& command, std::vector<std::string>& names)
@@ -192,9 +187,9 @@ FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
 
 FieldRenderer::~FieldRenderer() = default;
 
-void FieldRenderer::SetToneMapping(const ToneMapping& toneMapping)
+void FieldRenderer::SetToneMapping(vtkCSLFToneMapping* toneMapping)
 {
-  tool::SetToneMapping(this->Mapper, toneMapping);
+  this->Mapper->SetToneMapping(toneMapping);
 }
 
 double FieldRenderer::Draw(vtkCamera* camera, int lookup)

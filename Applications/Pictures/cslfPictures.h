@@ -9,7 +9,6 @@
 
 #include "cslfDescription.h"
 #include "cslfOffscreenWindow.h"
-#include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -21,6 +20,7 @@
 class vtkActor;
 class vtkAlgorithmOutput;
 class vtkCSLFMapper;
+class vtkCSLFToneMapping;
 class vtkCamera;
 class vtkImageData;
 class vtkUnsignedCharArray;
@@ -88,7 +88,7 @@ public:
   ~FieldRenderer();
 
   /// The tone mapping of views. By default, colours are shown unchanged.
-  void SetToneMapping(const ToneMapping& toneMapping);
+  void SetToneMapping(vtkCSLFToneMapping* toneMapping);
 
   /// Like vtkCSLFMapper::PixelSamples.
   int GetPixelSamples() const;

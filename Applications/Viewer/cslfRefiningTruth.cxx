@@ -84,7 +84,7 @@ void RefiningTruth::Refine(vtkCamera* camera, const int size[2], int mostSamples
   }
 }
 
-vtkSmartPointer<vtkImageData> RefiningTruth::MakePicture(const ToneMapping& toneMapping) const
+vtkSmartPointer<vtkImageData> RefiningTruth::MakePicture(vtkCSLFToneMapping* toneMapping) const
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(this->Size[0], this->Size[1], 1);

@@ -8,13 +8,13 @@
 #define cslfRefiningTruth_h
 
 #include "Scenes/cslfSceneFiles.h"
-#include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <vector>
 
+class vtkCSLFToneMapping;
 class vtkCSLFViewTracer;
 class vtkCamera;
 class vtkImageData;
@@ -42,7 +42,7 @@ public:
   int GetSamples() const { return this->Samples; }
 
   /// The picture as displayed, over black.
-  vtkSmartPointer<vtkImageData> MakePicture(const ToneMapping& toneMapping) const;
+  vtkSmartPointer<vtkImageData> MakePicture(vtkCSLFToneMapping* toneMapping) const;
 
 private:
   vtkNew<vtkCSLFViewTracer> Tracer;

@@ -5,11 +5,11 @@
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Files/cslfFileSystem.h"
-#include "Options/cslfToneOptions.h"
 #include "cslfScenery.h"
 #include "cslfViewerPane.h"
 
 #include "vtkCSLFMapper.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
@@ -216,9 +216,14 @@ void Viewer::SetLookup(int lookup)
   }
 }
 
-void Viewer::SetToneMapping(const ToneMapping& toneMapping)
+void Viewer::SetToneMapping(vtkCSLFToneMapping* toneMapping)
 {
-  tool::SetToneMapping(this->Mapper, toneMapping);
+  this->Mapper->SetToneMapping(toneMapping);
+  this->ShowToneMapping();
+}
+
+void Viewer::ShowToneMapping()
+{
   for (const auto& pane : this->Panes)
   {
     pane->PSNR = 0.0;
@@ -229,7 +234,7 @@ void Viewer::SetToneMapping(const ToneMapping& toneMapping)
 
 bool Viewer::Press(char key)
 {
-  const ToneMapping tone = this->GetToneMapping();
+  vtkCSLFToneMapping* tone = this->Mapper->GetToneMapping();
   switch (key)
   {
     case 's':
@@ -250,13 +255,16 @@ bool Viewer::Press(char key)
       Toggle(this->Markers);
       return true;
     case '[':
-      this->SetToneMapping({ tone.Exposure / ExposureStep, tone.Curve });
+      tone->SetExposure(tone->GetExposure() / ExposureStep);
+      this->ShowToneMapping();
       return true;
     case ']':
-      this->SetToneMapping({ tone.Exposure * ExposureStep, tone.Curve });
+      tone->SetExposure(tone->GetExposure() * ExposureStep);
+      this->ShowToneMapping();
       return true;
     case 'm':
-      this->SetToneMapping({ tone.Exposure, (tone.Curve + 1) % (vtkCSLFMapper::ACES + 1) });
+      tone->SetCurve((tone->GetCurve() + 1) % (vtkCSLFToneMapping::ACES + 1));
+      this->ShowToneMapping();
       return true;
     case 'i':
       this->ShowsState = !this->ShowsState;
@@ -343,7 +351,7 @@ void Viewer::ShowTruth()
   }
   Pane* pane = this->FindPane(TruthPane);
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(this->Truth->MakePicture(this->GetToneMapping()));
+  texture->SetInputData(this->Truth->MakePicture(this->Mapper->GetToneMapping()));
   pane->Renderer->SetBackgroundTexture(texture);
   pane->Label->SetInput(
     (pane->Name + ": " + std::to_string(this->GetTruthSamples()) + " samples a pixel").c_str());
@@ -368,10 +376,5 @@ bool Viewer::IsComplete() const
 vtkTypeInt64 Viewer::GetTextureBytes() const
 {
   return this->Mapper->GetTextureBytes();
-}
-
-ToneMapping Viewer::GetToneMapping() const
-{
-  return { this->Mapper->GetExposure(), this->Mapper->GetToneMapping() };
 }
 }

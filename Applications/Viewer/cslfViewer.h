@@ -10,7 +10,6 @@
 
 #include "Pictures/cslfPictures.h"
 #include "cslfRefiningTruth.h"
-#include "cslfToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -24,6 +23,7 @@
 
 class vtkActor;
 class vtkCSLFMapper;
+class vtkCSLFToneMapping;
 class vtkCamera;
 class vtkObject;
 class vtkProp;
@@ -53,7 +53,7 @@ public:
 
   /// A lookup of vtkCSLFMapper, drawn alone or beside the reference.
   void SetLookup(int lookup);
-  void SetToneMapping(const ToneMapping& toneMapping);
+  void SetToneMapping(vtkCSLFToneMapping* toneMapping);
 
   /// Performs the action of a key, without drawing. False if the key has none. Throws a Failure.
   bool Press(char key);
@@ -94,7 +94,7 @@ private:
   void Measure();
   double MeasureLookup(int lookup, Pane* place);
   bool IsTruthCurrent() const;
-  ToneMapping GetToneMapping() const;
+  void ShowToneMapping();
   static void PreparePane(vtkObject*, unsigned long, void* client, void*);
   static void CountFrame(vtkObject*, unsigned long, void* client, void*);
 

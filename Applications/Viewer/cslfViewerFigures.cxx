@@ -9,6 +9,7 @@
 
 #include "vtkCSLFImageQuality.h"
 #include "vtkCSLFMapper.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -71,10 +72,10 @@ void Viewer::ShowState()
   {
     text += "\n" + Format(this->GetFrameRate(), 1) + " frames/s";
   }
-  if (!this->GetToneMapping().IsIdentity())
+  vtkCSLFToneMapping* tone = this->Mapper->GetToneMapping();
+  if (!tone->IsIdentity())
   {
-    text += "\nexposure " + Format(this->Mapper->GetExposure(), 2) + ", " +
-      this->Mapper->GetToneMappingAsString();
+    text += "\nexposure " + Format(tone->GetExposure(), 2) + ", " + tone->GetCurveAsString();
   }
   this->StateText->SetInput(text.c_str());
   this->StateText->SetVisibility(this->ShowsState);
@@ -138,7 +139,7 @@ double Viewer::MeasureLookup(int lookup, Pane* place)
   seen->SetDimensions(size[0], size[1], 1);
   seen->GetPointData()->SetScalars(pixels);
   vtkNew<vtkCSLFImageQuality> quality;
-  quality->SetInputData(0, this->Truth->MakePicture(this->GetToneMapping()));
+  quality->SetInputData(0, this->Truth->MakePicture(this->Mapper->GetToneMapping()));
   quality->SetInputData(1, seen);
   quality->SetStencilData(MakeCubeStencil(this->Field.Box, this->Camera, size[0], size[1]));
   quality->Update();

@@ -4,6 +4,7 @@
 
 #include "cslfGatherField.h"
 #include "vtkCSLFMapper.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
@@ -218,13 +219,13 @@ void vtkCSLFRepresentation::SetPixelSamples(int samples)
 //------------------------------------------------------------------------------
 void vtkCSLFRepresentation::SetExposure(double exposure)
 {
-  this->Mapper->SetExposure(exposure);
+  this->Mapper->GetToneMapping()->SetExposure(exposure);
 }
 
 //------------------------------------------------------------------------------
-void vtkCSLFRepresentation::SetToneMapping(int toneMapping)
+void vtkCSLFRepresentation::SetToneMapping(int curve)
 {
-  this->Mapper->SetToneMapping(toneMapping);
+  this->Mapper->GetToneMapping()->SetCurve(curve);
 }
 
 //------------------------------------------------------------------------------

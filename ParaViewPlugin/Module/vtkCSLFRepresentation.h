@@ -45,14 +45,14 @@ public:
 
   ///@{
   /**
-   * Settings of the mapper: see vtkCSLFMapper.
+   * Settings of the mapper and its tone mapping: see vtkCSLFMapper and vtkCSLFToneMapping.
    */
   void SetLookup(int lookup);
   void SetAutomaticFocalPoint(bool automatic);
   void SetFocalPoint(double x, double y, double z);
   void SetPixelSamples(int samples);
   void SetExposure(double exposure);
-  void SetToneMapping(int toneMapping);
+  void SetToneMapping(int curve);
   void SetAutoAdjustResolution(bool adjust);
   ///@}
 

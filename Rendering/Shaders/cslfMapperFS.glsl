@@ -10,7 +10,7 @@
 //   CLIPPING_PLANES  how many planes cut the picture
 //   PICTURE_SAMPLES  the picture has several pixels for each of the window, to be averaged
 //   PICTURE_COARSE   it has fewer, to be interpolated
-//   TONE_MAPPING     vtkCSLFMapper::ToneMappingType, unless colours are shown as they are
+//   TONE_MAPPING     vtkCSLFToneMapping::Curves, unless colours are shown as they are
 //   RENDER_PASS      a render pass may ask for the surface's position and normal
 
 //VTK::CustomUniforms::Dec

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts radiance to colour, as in Rendering/cslfToneMapping.cxx, which explains the curves, and
-// Module/cslfColor.h.
+// Converts radiance to colour, as in Rendering/vtkCSLFToneMapping.cxx, whose header explains the
+// curves, and Module/cslfColor.h.
 
 vec3 LinearToSRGB(vec3 linear)
 {

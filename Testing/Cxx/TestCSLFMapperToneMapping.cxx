@@ -7,7 +7,7 @@
 #include "cslfTestField.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
-#include "cslfToneMapping.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -22,6 +22,15 @@ namespace
 using cslf::testing::Picture;
 using cslf::testing::View;
 
+glm::dvec3 MapTone(double exposure, int curve, glm::dvec3 color)
+{
+  vtkNew<vtkCSLFToneMapping> toneMapping;
+  toneMapping->SetExposure(exposure);
+  toneMapping->SetCurve(curve);
+  toneMapping->MapTone(&color.x, &color.x);
+  return color;
+}
+
 // The C++ functions convert the plain picture to the mapped one, up to rounding.
 void TestPictures(int type)
 {
@@ -34,29 +43,28 @@ void TestPictures(int type)
   const Picture plain = view.Render();
   for (const double exposure : { 0.5, 1.0, 1.6 })
   {
-    for (int curve = vtkCSLFMapper::CLAMP; curve <= vtkCSLFMapper::ACES; ++curve)
+    for (int curve = vtkCSLFToneMapping::Clamp; curve <= vtkCSLFToneMapping::ACES; ++curve)
     {
-      mapper->SetExposure(exposure);
-      mapper->SetToneMapping(curve);
+      mapper->GetToneMapping()->SetExposure(exposure);
+      mapper->GetToneMapping()->SetCurve(curve);
       const Picture seen = view.Render();
       double most = 0.0;
       for (std::size_t i = 0; i < seen.Colors.size(); i += 3)
       {
         const glm::dvec3 color(plain.Colors[i], plain.Colors[i + 1], plain.Colors[i + 2]);
-        const glm::dvec3 mapped = cslf::LinearToSRGB(
-          cslf::ToneMapping{ exposure, curve }.MapTone(cslf::SRGBToLinear(color / 255.0)));
+        const glm::dvec3 mapped =
+          cslf::LinearToSRGB(MapTone(exposure, curve, cslf::SRGBToLinear(color / 255.0)));
         for (int c = 0; c < 3; ++c)
         {
           most = std::max(most, std::abs(seen.Colors[i + c] - 255.0 * mapped[c]));
         }
       }
-      std::cout << mapper->GetToneMappingAsString() << " at " << exposure << ": " << most
-                << " levels at most\n";
+      std::cout << mapper->GetToneMapping()->GetCurveAsString() << " at " << exposure << ": "
+                << most << " levels at most\n";
       CSLF_CHECK(most < 3.0);
     }
   }
-  mapper->SetExposure(1.0);
-  mapper->SetToneMappingToClamp();
+  mapper->SetToneMapping(nullptr);
   CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), plain) == 99.0);
 }
 
@@ -83,42 +91,47 @@ void TestRange()
     return *std::max_element(picture.Colors.begin(), picture.Colors.end());
   };
   CSLF_CHECK(brightest() == 255);
-  mapper->SetExposure(1.0 / 16.0);
+  mapper->GetToneMapping()->SetExposure(1.0 / 16.0);
   CSLF_CHECK_NEAR(brightest(), 255.0 * cslf::LinearToSRGB(0.5), 1.0);
-  mapper->SetExposure(1.0);
-  mapper->SetToneMappingToReinhard();
+  mapper->GetToneMapping()->SetExposure(1.0);
+  mapper->GetToneMapping()->SetCurveToReinhard();
   CSLF_CHECK_NEAR(brightest(), 255.0 * cslf::LinearToSRGB(8.0 / 9.0), 1.0);
 }
 
 void TestCurves()
 {
   const glm::dvec3 color(0.2, 0.4, 0.1);
-  CSLF_CHECK((cslf::ToneMapping{ 2.0, vtkCSLFMapper::CLAMP }.MapTone(color) == 2.0 * color));
+  CSLF_CHECK((MapTone(2.0, vtkCSLFToneMapping::Clamp, color) == 2.0 * color));
   // Reinhard preserves hues and stays below white.
-  const glm::dvec3 mapped = cslf::ToneMapping{ 1.0, vtkCSLFMapper::REINHARD }.MapTone(color);
+  const glm::dvec3 mapped = MapTone(1.0, vtkCSLFToneMapping::Reinhard, color);
   CSLF_CHECK_NEAR(mapped.x / mapped.y, 0.5, 1e-12);
-  CSLF_CHECK(cslf::ToneMapping({ 1e6, vtkCSLFMapper::REINHARD }).MapTone(glm::dvec3(1.0)).x < 1.0);
+  CSLF_CHECK(MapTone(1e6, vtkCSLFToneMapping::Reinhard, glm::dvec3(1.0)).x < 1.0);
   // The film-like curve increases everywhere.
   double last = -1.0;
   for (double value = 0.0; value < 10.0; value += 0.1)
   {
-    const double shown = cslf::ToneMapping{ 1.0, vtkCSLFMapper::ACES }.MapTone(glm::dvec3(value)).x;
+    const double shown = MapTone(1.0, vtkCSLFToneMapping::ACES, glm::dvec3(value)).x;
     CSLF_CHECK(shown > last);
     last = shown;
   }
-  CSLF_CHECK(cslf::ToneMapping().IsIdentity());
+  CSLF_CHECK(vtkNew<vtkCSLFToneMapping>()->IsIdentity());
 }
 
 void TestSettings()
 {
   vtkNew<vtkCSLFMapper> mapper;
-  mapper->SetExposure(-1.0);
-  CSLF_CHECK(mapper->GetExposure() == 0.0);
-  mapper->SetToneMapping(7);
-  CSLF_CHECK(mapper->GetToneMapping() == vtkCSLFMapper::ACES);
+  vtkNew<vtkCSLFToneMapping> toneMapping;
+  mapper->SetToneMapping(toneMapping);
+  const auto before = mapper->GetMTime();
+  toneMapping->SetCurveToACES();
+  CSLF_CHECK(mapper->GetMTime() > before);
   vtkNew<vtkCSLFMapper> copy;
   copy->ShallowCopy(mapper);
-  CSLF_CHECK(copy->GetExposure() == 0.0 && copy->GetToneMapping() == vtkCSLFMapper::ACES);
+  CSLF_CHECK(copy->GetToneMapping() == toneMapping);
+  copy->SetToneMapping(nullptr);
+  CSLF_CHECK(copy->GetToneMapping() && copy->GetToneMapping()->IsIdentity());
+  copy->GetToneMapping()->DeepCopy(toneMapping);
+  CSLF_CHECK(copy->GetToneMapping()->GetCurve() == vtkCSLFToneMapping::ACES);
 }
 }
 

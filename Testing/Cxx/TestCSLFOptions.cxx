@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The options of path tracers: defaults and ranges are those of the table of options, and a change
-// of an option object executes the filters that use it again.
+// The options of path tracers, fields and mappers: defaults and ranges are those of the table of
+// options, and a change of an option object executes the filters that use it again.
 #include "Options/cslfOptionTable.h"
 #include "cslfOptionChecks.h"
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFEnvironment.h"
+#include "vtkCSLFMapper.h"
 #include "vtkCSLFRadianceCacheOptions.h"
+#include "vtkCSLFResample.h"
 #include "vtkCSLFSampler.h"
+#include "vtkCSLFToneMapping.h"
 
 #include <vtkNew.h>
 
@@ -77,6 +80,40 @@ void TestCacheOptions()
   CSLF_CHECK(copy->GetTolerance() == 0.5 && copy->GetSamples() == 100 && copy->GetCheck());
 }
 
+void TestFieldOptions()
+{
+  using Sampler = vtkCSLFSampler;
+  using Resample = vtkCSLFResample;
+  vtkNew<Sampler> sampler;
+  Sampler* s = sampler;
+  CheckOption(options::Viewpoints, s, &Sampler::SetViewpoints, &Sampler::GetViewpoints);
+  CheckOption(options::Resolution, s, &Sampler::SetResolution, &Sampler::GetResolution);
+  CheckOption(options::Offset, s, &Sampler::SetOffset, &Sampler::GetOffset);
+  CheckOption(options::AutomaticCube, s, &Sampler::SetAutomaticCube, &Sampler::GetAutomaticCube);
+  CheckOption(options::GenerateDepth, s, &Sampler::SetGenerateDepth, &Sampler::GetGenerateDepth);
+  CSLF_CHECK(sampler->GetIntegrator() == options::Integrator.Default);
+  vtkNew<Resample> resample;
+  CheckOption(options::ResolutionDivisor, resample.Get(), &Resample::SetResolutionDivisor,
+    &Resample::GetResolutionDivisor);
+  CheckOption(options::ViewpointStride, resample.Get(), &Resample::SetViewpointStride,
+    &Resample::GetViewpointStride);
+}
+
+void TestMapper()
+{
+  using Mapper = vtkCSLFMapper;
+  using ToneMapping = vtkCSLFToneMapping;
+  vtkNew<Mapper> mapper;
+  Mapper* m = mapper;
+  CheckOption(options::Lookup, m, &Mapper::SetLookup, &Mapper::GetLookup);
+  CheckOption(options::PixelSamples, m, &Mapper::SetPixelSamples, &Mapper::GetPixelSamples);
+  CheckVector(options::FocalPoint, mapper->GetFocalPoint());
+  CSLF_CHECK(mapper->GetTextureMemoryLimit() == vtkTypeInt64(2) << 30);
+  ToneMapping* tone = mapper->GetToneMapping();
+  CheckOption(options::ViewExposure, tone, &ToneMapping::SetExposure, &ToneMapping::GetExposure);
+  CheckOption(options::ToneMapping, tone, &ToneMapping::SetCurve, &ToneMapping::GetCurve);
+}
+
 void TestExecution()
 {
   vtkNew<vtkCSLFCornellBoxSource> box;
@@ -121,6 +158,8 @@ int TestCSLFOptions(int, char*[])
   TestPathTracer();
   TestEnvironment();
   TestCacheOptions();
+  TestFieldOptions();
+  TestMapper();
   TestExecution();
   return cslf::testing::Result();
 }

@@ -4,6 +4,7 @@
 // The program of the user guide's C++ example: a viewer of box.mp4.
 #include <vtkCSLFDecoder.h>
 #include <vtkCSLFMapper.h>
+#include <vtkCSLFToneMapping.h>
 
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
