@@ -6,6 +6,7 @@ list(APPEND classes
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFFieldQuality
   ../Filters/vtkCSLFImageQuality
+  ../Filters/vtkCSLFRateControl
   ../Filters/vtkCSLFResample)
 cslf_add(Filters Join Printable Seconds ValidPolyData VTKCompatibility)
 
@@ -67,9 +68,7 @@ cslf_add(Filters/Coding/Reading
 
 # The encoder.
 if (CSLF_ENABLE_ENCODER)
-  list(APPEND classes
-    ../Filters/vtkCSLFEncoder
-    ../Filters/vtkCSLFRateControl)
+  list(APPEND classes ../Filters/vtkCSLFEncoder)
   cslf_add(Filters/Coding/Codecs EncoderContext VideoEncoders)
   cslf_add(Filters/Coding/Containers ContainerWriter)
   cslf_add(Filters/Coding/Groups GroupCodec GroupCoder GroupError)

@@ -6,6 +6,7 @@
 #include "Measurements/cslfCodecSweep.h"
 #include "Measurements/cslfRateCurves.h"
 #include "Options/cslfBenchmarkOptions.h"
+#include "Options/cslfTableOptions.h"
 #include "Pictures/cslfChart.h"
 #include "Pictures/cslfPictures.h"
 
@@ -28,7 +29,7 @@ struct Options : BenchmarkOptions
   std::vector<std::string> Codecs{ "hevc" };
   std::vector<std::string> Presets{ "slow" };
   std::vector<std::string> PixelFormats{ "auto" };
-  int GroupLength = 16;
+  int GroupLength = options::GroupLength.Default;
   int Repeats = 1;
 };
 
@@ -256,9 +257,8 @@ Result Run(Options options)
     all.push_back({ name, {} });
     for (const double crf : options.CRFs)
     {
-      CodingOptions coding = coder;
-      coding.CRF = crf;
-      all.back().Points.push_back(sweep.Measure(coding, name));
+      coder.Rate->SetCRF(crf);
+      all.back().Points.push_back(sweep.Measure(coder, name));
     }
   }
   return Report(options, all, sweep.GetLookups(), views.NoiseFloor);
@@ -290,8 +290,7 @@ void AddBenchmarkCodec(CLI::App& benchmark, Command& chosen)
     ->add_option("--pixel-formats", options->PixelFormats,
       "pixel formats of colour, for example yuv444p,yuv420p")
     ->delimiter(',');
-  command->add_option("--group-length", options->GroupLength, "viewpoints per group of pictures")
-    ->check(CLI::Range(1, 16));
+  AddOption(*command, cslf::options::GroupLength, options->GroupLength);
   command->add_option("--repeats", options->Repeats, "repetitions for measuring the speed")
     ->check(CLI::Range(1, 1000));
   command->callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -44,8 +44,8 @@ struct Options : BenchmarkOptions
   std::vector<int> Divisors{ 1 };
   std::vector<double> CRFs{ 16, 22, 28, 34, 40 };
   std::vector<double> DepthCRFs{ 4, 10 };
-  double CoverageCRF = 24.0;
-  std::string Preset = "slow";
+  double CoverageCRF = options::CoverageCRF.Default;
+  std::string Preset = options::Preset.Default;
 };
 
 /// One set of viewpoints, coded at several rate factors.
@@ -131,9 +131,9 @@ Series Measure(const Options& options, const std::string& name, vtkImageData* im
     for (const double crf : options.CRFs)
     {
       CodingOptions coding;
-      coding.CRF = crf;
-      coding.DepthCRF = depthCRF;
-      coding.CoverageCRF = options.CoverageCRF;
+      coding.Rate->SetCRF(crf);
+      coding.Rate->SetDepthCRF(depthCRF);
+      coding.Rate->SetCoverageCRF(options.CoverageCRF);
       coding.Preset = options.Preset;
       series.Points.push_back(sweep.Measure(coding, name));
       series.DepthCRFs.push_back(depthCRF);

@@ -5,6 +5,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfTable.h"
 #include "Options/cslfIntegratorOptions.h"
+#include "Options/cslfTableOptions.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
 
@@ -33,10 +34,10 @@ namespace
 struct Options
 {
   SceneOptions Scene;
-  IntegratorOptions Integrator{ "cache" };
+  IntegratorOptions Integrator{ vtkCSLFPathTracer::RadianceCaching };
   std::vector<int> PathSamples{ 16, 64, 256 };
-  int Viewpoints = 17;
-  int Resolution = 128;
+  int Viewpoints = options::Viewpoints.Default;
+  int Resolution = options::Resolution.Default;
   int Views = 24;
   int Texels = 100000;
   int ReferenceSamples = 4096;
@@ -266,10 +267,8 @@ void AddBenchmarkSampler(CLI::App& benchmark, Command& chosen)
   options->Scene.AddTo(*command);
   options->Integrator.AddTo(*command);
   command->option_defaults()->always_capture_default();
-  command->add_option("-M,--viewpoints", options->Viewpoints, "viewpoints along each side")
-    ->check(CLI::Range(2, 4096));
-  command->add_option("-N,--resolution", options->Resolution, "texels along each side")
-    ->check(CLI::Range(1, 16384));
+  AddOption(*command, cslf::options::Viewpoints, options->Viewpoints);
+  AddOption(*command, cslf::options::Resolution, options->Resolution);
   command
     ->add_option("--path-spp", options->PathSamples,
       "numbers of samples per texel for path tracing, at least two, for example 16,64")

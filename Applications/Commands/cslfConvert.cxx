@@ -6,7 +6,7 @@
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
-#include "Options/cslfNumberChecks.h"
+#include "Options/cslfTableOptions.h"
 #include "cslfCommands.h"
 
 #include "vtkCSLFResample.h"
@@ -31,8 +31,8 @@ struct Options
   std::string Output;
   CodingOptions Coding;
   std::optional<std::string> Part; ///< requested instead of the field
-  int ResolutionDivisor = 1;
-  int ViewpointStride = 1;
+  int ResolutionDivisor = options::ResolutionDivisor.Default;
+  int ViewpointStride = options::ViewpointStride.Default;
 };
 
 /// The size of all channels, uncoded.
@@ -179,16 +179,8 @@ void AddResample(CLI::App& app, Command& chosen)
     ->add_option(
       "-o,--output", options->Output, std::string("the coarser light field: ") + FieldFormats)
     ->required();
-  command
-    ->add_option("--resolution-divisor", options->ResolutionDivisor,
-      "texels along each side to combine into one; must divide N")
-    ->check(Positive())
-    ->capture_default_str();
-  command
-    ->add_option("--viewpoint-stride", options->ViewpointStride,
-      "keep every n-th viewpoint along each side; must divide M - 1")
-    ->check(Positive())
-    ->capture_default_str();
+  AddOption(*command, cslf::options::ResolutionDivisor, options->ResolutionDivisor);
+  AddOption(*command, cslf::options::ViewpointStride, options->ViewpointStride);
   options->Coding.AddTo(*command);
   command->callback(
     [options, &chosen]

@@ -13,8 +13,7 @@
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
 #endif
-#include "Options/cslfNumberChecks.h"
-#include "cslfLayout.h"
+#include "Options/cslfTableOptions.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
 
@@ -42,12 +41,12 @@ constexpr int SmallestVideo = 16;
 struct Options
 {
   SceneOptions Scene;
-  IntegratorOptions Integrator{ "cache" };
+  IntegratorOptions Integrator{ vtkCSLFPathTracer::RadianceCaching };
   CodingOptions Coding;
   std::string Output;
-  int Viewpoints = 17;
-  int Resolution = 128;
-  double Offset = 0.05;
+  int Viewpoints = options::Viewpoints.Default;
+  int Resolution = options::Resolution.Default;
+  double Offset = options::Offset.Default;
   std::vector<double> Center;
   std::vector<double> Edges;
   double TimeBudget = 0.0;
@@ -298,20 +297,9 @@ void AddField(CLI::App& command, Options& options)
     ->check(Positive())
     ->excludes(psnr);
   const std::string field = "Light field";
-  command.add_option("-M,--viewpoints", options.Viewpoints, "viewpoints along each side of a face")
-    ->check(CLI::Range(2, MaximumViewpoints))
-    ->capture_default_str()
-    ->group(field);
-  command.add_option("-N,--resolution", options.Resolution, "texels along each side of an image")
-    ->check(CLI::Range(1, MaximumResolution))
-    ->capture_default_str()
-    ->group(field);
-  command
-    .add_option("--offset", options.Offset,
-      "margin around the scene on each side, as a fraction of its longest side")
-    ->check(CLI::Range(1e-6, 1e6))
-    ->capture_default_str()
-    ->group(field);
+  AddOption(command, cslf::options::Viewpoints, options.Viewpoints)->group(field);
+  AddOption(command, cslf::options::Resolution, options.Resolution)->group(field);
+  AddOption(command, cslf::options::Offset, options.Offset)->group(field);
   command
     .add_option("--center", options.Center, "centre of the cube, instead of the scene's centre")
     ->expected(3)

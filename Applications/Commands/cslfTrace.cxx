@@ -29,7 +29,7 @@ struct Options
   SceneOptions Scene;
   CameraOptions Camera;
   std::string Output;
-  IntegratorOptions Integrator{ "path" };
+  IntegratorOptions Integrator{ vtkCSLFPathTracer::PathTracing };
 };
 
 Result Run(const Options& options)
@@ -40,7 +40,7 @@ Result Run(const Options& options)
   options.Scene.Apply(scene, tracer);
   double bounds[6];
   scene.GetBounds(bounds);
-  tracer->SetCamera(options.Camera.MakeCamera(Cube::FromBounds(bounds, DefaultOffset)));
+  tracer->SetCamera(options.Camera.MakeCamera(Cube::FromBounds(bounds, options::Offset.Default)));
   tracer->SetSize(options.Camera.GetWidth(), options.Camera.GetHeight());
   options.Integrator.Apply(tracer);
   {

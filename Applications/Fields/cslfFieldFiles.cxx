@@ -14,7 +14,6 @@
 #include "vtkCSLFImageWriter.h"
 #ifdef CSLF_HAS_ENCODER
 #include "vtkCSLFEncoder.h"
-#include "vtkCSLFRateControl.h"
 #endif
 
 #include <vtkAlgorithmOutput.h>
@@ -344,41 +343,52 @@ std::uintmax_t CountBytes(const std::string& fileName)
 
 void CodingOptions::AddTargetsTo(CLI::App& command)
 {
-  CLI::Option* factor = AddOption(command, options::CRF, this->CRF)->group(VideoGroup);
-  CLI::Option* ratio =
-    command.add_option(options::TargetRatio.Flag, this->TargetRatio, options::TargetRatio.Help)
-      ->check(RangeOf(options::TargetRatio, LeastRatio))
-      ->excludes(factor)
-      ->group(VideoGroup);
-  CLI::Option* size =
-    command
-      .add_option(options::TargetSize.Flag, this->TargetSize,
-        options::TargetSize.Help + std::string("; for example 20M or 1.5G"))
-      ->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
-      ->check(RangeOf(options::TargetSize, LeastTarget))
-      ->excludes(factor)
-      ->excludes(ratio)
-      ->group(VideoGroup);
-  command.add_option(options::TargetPSNR.Flag, this->TargetPSNR, options::TargetPSNR.Help)
-    ->check(RangeOf(options::TargetPSNR, LeastTarget))
-    ->excludes(factor)
-    ->excludes(ratio)
-    ->excludes(size)
-    ->group(VideoGroup);
+  using Control = vtkCSLFRateControl;
+  Control* rate = this->Rate;
+  CLI::Option* factor = AddOption(command, options::CRF, rate, &Control::SetCRF);
+  CLI::Option* ratio = AddOption(command, options::TargetRatio, rate, &Control::SetTargetRatio,
+    RangeOf(options::TargetRatio, LeastRatio));
+  CLI::Option* size = AddOption(command, options::TargetSize, rate, &Control::SetTargetSize,
+    RangeOf(options::TargetSize, LeastTarget));
+  CLI::Option* psnr = AddOption(command, options::TargetPSNR, rate, &Control::SetTargetPSNR,
+    RangeOf(options::TargetPSNR, LeastTarget));
+  size->transform(CLI::AsNumberWithUnit(ByteUnits, CLI::AsNumberWithUnit::DEFAULT))
+    ->description(options::TargetSize.Help + std::string("; for example 20M or 1.5G"));
+  factor->group(VideoGroup);
+  ratio->group(VideoGroup)->excludes(factor);
+  size->group(VideoGroup)->excludes(factor)->excludes(ratio);
+  psnr->group(VideoGroup)->excludes(factor)->excludes(ratio)->excludes(size);
 }
 
 void CodingOptions::AddKeyViewsTo(CLI::App& command)
 {
+  vtkCSLFRateControl* rate = this->Rate;
   CLI::Option* keys =
     command
-      .add_option(options::KeyViewStep.Flag, this->KeyViews,
+      .add_option_function<std::string>(
+        options::KeyViewStep.Flag,
+        [rate](const std::string& step)
+        {
+          rate->SetKeyViewStep(step == AutomaticKeyViews ? vtkCSLFRateControl::AutomaticKeyViews
+                                                         : std::stoi(step, nullptr, 0));
+        },
         options::KeyViewStep.Help +
           std::string("; or \"auto\": as few as reach --target-novel-psnr"))
       ->check(RangeOf(options::KeyViewStep, 1) | CLI::IsMember({ AutomaticKeyViews }))
-      ->capture_default_str()
+      ->default_str(CLI::detail::to_string(options::KeyViewStep.Default))
       ->group(VideoGroup);
   command
-    .add_option(options::TargetNovelViewPSNR.Flag, this->TargetNovelPSNR,
+    .add_option_function<double>(
+      options::TargetNovelViewPSNR.Flag,
+      [rate](const double& psnr)
+      {
+        // The step is set before, because options are processed in the order of their definition.
+        if (rate->GetKeyViewStep() != vtkCSLFRateControl::AutomaticKeyViews)
+        {
+          throw CLI::ValidationError(options::TargetNovelViewPSNR.Flag, "needs --key-views auto");
+        }
+        rate->SetTargetNovelViewPSNR(psnr);
+      },
       options::TargetNovelViewPSNR.Help + std::string(", for --key-views auto"))
     ->check(RangeOf(options::TargetNovelViewPSNR, LeastTarget))
     ->default_str(CLI::detail::to_string(options::TargetNovelViewPSNR.Default))
@@ -391,8 +401,10 @@ void CodingOptions::AddTo(CLI::App& command)
   const std::string group = VideoGroup;
   AddOption(command, options::Codec, this->Codec)->group(group);
   this->AddTargetsTo(command);
-  AddOption(command, options::CoverageCRF, this->CoverageCRF)->group(group);
-  AddOption(command, options::DepthCRF, this->DepthCRF)->group(group);
+  using Control = vtkCSLFRateControl;
+  Control* rate = this->Rate;
+  AddOption(command, options::CoverageCRF, rate, &Control::SetCoverageCRF)->group(group);
+  AddOption(command, options::DepthCRF, rate, &Control::SetDepthCRF)->group(group);
   this->AddKeyViewsTo(command);
   AddOption(command, options::Preset, this->Preset)->group(group);
   AddOption(command, options::PixelFormat, this->PixelFormat)->group(group);
@@ -411,33 +423,15 @@ void CodingOptions::AddTo(CLI::App& command)
 
 bool CodingOptions::HasTarget() const
 {
-  return this->TargetRatio > 0.0 || this->TargetSize > 0.0 || this->TargetPSNR > 0.0;
+  return this->Rate->GetTargetRatio() > 0.0 || this->Rate->GetTargetSize() > 0.0 ||
+    this->Rate->GetTargetPSNR() > 0.0;
 }
 
 #ifdef CSLF_HAS_ENCODER
-void CodingOptions::ApplyRate(vtkCSLFRateControl* rate) const
-{
-  rate->SetCRF(this->CRF);
-  rate->SetCoverageCRF(this->CoverageCRF);
-  rate->SetDepthCRF(this->DepthCRF);
-  rate->SetTargetRatio(this->TargetRatio);
-  rate->SetTargetSize(this->TargetSize);
-  rate->SetTargetPSNR(this->TargetPSNR);
-  const bool isAutomatic = this->KeyViews == AutomaticKeyViews;
-  if (this->TargetNovelPSNR > 0.0 && !isAutomatic)
-  {
-    throw Failure("--target-novel-psnr needs --key-views auto.");
-  }
-  rate->SetKeyViewStep(
-    isAutomatic ? vtkCSLFRateControl::AutomaticKeyViews : std::stoi(this->KeyViews, nullptr, 0));
-  rate->SetTargetNovelViewPSNR(
-    this->TargetNovelPSNR > 0.0 ? this->TargetNovelPSNR : options::TargetNovelViewPSNR.Default);
-}
-
 void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 {
+  encoder->SetRateControl(this->Rate);
   encoder->SetCodec(this->Codec.c_str());
-  this->ApplyRate(encoder->GetRateControl());
   encoder->SetPreset(this->Preset.c_str());
   encoder->SetPixelFormat(this->PixelFormat.c_str());
   encoder->SetGroupLength(this->GroupLength);

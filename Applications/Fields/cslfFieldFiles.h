@@ -12,6 +12,7 @@
 #include "cslfDescription.h"
 #include "cslfFieldParts.h"
 #include "cslfJSON.h"
+#include "vtkCSLFRateControl.h"
 
 #include <vtkSmartPointer.h>
 
@@ -22,7 +23,6 @@
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkCSLFEncoder;
-class vtkCSLFRateControl;
 
 namespace CLI
 {
@@ -96,18 +96,11 @@ std::string GetCodecName(const FieldFile& file);
 /// The size of a file, or of all files in a folder.
 std::uintmax_t CountBytes(const std::string& fileName);
 
-/// The settings of video coding. The defaults are the encoder's.
+/// The settings of video coding. The defaults are the encoder's. Copies share the rate control.
 struct CodingOptions
 {
+  vtkSmartPointer<vtkCSLFRateControl> Rate = vtkSmartPointer<vtkCSLFRateControl>::New();
   std::string Codec = options::Codec.Default;
-  double CRF = options::CRF.Default;
-  double CoverageCRF = options::CoverageCRF.Default;
-  double DepthCRF = options::DepthCRF.Default;
-  double TargetRatio = options::TargetRatio.Default;
-  double TargetSize = options::TargetSize.Default;
-  double TargetPSNR = options::TargetPSNR.Default;
-  std::string KeyViews = "1";   ///< a number, or "auto"
-  double TargetNovelPSNR = 0.0; ///< 0: the default
   std::string Preset = options::Preset.Default;
   std::string PixelFormat = options::PixelFormat.Default;
   int GroupLength = options::GroupLength.Default;
@@ -122,10 +115,9 @@ struct CodingOptions
   bool HasTarget() const;
 
   /// Whether only some viewpoints are coded.
-  bool HasKeyViews() const { return this->KeyViews != "1"; }
+  bool HasKeyViews() const { return this->Rate->GetKeyViewStep() != 1; }
 
 private:
-  void ApplyRate(vtkCSLFRateControl* rate) const; ///< only with the video encoder
   void AddTargetsTo(CLI::App& command);
   void AddKeyViewsTo(CLI::App& command);
 };

@@ -73,7 +73,8 @@ double CodecSweep::Encode(const CodingOptions& coding, const std::string& label)
   encoder->SetController(nullptr);
   encoder->SetInputData(this->Field);
   encoder->SetFileName(this->FileName.c_str());
-  const ProgressBar bar(encoder, label + ", CRF " + std::to_string(std::lround(coding.CRF)));
+  const ProgressBar bar(
+    encoder, label + ", CRF " + std::to_string(std::lround(coding.Rate->GetCRF())));
   const auto start = Clock::now();
   if (!encoder->Write())
   {
@@ -103,7 +104,7 @@ vtkSmartPointer<vtkImageData> CodecSweep::Decode(CodecPoint& point, double& seco
 CodecPoint CodecSweep::Measure(const CodingOptions& coding, const std::string& label)
 {
   CodecPoint point;
-  point.CRF = coding.CRF;
+  point.CRF = coding.Rate->GetCRF();
   std::vector<double> encodeSeconds(this->Repeats);
   std::vector<double> decodeSeconds(this->Repeats);
   vtkSmartPointer<vtkImageData> decoded;

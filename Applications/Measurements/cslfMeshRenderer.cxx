@@ -48,6 +48,6 @@ Cube MeshRenderer::GetCube() const
 {
   double bounds[6];
   this->Mesh->GetBounds(bounds);
-  return Cube::FromBounds(bounds, DefaultOffset);
+  return Cube::FromBounds(bounds, options::Offset.Default);
 }
 }

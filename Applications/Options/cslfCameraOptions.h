@@ -31,9 +31,6 @@ constexpr double DefaultDistance = 2.0;
 /// The default vertical view angle in degrees.
 constexpr double DefaultViewAngle = 40.0;
 
-/// The margin of a scene's default cube.
-constexpr double DefaultOffset = 0.05;
-
 /// A camera at `position` that looks at `focalPoint`; `up` is replaced if it is parallel to the
 /// view.
 vtkSmartPointer<vtkCamera> MakeCamera(

@@ -12,22 +12,10 @@ namespace cslf
 {
 namespace tool
 {
-namespace
-{
-constexpr const char* PathTracing = "path";
-constexpr const char* RadianceCaching = "cache";
-}
-
 void IntegratorOptions::AddTo(CLI::App& command)
 {
   const std::string group = "Light transport";
-  command
-    .add_option("--integrator", this->Integrator,
-      "path: path tracing, the reference; cache: radiance caching, which computes the light of "
-      "diffuse surfaces once")
-    ->check(CLI::IsMember({ PathTracing, RadianceCaching }))
-    ->capture_default_str()
-    ->group(group);
+  AddOption(command, options::Integrator, this->Integrator)->group(group);
   AddOption(command, options::Samples, this->Samples)->group(group);
   AddOption(command, options::NoiseTarget, this->NoiseTarget)->group(group);
   AddOption(command, options::Seed, this->Seed)->group(group);
@@ -41,8 +29,7 @@ void IntegratorOptions::AddTo(CLI::App& command)
 
 void IntegratorOptions::Apply(vtkCSLFPathTracer* tracer) const
 {
-  tracer->SetIntegrator(this->Integrator == PathTracing ? vtkCSLFPathTracer::PathTracing
-                                                        : vtkCSLFPathTracer::RadianceCaching);
+  tracer->SetIntegrator(this->Integrator);
   tracer->SetSamples(this->Samples);
   tracer->SetNoiseTarget(this->NoiseTarget);
   tracer->SetSeed(this->Seed);

@@ -14,8 +14,6 @@
 
 #include <vtkSmartPointer.h>
 
-#include <string>
-
 class vtkCSLFPathTracer;
 
 namespace CLI
@@ -30,8 +28,8 @@ namespace tool
 class IntegratorOptions
 {
 public:
-  /// `integrator` is the default: "cache" or "path".
-  explicit IntegratorOptions(const std::string& integrator)
+  /// `integrator` is the default, of vtkCSLFPathTracer::Integrators.
+  explicit IntegratorOptions(int integrator)
     : Integrator(integrator)
   {
   }
@@ -43,7 +41,7 @@ public:
   static nlohmann::json GetCost(vtkCSLFPathTracer* tracer);
 
 private:
-  std::string Integrator;
+  int Integrator;
   int Samples = options::Samples.Default;
   double NoiseTarget = options::NoiseTarget.Default;
   int Seed = options::Seed.Default;

@@ -37,11 +37,6 @@ inline CLI::Validator Positive()
   return AtLeast(std::numeric_limits<double>::min(), "not above 0", "POSITIVE");
 }
 
-inline CLI::Validator NonNegative()
-{
-  return AtLeast(0.0, "below 0", "NONNEGATIVE");
-}
-
 /// Refuses infinity and NaN in all floating-point options of a command.
 inline void RequireFiniteNumbers(CLI::App& command)
 {

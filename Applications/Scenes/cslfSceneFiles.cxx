@@ -13,7 +13,6 @@
 #include "cslfJSONText.h"
 #include "cslfVTKCompatibility.h"
 #include "cslfValidPolyData.h"
-#include "vtkCSLFEnvironment.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
 #include "vtkCSLFPathTracer.h"
@@ -50,9 +49,7 @@ namespace tool
 namespace
 {
 constexpr const char* CornellBoxName = "cornell-box";
-constexpr const char* NoEnvironment = "none";
 constexpr const char* WhiteEnvironment = "white";
-constexpr const char* GradientEnvironment = "gradient";
 
 /// The value for glass and plastics, and of glTF's metallic-roughness material.
 constexpr double UsualIndexOfRefraction = 1.5;
@@ -162,33 +159,30 @@ constexpr const char* EnvironmentHelp =
   "environment light: white, gradient (white above, dark below), none, or the file of a lat-long "
   "image (default: for files white, and for scenes by name their own light)";
 
-bool IsNamedEnvironment(const std::string& environment)
+/// Takes a field's sampling parameter for a row's value that the command line does not give.
+template <typename T>
+void TakeDefault(
+  const CLI::App* command, const nlohmann::json& sampling, const NumberOption<T>& row, T& value)
 {
-  return environment == NoEnvironment || environment == WhiteEnvironment ||
-    environment == GradientEnvironment;
-}
-
-template <typename Value>
-void TakeDefault(const nlohmann::json& sampling, const char* key, std::optional<Value>& option)
-{
-  const auto found = sampling.find(key);
-  if (!option && found != sampling.end())
+  const auto found = sampling.find(row.Key);
+  if (found == sampling.end() || (command && command->count(row.Flag) > 0))
   {
-    try
+    return;
+  }
+  try
+  {
+    if constexpr (std::is_integral_v<T>)
     {
-      if constexpr (std::is_integral_v<Value>)
-      {
-        option = ToInteger<Value>(*found);
-      }
-      else
-      {
-        option = found->get<Value>();
-      }
+      value = ToInteger<T>(*found);
     }
-    catch (const std::exception&)
+    else
     {
-      AddWarning(std::string("The field's sampling parameter ") + key + " is invalid.");
+      found->get_to(value);
     }
+  }
+  catch (const std::exception&)
+  {
+    AddWarning(std::string("The field's sampling parameter ") + row.Key + " is invalid.");
   }
 }
 }
@@ -296,30 +290,29 @@ void SceneOptions::AddOptionalTo(CLI::App& command)
 
 void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
 {
+  this->Command = &command;
   const std::string light = "Light";
-  command.add_option(options::EnvironmentMode.Flag, this->Environment, EnvironmentHelp)
+  vtkCSLFEnvironment* environment = this->Light;
+  command
+    .add_option_function<std::string>(
+      options::EnvironmentMode.Flag, [this](const std::string& name) { this->ChooseLight(name); },
+      EnvironmentHelp)
     ->group(light);
-  AddOptional(command, options::EnvironmentIntensity, this->EnvironmentIntensity)
-    ->check(NonNegative())
+  AddOption(command, options::EnvironmentIntensity, environment, &vtkCSLFEnvironment::SetIntensity)
     ->group(light);
-  AddOption(command, options::ShowEnvironment, this->ShowEnvironment)->group(light);
-  AddOptional(command, options::Exposure, this->Exposure)->check(Positive())->group(light);
-  AddOptional(command, options::MaximumDepth, this->MaximumDepth)
-    ->check(RangeOf(options::MaximumDepth))
+  AddOption(command, options::ShowEnvironment, environment, &vtkCSLFEnvironment::SetShow)
     ->group(light);
+  AddOption(command, options::Exposure, this->Exposure, Positive())->group(light);
+  AddOption(command, options::MaximumDepth, this->MaximumDepth)->group(light);
   const std::string material = "Material of the scene, except for cornell-box";
-  command
-    .add_option("--roughness", this->Roughness,
-      "0 is a mirror, 1 is rough; gives the surface a glossy boundary")
-    ->check(CLI::Range(0.0, 1.0))
+  AddOptional(command, options::Roughness, this->Roughness)
+    ->description(options::Roughness.Help + std::string("; gives the surface a glossy boundary"))
     ->group(material);
-  command.add_option("--metallic", this->Metallic, "0 is a dielectric, 1 a metal (default: 0)")
-    ->check(CLI::Range(0.0, 1.0))
-    ->group(material);
+  AddOptional(command, options::Metallic, this->Metallic)->group(material);
   command
-    .add_option("--base-color", this->BaseColor,
-      "sRGB colour, each component in [0,1]; replaces the colours of the files (default: their "
-      "colours, or gray)")
+    .add_option(options::BaseColor.Flag, this->BaseColor,
+      options::BaseColor.Help +
+        std::string("; replaces the colours of the files (default: their colours, or gray)"))
     ->expected(3)
     ->check(CLI::Range(0.0, 1.0))
     ->group(material);
@@ -327,19 +320,21 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
 
 void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
 {
-  TakeDefault(sampling, options::Exposure.Key, this->Exposure);
-  TakeDefault(sampling, options::MaximumDepth.Key, this->MaximumDepth);
+  TakeDefault(this->Command, sampling, options::Exposure, this->Exposure);
+  TakeDefault(this->Command, sampling, options::MaximumDepth, this->MaximumDepth);
   const auto found = sampling.find("environment");
   const bool isDescribed = found != sampling.end() && found->is_object();
   const nlohmann::json environment = isDescribed ? *found : nlohmann::json::object();
-  TakeDefault(environment, options::EnvironmentIntensity.Key, this->EnvironmentIntensity);
+  double intensity = this->Light->GetIntensity();
+  TakeDefault(this->Command, environment, options::EnvironmentIntensity, intensity);
+  this->Light->SetIntensity(intensity);
   const auto named = environment.find(options::EnvironmentMode.Key);
   const std::string mode = named != environment.end() && named->is_string() ? *named : "";
-  if (!this->Environment && mode == "image")
+  if (!this->IsLightChosen && mode == "image")
   {
     throw Failure("The field was sampled with an environment image: specify it by --environment.");
   }
-  if (!this->Environment && !mode.empty() && mode != "scene")
+  if (!this->IsLightChosen && !mode.empty() && mode != "scene")
   {
     const nlohmann::json white = { 1.0, 1.0, 1.0 };
     if (environment.value(options::EnvironmentColor.Key, white) != white)
@@ -347,9 +342,7 @@ void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
       AddWarning(
         "The field was sampled with a coloured environment; it is measured with a white one.");
     }
-    this->Environment = mode == "none" ? NoEnvironment
-      : mode == "gradient"             ? GradientEnvironment
-                                       : WhiteEnvironment;
+    this->ChooseLight(mode == "none" || mode == "gradient" ? mode : WhiteEnvironment);
   }
 }
 
@@ -369,14 +362,27 @@ Scene SceneOptions::Read() const
       this->SetMaterial(scene.Parts.back());
     }
   }
-  const std::string environment = this->Environment.value_or(NoEnvironment);
   std::error_code failure;
-  if (!IsNamedEnvironment(environment) &&
-    !std::filesystem::is_regular_file(ToPath(environment), failure))
+  if (this->Light->GetMode() == vtkCSLFEnvironment::ImageEnvironment &&
+    !std::filesystem::is_regular_file(ToPath(this->Light->GetFileName()), failure))
   {
-    throw Failure("There is no environment image " + environment + ".");
+    throw Failure(std::string("There is no environment image ") + this->Light->GetFileName() + ".");
   }
   return scene;
+}
+
+void SceneOptions::ChooseLight(const std::string& name)
+{
+  static const std::map<std::string, int> modes = {
+    { "none", vtkCSLFEnvironment::NoEnvironment },
+    { WhiteEnvironment, vtkCSLFEnvironment::ConstantEnvironment },
+    { "gradient", vtkCSLFEnvironment::GradientEnvironment },
+  };
+  const auto named = modes.find(name);
+  const bool isImage = named == modes.end();
+  this->Light->SetMode(isImage ? vtkCSLFEnvironment::ImageEnvironment : named->second);
+  this->Light->SetFileName(isImage ? name.c_str() : nullptr);
+  this->IsLightChosen = true;
 }
 
 void SceneOptions::SetMaterial(vtkDataObject* part) const
@@ -387,8 +393,9 @@ void SceneOptions::SetMaterial(vtkDataObject* part) const
       if (this->Roughness || this->Metallic)
       {
         vtkCSLFMaterial::SetIndexOfRefraction(polyData, UsualIndexOfRefraction);
-        vtkCSLFMaterial::SetRoughness(polyData, this->Roughness.value_or(1.0));
-        vtkCSLFMaterial::SetMetallic(polyData, this->Metallic.value_or(0.0));
+        vtkCSLFMaterial::SetRoughness(
+          polyData, this->Roughness.value_or(options::Roughness.Default));
+        vtkCSLFMaterial::SetMetallic(polyData, this->Metallic.value_or(options::Metallic.Default));
       }
       if (this->BaseColor)
       {
@@ -400,48 +407,23 @@ void SceneOptions::SetMaterial(vtkDataObject* part) const
     });
 }
 
-void SceneOptions::SetEnvironmentMode(vtkCSLFEnvironment* light) const
-{
-  const std::string environment = this->Environment.value_or(WhiteEnvironment);
-  if (environment == NoEnvironment)
-  {
-    light->SetModeToNone();
-  }
-  else if (environment == WhiteEnvironment)
-  {
-    light->SetModeToConstant();
-  }
-  else if (environment == GradientEnvironment)
-  {
-    light->SetModeToGradient();
-  }
-  else
-  {
-    light->SetModeToImage();
-    light->SetFileName(environment.c_str());
-  }
-  const auto named = std::find_if(this->Inputs.begin(), this->Inputs.end(),
-    [](const std::string& input) { return vtkCSLFSceneSource::HasScene(input.c_str()); });
-  if (!this->Environment && named != this->Inputs.end())
-  {
-    vtkNew<vtkCSLFSceneSource> source;
-    source->SetSceneName(named->c_str());
-    source->SetUpEnvironment(light);
-  }
-}
-
 void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
 {
   for (const Part& part : scene.Parts)
   {
     tracer->AddInputDataObject(0, part);
   }
-  vtkCSLFEnvironment* light = tracer->GetEnvironment();
-  this->SetEnvironmentMode(light);
-  light->SetIntensity(this->EnvironmentIntensity.value_or(options::EnvironmentIntensity.Default));
-  light->SetShow(this->ShowEnvironment);
-  tracer->SetExposure(this->Exposure.value_or(options::Exposure.Default));
-  tracer->SetMaximumDepth(this->MaximumDepth.value_or(options::MaximumDepth.Default));
+  const auto named = std::find_if(this->Inputs.begin(), this->Inputs.end(),
+    [](const std::string& input) { return vtkCSLFSceneSource::HasScene(input.c_str()); });
+  if (!this->IsLightChosen && named != this->Inputs.end())
+  {
+    vtkNew<vtkCSLFSceneSource> source;
+    source->SetSceneName(named->c_str());
+    source->SetUpEnvironment(this->Light);
+  }
+  tracer->SetEnvironment(this->Light);
+  tracer->SetExposure(this->Exposure);
+  tracer->SetMaximumDepth(this->MaximumDepth);
 }
 }
 }

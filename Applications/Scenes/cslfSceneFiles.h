@@ -9,6 +9,7 @@
 
 #include "Options/cslfOptionTable.h"
 #include "cslfJSON.h"
+#include "vtkCSLFEnvironment.h"
 
 #include <vtkSmartPointer.h>
 
@@ -17,7 +18,6 @@
 #include <string>
 #include <vector>
 
-class vtkCSLFEnvironment;
 class vtkCSLFPathTracer;
 class vtkDataObject;
 class vtkPolyData;
@@ -49,7 +49,7 @@ public:
 /// Failure if nothing is visible.
 vtkSmartPointer<vtkDataObject> ReadScenePart(const std::string& input);
 
-/// A scene's files and the material and light options of the command line.
+/// A scene's files and the material and light options of the command line. Copies share the light.
 class SceneOptions
 {
 public:
@@ -78,18 +78,18 @@ public:
 
 private:
   void AddLightAndMaterialTo(CLI::App& command);
+  void ChooseLight(const std::string& name);
   void SetMaterial(vtkDataObject* part) const;
-  void SetEnvironmentMode(vtkCSLFEnvironment* light) const;
 
   std::vector<std::string> Inputs;
   std::optional<double> Roughness;
   std::optional<double> Metallic;
   std::optional<std::vector<double>> BaseColor;
-  std::optional<std::string> Environment;
-  std::optional<double> EnvironmentIntensity;
-  std::optional<double> Exposure;
-  std::optional<int> MaximumDepth;
-  bool ShowEnvironment = options::ShowEnvironment.Default;
+  vtkSmartPointer<vtkCSLFEnvironment> Light = vtkSmartPointer<vtkCSLFEnvironment>::New();
+  bool IsLightChosen = false; ///< otherwise it depends on the inputs
+  double Exposure = options::Exposure.Default;
+  int MaximumDepth = options::MaximumDepth.Default;
+  CLI::App* Command = nullptr; ///< that light and material were added to
 };
 }
 }
