@@ -17,9 +17,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -94,6 +92,5 @@ void AddScenes(CLI::App& app, Command& chosen)
       const bool measure = command->count("--json") > 0;
       chosen = [measure] { return Run(measure); };
     });
-}
 }
 }

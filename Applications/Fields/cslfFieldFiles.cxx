@@ -41,9 +41,7 @@
 
 namespace fs = std::filesystem;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -608,6 +606,5 @@ nlohmann::json Summarize(const Description& description)
     { "slices", description.Grid.GetSlices() }, { "resolution", description.Grid.GetResolution() },
     { "center", whole["center"] }, { "edge", isCube ? whole["edges"][0] : whole["edges"] },
     { "channels", whole["channels"] }, { "sampling", whole["sampling"] } };
-}
 }
 }

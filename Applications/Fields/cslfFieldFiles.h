@@ -29,9 +29,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 enum class FieldFormat
 {
@@ -160,7 +158,6 @@ std::string DescribeCoding(const nlohmann::json& coding);
 
 /// The description of a field for `info` and similar commands.
 nlohmann::json Summarize(const Description& description);
-}
 }
 
 #endif

@@ -13,9 +13,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 void WriteResult(const Result& result, const std::string& folder, const std::string& name)
 {
@@ -78,5 +76,4 @@ std::string BenchmarkOptions::DescribeNoise(double noiseFloor)
   return "\nNoise floor of the novel views' reference: " + Format(noiseFloor, 2) + " dB.\n";
 }
 
-}
 }

@@ -18,9 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The novel views of a measurement, and the mean of their noise floors in dB.
 struct BenchmarkViews
@@ -61,7 +59,6 @@ struct BenchmarkOptions
     WriteResult(result, this->Folder, name);
   }
 };
-}
 }
 
 #endif

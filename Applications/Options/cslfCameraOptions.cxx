@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -100,6 +98,5 @@ vtkSmartPointer<vtkCamera> CameraOptions::MakeCamera(const Cube& cube) const
     throw Failure("The camera's position and its focal point must differ.");
   }
   return tool::MakeCamera(position, focalPoint, ToVector(this->ViewUp), this->ViewAngle);
-}
 }
 }

@@ -21,9 +21,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// The distance of default cameras from the cube's centre, in units of its longest edge.
 constexpr double DefaultDistance = 2.0;
@@ -54,7 +52,6 @@ private:
   double ViewAngle = DefaultViewAngle;
   std::vector<int> Size{ 512, 512 };
 };
-}
 }
 
 #endif

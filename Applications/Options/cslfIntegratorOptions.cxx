@@ -8,9 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 void IntegratorOptions::AddTo(CLI::App& command)
 {
@@ -56,6 +54,5 @@ nlohmann::json IntegratorOptions::GetCost(vtkCSLFPathTracer* tracer)
       { "rms_error", tracer->GetCacheRMSDifferenceError() } };
   }
   return cost;
-}
 }
 }

@@ -21,9 +21,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class IntegratorOptions
 {
@@ -48,7 +46,6 @@ private:
   vtkSmartPointer<vtkCSLFRadianceCacheOptions> Cache =
     vtkSmartPointer<vtkCSLFRadianceCacheOptions>::New();
 };
-}
 }
 
 #endif

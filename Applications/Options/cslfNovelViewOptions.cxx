@@ -4,9 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 void NovelViewOptions::AddTo(CLI::App& command, const std::string& group)
 {
@@ -32,6 +30,5 @@ void NovelViewOptions::AddTo(CLI::App& command, const std::string& group)
     .add_option(
       "--truth", this->TruthFolder, "folder that stores the path-traced reference for later runs")
     ->group(group);
-}
 }
 }

@@ -14,9 +14,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 struct NovelViewOptions
 {
@@ -29,7 +27,6 @@ struct NovelViewOptions
   /// Adds --views, --size, --spp, --seed and --truth, under a heading of the help if there is one.
   void AddTo(CLI::App& command, const std::string& group = "Options");
 };
-}
 }
 
 #endif

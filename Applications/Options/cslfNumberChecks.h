@@ -14,9 +14,7 @@
 #include <limits>
 #include <string>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Accepts numbers of at least `least`.
 inline CLI::Validator AtLeast(double least, const std::string& fault, const std::string& name)
@@ -56,7 +54,6 @@ inline void RequireFiniteNumbers(CLI::App& command)
       option->check(finite);
     }
   }
-}
 }
 }
 

@@ -22,9 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Accepts the numbers from `least` to the row's maximum.
 template <typename T>
@@ -137,7 +135,6 @@ CLI::Option* AddOption(
     row.Flag, [object, set](std::int64_t count) { (object->*set)(count > 0); }, GetHelp(row));
 }
 ///@}
-}
 }
 
 #endif

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 void ToneOptions::AddTo(CLI::App& command)
 {
@@ -33,6 +31,5 @@ void EncodeShown(
     EncodeColor(alpha * shown, alpha, encoded);
   }
   std::copy_n(encoded, 3, color);
-}
 }
 }

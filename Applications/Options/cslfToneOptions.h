@@ -18,9 +18,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 class ToneOptions
 {
@@ -37,7 +35,6 @@ private:
 /// A pixel of linear radiance, associated with its coverage `alpha`, as displayed over black.
 void EncodeShown(vtkCSLFToneMapping* toneMapping, const glm::dvec3& radiance, double alpha,
   unsigned char color[3]);
-}
 }
 
 #endif

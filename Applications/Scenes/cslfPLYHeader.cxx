@@ -12,9 +12,7 @@
 #include <set>
 #include <system_error>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -277,6 +275,5 @@ double PLYNumbers::ReadBinary(const PLYType& type)
   return type.Size == 1
     ? static_cast<std::int8_t>(low)
     : (type.Size == 2 ? static_cast<std::int16_t>(low) : static_cast<std::int32_t>(low));
-}
 }
 }

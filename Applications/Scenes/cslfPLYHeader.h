@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 struct PLYType
 {
@@ -79,7 +77,6 @@ private:
   PLYHeader::Formats Format;
   std::size_t Offset;
 };
-}
 }
 
 #endif

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -350,6 +348,5 @@ vtkSmartPointer<vtkPolyData> ReadPLY(const std::string& fileName)
   std::ifstream file(ToPath(fileName), std::ios::binary);
   const std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   return Reader(bytes).Read();
-}
 }
 }

@@ -14,16 +14,13 @@
 
 #include <string>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Reads the vertices of a PLY file, ASCII or binary, with normals, texture coordinates and
 /// colours, and its faces or triangle strips with colours. Without faces and strips, each vertex
 /// becomes a vertex cell. Throws a Failure if the file is broken. Leaves out faces with indices of
 /// missing vertices, and elements of other kinds, with warnings.
 vtkSmartPointer<vtkPolyData> ReadPLY(const std::string& fileName);
-}
 }
 
 #endif

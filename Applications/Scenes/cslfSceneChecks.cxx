@@ -26,9 +26,7 @@
 #include <system_error>
 #include <vector>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -546,6 +544,5 @@ bool CheckSTL(const std::string& fileName)
 void CheckVTKXML(const std::string& fileName)
 {
   XMLChecker(ToPath(fileName)).Check();
-}
 }
 }

@@ -9,9 +9,7 @@
 
 #include <string>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// Throws a Failure if a face, line or point of an OBJ file has the index of a missing vertex,
 /// texture coordinate or normal, or if the file ends within a line.
@@ -24,7 +22,6 @@ bool CheckSTL(const std::string& fileName);
 /// Throws a Failure if an XML file of VTK, or a file that it refers to, declares more data than the
 /// file can hold.
 void CheckVTKXML(const std::string& fileName);
-}
 }
 
 #endif

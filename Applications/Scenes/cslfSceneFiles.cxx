@@ -42,9 +42,7 @@
 #include <set>
 #include <type_traits>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -424,6 +422,5 @@ void SceneOptions::Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const
   tracer->SetEnvironment(this->Light);
   tracer->SetExposure(this->Exposure);
   tracer->SetMaximumDepth(this->MaximumDepth);
-}
 }
 }

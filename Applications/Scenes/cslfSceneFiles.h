@@ -27,9 +27,7 @@ namespace CLI
 class App;
 }
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// A scene in memory, one data object for each input.
 class Scene
@@ -91,7 +89,6 @@ private:
   int MaximumDepth = options::MaximumDepth.Default;
   CLI::App* Command = nullptr; ///< that light and material were added to
 };
-}
 }
 
 #endif

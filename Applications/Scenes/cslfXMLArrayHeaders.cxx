@@ -12,9 +12,7 @@
 #include <limits>
 #include <system_error>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -159,6 +157,5 @@ std::vector<double> XMLArrayHeaders::ReadWords(const Place& place, std::size_t c
     word = word * 256.0 + static_cast<unsigned char>(bytes[from]);
   }
   return words;
-}
 }
 }

@@ -16,9 +16,7 @@
 class vtkXMLDataElement;
 class vtkXMLDataParser;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// VTK allocates memory for as many bytes and blocks as the header of an array announces.
 class XMLArrayHeaders
@@ -53,7 +51,6 @@ private:
   bool IsBigEndian = false;
   std::size_t WordSize = 4; // in bytes
 };
-}
 }
 
 #endif

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 namespace
 {
@@ -132,6 +130,5 @@ std::size_t XMLStrings::Read(
   const bool isText = !format || std::strcmp(format, "binary") != 0;
   return this->Parser->ReadInlineData(
     array, isText ? 1 : 0, characters.data(), place, characters.size(), VTK_CHAR);
-}
 }
 }

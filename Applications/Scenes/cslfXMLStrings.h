@@ -15,9 +15,7 @@
 class vtkXMLDataElement;
 class vtkXMLDataParser;
 
-namespace cslf
-{
-namespace tool
+namespace cslf::tool
 {
 /// VTK writes all strings to an array, whatever number the file announces.
 class XMLStrings
@@ -40,7 +38,6 @@ private:
   std::ifstream File;
   vtkXMLDataParser* Parser;
 };
-}
 }
 
 #endif
