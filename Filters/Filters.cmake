@@ -109,8 +109,8 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheFile CacheKeeper CacheShare ChartMaker ChartNeighbours DiffuseEstimator
     DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder LatticeLayout
-    LatticePatch LatticeProbe LatticeRefinement LatticeSum OpenSides RadianceCache SampleNoise
-    SurfaceChart SurfaceEstimate SurfaceLattice)
+    LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum OpenSides PointGraph RadianceCache
+    SampleNoise SurfaceChart SurfaceEstimate SurfaceLattice)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
     Arithmetic Fingerprint OldNames Scene SceneBlock SceneBuilder SceneGather)

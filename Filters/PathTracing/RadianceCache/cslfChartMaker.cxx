@@ -29,6 +29,10 @@ constexpr float SmallHeight = 0.5f;
 constexpr float ThinAspect = 4.0f;
 constexpr float ThinLength = 4.0f;
 
+// Smooth triangles share the points at their vertices, unless these are so dense that each stands
+// for less than this many squares of the spacing.
+constexpr float LeastVertexArea = 1.0f;
+
 // The least cosine between the normal of a chart and those of its triangles.
 constexpr float LeastCosine = 0.8f;
 
@@ -197,8 +201,37 @@ private:
     return this->Surface.Vertices[this->Surface.Triangles[facet.Triangle][corner]];
   }
 
+  /// The area that each vertex of a smooth mesh stands for.
+  void FindVertexAreas()
+  {
+    if (this->Surface.Normals.empty())
+    {
+      return;
+    }
+    this->VertexAreas.resize(this->Surface.Vertices.size(), 0.0f);
+    for (const glm::uvec3& triangle : this->Surface.Triangles)
+    {
+      const glm::vec3& a = this->Surface.Vertices[triangle.x];
+      const float twice = glm::length(
+        glm::cross(this->Surface.Vertices[triangle.y] - a, this->Surface.Vertices[triangle.z] - a));
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->VertexAreas[triangle[corner]] += twice / 6.0f;
+      }
+    }
+  }
+
+  bool SharesVertices(std::uint32_t triangle) const
+  {
+    const float least = LeastVertexArea * this->Settings.Spacing * this->Settings.Spacing;
+    const glm::uvec3& corners = this->Surface.Triangles[triangle];
+    return !this->VertexAreas.empty() && this->VertexAreas[corners.x] > least &&
+      this->VertexAreas[corners.y] > least && this->VertexAreas[corners.z] > least;
+  }
+
   void FindFacets(const std::uint8_t* sides)
   {
+    this->FindVertexAreas();
     for (std::uint32_t triangle = 0; triangle < this->Surface.Triangles.size(); ++triangle)
     {
       Facet facet{};
@@ -214,7 +247,8 @@ private:
       facet.IsSmall = height < SmallHeight * this->Settings.Spacing;
       const bool isThin =
         length > ThinAspect * height && length > ThinLength * this->Settings.Spacing;
-      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || !(twice > 0.0f))
+      const bool isShared = length < this->Settings.BrickSize && this->SharesVertices(triangle);
+      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || isShared || !(twice > 0.0f))
       {
         continue;
       }
@@ -438,6 +472,7 @@ private:
   const Mesh& Surface;
   std::uint32_t Index;
   ChartSettings Settings;
+  std::vector<float> VertexAreas;
   std::vector<Facet> Facets;
   std::vector<Edge> Edges; // of the facets, sorted
   std::vector<std::uint8_t> IsTaken;

@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -25,6 +26,16 @@ namespace
 // The share of directions that may see something closer than the reach. At an edge between surfaces
 // at a flat angle, this share and its light are small.
 constexpr float NearShare = 1.0f / 32.0f;
+
+// The same on smooth surfaces, whose curvature alone hides some directions. There, points are
+// shared, so that neighbours show how the light varies.
+constexpr float NearShareOfSmooth = 1.0f / 8.0f;
+
+// Points in a small area may have this many times the acceptable noise each.
+constexpr float MostNoise = 4.0f;
+
+// The points after which the work may be stopped: about a second's.
+constexpr vtkIdType PointsAtOnce = 8192;
 
 SurfaceHit MakeWhite(SurfaceHit surface)
 {
@@ -66,9 +77,9 @@ struct DiffuseEstimator::Progress
   std::vector<float> Distances;     // distances of what the first samples see, unsorted
 
   /// The distance exceeded by nearly all of the first samples.
-  float TakeReach(int samples)
+  float TakeReach(int samples, float nearShare)
   {
-    const auto near = static_cast<std::size_t>(NearShare * static_cast<float>(samples));
+    const auto near = static_cast<std::size_t>(nearShare * static_cast<float>(samples));
     float distance = std::numeric_limits<float>::infinity();
     if (near < this->Distances.size())
     {
@@ -97,11 +108,21 @@ std::vector<SurfaceEstimate> DiffuseEstimator::Estimate(const Request& request)
   std::vector<Work> works(request.Points.size());
   Means means(works.size());
   int samples = this->Limits.FirstSamples / 2;
-  this->TakeSamples(request, samples, works, means);
-  while (this->Decide(request, samples, means, works))
+  double done = 0.0;
+  bool needsMore = true;
+  while (needsMore)
   {
+    // It is not known how often samples are doubled. Each time counts as half of what remains.
+    const double part = 0.5 * (1.0 - done);
+    const auto goOn = [&](double taken)
+    { return !request.GoOn || request.GoOn(done + part * taken); };
+    if (!this->TakeSamples(request, samples, goOn, works, means))
+    {
+      return {};
+    }
+    done += part;
+    needsMore = this->Decide(request, samples, means, works);
     samples *= 2;
-    this->TakeSamples(request, samples, works, means);
   }
   std::vector<SurfaceEstimate> estimates;
   estimates.reserve(works.size());
@@ -116,27 +137,36 @@ std::vector<SurfaceEstimate> DiffuseEstimator::Estimate(const Request& request)
   return estimates;
 }
 
-void DiffuseEstimator::TakeSamples(
-  const Request& request, int end, std::vector<Work>& works, Means& means)
+bool DiffuseEstimator::TakeSamples(const Request& request, int end,
+  const std::function<bool(double)>& goOn, std::vector<Work>& works, Means& means)
 {
   CacheShare* share = this->Limits.Share;
-  ParallelFor(0, static_cast<vtkIdType>(works.size()), 1,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType index = first; index < last; ++index)
+  const auto count = static_cast<vtkIdType>(works.size());
+  for (vtkIdType begin = 0; begin < count; begin += PointsAtOnce)
+  {
+    ParallelFor(begin, std::min(begin + PointsAtOnce, count), 1,
+      [&](vtkIdType first, vtkIdType last)
       {
-        const bool isMine = !share || share->GetOwner(index) == share->GetRank();
-        if (isMine && works[index].IsAnyOpen())
+        for (vtkIdType index = first; index < last; ++index)
         {
-          this->TakeSamples(
-            request.Points[index], end, request.WantsIncident, works[index], means[index]);
+          const bool isMine = !share || share->GetOwner(index) == share->GetRank();
+          if (isMine && works[index].IsAnyOpen())
+          {
+            this->TakeSamples(
+              request.Points[index], end, request.WantsIncident, works[index], means[index]);
+          }
         }
-      }
-    });
+      });
+    if (!goOn(static_cast<double>(begin) / static_cast<double>(count)))
+    {
+      return false;
+    }
+  }
   if (share)
   {
     share->Complete(means, 0);
   }
+  return true;
 }
 
 void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool wantsIncident,
@@ -151,6 +181,7 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
   const int begin = end == this->Limits.FirstSamples / 2 ? 0 : end / 2;
   const GlossyLobe* lobe =
     this->Limits.Lobes.empty() ? nullptr : &this->Limits.Lobes[point.Place.Mesh];
+  const bool isSmooth = !this->World.GetMeshes()[point.Place.Mesh].Normals.empty();
   std::uint64_t rays = 0;
   for (std::uint32_t half = 0; half < 2; ++half)
   {
@@ -171,7 +202,8 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
     means[half] = progress.Samples.GetMean();
     if (begin == 0)
     {
-      work.Estimate.Halves[half].Reach = progress.TakeReach(end);
+      work.Estimate.Halves[half].Reach =
+        progress.TakeReach(end, isSmooth ? NearShareOfSmooth : NearShare);
     }
     if (progress.Fit)
     {
@@ -200,7 +232,7 @@ bool DiffuseEstimator::Decide(
       }
       variances.push_back(work.Variances[half] / static_cast<float>(samples));
     }
-    pooled[half] = PoolVariances(variances, request.Groups[half]);
+    pooled[half] = PoolVariances(variances, request.Graph);
   }
 
   // Decide which points need more samples.
@@ -235,9 +267,12 @@ bool DiffuseEstimator::Decide(
 bool DiffuseEstimator::IsEnough(const SurfacePoint& point, const HalfEstimate& pilot) const
 {
   // Both halves together have half of the variance.
-  const glm::vec3 color = this->World.GetBaseColor(point.Place);
   const glm::vec3 error = glm::sqrt(0.5f * pilot.Variance);
-  return GetDisplayedError(this->Limits.Display, pilot.Pilot, error, color) < this->Limits.Noise;
+  // Several points within the area have less noise together.
+  const float together = std::sqrt(this->Limits.NoiseArea / std::max(point.Area, 1e-30f));
+  const glm::vec3 color = this->World.GetBaseColor(point.Place);
+  return GetDisplayedError(this->Limits.Display, pilot.Pilot, error, color) <
+    this->Limits.Noise * std::clamp(together, 1.0f, MostNoise);
 }
 
 std::uint64_t DiffuseEstimator::SampleLights(const Range& range, Progress& progress) const

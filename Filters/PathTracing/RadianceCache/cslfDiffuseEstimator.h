@@ -25,6 +25,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace cslf
@@ -44,7 +45,9 @@ public:
     Light Kind = Light::Gathered;
     int FirstSamples = 64;  ///< taken at every point; a power of two, at least 32
     int LastSamples = 1024; ///< taken if the noise requires it
-    float Noise = 0.004f;   ///< the acceptable standard error, in the units of `Display`
+    float Noise = 0.004f;   ///< the acceptable standard error of the mean over an area, in the
+                            ///< units of `Display`
+    float NoiseArea = 0.0f; ///< that area, in scene space
     int Depth = 1; ///< the number of reflections after which the point's light is seen, at least 1
     std::uint32_t Seed = 0;
     DisplayCurve Display;
@@ -76,8 +79,10 @@ private:
   struct Work;
   using Means = std::vector<std::array<SampleMean, 2>>; // of the halves of all points
 
-  /// Takes samples of all points that need more, up to number `end` of each half.
-  void TakeSamples(const Request& request, int end, std::vector<Work>& works, Means& means);
+  /// Takes samples of all points that need more, up to number `end` of each half. `goOn` gets the
+  /// progress, in [0,1]. Returns false if it did.
+  bool TakeSamples(const Request& request, int end, const std::function<bool(double)>& goOn,
+    std::vector<Work>& works, Means& means);
   void TakeSamples(const SurfacePoint& point, int end, bool wantsIncident, Work& work,
     std::array<SampleMean, 2>& means);
   std::uint64_t SampleLights(const Range& range, Progress& progress) const;

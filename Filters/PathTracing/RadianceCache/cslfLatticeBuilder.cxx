@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfLatticeBuilder.h"
 
-#include "cslfChartNeighbours.h"
 #include "cslfLatticePatch.h"
 #include "cslfLatticeSum.h"
-#include "cslfSampleNoise.h"
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -22,37 +18,15 @@ namespace
 // The finest lattice of one brick. Finer bricks are split.
 constexpr int LeafLevel = 2;
 
-// How often the spacing is halved at the edges of very bright areas, whose errors affect all
-// surfaces that they light.
-constexpr int ExtraLevels = 5;
+// The number of bricks processed together: they share points, and keep all threads busy, with
+// bounded memory.
+constexpr std::size_t BatchBricks = std::size_t(1) << 18;
 
-// The number of bricks processed together: enough for all threads, with bounded memory.
-constexpr std::size_t BatchBricks = std::size_t(1) << 13;
-
-// The distance of points from a triangle's edges, relative to the finest spacing, so that they do
-// not lie on an adjacent surface and see what is behind it.
-constexpr float Inset = 0.05f;
-constexpr float LargestInset = 0.1f;
-
-// The bits where the key's parts begin: the triangle or chart and its side, and the two
-// coordinates.
-constexpr int RowShift = LatticeLayout::LargestDepth + ExtraLevels + 1;
-constexpr int SideShift = 2 * RowShift;
-constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
-constexpr std::uint64_t MeanKey = std::uint64_t(1) << 62;
-
-float LongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
+float GetArea(const Mesh& mesh, const glm::uvec3& triangle)
 {
   const glm::vec3& a = mesh.Vertices[triangle.x];
-  const glm::vec3& b = mesh.Vertices[triangle.y];
-  const glm::vec3& c = mesh.Vertices[triangle.z];
-  return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
-}
-
-std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row)
-{
-  return (std::uint64_t(2 * domain + (back ? 1 : 0)) << SideShift) |
-    (std::uint64_t(row) << RowShift) | std::uint64_t(column);
+  return 0.5f *
+    glm::length(glm::cross(mesh.Vertices[triangle.y] - a, mesh.Vertices[triangle.z] - a));
 }
 
 // The number of an interpolated point.
@@ -73,30 +47,33 @@ LatticeBuilder::LatticeBuilder(const Scene& scene, const OpenSides& sides,
 
 LatticeBuilder::~LatticeBuilder() = default;
 
-bool LatticeBuilder::Build(const std::function<bool(double)>& goOn)
+bool LatticeBuilder::Build(const Progress& goOn)
 {
-  return this->AddAll(goOn, [this] { this->BuildBatch(); });
+  const bool done = this->AddAll(
+    [this, &goOn](double begin, double end)
+    {
+      return goOn(begin) &&
+        this->BuildBatch([&](double part) { return goOn(begin + (end - begin) * part); });
+    });
+  return done && goOn(1.0);
 }
 
-bool LatticeBuilder::AddAll(
-  const std::function<bool(double)>& goOn, const std::function<void()>& useBatch)
+bool LatticeBuilder::AddAll(const std::function<bool(double begin, double end)>& useBatch)
 {
   const std::vector<Mesh>& meshes = this->World.GetMeshes();
   const std::size_t charts = this->Layout.GetCharts().size();
   const auto all = static_cast<double>(this->Lattices[0].GetNumberOfTriangles() + charts);
-  std::size_t done = 0;
+  std::size_t used = 0;
+  std::size_t added = 0;
   const auto useFullBatch = [&]
   {
-    ++done;
+    ++added;
     if (this->Patches.size() < BatchBricks)
     {
       return true;
     }
-    const bool goesOn = goOn(static_cast<double>(done) / all);
-    if (goesOn)
-    {
-      useBatch();
-    }
+    const bool goesOn = useBatch(used / all, added / all);
+    used = added;
     return goesOn;
   };
   for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh)
@@ -124,8 +101,7 @@ bool LatticeBuilder::AddAll(
       return false;
     }
   }
-  useBatch();
-  return goOn(1.0);
+  return useBatch(used / all, 1.0);
 }
 
 void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
@@ -143,11 +119,15 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
   patch.Domain = index;
   patch.Mesh = mesh;
   patch.Triangle = triangle;
-  patch.RootEdge = LongestEdge(surface, surface.Triangles[triangle]) / static_cast<float>(splits);
+  patch.RootEdge =
+    GetLongestEdge(surface, surface.Triangles[triangle]) / static_cast<float>(splits);
+  patch.RootArea =
+    GetArea(surface, surface.Triangles[triangle]) / static_cast<float>(splits * splits);
   patch.RootSize = levels + ExtraLevels;
   patch.Size = patch.RootSize;
   patch.Level = std::min({ levels, this->Settings.FirstLevel, LeafLevel });
   patch.IsConstant = depth <= this->Settings.SmallLevels && surface.Normals.empty();
+  patch.IsSmooth = splits == 1 && patch.Level == 0 && !surface.Normals.empty();
   for (const bool back : { false, true })
   {
     patch.Back = back;
@@ -178,6 +158,7 @@ void LatticeBuilder::AddChart(std::size_t index)
   patch.Mesh = chart.GetMesh();
   patch.Chart = &chart;
   patch.RootEdge = std::max(chart.GetCellSize().x, chart.GetCellSize().y);
+  patch.RootArea = 0.5f * chart.GetCellSize().x * chart.GetCellSize().y;
   patch.RootSize = levels + ExtraLevels;
   patch.Size = patch.RootSize;
   patch.Level = std::min({ levels, this->Settings.FirstLevel, LeafLevel });
@@ -248,8 +229,8 @@ std::size_t LatticeBuilder::CountFirstPoints(const Choice& choice)
 {
   std::size_t count = 0;
   this->IsChosen = choice;
-  this->AddAll([](double) { return true; },
-    [this, &count]
+  this->AddAll(
+    [this, &count](double, double)
     {
       for (Patch& patch : this->Patches)
       {
@@ -257,14 +238,16 @@ std::size_t LatticeBuilder::CountFirstPoints(const Choice& choice)
       }
       count += this->Points.size() - this->Means;
       this->ClearBatch();
+      return true;
     });
   this->IsChosen = nullptr;
   return count;
 }
 
-void LatticeBuilder::BuildBatch()
+bool LatticeBuilder::BuildBatch(const Progress& goOn)
 {
   bool isFirst = true;
+  double done = 0.0;
   while (std::any_of(
     this->Patches.begin(), this->Patches.end(), [](const Patch& patch) { return patch.IsOpen; }))
   {
@@ -276,7 +259,15 @@ void LatticeBuilder::BuildBatch()
       }
     }
     this->FirstEstimates += isFirst ? this->Points.size() - this->Means : 0;
-    this->EvaluateRequests(isFirst);
+    // It is not known how many rounds there will be. Each counts as half of what remains.
+    const double part = 0.5 * (1.0 - done);
+    if (!this->EvaluateRequests(
+          isFirst, [&](double evaluated) { return goOn(done + part * evaluated); }))
+    {
+      this->ClearBatch();
+      return false;
+    }
+    done += part;
     for (std::size_t i = 0; isFirst && i < this->Patches.size(); ++i)
     {
       if (this->Patches[i].Half == 0)
@@ -300,6 +291,7 @@ void LatticeBuilder::BuildBatch()
   }
   this->Estimates += this->Points.size() - this->Means;
   this->ClearBatch();
+  return true;
 }
 
 void LatticeBuilder::ClearBatch()
@@ -307,6 +299,9 @@ void LatticeBuilder::ClearBatch()
   this->Patches.clear();
   this->Points.clear();
   this->Index.clear();
+  this->FirstGraph = PointGraph();
+  this->FirstPoints.clear();
+  this->FirstNumbers.clear();
   this->Evaluated = 0;
   this->Means = 0;
 }
@@ -375,133 +370,11 @@ bool LatticeBuilder::IsEmpty(const Patch& patch) const
   return !patch.Chart->Overlaps(patch.Back, corners);
 }
 
-void LatticeBuilder::RequestAll(Patch& patch)
-{
-  patch.Points.clear();
-  const int splits = patch.IsConstant ? 0 : 1 << patch.Level;
-  for (int j = 0; j <= splits; ++j)
-  {
-    for (int i = 0; i <= splits - j; ++i)
-    {
-      patch.Points.push_back(this->Request(patch, i, j));
-    }
-  }
-}
-
-std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
-{
-  // The position of the point among the finest ones.
-  const int step = (patch.Flipped ? -1 : 1) * (1 << (patch.Size - patch.Level));
-  const int column = patch.Column + i * step;
-  const int row = patch.Row + j * step;
-  return patch.Chart ? this->RequestOnChart(patch, column, row)
-                     : this->RequestOnTriangle(patch, column, row);
-}
-
-std::uint32_t LatticeBuilder::RequestOnTriangle(const Patch& patch, int column, int row)
-{
-  // The corners of smooth triangles are shared with their neighbours.
-  const int last = 1 << (this->Layout.GetDepth(patch.Domain) + ExtraLevels);
-  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  std::uint64_t key = MakeKey(patch.Domain, patch.Back, column, row);
-  const bool isCorner = (row == 0 && column == 0) || row == last || column == last;
-  if (isCorner && !mesh.Normals.empty())
-  {
-    const glm::uvec3& corners = mesh.Triangles[patch.Triangle];
-    const std::uint32_t vertex = row == last ? corners.z : column == last ? corners.y : corners.x;
-    key = VertexKey | (std::uint64_t(patch.Mesh) << 33) | (std::uint64_t(vertex) << 1) |
-      (patch.Back ? 1 : 0);
-  }
-  const auto known = this->Index.find(key);
-  if (known != this->Index.end())
-  {
-    return known->second;
-  }
-  constexpr float third = 1.0f / 3.0f;
-  TrianglePoint place{ patch.Triangle, third, third };
-  if (!patch.IsConstant)
-  {
-    place.U = static_cast<float>(column) / static_cast<float>(last);
-    place.V = static_cast<float>(row) / static_cast<float>(last);
-  }
-  return this->AddPoint(patch, place, key);
-}
-
-std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int row)
-{
-  const SurfaceChart& chart = *patch.Chart;
-  const int cell = 1 << patch.RootSize;
-  // Points may be much closer along one side than along the other.
-  const float scale = 1.0f / static_cast<float>(1 << (patch.RootSize - patch.Size + patch.Level));
-  const glm::vec2 distance = scale * chart.GetCellSize();
-  const int step = 1 << (patch.Size - patch.Level);
-  const ChartNeighbours middle{ cell / 2, cell / 2, 0.0f };
-  const ChartNeighbours columns = patch.IsConstant
-    ? middle
-    : FindChartNeighbours(column, step, cell, chart.GetColumns() * cell, distance.y / distance.x);
-  const ChartNeighbours rows = patch.IsConstant
-    ? middle
-    : FindChartNeighbours(row, step, cell, chart.GetRows() * cell, distance.x / distance.y);
-  const float weight = std::max(columns.Weight, rows.Weight);
-  const std::uint64_t key = weight > 0.0f
-    ? MakeKey(patch.Domain, patch.Back, column, row) | MeanKey
-    : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low);
-  const auto known = this->Index.find(key);
-  if (known != this->Index.end())
-  {
-    return known->second;
-  }
-  if (weight > 0.0f)
-  {
-    return this->RequestMean(
-      patch, { columns.Low, rows.Low }, { columns.High, rows.High }, weight, key);
-  }
-  const glm::vec2 place = glm::vec2(columns.Low, rows.Low) / static_cast<float>(cell);
-  return this->AddPoint(patch, chart.Find(patch.Back, place), key);
-}
-
-std::uint32_t LatticeBuilder::RequestMean(const Patch& patch, const glm::ivec2& low,
-  const glm::ivec2& high, float weight, std::uint64_t key)
-{
-  Point point;
-  point.Key = key;
-  point.IsMean = true;
-  point.Before = this->RequestOnChart(patch, low.x, low.y);
-  point.After = this->RequestOnChart(patch, high.x, high.y);
-  point.Weight = weight;
-  point.Place = this->Points[weight < 0.5f ? point.Before : point.After].Place;
-  const auto index = static_cast<std::uint32_t>(this->Points.size());
-  this->Index.emplace(key, index);
-  this->Points.push_back(point);
-  ++this->Means;
-  return index;
-}
-
-std::uint32_t LatticeBuilder::AddPoint(
-  const Patch& patch, const TrianglePoint& place, std::uint64_t key)
-{
-  constexpr float third = 1.0f / 3.0f;
-  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  const float edge = LongestEdge(mesh, mesh.Triangles[place.Triangle]);
-  const float inset = Inset * this->Layout.GetSpacing() / (1 << ExtraLevels);
-  const float keep = 1.0f - std::min(LargestInset, inset / edge);
-  Point point;
-  point.Key = key;
-  point.Place.Mesh = patch.Mesh;
-  point.Place.Triangle = place.Triangle;
-  point.Place.Back = patch.Back;
-  point.Place.U = third + keep * (place.U - third);
-  point.Place.V = third + keep * (place.V - third);
-  const auto index = static_cast<std::uint32_t>(this->Points.size());
-  this->Index.emplace(key, index);
-  this->Points.push_back(point);
-  return index;
-}
-
-void LatticeBuilder::EvaluateRequests(bool isFirst)
+bool LatticeBuilder::EvaluateRequests(bool isFirst, const Progress& goOn)
 {
   SurfaceEstimator::Request request;
   request.WantsIncident = isFirst;
+  request.GoOn = goOn;
   std::vector<std::uint32_t> numbers; // of new points in the request
   for (std::size_t index = this->Evaluated; index < this->Points.size(); ++index)
   {
@@ -513,11 +386,12 @@ void LatticeBuilder::EvaluateRequests(bool isFirst)
       request.Points.push_back({ point.Place, point.Key });
     }
   }
-  for (const int half : { 0, 1 })
-  {
-    request.Groups[half] = this->MakeGroups(half, numbers);
-  }
+  this->AddGraph(numbers, request);
   const std::vector<SurfaceEstimate> estimates = this->Estimator->Estimate(request);
+  if (estimates.size() < request.Points.size())
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     if (numbers[i] != NotEstimated)
@@ -535,32 +409,66 @@ void LatticeBuilder::EvaluateRequests(bool isFirst)
     }
   }
   this->Evaluated = this->Points.size();
-}
-
-std::vector<PointGroup> LatticeBuilder::MakeGroups(
-  int half, const std::vector<std::uint32_t>& numbers) const
-{
-  std::vector<PointGroup> groups;
-  for (const Patch& patch : this->Patches)
+  if (isFirst)
   {
-    if (!patch.IsOpen || patch.IsConstant || patch.Half != half)
+    this->FirstGraph = std::move(request.Graph);
+    for (std::uint32_t index = 0; index < numbers.size(); ++index)
     {
-      continue;
-    }
-    PointGroup group;
-    for (const std::uint32_t point : patch.Points)
-    {
-      if (point >= this->Evaluated && numbers[point - this->Evaluated] != NotEstimated)
+      if (numbers[index] != NotEstimated)
       {
-        group.push_back(numbers[point - this->Evaluated]);
+        this->FirstPoints.push_back(index);
       }
     }
-    if (group.size() > 1)
+    this->FirstNumbers = std::move(numbers);
+  }
+  return true;
+}
+
+/// Adds the areas of the new points, and which of them are next to each other.
+void LatticeBuilder::AddGraph(
+  const std::vector<std::uint32_t>& numbers, SurfaceEstimator::Request& request) const
+{
+  std::vector<PointGraph::Edge> edges;
+  std::vector<float> areas[2];
+  for (std::vector<float>& areasOfHalf : areas)
+  {
+    areasOfHalf.resize(request.Points.size(), 0.0f);
+  }
+  const auto getNumber = [&](std::uint32_t point)
+  { return point >= this->Evaluated ? numbers[point - this->Evaluated] : NotEstimated; };
+  for (const Patch& patch : this->Patches)
+  {
+    const int splits = patch.IsOpen && !patch.IsConstant ? 1 << patch.Level : 0;
+    const float area = patch.GetArea() / static_cast<float>(patch.Points.size());
+    for (const std::uint32_t point : patch.Points)
     {
-      groups.push_back(std::move(group));
+      if (getNumber(point) != NotEstimated)
+      {
+        areas[patch.Half][getNumber(point)] += area;
+      }
+    }
+    for (int j = 0; j < splits; ++j)
+    {
+      for (int i = 0; i < splits - j; ++i)
+      {
+        const std::uint32_t corners[] = { getNumber(patch.GetPoint(i, j)),
+          getNumber(patch.GetPoint(i + 1, j)), getNumber(patch.GetPoint(i, j + 1)) };
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          const std::uint32_t other = corners[(corner + 1) % 3];
+          if (corners[corner] != NotEstimated && other != NotEstimated && corners[corner] != other)
+          {
+            edges.emplace_back(corners[corner], other);
+          }
+        }
+      }
     }
   }
-  return groups;
+  for (std::size_t point = 0; point < request.Points.size(); ++point)
+  {
+    request.Points[point].Area = std::max(areas[0][point], areas[1][point]);
+  }
+  request.Graph = PointGraph(request.Points.size(), edges);
 }
 
 void LatticeBuilder::StoreIncident(const Patch& patch)

@@ -52,6 +52,9 @@ struct LatticeSettings
 class VTKCSLF_EXPORT LatticeBuilder
 {
 public:
+  /// Gets the progress, in [0,1]. The work ends if it returns false.
+  using Progress = std::function<bool(double)>;
+
   /// Whether to build a brick that is not part of another, by its index.
   using Choice = std::function<bool(std::size_t brick)>;
 
@@ -61,7 +64,7 @@ public:
   ~LatticeBuilder();
 
   /// Builds the lattice. `goOn` gets the progress, in [0,1]. Returns false if `goOn` did.
-  bool Build(const std::function<bool(double)>& goOn);
+  bool Build(const Progress& goOn);
 
   /// Builds a part of it. May be called for several disjoint parts. `onEstimate`, which may be
   /// empty, gets all points.
@@ -85,27 +88,33 @@ public:
 private:
   struct Patch;
   struct Point;
+  struct Bend;
 
-  bool AddAll(const std::function<bool(double)>& goOn, const std::function<void()>& useBatch);
+  bool AddAll(const std::function<bool(double begin, double end)>& useBatch);
   void AddTriangle(std::uint32_t mesh, std::uint32_t triangle);
   void AddChart(std::size_t index);
   void AddPatch(Patch patch);
   void AddChartCell(Patch& patch, std::size_t index, int column, int row);
-  void BuildBatch();
+  bool BuildBatch(const Progress& goOn);
   void ClearBatch();
   void RequestAll(Patch& patch);
   std::uint32_t Request(const Patch& patch, int i, int j);
   std::uint32_t RequestOnTriangle(const Patch& patch, int column, int row);
+  std::uint64_t FindSharedKey(const Patch& patch, int column, int row) const;
   std::uint32_t RequestOnChart(const Patch& patch, int column, int row);
   std::uint32_t RequestMean(const Patch& patch, const glm::ivec2& low, const glm::ivec2& high,
     float weight, std::uint64_t key);
   std::uint32_t AddPoint(const Patch& patch, const TrianglePoint& place, std::uint64_t key);
-  void EvaluateRequests(bool isFirst);
-  std::vector<PointGroup> MakeGroups(int half, const std::vector<std::uint32_t>& numbers) const;
+  bool EvaluateRequests(bool isFirst, const Progress& goOn);
+  void AddGraph(
+    const std::vector<std::uint32_t>& numbers, SurfaceEstimator::Request& request) const;
+  glm::vec3 GetPosition(const Point& point) const;
   void Refine();
   float GetDistance(const Patch& patch) const;
   bool NeedsMore(const Patch& patch) const;
   bool VariesWithin(const Patch& patch) const;
+  bool BendsWithin(const Patch& patch) const;
+  bool FindBend(int half, std::uint32_t from, std::uint32_t to, Bend& bend) const;
   bool IsCoarse(float distance) const;
   bool IsBright(const glm::vec3& error, const glm::vec3& variance, float distance) const;
   const HalfEstimate& GetPilot(const Patch& patch, std::uint32_t point) const;
@@ -133,6 +142,11 @@ private:
   std::size_t Evaluated = 0;                              // of the points
   std::size_t Means = 0;                                  // those of the points not estimated
   std::unordered_map<std::uint64_t, std::uint32_t> Index; // of points, by their keys
+
+  // The estimated points with which the batch began, and which of them are next to each other.
+  PointGraph FirstGraph;
+  std::vector<std::uint32_t> FirstPoints;  // of the graph's points
+  std::vector<std::uint32_t> FirstNumbers; // of the points in the graph
 };
 }
 

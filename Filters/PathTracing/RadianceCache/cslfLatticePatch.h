@@ -9,11 +9,26 @@
 
 #include "cslfLatticeBuilder.h"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace cslf
 {
+// How often the spacing is halved at the edges of very bright areas, whose errors affect all
+// surfaces that they light.
+constexpr int ExtraLevels = 5;
+
+inline float GetLongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
+{
+  const glm::vec3& a = mesh.Vertices[triangle.x];
+  const glm::vec3& b = mesh.Vertices[triangle.y];
+  const glm::vec3& c = mesh.Vertices[triangle.z];
+  return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+}
+
 /// A point of the surface at which light is estimated or interpolated.
 struct LatticeBuilder::Point
 {
@@ -28,6 +43,13 @@ struct LatticeBuilder::Point
   float Weight = 0.0f; // of the point after it
 };
 
+/// How much the light between two points differs from a straight line.
+struct LatticeBuilder::Bend
+{
+  glm::vec3 Middle{ 0.0f }; // half way, added to the mean of both
+  glm::vec3 Variance{ 0.0f };
+};
+
 /// A brick that is being computed, and the points of its lattice, row by row.
 struct LatticeBuilder::Patch
 {
@@ -38,6 +60,7 @@ struct LatticeBuilder::Patch
   std::uint32_t Triangle = 0;          // if it belongs to a triangle
   const SurfaceChart* Chart = nullptr; // if it belongs to a chart
   float RootEdge = 0.0f;               // the longest edge of the brick that contains it
+  float RootArea = 0.0f;               // and that brick's area
   int RootSize = 0;                    // of that brick, as below
   bool Back = false;
   bool Flipped = false;
@@ -46,8 +69,14 @@ struct LatticeBuilder::Patch
   int Size = 0; // of its edges, in finest points, as a binary logarithm
   int Level = 0;
   bool IsConstant = false;
+  bool IsSmooth = false; // whether it is a whole triangle that shares points with its neighbours
   bool IsOpen = true;
   std::vector<std::uint32_t> Points;
+
+  float GetArea() const
+  {
+    return this->RootArea / static_cast<float>(1 << 2 * (this->RootSize - this->Size));
+  }
 
   std::uint32_t GetPoint(int i, int j) const
   {

@@ -29,6 +29,12 @@ constexpr float CoarseSpacings = 1.5f;
 // The number of standard errors by which a difference must exceed the known error to be no noise.
 constexpr float SureErrors = 3.0f;
 
+// A neighbour continues the line between two points if it lies in the opposite direction, up to 60
+// degrees, and at least at this share of their distance.
+constexpr float StraightCosine = 0.5f;
+constexpr float ShortestBack = 0.25f;
+constexpr float LeastLength = 1e-30f;
+
 float Largest(const glm::vec3& difference)
 {
   const glm::vec3 size = glm::abs(difference);
@@ -45,7 +51,7 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
 {
   if (patch.Level == 0)
   {
-    return this->VariesWithin(patch);
+    return patch.IsSmooth ? this->BendsWithin(patch) : this->VariesWithin(patch);
   }
   // The points that the last level added lie in the middle of edges of the level before.
   const int splits = 1 << patch.Level;
@@ -115,6 +121,107 @@ bool LatticeBuilder::VariesWithin(const Patch& patch) const
       return (isCoarse && varies) ||
         this->IsBright(pilot.Pilot - first.Pilot, pilot.Variance + first.Variance, size);
     });
+}
+
+bool LatticeBuilder::BendsWithin(const Patch& patch) const
+{
+  const float size = this->GetDistance(patch);
+  const HalfEstimate& first = this->GetPilot(patch, patch.Points[0]);
+  const bool isCoarse = this->IsCoarse(size);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const std::uint32_t here = patch.Points[corner];
+    const std::uint32_t next = patch.Points[(corner + 1) % 3];
+    const HalfEstimate& pilot = this->GetPilot(patch, here);
+    const HalfEstimate& other = this->GetPilot(patch, next);
+    if (this->IsBright(pilot.Pilot - first.Pilot, pilot.Variance + first.Variance, size))
+    {
+      return true;
+    }
+    if (!isCoarse)
+    {
+      continue;
+    }
+    Bend bends[2];
+    const bool isKnown = this->FindBend(patch.Half, here, next, bends[0]);
+    const bool isKnownThere = this->FindBend(patch.Half, next, here, bends[1]);
+    if (!(isKnown || isKnownThere))
+    {
+      // A line that ends here may bend as much as it rises.
+      bends[0].Middle = 0.5f * (other.Pilot - pilot.Pilot);
+      bends[0].Variance = 0.25f * (other.Variance + pilot.Variance);
+    }
+    if (pilot.Reach < size)
+    {
+      return true;
+    }
+    // The lines beyond both ends show how the light between them bends.
+    const float weight = isKnown && isKnownThere ? 0.5f : 1.0f;
+    const glm::vec3 bend = weight * (bends[0].Middle + bends[1].Middle);
+    const glm::vec3 variance = weight * weight * (bends[0].Variance + bends[1].Variance);
+    const glm::vec3 mean = 0.5f * (pilot.Pilot + other.Pilot);
+    const glm::vec3 color = this->World.GetBaseColor(this->Points[here].Place);
+    const glm::vec3 seen = this->Settings.Display(mean, color);
+    const float error = Largest(this->Settings.Display(mean + bend, color) - seen);
+    const float noise =
+      GetDisplayedError(this->Settings.Display, mean, SureErrors * glm::sqrt(variance), color);
+    if (error > this->Settings.Tolerance + noise)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool LatticeBuilder::FindBend(int half, std::uint32_t from, std::uint32_t to, Bend& bend) const
+{
+  const glm::vec3 place = this->GetPosition(this->Points[from]);
+  const glm::vec3 way = this->GetPosition(this->Points[to]) - place;
+  const float length = glm::length(way);
+  float best = StraightCosine;
+  float bestLength = 0.0f;
+  std::uint32_t opposite = from;
+  const std::uint32_t number = this->FirstNumbers[from];
+  for (const std::uint32_t* other = this->FirstGraph.Begin(number);
+       other != this->FirstGraph.End(number); ++other)
+  {
+    const std::uint32_t candidate = this->FirstPoints[*other];
+    const glm::vec3 back = this->GetPosition(this->Points[candidate]) - place;
+    const float backLength = glm::length(back);
+    const float cosine = -glm::dot(way, back) / std::max(length * backLength, LeastLength);
+    if (cosine > best && backLength > ShortestBack * length)
+    {
+      best = cosine;
+      bestLength = backLength;
+      opposite = candidate;
+    }
+  }
+  if (opposite == from)
+  {
+    return false;
+  }
+  // The second derivative by divided differences, times a quarter of the length, squared, over two.
+  const auto& getPilot = [&](std::uint32_t point) -> const HalfEstimate&
+  { return this->Points[point].Estimate.Halves[half]; };
+  const HalfEstimate& a = getPilot(opposite);
+  const HalfEstimate& b = getPilot(from);
+  const HalfEstimate& c = getPilot(to);
+  const float scale = 0.25f * length * length / (length + bestLength);
+  const float before = scale / bestLength;
+  const float after = scale / length;
+  bend.Middle = -(after * (c.Pilot - b.Pilot) + before * (a.Pilot - b.Pilot));
+  bend.Variance = after * after * c.Variance + before * before * a.Variance +
+    (after + before) * (after + before) * b.Variance;
+  return true;
+}
+
+glm::vec3 LatticeBuilder::GetPosition(const Point& point) const
+{
+  const Mesh& mesh = this->World.GetMeshes()[point.Place.Mesh];
+  const glm::uvec3& corners = mesh.Triangles[point.Place.Triangle];
+  const glm::vec3& first = mesh.Vertices[corners.x];
+  return first + point.Place.U * (mesh.Vertices[corners.y] - first) +
+    point.Place.V * (mesh.Vertices[corners.z] - first);
 }
 
 bool LatticeBuilder::IsCoarse(float distance) const

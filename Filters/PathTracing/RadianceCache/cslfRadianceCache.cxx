@@ -26,7 +26,8 @@ constexpr int FirstLightLevel = 2;
 constexpr int RoughSamples = 64;
 
 // Triangles of up to 8 spacings, which contribute little to the light of other places, need only
-// one such point. Triangles of up to 2 spacings, the size of a texel, need only one point at all.
+// one such point. Triangles of up to 2 spacings, the size of
+// a texel, need only one point at all.
 constexpr int RoughSmallLevels = 3;
 constexpr int FineSmallLevels = 1;
 
@@ -37,6 +38,9 @@ constexpr int FirstGatherSamples = 128;
 // The standard error of a point relative to the tolerance, as estimated from differences between
 // parts of its samples. All parts together are better than that where the light is smooth.
 constexpr float NoiseShare = 2.0f / 3.0f;
+
+// The width of the area within which noise is averaged, in spacings: about that of a texel.
+constexpr float NoiseWidth = 3.0f;
 
 // The shares of the work, for the progress.
 constexpr double LightShare = 0.2;
@@ -184,6 +188,12 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   return lattice;
 }
 
+float RadianceCache::GetNoiseArea() const
+{
+  const float width = NoiseWidth * this->Layout->GetSpacing();
+  return width * width;
+}
+
 bool RadianceCache::BuildLattice(LatticeBuilder& builder, double part, const Progress& goOn)
 {
   if (this->Settings.ProbeSeconds <= 0.0)
@@ -201,7 +211,7 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   DiffuseEstimator estimator(this->World, paths,
     { DiffuseEstimator::Light::Sampled, FirstLightSamples,
-      std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance, 0,
+      std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance, 0.0f, 0,
       this->Settings.Seed, lattice.Display, {}, this->Settings.Share });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
@@ -217,8 +227,8 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
   DiffuseEstimator estimator(this->World, paths,
     { DiffuseEstimator::Light::Gathered, firstSamples, std::max(firstSamples, lastSamples),
-      NoiseShare * lattice.Tolerance, depth, this->Settings.Seed, lattice.Display, this->Lobes,
-      this->Settings.Share });
+      NoiseShare * lattice.Tolerance, this->GetNoiseArea(), depth, this->Settings.Seed,
+      lattice.Display, this->Lobes, this->Settings.Share });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;

@@ -141,6 +141,9 @@ private:
   using Progress = std::function<bool(double)>;
 
   LatticeSettings GetLatticeSettings() const;
+
+  /// The area within which noise is averaged, in scene space.
+  float GetNoiseArea() const;
   void FindLobes();
 
   /// Builds one pass's lattice, or probes it in a share of the seconds for that.

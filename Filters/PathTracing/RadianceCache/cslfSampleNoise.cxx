@@ -18,7 +18,7 @@ constexpr double ShareOfAll = 0.03;
 }
 
 std::vector<glm::vec3> PoolVariances(
-  const std::vector<glm::vec3>& variances, const std::vector<PointGroup>& groups)
+  const std::vector<glm::vec3>& variances, const PointGraph& graph)
 {
   std::vector<glm::dvec3> errors;
   errors.reserve(variances.size());
@@ -28,26 +28,16 @@ std::vector<glm::vec3> PoolVariances(
     errors.push_back(glm::sqrt(glm::dvec3(variance)));
     all += errors.back() / double(variances.size());
   }
-  std::vector<glm::dvec3> sums(variances.size(), glm::dvec3(0.0));
-  std::vector<int> counts(variances.size(), 0);
-  for (const PointGroup& group : groups)
-  {
-    glm::dvec3 mean(0.0);
-    for (const std::uint32_t point : group)
-    {
-      mean += errors[point] / double(group.size());
-    }
-    for (const std::uint32_t point : group)
-    {
-      sums[point] += mean;
-      ++counts[point];
-    }
-  }
   std::vector<glm::vec3> pooled;
   pooled.reserve(variances.size());
   for (std::size_t point = 0; point < variances.size(); ++point)
   {
-    const glm::dvec3 near = counts[point] > 0 ? sums[point] / double(counts[point]) : errors[point];
+    glm::dvec3 near = errors[point];
+    for (const std::uint32_t* other = graph.Begin(point); other != graph.End(point); ++other)
+    {
+      near += errors[*other];
+    }
+    near /= 1.0 + static_cast<double>(graph.GetNumberOfNeighbours(point));
     const glm::dvec3 error = (1.0 - ShareOfNeighbours - ShareOfAll) * errors[point] +
       ShareOfNeighbours * near + ShareOfAll * all;
     pooled.emplace_back(error * error);

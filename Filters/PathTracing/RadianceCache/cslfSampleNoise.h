@@ -8,7 +8,7 @@
 #define cslfSampleNoise_h
 
 #include "Quality/cslfDisplayCurve.h"
-#include "cslfSurfaceEstimate.h"
+#include "cslfPointGraph.h"
 
 #include <glm/vec3.hpp>
 
@@ -19,11 +19,11 @@ namespace cslf
 /**
  * The variances of points. The standard error of a point's own samples is mixed with a fraction of
  * its neighbours' and of the mean of all points. So a point that has not found a light yet does not
- * count as free of noise while other points have found it. Neighbours are the points of the same
- * groups.
+ * count as free of noise while other points have found it. Neighbours are those of the
+ * graph.
  */
 std::vector<glm::vec3> PoolVariances(
-  const std::vector<glm::vec3>& variances, const std::vector<PointGroup>& groups);
+  const std::vector<glm::vec3>& variances, const PointGraph& graph);
 
 /// The displayed error of a value, upwards or downwards, on a surface with a base colour: the
 /// largest component. If the value is clipped, the error downwards counts.

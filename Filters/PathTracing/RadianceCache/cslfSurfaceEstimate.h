@@ -15,6 +15,7 @@
 
 #include "PathTracing/Scene/cslfScene.h"
 #include "cslfIncidentLight.h"
+#include "cslfPointGraph.h"
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -32,6 +34,9 @@ struct SurfacePoint
 {
   Hit Place;
   std::uint64_t Key = 0;
+
+  /// The area that it stands for, in scene space.
+  float Area = std::numeric_limits<float>::max();
 };
 
 /// One half of the estimate of a point.
@@ -93,9 +98,6 @@ inline SurfaceEstimate Interpolate(
   return result;
 }
 
-/// Points that are next to each other, as indices.
-using PointGroup = std::vector<std::uint32_t>;
-
 class SurfaceEstimator
 {
 public:
@@ -104,11 +106,14 @@ public:
   struct Request
   {
     std::vector<SurfacePoint> Points;
-    std::vector<PointGroup> Groups[2]; ///< for each half; points may be in several groups
-    bool WantsIncident = false;        ///< whether incident light is requested
+    PointGraph Graph;           ///< which of the points are next to each other
+    bool WantsIncident = false; ///< whether incident light is requested
+
+    /// Gets the progress, in [0,1]. Returns false to stop. May be empty.
+    std::function<bool(double)> GoOn;
   };
 
-  /// Estimates all points of a request.
+  /// Estimates all points of a request. Returns nothing if it was stopped.
   virtual std::vector<SurfaceEstimate> Estimate(const Request& request) = 0;
 };
 }

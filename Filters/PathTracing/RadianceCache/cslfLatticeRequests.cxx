@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The points that LatticeBuilder requests, and which of them are the same.
+#include "cslfLatticeBuilder.h"
+
+#include "RandomNumbers/cslfSampleStream.h"
+#include "cslfChartNeighbours.h"
+#include "cslfLatticePatch.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+// The distance of points from a triangle's edges, relative to the finest spacing, so that they do
+// not lie on an adjacent surface and see what is behind it.
+constexpr float Inset = 0.05f;
+constexpr float LargestInset = 0.1f;
+
+// The bits where the key's parts begin: the triangle or chart and its side, and the two
+// coordinates.
+constexpr int RowShift = LatticeLayout::LargestDepth + ExtraLevels + 1;
+constexpr int SideShift = 2 * RowShift;
+constexpr std::uint64_t VertexKey = std::uint64_t(1) << 63;
+constexpr std::uint64_t MeanKey = std::uint64_t(1) << 62;
+constexpr std::uint64_t HashKey = VertexKey | MeanKey;
+
+std::uint64_t MakeSideKey(std::uint32_t mesh, std::uint64_t place, bool back)
+{
+  return std::uint64_t(mesh) << 33 | place << 1 | (back ? 1 : 0);
+}
+
+std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row)
+{
+  return (std::uint64_t(2 * domain + (back ? 1 : 0)) << SideShift) |
+    (std::uint64_t(row) << RowShift) | std::uint64_t(column);
+}
+}
+
+void LatticeBuilder::RequestAll(Patch& patch)
+{
+  patch.Points.clear();
+  const int splits = patch.IsConstant ? 0 : 1 << patch.Level;
+  for (int j = 0; j <= splits; ++j)
+  {
+    for (int i = 0; i <= splits - j; ++i)
+    {
+      patch.Points.push_back(this->Request(patch, i, j));
+    }
+  }
+}
+
+std::uint32_t LatticeBuilder::Request(const Patch& patch, int i, int j)
+{
+  // The position of the point among the finest ones.
+  const int step = (patch.Flipped ? -1 : 1) * (1 << (patch.Size - patch.Level));
+  const int column = patch.Column + i * step;
+  const int row = patch.Row + j * step;
+  return patch.Chart ? this->RequestOnChart(patch, column, row)
+                     : this->RequestOnTriangle(patch, column, row);
+}
+
+std::uint32_t LatticeBuilder::RequestOnTriangle(const Patch& patch, int column, int row)
+{
+  const int last = 1 << (this->Layout.GetDepth(patch.Domain) + ExtraLevels);
+  const std::uint64_t key = this->FindSharedKey(patch, column, row);
+  const auto known = this->Index.find(key);
+  if (known != this->Index.end())
+  {
+    return known->second;
+  }
+  constexpr float third = 1.0f / 3.0f;
+  TrianglePoint place{ patch.Triangle, third, third };
+  if (!patch.IsConstant)
+  {
+    place.U = static_cast<float>(column) / static_cast<float>(last);
+    place.V = static_cast<float>(row) / static_cast<float>(last);
+  }
+  return this->AddPoint(patch, place, key);
+}
+
+/// Smooth triangles share the points of their corners and edges with their neighbours.
+std::uint64_t LatticeBuilder::FindSharedKey(const Patch& patch, int column, int row) const
+{
+  const int depth = this->Layout.GetDepth(patch.Domain) + ExtraLevels;
+  const int last = 1 << depth;
+  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
+  const bool isOnEdge = row == 0 || column == 0 || row + column == last;
+  if (!isOnEdge || mesh.Normals.empty())
+  {
+    return MakeKey(patch.Domain, patch.Back, column, row);
+  }
+  // The edge, and the way along it.
+  const glm::uvec3& corners = mesh.Triangles[patch.Triangle];
+  std::uint64_t first = row == 0 || column == 0 ? corners.x : corners.y;
+  std::uint64_t second = row == 0 ? corners.y : corners.z;
+  int way = row == 0 ? column : row;
+  if (way == 0 || way == last)
+  {
+    return VertexKey | MakeSideKey(patch.Mesh, way == 0 ? first : second, patch.Back);
+  }
+  if (first > second)
+  {
+    std::swap(first, second);
+    way = last - way;
+  }
+  // Adjacent triangles may have different numbers of points along their common edge.
+  const std::uint64_t place = std::uint64_t(way) << (RowShift - depth);
+  return HashKey | MixBits(first << 32 | second, MakeSideKey(patch.Mesh, place, patch.Back));
+}
+
+std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int row)
+{
+  const SurfaceChart& chart = *patch.Chart;
+  const int cell = 1 << patch.RootSize;
+  // Points may be much closer along one side than along the other.
+  const float scale = 1.0f / static_cast<float>(1 << (patch.RootSize - patch.Size + patch.Level));
+  const glm::vec2 distance = scale * chart.GetCellSize();
+  const int step = 1 << (patch.Size - patch.Level);
+  const ChartNeighbours middle{ cell / 2, cell / 2, 0.0f };
+  const ChartNeighbours columns = patch.IsConstant
+    ? middle
+    : FindChartNeighbours(column, step, cell, chart.GetColumns() * cell, distance.y / distance.x);
+  const ChartNeighbours rows = patch.IsConstant
+    ? middle
+    : FindChartNeighbours(row, step, cell, chart.GetRows() * cell, distance.x / distance.y);
+  const float weight = std::max(columns.Weight, rows.Weight);
+  const std::uint64_t key = weight > 0.0f
+    ? MakeKey(patch.Domain, patch.Back, column, row) | MeanKey
+    : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low);
+  const auto known = this->Index.find(key);
+  if (known != this->Index.end())
+  {
+    return known->second;
+  }
+  if (weight > 0.0f)
+  {
+    return this->RequestMean(
+      patch, { columns.Low, rows.Low }, { columns.High, rows.High }, weight, key);
+  }
+  const glm::vec2 place = glm::vec2(columns.Low, rows.Low) / static_cast<float>(cell);
+  return this->AddPoint(patch, chart.Find(patch.Back, place), key);
+}
+
+std::uint32_t LatticeBuilder::RequestMean(const Patch& patch, const glm::ivec2& low,
+  const glm::ivec2& high, float weight, std::uint64_t key)
+{
+  Point point;
+  point.Key = key;
+  point.IsMean = true;
+  point.Before = this->RequestOnChart(patch, low.x, low.y);
+  point.After = this->RequestOnChart(patch, high.x, high.y);
+  point.Weight = weight;
+  point.Place = this->Points[weight < 0.5f ? point.Before : point.After].Place;
+  const auto index = static_cast<std::uint32_t>(this->Points.size());
+  this->Index.emplace(key, index);
+  this->Points.push_back(point);
+  ++this->Means;
+  return index;
+}
+
+std::uint32_t LatticeBuilder::AddPoint(
+  const Patch& patch, const TrianglePoint& place, std::uint64_t key)
+{
+  constexpr float third = 1.0f / 3.0f;
+  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
+  const float edge = GetLongestEdge(mesh, mesh.Triangles[place.Triangle]);
+  const float inset = Inset * this->Layout.GetSpacing() / (1 << ExtraLevels);
+  const float keep = 1.0f - std::min(LargestInset, inset / edge);
+  Point point;
+  point.Key = key;
+  point.Place.Mesh = patch.Mesh;
+  point.Place.Triangle = place.Triangle;
+  point.Place.Back = patch.Back;
+  point.Place.U = third + keep * (place.U - third);
+  point.Place.V = third + keep * (place.V - third);
+  const auto index = static_cast<std::uint32_t>(this->Points.size());
+  this->Index.emplace(key, index);
+  this->Points.push_back(point);
+  return index;
+}
+}
