@@ -3,6 +3,7 @@
 #include "cslfChartMaker.h"
 
 #include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "RandomNumbers/cslfSampleStream.h"
 
 #include <glm/common.hpp>
@@ -209,14 +210,12 @@ private:
       return;
     }
     this->VertexAreas.resize(this->Surface.Vertices.size(), 0.0f);
-    for (const glm::uvec3& triangle : this->Surface.Triangles)
+    for (std::uint32_t triangle = 0; triangle < this->Surface.Triangles.size(); ++triangle)
     {
-      const glm::vec3& a = this->Surface.Vertices[triangle.x];
-      const float twice = glm::length(
-        glm::cross(this->Surface.Vertices[triangle.y] - a, this->Surface.Vertices[triangle.z] - a));
+      const float part = this->Surface.GetArea(triangle) / 3.0f;
       for (int corner = 0; corner < 3; ++corner)
       {
-        this->VertexAreas[triangle[corner]] += twice / 6.0f;
+        this->VertexAreas[this->Surface.Triangles[triangle][corner]] += part;
       }
     }
   }
@@ -237,23 +236,20 @@ private:
       Facet facet{};
       facet.Triangle = triangle;
       facet.Sides = sides[triangle];
-      const glm::vec3& a = this->GetPosition(facet, 0);
-      const glm::vec3& b = this->GetPosition(facet, 1);
-      const glm::vec3& c = this->GetPosition(facet, 2);
-      const float length = Largest(glm::distance(a, b), glm::distance(b, c), glm::distance(c, a));
-      const glm::vec3 normal = glm::cross(b - a, c - a);
-      const float twice = glm::length(normal);
-      const float height = twice / length;
+      facet.Area = this->Surface.GetArea(triangle);
+      const float length = this->Surface.GetLongestEdge(triangle);
+      const float height = 2.0f * facet.Area / length;
       facet.IsSmall = height < SmallHeight * this->Settings.Spacing;
       const bool isThin =
         length > ThinAspect * height && length > ThinLength * this->Settings.Spacing;
       const bool isShared = length < this->Settings.BrickSize && this->SharesVertices(triangle);
-      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || isShared || !(twice > 0.0f))
+      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || isShared || !(facet.Area > 0.0f))
       {
         continue;
       }
-      facet.Normal = normal / twice;
-      facet.Area = 0.5f * twice;
+      const glm::vec3 corners[3] = { this->GetPosition(facet, 0), this->GetPosition(facet, 1),
+        this->GetPosition(facet, 2) };
+      facet.Normal = FindFront(corners);
       this->Facets.push_back(facet);
     }
     this->IsTaken.resize(this->Facets.size(), 0);

@@ -5,9 +5,7 @@
 #include "cslfLatticePatch.h"
 #include "cslfLatticeSum.h"
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -22,16 +20,8 @@ constexpr int LeafLevel = 2;
 // bounded memory.
 constexpr std::size_t BatchBricks = std::size_t(1) << 18;
 
-float GetArea(const Mesh& mesh, const glm::uvec3& triangle)
-{
-  const glm::vec3& a = mesh.Vertices[triangle.x];
-  return 0.5f *
-    glm::length(glm::cross(mesh.Vertices[triangle.y] - a, mesh.Vertices[triangle.z] - a));
-}
-
 // The number of an interpolated point.
 constexpr std::uint32_t NotEstimated = 0xffffffffu;
-
 }
 
 LatticeBuilder::LatticeBuilder(const Scene& scene, const OpenSides& sides,
@@ -119,10 +109,8 @@ void LatticeBuilder::AddTriangle(std::uint32_t mesh, std::uint32_t triangle)
   patch.Domain = index;
   patch.Mesh = mesh;
   patch.Triangle = triangle;
-  patch.RootEdge =
-    GetLongestEdge(surface, surface.Triangles[triangle]) / static_cast<float>(splits);
-  patch.RootArea =
-    GetArea(surface, surface.Triangles[triangle]) / static_cast<float>(splits * splits);
+  patch.RootEdge = surface.GetLongestEdge(triangle) / static_cast<float>(splits);
+  patch.RootArea = surface.GetArea(triangle) / static_cast<float>(splits * splits);
   patch.RootSize = levels + ExtraLevels;
   patch.Size = patch.RootSize;
   patch.Level = std::min({ levels, this->Settings.FirstLevel, LeafLevel });

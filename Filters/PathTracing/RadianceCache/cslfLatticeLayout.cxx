@@ -4,8 +4,6 @@
 
 #include "cslfChartMaker.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,14 +23,6 @@ constexpr float LargestSpacing = 0.5f;
 int FindDepth(float length, float spacing, int largest)
 {
   return std::clamp(static_cast<int>(std::ceil(std::log2(length / spacing))), 0, largest);
-}
-
-float FindLongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
-{
-  const glm::vec3& a = mesh.Vertices[triangle.x];
-  const glm::vec3& b = mesh.Vertices[triangle.y];
-  const glm::vec3& c = mesh.Vertices[triangle.z];
-  return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
 }
 }
 
@@ -56,10 +46,10 @@ void LatticeLayout::Divide(const Scene& scene, const OpenSides& sides)
   this->Depths.clear();
   for (const Mesh& mesh : scene.GetMeshes())
   {
-    for (std::size_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
+    for (std::uint32_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
     {
-      this->Depths.push_back(static_cast<std::uint8_t>(
-        FindDepth(FindLongestEdge(mesh, mesh.Triangles[i]), this->Spacing, LargestDepth)));
+      this->Depths.push_back(
+        static_cast<std::uint8_t>(FindDepth(mesh.GetLongestEdge(i), this->Spacing, LargestDepth)));
     }
   }
   ChartSettings settings;

@@ -9,9 +9,6 @@
 
 #include "cslfLatticeBuilder.h"
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,14 +17,6 @@ namespace cslf
 // How often the spacing is halved at the edges of very bright areas, whose errors affect all
 // surfaces that they light.
 constexpr int ExtraLevels = 5;
-
-inline float GetLongestEdge(const Mesh& mesh, const glm::uvec3& triangle)
-{
-  const glm::vec3& a = mesh.Vertices[triangle.x];
-  const glm::vec3& b = mesh.Vertices[triangle.y];
-  const glm::vec3& c = mesh.Vertices[triangle.z];
-  return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
-}
 
 /// A point of the surface at which light is estimated or interpolated.
 struct LatticeBuilder::Point

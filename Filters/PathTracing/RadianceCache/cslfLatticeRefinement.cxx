@@ -218,10 +218,7 @@ bool LatticeBuilder::FindBend(int half, std::uint32_t from, std::uint32_t to, Be
 glm::vec3 LatticeBuilder::GetPosition(const Point& point) const
 {
   const Mesh& mesh = this->World.GetMeshes()[point.Place.Mesh];
-  const glm::uvec3& corners = mesh.Triangles[point.Place.Triangle];
-  const glm::vec3& first = mesh.Vertices[corners.x];
-  return first + point.Place.U * (mesh.Vertices[corners.y] - first) +
-    point.Place.V * (mesh.Vertices[corners.z] - first);
+  return mesh.Interpolate(mesh.Vertices, point.Place.GetPlace());
 }
 
 bool LatticeBuilder::IsCoarse(float distance) const

@@ -9,7 +9,6 @@
 #include "cslfLatticePatch.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -169,8 +168,7 @@ std::uint32_t LatticeBuilder::AddPoint(
   const Patch& patch, const TrianglePoint& place, std::uint64_t key)
 {
   constexpr float third = 1.0f / 3.0f;
-  const Mesh& mesh = this->World.GetMeshes()[patch.Mesh];
-  const float edge = GetLongestEdge(mesh, mesh.Triangles[place.Triangle]);
+  const float edge = this->World.GetMeshes()[patch.Mesh].GetLongestEdge(place.Triangle);
   const float inset = Inset * this->Layout.GetSpacing() / (1 << ExtraLevels);
   const float keep = 1.0f - std::min(LargestInset, inset / edge);
   Point point;

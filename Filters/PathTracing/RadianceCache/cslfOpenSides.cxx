@@ -151,10 +151,8 @@ private:
     const glm::vec3& a = this->Surface.Vertices[corners.x];
     const glm::vec3& b = this->Surface.Vertices[corners.y];
     const glm::vec3& c = this->Surface.Vertices[corners.z];
-    const float length =
-      std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
-    const glm::vec3 normal = glm::cross(b - a, c - a);
-    if (!(glm::length(normal) < LowHeight * this->Spacing * length))
+    const float length = this->Surface.GetLongestEdge(triangle);
+    if (!(2.0f * this->Surface.GetArea(triangle) < LowHeight * this->Spacing * length))
     {
       return false;
     }
@@ -165,6 +163,7 @@ private:
       ++level;
     }
     const glm::ivec3 cell(glm::floor((a + b + c) / (3.0f * side)));
+    const glm::vec3 normal = glm::cross(b - a, c - a);
     const glm::vec3 size = glm::abs(normal);
     const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
     key = MixBits(MixBits(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y)),

@@ -34,6 +34,23 @@ std::uint32_t Mesh::GetNumberOfShapes() const
   }
 }
 
+float Mesh::GetLongestEdge(std::uint32_t triangle) const
+{
+  const glm::uvec3& corners = this->Triangles[triangle];
+  const glm::vec3& a = this->Vertices[corners.x];
+  const glm::vec3& b = this->Vertices[corners.y];
+  const glm::vec3& c = this->Vertices[corners.z];
+  return std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+}
+
+float Mesh::GetArea(std::uint32_t triangle) const
+{
+  const glm::uvec3& corners = this->Triangles[triangle];
+  const glm::vec3& a = this->Vertices[corners.x];
+  return 0.5f *
+    glm::length(glm::cross(this->Vertices[corners.y] - a, this->Vertices[corners.z] - a));
+}
+
 bool Mesh::HasOneColor() const
 {
   return (this->Colors.empty() || this->Coloring == ColorsOf::None) && !this->HasInstanceColors &&

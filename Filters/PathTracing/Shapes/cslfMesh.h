@@ -119,6 +119,12 @@ struct VTKCSLF_EXPORT Mesh
       point.V * values[corners.z];
   }
 
+  ///@{
+  /// The length of a triangle's longest edge, and its area, in the mesh's space.
+  float GetLongestEdge(std::uint32_t triangle) const;
+  float GetArea(std::uint32_t triangle) const;
+  ///@}
+
   /// Whether each of its points is one point of the scene, on a triangle.
   bool CanHoldLattice() const
   {
