@@ -4,7 +4,6 @@
 
 #include "PathTracing/Materials/cslfDisplayedColor.h"
 #include "RandomNumbers/cslfSampling.h"
-#include "cslfTriangleGeometry.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -156,11 +155,11 @@ void Mesh::PrepareRounding()
 {
   this->LengthsOfRounding.clear();
   this->LengthsOfRounding.reserve(this->Triangles.size());
-  for (const glm::uvec3& triangle : this->Triangles)
+  for (std::uint32_t triangle = 0; triangle < this->Triangles.size(); ++triangle)
   {
-    const glm::vec3 corners[3] = { this->Vertices[triangle.x], this->Vertices[triangle.y],
-      this->Vertices[triangle.z] };
-    this->LengthsOfRounding.push_back(FindLengthOfRounding(corners));
+    const float edge = this->GetLongestEdge(triangle);
+    const float area = this->GetArea(triangle);
+    this->LengthsOfRounding.push_back(area > 0.0f ? 0.5f * edge * edge * edge / area : 0.0f);
   }
 }
 

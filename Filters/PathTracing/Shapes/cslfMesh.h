@@ -163,8 +163,9 @@ struct VTKCSLF_EXPORT Mesh
   /// The radiance of the surface where light hits it.
   glm::vec3 GetEmission(const TrianglePoint& point) const;
 
-  /// FindLengthOfRounding of each triangle: the precision of its plane. Set by PrepareRounding when
-  /// its corners are known.
+  /// The shift of each triangle's plane by the rounding of its normal, in roundings: about the
+  /// longest edge, and more for slivers, whose edges are nearly parallel. Set by PrepareRounding
+  /// when its corners are known.
   std::vector<float> LengthsOfRounding;
   void PrepareRounding();
 

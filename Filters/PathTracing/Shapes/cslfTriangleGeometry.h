@@ -12,7 +12,6 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cslf
 {
@@ -57,29 +56,14 @@ inline glm::vec3 InterpolateCorners(const glm::vec3 values[3], float u, float v)
 /// How far off a triangle a ray can start so that it does not meet the triangle again: a bound of
 /// the rounding, along the normal, of the point, of the triangle's plane and of the ray's query.
 /// `reach` is the sum of the absolute coordinates from which they are computed, and `length` the
-/// result of FindLengthOfRounding for the triangle. After Waechter and Binder, "A Fast and Robust
-/// Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, and Pharr, Jakob and Humphreys,
-/// "Physically Based Rendering", 4th edition, 6.8.
+/// triangle's Mesh::LengthsOfRounding. After Waechter and Binder, "A Fast and Robust Method for
+/// Avoiding Self-Intersection", Ray Tracing Gems, 2019, and Pharr, Jakob and Humphreys, "Physically
+/// Based Rendering", 4th edition, 6.8.
 inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float length)
 {
   const float offset =
     OffsetRoundings * (glm::dot(glm::abs(normal), reach) + 0.125f * length) + LeastOffset;
   return std::min(offset, LargestOffset);
-}
-
-/// The shift of a triangle's plane by the rounding of its normal, in roundings: about the longest
-/// edge, and more for slivers, whose edges are nearly parallel.
-inline float FindLengthOfRounding(const glm::vec3 corners[3])
-{
-  const glm::vec3 edges[3] = { corners[1] - corners[0], corners[2] - corners[0],
-    corners[2] - corners[1] };
-  float square = 0.0f;
-  for (const glm::vec3& edge : edges)
-  {
-    square = std::max(square, glm::dot(edge, edge));
-  }
-  const float area = glm::length(glm::cross(edges[0], edges[1]));
-  return area > 0.0f ? square * std::sqrt(square) / area : 0.0f;
 }
 
 /// The point of a plane that is nearest to a point close to the plane.
