@@ -109,15 +109,16 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheFile CacheKeeper CacheShare ChartMaker ChartNeighbours DiffuseEstimator
     DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder LatticeLayout
-    LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum OpenSides PointGraph RadianceCache
-    SampleNoise SurfaceChart SurfaceEstimate SurfaceLattice)
+    LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum OpenSides PointGraph
+    RadianceCache SampleNoise SurfaceChart SurfaceEstimate SurfaceLattice)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
     Arithmetic Fingerprint OldNames Scene SceneBlock SceneBuilder SceneGather)
   cslf_add(Filters/PathTracing/Shapes
     Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels
-    ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer TexelSums)
+    ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
+    TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   cslf_add(Filters/GLTF
     GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems
@@ -127,7 +128,8 @@ if (CSLF_ENABLE_SAMPLER)
     GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars MoleculeParts
     PointParts SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/Scenes
-    Arrows Assembly Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain Turbulence)
+    Arrows Assembly Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain
+    Turbulence)
 endif ()
 
 # Estimates of costs.
