@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace cslf
 {
@@ -112,9 +113,10 @@ LightBounds Emitter::GetRoundBounds() const
   const bool isTube = mesh.Shape == Mesh::Shapes::Tubes;
   const MeshInstance* instance = this->GetInstance();
   const glm::mat3 rows = glm::transpose(instance ? instance->Linear : glm::mat3(1.0f));
-  const std::uint32_t first = isTube ? 2 * this->Place.Triangle : this->Place.Triangle;
+  const std::size_t ends = isTube ? 2 : 1;
+  const std::size_t first = ends * this->Place.Triangle;
   LightBounds bounds;
-  for (std::uint32_t i = first; i <= (isTube ? first + 1 : first); ++i)
+  for (std::size_t i = first; i < first + ends; ++i)
   {
     const glm::vec3 center = ToScene(mesh, this->Place.Instance, mesh.Vertices[i]);
     const glm::vec3 reach =

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace cslf
@@ -172,11 +173,12 @@ void LocateOnRound(
 
 Tube GetTube(const Mesh& mesh, std::uint32_t tube)
 {
-  Tube result(mesh.Vertices[2 * tube], mesh.Vertices[2 * tube + 1], mesh.Radii[2 * tube],
-    mesh.Radii[2 * tube + 1]);
+  const std::size_t first = 2 * std::size_t(tube);
+  Tube result(
+    mesh.Vertices[first], mesh.Vertices[first + 1], mesh.Radii[first], mesh.Radii[first + 1]);
   for (int end = 0; end < 2 && !mesh.Joints.empty(); ++end)
   {
-    result.Joints[end] = mesh.Joints[2 * tube + end] != 0;
+    result.Joints[end] = mesh.Joints[first + end] != 0;
   }
   return result;
 }

@@ -16,6 +16,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -109,8 +110,10 @@ struct VTKCSLF_EXPORT Mesh
       case Shapes::Spheres:
         return values[point.Triangle];
       case Shapes::Tubes:
-        return (1.0f - point.U) * values[2 * point.Triangle] +
-          point.U * values[2 * point.Triangle + 1];
+      {
+        const std::size_t first = 2 * std::size_t(point.Triangle);
+        return (1.0f - point.U) * values[first] + point.U * values[first + 1];
+      }
       default:
         break;
     }

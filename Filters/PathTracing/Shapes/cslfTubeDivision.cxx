@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace cslf
@@ -18,19 +19,21 @@ constexpr double MostNewPieces = 1 << 20;
 /// The logarithm of the ratio of a tube's end radii.
 double GetGrowth(const Mesh& mesh, std::uint32_t tube)
 {
-  return std::log(double(mesh.Radii[2 * tube + 1]) / mesh.Radii[2 * tube]);
+  const std::size_t first = 2 * std::size_t(tube);
+  return std::log(double(mesh.Radii[first + 1]) / mesh.Radii[first]);
 }
 
 /// The length of a tube in its radii: the integral of the inverse radius along it; 0 if one end
 /// contains the other, or a radius is too small for a float.
 double MeasureTube(const Mesh& mesh, std::uint32_t tube)
 {
+  const std::size_t first = 2 * std::size_t(tube);
   const double length =
-    glm::distance(glm::dvec3(mesh.Vertices[2 * tube]), glm::dvec3(mesh.Vertices[2 * tube + 1]));
+    glm::distance(glm::dvec3(mesh.Vertices[first]), glm::dvec3(mesh.Vertices[first + 1]));
   const double growth = GetGrowth(mesh, tube);
-  const double start = mesh.Radii[2 * tube];
+  const double start = mesh.Radii[first];
   const double measure = length / start * (growth == 0.0 ? 1.0 : growth / std::expm1(growth));
-  const bool isSphere = length <= std::abs(mesh.Radii[2 * tube + 1] - start);
+  const bool isSphere = length <= std::abs(mesh.Radii[first + 1] - start);
   return isSphere || !std::isfinite(measure) ? 0.0 : measure;
 }
 
