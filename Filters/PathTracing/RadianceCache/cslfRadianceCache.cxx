@@ -209,10 +209,13 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.FirstLevel = FirstLightLevel;
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
+  // The area is 0, so that each point has little noise by itself, however small its own area is:
+  // differences between the values of points decide where the edges of sharp shadows are refined.
+  constexpr float noiseArea = 0.0f;
   DiffuseEstimator estimator(this->World, paths,
     { DiffuseEstimator::Light::Sampled, FirstLightSamples,
-      std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance, 0.0f, 0,
-      this->Settings.Seed, lattice.Display, {}, this->Settings.Share });
+      std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance,
+      noiseArea, 0, this->Settings.Seed, lattice.Display, {}, this->Settings.Share });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
