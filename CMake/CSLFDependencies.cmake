@@ -8,7 +8,7 @@ if (CSLF_BUILD_PARAVIEW_PLUGIN)
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
 endif ()
 set(cslf_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonTransforms
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources
   ImagingCore ImagingGeneral
   IOCore IOXML

@@ -5,15 +5,21 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkFunctionSet.h>
 #include <vtkMinimalStandardRandomSequence.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRungeKutta4.h>
 #include <vtkTubeFilter.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
+
+#include <algorithm>
 
 namespace cslf
 {
@@ -35,19 +41,39 @@ glm::dvec3 GetVelocity(const glm::dvec3& point)
     point.z * point.y + around * point.x };
 }
 
-glm::dvec3 GetDirection(const glm::dvec3& point)
+/// The direction of the velocity, so that steps of integration have equal lengths.
+class Direction : public vtkFunctionSet
 {
-  return glm::normalize(GetVelocity(point));
-}
+public:
+  static Direction* New();
+  vtkTypeMacro(Direction, vtkFunctionSet);
 
-/// The next point of a streamline, by the Runge-Kutta method of fourth order.
-glm::dvec3 Advance(const glm::dvec3& point)
+  using vtkFunctionSet::FunctionValues;
+  int FunctionValues(double* place, double* values) override
+  {
+    const glm::dvec3 direction = glm::normalize(GetVelocity(glm::make_vec3(place)));
+    std::copy_n(glm::value_ptr(direction), 3, values);
+    return 1;
+  }
+
+protected:
+  Direction()
+  {
+    this->NumFuncs = 3;
+    this->NumIndepVars = 4; // the place and the time
+  }
+};
+
+vtkStandardNewMacro(Direction);
+
+/// The next point of a streamline.
+glm::dvec3 Advance(vtkInitialValueProblemSolver* solver, glm::dvec3 point)
 {
-  const glm::dvec3 a = GetDirection(point);
-  const glm::dvec3 b = GetDirection(point + 0.5 * StepLength * a);
-  const glm::dvec3 c = GetDirection(point + 0.5 * StepLength * b);
-  const glm::dvec3 d = GetDirection(point + StepLength * c);
-  return point + StepLength / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+  glm::dvec3 next;
+  double step = StepLength;
+  double error = 0.0;
+  solver->ComputeNextStep(glm::value_ptr(point), glm::value_ptr(next), 0.0, step, 0.0, error);
+  return next;
 }
 
 /// A random point of the vortex.
@@ -69,6 +95,9 @@ void AddStreamlines(vtkRenderer* renderer)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(1);
+  vtkNew<Direction> direction;
+  vtkNew<vtkRungeKutta4> solver;
+  solver->SetFunctionSet(direction);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkFloatArray> speeds;
@@ -81,7 +110,7 @@ void AddStreamlines(vtkRenderer* renderer)
     {
       lines->InsertCellPoint(points->InsertNextPoint(point.x, point.y, point.z));
       speeds->InsertNextValue(static_cast<float>(glm::length(GetVelocity(point))));
-      point = Advance(point);
+      point = Advance(solver, point);
     }
   }
   vtkNew<vtkPolyData> data;
