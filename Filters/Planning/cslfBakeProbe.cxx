@@ -97,6 +97,9 @@ public:
   std::string Name; // empty if it could not be made
 };
 
+// The level of the tool's files.
+constexpr int FastCompression = 1;
+
 /// The size of a file of image data as vtkXMLImageDataWriter writes it, in bytes.
 double CountFile(vtkImageData* image)
 {
@@ -104,6 +107,7 @@ double CountFile(vtkImageData* image)
   writer->SetInputData(image);
   writer->WriteToOutputStringOn();
   writer->EncodeAppendedDataOff();
+  writer->SetCompressionLevel(FastCompression);
   return writer->Write() ? static_cast<double>(writer->GetOutputString().size()) : 0.0;
 }
 
@@ -112,6 +116,7 @@ double CountArrays(vtkImageData* image)
 {
   constexpr std::size_t blockSize = 32768;
   vtkNew<vtkZLibDataCompressor> compressor;
+  compressor->SetCompressionLevel(FastCompression);
   std::vector<unsigned char> compressed(compressor->GetMaximumCompressionSpace(blockSize));
   double bytes = 0.0;
   for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
@@ -137,7 +142,7 @@ BakeProbe::BakeProbe(vtkCSLFSampler* sampler, EncodeSettings settings, Format ki
   , Kind(kind)
   , Seconds(seconds)
   , Resolution(sampler->GetResolution())
-  , Samples(sampler->GetSamples())
+  , Samples(sampler->GetUsedSamples())
   , Threads(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()))
 {
 }
