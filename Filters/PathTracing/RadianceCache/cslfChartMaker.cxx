@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace cslf
@@ -30,9 +31,8 @@ constexpr float SmallHeight = 0.5f;
 constexpr float ThinAspect = 4.0f;
 constexpr float ThinLength = 4.0f;
 
-// Smooth triangles share the points at their vertices, unless these are so dense that each stands
-// for less than this many squares of the spacing.
-constexpr float LeastVertexArea = 1.0f;
+// The light of a chart may need this many times more points than its cells have corners.
+constexpr std::size_t PointsOfChart = 4;
 
 // The least cosine between the normal of a chart and those of its triangles.
 constexpr float LeastCosine = 0.8f;
@@ -54,6 +54,7 @@ struct Facet
   std::uint32_t Triangle;
   std::uint8_t Sides;
   bool IsSmall;
+  bool IsLarge; // longer than a brick
   glm::vec3 Normal;
   float Area;
   std::uint32_t Corners[3]; // vertices at the same position have the same number
@@ -166,9 +167,10 @@ private:
 class MeshCharter
 {
 public:
-  MeshCharter(
-    const Scene& scene, std::uint32_t mesh, const OpenSides& sides, const ChartSettings& settings)
+  MeshCharter(const Scene& scene, std::uint32_t mesh, const OpenSides& sides,
+    const std::vector<std::uint32_t>& clusters, const ChartSettings& settings)
     : Surface(scene.GetMeshes()[mesh])
+    , Clusters(clusters)
     , Index(mesh)
     , Settings(settings)
     , Heights(settings.Spacing)
@@ -185,7 +187,11 @@ public:
       if (!this->IsTaken[seed])
       {
         this->Grow(seed);
-        charts.push_back(this->MakeChart());
+        SurfaceChart chart = this->MakeChart();
+        if (this->IsUseful(chart))
+        {
+          charts.push_back(std::move(chart));
+        }
       }
     }
   }
@@ -202,35 +208,30 @@ private:
     return this->Surface.Vertices[this->Surface.Triangles[facet.Triangle][corner]];
   }
 
-  /// The area that each vertex of a smooth mesh stands for.
-  void FindVertexAreas()
+  /// Whether the chart has fewer points than its triangles, if these can share points at vertices.
+  bool IsUseful(const SurfaceChart& chart) const
   {
-    if (this->Surface.Normals.empty())
+    std::unordered_set<std::uint32_t> shared;
+    for (const std::uint32_t member : this->Frontier)
     {
-      return;
-    }
-    this->VertexAreas.resize(this->Surface.Vertices.size(), 0.0f);
-    for (std::uint32_t triangle = 0; triangle < this->Surface.Triangles.size(); ++triangle)
-    {
-      const float part = this->Surface.GetArea(triangle) / 3.0f;
+      const Facet& facet = this->Facets[member];
+      if (this->Clusters.empty() || facet.IsLarge)
+      {
+        return true;
+      }
+      const glm::uvec3& corners = this->Surface.Triangles[facet.Triangle];
       for (int corner = 0; corner < 3; ++corner)
       {
-        this->VertexAreas[this->Surface.Triangles[triangle][corner]] += part;
+        shared.insert(this->Clusters[corners[corner]]);
       }
     }
-  }
-
-  bool SharesVertices(std::uint32_t triangle) const
-  {
-    const float least = LeastVertexArea * this->Settings.Spacing * this->Settings.Spacing;
-    const glm::uvec3& corners = this->Surface.Triangles[triangle];
-    return !this->VertexAreas.empty() && this->VertexAreas[corners.x] > least &&
-      this->VertexAreas[corners.y] > least && this->VertexAreas[corners.z] > least;
+    const std::size_t points =
+      std::size_t(chart.GetColumns() + 1) * static_cast<std::size_t>(chart.GetRows() + 1);
+    return PointsOfChart * points < shared.size();
   }
 
   void FindFacets(const std::uint8_t* sides)
   {
-    this->FindVertexAreas();
     for (std::uint32_t triangle = 0; triangle < this->Surface.Triangles.size(); ++triangle)
     {
       Facet facet{};
@@ -242,8 +243,8 @@ private:
       facet.IsSmall = height < SmallHeight * this->Settings.Spacing;
       const bool isThin =
         length > ThinAspect * height && length > ThinLength * this->Settings.Spacing;
-      const bool isShared = length < this->Settings.BrickSize && this->SharesVertices(triangle);
-      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || isShared || !(facet.Area > 0.0f))
+      facet.IsLarge = length >= this->Settings.BrickSize;
+      if (facet.Sides == 0 || !(facet.IsSmall || isThin) || !(facet.Area > 0.0f))
       {
         continue;
       }
@@ -466,9 +467,9 @@ private:
   }
 
   const Mesh& Surface;
+  const std::vector<std::uint32_t>& Clusters;
   std::uint32_t Index;
   ChartSettings Settings;
-  std::vector<float> VertexAreas;
   std::vector<Facet> Facets;
   std::vector<Edge> Edges; // of the facets, sorted
   std::vector<std::uint8_t> IsTaken;
@@ -485,15 +486,15 @@ private:
 };
 }
 
-std::vector<SurfaceChart> MakeCharts(
-  const Scene& scene, const OpenSides& sides, const ChartSettings& settings)
+std::vector<SurfaceChart> MakeCharts(const Scene& scene, const OpenSides& sides,
+  const VertexClusters& clusters, const ChartSettings& settings)
 {
   std::vector<SurfaceChart> charts;
   for (std::uint32_t mesh = 0; mesh < scene.GetMeshes().size(); ++mesh)
   {
     if (scene.GetMeshes()[mesh].CanHoldLattice())
     {
-      MeshCharter(scene, mesh, sides, settings).AddTo(charts);
+      MeshCharter(scene, mesh, sides, clusters[mesh], settings).AddTo(charts);
     }
   }
   return charts;

@@ -13,6 +13,7 @@
 #include "PathTracing/Scene/cslfScene.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
+#include "cslfVertexClusters.h"
 
 #include <vector>
 
@@ -31,9 +32,10 @@ struct ChartSettings
 /// lattice is a member of one chart. A chart
 /// - consists of triangles of one mesh that are connected by edges,
 /// - is flat enough to be projected onto a plane without folds,
-/// - has continuous light, because shading normals hardly differ where two triangles meet.
-VTKCSLF_EXPORT std::vector<SurfaceChart> MakeCharts(
-  const Scene& scene, const OpenSides& sides, const ChartSettings& settings);
+/// - has continuous light, because shading normals hardly differ where two triangles meet,
+/// - has fewer points than its triangles would have if they shared those at the given vertices.
+VTKCSLF_EXPORT std::vector<SurfaceChart> MakeCharts(const Scene& scene, const OpenSides& sides,
+  const VertexClusters& clusters, const ChartSettings& settings);
 }
 
 #endif

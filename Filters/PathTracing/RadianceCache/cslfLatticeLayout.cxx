@@ -19,6 +19,9 @@ constexpr float SpacingGrowth = 1.5f;
 // The largest spacing, of a scene whose radius is 1.
 constexpr float LargestSpacing = 0.5f;
 
+// The size of clusters of vertices, in spacings. The point of a cluster lies anywhere in it.
+constexpr float ClusterSize = 0.5f;
+
 /// How often a length must be halved until it is at most the spacing.
 int FindDepth(float length, float spacing, int largest)
 {
@@ -44,8 +47,12 @@ LatticeLayout::LatticeLayout(const Scene& scene, const OpenSides& sides, float s
 void LatticeLayout::Divide(const Scene& scene, const OpenSides& sides)
 {
   this->Depths.clear();
+  this->Clusters.clear();
   for (const Mesh& mesh : scene.GetMeshes())
   {
+    this->Clusters.push_back(mesh.CanHoldLattice()
+        ? FindVertexClusters(mesh, ClusterSize * this->Spacing)
+        : std::vector<std::uint32_t>());
     for (std::uint32_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
     {
       this->Depths.push_back(
@@ -55,7 +62,7 @@ void LatticeLayout::Divide(const Scene& scene, const OpenSides& sides)
   ChartSettings settings;
   settings.Spacing = this->Spacing;
   settings.BrickSize = this->Spacing * static_cast<float>(1 << BrickLevels);
-  this->Charts = MakeCharts(scene, sides, settings);
+  this->Charts = MakeCharts(scene, sides, this->Clusters, settings);
   this->OnChart.assign(this->Depths.size(), 0);
   for (const SurfaceChart& chart : this->Charts)
   {

@@ -14,6 +14,7 @@
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
 #include "cslfSurfaceLattice.h"
+#include "cslfVertexClusters.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,12 @@ public:
 
   const std::vector<SurfaceChart>& GetCharts() const { return this->Charts; }
 
+  /// The vertex of a smooth mesh whose point stands for that of another one nearby, or the same.
+  std::uint32_t GetCluster(std::uint32_t mesh, std::uint32_t vertex) const
+  {
+    return this->Clusters[mesh][vertex];
+  }
+
   /// The binary logarithm of the spacings along the longer side of a chart's cells, rounded up.
   int GetCellDepth(const SurfaceChart& chart) const;
 
@@ -60,6 +67,7 @@ private:
   std::vector<std::uint8_t> Depths;  // of the triangles
   std::vector<std::uint8_t> OnChart; // of the triangles
   std::vector<SurfaceChart> Charts;
+  VertexClusters Clusters;
 };
 }
 

@@ -132,6 +132,10 @@ bool LatticeBuilder::BendsWithin(const Patch& patch) const
   {
     const std::uint32_t here = patch.Points[corner];
     const std::uint32_t next = patch.Points[(corner + 1) % 3];
+    if (here == next)
+    {
+      continue;
+    }
     const HalfEstimate& pilot = this->GetPilot(patch, here);
     const HalfEstimate& other = this->GetPilot(patch, next);
     if (this->IsBright(pilot.Pilot - first.Pilot, pilot.Variance + first.Variance, size))

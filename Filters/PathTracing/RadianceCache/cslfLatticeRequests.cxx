@@ -102,7 +102,9 @@ std::uint64_t LatticeBuilder::FindSharedKey(const Patch& patch, int column, int 
   int way = row == 0 ? column : row;
   if (way == 0 || way == last)
   {
-    return VertexKey | MakeSideKey(patch.Mesh, way == 0 ? first : second, patch.Back);
+    const auto vertex = static_cast<std::uint32_t>(way == 0 ? first : second);
+    return VertexKey |
+      MakeSideKey(patch.Mesh, this->Layout.GetCluster(patch.Mesh, vertex), patch.Back);
   }
   if (first > second)
   {
