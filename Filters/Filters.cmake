@@ -49,7 +49,7 @@ configure_file("${constants}" Lookup/cslfLookupConstants.h @ONLY)
 include("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptions.cmake")
 configure_file("${CSLF_SOURCE_DIR}/Filters/Options/cslfOptionTable.h.in" Options/cslfOptionTable.h
   @ONLY)
-cslf_add(Filters/Options Option)
+cslf_add(Filters/Options Option QualityPresets)
 list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Options/cslfOptionTable.h")
 
 # Measures of quality.

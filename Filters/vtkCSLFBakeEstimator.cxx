@@ -160,8 +160,8 @@ void vtkCSLFBakeEstimator::BeginProbe()
     // A copy, because other filters may use the options, too.
     vtkNew<vtkCSLFRadianceCacheOptions> cacheOptions;
     cacheOptions->DeepCopy(this->Sampler->GetCacheOptions());
-    cacheOptions->SetSpacing(
-      vtkCSLFPathTracer::GetAutomaticCacheSpacing(this->Sampler->GetResolution()));
+    cacheOptions->SetSpacing(vtkCSLFPathTracer::GetAutomaticCacheSpacing(
+      this->Sampler->GetResolution(), this->Sampler->GetQuality()));
     this->Sampler->SetCacheOptions(cacheOptions);
   }
   this->Sampler->SetCacheProbeSeconds(CacheShare * this->ProbeSeconds);

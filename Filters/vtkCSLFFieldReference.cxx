@@ -277,7 +277,8 @@ private:
   {
     constexpr int parts = Halves * Cells;
     cslf::RenderSettings settings;
-    settings.Samples = this->Self->GetSamples() / parts + (this->Self->GetSamples() % parts != 0);
+    const int samples = this->Self->GetUsedSamples();
+    settings.Samples = samples / parts + (samples % parts != 0);
     settings.Seed = static_cast<std::uint32_t>(
       cslf::MixBits(ReferenceSalt, static_cast<std::uint32_t>(this->Self->GetSeed())));
     settings.Exposure = this->Self->GetExposure();

@@ -3,6 +3,7 @@
 #include "vtkCSLFPathTracer.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
 #include "PathTracing/Scene/cslfArithmetic.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
@@ -170,7 +171,8 @@ nlohmann::json DescribeEnvironment(vtkCSLFEnvironment* environment, bool isRepla
 }
 
 vtkCSLFPathTracer::vtkCSLFPathTracer()
-  : Samples(options::Samples.Default)
+  : Quality(options::Quality.Default)
+  , Samples(options::Samples.Default)
   , NoiseTarget(options::NoiseTarget.Default)
   , MaximumDepth(options::MaximumDepth.Default)
   , Seed(options::Seed.Default)
@@ -219,6 +221,29 @@ vtkMTimeType vtkCSLFPathTracer::GetMTime()
     time = std::max(time, importer->GetMTime());
   }
   return time;
+}
+
+int vtkCSLFPathTracer::GetUsedSamples()
+{
+  return this->Samples > 0 ? this->Samples : cslf::QualityPresets[this->Quality].Samples;
+}
+
+double vtkCSLFPathTracer::GetUsedNoiseTarget()
+{
+  return this->NoiseTarget >= 0.0 ? this->NoiseTarget
+                                  : cslf::QualityPresets[this->Quality].NoiseTarget;
+}
+
+double vtkCSLFPathTracer::GetUsedCacheTolerance()
+{
+  const double tolerance = this->Internals->CacheOptions->GetTolerance();
+  return tolerance > 0.0 ? tolerance : cslf::QualityPresets[this->Quality].CacheTolerance;
+}
+
+int vtkCSLFPathTracer::GetUsedCacheSamples()
+{
+  const int samples = this->Internals->CacheOptions->GetSamples();
+  return samples > 0 ? samples : cslf::QualityPresets[this->Quality].CacheSamples;
 }
 
 cslfSetOptionMacro(vtkCSLFPathTracer, Samples, Samples);
@@ -496,8 +521,8 @@ bool vtkCSLFPathTracer::MustGather()
 cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
 {
   cslf::RenderSettings settings;
-  settings.Samples = this->Samples;
-  settings.NoiseTarget = this->NoiseTarget;
+  settings.Samples = this->GetUsedSamples();
+  settings.NoiseTarget = this->GetUsedNoiseTarget();
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Exposure = this->Exposure;
   settings.ShowEnvironment = this->Internals->Environment->GetShow();
@@ -511,20 +536,22 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   nlohmann::json sampling = { { "scene", this->Internals->Scene.Fingerprint },
     { "arithmetic", cslf::GetArithmetic() },
     { "integrator", this->Integrator == RadianceCaching ? "radiance-caching" : "path-tracing" },
-    { options::Samples.Key, this->Samples }, { options::MaximumDepth.Key, this->MaximumDepth },
-    { options::Seed.Key, this->Seed }, { options::Exposure.Key, this->Exposure },
+    { options::Quality.Key, options::Quality.Names[this->Quality] },
+    { options::Samples.Key, this->GetUsedSamples() },
+    { options::MaximumDepth.Key, this->MaximumDepth }, { options::Seed.Key, this->Seed },
+    { options::Exposure.Key, this->Exposure },
     { options::ShowEnvironment.Key, environment->GetShow() },
     { "environment", DescribeEnvironment(environment, this->Internals->Scene.HasEnvironment) } };
-  if (this->NoiseTarget > 0.0)
+  if (this->GetUsedNoiseTarget() > 0.0)
   {
-    sampling[options::NoiseTarget.Key] = this->NoiseTarget;
+    sampling[options::NoiseTarget.Key] = this->GetUsedNoiseTarget();
   }
   if (this->Integrator == RadianceCaching)
   {
     vtkCSLFRadianceCacheOptions* cacheOptions = this->Internals->CacheOptions;
-    sampling["cache"] = { { options::CacheTolerance.Key, cacheOptions->GetTolerance() },
+    sampling["cache"] = { { options::CacheTolerance.Key, this->GetUsedCacheTolerance() },
       { options::CacheSpacing.Key, cacheOptions->GetSpacing() },
-      { options::CacheSamples.Key, cacheOptions->GetSamples() } };
+      { options::CacheSamples.Key, this->GetUsedCacheSamples() } };
     const cslf::RadianceCache* cache = this->Internals->Cache.get();
     if (cache && !this->Internals->CacheKey.empty() && cache->IsCoarsened())
     {
@@ -570,8 +597,8 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
   {
     const double spacing = this->Internals->CacheOptions->GetSpacing();
     const bool isChecked = this->Internals->CacheOptions->GetCheck();
-    const double automatic =
-      GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight));
+    const double automatic = 
+      GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight), this->Quality);
     const cslf::CheckedPicture whole{ layout.TileWidth, layout.TileHeight, layout.Tiles,
       wholeSlices, grids };
     if (!this->UpdateCache(
@@ -623,6 +650,7 @@ void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CacheSeconds: " << this->CacheSeconds << "\n";
   os << indent << "CacheProbeSeconds: " << this->CacheProbeSeconds << "\n";
   os << indent << "ExpectedCacheSeconds: " << this->ExpectedCacheSeconds << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
   os << indent << "NoiseTarget: " << this->NoiseTarget << "\n";
   os << indent << "MaximumDepth: " << this->MaximumDepth << "\n";

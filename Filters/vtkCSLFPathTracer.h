@@ -115,11 +115,11 @@ public:
   ///@}
 
   /**
-   * The spacing that 0 selects in the cache options, as a fraction of the diagonal of the scene's
-   * bounds, for pictures with `size` texels or pixels along the longer side. Sizes below 1 are
+   * The spacing that 0 selects in the cache options for a quality, as a fraction of the diagonal of
+   * the scene's bounds, for pictures with `size` texels or pixels along the longer side. Sizes below 1 are
    * treated as 1.
    */
-  static double GetAutomaticCacheSpacing(int size);
+  static double GetAutomaticCacheSpacing(int size, int quality = Good);
 
   ///@{
   /**
@@ -143,10 +143,45 @@ public:
    */
   vtkGetMacro(UsedCacheSpacing, double);
 
+  /**
+   * Qualities of the light, from fast to accurate.
+   */
+  enum Qualities
+  {
+    Preview = 0, ///< noise is visible
+    Good,        ///< for most purposes
+    Best         ///< neither noise nor bias is visible
+  };
+
+  ///@{
+  /**
+   * The quality of the light. It determines the parameters that are automatic, as they are by
+   * default: Samples, NoiseTarget, and Tolerance and Samples of the cache options. The size of a
+   * picture or field is independent of it. Preview: 4, 0.02, 1/16, 32. Good: 32, 0.004, 1/64, 512.
+   * Best: 256, 0.001, 1/256, 4096. The automatic Spacing of the cache is four times larger for
+   * Preview. Default: Good.
+   */
+  vtkSetClampMacro(Quality, int, Preview, Best);
+  vtkGetMacro(Quality, int);
+  void SetQualityToPreview() { this->SetQuality(Preview); }
+  void SetQualityToGood() { this->SetQuality(Good); }
+  void SetQualityToBest() { this->SetQuality(Best); }
+  ///@}
+
+  ///@{
+  /**
+   * The values in use: those that are set, or where these are automatic, those of the Quality.
+   */
+  int GetUsedSamples();
+  double GetUsedNoiseTarget();
+  double GetUsedCacheTolerance();
+  int GetUsedCacheSamples();
+  ///@}
+
   ///@{
   /**
    * The number of paths for each texel or pixel, distributed over its area. Powers of two are
-   * distributed best. Range: 1 to 1048576. Default: 64.
+   * distributed best. 0 is automatic, see Quality. Range: 0 to 1048576. Default: 0.
    */
   void SetSamples(int samples);
   vtkGetMacro(Samples, int);
@@ -159,8 +194,8 @@ public:
    * level of 8 bits. For floating-point output, this holds at any exposure from 1/16 to 16 times
    * Exposure. Texels that see only cached light, or nothing, may need only one sample; all others
    * take at least 4 of the Samples. The mean of a texel is not biased, because only the other
-   * texels of its square determine its number of samples. Range: 0 to 1. Default: 0, which takes
-   * all Samples.
+   * texels of its square determine its number of samples. 0 takes all Samples. Values below 0 are
+   * automatic, see Quality. Range: -1 to 1. Default: -1.
    */
   void SetNoiseTarget(double target);
   vtkGetMacro(NoiseTarget, double);
@@ -360,6 +395,7 @@ private:
   bool MustGather();
 
   int Integrator = PathTracing;
+  int Quality;
   int Samples;
   double NoiseTarget;
   int MaximumDepth;

@@ -6,6 +6,7 @@
 
 #include "Files/cslfLibraries.h"
 #include "Options/cslfOptionTable.h"
+#include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
@@ -19,9 +20,10 @@
 
 namespace options = cslf::options;
 
-double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size)
+double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size, int quality)
 {
-  return 0.3 / std::max(size, 1);
+  const int known = options::Quality.Clamp(quality);
+  return cslf::QualityPresets[known].CacheSpacing * 0.3 / std::max(size, 1);
 }
 
 void vtkCSLFPathTracer::SetCacheProbeSeconds(double seconds)
@@ -49,7 +51,8 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
   // Excludes parameters of the texels that do not affect the cache.
   nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
   for (const char* name :
-    { options::Samples.Key, options::NoiseTarget.Key, options::ShowEnvironment.Key })
+    { options::Quality.Key, options::Samples.Key, options::NoiseTarget.Key,
+      options::ShowEnvironment.Key })
   {
     key.erase(name);
   }
@@ -65,9 +68,9 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 void vtkCSLFPathTracer::MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks)
 {
   cslf::CacheSettings settings;
-  settings.Tolerance = this->Internals->CacheOptions->GetTolerance();
+  settings.Tolerance = this->GetUsedCacheTolerance();
   settings.Spacing = 2.0 * spacing; // the bounding sphere's radius is 1
-  settings.Samples = this->Internals->CacheOptions->GetSamples();
+  settings.Samples = this->GetUsedCacheSamples();
   settings.Exposure = this->Exposure;
   settings.DisplayRange = displayRange;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
@@ -114,8 +117,8 @@ bool vtkCSLFPathTracer::UpdateCache(
   std::string shared = key;
   if (checked)
   {
-    for (const int number :
-      { checked->TileWidth, checked->TileHeight, checked->Tiles, checked->Slices, this->Samples })
+    for (const int number : { checked->TileWidth, checked->TileHeight, checked->Tiles,
+           checked->Slices, this->GetUsedSamples() })
     {
       shared += " " + std::to_string(number);
     }
@@ -157,7 +160,7 @@ void vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::
   // If there are few texels, a few are enough: the check must not take longer than everything else.
   constexpr std::int64_t most = 1024;
   constexpr std::int64_t least = 16;
-  const std::int64_t samples = std::int64_t(this->Samples) * picture.TileWidth *
+  const std::int64_t samples = std::int64_t(this->GetUsedSamples()) * picture.TileWidth *
     picture.TileHeight * picture.Tiles * picture.Slices;
   cslf::CheckSettings settings;
   settings.Texels = static_cast<int>(std::clamp(samples / 1024, least, most));
@@ -191,7 +194,7 @@ void vtkCSLFPathTracer::ReportCache()
       << this->UsedCacheSpacing
       << " of the scene's diagonal. Use path tracing if shadow edges must be sharper.");
   }
-  const double tolerance = this->Internals->CacheOptions->GetTolerance();
+  const double tolerance = this->GetUsedCacheTolerance();
   if (check.IsExceeded(tolerance))
   {
     vtkWarningMacro("The radiance cache differs from path tracing by more than its bounds: at "

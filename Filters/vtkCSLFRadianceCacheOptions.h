@@ -30,8 +30,8 @@ public:
    * below this value, as far as Samples allows, and so is the root mean square error of reflections
    * that are looked up. For byte output, values above white are clipped and need not be accurate.
    * For floating-point output, a viewer may change the exposure, so the tolerance holds at any
-   * exposure from 1/16 to 16 times Exposure, which takes more paths. Range: 1e-6 to 1. Default:
-   * 1/128, two levels of 8 bits.
+   * exposure from 1/16 to 16 times Exposure, which takes more paths. 0 is automatic, see
+   * vtkCSLFPathTracer::SetQuality. Range: 0 to 1. Default: 0.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
@@ -42,8 +42,8 @@ public:
    * The smallest distance between points of the radiance cache, as a fraction of the diagonal of
    * the scene's bounds. This is about the width of the sharpest shadow edge. 0 selects 0.3 divided
    * by the number of texels or pixels along the longer side of a picture, about half a texel on the
-   * far side of the cube, see vtkCSLFPathTracer::GetAutomaticCacheSpacing. Range: 0 to 1. Default:
-   * 0.
+   * far side of the cube, see vtkCSLFPathTracer::GetAutomaticCacheSpacing; for the quality Preview,
+   * four times that. Range: 0 to 1. Default: 0.
    */
   void SetSpacing(double spacing);
   vtkGetMacro(Spacing, double);
@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * The maximum number of paths for one point of the radiance cache. Range: 64 to 1048576. Default:
-   * 1024.
+   * The maximum number of paths for one point of the radiance cache; at least 32 are taken. 0 is
+   * automatic, see vtkCSLFPathTracer::SetQuality. Range: 0 to 1048576. Default: 0.
    */
   void SetSamples(int samples);
   vtkGetMacro(Samples, int);

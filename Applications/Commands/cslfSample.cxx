@@ -140,7 +140,7 @@ void ChooseSamples(const Options& options, FieldFormat format, vtkCSLFSampler* s
       throw Failure("The time budget cannot be met.");
     }
   }
-  sampler->SetSamples(ShareNumber(sampler->GetSamples()));
+  sampler->SetSamples(ShareNumber(sampler->GetUsedSamples()));
 }
 
 /// Suggests M and N for the requested quality.
@@ -193,7 +193,7 @@ Result Estimate(const Options& options)
     { "cache_seconds", estimator->GetCacheSeconds() },
     { "render_seconds", estimator->GetRenderSeconds() },
     { "coding_seconds", estimator->GetCodingSeconds() },
-    { "bytes", std::llround(estimator->GetBytes()) }, { "samples", sampler->GetSamples() },
+    { "bytes", std::llround(estimator->GetBytes()) }, { "samples", sampler->GetUsedSamples() },
     { "probe_seconds", estimator->GetSecondsTaken() } };
   std::ostringstream text;
   text << "about " << estimator->GetSeconds() << " s (scene " << estimator->GetSceneSeconds()

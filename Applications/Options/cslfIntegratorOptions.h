@@ -40,6 +40,7 @@ public:
 
 private:
   int Integrator;
+  int Quality = options::Quality.Default;
   int Samples = options::Samples.Default;
   double NoiseTarget = options::NoiseTarget.Default;
   int Seed = options::Seed.Default;

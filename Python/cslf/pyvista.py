@@ -48,22 +48,25 @@ class _Errors:
             raise RuntimeError(self._messages[0] if self._messages else "There is no light field.")
 
 
+QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
+
+
 class PlotterComponent:
     """The object ``plotter.cslf``."""
 
     def __init__(self, plotter):
         self._plotter = plotter
 
-    def bake(self, file_name=None, *, viewpoints=None, resolution=None, samples=None,
-             noise_target=None, crf=None, sampler=None):
+    def bake(self, file_name=None, *, viewpoints=None, resolution=None, quality=None,
+             samples=None, noise_target=None, crf=None, sampler=None):
         """Samples the scene of the active renderer as a light field.
 
         Returns the field as ``pyvista.ImageData``; with ``file_name`` (``.mp4`` or ``.mkv``) it
         writes the field to that video instead, slab by slab, and returns the name.
 
         ``viewpoints`` is the number of viewpoints along each edge of a cube face (M),
-        ``resolution`` that of texels along each edge of a viewpoint's image (N), ``samples`` the
-        rays for each texel, ``noise_target`` the noise at which a texel gets no more of them, and
+        ``resolution`` that of texels along each edge of a viewpoint's image (N), ``quality`` is
+        ``"preview"``, ``"good"`` or ``"best"``, ``samples`` the rays for each texel, ``noise_target`` the noise at which a texel gets no more of them, and
         ``crf`` the video's constant rate factor, 0 to 51: less is better and larger. ``sampler``
         is a ``vtkCSLFSampler`` with further settings. What is None keeps the default of
         ``vtkCSLFSampler`` or ``vtkCSLFEncoder``. Raises ``RuntimeError`` if sampling or writing
@@ -75,6 +78,10 @@ class PlotterComponent:
             plotter.view_isometric()
         sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
         sampler.SetRenderer(plotter.renderer)
+        if quality is not None:
+            if quality not in QUALITIES:
+                raise ValueError(f"quality must be one of {', '.join(QUALITIES)}.")
+            sampler.SetQuality(QUALITIES.index(quality))
         for name, value in (("Viewpoints", viewpoints), ("Resolution", resolution),
                             ("Samples", samples), ("NoiseTarget", noise_target)):
             if value is not None:

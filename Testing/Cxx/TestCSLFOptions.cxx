@@ -14,7 +14,10 @@
 #include "vtkCSLFSampler.h"
 #include "vtkCSLFToneMapping.h"
 
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkStringArray.h>
 
 #include <functional>
 #include <string>
@@ -30,11 +33,45 @@ void TestPathTracer()
   using Tracer = vtkCSLFPathTracer;
   vtkNew<vtkCSLFSampler> sampler;
   Tracer* tracer = sampler;
+  CheckOption(options::Quality, tracer, &Tracer::SetQuality, &Tracer::GetQuality);
   CheckOption(options::Samples, tracer, &Tracer::SetSamples, &Tracer::GetSamples);
   CheckOption(options::NoiseTarget, tracer, &Tracer::SetNoiseTarget, &Tracer::GetNoiseTarget);
   CheckOption(options::MaximumDepth, tracer, &Tracer::SetMaximumDepth, &Tracer::GetMaximumDepth);
   CheckOption(options::Seed, tracer, &Tracer::SetSeed, &Tracer::GetSeed);
   CheckOption(options::Exposure, tracer, &Tracer::SetExposure, &Tracer::GetExposure);
+}
+
+/// The quality determines what is automatic, and nothing else.
+void TestQuality()
+{
+  vtkNew<vtkCSLFSampler> sampler;
+  vtkCSLFRadianceCacheOptions* cache = sampler->GetCacheOptions();
+  CSLF_CHECK(sampler->GetQuality() == vtkCSLFPathTracer::Good);
+  CSLF_CHECK(sampler->GetUsedSamples() == 32 && sampler->GetUsedNoiseTarget() == 0.004);
+  CSLF_CHECK(sampler->GetUsedCacheTolerance() == 1.0 / 64.0);
+  CSLF_CHECK(sampler->GetUsedCacheSamples() == 512);
+  sampler->SetNoiseTarget(0.0);
+  cache->SetTolerance(0.01);
+  sampler->SetQualityToPreview();
+  CSLF_CHECK(sampler->GetUsedSamples() == 4 && sampler->GetUsedNoiseTarget() == 0.0);
+  CSLF_CHECK(sampler->GetUsedCacheTolerance() == 0.01 && sampler->GetUsedCacheSamples() == 32);
+  sampler->SetSamples(7);
+  cache->SetSamples(100);
+  sampler->SetQualityToBest();
+  CSLF_CHECK(sampler->GetUsedSamples() == 7 && sampler->GetUsedCacheSamples() == 100);
+  sampler->SetSamples(0);
+  CSLF_CHECK(sampler->GetUsedSamples() == 256);
+
+  // The quality is recorded.
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(2);
+  sampler->SetQualityToPreview();
+  sampler->Update();
+  vtkFieldData* data = sampler->GetOutput()->GetFieldData();
+  auto* description = vtkStringArray::SafeDownCast(data->GetAbstractArray("CSLF"));
+  CSLF_CHECK(description->GetValue(0).find("\"preview\"") != std::string::npos);
 }
 
 void TestEnvironment()
@@ -156,6 +193,7 @@ void TestExecution()
 int TestCSLFOptions(int, char*[])
 {
   TestPathTracer();
+  TestQuality();
   TestEnvironment();
   TestCacheOptions();
   TestFieldOptions();

@@ -106,6 +106,11 @@ bool RadianceCache::Fill(const Progress& goOn)
   {
     return false;
   }
+  // With few paths for a point, finding rough light first would take more time than it saves.
+  if (this->Settings.Samples <= RoughSamples)
+  {
+    return this->GatherAtOnce(Within(goOn, LightShare, 1.0));
+  }
   // All other light: first roughly, with complete paths.
   LatticeSettings lattice = this->GetLatticeSettings();
   lattice.OnlyBright = true;
@@ -133,6 +138,23 @@ bool RadianceCache::Fill(const Progress& goOn)
   this->Incident = std::move(incident);
   this->Second = SurfaceLattice();
   this->HasSecond = false;
+  return true;
+}
+
+bool RadianceCache::GatherAtOnce(const Progress& goOn)
+{
+  LatticeSettings lattice = this->GetLatticeSettings();
+  lattice.SmallLevels = FineSmallLevels;
+  SurfaceLattice gathered;
+  IncidentField incident;
+  const int samples = this->Settings.Samples < RoughSamples ? RoughSamples / 2 : RoughSamples;
+  if (!this->Gather(lattice, samples, samples, 1, gathered, incident, goOn))
+  {
+    return false;
+  }
+  this->Values = AddLattices(this->Values, gathered);
+  this->Incident = std::move(incident);
+  this->Complete = true;
   return true;
 }
 

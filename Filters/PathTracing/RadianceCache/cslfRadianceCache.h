@@ -153,6 +153,7 @@ private:
   bool SampleLights(const Progress& goOn);
 
   /// Estimates the light found by sampling directions, after at least `depth` reflections.
+  bool GatherAtOnce(const Progress& goOn);
   bool Gather(const LatticeSettings& lattice, int firstSamples, int lastSamples, int depth,
     SurfaceLattice& values, IncidentField& incident, const Progress& goOn);
 
