@@ -597,7 +597,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
   {
     const double spacing = this->Internals->CacheOptions->GetSpacing();
     const bool isChecked = this->Internals->CacheOptions->GetCheck();
-    const double automatic = 
+    const double automatic =
       GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight), this->Quality);
     const cslf::CheckedPicture whole{ layout.TileWidth, layout.TileHeight, layout.Tiles,
       wholeSlices, grids };
@@ -617,6 +617,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
       this->ReportCache();
     }
   }
+  this->SetProgressText("Tracing texels");
   const auto start = std::chrono::steady_clock::now();
   const cslf::TexelRenderer renderer(
     *this->Internals->Scene.World, layout, settings, grids, output);

@@ -35,7 +35,8 @@
  * last bit. They do not depend on the number of threads or on the requested part of the output. The
  * record of the sampling contains a hash ("arithmetic") that identifies the kind of processor. The
  * scene is built once, and again only if the inputs or the parameters that affect it change, so a
- * downstream filter can request the output piece by piece. Aborting leaves the output empty.
+ * downstream filter can request the output piece by piece. Aborting leaves the output empty. The
+ * progress text names the phase: the radiance cache, which counts as half, or the texels.
  */
 #ifndef vtkCSLFPathTracer_h
 #define vtkCSLFPathTracer_h
@@ -116,8 +117,8 @@ public:
 
   /**
    * The spacing that 0 selects in the cache options for a quality, as a fraction of the diagonal of
-   * the scene's bounds, for pictures with `size` texels or pixels along the longer side. Sizes below 1 are
-   * treated as 1.
+   * the scene's bounds, for pictures with `size` texels or pixels along the longer side. Sizes
+   * below 1 are treated as 1.
    */
   static double GetAutomaticCacheSpacing(int size, int quality = Good);
 

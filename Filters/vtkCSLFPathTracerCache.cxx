@@ -50,9 +50,8 @@ std::string vtkCSLFPathTracer::MakeCacheKey(double spacing, double displayRange)
 {
   // Excludes parameters of the texels that do not affect the cache.
   nlohmann::json key = nlohmann::json::parse(this->DescribeSampling());
-  for (const char* name :
-    { options::Quality.Key, options::Samples.Key, options::NoiseTarget.Key,
-      options::ShowEnvironment.Key })
+  for (const char* name : { options::Quality.Key, options::Samples.Key, options::NoiseTarget.Key,
+         options::ShowEnvironment.Key })
   {
     key.erase(name);
   }
@@ -208,6 +207,7 @@ void vtkCSLFPathTracer::ReportCache()
 
 bool vtkCSLFPathTracer::FillCache(double share)
 {
+  this->SetProgressText("Computing the radiance cache");
   cslf::RadianceCache& cache = *this->Internals->Cache;
   const bool done = cache.Build(
     [this, share](double progress)

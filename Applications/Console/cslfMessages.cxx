@@ -109,7 +109,8 @@ struct Bar
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point Shown = Start;
 
-  void Show(double progress)
+  /// Shows the phase that the algorithm names, or else the label.
+  void Show(const char* phase, double progress)
   {
     const auto now = std::chrono::steady_clock::now();
     if (now - this->Shown < std::chrono::milliseconds(100))
@@ -122,14 +123,17 @@ struct Bar
     const double elapsed = std::chrono::duration<double>(now - this->Start).count();
     const int left =
       progress > 0.0 ? static_cast<int>(elapsed * (1.0 - progress) / progress + 0.5) : 0;
-    std::fprintf(stderr, "\r%s [%s%s] %3d %%, %d:%02d left\033[K", this->Label.c_str(),
-      std::string(filled, '#').c_str(), std::string(width - filled, ' ').c_str(),
-      static_cast<int>(100.0 * progress), left / 60, left % 60);
+    std::fprintf(stderr, "\r%s [%s%s] %3d %%, %d:%02d left\033[K",
+      phase ? phase : this->Label.c_str(), std::string(filled, '#').c_str(),
+      std::string(width - filled, ' ').c_str(), static_cast<int>(100.0 * progress), left / 60,
+      left % 60);
   }
 
-  static void OnProgress(vtkObject*, unsigned long, void* self, void* progress)
+  static void OnProgress(vtkObject* caller, unsigned long, void* self, void* progress)
   {
-    static_cast<Bar*>(self)->Show(*static_cast<double*>(progress));
+    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+    static_cast<Bar*>(self)->Show(
+      algorithm ? algorithm->GetProgressText() : nullptr, *static_cast<double*>(progress));
   }
   static void Delete(void* self) { delete static_cast<Bar*>(self); }
 };
