@@ -47,6 +47,9 @@ vtkCSLFSampler::vtkCSLFSampler()
   this->SetGenerateDepth(options::GenerateDepth.Default);
 }
 
+// Here, because subclasses need not know the type of the selection.
+vtkCSLFSampler::~vtkCSLFSampler() = default;
+
 vtkDataArraySelection* vtkCSLFSampler::GetChannelSelection()
 {
   return this->ChannelSelection;

@@ -129,7 +129,7 @@ public:
 
 protected:
   vtkCSLFSampler();
-  ~vtkCSLFSampler() override = default;
+  ~vtkCSLFSampler() override;
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
