@@ -39,7 +39,7 @@ macro (cslf_read_fields table row)
 endmacro ()
 
 # Sets `element` and `size`, the type and the number of values of a property in ParaView's XML, and
-# other fields that follow from the type. The default of an enum becomes its number.
+# other fields that follow from the type. Defaults of an enum become their numbers.
 macro (cslf_convert_row)
   set(element Double)
   set(size 1)
@@ -55,6 +55,9 @@ macro (cslf_convert_row)
     set(maximum 1)
   elseif (type STREQUAL "enum")
     list(FIND values "${default}" default)
+    if (NOT preview STREQUAL "")
+      list(FIND values "${preview}" preview)
+    endif ()
   endif ()
   if (texts STREQUAL "")
     set(texts "${values}")

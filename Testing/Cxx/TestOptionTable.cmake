@@ -28,6 +28,8 @@ foreach (kind IN ITEMS Filters Readers Writers Representations)
 endforeach ()
 
 expect(CSLFFilters.xml "${Filters}" [[default_values="-1"]])
+expect(CSLFFilters.xml "${Filters}"
+  [[name="Quality" command="SetQuality" number_of_elements="1" default_values="0"]])
 expect(CSLFFilters.xml "${Filters}" [[<DoubleRangeDomain name="range" min="1e-6" max="10"/>]])
 expect(CSLFFilters.xml "${Filters}" [[default_values="0.2 0.2 0.2"]])
 expect(CSLFFilters.xml "${Filters}" [[<DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>]])
