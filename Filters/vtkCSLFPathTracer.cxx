@@ -629,6 +629,7 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     });
   this->NumberOfRays += renderer.GetNumberOfRays();
   this->RenderSeconds += cslf::SecondsSince(start);
+  this->SetProgressText(nullptr);
   return done;
 }
 

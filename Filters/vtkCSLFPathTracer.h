@@ -149,9 +149,9 @@ public:
    */
   enum Qualities
   {
-    Preview = 0, ///< noise is visible
+    Preview = 0, ///< fast; noise is visible
     Good,        ///< for most purposes
-    Best         ///< neither noise nor bias is visible
+    Best         ///< for references; takes several times longer than Good
   };
 
   ///@{

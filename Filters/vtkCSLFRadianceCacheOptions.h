@@ -51,8 +51,9 @@ public:
 
   ///@{
   /**
-   * The maximum number of paths for one point of the radiance cache; at least 32 are taken. 0 is
-   * automatic, see vtkCSLFPathTracer::SetQuality. Range: 0 to 1048576. Default: 0.
+   * The maximum number of paths for one point of the radiance cache. Small numbers are rounded:
+   * below 64 to 32, and between 64 and 128 to 128. Light that is sampled at its source takes at
+   * least 64. 0 is automatic, see vtkCSLFPathTracer::SetQuality. Range: 0 to 1048576. Default: 0.
    */
   void SetSamples(int samples);
   vtkGetMacro(Samples, int);

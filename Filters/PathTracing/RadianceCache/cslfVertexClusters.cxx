@@ -35,9 +35,14 @@ std::vector<std::uint32_t> FindVertexClusters(const Mesh& mesh, float edge)
   for (std::uint32_t vertex = 0; vertex < mesh.Normals.size(); ++vertex)
   {
     const float length = glm::length(mesh.Normals[vertex]);
+    if (!(length > 0.0f))
+    {
+      clusters.push_back(vertex);
+      continue;
+    }
     const glm::vec3 normal = glm::round(mesh.Normals[vertex] / (NormalStep * length));
     const std::uint64_t key = Hash(normal, Hash(glm::floor(mesh.Vertices[vertex] / edge), 0));
-    clusters.push_back(length > 0.0f ? firsts.emplace(key, vertex).first->second : vertex);
+    clusters.push_back(firsts.emplace(key, vertex).first->second);
   }
   return clusters;
 }
