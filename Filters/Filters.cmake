@@ -110,7 +110,7 @@ if (CSLF_ENABLE_SAMPLER)
     CacheCheck CacheFile CacheKeeper CacheShare ChartMaker ChartNeighbours DiffuseEstimator
     DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder LatticeLayout
     LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum OpenSides PointGraph
-    RadianceCache SampleNoise SurfaceChart SurfaceEstimate SurfaceLattice VertexClusters)
+    RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice VertexClusters)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
     Arithmetic Fingerprint OldNames Scene SceneBlock SceneBuilder SceneGather)

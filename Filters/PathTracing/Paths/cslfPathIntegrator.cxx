@@ -42,6 +42,10 @@ bool PathIntegrator::LookUp(
     radiance = this->LookUp(hit);
     return true;
   }
+  if (this->Cache && this->Cache->LookUpShape(ray, hit, radiance))
+  {
+    return true;
+  }
   return !this->LookUps.empty() && this->Cache->Covers(hit) &&
     this->LookUpRough(ray, hit, tolerances, radiance);
 }

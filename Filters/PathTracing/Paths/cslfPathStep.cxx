@@ -230,6 +230,11 @@ void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
     const Hit hit = hits.Get(lane);
     const bool isLambertian = (this->Points.Surfaces.Scattering >> lane & 1u) == 0;
     const BSDF* bsdf = isLambertian ? nullptr : &*this->Points.Scattering[lane];
+    if (this->Cache->GetShapes().Has(hit.Mesh))
+    {
+      this->AddFit(lane, hit, bsdf, paths);
+      continue;
+    }
     if (!this->Cache->Covers(hit) || !(isLambertian || bsdf->Has(Lobes::Diffuse)))
     {
       continue;
@@ -250,6 +255,30 @@ void PathStep::AddCached(const PathPacket& paths, const HitLanes& hits)
     {
       this->ChooseLobes(lane, *bsdf);
     }
+  }
+}
+
+/// Adds the diffuse light that is stored as a fit, and excludes it from later steps. Light that is
+/// sampled at its sources is not part of it.
+void PathStep::AddFit(int lane, const Hit& hit, const BSDF* bsdf, const PathPacket& paths)
+{
+  const bool isLit = this->Light.CanSample();
+  glm::vec3 light;
+  if ((bsdf && (isLit || !bsdf->Has(Lobes::Diffuse))) ||
+    !this->Cache->GetShapes().Get(hit, this->Points.Surfaces.Get(lane), light))
+  {
+    return;
+  }
+  const glm::vec3 albedo =
+    bsdf ? bsdf->GetDiffuse().GetAlbedo() : this->Points.Surfaces.BaseColor.Get(lane);
+  this->Found.Set(lane, this->Found.Get(lane) + paths.Beta.Get(lane) * albedo * light);
+  if (bsdf)
+  {
+    this->Open[lane] = Lobes::Specular;
+  }
+  else
+  {
+    this->Continues[lane] = 0;
   }
 }
 

@@ -35,6 +35,7 @@ private:
   void AddEmission(const PathPacket& paths, const HitLanes& hits);
   void MakeScattering(const PathPacket& paths);
   void AddCached(const PathPacket& paths, const HitLanes& hits);
+  void AddFit(int lane, const Hit& hit, const BSDF* bsdf, const PathPacket& paths);
   void ChooseLobes(int lane, const BSDF& bsdf);
   std::uint64_t AddLight(const PathPacket& paths);
   void ChooseDirections(PathPacket& paths);

@@ -23,7 +23,7 @@ namespace
 namespace fs = std::filesystem;
 
 /// The first bytes, with the version of the layout.
-constexpr std::uint64_t Magic = 0x3345484341434643;
+constexpr std::uint64_t Magic = 0x3445484341434643;
 
 /// The number of bytes read at once to check a file.
 constexpr std::size_t PieceSize = std::size_t(1) << 20;

@@ -32,6 +32,7 @@ DiffuseLookUp::DiffuseLookUp(const Scene& scene, const RadianceCache* cache)
     }
     this->Surfaces.push_back(surface);
   }
+  this->HasShapes = cache->GetShapes().GetNumberOfFits() > 0;
   if (std::none_of(this->Surfaces.begin(), this->Surfaces.end(),
         [](const Surface& surface) { return surface.IsKnown; }))
   {
@@ -40,6 +41,33 @@ DiffuseLookUp::DiffuseLookUp(const Scene& scene, const RadianceCache* cache)
 }
 
 bool DiffuseLookUp::Get(
+  const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const
+{
+  const bool isAll = this->GetOnLattices(packet, radiance, known);
+  return isAll || (this->HasShapes && this->AddShapes(packet, radiance, known));
+}
+
+bool DiffuseLookUp::AddShapes(
+  const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const
+{
+  bool isAll = true;
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    glm::vec3 found;
+    if (!known[lane] && packet.IsHit(lane))
+    {
+      if (this->Cache->LookUpShape(packet.GetRay(lane), packet.GetHit(lane), found))
+      {
+        known[lane] = -1;
+        radiance.Set(lane, found);
+      }
+      isAll = isAll && known[lane] != 0;
+    }
+  }
+  return isAll;
+}
+
+bool DiffuseLookUp::GetOnLattices(
   const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const
 {
   if (this->Surfaces.empty())

@@ -46,6 +46,11 @@ public:
   bool Get(const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const;
 
 private:
+  bool GetOnLattices(
+    const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const;
+  bool AddShapes(
+    const RayPacket& packet, PacketRadiance& radiance, int known[RayPacket::Size]) const;
+
   /// Of a mesh.
   struct Surface
   {
@@ -70,6 +75,7 @@ private:
   const Scene& World;
   const RadianceCache* Cache;
   std::vector<Surface> Surfaces; // of the meshes; empty if nothing is known
+  bool HasShapes = false;
 };
 }
 

@@ -31,6 +31,12 @@ constexpr int RoughSamples = 64;
 constexpr int RoughSmallLevels = 3;
 constexpr int FineSmallLevels = 1;
 
+// The paths of a cell of a shape, first. All points of the cell share them.
+constexpr int RoughShapeSamples = 32;
+
+// The shapes, or groups of small ones, from which the time for all is estimated.
+constexpr double ProbedUnits = 2000.0;
+
 // The fewest paths of a point that is seen directly.
 constexpr int FirstLightSamples = 64;
 constexpr int FirstGatherSamples = 128;
@@ -45,6 +51,7 @@ constexpr float NoiseWidth = 3.0f;
 // The shares of the work, for the progress.
 constexpr double LightShare = 0.2;
 constexpr double RoughShare = 0.1;
+constexpr double ShapeShare = 0.2;
 
 /// Whether all non-diffuse reflections of a mesh have the same blur.
 bool IsRough(const Mesh& mesh)
@@ -97,19 +104,33 @@ bool RadianceCache::Fill(const Progress& goOn)
   }
   this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
   this->Layout = std::make_unique<LatticeLayout>(this->World, this->Sides, spacing);
+  ShapeLayout shapes(this->World, this->Settings.Paths, this->Settings.Seed, spacing);
+  this->Rays += isFirst ? shapes.GetNumberOfRays() : 0;
+  if (share)
+  {
+    shapes.Agree(*share);
+  }
+  this->Shapes = ShapeLight(std::move(shapes));
   this->Spacing = this->Layout->GetSpacing();
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   // Light sampled at its sources has sharp shadows, which need many points with few samples.
-  if (!this->SampleLights(Within(goOn, 0.0, LightShare)))
+  double done = LightShare;
+  if (!this->SampleLights(Within(goOn, 0.0, done)))
   {
     return false;
   }
-  // With few paths for a point, finding rough light first would take more time than it saves.
-  if (this->Settings.Samples <= RoughSamples)
+  const bool isHasty = this->Settings.Samples <= RoughSamples;
+  if (!this->EstimateShapes(RoughShapeSamples, Within(goOn, done, done + RoughShare)))
   {
-    return this->GatherAtOnce(Within(goOn, LightShare, 1.0));
+    return false;
+  }
+  done += RoughShare;
+  // With few paths for a point, finding rough light first would take more time than it saves.
+  if (isHasty)
+  {
+    return this->GatherAtOnce(Within(goOn, done, 1.0));
   }
   // All other light: first roughly, with complete paths.
   LatticeSettings lattice = this->GetLatticeSettings();
@@ -117,20 +138,27 @@ bool RadianceCache::Fill(const Progress& goOn)
   lattice.SmallLevels = RoughSmallLevels;
   SurfaceLattice rough;
   if (!this->Gather(lattice, RoughSamples, RoughSamples, 2, rough, this->Incident,
-        Within(goOn, LightShare, LightShare + RoughShare)))
+        Within(goOn, done, done + RoughShare)))
   {
     return false;
   }
+  done += RoughShare;
   this->Second = std::move(rough);
   this->HasSecond = true;
   this->Complete = true;
   // Then accurately, with paths that end at the first surface.
+  const int samples = this->Settings.Samples / 2;
+  if (!this->EstimateShapes(samples, Within(goOn, done, done + ShapeShare)))
+  {
+    return false;
+  }
+  done += ShapeShare;
   SurfaceLattice fine;
   IncidentField incident;
   lattice = this->GetLatticeSettings();
   lattice.SmallLevels = FineSmallLevels;
   if (!this->Gather(lattice, FirstGatherSamples, this->Settings.Samples, 1, fine, incident,
-        Within(goOn, LightShare + RoughShare, 1.0)))
+        Within(goOn, done, 1.0)))
   {
     return false;
   }
@@ -166,7 +194,47 @@ void RadianceCache::FindLobes()
   {
     const bool isKept = !isSampled && mesh.CanHoldLattice() && IsRough(mesh);
     this->Lobes.push_back(isKept ? GlossyLobe(mesh.Material) : GlossyLobe());
+    this->AreEnds.push_back(!isSampled && mesh.IsDiffuse() ? 1 : 0);
   }
+}
+
+bool RadianceCache::LookUpShape(const Ray& ray, const Hit& hit, glm::vec3& radiance) const
+{
+  if (!this->AreEnds[hit.Mesh] || !this->Shapes.Has(hit.Mesh))
+  {
+    return false;
+  }
+  const SurfaceHit surface = this->World.GetSurface(ray, hit);
+  glm::vec3 light;
+  if (!this->Shapes.Get(hit, surface, light))
+  {
+    return false;
+  }
+  radiance = surface.BaseColor * light;
+  return true;
+}
+
+bool RadianceCache::EstimateShapes(int samples, const Progress& goOn)
+{
+  if (this->Settings.Paths.MaximumDepth <= 0)
+  {
+    return true;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const bool isProbe = this->Settings.ProbeSeconds > 0.0;
+  const PathIntegrator paths(this->World, this->Settings.Paths, this);
+  ShapeLight::Settings settings{ samples, this->Settings.Seed, 1.0, this->Settings.Share };
+  if (isProbe)
+  {
+    const auto units = static_cast<double>(this->Shapes.GetLayout().GetUnits().size());
+    settings.Part = std::min(1.0, ProbedUnits / std::max(units, 1.0));
+  }
+  const std::uint64_t before = this->Shapes.GetNumberOfRays();
+  const bool done = this->Shapes.Estimate(this->World, paths, this->Sides, settings, goOn);
+  this->Rays += this->Shapes.GetNumberOfRays() - before;
+  this->ExpectedSeconds +=
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / settings.Part;
+  return done;
 }
 
 void RadianceCache::Get(LatticePacket& packet) const

@@ -22,6 +22,7 @@
 #include "cslfIncidentLight.h"
 #include "cslfLatticeBuilder.h"
 #include "cslfOpenSides.h"
+#include "cslfShapeLight.h"
 #include "cslfSurfaceLattice.h"
 
 #include <cstddef>
@@ -68,8 +69,8 @@ public:
   /// Fills the cache. `goOn` gets the progress, in [0,1]. Returns false if `goOn` did on any rank.
   bool Build(const std::function<bool(double)>& goOn);
 
-  /// Whether the cache covers a surface. It does not cover spheres, tubes, instances and the
-  /// insides of closed bodies.
+  /// Whether the cache covers a surface with a lattice. It does not cover the insides of closed
+  /// bodies. For spheres, tubes and instances, see GetShapes.
   bool Covers(const Hit& hit) const
   {
     return this->World.GetMeshes()[hit.Mesh].CanHoldLattice() &&
@@ -101,12 +102,22 @@ public:
   bool GetReflected(const Hit& hit, const IncidentLight& light, const glm::vec3& normal,
     const glm::vec3& outgoing, float albedo, float tolerances, glm::vec3& reflected) const;
 
+  /// The light of spheres, tubes and instances.
+  const ShapeLight& GetShapes() const { return this->Shapes; }
+
+  /// The radiance along a ray from its hit on such a shape. False if its light is unknown, or is
+  /// not all that determines the radiance.
+  bool LookUpShape(const Ray& ray, const Hit& hit, glm::vec3& radiance) const;
+
   const OpenSides& GetSides() const { return this->Sides; }
 
   /// Whether the values contain all light, or only light sampled at its sources.
   bool IsComplete() const { return this->Complete; }
 
-  std::size_t GetNumberOfValues() const { return this->Values.GetNumberOfValues(); }
+  std::size_t GetNumberOfValues() const
+  {
+    return this->Values.GetNumberOfValues() + this->Shapes.GetNumberOfFits();
+  }
 
   /// The seconds that filling it would take, after a probe.
   double GetExpectedSeconds() const { return this->ExpectedSeconds; }
@@ -134,6 +145,7 @@ public:
     this->Sides.Exchange(archive);
     this->Values.Exchange(archive);
     this->Incident.Exchange(archive);
+    this->Shapes.Exchange(archive);
   }
 
 private:
@@ -145,6 +157,7 @@ private:
   /// The area within which noise is averaged, in scene space.
   float GetNoiseArea() const;
   void FindLobes();
+  bool EstimateShapes(int samples, const Progress& goOn);
 
   /// Builds one pass's lattice, or probes it in a share of the seconds for that.
   bool BuildLattice(LatticeBuilder& builder, double part, const Progress& goOn);
@@ -166,6 +179,8 @@ private:
   SurfaceLattice Values;
   IncidentField Incident;        // by the bricks of the values
   std::vector<GlossyLobe> Lobes; // of each mesh that reflects it
+  ShapeLight Shapes;
+  std::vector<char> AreEnds; // whether paths may end at the shapes of a mesh
   std::unique_ptr<const LatticeLayout> Layout;
   SurfaceLattice Second; // while the cache is built: a second term of the sum
   bool HasSecond = false;

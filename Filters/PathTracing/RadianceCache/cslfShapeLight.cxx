@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfShapeLight.h"
+#include "Pipeline/cslfParallelFor.h"
+
+#include "PathTracing/Materials/cslfBSDF.h"
+#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Paths/cslfPathBatch.h"
+#include "RandomNumbers/cslfSampleStream.h"
+#include "RandomNumbers/cslfSampling.h"
+#include "cslfShapePoints.h"
+
+#include <vtkMath.h>
+#include <vtkSMPThreadLocal.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+// The weight of the assumption that light is constant in a cell, in samples.
+constexpr double Stiffness = 2.0;
+
+// The fewest samples of a cell.
+constexpr int FewestSamples = 16;
+
+// The samples after which the work may be stopped: about a second's.
+constexpr std::uint64_t SamplesAtOnce = std::uint64_t(1) << 20;
+
+/// What a sample finds.
+struct Sample
+{
+  std::uint32_t Cell = ShapeLayout::None;
+  ShapeFit::Terms Terms{};
+  glm::vec3 Light{ 0.0f };
+};
+
+/// The samples of one batch of paths, which one rank takes.
+struct Samples
+{
+  Sample All[PathBatch::Capacity];
+};
+
+/// The sums from which a cell's fit is computed.
+struct Moments
+{
+  double Products[ShapeFit::Count][ShapeFit::Count] = {};
+  double Light[3][ShapeFit::Count] = {};
+
+  void Add(const Sample& sample)
+  {
+    for (int i = 0; i < ShapeFit::Count; ++i)
+    {
+      for (int j = 0; j <= i; ++j)
+      {
+        this->Products[i][j] += sample.Terms[i] * sample.Terms[j];
+      }
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        this->Light[channel][i] += sample.Terms[i] * sample.Light[channel];
+      }
+    }
+  }
+
+  ShapeFit Solve() const
+  {
+    ShapeFit fit;
+    if (this->Products[0][0] < FewestSamples)
+    {
+      return fit;
+    }
+    double matrix[ShapeFit::Count][ShapeFit::Count];
+    double* rows[ShapeFit::Count];
+    for (int i = 0; i < ShapeFit::Count; ++i)
+    {
+      rows[i] = matrix[i];
+      for (int j = 0; j < ShapeFit::Count; ++j)
+      {
+        matrix[i][j] = this->Products[std::max(i, j)][std::min(i, j)];
+      }
+      matrix[i][i] += i > 0 ? Stiffness : 0.0;
+    }
+    int order[ShapeFit::Count];
+    double scratch[ShapeFit::Count];
+    if (vtkMath::LUFactorLinearSystem(rows, order, ShapeFit::Count, scratch) == 0)
+    {
+      return fit;
+    }
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      double solution[ShapeFit::Count];
+      std::copy_n(this->Light[channel], ShapeFit::Count, solution);
+      vtkMath::LUSolveLinearSystem(rows, order, solution, ShapeFit::Count);
+      for (int i = 0; i < ShapeFit::Count; ++i)
+      {
+        fit.Factors[i][channel] = static_cast<float>(solution[i]);
+      }
+    }
+    fit.IsKnown = 1;
+    return fit;
+  }
+};
+
+/// The numbers of [0,1) of one of a unit's samples: of its point and its direction. They are an
+/// additive recurrence, because light depends on all of them together: its means over a smooth
+/// function of several variables converge faster than those of pairs. Roberts, "The Unreasonable
+/// Effectiveness of Quasirandom Sequences", 2018; the steps are powers of the root of x^6 = x + 1.
+class SampleNumbers
+{
+public:
+  static constexpr int Count = 5;
+
+  SampleNumbers(std::uint64_t hash, std::uint32_t index)
+  {
+    constexpr double root = 1.1347241384015194;
+    double step = 1.0;
+    for (int i = 0; i < Count; ++i)
+    {
+      step /= root;
+      const double start = static_cast<double>(MixBits(hash, i) >> 11) * 0x1p-53;
+      const double number = start + step * index;
+      this->Values[i] = std::min(static_cast<float>(number - std::floor(number)), BelowOne);
+    }
+  }
+
+  float operator[](int i) const { return this->Values[i]; }
+
+private:
+  float Values[Count];
+};
+
+/// Takes samples of cells.
+class Sampler
+{
+public:
+  Sampler(const Scene& scene, const PathIntegrator& paths, const ShapeLayout& layout,
+    const OpenSides& sides, std::uint64_t seed)
+    : World(scene)
+    , Paths(paths)
+    , Layout(layout)
+    , Sides(sides)
+    , Points(scene, layout)
+    , Seed(seed)
+    , Batches(PathBatch(1, true))
+  {
+  }
+
+  /// Takes samples `begin` to `end` of those of the units from `first` on, whose samples end at
+  /// these numbers.
+  void Take(std::size_t first, const std::vector<std::uint64_t>& ends, std::uint64_t begin,
+    std::uint64_t end, Samples& samples)
+  {
+    PathBatch& batch = this->Batches.Local();
+    batch.Clear();
+    std::vector<Start> starts;
+    std::size_t unit = std::upper_bound(ends.begin(), ends.end(), begin) - ends.begin();
+    for (std::uint64_t number = begin; number < end; ++number)
+    {
+      while (number >= ends[unit])
+      {
+        ++unit;
+      }
+      const std::uint64_t before = unit > 0 ? ends[unit - 1] : 0;
+      this->Add(first + unit, static_cast<std::uint32_t>(number - before),
+        samples.All[number - begin], batch, starts);
+    }
+    std::uint64_t rays = 0;
+    this->Paths.Follow(batch, rays);
+    this->Rays += rays;
+    for (std::size_t path = 0; path < starts.size(); ++path)
+    {
+      const Start& start = starts[path];
+      const Hit seen = batch.GetSeen(static_cast<int>(path));
+      if (this->IsOutside(start.First, seen))
+      {
+        start.Result->Light = start.Transmission * batch.GetRadiance(static_cast<int>(path));
+      }
+      else
+      {
+        start.Result->Cell = ShapeLayout::None;
+      }
+    }
+  }
+
+  std::uint64_t GetNumberOfRays() const { return this->Rays; }
+
+private:
+  struct Start
+  {
+    Sample* Result;
+    Ray First;
+    glm::vec3 Transmission;
+  };
+
+  void Add(std::size_t unit, std::uint32_t number, Sample& sample, PathBatch& batch,
+    std::vector<Start>& starts) const
+  {
+    sample.Cell = ShapeLayout::None;
+    const std::uint64_t hash = MixBits(this->Seed, unit);
+    const SampleNumbers numbers(hash, number);
+    ShapePoints::Point point;
+    if (!this->Points.Get(unit, numbers[0], { numbers[1], numbers[2] }, point))
+    {
+      return;
+    }
+    const SurfaceHit surface = this->World.GetSurface(point.View, point.Seen);
+    const ShapeLayout::Place place = this->Layout.Find(point.Seen, surface);
+    if (place.Cell == ShapeLayout::None)
+    {
+      return;
+    }
+    const Frame frame(surface.ShadingNormal);
+    MaterialPoint white = surface.GetMaterialPoint();
+    white.BaseColor = glm::vec3(1.0f);
+    const BSDF reflection(
+      *surface.Material, white, frame.ToLocal(surface.GeometricNormal), surface.Inside);
+    if (!reflection.Has(Lobes::Diffuse))
+    {
+      return;
+    }
+    const glm::vec3 direction = SampleCosineHemisphere({ numbers[3], numbers[4] });
+    PathBatch::Start start;
+    start.First = { surface.LeavePosition, frame.ToWorld(direction) };
+    start.Hash = hash;
+    start.Index = number;
+    start.Pdf = CosineHemispherePdf(direction);
+    start.Normal = surface.GetReceiver().Normal;
+    sample.Cell = place.Cell;
+    sample.Terms = ShapeFit::MakeTerms(surface.ShadingNormal, place.Offset);
+    starts.push_back(
+      { &sample, start.First, glm::vec3(reflection.GetDiffuse().GetTransmission(direction.z)) });
+    batch.Add(start);
+  }
+
+  /// Whether a ray does not start within another body, where no light is seen from outside.
+  bool IsOutside(const Ray& ray, const Hit& seen) const
+  {
+    if (!seen.IsValid())
+    {
+      return true;
+    }
+    if (this->World.GetMeshes()[seen.Mesh].CanHoldLattice())
+    {
+      return this->Sides.Has(this->World.GetTriangleIndex(seen.Mesh, seen.Triangle), seen.Back);
+    }
+    return !this->Layout.Has(seen.Mesh) ||
+      !this->Layout.IsWithin(seen, this->World.GetSurface(ray, seen).Inside);
+  }
+
+  const Scene& World;
+  const PathIntegrator& Paths;
+  const ShapeLayout& Layout;
+  const OpenSides& Sides;
+  ShapePoints Points;
+  std::uint64_t Seed;
+  vtkSMPThreadLocal<PathBatch> Batches;
+  std::atomic<std::uint64_t> Rays{ 0 };
+};
+
+/// The samples of a unit: more if it has many cells.
+std::uint64_t CountSamples(const ShapeLayout::Unit& unit, int samplesOfCell)
+{
+  const double cells =
+    unit.GetNumberOfCells() > 1 ? unit.Area / (double(unit.Edge) * unit.Edge) : 1.0;
+  return static_cast<std::uint64_t>(std::ceil(std::max(cells, 1.0) * samplesOfCell));
+}
+}
+
+bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const OpenSides& sides,
+  const Settings& settings, const std::function<bool(double)>& goOn)
+{
+  const std::vector<ShapeLayout::Unit>& units = this->Layout.GetUnits();
+  std::vector<ShapeFit> fits(this->Layout.GetNumberOfCells());
+  Sampler sampler(scene, paths, this->Layout, sides, MixBits(settings.Seed, settings.Samples));
+  CacheShare* share = settings.Share;
+  for (std::size_t first = 0; first < units.size();)
+  {
+    if (!goOn(static_cast<double>(first) / static_cast<double>(units.size())))
+    {
+      return false;
+    }
+    // Some units, and the number at which the samples of each end.
+    std::vector<std::uint64_t> ends;
+    std::uint64_t count = 0;
+    for (std::size_t unit = first; unit < units.size() && count < SamplesAtOnce; ++unit)
+    {
+      const bool isTaken =
+        std::floor(settings.Part * (unit + 1)) > std::floor(settings.Part * unit);
+      count += isTaken ? CountSamples(units[unit], settings.Samples) : 0;
+      ends.push_back(count);
+    }
+    constexpr std::uint64_t size = PathBatch::Capacity;
+    std::vector<Samples> samples((count + size - 1) / size);
+    ParallelFor(0, static_cast<vtkIdType>(samples.size()), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          if (!share || share->GetOwner(i) == share->GetRank())
+          {
+            const std::uint64_t start = i * size;
+            sampler.Take(first, ends, start, std::min(start + size, count), samples[i]);
+          }
+        }
+      });
+    if (share)
+    {
+      share->Complete(samples, 0);
+    }
+    ParallelFor(0, static_cast<vtkIdType>(ends.size()), 0,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<Moments> moments;
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const ShapeLayout::Unit& unit = units[first + i];
+          moments.assign(unit.GetNumberOfCells(), Moments());
+          for (std::uint64_t number = i > 0 ? ends[i - 1] : 0; number < ends[i]; ++number)
+          {
+            const Sample& sample = samples[number / size].All[number % size];
+            if (sample.Cell != ShapeLayout::None)
+            {
+              moments[sample.Cell - unit.First].Add(sample);
+            }
+          }
+          for (std::size_t cell = 0; cell < moments.size(); ++cell)
+          {
+            fits[unit.First + cell] = moments[cell].Solve();
+          }
+        }
+      });
+    first += ends.size();
+  }
+  this->Fits = std::move(fits);
+  this->Rays += sampler.GetNumberOfRays();
+  return goOn(1.0);
+}
+}

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfShapePoints.h"
+
+#include "PathTracing/Materials/cslfFrame.h"
+#include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "RandomNumbers/cslfSampling.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cslf
+{
+namespace
+{
+/// A direction of the unit sphere, uniform.
+glm::vec3 SampleSphere(const glm::vec2& u)
+{
+  const float z = 1.0f - 2.0f * u.x;
+  const float radius = std::sqrt(std::max(0.0f, 1.0f - z * z));
+  float sine = 0.0f;
+  float cosine = 0.0f;
+  SinCosOfTurn(u.y, sine, cosine);
+  return { radius * cosine, radius * sine, z };
+}
+
+/// A number of [0,1) that chooses one of `count`; what is left of it is uniform again.
+std::size_t Choose(float& number, std::size_t count)
+{
+  const float scaled = number * static_cast<float>(count);
+  const std::size_t index = std::min(static_cast<std::size_t>(scaled), count - 1);
+  number = std::clamp(scaled - static_cast<float>(index), 0.0f, BelowOne);
+  return index;
+}
+}
+
+ShapePoints::ShapePoints(const Scene& scene, const ShapeLayout& layout)
+  : World(scene)
+  , PartsOfMeshes(scene.GetMeshes().size())
+  , Ends(layout.GetUnits().size(), 0)
+{
+  for (const std::uint32_t unit : layout.Items)
+  {
+    ++this->Ends[unit];
+  }
+  std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin());
+  std::vector<std::uint32_t> next(1, 0);
+  next.insert(next.end(), this->Ends.begin(), this->Ends.end());
+  this->Members.resize(layout.Items.size());
+  for (std::uint32_t index = 0; index < scene.GetMeshes().size(); ++index)
+  {
+    if (!layout.Has(index))
+    {
+      continue;
+    }
+    const Mesh& mesh = scene.GetMeshes()[index];
+    const std::size_t count =
+      mesh.Instances.empty() ? mesh.GetNumberOfShapes() : mesh.Instances.size();
+    for (std::uint32_t shape = 0; shape < count; ++shape)
+    {
+      this->Members[next[layout.Items[layout.FirstItems[index] + shape]]++] = { index, shape };
+    }
+    if (!mesh.Instances.empty())
+    {
+      this->AddParts(layout, index);
+    }
+  }
+}
+
+void ShapePoints::AddParts(const ShapeLayout& layout, std::uint32_t index)
+{
+  const Mesh& mesh = this->World.GetMeshes()[index];
+  const std::uint32_t first = layout.FirstSides[index];
+  double sum = 0.0;
+  for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
+  {
+    if (first == ShapeLayout::None)
+    {
+      const float radius = mesh.Radii[mesh.Shape == Mesh::Shapes::Tubes ? 2 * shape : shape];
+      sum += radius * radius;
+      this->PartsOfMeshes[index].Sums.push_back(sum);
+      continue;
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      sum += ((layout.Sides[first + shape] >> side) & 1) != 0 ? mesh.GetArea(shape) : 0.0;
+      this->PartsOfMeshes[index].Sums.push_back(sum);
+    }
+  }
+}
+
+bool ShapePoints::Get(std::size_t unit, float number, const glm::vec2& u, Point& point) const
+{
+  const std::uint32_t begin = unit > 0 ? this->Ends[unit - 1] : 0;
+  const Member& member = this->Members[begin + Choose(number, this->Ends[unit] - begin)];
+  const Mesh& mesh = this->World.GetMeshes()[member.Mesh];
+  point.Seen.Mesh = member.Mesh;
+  if (mesh.Instances.empty())
+  {
+    return GetOnRound(mesh, member.Shape, u, point);
+  }
+  const std::vector<double>& sums = this->PartsOfMeshes[member.Mesh].Sums;
+  if (sums.empty() || !(sums.back() > 0.0))
+  {
+    return false;
+  }
+  const auto part = std::upper_bound(sums.begin(), sums.end(), number * sums.back());
+  const auto index = static_cast<std::uint32_t>(
+    std::min<std::ptrdiff_t>(part - sums.begin(), static_cast<std::ptrdiff_t>(sums.size()) - 1));
+  point.Seen.Instance = member.Shape;
+  return mesh.Shape == Mesh::Shapes::Triangles ? this->GetOnTriangle(mesh, index, u, point)
+                                               : GetOnRound(mesh, index, u, point);
+}
+
+bool ShapePoints::GetOnTriangle(
+  const Mesh& mesh, std::uint32_t part, const glm::vec2& u, Point& point) const
+{
+  const glm::vec2 place = SampleTriangle(u);
+  point.Seen.Triangle = part / 2;
+  point.Seen.U = place.x;
+  point.Seen.V = place.y;
+  point.Seen.Back = part % 2 != 0;
+  const glm::uvec3& corners = mesh.Triangles[part / 2];
+  glm::vec3 inScene[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    inScene[i] = ToScene(mesh, point.Seen.Instance, mesh.Vertices[corners[i]]);
+  }
+  const glm::vec3 normal = glm::cross(inScene[1] - inScene[0], inScene[2] - inScene[0]);
+  const float length = glm::length(normal);
+  const bool isMirrored = glm::determinant(mesh.Instances[point.Seen.Instance].Linear) < 0.0f;
+  const glm::vec3 out = normal * (isMirrored != point.Seen.Back ? -1.0f : 1.0f) / length;
+  point.View = { InterpolateCorners(inScene, place.x, place.y) + out, -out };
+  point.Seen.Distance = 1.0f;
+  return length > 0.0f;
+}
+
+bool ShapePoints::GetOnRound(
+  const Mesh& mesh, std::uint32_t shape, const glm::vec2& u, Point& point)
+{
+  point.Seen.Triangle = shape;
+  glm::vec3 center(0.0f);
+  glm::vec3 normal = SampleSphere(u);
+  float radius = 0.0f;
+  if (mesh.Shape == Mesh::Shapes::Spheres)
+  {
+    center = mesh.Vertices[shape];
+    radius = mesh.Radii[shape];
+  }
+  else
+  {
+    // The side, between the places on the axis at which its normals begin; the ends' share is
+    // that of their area.
+    const Tube tube = GetTube(mesh, shape);
+    const float start = tube.Joints[0] ? 0.0f : tube.Radius;
+    const float end = tube.Joints[1] ? 0.0f : tube.GetRadius(1.0f);
+    const float along = u.x * (start + tube.Length + end) - start;
+    const float clamped = tube.Length > 0.0f ? std::clamp(along / tube.Length, 0.0f, 1.0f) : 0.0f;
+    center = tube.GetCenter(clamped);
+    radius = tube.GetRadius(clamped);
+    const Frame frame(tube.Axis);
+    // Over an end, height along the axis is uniform on a sphere.
+    const float beyond = along < 0.0f ? along / std::max(start, 1e-30f)
+      : along > tube.Length           ? (along - tube.Length) / std::max(end, 1e-30f)
+                                      : -tube.Slope;
+    const float across = std::sqrt(std::max(0.0f, 1.0f - beyond * beyond));
+    float sine = 0.0f;
+    float cosine = 0.0f;
+    SinCosOfTurn(u.y, sine, cosine);
+    normal = frame.ToWorld({ across * cosine, across * sine, beyond });
+  }
+  glm::vec3 position = center + radius * normal;
+  if (point.Seen.Instance != Hit::None)
+  {
+    const MeshInstance& instance = mesh.Instances[point.Seen.Instance];
+    position = ToScene(mesh, point.Seen.Instance, position);
+    normal = glm::normalize(glm::transpose(InvertLinear(instance)) * normal);
+    radius *= GetSize(instance);
+  }
+  // From near, because the distance's rounding must not turn the normal.
+  point.View = { position + radius * normal, -normal };
+  point.Seen.Distance = radius;
+  return radius > 0.0f;
+}
+}
