@@ -13,6 +13,7 @@
 #include "vtkCSLFBakeEstimator.h"
 #include "vtkCSLFEncoder.h"
 #endif
+#include "Options/cslfQualityPresets.h"
 #include "Options/cslfTableOptions.h"
 #include "cslfSeconds.h"
 #include "vtkCSLFSampler.h"
@@ -325,8 +326,12 @@ void AddSample(CLI::App& app, Command& chosen)
   options->Integrator.AddTo(*command);
   options->Coding.AddTo(*command);
   command->callback(
-    [options, &chosen]
+    [options, command, &chosen]
     {
+      if (command->count(cslf::options::Preset.Flag) == 0)
+      {
+        options->Coding.Preset = cslf::QualityPresets[options->Integrator.GetQuality()].Coding;
+      }
       const bool suggests = options->SuggestForPSNR > 0.0 || options->SuggestForSize > 0.0;
       if (suggests && !options->Estimate)
       {

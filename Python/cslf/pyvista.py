@@ -66,8 +66,9 @@ class PlotterComponent:
 
         ``viewpoints`` is the number of viewpoints along each edge of a cube face (M),
         ``resolution`` that of texels along each edge of a viewpoint's image (N), ``quality`` is
-        ``"preview"``, ``"good"`` or ``"best"``, ``samples`` the rays for each texel, ``noise_target`` the noise at which a texel gets no more of them, and
-        ``crf`` the video's constant rate factor, 0 to 51: less is better and larger. ``sampler``
+        ``"preview"`` (also for the video's preset), ``"good"`` or ``"best"``, ``samples`` the rays
+        for each texel, ``noise_target`` the noise at which a texel gets no more of them, and ``crf``
+        the video's constant rate factor, 0 to 51: less is better and larger. ``sampler``
         is a ``vtkCSLFSampler`` with further settings. What is None keeps the default of
         ``vtkCSLFSampler`` or ``vtkCSLFEncoder``. Raises ``RuntimeError`` if sampling or writing
         fails.
@@ -99,6 +100,8 @@ class PlotterComponent:
         encoder = vtkCSLF.vtkCSLFEncoder()
         encoder.SetInputConnection(sampler.GetOutputPort())
         encoder.SetFileName(os.fspath(file_name))
+        if quality == "preview":
+            encoder.SetPreset("ultrafast")
         if crf is not None:
             encoder.GetRateControl().SetCRF(crf)
         with _Errors(sampler, encoder) as errors:
