@@ -6,6 +6,7 @@
 #include "PathTracing/Paths/cslfScatterLanes.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "RandomNumbers/cslfStreamLanes.h"
+#include "cslfClosedBodies.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -178,6 +179,26 @@ private:
   std::vector<std::uint32_t> Members;
 };
 
+/// Whether a body that the mesh closes can be bright inside.
+bool MayHoldLight(const Scene& scene, const Mesh& mesh)
+{
+  const SurfaceMaterial& material = mesh.Material;
+  const bool isPassed = mesh.IsTranslucent() || material.Transmission > 0.0f ||
+    material.Hides(false) || material.Hides(true);
+  return isPassed || !scene.GetPointLights().empty() ||
+    std::any_of(scene.GetMeshes().begin(), scene.GetMeshes().end(),
+      [](const Mesh& other) { return other.Material.IsEmissive(); });
+}
+
+/// Whether one side of all triangles of a group faces the inside of a closed body.
+bool AreInside(
+  const std::vector<std::uint8_t>& insides, const Groups& groups, std::size_t group, bool back)
+{
+  return !insides.empty() &&
+    std::all_of(groups.Begin(group), groups.End(group),
+      [&insides, back](std::uint32_t triangle) { return insides[triangle] == (back ? 2 : 1); });
+}
+
 bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, const Groups& groups,
   std::size_t group, std::uint64_t hash, std::uint64_t& rays)
 {
@@ -212,6 +233,8 @@ OpenSides::OpenSides(
     const std::size_t first = this->Sides.size();
     this->Sides.resize(first + mesh.Triangles.size(), 0);
     const Groups groups(mesh, spacing);
+    const std::vector<std::uint8_t> insides =
+      MayHoldLight(scene, mesh) ? std::vector<std::uint8_t>() : FindInsides(mesh);
     ParallelFor(0, static_cast<vtkIdType>(groups.GetCount()), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -226,7 +249,7 @@ OpenSides::OpenSides(
             place.Back = back;
             const std::size_t triangle = first + *groups.Begin(group);
             const std::uint64_t hash = MixBits(2 * triangle + (back ? 1 : 0), seed);
-            if (!mesh.Material.Hides(back) &&
+            if (!mesh.Material.Hides(back) && !AreInside(insides, groups, group, back) &&
               IsOpen(scene, paths, place, groups, group, hash, rays))
             {
               sides |= back ? Back : Front;

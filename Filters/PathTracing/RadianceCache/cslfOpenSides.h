@@ -29,7 +29,8 @@ public:
   /// No side of any triangle is open.
   OpenSides() = default;
 
-  /// Walks at random from both sides of all triangles that can hold a lattice. Neighbours with a
+  /// Walks at random from both sides of all triangles that can hold a lattice, except those that
+  /// face the inside of a closed body without light. Neighbours with a
   /// height below half the spacing and similar orientation are combined. The spacing is in scene
   /// space.
   OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing);
