@@ -328,9 +328,10 @@ void AddSample(CLI::App& app, Command& chosen)
   command->callback(
     [options, command, &chosen]
     {
-      if (command->count(cslf::options::Preset.Flag) == 0)
+      const char* preset = cslf::QualityPresets[options->Integrator.GetQuality()].Coding;
+      if (preset && command->count(cslf::options::Preset.Flag) == 0)
       {
-        options->Coding.Preset = cslf::QualityPresets[options->Integrator.GetQuality()].Coding;
+        options->Coding.Preset = preset;
       }
       const bool suggests = options->SuggestForPSNR > 0.0 || options->SuggestForSize > 0.0;
       if (suggests && !options->Estimate)

@@ -287,6 +287,7 @@ void TestEmission()
     { vtkCSLFViewTracer::PathTracing, vtkCSLFViewTracer::RadianceCaching })
   {
     tracer->SetIntegrator(integrator);
+    tracer->SetQualityToBest();
     tracer->SetSamples(4096);
     Look(tracer);
     CSLF_CHECK_NEAR(tracer->GetOutput()->GetPointData()->GetScalars()->GetComponent(0, 0), expected,

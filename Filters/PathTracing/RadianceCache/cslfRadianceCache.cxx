@@ -34,8 +34,8 @@ constexpr int FineSmallLevels = 1;
 // The paths of a cell of a shape, first. All points of the cell share them.
 constexpr int RoughShapeSamples = 32;
 
-// The shapes, or groups of small ones, from which the time for all is estimated.
-constexpr double ProbedUnits = 2000.0;
+// The paths on shapes from which the time for all is estimated.
+constexpr std::uint64_t ProbedPaths = 100000;
 
 // The fewest paths of a point that is seen directly.
 constexpr int FirstLightSamples = 64;
@@ -104,14 +104,8 @@ bool RadianceCache::Fill(const Progress& goOn)
   }
   this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
   this->Layout = std::make_unique<LatticeLayout>(this->World, this->Sides, spacing);
-  ShapeLayout shapes(this->World, this->Settings.Paths, this->Settings.Seed, spacing);
-  this->Rays += isFirst ? shapes.GetNumberOfRays() : 0;
-  if (share)
-  {
-    shapes.Agree(*share);
-  }
-  this->Shapes = ShapeLight(std::move(shapes));
   this->Spacing = this->Layout->GetSpacing();
+  this->Shapes = ShapeLight(ShapeLayout(this->World, static_cast<float>(this->Spacing)));
   this->ExpectedSeconds +=
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -221,19 +215,15 @@ bool RadianceCache::EstimateShapes(int samples, const Progress& goOn)
     return true;
   }
   const auto start = std::chrono::steady_clock::now();
-  const bool isProbe = this->Settings.ProbeSeconds > 0.0;
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
-  ShapeLight::Settings settings{ samples, this->Settings.Seed, 1.0, this->Settings.Share };
-  if (isProbe)
-  {
-    const auto units = static_cast<double>(this->Shapes.GetLayout().GetUnits().size());
-    settings.Part = std::min(1.0, ProbedUnits / std::max(units, 1.0));
-  }
+  ShapeLight::Settings settings{ samples, this->Settings.Seed, 0, this->Settings.Share };
+  settings.MostPaths = this->Settings.ProbeSeconds > 0.0 ? ProbedPaths : 0;
   const std::uint64_t before = this->Shapes.GetNumberOfRays();
-  const bool done = this->Shapes.Estimate(this->World, paths, this->Sides, settings, goOn);
+  const bool done = this->Shapes.Estimate(this->World, paths, settings, goOn);
   this->Rays += this->Shapes.GetNumberOfRays() - before;
   this->ExpectedSeconds +=
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / settings.Part;
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
+    std::max(this->Shapes.GetShare(), 1e-6);
   return done;
 }
 

@@ -4,8 +4,8 @@
 
 #include "PathTracing/Shapes/cslfHitGeometry.h"
 #include "RandomNumbers/cslfSampleStream.h"
-#include "RandomNumbers/cslfSampling.h"
-#include "cslfOpenSides.h"
+#include "cslfClosedBodies.h"
+#include "cslfShapePoints.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -24,9 +24,43 @@ namespace
 constexpr float EdgeOfCell = 4.0f;
 
 // The most cells of a shape along an axis.
-constexpr float MostCells = 32.0f;
+constexpr float MostAlong = 32.0f;
 
-struct Bounds
+// A grid may have this many times the cells that its surface needs, and some more: enough for a
+// disc of any orientation, but not for a line.
+constexpr float MostShare = 32.0f;
+constexpr float MostMore = 8.0f;
+
+// The most cells of all: 1.5 GB.
+constexpr std::uint64_t MostCells = std::uint64_t(1) << 24;
+
+constexpr std::uint8_t Front = 1;
+constexpr std::uint8_t Back = 2;
+constexpr std::uint8_t OnlyFront = 4; // that light is stored only there
+
+float GetArea(const Mesh& mesh)
+{
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < mesh.GetNumberOfShapes(); ++i)
+  {
+    sum += mesh.Shape == Mesh::Shapes::Triangles ? mesh.GetArea(i) : GetRoundArea(mesh, i);
+  }
+  return static_cast<float>(sum);
+}
+
+std::uint64_t HashCell(const glm::vec3& cell)
+{
+  std::uint64_t key = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    key = MixBits(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis])));
+  }
+  return key;
+}
+}
+
+/// A box.
+struct ShapeLayout::Bounds
 {
   glm::vec3 Low{ std::numeric_limits<float>::max() };
   glm::vec3 High{ std::numeric_limits<float>::lowest() };
@@ -48,85 +82,55 @@ struct Bounds
   }
 };
 
-/// Of one of a mesh's spheres or tubes, where the mesh lies.
-Bounds FindBounds(const Mesh& mesh, std::uint32_t shape)
-{
-  Bounds bounds;
-  const std::size_t points = mesh.Shape == Mesh::Shapes::Tubes ? 2 : 1;
-  for (std::size_t point = points * shape; point < points * (shape + std::size_t(1)); ++point)
-  {
-    bounds.Add(mesh.Vertices[point], mesh.Radii[point]);
-  }
-  return bounds;
-}
-
-/// Of a mesh, where it lies.
-Bounds FindBounds(const Mesh& mesh)
-{
-  Bounds bounds;
-  for (std::size_t i = 0; i < mesh.Vertices.size(); ++i)
-  {
-    bounds.Add(mesh.Vertices[i], mesh.Radii.empty() ? 0.0f : mesh.Radii[i]);
-  }
-  return bounds;
-}
-
-/// Of an instance of a mesh with these bounds.
-Bounds Transform(const Bounds& bounds, const Mesh& mesh, std::uint32_t instance)
-{
-  Bounds result;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::vec3 point((corner & 1) != 0 ? bounds.High.x : bounds.Low.x,
-      (corner & 2) != 0 ? bounds.High.y : bounds.Low.y,
-      (corner & 4) != 0 ? bounds.High.z : bounds.Low.z);
-    result.Add(ToScene(mesh, instance, point));
-  }
-  return result;
-}
-
-/// The area of one of a mesh's spheres or tubes.
-float GetArea(const Mesh& mesh, std::uint32_t shape)
-{
-  if (mesh.Shape == Mesh::Shapes::Spheres)
-  {
-    return 4.0f * Pi * mesh.Radii[shape] * mesh.Radii[shape];
-  }
-  const Tube tube = GetTube(mesh, shape);
-  const float end = tube.GetRadius(1.0f);
-  return Pi * (tube.Radius + end) * (tube.Length + tube.Radius + end);
-}
-
-float GetArea(const Mesh& mesh)
-{
-  double sum = 0.0;
-  for (std::uint32_t i = 0; i < mesh.GetNumberOfShapes(); ++i)
-  {
-    sum += mesh.Shape == Mesh::Shapes::Triangles ? mesh.GetArea(i) : GetArea(mesh, i);
-  }
-  return static_cast<float>(sum);
-}
-
-std::uint64_t HashCell(const glm::vec3& cell)
-{
-  std::uint64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    key = MixBits(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis])));
-  }
-  return key;
-}
-}
-
 /// A shape: an instance, or a sphere or tube that has none.
 struct ShapeLayout::Item
 {
   Bounds Box;
   float Area;
+  std::uint32_t Mesh;
+
+  /// One of a mesh's spheres or tubes, where the mesh lies.
+  Item(const cslf::Mesh& mesh, std::uint32_t index, std::uint32_t shape)
+    : Area(GetRoundArea(mesh, shape))
+    , Mesh(index)
+  {
+    const std::size_t points = mesh.Shape == cslf::Mesh::Shapes::Tubes ? 2 : 1;
+    for (std::size_t point = points * shape; point < points * (shape + std::size_t(1)); ++point)
+    {
+      this->Box.Add(mesh.Vertices[point], mesh.Radii[point]);
+    }
+  }
+
+  /// A mesh, where it lies.
+  Item(const cslf::Mesh& mesh, std::uint32_t index)
+    : Area(GetArea(mesh))
+    , Mesh(index)
+  {
+    for (std::size_t i = 0; i < mesh.Vertices.size(); ++i)
+    {
+      this->Box.Add(mesh.Vertices[i], mesh.Radii.empty() ? 0.0f : mesh.Radii[i]);
+    }
+  }
+
+  /// An instance of it.
+  Item Place(const cslf::Mesh& mesh, std::uint32_t instance) const
+  {
+    Item result = *this;
+    const float size = std::cbrt(std::abs(glm::determinant(mesh.Instances[instance].Linear)));
+    result.Area *= size * size;
+    result.Box = Bounds();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::vec3 point((corner & 1) != 0 ? this->Box.High.x : this->Box.Low.x,
+        (corner & 2) != 0 ? this->Box.High.y : this->Box.Low.y,
+        (corner & 4) != 0 ? this->Box.High.z : this->Box.Low.z);
+      result.Box.Add(ToScene(mesh, instance, point));
+    }
+    return result;
+  }
 };
 
-ShapeLayout::ShapeLayout(
-  const Scene& scene, const PathSettings& paths, std::uint32_t seed, float spacing)
+ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
 {
   std::vector<Item> items;
   for (std::uint32_t index = 0; index < scene.GetMeshes().size(); ++index)
@@ -134,48 +138,45 @@ ShapeLayout::ShapeLayout(
     const Mesh& mesh = scene.GetMeshes()[index];
     const bool isStored = !mesh.CanHoldLattice() && !mesh.IsBlack();
     this->FirstItems.push_back(isStored ? static_cast<std::uint32_t>(items.size()) : None);
-    this->FirstSides.push_back(None);
-    if (!isStored)
+    for (std::uint32_t i = 0; isStored && mesh.Instances.empty() && i < mesh.GetNumberOfShapes();
+         ++i)
     {
-      continue;
+      items.emplace_back(mesh, index, i);
     }
-    if (mesh.Shape == Mesh::Shapes::Triangles)
+    if (isStored && !mesh.Instances.empty())
     {
-      this->AddSides(scene, index, paths, seed, spacing);
-    }
-    if (mesh.Instances.empty())
-    {
-      for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
+      const Item item(mesh, index);
+      for (std::uint32_t instance = 0; instance < mesh.Instances.size(); ++instance)
       {
-        items.push_back({ FindBounds(mesh, shape), GetArea(mesh, shape) });
+        items.push_back(item.Place(mesh, instance));
       }
-      continue;
     }
-    const Bounds bounds = FindBounds(mesh);
-    const float area = GetArea(mesh);
-    for (std::uint32_t instance = 0; instance < mesh.Instances.size(); ++instance)
-    {
-      const float size = std::cbrt(std::abs(glm::determinant(mesh.Instances[instance].Linear)));
-      items.push_back({ Transform(bounds, mesh, instance), area * size * size });
-    }
+  }
+  if (items.empty())
+  {
+    return;
+  }
+  for (const Mesh& mesh : scene.GetMeshes())
+  {
+    this->AddSides(mesh);
   }
   this->AddUnits(items, spacing);
 }
 
-/// Finds out which sides of a mesh's triangles are not inside a closed body, by itself.
-void ShapeLayout::AddSides(const Scene& scene, std::uint32_t mesh, const PathSettings& paths,
-  std::uint32_t seed, float spacing)
+void ShapeLayout::AddSides(const Mesh& mesh)
 {
-  std::vector<Mesh> alone(1, scene.GetMeshes()[mesh]);
-  alone[0].Instances.clear();
-  alone[0].HasInstanceColors = false;
-  alone[0].HasInstanceEmissions = false;
-  const std::uint32_t count = alone[0].GetNumberOfShapes();
-  const Scene world(std::move(alone), LightSet());
-  const OpenSides open(world, PathIntegrator(world, paths), seed, spacing);
-  this->Rays += open.GetNumberOfRays();
-  this->FirstSides[mesh] = static_cast<std::uint32_t>(this->Sides.size());
-  this->Sides.insert(this->Sides.end(), open.GetData(), open.GetData() + count);
+  this->FirstSides.push_back(this->Sides.size());
+  const bool isPassed = mesh.IsTranslucent() || mesh.Material.Transmission > 0.0f ||
+    mesh.Material.Hides(false) || mesh.Material.Hides(true);
+  if (mesh.Shape != Mesh::Shapes::Triangles)
+  {
+    this->Sides.push_back(OnlyFront + Front + (isPassed ? Back : 0));
+    return;
+  }
+  for (const std::uint8_t inside : FindInsides(mesh))
+  {
+    this->Sides.push_back(isPassed ? Front + Back : Front + Back - inside);
+  }
 }
 
 void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
@@ -188,7 +189,8 @@ void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
     if (item.Box.GetSize() < spacing)
     {
       const glm::vec3 center = 0.5f * (item.Box.Low + item.Box.High);
-      unit = neighbours.emplace(HashCell(glm::floor(center / spacing)), unit).first->second;
+      const std::uint64_t key = MixBits(HashCell(glm::floor(center / spacing)), item.Mesh);
+      unit = neighbours.emplace(key, unit).first->second;
     }
     if (unit == this->Units.size())
     {
@@ -199,30 +201,71 @@ void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
     boxes[unit].Add(item.Box);
     this->Units[unit].Area += item.Area;
   }
+  std::uint64_t cells = 0;
+  for (float edge = EdgeOfCell * spacing; cells == 0 || cells > MostCells; edge *= 2.0f)
+  {
+    this->Divide(boxes, edge);
+    cells = 0;
+    for (const Unit& unit : this->Units)
+    {
+      cells += unit.GetNumberOfCells();
+    }
+    if (cells <= this->Units.size())
+    {
+      break;
+    }
+  }
+  for (Unit& unit : this->Units)
+  {
+    unit.First = this->NumberOfCells;
+    this->NumberOfCells += unit.GetNumberOfCells();
+  }
+}
+
+void ShapeLayout::Divide(const std::vector<Bounds>& boxes, float edge)
+{
   for (std::size_t i = 0; i < this->Units.size(); ++i)
   {
     Unit& unit = this->Units[i];
-    const float size = std::max(boxes[i].GetSize(), std::numeric_limits<float>::min());
-    const float edge = EdgeOfCell * spacing;
+    const glm::vec3 sizes =
+      glm::max(boxes[i].High - boxes[i].Low, std::numeric_limits<float>::min());
+    const float size = std::max({ sizes.x, sizes.y, sizes.z });
     unit.Low = boxes[i].Low;
-    unit.Edge = size < 1.5f * edge ? size : std::max(edge, size / MostCells);
-    const glm::vec3 cells = glm::ceil((boxes[i].High - boxes[i].Low) / unit.Edge);
-    unit.Cells = glm::uvec3(glm::clamp(cells, 1.0f, MostCells));
-    unit.First = this->NumberOfCells;
-    this->NumberOfCells += unit.GetNumberOfCells();
+    unit.Cells = glm::uvec3(1u);
+    if (size > 1.5f * edge)
+    {
+      const glm::vec3 cells = glm::ceil(sizes / std::max(edge, size / MostAlong));
+      unit.Cells = glm::uvec3(glm::clamp(cells, 1.0f, MostAlong));
+      const float needed = unit.Area / (edge * edge);
+      if (static_cast<float>(unit.GetNumberOfCells()) > MostShare * needed + MostMore)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          unit.Cells[axis] = sizes[axis] == size ? unit.Cells[axis] : 1u;
+        }
+      }
+    }
+    unit.Edges = sizes / glm::vec3(unit.Cells);
   }
 }
 
 ShapeLayout::Place ShapeLayout::Find(const Hit& hit, const SurfaceHit& surface) const
 {
   Place place;
-  if (this->IsWithin(hit, surface.Inside))
+  const std::uint8_t sides = this->GetSides(hit);
+  if ((sides & (surface.Inside ? Back : Front)) == 0 ||
+    ((sides & OnlyFront) != 0 && surface.Inside))
   {
     return place;
   }
   const std::uint32_t shape = hit.Instance == Hit::None ? hit.Triangle : hit.Instance;
   const Unit& unit = this->Units[this->Items[this->FirstItems[hit.Mesh] + shape]];
-  const glm::vec3 position = (surface.LeavePosition - unit.Low) / unit.Edge;
+  const glm::vec3 position = (surface.LeavePosition - unit.Low) / unit.Edges;
+  if (!(glm::abs(position.x) + glm::abs(position.y) + glm::abs(position.z) <
+        std::numeric_limits<float>::max()))
+  {
+    return place;
+  }
   const glm::vec3 cell =
     glm::clamp(glm::floor(position), glm::vec3(0.0f), glm::vec3(unit.Cells) - 1.0f);
   place.Offset = glm::clamp(2.0f * (position - cell) - 1.0f, -1.0f, 1.0f);
@@ -231,10 +274,16 @@ ShapeLayout::Place ShapeLayout::Find(const Hit& hit, const SurfaceHit& surface) 
   return place;
 }
 
-bool ShapeLayout::IsWithin(const Hit& hit, bool inside) const
+bool ShapeLayout::IsWithin(const Hit& hit, bool behind) const
 {
-  const std::uint32_t first = this->FirstSides[hit.Mesh];
-  const int open = first == None ? 1 : this->Sides[first + hit.Triangle];
-  return ((open >> (inside ? 1 : 0)) & 1) == 0;
+  return (this->GetSides(hit) & (behind ? Back : Front)) == 0;
+}
+
+std::uint8_t ShapeLayout::GetSides(const Hit& hit) const
+{
+  const std::size_t first = this->FirstSides[hit.Mesh];
+  const std::size_t next =
+    hit.Mesh + 1 < this->FirstSides.size() ? this->FirstSides[hit.Mesh + 1] : this->Sides.size();
+  return this->Sides[std::min(first + hit.Triangle, next - 1)];
 }
 }

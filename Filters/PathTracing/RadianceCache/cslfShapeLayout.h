@@ -5,20 +5,18 @@
  * Divides spheres, tubes and instances into cells, within each of which light varies smoothly, and
  * chooses points on them.
  *
- * A shape is one cell if it is small, so that its light is continuous; a large one is divided by a
- * grid. Shapes smaller than the spacing share a cell with their neighbours. So the number of cells
- * depends on the area to be stored, not on the number of shapes.
+ * A shape is one cell if it is small, so that its light is continuous. A large one is divided by a
+ * grid or, if its surface fills little of that, into slabs across its longest axis. Shapes smaller
+ * than the spacing share a cell with their neighbours. So the number of cells depends on the area
+ * to be stored, and at most 40 on the number of shapes that are larger than the spacing.
  */
 #ifndef cslfShapeLayout_h
 #define cslfShapeLayout_h
 
 #include "vtkCSLFModule.h" // for export macro
 
-#include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "PathTracing/Scene/cslfScene.h"
-#include "cslfCacheShare.h"
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -36,7 +34,7 @@ public:
   struct Unit
   {
     glm::vec3 Low{ 0.0f };   ///< of its box
-    float Edge = 0.0f;       ///< of its cells
+    glm::vec3 Edges{ 0.0f }; ///< of its cells
     glm::uvec3 Cells{ 1u };  ///< along the axes
     std::uint32_t First = 0; ///< its first cell
     float Area = 0.0f;       ///< of its surfaces
@@ -44,7 +42,7 @@ public:
     std::uint32_t GetNumberOfCells() const { return this->Cells.x * this->Cells.y * this->Cells.z; }
   };
 
-  /// A place in a cell: from its centre, in units of half its edge.
+  /// A place in a cell: from its centre, in halves of its edges.
   struct Place
   {
     std::uint32_t Cell = None;
@@ -54,7 +52,7 @@ public:
   ShapeLayout() = default;
 
   /// The spacing, in scene space, is about the size of the smallest shadows to be stored.
-  ShapeLayout(const Scene& scene, const PathSettings& paths, std::uint32_t seed, float spacing);
+  ShapeLayout(const Scene& scene, float spacing);
 
   /// Whether a mesh consists of such shapes.
   bool Has(std::uint32_t mesh) const
@@ -65,15 +63,12 @@ public:
   /// The place of a surface point of such a mesh; in no cell if it is inside a closed body.
   Place Find(const Hit& hit, const SurfaceHit& surface) const;
 
-  /// Whether a ray that hits such a mesh comes from the inside of a closed body.
-  bool IsWithin(const Hit& hit, bool inside) const;
-
-  /// Makes them the same on all ranks, whose processors may round differently.
-  void Agree(CacheShare& share) { share.Complete(this->Sides, 0); }
+  /// Whether the side of any mesh's surface that a ray hits, from behind or not, faces the inside
+  /// of a closed, opaque body.
+  bool IsWithin(const Hit& hit, bool behind) const;
 
   const std::vector<Unit>& GetUnits() const { return this->Units; }
   std::uint32_t GetNumberOfCells() const { return this->NumberOfCells; }
-  std::uint64_t GetNumberOfRays() const { return this->Rays; }
 
   /// Writes or reads all that look-ups need.
   template <typename Archive>
@@ -90,19 +85,22 @@ public:
 private:
   friend class ShapePoints;
 
+  struct Bounds;
   struct Item;
 
-  void AddSides(const Scene& scene, std::uint32_t mesh, const PathSettings& paths,
-    std::uint32_t seed, float spacing);
+  std::uint8_t GetSides(const Hit& hit) const;
+  void AddSides(const Mesh& mesh);
   void AddUnits(const std::vector<Item>& items, float spacing);
+  void Divide(const std::vector<Bounds>& boxes, float edge);
 
   std::uint32_t NumberOfCells = 0;
   std::vector<std::uint32_t> FirstItems; // of each mesh; None if it has none
-  std::vector<std::uint32_t> FirstSides; // of each mesh; None if it is of spheres or tubes
-  std::vector<std::uint8_t> Sides;       // of triangles with instances: as in OpenSides
+  std::vector<std::size_t> FirstSides;   // of each mesh; empty if no mesh has such shapes
+  std::vector<std::uint8_t> Sides;       // those of triangles, or of all of a mesh's shapes, that
+                                         // are not inside: 1 for the front plus 2 for the back,
+                                         // plus 4 if light is stored only on the front
   std::vector<std::uint32_t> Items;      // the units of the shapes: instances, spheres and tubes
   std::vector<Unit> Units;
-  std::uint64_t Rays = 0;
 };
 }
 

@@ -22,7 +22,7 @@ namespace cslf
 namespace
 {
 // The weight of the assumption that light is constant in a cell, in samples.
-constexpr double Stiffness = 2.0;
+constexpr double Stiffness = 1.0;
 
 // The fewest samples of a cell.
 constexpr int FewestSamples = 16;
@@ -136,22 +136,20 @@ private:
 class Sampler
 {
 public:
-  Sampler(const Scene& scene, const PathIntegrator& paths, const ShapeLayout& layout,
-    const OpenSides& sides, std::uint64_t seed)
+  Sampler(
+    const Scene& scene, const PathIntegrator& paths, const ShapeLayout& layout, std::uint64_t seed)
     : World(scene)
     , Paths(paths)
     , Layout(layout)
-    , Sides(sides)
     , Points(scene, layout)
     , Seed(seed)
     , Batches(PathBatch(1, true))
   {
   }
 
-  /// Takes samples `begin` to `end` of those of the units from `first` on, whose samples end at
-  /// these numbers.
-  void Take(std::size_t first, const std::vector<std::uint64_t>& ends, std::uint64_t begin,
-    std::uint64_t end, Samples& samples)
+  /// Takes samples `begin` to `end` of those of all units, which end at these numbers.
+  void Take(const std::vector<std::uint64_t>& ends, std::uint64_t begin, std::uint64_t end,
+    Samples& samples)
   {
     PathBatch& batch = this->Batches.Local();
     batch.Clear();
@@ -164,8 +162,8 @@ public:
         ++unit;
       }
       const std::uint64_t before = unit > 0 ? ends[unit - 1] : 0;
-      this->Add(first + unit, static_cast<std::uint32_t>(number - before),
-        samples.All[number - begin], batch, starts);
+      this->Add(unit, static_cast<std::uint32_t>(number - before), samples.All[number - begin],
+        batch, starts);
     }
     std::uint64_t rays = 0;
     this->Paths.Follow(batch, rays);
@@ -238,22 +236,13 @@ private:
   /// Whether a ray does not start within another body, where no light is seen from outside.
   bool IsOutside(const Ray& ray, const Hit& seen) const
   {
-    if (!seen.IsValid())
-    {
-      return true;
-    }
-    if (this->World.GetMeshes()[seen.Mesh].CanHoldLattice())
-    {
-      return this->Sides.Has(this->World.GetTriangleIndex(seen.Mesh, seen.Triangle), seen.Back);
-    }
-    return !this->Layout.Has(seen.Mesh) ||
-      !this->Layout.IsWithin(seen, this->World.GetSurface(ray, seen).Inside);
+    const bool isBehind = seen.IsValid() && this->World.GetSurface(ray, seen).Inside;
+    return !seen.IsValid() || !this->Layout.IsWithin(seen, isBehind);
   }
 
   const Scene& World;
   const PathIntegrator& Paths;
   const ShapeLayout& Layout;
-  const OpenSides& Sides;
   ShapePoints Points;
   std::uint64_t Seed;
   vtkSMPThreadLocal<PathBatch> Batches;
@@ -263,37 +252,125 @@ private:
 /// The samples of a unit: more if it has many cells.
 std::uint64_t CountSamples(const ShapeLayout::Unit& unit, int samplesOfCell)
 {
-  const double cells =
-    unit.GetNumberOfCells() > 1 ? unit.Area / (double(unit.Edge) * unit.Edge) : 1.0;
-  return static_cast<std::uint64_t>(std::ceil(std::max(cells, 1.0) * samplesOfCell));
-}
+  const std::uint64_t all = unit.GetNumberOfCells();
+  const double edge = std::cbrt(double(unit.Edges.x) * unit.Edges.y * unit.Edges.z);
+  const double needed = unit.Area / (edge * edge);
+  const std::uint64_t least = std::max({ unit.Cells.x, unit.Cells.y, unit.Cells.z });
+  const auto cells = std::clamp(static_cast<std::uint64_t>(std::min(needed, 1e9)), least, all);
+  return cells * static_cast<std::uint64_t>(samplesOfCell);
 }
 
-bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const OpenSides& sides,
-  const Settings& settings, const std::function<bool(double)>& goOn)
+/// The number at which the samples of each unit end. Some units have none if `most` is above 0 and
+/// all would have more.
+std::vector<std::uint64_t> CountSamples(
+  const std::vector<ShapeLayout::Unit>& units, int samplesOfCell, std::uint64_t most, double& share)
 {
-  const std::vector<ShapeLayout::Unit>& units = this->Layout.GetUnits();
-  std::vector<ShapeFit> fits(this->Layout.GetNumberOfCells());
-  Sampler sampler(scene, paths, this->Layout, sides, MixBits(settings.Seed, settings.Samples));
-  CacheShare* share = settings.Share;
-  for (std::size_t first = 0; first < units.size();)
+  std::uint64_t all = 0;
+  for (const ShapeLayout::Unit& unit : units)
   {
-    if (!goOn(static_cast<double>(first) / static_cast<double>(units.size())))
+    all += CountSamples(unit, samplesOfCell);
+  }
+  const std::uint64_t step = most > 0 ? all / most + 1 : 1;
+  std::vector<std::uint64_t> ends;
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < units.size(); ++i)
+  {
+    const std::uint64_t samples = CountSamples(units[i], samplesOfCell);
+    count += i % step != 0 ? 0 : most > 0 ? std::min(samples, most) : samples;
+    ends.push_back(count);
+  }
+  share = all > 0 ? static_cast<double>(count) / static_cast<double>(all) : 1.0;
+  return ends;
+}
+
+/// Adds up samples of units, and makes the fits of those that are complete.
+class Fitting
+{
+public:
+  Fitting(const ShapeLayout& layout, const std::vector<std::uint64_t>& ends)
+    : Units(layout.GetUnits())
+    , Ends(ends)
+    , Fits(layout.GetNumberOfCells())
+  {
+  }
+
+  /// Adds the samples from number `begin` on, in order.
+  void Add(const std::vector<Samples>& samples, std::uint64_t begin, std::uint64_t end)
+  {
+    const auto first = std::upper_bound(this->Ends.begin(), this->Ends.end(), begin);
+    const auto last = std::lower_bound(first, this->Ends.end(), end);
+    std::vector<Moments> rest;
+    ParallelFor(first - this->Ends.begin(),
+      last - this->Ends.begin() + (last == this->Ends.end() ? 0 : 1), 0,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        std::vector<Moments> moments;
+        for (vtkIdType unit = from; unit < to; ++unit)
+        {
+          const std::uint64_t start = unit > 0 ? this->Ends[unit - 1] : 0;
+          moments.assign(this->Units[unit].GetNumberOfCells(), Moments());
+          if (start < begin)
+          {
+            moments = this->Rest;
+          }
+          this->Sum(unit, samples, begin, std::max(start, begin), end, moments);
+          if (this->Ends[unit] > end)
+          {
+            rest = moments;
+            continue;
+          }
+          for (std::size_t cell = 0; cell < moments.size(); ++cell)
+          {
+            this->Fits[this->Units[unit].First + cell] = moments[cell].Solve();
+          }
+        }
+      });
+    this->Rest = std::move(rest);
+  }
+
+  std::vector<ShapeFit> TakeFits() { return std::move(this->Fits); }
+
+private:
+  void Sum(std::size_t unit, const std::vector<Samples>& samples, std::uint64_t begin,
+    std::uint64_t from, std::uint64_t end, std::vector<Moments>& moments) const
+  {
+    constexpr std::uint64_t size = PathBatch::Capacity;
+    for (std::uint64_t number = from; number < std::min(end, this->Ends[unit]); ++number)
+    {
+      const Sample& sample = samples[(number - begin) / size].All[(number - begin) % size];
+      if (sample.Cell != ShapeLayout::None)
+      {
+        moments[sample.Cell - this->Units[unit].First].Add(sample);
+      }
+    }
+  }
+
+  const std::vector<ShapeLayout::Unit>& Units;
+  const std::vector<std::uint64_t>& Ends;
+  std::vector<ShapeFit> Fits;
+  std::vector<Moments> Rest; // of the unit that is not complete
+};
+}
+
+bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const Settings& settings,
+  const std::function<bool(double)>& goOn)
+{
+  double part = 1.0;
+  const std::vector<std::uint64_t> ends =
+    CountSamples(this->Layout.GetUnits(), settings.Samples, settings.MostPaths, part);
+  const std::uint64_t count = ends.empty() ? 0 : ends.back();
+  Sampler sampler(scene, paths, this->Layout, MixBits(settings.Seed, settings.Samples));
+  Fitting fitting(this->Layout, ends);
+  CacheShare* share = settings.Share;
+  constexpr std::uint64_t size = PathBatch::Capacity;
+  for (std::uint64_t first = 0; first < count; first += SamplesAtOnce)
+  {
+    if (!goOn(static_cast<double>(first) / static_cast<double>(count)))
     {
       return false;
     }
-    // Some units, and the number at which the samples of each end.
-    std::vector<std::uint64_t> ends;
-    std::uint64_t count = 0;
-    for (std::size_t unit = first; unit < units.size() && count < SamplesAtOnce; ++unit)
-    {
-      const bool isTaken =
-        std::floor(settings.Part * (unit + 1)) > std::floor(settings.Part * unit);
-      count += isTaken ? CountSamples(units[unit], settings.Samples) : 0;
-      ends.push_back(count);
-    }
-    constexpr std::uint64_t size = PathBatch::Capacity;
-    std::vector<Samples> samples((count + size - 1) / size);
+    const std::uint64_t last = std::min(first + SamplesAtOnce, count);
+    std::vector<Samples> samples((last - first + size - 1) / size);
     ParallelFor(0, static_cast<vtkIdType>(samples.size()), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -301,8 +378,8 @@ bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const
         {
           if (!share || share->GetOwner(i) == share->GetRank())
           {
-            const std::uint64_t start = i * size;
-            sampler.Take(first, ends, start, std::min(start + size, count), samples[i]);
+            const std::uint64_t start = first + i * size;
+            sampler.Take(ends, start, std::min(start + size, last), samples[i]);
           }
         }
       });
@@ -310,32 +387,15 @@ bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const
     {
       share->Complete(samples, 0);
     }
-    ParallelFor(0, static_cast<vtkIdType>(ends.size()), 0,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        std::vector<Moments> moments;
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const ShapeLayout::Unit& unit = units[first + i];
-          moments.assign(unit.GetNumberOfCells(), Moments());
-          for (std::uint64_t number = i > 0 ? ends[i - 1] : 0; number < ends[i]; ++number)
-          {
-            const Sample& sample = samples[number / size].All[number % size];
-            if (sample.Cell != ShapeLayout::None)
-            {
-              moments[sample.Cell - unit.First].Add(sample);
-            }
-          }
-          for (std::size_t cell = 0; cell < moments.size(); ++cell)
-          {
-            fits[unit.First + cell] = moments[cell].Solve();
-          }
-        }
-      });
-    first += ends.size();
+    fitting.Add(samples, first, last);
   }
-  this->Fits = std::move(fits);
+  if (!goOn(1.0))
+  {
+    return false;
+  }
+  this->Fits = fitting.TakeFits();
+  this->Share = part;
   this->Rays += sampler.GetNumberOfRays();
-  return goOn(1.0);
+  return true;
 }
 }

@@ -15,7 +15,6 @@
 
 #include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "cslfCacheShare.h"
-#include "cslfOpenSides.h"
 #include "cslfShapeLayout.h"
 
 #include <glm/common.hpp>
@@ -64,7 +63,7 @@ public:
   {
     int Samples = 256; ///< paths of a cell
     std::uint32_t Seed = 0;
-    double Part = 1.0;           ///< of the shapes whose light is estimated, in (0,1]; for probes
+    std::uint64_t MostPaths = 0; ///< if not 0, only shapes with about so many are estimated
     CacheShare* Share = nullptr; ///< the ranks that estimate together; null for this one alone
   };
 
@@ -91,8 +90,8 @@ public:
 
   /// Estimates the light of all cells. The paths may use the last estimate. `goOn` gets the
   /// progress, in [0,1]. Returns false if it did, and then changes nothing.
-  bool Estimate(const Scene& scene, const PathIntegrator& paths, const OpenSides& sides,
-    const Settings& settings, const std::function<bool(double)>& goOn);
+  bool Estimate(const Scene& scene, const PathIntegrator& paths, const Settings& settings,
+    const std::function<bool(double)>& goOn);
 
   const ShapeLayout& GetLayout() const { return this->Layout; }
 
@@ -103,6 +102,9 @@ public:
       this->Fits.begin(), this->Fits.end(), [](const ShapeFit& fit) { return fit.IsKnown != 0; });
   }
   std::uint64_t GetNumberOfRays() const { return this->Rays; }
+
+  /// The share of all paths that the last estimate has taken.
+  double GetShare() const { return this->Share; }
 
   /// Writes or reads all data.
   template <typename Archive>
@@ -116,6 +118,7 @@ private:
   ShapeLayout Layout;
   std::vector<ShapeFit> Fits; // of the cells; empty if nothing is known
   std::uint64_t Rays = 0;
+  double Share = 1.0;
 };
 }
 

@@ -29,6 +29,38 @@ glm::vec3 SampleSphere(const glm::vec2& u)
   return { radius * cosine, radius * sine, z };
 }
 
+/// The areas of a tube's round ends and of its side, over two pi. A sphere has only one end.
+struct RoundParts
+{
+  float Start = 0.0f;
+  float Side = 0.0f;
+  float End = 0.0f;
+
+  explicit RoundParts(const Tube& tube)
+  {
+    const float end = tube.GetRadius(1.0f);
+    if (tube.IsSphere())
+    {
+      this->End = 2.0f * tube.Radius * tube.Radius;
+      return;
+    }
+    this->Start = tube.Joints[0] ? 0.0f : (1.0f - tube.Slope) * tube.Radius * tube.Radius;
+    this->End = tube.Joints[1] ? 0.0f : (1.0f + tube.Slope) * end * end;
+    this->Side = 0.5f * (tube.Radius + end) * (1.0f - tube.Slope * tube.Slope) * tube.Length;
+  }
+
+  float GetArea() const { return this->Start + this->Side + this->End; }
+};
+
+/// The place along a tube's side, from 0 to 1, before which a share of its area lies.
+float FindAlong(const Tube& tube, float share)
+{
+  const float start = tube.Radius;
+  const float growth = tube.GetRadius(1.0f) - start;
+  const float root = std::sqrt(start * start + share * growth * (2.0f * start + growth));
+  return std::clamp(share * (2.0f * start + growth) / std::max(start + root, 1e-30f), 0.0f, 1.0f);
+}
+
 /// A number of [0,1) that chooses one of `count`; what is left of it is uniform again.
 std::size_t Choose(float& number, std::size_t count)
 {
@@ -37,6 +69,15 @@ std::size_t Choose(float& number, std::size_t count)
   number = std::clamp(scaled - static_cast<float>(index), 0.0f, BelowOne);
   return index;
 }
+}
+
+float GetRoundArea(const Mesh& mesh, std::uint32_t shape)
+{
+  if (mesh.Shape == Mesh::Shapes::Spheres)
+  {
+    return 4.0f * Pi * mesh.Radii[shape] * mesh.Radii[shape];
+  }
+  return 2.0f * Pi * RoundParts(GetTube(mesh, shape)).GetArea();
 }
 
 ShapePoints::ShapePoints(const Scene& scene, const ShapeLayout& layout)
@@ -75,14 +116,13 @@ ShapePoints::ShapePoints(const Scene& scene, const ShapeLayout& layout)
 void ShapePoints::AddParts(const ShapeLayout& layout, std::uint32_t index)
 {
   const Mesh& mesh = this->World.GetMeshes()[index];
-  const std::uint32_t first = layout.FirstSides[index];
+  const std::size_t first = layout.FirstSides[index];
   double sum = 0.0;
   for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
   {
-    if (first == ShapeLayout::None)
+    if (mesh.Shape != Mesh::Shapes::Triangles)
     {
-      const float radius = mesh.Radii[mesh.Shape == Mesh::Shapes::Tubes ? 2 * shape : shape];
-      sum += radius * radius;
+      sum += GetRoundArea(mesh, shape);
       this->PartsOfMeshes[index].Sums.push_back(sum);
       continue;
     }
@@ -126,18 +166,18 @@ bool ShapePoints::GetOnTriangle(
   point.Seen.V = place.y;
   point.Seen.Back = part % 2 != 0;
   const glm::uvec3& corners = mesh.Triangles[part / 2];
-  glm::vec3 inScene[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    inScene[i] = ToScene(mesh, point.Seen.Instance, mesh.Vertices[corners[i]]);
-  }
-  const glm::vec3 normal = glm::cross(inScene[1] - inScene[0], inScene[2] - inScene[0]);
-  const float length = glm::length(normal);
-  const bool isMirrored = glm::determinant(mesh.Instances[point.Seen.Instance].Linear) < 0.0f;
-  const glm::vec3 out = normal * (isMirrored != point.Seen.Back ? -1.0f : 1.0f) / length;
-  point.View = { InterpolateCorners(inScene, place.x, place.y) + out, -out };
+  const MeshInstance& instance = mesh.Instances[point.Seen.Instance];
+  const glm::vec3 a = mesh.Vertices[corners.x];
+  // Rounding of the offset would remove the edges of small instances.
+  const glm::vec3 edges[3] = { glm::vec3(0.0f), instance.Linear * (mesh.Vertices[corners.y] - a),
+    instance.Linear * (mesh.Vertices[corners.z] - a) };
+  const bool isMirrored = glm::determinant(instance.Linear / GetSize(instance)) < 0.0f;
+  const glm::vec3 out = (isMirrored != point.Seen.Back ? -1.0f : 1.0f) * FindFront(edges);
+  const glm::vec3 position =
+    ToScene(mesh, point.Seen.Instance, a) + InterpolateCorners(edges, place.x, place.y);
+  point.View = { position + out, -out };
   point.Seen.Distance = 1.0f;
-  return length > 0.0f;
+  return out != glm::vec3(0.0f);
 }
 
 bool ShapePoints::GetOnRound(
@@ -154,32 +194,43 @@ bool ShapePoints::GetOnRound(
   }
   else
   {
-    // The side, between the places on the axis at which its normals begin; the ends' share is
-    // that of their area.
     const Tube tube = GetTube(mesh, shape);
-    const float start = tube.Joints[0] ? 0.0f : tube.Radius;
-    const float end = tube.Joints[1] ? 0.0f : tube.GetRadius(1.0f);
-    const float along = u.x * (start + tube.Length + end) - start;
-    const float clamped = tube.Length > 0.0f ? std::clamp(along / tube.Length, 0.0f, 1.0f) : 0.0f;
-    center = tube.GetCenter(clamped);
-    radius = tube.GetRadius(clamped);
+    const RoundParts parts(tube);
+    // Heights along the axis are uniform on a part of a sphere. On the side, the mean height of all
+    // normals is that of a cone.
+    float number = u.x * parts.GetArea();
+    float along = 0.0f;
+    float height = -tube.Slope;
+    if (number < parts.Start)
+    {
+      height = -1.0f + (1.0f - tube.Slope) * number / parts.Start;
+    }
+    else if (number - parts.Start < parts.Side)
+    {
+      along = FindAlong(tube, (number - parts.Start) / parts.Side);
+    }
+    else
+    {
+      number = std::min((number - parts.Start - parts.Side) / std::max(parts.End, 1e-30f), 1.0f);
+      const float low = tube.IsSphere() ? -1.0f : -tube.Slope;
+      height = low + (1.0f - low) * number;
+      along = 1.0f;
+    }
+    center = tube.GetCenter(along);
+    radius = tube.GetRadius(along);
     const Frame frame(tube.Axis);
-    // Over an end, height along the axis is uniform on a sphere.
-    const float beyond = along < 0.0f ? along / std::max(start, 1e-30f)
-      : along > tube.Length           ? (along - tube.Length) / std::max(end, 1e-30f)
-                                      : -tube.Slope;
-    const float across = std::sqrt(std::max(0.0f, 1.0f - beyond * beyond));
+    const float across = std::sqrt(std::max(0.0f, 1.0f - height * height));
     float sine = 0.0f;
     float cosine = 0.0f;
     SinCosOfTurn(u.y, sine, cosine);
-    normal = frame.ToWorld({ across * cosine, across * sine, beyond });
+    normal = frame.ToWorld({ across * cosine, across * sine, height });
   }
   glm::vec3 position = center + radius * normal;
   if (point.Seen.Instance != Hit::None)
   {
     const MeshInstance& instance = mesh.Instances[point.Seen.Instance];
     position = ToScene(mesh, point.Seen.Instance, position);
-    normal = glm::normalize(glm::transpose(InvertLinear(instance)) * normal);
+    normal = PlaceNormal(instance, normal);
     radius *= GetSize(instance);
   }
   // From near, because the distance's rounding must not turn the normal.

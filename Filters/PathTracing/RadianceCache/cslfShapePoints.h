@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Points of spheres, tubes and instances, uniform over their surfaces.
+ * Points of spheres, tubes and instances, uniform over the surface of each if it is not scaled
+ * differently along axes.
  */
 #ifndef cslfShapePoints_h
 #define cslfShapePoints_h
@@ -18,6 +19,9 @@
 
 namespace cslf
 {
+/// The area of one of a mesh's spheres or tubes, where the mesh lies, without ends at joints.
+float GetRoundArea(const Mesh& mesh, std::uint32_t shape);
+
 class ShapePoints
 {
 public:

@@ -35,12 +35,6 @@ struct HitTriangle
   float Length;         // of its rounding
 };
 
-/// Transforms a mesh's normal to the scene, with unit length.
-glm::vec3 PlaceNormal(const MeshInstance& instance, const glm::vec3& normal)
-{
-  return NormalizeOr(glm::transpose(InvertLinear(instance)) * normal, normal);
-}
-
 HitTriangle GetTriangle(const Mesh& mesh, const TrianglePoint& place)
 {
   const glm::uvec3& corners = mesh.Triangles[place.Triangle];
@@ -198,6 +192,11 @@ glm::mat3 InvertLinear(const MeshInstance& instance)
 {
   const float size = GetSize(instance);
   return glm::inverse(instance.Linear / size) / size;
+}
+
+glm::vec3 PlaceNormal(const MeshInstance& instance, const glm::vec3& normal)
+{
+  return NormalizeOr(glm::transpose(InvertLinear(instance)) * normal, normal);
 }
 
 glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point)

@@ -18,6 +18,9 @@ float GetSize(const MeshInstance& instance);
 /// The inverse of its matrix, also of instances so small that the determinant is 0 as a float.
 glm::mat3 InvertLinear(const MeshInstance& instance);
 
+/// A mesh's normal in the scene, of unit length, in one of its instances.
+glm::vec3 PlaceNormal(const MeshInstance& instance, const glm::vec3& normal);
+
 /// A point of a mesh in the scene, in one of its instances or where it lies.
 glm::vec3 ToScene(const Mesh& mesh, std::uint32_t instance, const glm::vec3& point);
 
