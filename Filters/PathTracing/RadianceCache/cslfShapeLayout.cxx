@@ -23,6 +23,9 @@ namespace
 // The edge of a cell in spacings: about one and a half texels.
 constexpr float EdgeOfCell = 4.0f;
 
+// The factor by which it grows if there are too many cells.
+constexpr float EdgeGrowth = 1.2f;
+
 // The most cells of a shape along an axis.
 constexpr float MostAlong = 32.0f;
 
@@ -31,8 +34,9 @@ constexpr float MostAlong = 32.0f;
 constexpr float MostShare = 32.0f;
 constexpr float MostMore = 8.0f;
 
-// The most cells of all: 1.5 GB.
-constexpr std::uint64_t MostCells = std::uint64_t(1) << 24;
+// The most cells into which shapes are divided, besides one for each: the cost must stay small
+// where the spacing is much finer than most light.
+constexpr std::uint64_t MostDivided = std::uint64_t(1) << 16;
 
 constexpr std::uint8_t Front = 1;
 constexpr std::uint8_t Back = 2;
@@ -130,6 +134,15 @@ struct ShapeLayout::Item
   }
 };
 
+std::uint64_t ShapeLayout::Unit::CountFilled() const
+{
+  const double edge = std::cbrt(double(this->Edges.x) * this->Edges.y * this->Edges.z);
+  const double filled = std::min(this->Area / (edge * edge), 1e9);
+  const std::uint64_t least = std::max({ this->Cells.x, this->Cells.y, this->Cells.z });
+  return std::clamp<std::uint64_t>(
+    static_cast<std::uint64_t>(filled), least, this->GetNumberOfCells());
+}
+
 ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
 {
   std::vector<Item> items;
@@ -201,18 +214,14 @@ void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
     boxes[unit].Add(item.Box);
     this->Units[unit].Area += item.Area;
   }
-  std::uint64_t cells = 0;
-  for (float edge = EdgeOfCell * spacing; cells == 0 || cells > MostCells; edge *= 2.0f)
+  std::uint64_t divided = MostDivided + 1;
+  for (float edge = EdgeOfCell * spacing; divided > MostDivided; edge *= EdgeGrowth)
   {
     this->Divide(boxes, edge);
-    cells = 0;
+    divided = 0;
     for (const Unit& unit : this->Units)
     {
-      cells += unit.GetNumberOfCells();
-    }
-    if (cells <= this->Units.size())
-    {
-      break;
+      divided += unit.CountFilled() - 1;
     }
   }
   for (Unit& unit : this->Units)

@@ -40,6 +40,9 @@ public:
     float Area = 0.0f;       ///< of its surfaces
 
     std::uint32_t GetNumberOfCells() const { return this->Cells.x * this->Cells.y * this->Cells.z; }
+
+    /// About how many of them contain a surface: at least 1.
+    std::uint64_t CountFilled() const;
   };
 
   /// A place in a cell: from its centre, in halves of its edges.

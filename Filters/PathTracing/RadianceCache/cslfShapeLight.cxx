@@ -252,12 +252,7 @@ private:
 /// The samples of a unit: more if it has many cells.
 std::uint64_t CountSamples(const ShapeLayout::Unit& unit, int samplesOfCell)
 {
-  const std::uint64_t all = unit.GetNumberOfCells();
-  const double edge = std::cbrt(double(unit.Edges.x) * unit.Edges.y * unit.Edges.z);
-  const double needed = unit.Area / (edge * edge);
-  const std::uint64_t least = std::max({ unit.Cells.x, unit.Cells.y, unit.Cells.z });
-  const auto cells = std::clamp(static_cast<std::uint64_t>(std::min(needed, 1e9)), least, all);
-  return cells * static_cast<std::uint64_t>(samplesOfCell);
+  return unit.CountFilled() * static_cast<std::uint64_t>(samplesOfCell);
 }
 
 /// The number at which the samples of each unit end. Some units have none if `most` is above 0 and
