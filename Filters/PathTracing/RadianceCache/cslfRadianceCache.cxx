@@ -31,8 +31,10 @@ constexpr int RoughSamples = 64;
 constexpr int RoughSmallLevels = 3;
 constexpr int FineSmallLevels = 1;
 
-// The paths of a cell of a shape, first. All points of the cell share them.
+// The paths of a cell of a shape that is only seen by other points; and of one that is seen
+// directly, at least. Each fit has several factors, so it needs more than a point of a lattice.
 constexpr int RoughShapeSamples = 32;
+constexpr int FewestShapeSamples = 128;
 
 // The paths on shapes from which the time for all is estimated.
 constexpr std::uint64_t ProbedPaths = 100000;
@@ -116,7 +118,8 @@ bool RadianceCache::Fill(const Progress& goOn)
     return false;
   }
   const bool isHasty = this->Settings.Samples <= RoughSamples;
-  if (!this->EstimateShapes(RoughShapeSamples, Within(goOn, done, done + RoughShare)))
+  if (!this->EstimateShapes(
+        isHasty ? FewestShapeSamples : RoughShapeSamples, Within(goOn, done, done + RoughShare)))
   {
     return false;
   }
@@ -141,7 +144,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   this->HasSecond = true;
   this->Complete = true;
   // Then accurately, with paths that end at the first surface.
-  const int samples = this->Settings.Samples / 2;
+  const int samples = std::max(this->Settings.Samples / 2, FewestShapeSamples);
   if (!this->EstimateShapes(samples, Within(goOn, done, done + ShapeShare)))
   {
     return false;

@@ -22,7 +22,7 @@ namespace cslf
 namespace
 {
 // The weight of the assumption that light is constant in a cell, in samples.
-constexpr double Stiffness = 1.0;
+constexpr double Stiffness = 2.0;
 
 // The fewest samples of a cell.
 constexpr int FewestSamples = 16;
