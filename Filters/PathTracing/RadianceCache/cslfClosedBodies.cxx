@@ -116,7 +116,10 @@ std::vector<std::uint8_t> FindInsides(const Mesh& mesh)
     const bool isPair = end - edge == 2 && edge->IsRising != (end - 1)->IsRising;
     for (auto other = edge; other != end; ++other)
     {
-      isClosed[other->Triangle] = isPair ? isClosed[other->Triangle] : 0;
+      if (!isPair)
+      {
+        isClosed[other->Triangle] = 0;
+      }
       bodies.Join(other->Triangle, edge->Triangle);
     }
     edge = end;
