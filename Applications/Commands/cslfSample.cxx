@@ -325,11 +325,13 @@ void AddSample(CLI::App& app, Command& chosen)
   AddField(*command, *options);
   options->Integrator.AddTo(*command);
   options->Coding.AddTo(*command);
+  CLI::Option* coding = command->get_option(cslf::options::Preset.Flag);
+  coding->description(coding->get_description() + "; if it is not given, ultrafast for a preview");
   command->callback(
-    [options, command, &chosen]
+    [options, coding, &chosen]
     {
       const char* preset = cslf::QualityPresets[options->Integrator.GetQuality()].Coding;
-      if (preset && command->count(cslf::options::Preset.Flag) == 0)
+      if (preset && coding->count() == 0)
       {
         options->Coding.Preset = preset;
       }

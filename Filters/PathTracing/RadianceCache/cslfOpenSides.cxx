@@ -182,10 +182,7 @@ private:
 /// Whether a body that the mesh closes can be bright inside.
 bool MayHoldLight(const Scene& scene, const Mesh& mesh)
 {
-  const SurfaceMaterial& material = mesh.Material;
-  const bool isPassed = mesh.IsTranslucent() || material.Transmission > 0.0f ||
-    material.Hides(false) || material.Hides(true);
-  return isPassed || !scene.GetPointLights().empty() ||
+  return mesh.CanBePassed() || !scene.GetPointLights().empty() ||
     std::any_of(scene.GetMeshes().begin(), scene.GetMeshes().end(),
       [](const Mesh& other) { return other.Material.IsEmissive(); });
 }

@@ -3,9 +3,9 @@
 #include "cslfShapeLayout.h"
 
 #include "PathTracing/Shapes/cslfHitGeometry.h"
-#include "RandomNumbers/cslfSampleStream.h"
 #include "cslfClosedBodies.h"
 #include "cslfShapePoints.h"
+#include "cslfVertexClusters.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -14,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
-#include <utility>
 
 namespace cslf
 {
@@ -50,16 +49,6 @@ float GetArea(const Mesh& mesh)
     sum += mesh.Shape == Mesh::Shapes::Triangles ? mesh.GetArea(i) : GetRoundArea(mesh, i);
   }
   return static_cast<float>(sum);
-}
-
-std::uint64_t HashCell(const glm::vec3& cell)
-{
-  std::uint64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    key = MixBits(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis])));
-  }
-  return key;
 }
 }
 
@@ -179,8 +168,7 @@ ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
 void ShapeLayout::AddSides(const Mesh& mesh)
 {
   this->FirstSides.push_back(this->Sides.size());
-  const bool isPassed = mesh.IsTranslucent() || mesh.Material.Transmission > 0.0f ||
-    mesh.Material.Hides(false) || mesh.Material.Hides(true);
+  const bool isPassed = mesh.CanBePassed();
   if (mesh.Shape != Mesh::Shapes::Triangles)
   {
     this->Sides.push_back(OnlyFront + Front + (isPassed ? Back : 0));
@@ -202,7 +190,7 @@ void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
     if (item.Box.GetSize() < spacing)
     {
       const glm::vec3 center = 0.5f * (item.Box.Low + item.Box.High);
-      const std::uint64_t key = MixBits(HashCell(glm::floor(center / spacing)), item.Mesh);
+      const std::uint64_t key = HashCell(glm::floor(center / spacing), item.Mesh);
       unit = neighbours.emplace(key, unit).first->second;
     }
     if (unit == this->Units.size())

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Divides spheres, tubes and instances into cells, within each of which light varies smoothly, and
- * chooses points on them.
+ * Divides spheres, tubes and instances into cells, within each of which light varies smoothly.
  *
  * A shape is one cell if it is small, so that its light is continuous. A large one is divided by a
  * grid or, if its surface fills little of that, into slabs across its longest axis. Shapes smaller
  * than the spacing share a cell with their neighbours. So the number of cells depends on the area
- * to be stored, and at most 40 on the number of shapes that are larger than the spacing.
+ * to be stored. If there would be too many, the cells are larger.
  */
 #ifndef cslfShapeLayout_h
 #define cslfShapeLayout_h

@@ -17,15 +17,15 @@ namespace
 {
 // The normals of a cluster differ by up to about this size in each component.
 constexpr float NormalStep = 0.5f;
+}
 
-std::uint64_t Hash(const glm::vec3& cell, std::uint64_t seed)
+std::uint64_t HashCell(const glm::vec3& cell, std::uint64_t seed)
 {
   for (int i = 0; i < 3; ++i)
   {
     seed = MixBits(seed, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[i])));
   }
   return seed;
-}
 }
 
 std::vector<std::uint32_t> FindVertexClusters(const Mesh& mesh, float edge)
@@ -41,7 +41,8 @@ std::vector<std::uint32_t> FindVertexClusters(const Mesh& mesh, float edge)
       continue;
     }
     const glm::vec3 normal = glm::round(mesh.Normals[vertex] / (NormalStep * length));
-    const std::uint64_t key = Hash(normal, Hash(glm::floor(mesh.Vertices[vertex] / edge), 0));
+    const std::uint64_t key =
+      HashCell(normal, HashCell(glm::floor(mesh.Vertices[vertex] / edge), 0));
     clusters.push_back(firsts.emplace(key, vertex).first->second);
   }
   return clusters;

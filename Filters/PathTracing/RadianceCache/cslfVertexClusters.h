@@ -16,6 +16,9 @@
 
 namespace cslf
 {
+/// A number for a cell of space, given by integers, that depends on a seed, too.
+std::uint64_t HashCell(const glm::vec3& cell, std::uint64_t seed);
+
 /// Of each mesh, for each vertex.
 using VertexClusters = std::vector<std::vector<std::uint32_t>>;
 

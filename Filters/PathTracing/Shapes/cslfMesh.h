@@ -160,6 +160,14 @@ struct VTKCSLF_EXPORT Mesh
   /// Whether light passes anywhere through the surface as if it did not exist.
   bool IsTranslucent() const;
 
+  /// Whether light can pass the surface at all: where it is translucent or glass, or from a side on
+  /// which it is invisible.
+  bool CanBePassed() const
+  {
+    return this->IsTranslucent() || this->Material.Transmission > 0.0f ||
+      this->Material.Hides(false) || this->Material.Hides(true);
+  }
+
   /// The probability that light hits the surface, in [0,1].
   float GetOpacity(const TrianglePoint& point) const;
 
