@@ -27,7 +27,7 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays Guard ParallelFor PipelineWatch ScenePipeline Slabs)
+  ArrayLayout FieldArrays Guard MissingViewpoints ParallelFor PipelineWatch ScenePipeline Slabs)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)

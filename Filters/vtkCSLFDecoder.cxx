@@ -6,6 +6,7 @@
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfJoin.h"
 
@@ -335,6 +336,7 @@ void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
   this->Internal->SetMissing(
     this->Internal->Reader->Read(first, last, cslf::ViewpointSamples(output),
       [this](double progress) { return this->ReportProgress(progress); }));
+  cslf::SetMissing(this->Internal->Missing, output);
 }
 
 // Reports the missing slices of the last range. Returns whether the others can be returned.
@@ -359,6 +361,8 @@ bool vtkCSLFDecoder::ReportFileDamage()
          << " viewpoints can be read";
     return this->Fail(vtkErrorCode::FileFormatError, text.str());
   }
+  const std::size_t unwritten = this->Internal->Reader->GetHeader().GetMissingSlices().size();
+  const char* state = missing.size() > unwritten ? "damaged" : "unfinished";
   constexpr std::size_t named = 5;
   text << missing.size() << " of " << slices << " viewpoints are missing";
   text << (this->AllowMissing ? " and left empty" : "") << " (z = ";
@@ -369,13 +373,31 @@ bool vtkCSLFDecoder::ReportFileDamage()
   text << (missing.size() > named ? ", ...)" : ")");
   if (!this->AllowMissing)
   {
-    return this->Fail(vtkErrorCode::PrematureEndOfFileError, "it is damaged, " + text.str());
+    return this->Fail(
+      vtkErrorCode::PrematureEndOfFileError, std::string("it is ") + state + ", " + text.str());
   }
   if (missing.size() > known)
   {
-    vtkWarningMacro(<< this->FileName << " is damaged: " << text.str() << ".");
+    vtkWarningMacro(<< this->FileName << " is " << state << ": " << text.str() << ".");
   }
   return true;
+}
+
+bool vtkCSLFDecoder::IsUnfinished() const
+{
+  return this->Internal->Reader && !this->Internal->Reader->GetHeader().Missing.empty();
+}
+
+void vtkCSLFDecoder::GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints)
+{
+  viewpoints->Reset();
+  if (this->UpdateReader())
+  {
+    for (int slice : this->Internal->Reader->GetHeader().GetMissingSlices())
+    {
+      viewpoints->InsertNextValue(slice);
+    }
+  }
 }
 
 bool vtkCSLFDecoder::UpdateReader()
@@ -469,8 +491,12 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   }
   if (viewpoint->IsEmpty())
   {
+    const std::vector<int> unwritten = this->Internal->Reader->GetHeader().GetMissingSlices();
+    const bool isUnwritten =
+      std::binary_search(unwritten.begin(), unwritten.end(), static_cast<int>(z));
     this->SetErrorCode(vtkErrorCode::FileFormatError);
-    vtkErrorMacro("Viewpoint " << z << " of " << this->FileName << " is damaged.");
+    vtkErrorMacro("Viewpoint " << z << " of " << this->FileName << " is "
+                               << (isUnwritten ? "not written yet." : "damaged."));
     return false;
   }
   int extent[6];

@@ -123,9 +123,23 @@ public:
   vtkIdTypeArray* GetMissingViewpoints() const;
   ///@}
 
+  /**
+   * Whether the file is the preview of a light field that is still being written, or whose writing
+   * was interrupted, see vtkCSLFEncoder. Such a file is intact but does not contain
+   * all viewpoints yet. Available after UpdateInformation.
+   */
+  bool IsUnfinished() const;
+
+  /**
+   * Fills `viewpoints` with those that an unfinished file does not contain yet, in ascending order.
+   * Empty if the file is complete or cannot be read.
+   */
+  void GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints);
+
   ///@{
   /**
-   * Whether viewpoints that are missing from a damaged file are left empty, with a warning. If off,
+   * Whether viewpoints that are missing from a damaged or unfinished file are left empty, with a
+   * warning, and listed in the array `MissingViewpoints` of the output's field data. If off,
    * requesting one of them is an error with the code vtkErrorCode::PrematureEndOfFileError.
    * Default: on.
    */

@@ -7,6 +7,7 @@
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfPrintable.h"
@@ -292,6 +293,7 @@ bool vtkCSLFImageReader::ReadRange(int first, int last, vtkImageData* image)
     cslf::AllocateSlices(field, first, last, image);
     field.WriteTo(image->GetFieldData());
     ReadSlab(this->FileName, field, slab, image, this->Internal->Missing);
+    cslf::SetMissing(this->Internal->Missing, image);
   }
   else
   {

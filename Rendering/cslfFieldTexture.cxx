@@ -136,6 +136,10 @@ bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace&
     return false;
   }
   this->Present = Residency(field.Grid, blocks, this->Pool.GetSlots());
+  for (int slice : this->Source->GetMissing())
+  {
+    this->Present.SetDamaged(slice);
+  }
   return true;
 }
 

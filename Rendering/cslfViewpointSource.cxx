@@ -3,6 +3,7 @@
 #include "cslfViewpointSource.h"
 
 #include "Pipeline/cslfArrayLayout.h"
+#include "Pipeline/cslfMissingViewpoints.h"
 #include "vtkCSLFDecoder.h"
 
 #include <vtkIdTypeArray.h>
@@ -10,6 +11,7 @@
 #include <vtkNew.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace cslf
 {
@@ -19,7 +21,7 @@ class ImageSource : public ViewpointSource
 {
 public:
   ImageSource(const Description& field, vtkImageData* image)
-    : ViewpointSource(field)
+    : ViewpointSource(field, cslf::GetMissing(image, field.Grid.GetSlices()))
     , Whole(ToAOS(image, image->GetExtent()[4], image->GetExtent()[5]))
   {
   }
@@ -40,11 +42,18 @@ private:
   const ViewpointSamples Whole;
 };
 
+std::vector<int> FindUnwritten(vtkCSLFDecoder* decoder)
+{
+  vtkNew<vtkIdTypeArray> viewpoints;
+  decoder->GetUnwrittenViewpoints(viewpoints);
+  return { viewpoints->GetPointer(0), viewpoints->GetPointer(viewpoints->GetNumberOfValues()) };
+}
+
 class DecoderSource : public ViewpointSource
 {
 public:
   DecoderSource(const Description& field, vtkCSLFDecoder* decoder)
-    : ViewpointSource(field)
+    : ViewpointSource(field, FindUnwritten(decoder))
     , Decoder(decoder)
     , Ranks(field.Grid.GetSlices())
   {
@@ -90,8 +99,9 @@ private:
 };
 }
 
-ViewpointSource::ViewpointSource(const Description& field)
+ViewpointSource::ViewpointSource(const Description& field, std::vector<int> missing)
   : Field(field)
+  , Missing(std::move(missing))
 {
 }
 

@@ -25,6 +25,9 @@ public:
 
   const Description& GetDescription() const { return this->Field; }
 
+  /// The viewpoints that are known to be missing, ascending. Not even their absence is reported.
+  const std::vector<int>& GetMissing() const { return this->Missing; }
+
   /// Prepares viewpoints in the background, in this order. This replaces an earlier request.
   virtual void Prefetch(const std::vector<int>& slices) = 0;
 
@@ -41,10 +44,11 @@ public:
   virtual void Sort(std::vector<int>& slices) = 0;
 
 protected:
-  explicit ViewpointSource(const Description& field);
+  ViewpointSource(const Description& field, std::vector<int> missing);
 
 private:
   Description Field;
+  std::vector<int> Missing;
 };
 
 /// A whole field in memory.

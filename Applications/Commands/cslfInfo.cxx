@@ -40,8 +40,9 @@ Result Run(const std::string& fileName)
   Result result;
   result.JSON = Summarize(file.Field);
   result.JSON["codec"] = GetCodecName(file);
-  result.JSON["bytes"] = CountBytes(fileName);
+  result.JSON["bytes"] = CountBytes(file.FileName);
   result.JSON["missing"] = CountMissing(file);
+  result.JSON["unfinished"] = IsUnfinished(file);
   result.JSON["parts"] = ListParts(file);
 
   const nlohmann::json& json = result.JSON;
@@ -65,7 +66,9 @@ Result Run(const std::string& fileName)
   }
   table.AddRow({ "codec", json["codec"].get<std::string>() });
   table.AddRow({ "bytes", json["bytes"].dump() });
-  table.AddRow({ "missing", json["missing"].dump() + " viewpoints" });
+  table.AddRow({ "missing",
+    json["missing"].dump() + " viewpoints" +
+      (json["unfinished"].get<bool>() ? ", the field is unfinished" : "") });
   for (const auto& part : json["parts"])
   {
     table.AddRow({ "part",
@@ -83,7 +86,8 @@ void AddInfo(CLI::App& app, Command& chosen)
   command->footer(
     "JSON keys: views (M, along each side of a face), slices (6 M^2), resolution (N), center, edge "
     "(one number, or three if they differ), channels, sampling, codec, bytes, missing (viewpoints "
-    "that cannot be read), parts (additional parts of a video: type, name, bytes).");
+    "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
+    "parts (additional parts of a video: type, name, bytes).");
   const auto fileName = std::make_shared<std::string>();
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
     ->required();

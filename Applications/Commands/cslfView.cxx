@@ -4,6 +4,7 @@
 // cslf view: shows a light field in an interactive window.
 #include "Console/cslfMessages.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Fields/cslfUnfinishedFields.h"
 #include "Options/cslfCameraOptions.h"
 #include "Options/cslfNumberChecks.h"
 #include "Options/cslfToneOptions.h"
@@ -11,6 +12,8 @@
 #include "Scenes/cslfSceneFiles.h"
 #include "Viewer/cslfViewer.h"
 #include "cslfCommands.h"
+
+#include "vtkCSLFDecoder.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
@@ -77,12 +80,13 @@ struct Session
   vtkFieldStyle* Style;
   int TruthSamples;
   double Seconds; ///< until the window closes, unless 0
+  UnfinishedField Field;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
 void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
 {
-  const auto* session = static_cast<const Session*>(client);
+  auto* session = static_cast<Session*>(client);
   const std::chrono::duration<double> age = std::chrono::steady_clock::now() - session->Start;
   if (session->Seconds > 0.0 && age.count() > session->Seconds)
   {
@@ -90,7 +94,7 @@ void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
   }
   else if (session->Style->GetState() == VTKIS_NONE)
   {
-    const bool isMissing = !session->Shown.IsComplete();
+    const bool isMissing = session->Field.Update() || !session->Shown.IsComplete();
     if (session->Shown.Refine(session->TruthSamples) || isMissing)
     {
       session->Shown.Render();
@@ -98,7 +102,7 @@ void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
   }
 }
 
-void Interact(Viewer& viewer, const Options& options)
+void Interact(Viewer& viewer, const Options& options, const FieldFile& file)
 {
   vtkNew<vtkFieldStyle> style;
   style->Shown = &viewer;
@@ -106,7 +110,8 @@ void Interact(Viewer& viewer, const Options& options)
   interactor->SetRenderWindow(viewer.GetWindow());
   interactor->SetInteractorStyle(style);
   interactor->Initialize();
-  Session session{ viewer, style, options.TruthSamples, options.Seconds };
+  Session session{ viewer, style, options.TruthSamples, options.Seconds,
+    { options.Field, vtkCSLFDecoder::SafeDownCast(file.Reader) } };
   vtkNew<vtkCallbackCommand> timer;
   timer->SetCallback(OnTimer);
   timer->SetClientData(&session);
@@ -170,7 +175,7 @@ Result Run(const Options& options)
   if (options.Screenshot.empty())
   {
     viewer.SetStreaming(true);
-    Interact(viewer, options);
+    Interact(viewer, options, file);
   }
   else
   {
@@ -192,9 +197,13 @@ void AddView(CLI::App& app, Command& chosen)
   CLI::App* command = app.add_subcommand("view", "View a light field in an interactive window");
   command->footer("Keys and mouse:\n" + Viewer::GetHelp() +
     "\n\nSpecify the scene, light and material that the field was sampled with to show the "
-    "path-traced scene beside the lookups (key t) and their PSNR against it.");
+    "path-traced scene beside the lookups (key t) and their PSNR against it.\n\nA video that is "
+    "still being written is shown as soon as its coarsest grid is there, and refines as more of it "
+    "is.");
   const auto options = std::make_shared<Options>();
-  command->add_option("field", options->Field, std::string("the light field: ") + FieldFormats)
+  command
+    ->add_option("field", options->Field,
+      std::string("the light field, also while it is being written: ") + FieldFormats)
     ->required();
   options->Scene.AddOptionalTo(*command);
   command->add_option("--lookup", options->Lookup, "the initial lookup")

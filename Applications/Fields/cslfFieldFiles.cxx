@@ -8,6 +8,7 @@
 #include "Files/cslfFileSystem.h"
 #include "Options/cslfTableOptions.h"
 #include "Scenes/cslfSceneChecks.h"
+#include "cslfUnfinishedFields.h"
 
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFImageReader.h"
@@ -211,14 +212,16 @@ bool IsVideo(const std::string& fileName)
   return FindFormat(fileName) == FieldFormat::Video;
 }
 
-FieldFile OpenField(const std::string& fileName)
+FieldFile OpenField(const std::string& name)
 {
+  const std::string fileName = LocateField(name);
   // A pipe would block, and cannot be read twice.
   std::error_code failure;
   const fs::file_status status = fs::status(ToPath(fileName), failure);
   if (!fs::is_regular_file(status) && !fs::is_directory(status))
   {
-    throw Failure("There is no file or folder " + fileName + ".");
+    throw Failure("There is no file or folder " + fileName +
+      (IsBeingWritten(fileName) ? ": it is unfinished, and there is no preview yet." : "."));
   }
   const auto format = FindFormat(fileName);
   if (!format)
@@ -226,6 +229,7 @@ FieldFile OpenField(const std::string& fileName)
     throw Failure(fileName + " is not a light field: the formats are " + FieldFormats + ".");
   }
   FieldFile file;
+  file.FileName = fileName;
   file.Format = *format;
   file.Reader = MakeReader(*format, fileName);
   file.Reader->UpdateInformation();
@@ -253,7 +257,8 @@ void FieldInput::AddTo(CLI::App& command, const std::string& name)
 void AddAllowMissing(CLI::App& command, bool& isAllowed)
 {
   command.add_flag("--allow-missing", isAllowed,
-    "continue with a warning if viewpoints are missing from a damaged file; otherwise nothing is "
+    "continue with a warning if viewpoints are missing from a damaged or unfinished file; "
+    "otherwise nothing is "
     "written, and the exit code is 2");
 }
 
@@ -267,7 +272,8 @@ FieldFile OpenField(const FieldInput& input)
     const int slices = file.Field.Grid.GetSlices();
     if (missing > 0 && missing < slices)
     {
-      throw MissingViewpoints(input.FileName + " is damaged: " + std::to_string(missing) + " of " +
+      throw MissingViewpoints(input.FileName + " is " +
+        (IsUnfinished(file) ? "unfinished" : "damaged") + ": " + std::to_string(missing) + " of " +
         std::to_string(slices) +
         " viewpoints are missing (all commands except benchmark continue without them if "
         "--allow-missing is given).");
@@ -293,6 +299,12 @@ void ReadToDraw(const FieldFile& file)
     file.Reader->UpdateWholeExtent();
     ThrowOnError();
   }
+}
+
+bool IsUnfinished(const FieldFile& file)
+{
+  const auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader);
+  return decoder && decoder->IsUnfinished();
 }
 
 int CountMissing(const FieldFile& file)

@@ -48,13 +48,14 @@ constexpr const char* NoEncoder =
 /// A field's file, open for reading. Port 0 of the reader delivers the field.
 struct FieldFile
 {
+  std::string FileName; ///< where it is, see LocateField
   FieldFormat Format = FieldFormat::Folder;
   vtkSmartPointer<vtkAlgorithm> Reader;
   Description Field;
 };
 
-/// A field that a command reads. All commands have the same rule for damaged files: fields with
-/// missing viewpoints are read only if the user allows it.
+/// A field that a command reads. All commands but view have the same rule for damaged files: fields
+/// with missing viewpoints are read only if the user allows it.
 struct FieldInput
 {
   std::string FileName;
@@ -74,8 +75,9 @@ FieldFormat GetFormat(const std::string& fileName);
 /// Whether a field with that file name is a video.
 bool IsVideo(const std::string& fileName);
 
-/// Opens a field and reads only its header. Throws a Failure if it is missing or not a light field.
-FieldFile OpenField(const std::string& fileName);
+/// Opens a field, or the preview of an unfinished one, and reads only its header. Throws a Failure
+/// if it is missing or not a light field.
+FieldFile OpenField(const std::string& name);
 
 /// Opens a field and checks, without decoding it, that all its viewpoints exist. If not, throws a
 /// MissingViewpoints, unless this is allowed.
@@ -84,6 +86,9 @@ FieldFile OpenField(const FieldInput& input);
 /// Reads a field for vtkCSLFMapper. Videos are not decoded, because the mapper requests viewpoints
 /// from their decoder. Throws a Failure.
 void ReadToDraw(const FieldFile& file);
+
+/// Whether the file is the preview of a field that is still being written.
+bool IsUnfinished(const FieldFile& file);
 
 /// Checks the whole file for missing viewpoints, without decoding it.
 int CountMissing(const FieldFile& file);

@@ -8,6 +8,7 @@
 #include "cslfScenery.h"
 #include "cslfViewerPane.h"
 
+#include "vtkCSLFDecoder.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFToneMapping.h"
 
@@ -90,6 +91,7 @@ std::string Viewer::GetHelp()
 Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   std::unique_ptr<RefiningTruth> truth)
   : Field(file.Field)
+  , Decoder(vtkCSLFDecoder::SafeDownCast(file.Reader))
   , Camera(camera)
   , Outline(MakeOutline(file.Field.Box))
   , Axes(MakeAxes(file.Field.Box))

@@ -22,6 +22,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkCSLFDecoder;
 class vtkCSLFMapper;
 class vtkCSLFToneMapping;
 class vtkCamera;
@@ -99,6 +100,7 @@ private:
   static void CountFrame(vtkObject*, unsigned long, void* client, void*);
 
   Description Field;
+  vtkSmartPointer<vtkCSLFDecoder> Decoder; ///< null if the field is not a video
   vtkSmartPointer<vtkCamera> Camera;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Overlay;

@@ -7,6 +7,7 @@
 #include "Measurements/cslfNovelViews.h"
 #include "cslfViewerPane.h"
 
+#include "vtkCSLFDecoder.h"
 #include "vtkCSLFImageQuality.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFToneMapping.h"
@@ -14,6 +15,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkImageStencilData.h>
 #include <vtkPointData.h>
@@ -63,6 +65,13 @@ void Viewer::ShowState()
   const std::string m = std::to_string(grid.GetViewpoints());
   const std::string n = std::to_string(grid.GetResolution());
   std::string text = "6 x " + m + " x " + m + " viewpoints of " + n + " x " + n + " texels";
+  if (this->Decoder && this->Decoder->IsUnfinished())
+  {
+    vtkNew<vtkIdTypeArray> unwritten;
+    this->Decoder->GetUnwrittenViewpoints(unwritten);
+    text += "\n" + std::to_string(grid.GetSlices() - unwritten->GetNumberOfValues()) + " of " +
+      std::to_string(grid.GetSlices()) + " viewpoints so far";
+  }
   if (this->GetTextureBytes() > 0)
   {
     text += "\n" + Format(static_cast<double>(this->GetTextureBytes()) / (1 << 20), 1) +

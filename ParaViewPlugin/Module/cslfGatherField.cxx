@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGatherField.h"
 
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkMultiProcessController.h>
 #include <vtkNew.h>
@@ -16,6 +18,29 @@ namespace
 {
 constexpr int SizeTag = 5170;
 constexpr int PartTag = 5171;
+
+/// The array of the viewpoints that a reader has left empty, see vtkCSLFDecoder.
+constexpr const char* MissingName = "MissingViewpoints";
+
+/// Lists the missing viewpoints of all parts.
+void JoinMissing(const std::vector<vtkSmartPointer<vtkImageData>>& parts, vtkImageData* whole)
+{
+  vtkNew<vtkIdTypeArray> missing;
+  missing->SetName(MissingName);
+  for (vtkImageData* part : parts)
+  {
+    vtkDataArray* array = part->GetFieldData()->GetArray(MissingName);
+    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
+    {
+      missing->InsertNextValue(static_cast<vtkIdType>(array->GetTuple1(k)));
+    }
+  }
+  whole->GetFieldData()->RemoveArray(MissingName);
+  if (missing->GetNumberOfValues() > 0)
+  {
+    whole->GetFieldData()->AddArray(missing);
+  }
+}
 
 /// An image of the slices of all parts, without values yet.
 vtkSmartPointer<vtkImageData> MakeWhole(const std::vector<vtkSmartPointer<vtkImageData>>& parts)
@@ -79,6 +104,7 @@ vtkSmartPointer<vtkImageData> GatherField(vtkImageData* part, vtkMultiProcessCon
     return nullptr;
   }
   vtkSmartPointer<vtkImageData> whole = MakeWhole(parts);
+  JoinMissing(parts, whole);
   for (vtkImageData* source : parts)
   {
     const vtkIdType slice = vtkIdType(whole->GetDimensions()[0]) * whole->GetDimensions()[1];

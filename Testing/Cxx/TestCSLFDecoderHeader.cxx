@@ -134,7 +134,6 @@ struct Reading
     this->Decoder->Update();
     CSLF_CHECK(!observer->GetError());
     CSLF_CHECK(this->Decoder->GetOutput()->GetNumberOfPoints() == 24 * 5 * 16 * 16);
-    CSLF_CHECK(this->Decoder->GetNumberOfMissingViewpoints() == 0);
     this->Warning = observer->GetWarningMessage();
   }
 
@@ -155,6 +154,7 @@ bool AreEqual(vtkDataArray* a, vtkDataArray* b)
 
 void CheckWhole(const Reading& reading)
 {
+  CSLF_CHECK(reading.Decoder->GetNumberOfMissingViewpoints() == 0);
   const Reading original(Original);
   for (const char* name : { cslf::ColorName, cslf::DepthName })
   {
@@ -297,6 +297,27 @@ void TestUnknown(const std::string& folder)
   CSLF_CHECK(other.Decoder->GetNumberOfTracks() == 1);
 }
 
+/// Unfinished files: what they lack is known from the header.
+void TestMissing(const std::string& folder)
+{
+  using JSON = nlohmann::json;
+  const auto lack = [](const JSON& missing)
+  { return ChangeTags([missing](JSON& json) { json["coding"]["missing_groups"] = missing; }); };
+  const Reading part(folder + "/part.mp4", lack({ { 1, 1 } }));
+  CSLF_CHECK(part.Says("is unfinished"));
+  CSLF_CHECK(part.Decoder->IsUnfinished());
+  CSLF_CHECK(part.Decoder->GetNumberOfMissingViewpoints() > 0);
+  const Reading whole(folder + "/part.mp4", lack(JSON::array()));
+  CSLF_CHECK(whole.Warning.empty() && !whole.Decoder->IsUnfinished());
+  CheckWhole(whole);
+  for (const JSON& missing : { JSON({ { 0, 2147483647 } }), JSON({ { -1, 2 } }), JSON({ { 0, 0 } }),
+         JSON({ { 2147483647, 1 } }), JSON({ { 1, 1 }, { 0, 1 } }), JSON({ { 1, 1 }, { 1, 1 } }),
+         JSON({ { 0, -1 } }), JSON({ { 0 } }), JSON({ 0, 1 }), JSON({ { 0.5, 1 } }), JSON(1) })
+  {
+    CheckRefused(folder, lack(missing), "");
+  }
+}
+
 void TestParts(const std::string& folder)
 {
   cslf::testing::Tags tags = MakeTags();
@@ -392,6 +413,7 @@ int TestCSLFDecoderHeader(int argc, char* argv[])
   TestCopies(folder);
   TestVersions(folder);
   TestUnknown(folder);
+  TestMissing(folder);
   TestParts(folder);
   TestConstants(folder);
   TestOddSize(folder);

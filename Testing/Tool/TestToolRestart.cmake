@@ -15,29 +15,7 @@ if (NOT result STREQUAL "0")
 endif ()
 message("${output}")
 
-# Starts a run and kills it as soon as a file of that name is among its parts. Tries again if that
-# was too late.
-function (cslf_kill_at name file)
-  execute_process(
-    COMMAND bash -c "
-      for attempt in 1 2 3 4 5; do
-        rm -f ${file}
-        '${CSLF}' \"$@\" -o ${file} > log.txt 2>&1 &
-        while kill -0 $! && ! [ -e ${file}.partial/${name} ]; do sleep 0.01; done
-        kill -KILL $!
-        wait $!
-        if [ -e ${file}.partial/${name} ] && ! [ -e ${file} ]; then exit 0; fi
-      done
-      exit 1" bash ${ARGN}
-    WORKING_DIRECTORY "${DIRECTORY}"
-    RESULT_VARIABLE result
-    ERROR_QUIET)
-  if (NOT result STREQUAL "0")
-    message(FATAL_ERROR "cslf ${ARGN} was not killed in the middle of its work.")
-  endif ()
-endfunction ()
-
-# The same as soon as some of its parts are complete.
+# Starts a run and kills it as soon as some of its parts are complete.
 function (cslf_kill file)
   cslf_kill_at(group-3-color.part ${file} ${ARGN})
 endfunction ()

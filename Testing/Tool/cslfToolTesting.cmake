@@ -67,3 +67,25 @@ function (expect_json_at_least least)
     message(FATAL_ERROR "${ARGN} is ${actual}, below ${least}:\n${output}")
   endif ()
 endfunction ()
+
+# Starts a run and kills it as soon as a file of that name is among its parts. Tries again if that
+# was too late.
+function (cslf_kill_at name file)
+  execute_process(
+    COMMAND bash -c "
+      for attempt in 1 2 3 4 5; do
+        rm -f ${file}
+        '${CSLF}' \"$@\" -o ${file} > log.txt 2>&1 &
+        while kill -0 $! && ! [ -e ${file}.partial/${name} ]; do sleep 0.01; done
+        kill -KILL $!
+        wait $!
+        if [ -e ${file}.partial/${name} ] && ! [ -e ${file} ]; then exit 0; fi
+      done
+      exit 1" bash ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    ERROR_QUIET)
+  if (NOT result STREQUAL "0")
+    message(FATAL_ERROR "cslf ${ARGN} was not killed in the middle of its work.")
+  endif ()
+endfunction ()

@@ -24,6 +24,8 @@ using JSON = nlohmann::json;
 
 constexpr const char* CodingKey = "coding";
 constexpr const char* PartsKey = "parts";
+/// The key of the groups that an unfinished file does not contain yet.
+constexpr const char* MissingKey = "missing_groups";
 
 ///@{
 /// The keys of the sample encoding of tracks of float colour and depth, and of the curves'
@@ -228,6 +230,43 @@ std::vector<int> ToGroups(const JSON& json, std::size_t count)
   return groups;
 }
 
+/// Ascending numbers as [first, how many] pairs.
+JSON MissingToJSON(const std::vector<int>& numbers)
+{
+  JSON json = JSON::array();
+  for (int number : numbers)
+  {
+    if (!json.empty() && json.back()[0].get<int>() + json.back()[1].get<int>() == number)
+    {
+      json.back()[1] = json.back()[1].get<int>() + 1;
+    }
+    else
+    {
+      json.push_back({ number, 1 });
+    }
+  }
+  return json;
+}
+
+/// The numbers are below `count`.
+std::vector<int> ToMissing(const JSON& json, int count)
+{
+  std::vector<int> numbers;
+  for (const JSON& item : RequireArray(json))
+  {
+    const int first = ToInteger(item.at(0));
+    const int length = ToInteger(item.at(1));
+    const int least = numbers.empty() ? 0 : numbers.back() + 1;
+    if (first < least || first >= count || length < 1 || length > count - first)
+    {
+      throw std::invalid_argument("its missing groups are not valid");
+    }
+    numbers.resize(numbers.size() + length);
+    std::iota(numbers.end() - length, numbers.end(), first);
+  }
+  return numbers;
+}
+
 std::vector<int> ToSlices(const JSON& json, int count)
 {
   std::vector<SliceRun> runs;
@@ -293,6 +332,10 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   {
     throw std::invalid_argument("its groups do not match the number of its viewpoints");
   }
+  if (coding.contains(MissingKey))
+  {
+    header.Missing = ToMissing(coding.at(MissingKey), static_cast<int>(groups));
+  }
   header.Slices = ToSlices(coding.at("order"), slices);
   if (header.Slices.empty())
   {
@@ -351,6 +394,19 @@ std::vector<int> FileHeader::GetGroupStarts() const
   return starts;
 }
 
+std::vector<int> FileHeader::GetMissingSlices() const
+{
+  const std::vector<int> starts = this->GetGroupStarts();
+  std::vector<int> slices;
+  for (int group : this->Missing)
+  {
+    const auto begin = this->Slices.begin();
+    slices.insert(slices.end(), begin + starts[group], begin + starts[group + 1]);
+  }
+  std::sort(slices.begin(), slices.end());
+  return slices;
+}
+
 const Track* FileHeader::FindTrack(TrackRole role) const
 {
   const auto found = std::find_if(this->Tracks.begin(), this->Tracks.end(),
@@ -373,6 +429,10 @@ HeaderTags FileHeader::ToTags() const
   JSON json = this->Field.ToJSON();
   json[CodingKey] = { { "frame_rate", FrameRate }, { "tracks", tracks }, { "order", order },
     { "coarsest", this->Coarsest }, { "groups", GroupsToJSON(this->Groups) } };
+  if (!this->Missing.empty())
+  {
+    json[CodingKey][MissingKey] = MissingToJSON(this->Missing);
+  }
   HeaderTags tags;
   if (!this->Parts.empty())
   {

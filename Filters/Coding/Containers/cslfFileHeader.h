@@ -41,14 +41,18 @@ struct FileHeader
   std::vector<CodedTrack> Tracks;   ///< of the roles that this version knows
   std::vector<CodedStream> Streams; ///< of a file that was read, in the container's order
   std::vector<int> Slices;          ///< the slice of each frame
-  int Coarsest = 0;        ///< how many of the first frames belong to the coarsest nested grid
-  std::vector<int> Groups; ///< the number of frames of each group
+  int Coarsest = 0;         ///< how many of the first frames belong to the coarsest nested grid
+  std::vector<int> Groups;  ///< the number of frames of each group
+  std::vector<int> Missing; ///< the groups that an unfinished file does not contain yet, ascending
   std::vector<FilePart> Parts;
   /// Warnings about a file that was read, each in a part of a sentence.
   std::vector<std::string> Warnings;
 
   /// The first frame of each group, and one more: the number of frames.
   std::vector<int> GetGroupStarts() const;
+
+  /// The slices of the missing groups, ascending.
+  std::vector<int> GetMissingSlices() const;
 
   /// The track of that role, or null.
   const Track* FindTrack(TrackRole role) const;

@@ -16,6 +16,10 @@ GroupDecoder::GroupDecoder(std::unique_ptr<ContainerReader> container)
   , Idle(this->GetHeader().Tracks.size())
   , Conditions(this->GetHeader().Groups.size(), Condition::Unknown)
 {
+  for (int group : this->GetHeader().Missing)
+  {
+    this->Conditions[group] = Condition::Missing;
+  }
 }
 
 std::vector<int> GroupDecoder::GetSlices(int group) const
@@ -45,7 +49,8 @@ bool GroupDecoder::Check(int group)
 
 std::unique_ptr<const GroupPackets> GroupDecoder::Load(int group)
 {
-  if (this->GetCondition(group) == Condition::Damaged)
+  const Condition condition = this->GetCondition(group);
+  if (condition == Condition::Missing || condition == Condition::Damaged)
   {
     return nullptr;
   }

@@ -41,7 +41,7 @@ public:
   /// Whether a group is undamaged, by its checksums. Reads the group unless this is known already.
   bool Check(int group);
 
-  /// Reads a group's packets. Null if the checksums are wrong or the group is known to be damaged.
+  /// Reads a group's packets. Null if the group is missing or damaged.
   /// Called before memory is allocated for what a file claims to contain.
   std::unique_ptr<const GroupPackets> Load(int group);
 
@@ -72,6 +72,7 @@ private:
   enum class Condition
   {
     Unknown,
+    Missing, ///< from an unfinished file
     Whole,
     Damaged
   };

@@ -26,6 +26,9 @@ constexpr double SlabBytes = 512.0 * 1024 * 1024;
 /// Groups coded at once, for each thread. Each has several tracks, which keeps all threads busy.
 constexpr int GroupsPerThread = 2;
 
+/// Previews take at most one in this many seconds.
+constexpr int SecondsPerPreviewSecond = 50;
+
 /// The share of the progress for joining the parts.
 constexpr double JoinShare = 0.05;
 }
@@ -480,7 +483,27 @@ bool EncodeSession::Take(ByteBuffer& results)
   {
     return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
   }
+  this->WritePreview();
   return this->ReportProgress();
+}
+
+// The file does not depend on it, so it is only a warning if this fails.
+void EncodeSession::WritePreview()
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  if (!this->CanShow || start < this->NextPreview || !this->Writer->CanPreview())
+  {
+    return;
+  }
+  std::string error;
+  if (!this->Writer->WritePreview(error))
+  {
+    this->CanShow = false;
+    this->Job.Warn("No preview of " + this->Job.FileName + " is shown any more: " + error + ".");
+  }
+  const Clock::time_point end = Clock::now();
+  this->NextPreview = end + SecondsPerPreviewSecond * (end - start);
 }
 
 bool EncodeSession::TakeTrial(int group, ByteBuffer& results)

@@ -14,6 +14,7 @@
 #include "cslfGroupCache.h"
 #include "cslfSlicePuller.h"
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -114,6 +115,7 @@ private:
   bool Take(ByteBuffer& results);
   bool TakeTrial(int group, ByteBuffer& results);
   bool TakeGroup(int group, ByteBuffer& results);
+  void WritePreview();
   bool ReportProgress();
 
   EncodeJob Job;
@@ -128,6 +130,8 @@ private:
   KeyViewChoice Choice;
   bool Written = false;
   bool HasCheckedRoom = false;
+  bool CanShow = true;                               ///< no preview has failed
+  std::chrono::steady_clock::time_point NextPreview; ///< when it may be written
 };
 }
 

@@ -114,6 +114,7 @@ RateField FieldWriter::GetRateField() const
 double FieldWriter::GetContainerBytes(bool hasCoverage) const
 {
   FileHeader header = this->Header;
+  header.Missing.clear();
   if (!hasCoverage)
   {
     header.Tracks.erase(header.Tracks.begin() + 1);
@@ -145,14 +146,14 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
   }
   this->HasParts = true;
   int damaged = 0;
-  this->Missing.clear();
+  this->Header.Missing.clear();
   for (int group = 0; group < this->GetGroupCount(); ++group)
   {
     const Found found = this->FindGroup(group);
     damaged += found == Found::Damaged ? 1 : 0;
     if (found != Found::Whole)
     {
-      this->Missing.push_back(group);
+      this->Header.Missing.push_back(group);
     }
   }
   if (discarded)
@@ -170,7 +171,7 @@ bool FieldWriter::OpenParts(bool restart, std::string& warning, std::string& err
 
 bool FieldWriter::IsMissing(int group) const
 {
-  return std::binary_search(this->Missing.begin(), this->Missing.end(), group);
+  return std::binary_search(this->Header.Missing.begin(), this->Header.Missing.end(), group);
 }
 
 FieldWriter::Found FieldWriter::FindGroup(int group)
@@ -240,7 +241,8 @@ bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& er
     }
   }
   this->Costs[group] = this->GetCost(parts);
-  this->Missing.erase(std::find(this->Missing.begin(), this->Missing.end(), group));
+  this->Header.Missing.erase(
+    std::find(this->Header.Missing.begin(), this->Header.Missing.end(), group));
   return true;
 }
 
@@ -321,27 +323,56 @@ double FieldWriter::GetWantedBytes() const
   }
 }
 
-bool FieldWriter::HasRoom(std::string& error) const
+/// The bytes of the groups that are not stored yet.
+double FieldWriter::GetMissingBytes() const
 {
+  const double wanted = this->GetWantedBytes();
   const double stored = this->GetStoredBytes();
+  if (wanted > 0.0)
+  {
+    return std::max(0.0, wanted - stored);
+  }
   double frames = 0.0;
   double missing = 0.0;
   for (int group = 0; group < this->GetGroupCount(); ++group)
   {
     (this->IsMissing(group) ? missing : frames) += this->GetFrames(group);
   }
-  const double wanted = this->GetWantedBytes();
-  const double rest = wanted > 0.0 ? std::max(0.0, wanted - stored)
-                                   : (frames > 0.0 ? stored / frames * missing : 0.0);
+  return frames > 0.0 ? stored / frames * missing : 0.0;
+}
+
+bool FieldWriter::HasRoom(std::string& error) const
+{
+  const double stored = this->GetStoredBytes();
+  const double rest = this->GetMissingBytes();
   // The remaining data is written twice: as parts, and in the file that joins all parts.
   const double needed = stored + 2.0 * rest;
-  const bool isGuessed = wanted <= 0.0;
+  const bool isGuessed = this->GetWantedBytes() <= 0.0;
   return cslf::HasRoom(this->Parts.GetFolder(), needed, isGuessed ? stored + rest : needed, error);
+}
+
+bool FieldWriter::CanPreview() const
+{
+  const std::vector<int> starts = this->Header.GetGroupStarts();
+  const double stored = this->GetStoredBytes();
+  // Besides what HasRoom says, for the preview that is written.
+  const double needed = 2.0 * (stored + this->GetMissingBytes());
+  std::string ignored;
+  return !this->Header.Missing.empty() &&
+    starts[this->Header.Missing.front()] >= this->Header.Coarsest &&
+    cslf::HasRoom(this->Parts.GetFolder(), needed, needed, ignored);
+}
+
+bool FieldWriter::WritePreview(std::string& error)
+{
+  const auto always = [](double) { return true; };
+  return this->Join(this->Parts.GetUnfinishedPreview(), always, error) &&
+    this->Parts.PublishPreview(error);
 }
 
 int FieldWriter::CountStored() const
 {
-  return this->HasParts ? this->GetGroupCount() - static_cast<int>(this->Missing.size()) : 0;
+  return this->HasParts ? this->GetGroupCount() - static_cast<int>(this->Header.Missing.size()) : 0;
 }
 
 std::string FieldWriter::DescribeKept(int stored) const
@@ -355,14 +386,18 @@ bool FieldWriter::Finish(
   const std::function<bool(double)>& progress, std::string& warning, std::string& error)
 {
   this->DropFullCoverage();
-  return this->HasRoom(error) && this->Join(progress, error) && this->Parts.Publish(warning, error);
+  this->Parts.DropPreview();
+  return this->HasRoom(error) && this->Join(this->Parts.GetWholeName(), progress, error) &&
+    this->Parts.Publish(warning, error);
 }
 
-bool FieldWriter::Join(const std::function<bool(double)>& progress, std::string& error)
+/// Joins the stored groups.
+bool FieldWriter::Join(
+  const std::string& fileName, const std::function<bool(double)>& progress, std::string& error)
 {
   ContainerWriter container;
   const int resolution = this->Header.Field.Grid.GetResolution();
-  bool good = container.Open(this->Parts.GetWholeName(), this->Header.ToTags(), error);
+  bool good = container.Open(fileName, this->Header.ToTags(), error);
   for (std::size_t track = 0; track < this->States.size(); ++track)
   {
     good = good &&
@@ -373,10 +408,11 @@ bool FieldWriter::Join(const std::function<bool(double)>& progress, std::string&
   const std::vector<int> starts = this->Header.GetGroupStarts();
   for (std::size_t group = 0; good && group < this->Header.Groups.size(); ++group)
   {
-    for (std::size_t track = 0; good && track < this->States.size(); ++track)
+    const int number = static_cast<int>(group);
+    const std::size_t tracks = this->IsMissing(number) ? 0 : this->States.size();
+    for (std::size_t track = 0; good && track < tracks; ++track)
     {
       CodedGroup part;
-      const int number = static_cast<int>(group);
       good = this->Parts.Read(this->Header.Tracks[track].Kind.Role, number, part, error) &&
         container.Write(track, starts[group], this->Delay, part, error);
     }

@@ -77,7 +77,7 @@ public:
   bool OpenParts(bool restart, std::string& warning, std::string& error);
 
   /// The groups that are not stored yet, in coding order.
-  const std::vector<int>& GetMissingGroups() const { return this->Missing; }
+  const std::vector<int>& GetMissingGroups() const { return this->Header.Missing; }
   bool IsMissing(int group) const;
 
   /// The number of stored groups: 0 before OpenParts, and on ranks that do not write the file.
@@ -107,6 +107,14 @@ public:
   /// the stored groups. Half of an estimate by these is enough. If not, says how much is missing.
   bool HasRoom(std::string& error) const;
 
+  /// Whether a preview can be written: not all groups are stored, but the coarsest grid is, and the
+  /// disk has space for it besides all that is needed.
+  bool CanPreview() const;
+
+  /// Joins the stored groups to a file in the folder of parts, which replaces an earlier one. On
+  /// failure returns false and gives the reason.
+  bool WritePreview(std::string& error);
+
   /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop. A
   /// warning says what was left beside the file.
   bool Finish(
@@ -134,9 +142,11 @@ private:
   };
 
   std::string MakeManifest(std::uint32_t sample) const;
-  bool Join(const std::function<bool(double)>& progress, std::string& error);
+  bool Join(
+    const std::string& fileName, const std::function<bool(double)>& progress, std::string& error);
   double GetStoredBytes() const;
   double GetWantedBytes() const;
+  double GetMissingBytes() const;
   Found FindGroup(int group);
   bool Note(std::size_t track, int group, const CodedGroup& part, std::string& error);
   void DropFullCoverage();
@@ -151,7 +161,6 @@ private:
   std::string Manifest;
   std::uint32_t ManifestNumber = 0;
   bool HasParts = false;
-  std::vector<int> Missing;
   std::vector<GroupCost> Costs; ///< of each group that is stored
 };
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPartStore.h"
 
+#include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfPart.h"
 
@@ -19,6 +20,7 @@ namespace
 constexpr const char* ManifestName = "manifest.json";
 constexpr const char* CacheName = "radiance.cache";
 constexpr const char* TrialsName = "trials.json";
+constexpr const char* PreviewStem = "preview";
 
 bool IsPart(const std::string& name)
 {
@@ -27,9 +29,15 @@ bool IsPart(const std::string& name)
   return std::regex_match(name, match, pattern) && RoleOfName(match[1]);
 }
 
+bool IsPreview(const std::string& name)
+{
+  return ToName(ToPath(name).stem()) == PreviewStem && FindContainer(name);
+}
+
 bool IsOurs(const std::string& name)
 {
-  return IsPart(name) || name == ManifestName || name == CacheName || name == TrialsName;
+  return IsPart(name) || IsPreview(name) || name == ManifestName || name == CacheName ||
+    name == TrialsName;
 }
 
 template <typename Bytes>
@@ -112,6 +120,7 @@ bool PartStore::Open(const std::string& manifest, bool keep, bool& discarded, st
     return true;
   }
   this->Work.Remove(TrialsName);
+  this->DropPreview();
   return this->Work.Write(ManifestName, manifest.data(), manifest.size(), error);
 }
 
@@ -168,6 +177,27 @@ std::string PartStore::ReadTrials() const
 void PartStore::DropTrials() const
 {
   this->Work.Remove(TrialsName);
+}
+
+std::string PartStore::GetPreviewName() const
+{
+  return PreviewStem + ToName(ToPath(this->Work.GetTarget()).extension());
+}
+
+std::string PartStore::GetUnfinishedPreview() const
+{
+  return this->Work.GetScratchName(this->GetPreviewName());
+}
+
+bool PartStore::PublishPreview(std::string& error) const
+{
+  const std::string name = this->GetPreviewName();
+  return Rename(this->Work.GetScratchName(name), this->Work.GetName(name), error);
+}
+
+void PartStore::DropPreview() const
+{
+  this->Work.Remove(this->GetPreviewName());
 }
 
 PersistentFile PartStore::GetCacheFile() const

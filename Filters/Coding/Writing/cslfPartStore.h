@@ -54,6 +54,14 @@ public:
   void DropTrials() const;
   ///@}
 
+  ///@{
+  /// A file of the parts so far, for viewers: the path where it is written, and two steps that make
+  /// it visible as `preview`, with the extension of the complete file, and remove it.
+  std::string GetUnfinishedPreview() const;
+  bool PublishPreview(std::string& error) const;
+  void DropPreview() const;
+  ///@}
+
   /// The path where data for a restart may be kept. It is removed with the folder.
   PersistentFile GetCacheFile() const;
 
@@ -69,6 +77,7 @@ public:
 private:
   static std::string GetPartName(TrackRole role, int group);
   bool DropOthers() const;
+  std::string GetPreviewName() const;
 
   WorkFolder Work;
   std::uint32_t Manifest = 0;
