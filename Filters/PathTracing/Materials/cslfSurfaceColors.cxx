@@ -78,26 +78,32 @@ bool SurfaceColors::CanMap(vtkDataArray* array) const
   return HoldsColors(array) || !table || HasColors(table);
 }
 
+vtkSmartPointer<vtkUnsignedCharArray> SurfaceColors::MapThroughTable(vtkDataArray* array)
+{
+  const std::lock_guard<std::mutex> lock(this->Mapping);
+  vtkScalarsToColors* table = this->FindTable(array);
+  if (!table)
+  {
+    if (!this->DefaultTable)
+    {
+      this->DefaultTable = vtkSmartPointer<vtkLookupTable>::New();
+      if (this->Range[0] <= this->Range[1])
+      {
+        this->DefaultTable->SetTableRange(this->Range);
+      }
+    }
+    table = this->DefaultTable;
+  }
+  table->Build();
+  return vtk::TakeSmartPointer(table->MapScalars(array, VTK_COLOR_MODE_MAP_SCALARS, -1));
+}
+
 MappedColors SurfaceColors::Map(vtkDataArray* array)
 {
   vtkSmartPointer<vtkUnsignedCharArray> colors = vtkUnsignedCharArray::SafeDownCast(array);
   if (!HoldsColors(array))
   {
-    vtkScalarsToColors* table = this->FindTable(array);
-    if (!table)
-    {
-      if (!this->DefaultTable)
-      {
-        this->DefaultTable = vtkSmartPointer<vtkLookupTable>::New();
-        if (this->Range[0] <= this->Range[1])
-        {
-          this->DefaultTable->SetTableRange(this->Range);
-        }
-      }
-      table = this->DefaultTable;
-    }
-    table->Build();
-    colors.TakeReference(table->MapScalars(array, VTK_COLOR_MODE_MAP_SCALARS, -1));
+    colors = this->MapThroughTable(array);
   }
 
   static const std::array<float, 256> linear = MakeLinearTable();

@@ -11,11 +11,13 @@
 
 #include <glm/vec3.hpp>
 
+#include <mutex>
 #include <vector>
 
 class vtkDataArray;
 class vtkLookupTable;
 class vtkScalarsToColors;
+class vtkUnsignedCharArray;
 
 namespace cslf
 {
@@ -42,16 +44,19 @@ public:
   bool CanMap(vtkDataArray* array) const;
 
   /// A colour for each tuple of an array that can be mapped. Unsigned chars of 3 or 4 components
-  /// are sRGB colours themselves; all other arrays are mapped.
+  /// are sRGB colours themselves; all other arrays are mapped. Threads may call it at once.
   MappedColors Map(vtkDataArray* array);
 
 private:
   /// Null for the default one.
   vtkScalarsToColors* FindTable(vtkDataArray* array) const;
 
+  vtkSmartPointer<vtkUnsignedCharArray> MapThroughTable(vtkDataArray* array);
+
   vtkScalarsToColors* LookupTable;
   vtkSmartPointer<vtkLookupTable> DefaultTable;
   double Range[2];
+  std::mutex Mapping; ///< tables do not allow several threads
 };
 }
 

@@ -20,6 +20,28 @@ namespace
 constexpr std::size_t LargestPiece = std::size_t(1) << 30;
 
 constexpr int DigitCount = 32;
+
+/// Arrays of at least this many bytes are hashed once.
+constexpr std::size_t LargeArray = std::size_t(1) << 16;
+
+std::size_t CountBytes(vtkDataArray* array)
+{
+  return static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize();
+}
+}
+
+const std::string& ArrayHashes::Find(vtkDataArray* array)
+{
+  const void* memory = array->GetVoidPointer(0);
+  const std::size_t bytes = CountBytes(array);
+  Entry& entry = this->Known[{ memory, bytes }];
+  if (!entry.Holder)
+  {
+    Fingerprint content;
+    content.AddBytes(memory, bytes);
+    entry = { array, content.Finish() };
+  }
+  return entry.Hash;
 }
 
 struct Fingerprint::State
@@ -46,7 +68,7 @@ void Fingerprint::AddBytes(const void* bytes, std::size_t count)
   }
 }
 
-void Fingerprint::AddArray(vtkAbstractArray* array)
+void Fingerprint::AddArray(vtkAbstractArray* array, ArrayHashes& hashes)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
   this->Add(std::vector<char>(name.begin(), name.end()));
@@ -54,9 +76,16 @@ void Fingerprint::AddArray(vtkAbstractArray* array)
     array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples() });
   if (auto* numbers = vtkDataArray::SafeDownCast(array))
   {
-    const std::size_t bytes =
-      static_cast<std::size_t>(numbers->GetNumberOfValues()) * numbers->GetDataTypeSize();
-    this->AddBytes(numbers->GetVoidPointer(0), bytes);
+    const std::size_t bytes = CountBytes(numbers);
+    if (bytes >= LargeArray)
+    {
+      const std::string& hash = hashes.Find(numbers);
+      this->Add(std::vector<char>(hash.begin(), hash.end()));
+    }
+    else
+    {
+      this->AddBytes(numbers->GetVoidPointer(0), bytes);
+    }
   }
   else if (auto* texts = vtkStringArray::SafeDownCast(array))
   {
@@ -68,11 +97,11 @@ void Fingerprint::AddArray(vtkAbstractArray* array)
   }
 }
 
-void Fingerprint::Add(vtkFieldData* fields)
+void Fingerprint::Add(vtkFieldData* fields, ArrayHashes& hashes)
 {
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
-    this->AddArray(fields->GetAbstractArray(i));
+    this->AddArray(fields->GetAbstractArray(i), hashes);
   }
 }
 

@@ -7,18 +7,39 @@
 #ifndef cslfFingerprint_h
 #define cslfFingerprint_h
 
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 class vtkAbstractArray;
+class vtkDataArray;
 class vtkFieldData;
 
 namespace cslf
 {
 struct LightSet;
 struct Mesh;
+
+/// The hashes of large arrays such as textures, whose memory many blocks share. It must not change.
+class ArrayHashes
+{
+public:
+  const std::string& Find(vtkDataArray* array);
+
+private:
+  struct Entry
+  {
+    vtkSmartPointer<vtkDataArray> Holder; ///< keeps the memory
+    std::string Hash;
+  };
+  std::map<std::pair<const void*, std::size_t>, Entry> Known; ///< by the memory and its size
+};
 
 /// Adds everything in order. Equal contents give equal text in every process.
 class Fingerprint
@@ -29,8 +50,8 @@ public:
   Fingerprint(const Fingerprint&) = delete;
   Fingerprint& operator=(const Fingerprint&) = delete;
 
-  /// All arrays.
-  void Add(vtkFieldData* fields);
+  /// All arrays. Large ones are added by their hashes.
+  void Add(vtkFieldData* fields, ArrayHashes& hashes);
 
   void Add(const Mesh& mesh);
   void Add(const LightSet& lights);
@@ -49,7 +70,9 @@ public:
   std::string Finish();
 
 private:
-  void AddArray(vtkAbstractArray* array);
+  friend class ArrayHashes;
+
+  void AddArray(vtkAbstractArray* array, ArrayHashes& hashes);
   void AddBytes(const void* bytes, std::size_t count);
 
   struct State;

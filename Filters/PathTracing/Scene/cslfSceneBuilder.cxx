@@ -11,6 +11,7 @@
 #include "PathTracing/Shapes/cslfMeshJoin.h"
 #include "PathTracing/Shapes/cslfMeshMaker.h"
 #include "PathTracing/Shapes/cslfTriangles.h"
+#include "Pipeline/cslfParallelFor.h"
 #include "cslfColor.h"
 #include "cslfFingerprint.h"
 #include "cslfOldNames.h"
@@ -29,6 +30,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -334,7 +336,7 @@ private:
     block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
     block.Textures = this->Textures.Read(holder);
     Fingerprint appearance;
-    appearance.Add(holder->GetFieldData());
+    appearance.Add(holder->GetFieldData(), this->Hashes);
     block.Appearance = appearance.Finish();
   }
 
@@ -360,15 +362,17 @@ private:
 
   std::vector<Mesh> MakeMeshes(const SceneFrame& frame)
   {
-    std::vector<Mesh> meshes;
-    for (const SceneBlock& block : this->Blocks)
-    {
-      Mesh mesh = MakeMesh(block, frame, this->Colors);
-      if (mesh.GetNumberOfShapes() > 0)
+    std::vector<Mesh> meshes(this->Blocks.size());
+    ParallelFor(0, static_cast<vtkIdType>(meshes.size()), 1,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        meshes.push_back(std::move(mesh));
-      }
-    }
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          meshes[i] = MakeMesh(this->Blocks[i], frame, this->Colors);
+        }
+      });
+    const auto isEmpty = [](const Mesh& mesh) { return mesh.GetNumberOfShapes() == 0; };
+    meshes.erase(std::remove_if(meshes.begin(), meshes.end(), isEmpty), meshes.end());
     if (this->Options.InPieces)
     {
       meshes = JoinMeshes(std::move(meshes));
@@ -415,6 +419,7 @@ private:
   LightReader Lights;
   std::optional<Environment> Surroundings; // of the first data object that has one
   TextureReader Textures;
+  ArrayHashes Hashes; // of the textures
   std::map<float, SpecularAlbedo> Albedos; // of any roughness, by the index of refraction
   std::vector<SceneBlock> Blocks;
   Omissions Omitted;
