@@ -8,12 +8,13 @@
 # measure again. Run nothing else at the same time.
 #
 # usage: evaluate.sh [--quick] [--scenes NAME,...] [STUDY...]
-#   --quick   use small fields, take less than 10 minutes and write to build/evaluation-quick;
-#             without it, about 80 minutes, to Documentation/evaluation
+#   --quick   use small fields, take some minutes and write to build/evaluation-quick;
+#             without it, about two hours, to Documentation/evaluation
 #   --scenes  compare these scenes, of those that cslf scenes lists or the dragon, in the studies
-#             sampling, sizes, key-views and integrators, and write to build/evaluation-scenes
-#   STUDY     some of: sampling scaling sizes novel-views key-views frame-rates integrators cycles
-#             limits
+#             corpus, sampling, sizes, key-views and integrators, and write to
+#             build/evaluation-scenes
+#   STUDY     some of: corpus sampling scaling sizes novel-views key-views frame-rates integrators
+#             cycles limits
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

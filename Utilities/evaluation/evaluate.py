@@ -14,8 +14,8 @@ from report import Report, paragraph
 from studies import FULL, QUICK, Studies
 from tool import Tool
 
-NAMES = ("sampling", "scaling", "sizes", "novel-views", "key-views", "frame-rates", "integrators",
-         "cycles", "limits")
+NAMES = ("corpus", "sampling", "scaling", "sizes", "novel-views", "key-views", "frame-rates",
+         "integrators", "cycles", "limits")
 
 
 def describe_machine(cslf):

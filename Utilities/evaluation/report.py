@@ -16,6 +16,13 @@ def get_title(scene):
     return "Cornell box" if scene == "cornell-box" else scene
 
 
+def tell_shapes(shapes):
+    """What a scene of `cslf scenes` contains."""
+    names = [name for name in ("triangles", "spheres", "tubes", "instances")
+             if shapes and shapes[name]]
+    return ", ".join(f"{count(shapes[name])} {name}" for name in names) or "triangles of a file"
+
+
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
@@ -59,6 +66,46 @@ class Report:
         figure.savefig(self.tool.folder / f"{name}.png")
         plt.close(figure)
         return f"![{y} against {x}]({name}.png)\n"
+
+    def corpus(self, found):
+        sampled = []
+        drawn = []
+        for row in found:
+            cells = []
+            for field in row["fields"].values():
+                cost = field["sampled"]["cost"]
+                cells += [f"{field['sampled']['seconds']:.1f} ({cost['cache_seconds']:.1f})",
+                          f"{field['measured']['psnr']:.1f}"]
+            peak = row["fields"]["good"]["sampled"]["peak_bytes"] / 2**20
+            sampled.append([get_title(row["scene"]), tell_shapes(row["shapes"]), *cells,
+                            f"{peak:.0f}"])
+            depth = row["drawn"]["lookups"]["depth"]
+            drawn.append([get_title(row["scene"]), megabytes(row["coded"]["bytes"]),
+                          f"{depth['psnr']:.1f} ({depth['lowest_psnr']:.1f})",
+                          f"{row['drawn']['views']['noise_floor']:.1f}",
+                          f"{depth['frames_per_second']:.1f}",
+                          f"{depth['moving_frames_per_second']:.1f}",
+                          f"{depth['still_frames_per_second']:.1f}"])
+        viewpoints, texels, samples = self.setting.scenes
+        n = self.setting.resolution(128)
+        size = self.setting.size
+        return ("## Scenes\n\n" +
+                paragraph(f"All scenes that `cslf scenes` lists and the dragon, from {viewpoints} x "
+                          f"{viewpoints} viewpoints per face with {n} x {n} texels, as image data. "
+                          "Seconds of sampling, with those of the radiance cache in parentheses; "
+                          f"PSNR (dB) of {count(texels)} texels against {samples} samples; peak "
+                          "memory in good quality.") + "\n" +
+                table(["scene", "contains", "preview (s)", "dB", "good (s)", "dB",
+                       "memory (MiB)"], sampled) + "\n" +
+                paragraph("The same fields in good quality, coded with rate factor 22 and the preset "
+                          f"`{self.setting.preset}`, and drawn uncoded with the depth lookup by "
+                          f"{found[0]['drawn']['device']}: mean and lowest PSNR of "
+                          f"{found[0]['drawn']['views']['count']} novel views of {size} x {size} "
+                          "pixels, the noise floor of their reference, and frames per second with "
+                          "one ray per pixel, while the view moves (30 are asked for), and in still "
+                          "views with four rays per pixel.") + "\n" +
+                table(["scene", "MB", "novel views (dB)", "noise floor (dB)", "one ray",
+                       "moving", "still"], drawn))
 
     def sampling(self, found):
         rows = []

@@ -33,6 +33,7 @@ class Setting:
     reference_spp: int
     scaling: tuple      # viewpoints, resolutions and steps of key views
     one_view: dict      # arguments of OneView
+    scenes: tuple       # viewpoints, texels to measure and samples of their reference
 
     def resolution(self, of_paper):
         return of_paper // self.divisor
@@ -45,11 +46,13 @@ class Setting:
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
                crfs="16,22,28,34,40", depth_crfs="8,12", preset="fast", reference_spp=4096,
                scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)),
-               one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 2048})
+               one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 2048},
+               scenes=(9, 20000, 1024))
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
                 crfs="16,28,40", depth_crfs="8", preset="veryfast", reference_spp=256,
                 scaling=((8, 32, 1), (16, 64, 1), (32, 128, 4)),
-                one_view={"size": (128, 96), "counts": (1, 4, 16), "reference": 512})
+                one_view={"size": (128, 96), "counts": (1, 4, 16), "reference": 512},
+                scenes=(3, 1000, 64))
 
 
 class Studies:
@@ -60,6 +63,7 @@ class Studies:
         self.scenes = {
             "cornell-box": ("cornell-box",),
             "dragon": (data / "dragon.ply", "--roughness", 0.3, "--environment", "white")}
+        self.names = names
         self.compared = {name: self.get_inputs(name) for name in names or self.scenes}
         self.mirror = (data / "dragon.ply", "--roughness", 0.05, "--environment", "white")
 
@@ -80,6 +84,41 @@ class Studies:
             f"evaluate-{name}", "evaluate", field, *(inputs or self.get_inputs(scene)), "--views",
             views or setting.views, "--size", setting.size, "--spp", setting.spp, *self.truth,
             *options, output=output)
+
+    # Every scene of the tool and the dragon: both qualities, and the better one coded and drawn.
+    def corpus(self):
+        known = {scene["name"]: scene for scene in self.tool.ask("scenes")["scenes"]}
+        rows = []
+        for scene in self.names or (*known, "dragon"):
+            fields = {quality: self.measure_quality(scene, quality)
+                      for quality in ("preview", "good")}
+            field = self.get_corpus_field(scene, "good")
+            file = field.with_suffix(".mp4")
+            coded = self.tool.measure(f"corpus-{scene}-coded", "encode", field, "-o", file,
+                                      "--preset", self.setting.preset, output=file)
+            drawn = self.tool.measure(
+                f"corpus-{scene}-drawn", "benchmark", "render", field, "--scene",
+                *self.get_inputs(scene), "-o", self.tool.work / f"corpus-{scene}", "--frames",
+                self.setting.frames // 3, "--size", self.setting.size, "--views", 3, "--spp", 128,
+                "--lookups", "depth", *self.truth)
+            rows.append({"scene": scene, "shapes": known.get(scene), "fields": fields,
+                         "coded": coded, "drawn": drawn})
+        return rows
+
+    def get_corpus_field(self, scene, quality):
+        return self.tool.work / f"corpus-{scene}-{quality}.vti"
+
+    def measure_quality(self, scene, quality):
+        viewpoints, texels, samples = self.setting.scenes
+        file = self.get_corpus_field(scene, quality)
+        inputs = self.get_inputs(scene)
+        field = self.tool.measure(
+            f"corpus-{scene}-{quality}", "sample", *inputs, "-M", viewpoints, "-N",
+            self.setting.resolution(128), "--quality", quality, "-o", file, output=file)
+        measured = self.tool.measure(
+            f"corpus-{scene}-{quality}-texels", "evaluate-texels", file, *inputs, "--texels",
+            texels, "--reference-spp", samples)
+        return {"sampled": field, "measured": measured}
 
     # The paper's table 1.
     def sampling(self):

@@ -46,6 +46,11 @@ class Tool:
         parts = [json.loads(kept.read_text()) for kept in (self.folder / "parts").glob("*.json")]
         return sum(part.get("seconds_of_run", 0.0) for part in parts)
 
+    def ask(self, *arguments):
+        """Returns what a command prints as JSON, without measuring it."""
+        return json.loads(subprocess.run([self.program, *map(str, arguments), "--json"], check=True,
+                                         stdout=subprocess.PIPE).stdout)
+
     def run(self, *arguments):
         """Runs a command of which only the files are needed."""
         subprocess.run([self.program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
