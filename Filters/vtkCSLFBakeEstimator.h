@@ -53,7 +53,7 @@ public:
   enum Formats
   {
     Video = 0,  ///< as the encoder writes it: .mp4, .mkv
-    ImageData,  ///< .vti, as vtkXMLImageDataWriter writes it at compression level 1
+    ImageData,  ///< .vti, as vtkXMLImageDataWriter writes it with LZ4
     ImageFolder ///< as vtkCSLFImageWriter writes it
   };
 

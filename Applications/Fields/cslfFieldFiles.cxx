@@ -141,8 +141,8 @@ vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
 {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->EncodeAppendedDataOff();
-  // The default level takes several times longer for files that are a few percent smaller.
-  writer->SetCompressionLevel(1);
+  // VTK's default, zlib, takes ten times as long to write and read files that are a quarter smaller.
+  writer->SetCompressorTypeToLZ4();
   return writer;
 }
 

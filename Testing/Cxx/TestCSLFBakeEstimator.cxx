@@ -158,6 +158,7 @@ void TestImages(const std::string& folder)
   imageData->SetInputConnection(sampler->GetOutputPort());
   imageData->SetFileName(file.c_str());
   imageData->EncodeAppendedDataOff();
+  imageData->SetCompressorTypeToLZ4();
   CSLF_CHECK(imageData->Write() == 1);
   CheckBytes(estimator->GetBytes(), file);
 
