@@ -41,6 +41,7 @@ public:
   std::vector<std::int64_t> TrackBytes; ///< empty until requested
   vtkNew<vtkIdTypeArray> Missing;
   vtkNew<vtkUnsignedCharArray> Part; ///< the last one requested
+  std::vector<int> Unwritten;        ///< viewpoints that the file does not contain yet
   std::vector<int> Damage;           ///< the file's missing viewpoints, after the first was found
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
@@ -50,10 +51,12 @@ public:
     this->PixelFormat.clear();
     this->Field->Initialize();
     this->TrackBytes.clear();
+    this->Unwritten.clear();
     this->Damage.clear();
     if (this->Reader)
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
+      this->Unwritten = header.GetMissingSlices();
       header.Field.WriteTo(this->Field);
       this->Description = header.Field.ToText();
       this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
@@ -361,7 +364,7 @@ bool vtkCSLFDecoder::ReportFileDamage()
          << " viewpoints can be read";
     return this->Fail(vtkErrorCode::FileFormatError, text.str());
   }
-  const std::size_t unwritten = this->Internal->Reader->GetHeader().GetMissingSlices().size();
+  const std::size_t unwritten = this->Internal->Unwritten.size();
   const char* state = missing.size() > unwritten ? "damaged" : "unfinished";
   constexpr std::size_t named = 5;
   text << missing.size() << " of " << slices << " viewpoints are missing";
@@ -385,7 +388,7 @@ bool vtkCSLFDecoder::ReportFileDamage()
 
 bool vtkCSLFDecoder::IsUnfinished() const
 {
-  return this->Internal->Reader && !this->Internal->Reader->GetHeader().Missing.empty();
+  return !this->Internal->Unwritten.empty();
 }
 
 void vtkCSLFDecoder::GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints)
@@ -393,7 +396,7 @@ void vtkCSLFDecoder::GetUnwrittenViewpoints(vtkIdTypeArray* viewpoints)
   viewpoints->Reset();
   if (this->UpdateReader())
   {
-    for (int slice : this->Internal->Reader->GetHeader().GetMissingSlices())
+    for (int slice : this->Internal->Unwritten)
     {
       viewpoints->InsertNextValue(slice);
     }
@@ -491,7 +494,7 @@ bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
   }
   if (viewpoint->IsEmpty())
   {
-    const std::vector<int> unwritten = this->Internal->Reader->GetHeader().GetMissingSlices();
+    const std::vector<int>& unwritten = this->Internal->Unwritten;
     const bool isUnwritten =
       std::binary_search(unwritten.begin(), unwritten.end(), static_cast<int>(z));
     this->SetErrorCode(vtkErrorCode::FileFormatError);

@@ -172,7 +172,7 @@ public:
    * description. The viewpoint comes from the cache, or else is decoded now, together with the
    * frames of its group that it depends on, with the tracks in parallel. The arrays are shared with
    * the cache: copy them before changing them. Returns false, with an error and an empty `image`,
-   * if the file cannot be read, has no such viewpoint, or is damaged there.
+   * if the file cannot be read, has no such viewpoint, or is damaged or unfinished there.
    */
   bool GetViewpoint(vtkIdType z, vtkImageData* image);
 
@@ -191,7 +191,7 @@ public:
   bool IsViewpointReady(vtkIdType z);
 
   /**
-   * Whether a viewpoint cannot be read because the file is damaged there. Damage is reported as an
+   * Whether a viewpoint cannot be read because the file is damaged or unfinished there. That is an
    * error only if AllowMissing is off, once for the whole file. Decodes the viewpoint unless it is
    * in the cache. Returns true, with an error, if the file cannot be read or has no such viewpoint.
    */

@@ -69,7 +69,8 @@ public:
 
   ///@{
   /**
-   * Whether missing viewpoints are left empty, with a warning. If off, requesting one of them is an
+   * Whether missing viewpoints are left empty, with a warning, and listed in the array
+   * `MissingViewpoints` of the output's field data. If off, requesting one of them is an
    * error with the code vtkErrorCode::PrematureEndOfFileError. Default: on.
    */
   vtkSetMacro(AllowMissing, bool);

@@ -6,6 +6,7 @@
 #include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Resampling/cslfNesting.h"
@@ -15,10 +16,12 @@
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -27,6 +30,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkCSLFResample);
 cslfSetOptionMacro(vtkCSLFResample, ResolutionDivisor, ResolutionDivisor);
@@ -89,6 +93,7 @@ public:
             reducer.Reduce(input, this->Nesting.ToInput(slice), this->Output, slice);
           }
         });
+      this->NoteMissing(input, first, last);
       this->Self->UpdateProgress((last + 1.0 - slices.First) / slices.GetCount());
       if (cslf::IsAborted(this->Self))
       {
@@ -97,10 +102,23 @@ public:
       }
       first = last + 1;
     }
+    cslf::SetMissing(this->Missing, this->Output);
     return true;
   }
 
 private:
+  void NoteMissing(vtkImageData* input, int first, int last)
+  {
+    const std::vector<int> missing = cslf::GetMissing(input, this->Field->Grid.GetSlices());
+    for (int slice = first; slice <= last; ++slice)
+    {
+      if (std::binary_search(missing.begin(), missing.end(), this->Nesting.ToInput(slice)))
+      {
+        this->Missing->InsertNextValue(slice);
+      }
+    }
+  }
+
   bool Fail(const std::string& error)
   {
     vtkErrorWithObjectMacro(this->Self, << error);
@@ -162,6 +180,7 @@ private:
   vtkImageData* Output;
   int Whole[6];
   std::optional<cslf::Description> Field; ///< the input's
+  vtkNew<vtkIdTypeArray> Missing;         ///< slices of the output
 };
 
 int vtkCSLFResample::RequestInformation(

@@ -58,6 +58,7 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
   this->Source = std::move(source);
   this->Present = Residency();
   this->Scene = SceneGrid(this->Source->GetDescription());
+  this->HasLoaded = false;
   this->Damaged = 0;
   this->Brought = 0;
 }
@@ -195,6 +196,7 @@ void FieldTexture::LoadAll()
     }
     missing = this->Present.ListMissing();
   }
+  this->HasLoaded = true;
   this->Missing = 0;
 }
 
@@ -227,6 +229,7 @@ void FieldTexture::LoadSome(const TexturePace& pace)
       this->Load(wanted);
     }
   }
+  this->HasLoaded = true;
   this->Missing = this->Present.ListMissing().size();
 }
 

@@ -57,8 +57,14 @@ public:
   /// Whether all samples for the cameras of the last Update are there, as far as they fit.
   bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
 
-  /// Whether nothing was uploaded since the source was set.
-  bool IsEmpty() const { return this->Brought + this->Damaged == 0; }
+  /// Whether nothing was loaded since the source was set.
+  bool IsEmpty() const { return !this->HasLoaded; }
+
+  /// Whether all required viewpoints are among those that are known to be missing.
+  bool LacksAll() const
+  {
+    return this->HasLoaded && this->Brought == 0 && !this->Source->GetMissing().empty();
+  }
 
   /// How many required viewpoints turned out to be damaged, and how many intact.
   int GetNumberOfDamagedViewpoints() const { return this->Damaged; }
@@ -106,6 +112,7 @@ private:
   SceneGrid Scene;
   std::vector<Sight> Sights;
   std::size_t Missing = 0;
+  bool HasLoaded = false; ///< since the source was set
   int Damaged = 0;
   int Brought = 0;
   bool IsChanged = false; ///< since the tables were made

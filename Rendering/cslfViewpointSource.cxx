@@ -46,7 +46,13 @@ std::vector<int> FindUnwritten(vtkCSLFDecoder* decoder)
 {
   vtkNew<vtkIdTypeArray> viewpoints;
   decoder->GetUnwrittenViewpoints(viewpoints);
-  return { viewpoints->GetPointer(0), viewpoints->GetPointer(viewpoints->GetNumberOfValues()) };
+  const vtkIdType count = viewpoints->GetNumberOfValues();
+  if (count > 0)
+  {
+    // Reports an error if they are not allowed to be missing.
+    decoder->IsViewpointDamaged(viewpoints->GetValue(0));
+  }
+  return { viewpoints->GetPointer(0), viewpoints->GetPointer(count) };
 }
 
 class DecoderSource : public ViewpointSource

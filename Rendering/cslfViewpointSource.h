@@ -25,7 +25,7 @@ public:
 
   const Description& GetDescription() const { return this->Field; }
 
-  /// The viewpoints that are known to be missing, ascending. Not even their absence is reported.
+  /// The viewpoints that are known to be missing, ascending. The reader has reported them.
   const std::vector<int>& GetMissing() const { return this->Missing; }
 
   /// Prepares viewpoints in the background, in this order. This replaces an earlier request.

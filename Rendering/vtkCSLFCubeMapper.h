@@ -81,6 +81,9 @@ public:
   /// Whether nothing was missing from the last picture, as far as it fits.
   bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
 
+  /// Whether all required viewpoints are missing, which was known before.
+  bool LacksAll() const { return this->Texture.LacksAll(); }
+
   /// How many viewpoints turned out to be damaged, and how many not.
   int GetNumberOfDamagedViewpoints() const { return this->Texture.GetNumberOfDamagedViewpoints(); }
   int GetNumberOfViewpoints() const { return this->Texture.GetNumberOfViewpoints(); }

@@ -309,8 +309,11 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   cubeMapper->Render(renderer, actor);
   this->HasTranslucentPart = !cubeMapper->IsDrawnAtOnce();
   this->TimeToDraw = cubeMapper->GetTimeToDraw();
-  this->ReportDamage(
-    cubeMapper->GetNumberOfDamagedViewpoints(), cubeMapper->GetNumberOfViewpoints());
+  if (cubeMapper->LacksAll() || cubeMapper->GetNumberOfDamagedViewpoints() > 0)
+  {
+    this->ReportDamage(
+      cubeMapper->GetNumberOfDamagedViewpoints(), cubeMapper->GetNumberOfViewpoints());
+  }
   if (cubeMapper->GetSight().IsInside() && !internals.HasWarnedOfInside)
   {
     internals.HasWarnedOfInside = true;
@@ -326,7 +329,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 //------------------------------------------------------------------------------
 void vtkCSLFMapper::ReportDamage(int damaged, int undamaged)
 {
-  if (damaged == 0 || this->Internals->HasReportedDamage)
+  if (this->Internals->HasReportedDamage)
   {
     return;
   }
@@ -338,7 +341,9 @@ void vtkCSLFMapper::ReportDamage(int damaged, int undamaged)
   }
   else
   {
-    vtkErrorMacro("The light field is damaged: none of the required viewpoints can be read.");
+    vtkErrorMacro(
+      "The light field is damaged or unfinished: none of the required viewpoints can be "
+      "read.");
   }
 }
 

@@ -94,7 +94,7 @@ void OnTimer(vtkObject* caller, unsigned long, void* client, void*)
   }
   else if (session->Style->GetState() == VTKIS_NONE)
   {
-    const bool isMissing = session->Field.Update() || !session->Shown.IsComplete();
+    const bool isMissing = !session->Shown.IsComplete() || session->Field.Update();
     if (session->Shown.Refine(session->TruthSamples) || isMissing)
     {
       session->Shown.Render();

@@ -7,8 +7,10 @@
 #ifndef cslfOutputFiles_h
 #define cslfOutputFiles_h
 
+#include "Fields/cslfUnfinishedFields.h"
 #include "Files/cslfAtomicFile.h"
 #include "Files/cslfFileSystem.h"
+#include "Files/cslfWorkFolder.h"
 #include "cslfMessages.h"
 
 #include <cerrno>
@@ -28,11 +30,15 @@ namespace cslf::tool
     DescribeShortage(fileName) + (isSentence ? "" : "."));
 }
 
-/// Throws a Failure if writing the output would replace the input.
+/// Throws a Failure if writing the output would replace the input, or what it is made of while it
+/// is unfinished.
 inline void RequireOther(const std::string& input, const std::string& output)
 {
   std::error_code failure;
-  if (std::filesystem::equivalent(input, output, failure))
+  const std::string folder = GetParent(LocateField(input));
+  if (std::filesystem::equivalent(ToPath(input), ToPath(output), failure) ||
+    std::filesystem::equivalent(
+      ToPath(folder), ToPath(GetWorkFolder(ResolveTarget(output))), failure))
   {
     throw Failure("The input and the output are the same.");
   }

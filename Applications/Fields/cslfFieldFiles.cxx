@@ -6,7 +6,9 @@
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Files/cslfFileSystem.h"
+#include "Files/cslfWorkFolder.h"
 #include "Options/cslfTableOptions.h"
+#include "Pipeline/cslfMissingViewpoints.h"
 #include "Scenes/cslfSceneChecks.h"
 #include "cslfUnfinishedFields.h"
 
@@ -141,7 +143,8 @@ vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
 {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->EncodeAppendedDataOff();
-  // VTK's default, zlib, takes ten times as long to write and read files that are a quarter smaller.
+  // VTK's default, zlib, takes ten times as long to write and read files that are a quarter
+  // smaller.
   writer->SetCompressorTypeToLZ4();
   return writer;
 }
@@ -218,10 +221,12 @@ FieldFile OpenField(const std::string& name)
   // A pipe would block, and cannot be read twice.
   std::error_code failure;
   const fs::file_status status = fs::status(ToPath(fileName), failure);
-  if (!fs::is_regular_file(status) && !fs::is_directory(status))
+  const bool isFolder = fs::is_directory(status) && !IsWorkFolder(ResolveTarget(fileName));
+  if (!fs::is_regular_file(status) && !isFolder)
   {
-    throw Failure("There is no file or folder " + fileName +
-      (IsBeingWritten(fileName) ? ": it is unfinished, and there is no preview yet." : "."));
+    throw Failure(IsBeingWritten(fileName)
+        ? fileName + " is unfinished, and there is no preview yet."
+        : "There is no file or folder " + fileName + ".");
   }
   const auto format = FindFormat(fileName);
   if (!format)
@@ -317,6 +322,11 @@ int CountMissing(const FieldFile& file)
   else if (auto* images = vtkCSLFImageReader::SafeDownCast(file.Reader))
   {
     missing = images->FindMissingViewpoints();
+  }
+  else
+  {
+    auto* image = vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0));
+    missing = static_cast<vtkIdType>(GetMissing(image, file.Field.Grid.GetSlices()).size());
   }
   ThrowOnError();
   return static_cast<int>(missing);

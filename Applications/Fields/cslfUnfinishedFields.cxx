@@ -3,9 +3,14 @@
 #include "cslfUnfinishedFields.h"
 
 #include "Files/cslfFileSystem.h"
+#include "Files/cslfWorkFolder.h"
 
 #include "vtkCSLFDecoder.h"
 
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+
+#include <cstring>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -14,36 +19,34 @@ namespace cslf::tool
 {
 namespace
 {
-constexpr const char* PartialExtension = ".partial";
-constexpr const char* PreviewStem = "preview";
-
 constexpr std::chrono::seconds UpdateInterval{ 2 };
 
-bool Exists(const fs::path& path)
+/// Showing more takes a moment, in which only the coarsest grid is shown. So one in this many
+/// viewpoints must be new.
+constexpr vtkIdType LeastShare = 12;
+
+bool IsFile(const std::string& name)
 {
   std::error_code ignored;
-  return fs::exists(path, ignored);
+  return fs::is_regular_file(ToPath(name), ignored);
 }
 
-/// OUT for OUT.partial and files in it, or an empty path.
-fs::path FindTarget(const fs::path& path)
+bool Exists(const std::string& name)
 {
-  const fs::path folder = path.has_filename() ? path : path.parent_path();
-  for (const fs::path& candidate : { folder, folder.parent_path() })
-  {
-    if (candidate.extension() == PartialExtension)
-    {
-      return candidate.parent_path() / candidate.stem();
-    }
-  }
-  return {};
+  std::error_code ignored;
+  return fs::exists(ToPath(name), ignored);
 }
 
-fs::path GetPreview(fs::path target)
+/// OUT, if that is the name of its OUT.partial.
+std::string FindTarget(const std::string& folder)
 {
-  const fs::path extension = target.extension();
-  target += PartialExtension;
-  return (target / PreviewStem).replace_extension(extension);
+  const std::string target = ToName(ToPath(folder).replace_extension());
+  return GetWorkFolder(target) == folder ? target : std::string();
+}
+
+std::string GetPreview(const std::string& target)
+{
+  return GetWorkFolder(target) + "/" + GetPreviewName(target);
 }
 
 fs::file_time_type GetTime(const std::string& fileName)
@@ -51,52 +54,91 @@ fs::file_time_type GetTime(const std::string& fileName)
   std::error_code ignored;
   return fs::last_write_time(ToPath(fileName), ignored);
 }
+
+vtkIdType CountUnwritten(vtkCSLFDecoder* decoder)
+{
+  vtkNew<vtkIdTypeArray> unwritten;
+  decoder->GetUnwrittenViewpoints(unwritten);
+  return unwritten->GetNumberOfValues();
+}
 }
 
 std::string LocateField(const std::string& name)
 {
-  const fs::path path = ToPath(name);
-  const fs::path target = FindTarget(path);
-  const fs::path preview = GetPreview(target.empty() ? path : target);
-  if (target.empty())
+  if (name.empty() || IsFile(name))
   {
-    return !Exists(path) && Exists(preview) ? ToName(preview) : name;
+    return name;
   }
-  const bool isGone = !Exists(preview) && Exists(target);
-  return isGone ? ToName(target) : Exists(preview) ? ToName(preview) : name;
+  const std::string clean = ResolveTarget(name);
+  if (!Exists(clean) && IsFile(GetPreview(clean)))
+  {
+    return GetPreview(clean);
+  }
+  const std::string target = FindTarget(clean);
+  if (!target.empty() && (IsWorkFolder(clean) || !Exists(clean)))
+  {
+    const std::string preview = GetPreview(target);
+    return IsFile(preview) ? preview : IsFile(target) ? target : name;
+  }
+  const std::string ofPreview = FindTarget(GetParent(clean));
+  const bool isGone = !Exists(clean) && !ofPreview.empty() && GetPreview(ofPreview) == clean;
+  return isGone && IsFile(ofPreview) ? ofPreview : name;
 }
 
 bool IsBeingWritten(const std::string& name)
 {
-  fs::path partial = ToPath(name);
-  partial += PartialExtension;
-  return Exists(partial);
+  const std::string clean = ResolveTarget(name);
+  return IsWorkFolder(clean) || IsWorkFolder(GetWorkFolder(clean));
 }
 
 UnfinishedField::UnfinishedField(const std::string& name, vtkCSLFDecoder* decoder)
   : Name(name)
   , Decoder(decoder)
-  , Written(decoder ? GetTime(decoder->GetFileName()) : fs::file_time_type())
+  , IsFinished(!decoder || !decoder->IsUnfinished())
 {
+  if (!this->IsFinished)
+  {
+    this->Unwritten = CountUnwritten(decoder);
+    this->Written = GetTime(decoder->GetFileName());
+  }
 }
 
 bool UnfinishedField::Update()
 {
   const auto now = std::chrono::steady_clock::now();
-  if (!this->Decoder || !this->Decoder->IsUnfinished() || now < this->Next)
+  if (this->IsFinished || now < this->Next)
   {
     return false;
   }
   this->Next = now + UpdateInterval;
   const std::string fileName = LocateField(this->Name);
   const fs::file_time_type written = GetTime(fileName);
-  if (!Exists(ToPath(fileName)) || written == this->Written)
+  vtkNew<vtkCSLFDecoder> next;
+  // While the finished file is being joined, there may be none.
+  if (!IsFile(fileName) || written == this->Written || !next->CanReadFile(fileName.c_str()))
   {
     return false;
   }
-  this->Written = written;
-  this->Decoder->SetFileName(fileName.c_str());
-  this->Decoder->Modified();
-  return true;
+  next->SetFileName(fileName.c_str());
+  next->UpdateInformation();
+  const vtkIdType unwritten = CountUnwritten(next);
+  vtkNew<vtkIdTypeArray> all;
+  next->GetViewpointsInFileOrder(all);
+  const bool isSame = std::strcmp(next->GetDescription(), this->Decoder->GetDescription()) == 0;
+  if (isSame && unwritten > 0 &&
+    LeastShare * (this->Unwritten - unwritten) < all->GetNumberOfValues())
+  {
+    return false;
+  }
+  // Another run may have written another field.
+  this->IsFinished = !isSame || unwritten == 0;
+  if (isSame)
+  {
+    this->Unwritten = unwritten;
+    this->Written = written;
+    this->Decoder->SetFileName(fileName.c_str());
+    this->Decoder->Modified();
+  }
+  return isSame;
 }
 }

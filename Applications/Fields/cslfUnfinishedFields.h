@@ -7,6 +7,8 @@
 #ifndef cslfUnfinishedFields_h
 #define cslfUnfinishedFields_h
 
+#include <vtkType.h>
+
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -15,11 +17,12 @@ class vtkCSLFDecoder;
 
 namespace cslf::tool
 {
-/// The file or folder to read for a name given by the user: for OUT, the preview in OUT.partial as
-/// long as there is no OUT; for OUT.partial or its preview, OUT as soon as these are gone.
+/// The file or folder to read for a name given by the user: for OUT that does not exist, its
+/// preview in OUT.partial; for that folder or its preview, OUT as soon as they are gone.
 std::string LocateField(const std::string& name);
 
-/// Whether OUT is being written, or its writing was interrupted.
+/// Whether the name is that of an OUT, or its OUT.partial, whose writing has begun but is not
+/// finished.
 bool IsBeingWritten(const std::string& name);
 
 /// Lets a decoder read an unfinished field anew whenever there is more of it.
@@ -35,6 +38,8 @@ public:
 private:
   std::string Name;
   vtkCSLFDecoder* Decoder;
+  bool IsFinished;
+  vtkIdType Unwritten = 0; ///< viewpoints
   std::filesystem::file_time_type Written;
   std::chrono::steady_clock::time_point Next;
 };

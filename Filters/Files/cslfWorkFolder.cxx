@@ -38,6 +38,21 @@ bool IsScratch(const std::string& name)
 }
 }
 
+std::string GetWorkFolder(const std::string& target)
+{
+  return target + ".partial";
+}
+
+std::string GetPreviewName(const std::string& target)
+{
+  return "preview" + ToName(ToPath(target).extension());
+}
+
+bool IsWorkFolder(const std::string& folder)
+{
+  return IsRealFolder(folder) && Exists(folder + "/" + LockName);
+}
+
 std::string ResolveTarget(const std::string& name)
 {
   const fs::path path = ToPath(name).lexically_normal();
@@ -49,7 +64,7 @@ std::string ResolveTarget(const std::string& name)
 
 WorkFolder::WorkFolder(const std::string& target, Judge isOurs, Lister list)
   : Target(ResolveTarget(target))
-  , Folder(this->Target + ".partial")
+  , Folder(GetWorkFolder(this->Target))
   , IsOurs(std::move(isOurs))
   , List(std::move(list))
 {

@@ -106,6 +106,16 @@ private:
   bool Known = false; ///< an earlier run has marked it
 };
 
+///@{
+/// OUT.partial, and the name of a viewable file in it of what there is of the coded file OUT so
+/// far.
+VTKCSLF_EXPORT std::string GetWorkFolder(const std::string& target);
+VTKCSLF_EXPORT std::string GetPreviewName(const std::string& target);
+///@}
+
+/// Whether a folder has been marked by a WorkFolder.
+VTKCSLF_EXPORT bool IsWorkFolder(const std::string& folder);
+
 /// The file or folder that a name means: the target of a link, without a separator at the end.
 VTKCSLF_EXPORT std::string ResolveTarget(const std::string& name);
 }

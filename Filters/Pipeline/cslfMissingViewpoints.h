@@ -8,6 +8,8 @@
 #ifndef cslfMissingViewpoints_h
 #define cslfMissingViewpoints_h
 
+#include "vtkCSLFModule.h" // for export macro
+
 #include <vector>
 
 class vtkIdTypeArray;
@@ -21,7 +23,7 @@ constexpr const char* MissingViewpointsName = "MissingViewpoints";
 void SetMissing(vtkIdTypeArray* slices, vtkImageData* image);
 
 /// In ascending order, of `count` slices. Ignores other numbers.
-std::vector<int> GetMissing(vtkImageData* image, int count);
+VTKCSLF_EXPORT std::vector<int> GetMissing(vtkImageData* image, int count);
 }
 
 #endif

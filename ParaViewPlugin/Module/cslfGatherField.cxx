@@ -32,7 +32,11 @@ void JoinMissing(const std::vector<vtkSmartPointer<vtkImageData>>& parts, vtkIma
     vtkDataArray* array = part->GetFieldData()->GetArray(MissingName);
     for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
     {
-      missing->InsertNextValue(static_cast<vtkIdType>(array->GetTuple1(k)));
+      const double slice = array->GetComponent(k, 0);
+      if (slice >= 0.0 && slice <= std::numeric_limits<int>::max())
+      {
+        missing->InsertNextValue(static_cast<vtkIdType>(slice));
+      }
     }
   }
   whole->GetFieldData()->RemoveArray(MissingName);

@@ -235,7 +235,9 @@ foreach (arguments IN ITEMS "decode cut.mp4 -o left.vti" "decode cut.mp4 -o left
   set(first "${error}")
 endforeach ()
 expect_json(ON channels Color equal)
-cslf_run(compare left left.vti --json)
+# Image data lists its empty viewpoints.
+cslf_end(2 "left.vti is damaged: [1-9][0-9]* of" "" compare left left.vti)
+cslf_run(compare left left.vti --allow-missing --json)
 expect_json(ON channels Color equal)
 expect_json(ON channels Depth equal)
 cslf_fail("same" "" encode whole.mp4 -o whole.mp4)

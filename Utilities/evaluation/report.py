@@ -16,7 +16,7 @@ def get_title(scene):
     return "Cornell box" if scene == "cornell-box" else scene
 
 
-def tell_shapes(shapes):
+def describe_shapes(shapes):
     """What a scene of `cslf scenes` contains."""
     names = [name for name in ("triangles", "spheres", "tubes", "instances")
              if shapes and shapes[name]]
@@ -77,7 +77,7 @@ class Report:
                 cells += [f"{field['sampled']['seconds']:.1f} ({cost['cache_seconds']:.1f})",
                           f"{field['measured']['psnr']:.1f}"]
             peak = row["fields"]["good"]["sampled"]["peak_bytes"] / 2**20
-            sampled.append([get_title(row["scene"]), tell_shapes(row["shapes"]), *cells,
+            sampled.append([get_title(row["scene"]), describe_shapes(row["shapes"]), *cells,
                             f"{peak:.0f}"])
             depth = row["drawn"]["lookups"]["depth"]
             drawn.append([get_title(row["scene"]), megabytes(row["coded"]["bytes"]),

@@ -230,7 +230,7 @@ std::vector<int> ToGroups(const JSON& json, std::size_t count)
   return groups;
 }
 
-/// Ascending numbers as [first, how many] pairs.
+/// Ascending numbers as [first, count] pairs.
 JSON MissingToJSON(const std::vector<int>& numbers)
 {
   JSON json = JSON::array();

@@ -487,20 +487,20 @@ bool EncodeSession::Take(ByteBuffer& results)
   return this->ReportProgress();
 }
 
-// The file does not depend on it, so it is only a warning if this fails.
+// The file does not depend on it, so it is only a warning, given once, if this fails.
 void EncodeSession::WritePreview()
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  if (!this->CanShow || start < this->NextPreview || !this->Writer->CanPreview())
+  if (start < this->NextPreview || !this->Writer->CanPreview())
   {
     return;
   }
   std::string error;
-  if (!this->Writer->WritePreview(error))
+  if (!this->Writer->WritePreview(error) && !this->HasWarnedOfPreview)
   {
-    this->CanShow = false;
-    this->Job.Warn("No preview of " + this->Job.FileName + " is shown any more: " + error + ".");
+    this->HasWarnedOfPreview = true;
+    this->Job.Warn("The preview of " + this->Job.FileName + " cannot be updated: " + error + ".");
   }
   const Clock::time_point end = Clock::now();
   this->NextPreview = end + SecondsPerPreviewSecond * (end - start);

@@ -130,7 +130,7 @@ private:
   KeyViewChoice Choice;
   bool Written = false;
   bool HasCheckedRoom = false;
-  bool CanShow = true;                               ///< no preview has failed
+  bool HasWarnedOfPreview = false;
   std::chrono::steady_clock::time_point NextPreview; ///< when it may be written
 };
 }

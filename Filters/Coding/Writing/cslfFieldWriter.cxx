@@ -234,10 +234,19 @@ bool FieldWriter::StoreGroup(int group, const GroupParts& parts, std::string& er
 {
   for (std::size_t track = 0; track < parts.size(); ++track)
   {
-    if (!this->Note(track, group, parts[track], error) ||
-      !this->Parts.Write(this->Header.Tracks[track].Kind.Role, group, parts[track], error))
+    const TrackRole role = this->Header.Tracks[track].Kind.Role;
+    if (!this->Note(track, group, parts[track], error))
     {
       return false;
+    }
+    if (!this->Parts.Write(role, group, parts[track], error))
+    {
+      // The preview may take the space that the part needs.
+      this->Parts.DropPreview();
+      if (!this->Parts.Write(role, group, parts[track], error))
+      {
+        return false;
+      }
     }
   }
   this->Costs[group] = this->GetCost(parts);
@@ -347,27 +356,35 @@ bool FieldWriter::HasRoom(std::string& error) const
   const double rest = this->GetMissingBytes();
   // The remaining data is written twice: as parts, and in the file that joins all parts.
   const double needed = stored + 2.0 * rest;
-  const bool isGuessed = this->GetWantedBytes() <= 0.0;
-  return cslf::HasRoom(this->Parts.GetFolder(), needed, isGuessed ? stored + rest : needed, error);
+  const double least = this->GetWantedBytes() > 0.0 ? needed : stored + rest;
+  if (cslf::HasRoom(this->Parts.GetFolder(), needed, least, error))
+  {
+    return true;
+  }
+  // The preview is not needed.
+  this->Parts.DropPreview();
+  return cslf::HasRoom(this->Parts.GetFolder(), needed, least, error);
 }
 
 bool FieldWriter::CanPreview() const
 {
-  const std::vector<int> starts = this->Header.GetGroupStarts();
-  const double stored = this->GetStoredBytes();
-  // Besides what HasRoom says, for the preview that is written.
-  const double needed = 2.0 * (stored + this->GetMissingBytes());
-  std::string ignored;
   return !this->Header.Missing.empty() &&
-    starts[this->Header.Missing.front()] >= this->Header.Coarsest &&
-    cslf::HasRoom(this->Parts.GetFolder(), needed, needed, ignored);
+    this->Header.GetGroupStarts()[this->Header.Missing.front()] >= this->Header.Coarsest;
 }
 
 bool FieldWriter::WritePreview(std::string& error)
 {
+  // Besides what HasRoom says, for this file.
+  const double needed = 2.0 * (this->GetStoredBytes() + this->GetMissingBytes());
   const auto always = [](double) { return true; };
-  return this->Join(this->Parts.GetUnfinishedPreview(), always, error) &&
-    this->Parts.PublishPreview(error);
+  if (cslf::HasRoom(this->Parts.GetFolder(), needed, needed, error) &&
+    this->Join(this->Parts.GetUnfinishedPreview(), always, error) &&
+    this->Parts.PublishPreview(error))
+  {
+    return true;
+  }
+  this->Parts.DropPreview();
+  return false;
 }
 
 int FieldWriter::CountStored() const

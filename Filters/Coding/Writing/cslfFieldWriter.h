@@ -107,12 +107,12 @@ public:
   /// the stored groups. Half of an estimate by these is enough. If not, says how much is missing.
   bool HasRoom(std::string& error) const;
 
-  /// Whether a preview can be written: not all groups are stored, but the coarsest grid is, and the
-  /// disk has space for it besides all that is needed.
+  /// Whether there is something to preview: the coarsest grid is stored, but not all groups.
   bool CanPreview() const;
 
-  /// Joins the stored groups to a file in the folder of parts, which replaces an earlier one. On
-  /// failure returns false and gives the reason.
+  /// Joins the stored groups to a file in the folder of parts, which replaces an earlier one. If
+  /// this fails, for example because the disk has no space besides what is needed, there is none,
+  /// and `error` gives the reason.
   bool WritePreview(std::string& error);
 
   /// Joins all groups to the file. `progress` gets numbers from 0 to 1 and returns false to stop. A

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfPartStore.h"
 
-#include "Coding/Containers/cslfContainerWriter.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfPart.h"
 
@@ -20,7 +19,6 @@ namespace
 constexpr const char* ManifestName = "manifest.json";
 constexpr const char* CacheName = "radiance.cache";
 constexpr const char* TrialsName = "trials.json";
-constexpr const char* PreviewStem = "preview";
 
 bool IsPart(const std::string& name)
 {
@@ -29,15 +27,9 @@ bool IsPart(const std::string& name)
   return std::regex_match(name, match, pattern) && RoleOfName(match[1]);
 }
 
-bool IsPreview(const std::string& name)
-{
-  return ToName(ToPath(name).stem()) == PreviewStem && FindContainer(name);
-}
-
 bool IsOurs(const std::string& name)
 {
-  return IsPart(name) || IsPreview(name) || name == ManifestName || name == CacheName ||
-    name == TrialsName;
+  return IsPart(name) || name == ManifestName || name == CacheName || name == TrialsName;
 }
 
 template <typename Bytes>
@@ -58,7 +50,10 @@ std::vector<std::uint8_t> ReadHead(const std::string& name)
 }
 
 PartStore::PartStore(const std::string& fileName)
-  : Work(fileName, IsOurs)
+  : Work(fileName,
+      [preview = GetPreviewName(ResolveTarget(fileName))](const std::string& name)
+      { return IsOurs(name) || name == preview; })
+  , Preview(GetPreviewName(this->Work.GetTarget()))
 {
 }
 
@@ -179,25 +174,20 @@ void PartStore::DropTrials() const
   this->Work.Remove(TrialsName);
 }
 
-std::string PartStore::GetPreviewName() const
-{
-  return PreviewStem + ToName(ToPath(this->Work.GetTarget()).extension());
-}
-
 std::string PartStore::GetUnfinishedPreview() const
 {
-  return this->Work.GetScratchName(this->GetPreviewName());
+  return this->Work.GetScratchName(this->Preview);
 }
 
 bool PartStore::PublishPreview(std::string& error) const
 {
-  const std::string name = this->GetPreviewName();
-  return Rename(this->Work.GetScratchName(name), this->Work.GetName(name), error);
+  return Rename(this->GetUnfinishedPreview(), this->Work.GetName(this->Preview), error);
 }
 
 void PartStore::DropPreview() const
 {
-  this->Work.Remove(this->GetPreviewName());
+  this->Work.Remove(this->Preview);
+  RemoveFile(this->GetUnfinishedPreview());
 }
 
 PersistentFile PartStore::GetCacheFile() const

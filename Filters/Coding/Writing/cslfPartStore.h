@@ -55,8 +55,8 @@ public:
   ///@}
 
   ///@{
-  /// A file of the parts so far, for viewers: the path where it is written, and two steps that make
-  /// it visible as `preview`, with the extension of the complete file, and remove it.
+  /// A file of the parts so far, for viewers: the path where it is written, and steps that make it
+  /// visible, see GetPreviewName, and remove both.
   std::string GetUnfinishedPreview() const;
   bool PublishPreview(std::string& error) const;
   void DropPreview() const;
@@ -77,9 +77,9 @@ public:
 private:
   static std::string GetPartName(TrackRole role, int group);
   bool DropOthers() const;
-  std::string GetPreviewName() const;
 
   WorkFolder Work;
+  std::string Preview; ///< its name
   std::uint32_t Manifest = 0;
   bool Opened = false;
 };
