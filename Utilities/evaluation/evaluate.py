@@ -53,24 +53,32 @@ def main():
     studies = Studies(tool, setting, options.source / "Testing" / "Data", options.scenes)
     report = Report(tool, setting)
     machine = describe_machine(cslf)
+    kept = folder / "parts" / "machines.json"
+    machines = json.loads(kept.read_text()) if kept.exists() else {}
     for name in options.studies or NAMES:
         method = name.replace("-", "_")
         part = getattr(report, method)(getattr(studies, method)())
         (folder / "parts" / f"{name}.txt").write_text(part)
-    machine["seconds"] = round(tool.get_seconds())
-    (folder / "parts" / "machine.json").write_text(json.dumps(machine, indent=1) + "\n")
-    write_page(folder, machine)
-    print(f"{folder / 'README.md'}, {machine['seconds']} seconds")
+        machines[name] = machine
+        kept.write_text(json.dumps(machines, indent=1) + "\n")
+    seconds = tool.get_seconds()
+    write_page(folder, machines, seconds)
+    print(f"{folder / 'README.md'}, {seconds:.0f} seconds")
 
 
-def write_page(folder, machine):
+def write_page(folder, machines, seconds):
     """Writes the page from all parts that exist."""
+    studies = {}  # by what they were measured on
+    for name, machine in machines.items():
+        studies.setdefault(json.dumps(machine), []).append(name)
+    setups = "; ".join(
+        f"{', '.join(names)}: {machine['date']}, {machine['processor']}, {machine['cores']} cores, "
+        f"{machine['system']}, CSLF {machine['cslf']}, {machine['packages']}"
+        for machine, names in ((json.loads(text), names) for text, names in studies.items()))
     head = ("# Evaluation\n\n" +
             paragraph("`Utilities/evaluate.sh` makes this page. The JSON files with all results "
-                      "are in `parts`. The measurements took "
-                      f"{machine['seconds'] / 60:.0f} minutes in total, on this setup: "
-                      f"{machine['date']}, {machine['processor']}, {machine['cores']} cores, "
-                      f"{machine['system']}, CSLF {machine['cslf']}, {machine['packages']}."))
+                      f"are in `parts`. The measurements took {seconds / 60:.0f} minutes in total, "
+                      f"on these setups: {setups}."))
     parts = [folder / "parts" / f"{name}.txt" for name in NAMES]
     page = "\n".join([head] + [part.read_text() for part in parts if part.exists()])
     (folder / "README.md").write_text(page)
