@@ -125,8 +125,8 @@ public:
 
   /**
    * Whether the file is the preview of a light field that is still being written, or whose writing
-   * was interrupted, see vtkCSLFEncoder. Such a file is intact but does not contain
-   * all viewpoints yet. Available after UpdateInformation.
+   * was interrupted, see vtkCSLFEncoder. Such a file is intact but does not contain all viewpoints
+   * yet. Available after UpdateInformation.
    */
   bool IsUnfinished() const;
 

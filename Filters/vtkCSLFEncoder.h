@@ -37,10 +37,9 @@
  * bytes are on the disk, and replaces an older one only then. Documentation/FileFormat.md specifies
  * the file.
  *
- * As soon as the coarsest grid is coded, that folder also has a preview: the file
- * `preview.mp4` (or `.mkv`) with all groups so far, which is replaced from time to time. It takes
- * at most one second in fifty. vtkCSLFDecoder reads it, and vtkCSLFMapper draws it with the
- * viewpoints that are there.
+ * As soon as the coarsest grid is coded, that folder also has a preview: the file `preview.mp4` (or
+ * `.mkv`) with all groups so far, which is replaced from time to time. Writing it takes at most one
+ * second in fifty. vtkCSLFDecoder reads it, and vtkCSLFMapper draws the viewpoints that are there.
  *
  * If a process is killed, is aborted or fails, for example because the disk is full, it leaves that
  * folder with the groups that are finished. The next process that writes the same field to the same

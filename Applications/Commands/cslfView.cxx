@@ -198,8 +198,9 @@ void AddView(CLI::App& app, Command& chosen)
   command->footer("Keys and mouse:\n" + Viewer::GetHelp() +
     "\n\nSpecify the scene, light and material that the field was sampled with to show the "
     "path-traced scene beside the lookups (key t) and their PSNR against it.\n\nA video that is "
-    "still being written is shown as soon as its coarsest grid is there, and refines as more of it "
-    "is.");
+    "still being written is shown as soon as it has its coarsest grid of viewpoints, and is "
+    "refined "
+    "as more of them are written.");
   const auto options = std::make_shared<Options>();
   command
     ->add_option("field", options->Field,

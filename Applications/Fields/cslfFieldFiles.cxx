@@ -263,8 +263,7 @@ void AddAllowMissing(CLI::App& command, bool& isAllowed)
 {
   command.add_flag("--allow-missing", isAllowed,
     "continue with a warning if viewpoints are missing from a damaged or unfinished file; "
-    "otherwise nothing is "
-    "written, and the exit code is 2");
+    "otherwise nothing is written, and the exit code is 2");
 }
 
 FieldFile OpenField(const FieldInput& input)

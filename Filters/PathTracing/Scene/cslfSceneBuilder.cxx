@@ -419,7 +419,7 @@ private:
   LightReader Lights;
   std::optional<Environment> Surroundings; // of the first data object that has one
   TextureReader Textures;
-  ArrayHashes Hashes; // of the textures
+  ArrayHashes Hashes;                      // of the textures
   std::map<float, SpecularAlbedo> Albedos; // of any roughness, by the index of refraction
   std::vector<SceneBlock> Blocks;
   Omissions Omitted;
