@@ -27,13 +27,13 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays Guard MissingViewpoints ParallelFor PipelineWatch ScenePipeline Slabs)
+  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch ScenePipeline Slabs)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
 
 # Looking up rays in a field. Its constants become a header and a shader.
-cslf_add(Filters/Lookup ChannelReader FaceSpace Lookup SceneGrid)
+cslf_add(Filters/Lookup ChannelReader FaceSpace Lookup SceneGrid SurfaceLookup)
 list(APPEND private_headers "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.h")
 set(constants "${CSLF_SOURCE_DIR}/Filters/Lookup/cslfLookupConstants.in")
 set(REAL "const float")
@@ -57,6 +57,7 @@ cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExpos
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits)
+cslf_add(Filters/Coding/Geometry GeometryCodec)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes PatchedFile)
 cslf_add(Filters/Coding/Frames
@@ -98,6 +99,7 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFViewTracer)
   list(APPEND sources ../Filters/vtkCSLFPathTracerCache.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
+  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces SurfaceMesh Tessellation)
   cslf_add(Filters/PathTracing/Lights
     DirectionalLight DirectLight Emitter Environment EnvironmentReader LightBounds LightReader
     LightSample LightTree LocalLights PointLight)
@@ -118,7 +120,7 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/Shapes
     Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels
-    ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
+    CenterSurfaces ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
   cslf_add(Filters/GLTF

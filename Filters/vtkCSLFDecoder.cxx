@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFDecoder.h"
 
+#include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Coding/Reading/cslfFieldReader.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
+#include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfJoin.h"
 
@@ -20,6 +22,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
@@ -65,6 +68,20 @@ public:
 
   std::optional<cslf::ViewpointSamples> GetViewpoint(vtkCSLFDecoder* self, vtkIdType z);
 
+  /// The part with the geometry, or null.
+  const cslf::FilePart* FindGeometry() const
+  {
+    if (!this->Reader)
+    {
+      return nullptr;
+    }
+    const auto& parts = this->Reader->GetHeader().Parts;
+    const auto found = std::find_if(parts.begin(), parts.end(),
+      [](const cslf::FilePart& part)
+      { return part.Type == cslf::GeometryPartType && part.Name == cslf::GeometryPartName; });
+    return found != parts.end() ? &*found : nullptr;
+  }
+
   bool HasViewpoint(vtkIdType z) const
   {
     return this->Reader && z >= 0 && z < this->Reader->GetHeader().Field.Grid.GetSlices();
@@ -93,6 +110,7 @@ vtkCSLFDecoder::vtkCSLFDecoder()
   , Internal(new Internals)
 {
   this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
 }
 
 vtkCSLFDecoder::~vtkCSLFDecoder()
@@ -162,6 +180,16 @@ const char* vtkCSLFDecoder::GetPartName(int part) const
   return part >= 0 && part < this->GetNumberOfParts()
     ? this->Internal->Reader->GetHeader().Parts[part].Name.c_str()
     : nullptr;
+}
+
+bool vtkCSLFDecoder::HasGeometry() const
+{
+  return this->Internal->FindGeometry() != nullptr;
+}
+
+vtkPolyData* vtkCSLFDecoder::GetGeometry()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 vtkUnsignedCharArray* vtkCSLFDecoder::GetPart(int part)
@@ -256,15 +284,65 @@ int vtkCSLFDecoder::RequestInformation(
   return 1;
 }
 
+int vtkCSLFDecoder::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+vtkTypeBool vtkCSLFDecoder::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+  {
+    cslf::ChoosePorts(request, outputVector);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
 int vtkCSLFDecoder::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->Internal->SetMissing({});
   if (!this->Internal->Reader)
   {
     return 0;
   }
+  if (cslf::IsPortWanted(outputVector, 1))
+  {
+    this->ReadGeometry(vtkPolyData::GetData(outputVector, 1));
+  }
+  return cslf::IsPortWanted(outputVector, 0) ? this->ReadField(outputVector) : 1;
+}
+
+void vtkCSLFDecoder::ReadGeometry(vtkPolyData* output)
+{
+  const cslf::FilePart* part = this->Internal->FindGeometry();
+  if (!part)
+  {
+    return;
+  }
+  std::string error;
+  const auto geometry =
+    cslf::DecodeGeometry(part->Bytes, this->Internal->Reader->GetHeader().Field.Box, error);
+  if (geometry)
+  {
+    output->ShallowCopy(geometry);
+  }
+  else
+  {
+    vtkWarningMacro(<< this->FileName << " can be read, but " << error << ".");
+  }
+}
+
+int vtkCSLFDecoder::ReadField(vtkInformationVector* outputVector)
+{
+  this->Internal->SetMissing({});
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   int asked[6];

@@ -50,6 +50,7 @@
 
 class vtkIdTypeArray;
 class vtkImageData;
+class vtkPolyData;
 class vtkUnsignedCharArray;
 
 class VTKCSLF_EXPORT vtkCSLFDecoder : public vtkImageAlgorithm
@@ -101,6 +102,17 @@ public:
   const char* GetTrackName(int track) const;
   vtkTypeInt64 GetTrackBytes(int track);
   ///@}
+
+  /**
+   * Whether the file has the field's geometry (see vtkCSLFEncoder::SetGeometryData), after
+   * UpdateInformation. Output port 1 delivers it; otherwise, that port's output is empty.
+   */
+  bool HasGeometry() const;
+
+  /**
+   * The geometry, on output port 1.
+   */
+  vtkPolyData* GetGeometry();
 
   ///@{
   /**
@@ -213,6 +225,9 @@ protected:
   vtkCSLFDecoder();
   ~vtkCSLFDecoder() override;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -226,6 +241,8 @@ private:
   bool Fail(unsigned long code, const std::string& problem);
   bool OpenFile();
   bool CheckRange(int first, int last);
+  int ReadField(vtkInformationVector* outputVector);
+  void ReadGeometry(vtkPolyData* output);
   void ReadRange(int first, int last, vtkImageData* output);
   bool ReportProgress(double progress);
   bool ReportDamage();

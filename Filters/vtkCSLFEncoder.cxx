@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFEncoder.h"
 
+#include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Coding/Writing/cslfEncodeSession.h"
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
@@ -15,6 +16,7 @@
 #include <vtkInformationVector.h>
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -72,7 +74,7 @@ vtkCSLFEncoder::vtkCSLFEncoder()
   , Lossless(options::Lossless.Default)
   , Restart(options::Restart.Default)
 {
-  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(0);
   this->SetPreset(options::Preset.Default);
   this->SetCodec(options::Codec.Default);
@@ -106,10 +108,19 @@ vtkCSLFRateControl* vtkCSLFEncoder::GetRateControl()
 
 cslfSetOptionMacro(vtkCSLFEncoder, GroupLength, GroupLength);
 
-int vtkCSLFEncoder::FillInputPortInformation(int, vtkInformation* info)
+int vtkCSLFEncoder::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
+}
+
+void vtkCSLFEncoder::SetGeometryData(vtkPolyData* geometry)
+{
+  this->SetInputDataInternal(1, geometry);
 }
 
 void vtkCSLFEncoder::SetInputData(vtkImageData* input)
@@ -152,6 +163,16 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     job.Connection = this->GetInputConnection(0, 0);
     job.Input = this->GetInputInformation(0, 0);
   }
+  job.AddGeometry = [this](const cslf::Cube& box, std::vector<cslf::FilePart>& parts)
+  {
+    auto* geometry = this->GetNumberOfInputConnections(1) > 0
+      ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
+      : nullptr;
+    if (geometry && geometry->GetNumberOfCells() > 0)
+    {
+      this->AddGeometry(geometry, box, parts);
+    }
+  };
   job.Progress = [this](double progress)
   {
     this->UpdateProgress(progress);
@@ -159,6 +180,24 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   };
   job.Warn = [this](const std::string& text) { vtkWarningMacro(<< text); };
   return job;
+}
+
+void vtkCSLFEncoder::AddGeometry(
+  vtkPolyData* geometry, const cslf::Cube& box, std::vector<cslf::FilePart>& parts)
+{
+  std::string fault;
+  cslf::FilePart part{ cslf::GeometryPartType, cslf::GeometryPartName,
+    cslf::EncodeGeometry(geometry, box, fault) };
+  if (fault.empty())
+  {
+    fault = cslf::FindFault(parts, part);
+  }
+  if (!fault.empty())
+  {
+    vtkWarningMacro("The file is written without the geometry: " << fault);
+    return;
+  }
+  parts.push_back(std::move(part));
 }
 
 bool vtkCSLFEncoder::AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name)

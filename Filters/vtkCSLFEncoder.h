@@ -71,17 +71,21 @@
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
 #include <memory> // For std::unique_ptr
+#include <vector> // For std::vector
 
 class vtkCSLFRateControl;
 class vtkImageData;
 class vtkMultiProcessController;
+class vtkPolyData;
 class vtkUnsignedCharArray;
 
 namespace cslf
 {
 class EncodeSession;
+struct Cube;
 struct EncodeFault;
 struct EncodeJob;
+struct FilePart;
 }
 
 class VTKCSLF_EXPORT vtkCSLFEncoder : public vtkAlgorithm
@@ -174,6 +178,15 @@ public:
 
   ///@{
   /**
+   * The field's geometry, which is optional, as on output port 1 of vtkCSLFSampler: triangles in
+   * world coordinates, within the cube. It becomes a part of the file, with positions of 16 bits
+   * along each edge of the cube. In a pipeline, use SetInputConnection with port 1.
+   */
+  void SetGeometryData(vtkPolyData* geometry);
+  ///@}
+
+  ///@{
+  /**
    * Additional parts that files carry besides the light field, such as a mesh of the scene or a
    * table. A part consists of bytes and a media type such as "model/gltf-binary" or "text/csv". A
    * name distinguishes parts of the same type. Type and name may have at most 100 bytes of UTF-8,
@@ -256,6 +269,9 @@ protected:
 private:
   vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
   void operator=(const vtkCSLFEncoder&) = delete;
+
+  void AddGeometry(
+    vtkPolyData* geometry, const cslf::Cube& box, std::vector<cslf::FilePart>& parts);
 
   class PartList;
   cslf::EncodeFault FindFault();

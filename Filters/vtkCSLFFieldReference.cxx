@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFFieldReference.h"
 
+#include "Options/cslfOptionTable.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
@@ -39,10 +40,9 @@ vtkStandardNewMacro(vtkCSLFFieldReference);
 
 namespace
 {
-/// Each side of a texel is divided into this many parts. Each ray of a packet samples one of the
-/// smaller texels.
-constexpr int CellSide = 4;
-constexpr int Cells = CellSide * CellSide;
+/// Each side of a texel that is a mean is divided into this many parts. Each ray of a packet
+/// samples one of the smaller texels.
+constexpr int CellsOfMean = 4;
 constexpr int Halves = 2;
 
 /// The number of texels traced at once: enough to keep many threads busy.
@@ -76,12 +76,12 @@ struct Half
   glm::dvec3 Radiance{ 0.0 };
   double Alpha = 0.0;
 
-  explicit Half(const float* cells)
+  Half(const float* cells, int count)
   {
-    for (int cell = 0; cell < Cells; ++cell, cells += 4)
+    for (int cell = 0; cell < count; ++cell, cells += 4)
     {
-      this->Radiance += glm::dvec3(cells[0], cells[1], cells[2]) / static_cast<double>(Cells);
-      this->Alpha += static_cast<double>(cells[3]) / Cells;
+      this->Radiance += glm::dvec3(cells[0], cells[1], cells[2]) / static_cast<double>(count);
+      this->Alpha += static_cast<double>(cells[3]) / count;
     }
   }
 };
@@ -249,11 +249,13 @@ private:
   bool TraceChunk(const cslf::BuiltScene& scene, vtkIdType first, vtkIdType last)
   {
     // A slice is a half of a texel. Its number determines its random numbers.
-    const vtkIdType count = Cells * Halves * (last - first);
+    const int side = this->GetCellSide();
+    const int cells = side * side;
+    const vtkIdType count = cells * Halves * (last - first);
     cslf::ViewpointSamples output;
     output.SetArray(cslf::KnownChannel::Color,
       cslf::MakeArray(cslf::MakeChannel(cslf::KnownChannel::Color, VTK_FLOAT), count));
-    const cslf::PictureLayout layout{ CellSide, CellSide, 1, static_cast<int>(Halves * first),
+    const cslf::PictureLayout layout{ side, side, 1, static_cast<int>(Halves * first),
       static_cast<int>(Halves * (last - first)) };
     const auto grids = [&](int slice, int) { return this->MakeRays(scene.Frame, slice / Halves); };
     const cslf::TexelRenderer renderer(*scene.World, layout, this->GetSettings(), grids, output);
@@ -267,16 +269,27 @@ private:
     for (vtkIdType k = first; isDone && k < last; ++k)
     {
       const float* halves =
-        output.Get<float>(cslf::KnownChannel::Color) + 4 * Cells * Halves * (k - first);
-      this->Compare(k, Half(halves), Half(halves + 4 * Cells));
+        output.Get<float>(cslf::KnownChannel::Color) + 4 * cells * Halves * (k - first);
+      this->Compare(k, Half(halves, cells), Half(halves + 4 * cells, cells));
     }
     return isDone;
   }
 
+  /// Whether the field's colours are those of the surfaces at the texels' centres.
+  bool HasSurfaceTexels() const
+  {
+    const auto sampling = nlohmann::json::parse(this->Description.Sampling, nullptr, false);
+    const auto found = sampling.find(cslf::options::SurfaceTexels.Key);
+    return found != sampling.end() && *found == true;
+  }
+
+  int GetCellSide() const { return this->HasSurfaceTexels() ? 1 : CellsOfMean; }
+
   cslf::RenderSettings GetSettings() const
   {
-    constexpr int parts = Halves * Cells;
+    const int parts = Halves * this->GetCellSide() * this->GetCellSide();
     cslf::RenderSettings settings;
+    settings.SurfaceTexels = this->HasSurfaceTexels();
     const int samples = this->Self->GetUsedSamples();
     settings.Samples = samples / parts + (samples % parts != 0);
     settings.Seed = static_cast<std::uint32_t>(
@@ -296,7 +309,7 @@ private:
     const auto y = static_cast<int>(texel / grid.GetStripWidth());
     const cslf::RayGrid tile =
       cslf::MakeFieldRays(grid, this->Description.Box, frame, this->GetSlice(k), x / side);
-    return cslf::MakeTexelRays(tile, x % side, y, CellSide);
+    return cslf::MakeTexelRays(tile, x % side, y, this->GetCellSide());
   }
 
   void Compare(vtkIdType k, const Half& first, const Half& second)

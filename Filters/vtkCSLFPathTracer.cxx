@@ -142,6 +142,9 @@ bool MakeEnvironment(vtkCSLFEnvironment* from, cslf::Environment& environment, s
   return true;
 }
 
+/// The share of the cache in the progress is an estimate.
+constexpr double CacheProgress = 0.5;
+
 /// The environment in the record. A scene's own one replaces it.
 nlohmann::json DescribeEnvironment(vtkCSLFEnvironment* environment, bool isReplaced)
 {
@@ -567,9 +570,10 @@ std::string vtkCSLFPathTracer::DescribeSampling()
   return sampling.dump();
 }
 
-bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlices,
-  const std::function<cslf::RayGrid(int slice, int tile)>& grids,
-  const cslf::ViewpointSamples& output)
+// Prepares the cache, if there is one. With `isAgain`, a cache that is there is used at once.
+// Otherwise ranks agree about it.
+bool vtkCSLFPathTracer::PrepareRendering(
+  const cslf::CheckedPicture& whole, bool isFloat, bool isAgain, cslf::RenderSettings& settings)
 {
   if (this->CostTime != this->GetMTime())
   {
@@ -585,39 +589,44 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     this->CacheRMSDifferenceError = 0.0;
     this->UsedCacheSpacing = 0.0;
   }
-  // The share of the cache in the progress is an estimate.
-  const double share = this->Integrator == RadianceCaching ? 0.5 : 0.0;
+  settings = this->GetRenderSettings();
   // A viewer may change the exposure of float colours; bytes are clipped at white.
-  const double displayRange = output.Get<float>(cslf::KnownChannel::Color)
-    ? cslf::DisplayCurve::FloatRange
-    : cslf::DisplayCurve::ByteRange;
-  cslf::RenderSettings settings = this->GetRenderSettings();
-  settings.DisplayRange = displayRange;
-  if (this->Integrator == RadianceCaching)
+  settings.DisplayRange = isFloat ? cslf::DisplayCurve::FloatRange : cslf::DisplayCurve::ByteRange;
+  if (this->Integrator != RadianceCaching)
   {
-    const double spacing = this->Internals->CacheOptions->GetSpacing();
-    const bool isChecked = this->Internals->CacheOptions->GetCheck();
-    const double automatic =
-      GetAutomaticCacheSpacing(std::max(layout.TileWidth, layout.TileHeight), this->Quality);
-    const cslf::CheckedPicture whole{ layout.TileWidth, layout.TileHeight, layout.Tiles,
-      wholeSlices, grids };
-    if (!this->UpdateCache(
-          spacing > 0.0 ? spacing : automatic, displayRange, share, isChecked ? &whole : nullptr))
-    {
-      return false;
-    }
-    settings.Cache = this->Internals->Cache.get();
-    if (!this->Internals->IsProbe)
-    {
-      // The cache may have been made without it.
-      if (isChecked && !settings.Cache->GetCheck().IsMade())
-      {
-        this->MeasureCache(whole, nullptr);
-      }
-      this->ReportCache();
-    }
+    return true;
   }
-  this->SetProgressText("Tracing texels");
+  const double spacing = this->Internals->CacheOptions->GetSpacing();
+  const bool isChecked = this->Internals->CacheOptions->GetCheck();
+  const double used = spacing > 0.0
+    ? spacing
+    : GetAutomaticCacheSpacing(std::max(whole.TileWidth, whole.TileHeight), this->Quality);
+  const bool isThere =
+    isAgain && this->Internals->CacheKey == this->MakeCacheKey(used, settings.DisplayRange);
+  if (!isThere &&
+    !this->UpdateCache(used, settings.DisplayRange, CacheProgress, isChecked ? &whole : nullptr))
+  {
+    return false;
+  }
+  settings.Cache = this->Internals->Cache.get();
+  if (!this->Internals->IsProbe)
+  {
+    // The cache may have been made without it.
+    if (isChecked && !settings.Cache->GetCheck().IsMade())
+    {
+      this->MeasureCache(whole, nullptr);
+    }
+    this->ReportCache();
+  }
+  return true;
+}
+
+bool vtkCSLFPathTracer::RenderTexels(const cslf::PictureLayout& layout,
+  const cslf::RenderSettings& settings,
+  const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+  const cslf::ViewpointSamples& output)
+{
+  const double share = settings.Cache ? CacheProgress : 0.0;
   const auto start = std::chrono::steady_clock::now();
   const cslf::TexelRenderer renderer(
     *this->Internals->Scene.World, layout, settings, grids, output);
@@ -629,8 +638,38 @@ bool vtkCSLFPathTracer::Render(const cslf::PictureLayout& layout, int wholeSlice
     });
   this->NumberOfRays += renderer.GetNumberOfRays();
   this->RenderSeconds += cslf::SecondsSince(start);
+  return done;
+}
+
+bool vtkCSLFPathTracer::Render(const cslf::CheckedPicture& whole, int first, int count,
+  const cslf::ViewpointSamples& output, bool surfaceTexels)
+{
+  cslf::RenderSettings settings;
+  if (!this->PrepareRendering(whole, output.Get<float>(cslf::KnownChannel::Color), false, settings))
+  {
+    return false;
+  }
+  settings.SurfaceTexels = surfaceTexels;
+  this->SetProgressText("Tracing texels");
+  const bool done =
+    this->RenderTexels({ whole.TileWidth, whole.TileHeight, whole.Tiles, first, count }, settings,
+      whole.Grids, output);
   this->SetProgressText(nullptr);
   return done;
+}
+
+bool vtkCSLFPathTracer::RenderRays(const cslf::CheckedPicture& whole,
+  const std::vector<cslf::RayGrid>& rays, const cslf::ViewpointSamples& output)
+{
+  cslf::RenderSettings settings;
+  if (!this->PrepareRendering(whole, output.Get<float>(cslf::KnownChannel::Color), true, settings))
+  {
+    return false;
+  }
+  settings.ShowEnvironment = false;
+  return this->RenderTexels(
+    { 1, 1, 1, 0, static_cast<int>(rays.size()) }, settings,
+    [&rays](int slice, int) { return rays[slice]; }, output);
 }
 
 void vtkCSLFPathTracer::PrintSelf(ostream& os, vtkIndent indent)

@@ -366,12 +366,19 @@ protected:
   std::string DescribeSampling();
 
   /**
-   * Renders a picture of the scene that UpdateScene returned, with progress. Returns false if
-   * aborted. The layout may be a part of the slices of the whole picture. The output has the arrays
-   * of the requested channels.
+   * Renders `count` slices, from number `first` on, of a picture of the scene that UpdateScene
+   * returned, with progress. Returns false if aborted. The output has the arrays of the requested
+   * channels. With `surfaceTexels`, only samples on the surface at a texel's centre give its
+   * colour.
    */
-  bool Render(const cslf::PictureLayout& layout, int wholeSlices,
-    const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+  bool Render(const cslf::CheckedPicture& whole, int first, int count,
+    const cslf::ViewpointSamples& output, bool surfaceTexels);
+
+  /**
+   * Renders single rays, the first of each grid, as such a picture would show them. Each becomes a
+   * texel of the output. Returns false if aborted.
+   */
+  bool RenderRays(const cslf::CheckedPicture& whole, const std::vector<cslf::RayGrid>& rays,
     const cslf::ViewpointSamples& output);
 
 private:
@@ -385,6 +392,11 @@ private:
   void GatherScene(std::vector<vtkSmartPointer<vtkDataObject>>& parts, std::vector<int>& ranks,
     std::string& error);
   cslf::RenderSettings GetRenderSettings();
+  bool PrepareRendering(
+    const cslf::CheckedPicture& whole, bool isFloat, bool isAgain, cslf::RenderSettings& settings);
+  bool RenderTexels(const cslf::PictureLayout& layout, const cslf::RenderSettings& settings,
+    const std::function<cslf::RayGrid(int slice, int tile)>& grids,
+    const cslf::ViewpointSamples& output);
   std::string MakeCacheKey(double spacing, double displayRange);
   bool UpdateCache(
     double spacing, double displayRange, double share, const cslf::CheckedPicture* checked);

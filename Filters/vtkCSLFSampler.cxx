@@ -3,30 +3,57 @@
 #include "vtkCSLFSampler.h"
 
 #include "Options/cslfOptionTable.h"
+#include "PathTracing/Geometry/cslfGeometryMaker.h"
+#include "PathTracing/RadianceCache/cslfCacheCheck.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
+#include "cslfJSON.h"
+#include "cslfSeconds.h"
 #include "vtkCSLFEnvironment.h"
 
+#include <vtkCellArray.h>
 #include <vtkDataArraySelection.h>
 #include <vtkDataObject.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <sstream>
+
+namespace
+{
+void AddNumber(const char* name, double number, vtkDataObject* data)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(number);
+  data->GetFieldData()->AddArray(array);
+}
+}
 
 vtkStandardNewMacro(vtkCSLFSampler);
 cslfSetOptionMacro(vtkCSLFSampler, Viewpoints, Viewpoints);
 cslfSetOptionMacro(vtkCSLFSampler, Resolution, Resolution);
 cslfSetOptionMacro(vtkCSLFSampler, Offset, Offset);
+cslfSetOptionMacro(vtkCSLFSampler, GeometryTriangles, GeometryTriangles);
 
 namespace options = cslf::options;
 
@@ -35,7 +62,10 @@ vtkCSLFSampler::vtkCSLFSampler()
   , Resolution(options::Resolution.Default)
   , AutomaticCube(options::AutomaticCube.Default)
   , Offset(options::Offset.Default)
+  , GeometryTriangles(options::GeometryTriangles.Default)
+  , SurfaceTexels(options::SurfaceTexels.Default)
 {
+  this->SetNumberOfOutputPorts(2);
   this->SetIntegrator(options::Integrator.Default);
   for (const cslf::KnownChannel id : cslf::TexelSums::ListChannels())
   {
@@ -109,35 +139,77 @@ int vtkCSLFSampler::RequestInformation(
   return 1;
 }
 
+int vtkCSLFSampler::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkCSLFSampler::GetGeometry()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTypeBool vtkCSLFSampler::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+  {
+    cslf::ChoosePorts(request, outputVector);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
 int vtkCSLFSampler::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  vtkImageData* output = vtkImageData::GetData(info);
   const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
-  if (!scene)
+  cslf::Description description;
+  if (!scene || !this->Describe(*scene, description))
   {
     return 0;
   }
+  const int side = this->Resolution;
+  const cslf::CheckedPicture whole{ side, side, cslf::TileCount, description.Grid.GetSlices(),
+    [&](int slice, int tile)
+    { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); } };
+  const bool isDone = !cslf::IsPortWanted(outputVector, 0) ||
+    this->SampleField(whole, description, outputVector->GetInformationObject(0));
+  if (isDone && cslf::IsPortWanted(outputVector, 1))
+  {
+    this->UpdateGeometry(*scene, description, whole);
+    if (this->Geometry)
+    {
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(this->Geometry);
+    }
+  }
+  return 1;
+}
 
-  // Describe the field.
-  cslf::Description description;
+// The field that is to be sampled. Reports an error and returns false if there is none.
+bool vtkCSLFSampler::Describe(const cslf::BuiltScene& scene, cslf::Description& description)
+{
   description.Grid = cslf::Layout(this->Viewpoints, this->Resolution);
-  description.Box = cslf::Cube::FromBounds(scene->Bounds, this->Offset);
+  description.Box = cslf::Cube::FromBounds(scene.Bounds, this->Offset);
   if (!this->AutomaticCube)
   {
     description.Box = { { this->CubeCenter[0], this->CubeCenter[1], this->CubeCenter[2] },
       { this->CubeEdges[0], this->CubeEdges[1], this->CubeEdges[2] } };
   }
-  if (!description.Box.Contains(scene->Bounds))
+  if (!description.Box.Contains(scene.Bounds))
   {
     vtkErrorMacro("The cube must strictly contain the scene.");
-    return 0;
+    return false;
   }
   if (!this->GetEnvironment()->GetShow())
   {
     description.SceneBounds.emplace();
-    std::copy_n(scene->Bounds, 6, description.SceneBounds->begin());
+    std::copy_n(scene.Bounds, 6, description.SceneBounds->begin());
   }
   for (const cslf::KnownChannel id : cslf::TexelSums::ListChannels())
   {
@@ -154,28 +226,89 @@ int vtkCSLFSampler::RequestData(
   if (!fault.empty())
   {
     vtkErrorMacro("The light field cannot be sampled: " << fault << ".");
-    return 0;
+    return false;
   }
+  return true;
+}
 
-  // Allocate the requested slices.
+// Samples the requested slices. Returns false if this was aborted.
+bool vtkCSLFSampler::SampleField(
+  const cslf::CheckedPicture& whole, cslf::Description& description, vtkInformation* info)
+{
+  vtkImageData* output = vtkImageData::GetData(info);
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   cslf::AllocateSlices(description, extent[4], extent[5], output);
-
-  // Render them.
-  const int side = this->Resolution;
-  const cslf::PictureLayout layout{ side, side, cslf::TileCount, extent[4],
-    extent[5] - extent[4] + 1 };
-  const auto makeRays = [&](int slice, int tile)
-  { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); };
-  if (!this->Render(layout, description.Grid.GetSlices(), makeRays, cslf::ViewpointSamples(output)))
+  if (!this->Render(whole, extent[4], extent[5] - extent[4] + 1, cslf::ViewpointSamples(output),
+        this->SurfaceTexels))
   {
     output->Initialize();
-    return 1;
+    return false;
   }
-  description.Sampling = this->DescribeSampling();
+  nlohmann::json sampling = nlohmann::json::parse(this->DescribeSampling());
+  sampling[options::SurfaceTexels.Key] = this->SurfaceTexels;
+  description.Sampling = sampling.dump();
   description.WriteTo(output->GetFieldData());
-  return 1;
+  return true;
+}
+
+// Makes the geometry, unless it is there.
+void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
+  const cslf::Description& description, const cslf::CheckedPicture& whole)
+{
+  if (this->GeometryTriangles == 0)
+  {
+    this->Geometry = nullptr;
+    this->GeometryKey.clear();
+    return;
+  }
+  std::ostringstream key;
+  key << this->GetMTime() << ' ' << scene.Fingerprint;
+  if (this->GeometryKey == key.str())
+  {
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  this->SetProgressText("Making the geometry");
+  const cslf::Geometry made = cslf::MakeGeometry(*scene.World,
+    { description.Grid, description.Box, scene.Frame,
+      static_cast<std::size_t>(this->GeometryTriangles) });
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const glm::vec3& point : made.Surface.Points)
+  {
+    const glm::dvec3 place = scene.Frame.Center + scene.Frame.Radius * glm::dvec3(point);
+    points->InsertNextPoint(place.x, place.y, place.z);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const glm::uvec3& corners : made.Surface.Triangles)
+  {
+    triangles->InsertNextCell({ corners.x, corners.y, corners.z });
+  }
+  vtkNew<vtkStringArray> hash;
+  hash->SetName(cslf::GeometrySceneName);
+  hash->InsertNextValue(scene.Fingerprint);
+  auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->ColorType));
+  colors->SetName(cslf::ColorName);
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(points->GetNumberOfPoints());
+  cslf::ViewpointSamples samples;
+  samples.SetArray(cslf::KnownChannel::Color, colors);
+  this->Geometry = nullptr;
+  this->GeometryKey.clear();
+  if (this->RenderRays(whole, made.Rays, samples))
+  {
+    this->Geometry = vtkSmartPointer<vtkPolyData>::New();
+    this->Geometry->SetPoints(points);
+    this->Geometry->SetPolys(triangles);
+    this->Geometry->GetPointData()->SetScalars(colors);
+    AddNumber(cslf::GeometryErrorName, scene.Frame.Radius * made.Error, this->Geometry);
+    AddNumber(cslf::GeometryLossName, made.Loss, this->Geometry);
+    this->Geometry->GetFieldData()->AddArray(hash);
+    this->GeometryKey = key.str();
+  }
+  this->GeometrySeconds = cslf::SecondsSince(start);
+  this->SetProgressText(nullptr);
 }
 
 void vtkCSLFSampler::PrintSelf(ostream& os, vtkIndent indent)
@@ -189,6 +322,9 @@ void vtkCSLFSampler::PrintSelf(ostream& os, vtkIndent indent)
      << this->CubeCenter[2] << "\n";
   os << indent << "CubeEdges: " << this->CubeEdges[0] << " " << this->CubeEdges[1] << " "
      << this->CubeEdges[2] << "\n";
+  os << indent << "SurfaceTexels: " << this->SurfaceTexels << "\n";
+  os << indent << "GeometryTriangles: " << this->GeometryTriangles << "\n";
+  os << indent << "GeometrySeconds: " << this->GeometrySeconds << "\n";
   os << indent << "ColorType: " << this->ColorType << "\n";
   os << indent << "GenerateDepth: " << this->GetGenerateDepth() << "\n";
   os << indent << "ChannelSelection:\n";

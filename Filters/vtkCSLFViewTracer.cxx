@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFViewTracer.h"
 
+#include "PathTracing/RadianceCache/cslfCacheCheck.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "cslfDescription.h"
@@ -152,9 +153,9 @@ int vtkCSLFViewTracer::RequestData(
   output->GetPointData()->GetScalars()->SetName(cslf::ColorName);
 
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
-  const cslf::PictureLayout layout{ this->Size[0], this->Size[1], 1, 0, 1 };
-  if (!this->Render(
-        layout, 1, [&rays](int, int) { return rays; }, cslf::ViewpointSamples(output)))
+  const cslf::CheckedPicture picture{ this->Size[0], this->Size[1], 1, 1,
+    [&rays](int, int) { return rays; } };
+  if (!this->Render(picture, 0, 1, cslf::ViewpointSamples(output), false))
   {
     output->Initialize();
     return 1;

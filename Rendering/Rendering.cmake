@@ -6,12 +6,12 @@ list(APPEND classes ../Rendering/vtkCSLFMapper ../Rendering/vtkCSLFToneMapping)
 list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
-  FaceUniforms FieldTexture FlatUniforms Focus LookupPicture OpenGL Residency Sight SightSeries
-  TilePool ViewpointLevels ViewpointSource)
+  FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL Residency Sight SightSeries
+  SurfacePicture TilePool ViewpointLevels ViewpointSource)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
-foreach (shader IN ITEMS Color Cube Field Guess Lookup MapperFS MapperVS PictureFS PictureVS
-    SceneGrid ToneMapping)
+foreach (shader IN ITEMS Color Cube Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS
+    Normals PictureFS PictureVS SceneGrid Surface SurfaceFS ToneMapping)
   list(APPEND shaders "${CSLF_SOURCE_DIR}/Rendering/Shaders/cslf${shader}.glsl")
 endforeach ()
 foreach (shader IN LISTS shaders)

@@ -13,10 +13,13 @@
 #include "cslfGuessGLSL.h"
 #include "cslfLookupConstantsGLSL.h"
 #include "cslfLookupGLSL.h"
+#include "cslfNormalsGLSL.h"
 #include "cslfOpenGL.h"
 #include "cslfPictureFS.h"
 #include "cslfPictureVS.h"
 #include "cslfSceneGridGLSL.h"
+#include "cslfSurfaceFS.h"
+#include "cslfSurfaceGLSL.h"
 #include "vtkCSLFMapper.h"
 
 #include <vtkMatrix4x4.h>
@@ -62,6 +65,16 @@ constexpr float MissMark = -1.0F;
 constexpr float CheckMark = -0.5F;
 constexpr float SearchMark = 0.0F;
 constexpr float RestMark = 0.5F;
+/// Pixels on the geometry are marked first, so that the passes above skip them. Then the passes for
+/// them skip the others: each draws only behind this mark, and in front of what is drawn.
+constexpr float SurfaceMark = -0.9F;
+constexpr float EmptyMark = -0.8F;
+constexpr float NearMark = -0.81F;
+constexpr float FarMark = -0.82F;
+constexpr float OtherMark = -0.83F;
+constexpr float OwnMark = -0.84F;
+constexpr float SeenMark = -0.85F;
+constexpr float UnseenMark = -0.86F;
 /// The depth of pixels that no pass has drawn.
 constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::MissDC);
 
@@ -137,7 +150,8 @@ bool LookupPicture::View::operator==(const View& other) const
   return this->Lookup == other.Lookup && this->Samples == other.Samples &&
     this->CCDC == other.CCDC && this->EyeCC == other.EyeCC &&
     this->IsEyeInside == other.IsEyeInside && this->EntryFaces == other.EntryFaces &&
-    this->FocalPointsCC == other.FocalPointsCC;
+    this->FocalPointsCC == other.FocalPointsCC && this->Geometry == other.Geometry &&
+    this->ClippingPlanesCC == other.ClippingPlanesCC;
 }
 
 LookupPicture::LookupPicture() = default;
@@ -184,9 +198,14 @@ void LookupPicture::Compile(vtkOpenGLRenderWindow* window, const View& view, Fie
 void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field,
   double seconds, int mostSamples)
 {
-  const bool isSearched = asked.Lookup == vtkCSLFMapper::DEPTH &&
-    field.GetField().FindChannel(KnownChannel::Depth) != nullptr;
+  const bool hasDepth = field.GetField().FindChannel(KnownChannel::Depth) != nullptr;
   View view = asked;
+  const bool isOnGeometry = asked.Lookup == vtkCSLFMapper::GEOMETRY && asked.Geometry && hasDepth;
+  if (asked.Lookup == vtkCSLFMapper::GEOMETRY && !isOnGeometry)
+  {
+    view.Lookup = vtkCSLFMapper::DEPTH;
+  }
+  const bool isSearched = view.Lookup >= vtkCSLFMapper::DEPTH && hasDepth;
   view.Samples = isSearched ? asked.Samples : 1;
   if (this->Window && this->Window != window)
   {
@@ -220,8 +239,9 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->Current = view;
   this->Changes = field.GetChanges();
   this->IsSearched = isSearched;
+  this->IsOnGeometry = isOnGeometry;
   this->Allocate(field);
-  this->BuildPrograms(field.GetField().FindChannel(KnownChannel::Depth) != nullptr);
+  this->BuildPrograms(hasDepth);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
@@ -280,7 +300,7 @@ void LookupPicture::Allocate(const FieldTexture& field)
   const bool isByte = field.GetField().FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
   const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
   this->Picture.Allocate(this->Window, this->Size, colorType, this->IsSearched);
-  if (this->IsSearched)
+  if (this->IsSearched && !this->IsOnGeometry)
   {
     const double edge = FindEdge(this->Current, this->Viewport) * this->Samples * this->Share;
     const int divisor =
@@ -295,10 +315,10 @@ void LookupPicture::Allocate(const FieldTexture& field)
 // Branches cost time even if they are not taken, so each program has only its own lookup.
 void LookupPicture::BuildPrograms(bool hasDepth)
 {
-  // Indexed by vtkCSLFMapper::LookupType. The last is for fields without depth; others are
+  // Indexed by vtkCSLFMapper::LookupType. The last two are for fields without depth; others are
   // searched.
   static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
-    "LookupFocal", "LookupFocal" };
+    "LookupFocal", "LookupFocal", "LookupFocal" };
   static_assert(
     std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
   const std::pair<int, bool> wanted(this->Current.Lookup, hasDepth);
@@ -307,16 +327,13 @@ void LookupPicture::BuildPrograms(bool hasDepth)
     return;
   }
   this->Built = wanted;
-  std::string common = cslfPictureFS;
-  vtkShaderProgram::Substitute(common, "//CSLF::Lookup::Dec",
-    std::string(cslfLookupConstantsGLSL) + cslfCubeGLSL + cslfFieldGLSL + cslfSceneGridGLSL +
-      cslfLookupGLSL + cslfGuessGLSL + cslfColorGLSL);
-  const auto build = [&](const std::string& lookup, bool isDepthOnly = false)
+  const std::string functions = std::string(cslfLookupConstantsGLSL) + cslfCubeGLSL +
+    cslfFieldGLSL + cslfSceneGridGLSL + cslfLookupGLSL + cslfGuessGLSL + cslfColorGLSL;
+  const auto build =
+    [&](std::string fragment, const std::string& lookup, const std::string& more = std::string())
   {
-    std::string fragment = common;
     vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
-      "#define LOOKUP " + lookup + (hasDepth ? "\n#define HAS_DEPTH" : "") +
-        (isDepthOnly ? "\n#define DEPTH_ONLY" : ""));
+      "#define LOOKUP " + lookup + (hasDepth ? "\n#define HAS_DEPTH" : "") + more);
     std::string vertex = cslfPictureVS;
     if (ReadsUniformsByLane())
     {
@@ -325,21 +342,40 @@ void LookupPicture::BuildPrograms(bool hasDepth)
     return std::make_unique<vtkOpenGLQuadHelper>(
       this->Window, vertex.c_str(), fragment.c_str(), "");
   };
+  std::string ray = cslfPictureFS;
+  vtkShaderProgram::Substitute(ray, "//CSLF::Lookup::Dec", functions);
+  this->ReleasePrograms();
+  if (this->IsOnGeometry)
+  {
+    std::string point = cslfSurfaceFS;
+    vtkShaderProgram::Substitute(
+      point, "//CSLF::Lookup::Dec", functions + cslfNormalsGLSL + cslfSurfaceGLSL);
+    this->OnSurface = build(point, "LookupOwn", "\n#define ANY_FACE\n#define ONLY_MARK");
+    this->Near = build(point, "LookupNear");
+    this->Far = build(point, "LookupFar");
+    this->Other = build(point, "LookupFar", "\n#define ANY_FACE");
+    this->Own = build(point, "LookupOwn", "\n#define ANY_FACE");
+    this->Miss = build(ray, "LookupEmpty");
+  }
+  else if (this->IsSearched)
+  {
+    this->GuessSearch = build(ray, "LookupGuess", "\n#define DEPTH_ONLY");
+    this->Miss = build(ray, "LookupMiss");
+    this->Check = build(ray, "LookupGuessed");
+  }
+  this->Search = build(ray, this->IsSearched ? "LookupSeen" : lookups[this->Current.Lookup]);
   if (this->IsSearched)
   {
-    this->GuessSearch = build("LookupGuess", true);
-    this->Miss = build("LookupMiss");
-    this->Check = build("LookupGuessed");
-    this->Search = build("LookupSeen");
-    this->Rest = build("LookupUnseen");
+    this->Rest = build(ray, "LookupUnseen");
   }
-  else
+}
+
+void LookupPicture::ReleasePrograms()
+{
+  for (auto* program : { &this->Search, &this->Miss, &this->Check, &this->GuessSearch, &this->Rest,
+         &this->OnSurface, &this->Near, &this->Far, &this->Other, &this->Own })
   {
-    this->Search = build(lookups[this->Current.Lookup]);
-    this->Miss.reset();
-    this->Check.reset();
-    this->GuessSearch.reset();
-    this->Rest.reset();
+    program->reset();
   }
 }
 
@@ -348,8 +384,6 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   SetFaceUniforms(program, entryFace);
   const glm::vec3 focalPoint(CubeToFaceSpace(entryFace, this->Current.FocalPointsCC[entryFace]));
   program->SetUniform3f("FocalPointFC", &focalPoint.x);
-  program->SetUniformi("IsEyeInside", this->Current.IsEyeInside);
-
   const glm::dvec3 eyeCC(this->Current.EyeCC);
   const glm::dvec3 eye = this->Current.EyeCC.w > 0.0
     ? CubeToFaceSpace(entryFace, eyeCC)
@@ -372,6 +406,10 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   fcdc->Transpose();
   program->SetUniformMatrix("FCDCMatrix", fcdc);
   program->SetUniformMatrix("DCFCMatrix", dcfc);
+  if (this->IsOnGeometry)
+  {
+    this->Surfaces.SetUniforms(program);
+  }
   if (this->Check && (program == this->Check->Program || program == this->Miss->Program))
   {
     const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
@@ -398,26 +436,13 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  if (this->IsSearched)
+  if (this->IsOnGeometry)
   {
-    const bool hasGuess = !this->Current.IsEyeInside;
-    if (hasGuess)
-    {
-      this->Begin(this->Guess, false);
-      this->DrawFaces(field, *this->GuessSearch, SearchMark);
-      this->Guess.Depths->Activate();
-    }
-    this->Begin(this->Picture, true);
-    // Later passes skip the results of earlier ones: early depth tests cull them.
-    state->vtkglEnable(GL_DEPTH_TEST);
-    if (hasGuess)
-    {
-      this->DrawFaces(field, *this->Miss, MissMark);
-      this->DrawFaces(field, *this->Check, CheckMark);
-      this->Guess.Depths->Deactivate();
-    }
-    this->DrawFaces(field, *this->Search, SearchMark);
-    this->DrawFaces(field, *this->Rest, RestMark);
+    this->DrawSurfaces(field);
+  }
+  else if (this->IsSearched)
+  {
+    this->DrawSearched(field);
   }
   else
   {
@@ -425,6 +450,59 @@ void LookupPicture::DrawPicture(FieldTexture& field)
     this->DrawFaces(field, *this->Search, SearchMark);
   }
   state->PopFramebufferBindings();
+}
+
+// Rays that meet the geometry are looked up there, others are searched.
+void LookupPicture::DrawSurfaces(FieldTexture& field)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  this->Surfaces.Draw(this->Window, this->Framebuffer, this->Current.Geometry,
+    CutOut(this->Current.CCDC, this->Viewport, this->Area), this->Current.ClippingPlanesCC,
+    this->Size, this->Picture.Colors->GetVTKDataType());
+  this->Begin(this->Picture, true);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  this->Surfaces.Activate();
+  this->DrawFaces(field, *this->OnSurface, SurfaceMark, true);
+  const bool isAll = this->Current.Geometry->IsComplete && field.GetField().SceneBounds.has_value();
+  if (!isAll)
+  {
+    this->DrawFaces(field, *this->Miss, EmptyMark);
+    this->DrawFaces(field, *this->Search, SearchMark);
+    this->DrawFaces(field, *this->Rest, RestMark);
+  }
+  state->vtkglDepthFunc(GL_GREATER);
+  this->DrawFaces(field, *this->Near, NearMark);
+  this->DrawFaces(field, *this->Far, FarMark);
+  this->DrawFaces(field, *this->Other, OtherMark, true);
+  this->DrawFaces(field, *this->Own, OwnMark, true);
+  if (!this->Current.Geometry->HasColors)
+  {
+    this->DrawFaces(field, *this->Search, SeenMark);
+    this->DrawFaces(field, *this->Rest, UnseenMark);
+  }
+  this->Surfaces.Deactivate();
+}
+
+void LookupPicture::DrawSearched(FieldTexture& field)
+{
+  const bool hasGuess = !this->Current.IsEyeInside;
+  if (hasGuess)
+  {
+    this->Begin(this->Guess, false);
+    this->DrawFaces(field, *this->GuessSearch, SearchMark);
+    this->Guess.Depths->Activate();
+  }
+  this->Begin(this->Picture, true);
+  // Later passes skip the results of earlier ones: early depth tests cull them.
+  this->Window->GetState()->vtkglEnable(GL_DEPTH_TEST);
+  if (hasGuess)
+  {
+    this->DrawFaces(field, *this->Miss, MissMark);
+    this->DrawFaces(field, *this->Check, CheckMark);
+    this->Guess.Depths->Deactivate();
+  }
+  this->DrawFaces(field, *this->Search, SearchMark);
+  this->DrawFaces(field, *this->Rest, RestMark);
 }
 
 // All targets share one framebuffer object, because vtkOpenGLState confuses the draw buffers of
@@ -455,17 +533,20 @@ void LookupPicture::Begin(Target& target, bool marks)
   }
 }
 
-void LookupPicture::DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC)
+// Over each entry face, or each time over the whole picture.
+void LookupPicture::DrawFaces(
+  FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole)
 {
   vtkShaderProgram* program = quad.Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
   for (int face = 0; face < FaceCount; ++face)
   {
-    if (this->Current.EntryFaces[face])
+    if (this->Current.EntryFaces[face] || (getenv("ALLF") && isWhole))
     {
       field.Activate(face);
       field.SetUniforms(program, face);
       this->SetViewUniforms(program, face);
+      program->SetUniformi("IsWhole", isWhole || this->Current.IsEyeInside);
       program->SetUniformf("MarkDC", markDC);
       quad.Render();
     }
@@ -502,11 +583,8 @@ void LookupPicture::Release(vtkWindow* window)
 {
   if (this->Window && this->Window == window)
   {
-    this->Search.reset();
-    this->Miss.reset();
-    this->Check.reset();
-    this->GuessSearch.reset();
-    this->Rest.reset();
+    this->ReleasePrograms();
+    this->Surfaces.Release(window);
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Picture.Release(window);
     this->Guess.Release(window);

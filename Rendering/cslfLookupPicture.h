@@ -9,6 +9,7 @@
 
 #include "cslfCube.h"
 #include "cslfSight.h"
+#include "cslfSurfacePicture.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -18,6 +19,7 @@
 #include <array>
 #include <memory>
 #include <utility>
+#include <vector>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
@@ -47,6 +49,8 @@ public:
     bool IsEyeInside = false; ///< of the cube
     std::array<bool, FaceCount> EntryFaces{};
     std::array<glm::dvec3, FaceCount> FocalPointsCC{};
+    std::shared_ptr<const GeometryMesh> Geometry; ///< null if there is none
+    std::vector<glm::dvec4> ClippingPlanesCC;     ///< that cut the geometry
 
     bool operator==(const View& other) const;
   };
@@ -101,11 +105,15 @@ private:
   void ChooseSize(int lookup, int wantedSamples, double seconds);
   void Allocate(const FieldTexture& field);
   void BuildPrograms(bool hasDepth);
+  void ReleasePrograms();
   void DrawPicture(FieldTexture& field);
+  void DrawSurfaces(FieldTexture& field);
+  void DrawSearched(FieldTexture& field);
 
   /// Clears a target and draws to it from now on, perhaps with its marks.
   void Begin(Target& target, bool marks);
-  void DrawFaces(FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC);
+  void DrawFaces(
+    FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole = false);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
 
   vtkOpenGLRenderWindow* Window = nullptr; ///< the context to which the textures belong
@@ -117,7 +125,8 @@ private:
   double Share = 1.0; ///< the same, as far as there is time while the view moves
   std::array<int, 2> Size{ 1, 1 };
   double PixelSeconds = 0.0;               ///< for a pixel at the last measurement; 0 before
-  bool IsSearched = false;                 ///< depth lookup, which takes several passes
+  bool IsSearched = false;                 ///< by depth or geometry, which takes several passes
+  bool IsOnGeometry = false;               ///< rays that meet the geometry are not searched
   std::pair<int, bool> Built{ -1, false }; ///< the programs: the lookup, and whether with depth
   Target Picture;
   Target Guess;
@@ -129,6 +138,12 @@ private:
   std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< remaining pixels; without depth, all
   std::unique_ptr<vtkOpenGLQuadHelper>
     Rest; ///< pixels for which the search found no visible surface
+  SurfacePicture Surfaces;
+  std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks the pixels that show the geometry
+  std::unique_ptr<vtkOpenGLQuadHelper> Near;      ///< points of the geometry, by the views around
+  std::unique_ptr<vtkOpenGLQuadHelper> Far;       ///< by others of the entry face
+  std::unique_ptr<vtkOpenGLQuadHelper> Other;     ///< by those of other faces
+  std::unique_ptr<vtkOpenGLQuadHelper> Own;       ///< by its own colours
 };
 }
 

@@ -309,9 +309,10 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
   {
     options += "#define LINEAR_COLOR\n";
   }
-  if (!this->ClippingPlanesCC.empty())
+  if (!this->View.ClippingPlanesCC.empty())
   {
-    options += "#define CLIPPING_PLANES " + std::to_string(this->ClippingPlanesCC.size()) + "\n";
+    options +=
+      "#define CLIPPING_PLANES " + std::to_string(this->View.ClippingPlanesCC.size()) + "\n";
   }
   if (this->Picture.GetSamples() > 1)
   {
@@ -457,7 +458,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
 {
-  if (this->ClippingPlanesCC.empty())
+  if (this->View.ClippingPlanesCC.empty())
   {
     return;
   }
@@ -466,7 +467,7 @@ void vtkCSLFCubeMapper::SetClippingUniforms(vtkShaderProgram* program)
   const cslf::DisplayRows& ccdc = this->View.CCDC;
   const glm::dmat4 inverse = glm::inverse(glm::dmat4(ccdc[0], ccdc[1], ccdc[2], ccdc[3]));
   std::vector<std::array<float, 4>> planes;
-  for (const glm::dvec4& plane : this->ClippingPlanesCC)
+  for (const glm::dvec4& plane : this->View.ClippingPlanesCC)
   {
     const glm::vec4 planeDC(inverse * plane);
     planes.push_back({ planeDC.x, planeDC.y, planeDC.z, planeDC.w });

@@ -66,7 +66,13 @@ public:
   /// The planes that cut the picture: what is drawn lies where they are positive.
   void SetClippingPlanesCC(const std::vector<glm::dvec4>& planesCC)
   {
-    this->ClippingPlanesCC = planesCC;
+    this->View.ClippingPlanesCC = planesCC;
+  }
+
+  /// The field's geometry, or null.
+  void SetGeometry(const std::shared_ptr<const cslf::GeometryMesh>& geometry)
+  {
+    this->View.Geometry = geometry;
   }
 
   /// How radiance becomes colour.
@@ -140,7 +146,6 @@ private:
   bool TextureFailed = false;
   int PixelSamples = 2;
   double DrawSeconds = 0.0;
-  std::vector<glm::dvec4> ClippingPlanesCC;
   vtkSmartPointer<vtkCSLFToneMapping> ToneMapping; ///< never null when drawing
   std::string Options;                             ///< the shader's, for the picture being drawn
 

@@ -5,12 +5,14 @@
 #include "Options/cslfOptionTable.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
+#include "cslfGeometryMesh.h"
 #include "cslfViewpointSource.h"
 #include "vtkCSLFCubeMapper.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithmOutput.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
@@ -39,6 +41,9 @@ public:
   std::optional<std::array<glm::dvec3, cslf::FaceCount>> AutomaticFocalPoints;
   vtkObject* CheckedInput = nullptr; ///< only compared
   vtkMTimeType CheckedTime = 0;
+  std::shared_ptr<const cslf::GeometryMesh> Geometry; ///< null if there is none
+  vtkObject* CheckedGeometry = nullptr;               ///< only compared
+  vtkMTimeType CheckedGeometryTime = 0;
   bool HasWarnedOfInside = false;
   bool HasReportedDamage = false;
 
@@ -119,16 +124,29 @@ vtkCSLFMapper::vtkCSLFMapper()
   , Internals(new vtkInternals)
 {
   std::copy_n(options::FocalPoint.Default.begin(), 3, this->FocalPoint);
+  this->SetNumberOfInputPorts(2);
 }
 
 //------------------------------------------------------------------------------
 vtkCSLFMapper::~vtkCSLFMapper() = default;
 
 //------------------------------------------------------------------------------
-int vtkCSLFMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+int vtkCSLFMapper::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkCSLFMapper::GetGeometry()
+{
+  return this->GetNumberOfInputConnections(1) < 1
+    ? nullptr
+    : vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0));
 }
 
 //------------------------------------------------------------------------------
@@ -223,6 +241,28 @@ bool vtkCSLFMapper::UpdateField()
 }
 
 //------------------------------------------------------------------------------
+// Reads the geometry, once per change of it or of the field.
+void vtkCSLFMapper::UpdateGeometry()
+{
+  vtkInternals& internals = *this->Internals;
+  if (this->GetNumberOfInputConnections(1) > 0 && !this->Static)
+  {
+    vtkAlgorithmOutput* connection = this->GetInputConnection(1, 0);
+    connection->GetProducer()->Update(connection->GetIndex());
+  }
+  vtkPolyData* geometry = this->GetGeometry();
+  const vtkMTimeType time =
+    geometry ? std::max(geometry->GetMTime(), internals.CheckedTime) : vtkMTimeType(0);
+  if (internals.CheckedGeometry == geometry && internals.CheckedGeometryTime == time)
+  {
+    return;
+  }
+  internals.CheckedGeometry = geometry;
+  internals.CheckedGeometryTime = time;
+  internals.Geometry = geometry ? cslf::MakeGeometryMesh(geometry, internals.GetCube()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 // Viewpoints come from a decoder as they are needed: its output is not updated.
 std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenDecoder(vtkCSLFDecoder* decoder)
 {
@@ -297,8 +337,13 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   vtkInternals& internals = *this->Internals;
+  if (this->Lookup == GEOMETRY)
+  {
+    this->UpdateGeometry();
+  }
   vtkCSLFCubeMapper* cubeMapper = this->GetCubeMapper(renderer->GetRenderWindow());
   cubeMapper->SetLookup(this->Lookup);
+  cubeMapper->SetGeometry(internals.Geometry);
   cubeMapper->SetPixelSamples(this->PixelSamples);
   cubeMapper->SetDrawSeconds(
     this->AutoAdjustResolution ? actor->GetAllocatedRenderTime() : VTK_DOUBLE_MAX);
@@ -373,6 +418,7 @@ void vtkCSLFMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkCSLFMapper::SafeDownCast(mapper))
   {
     this->SetInputConnection(other->GetInputConnection(0, 0));
+    this->SetInputConnection(1, other->GetInputConnection(1, 0));
     this->SetLookup(other->GetLookup());
     this->SetAutomaticFocalPoint(other->GetAutomaticFocalPoint());
     this->SetAutoAdjustResolution(other->GetAutoAdjustResolution());

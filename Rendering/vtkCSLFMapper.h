@@ -54,6 +54,7 @@
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkImageData.h"  // for SetInputData
 #include "vtkMapper.h"
+#include "vtkPolyData.h"     // for SetGeometryData
 #include "vtkSmartPointer.h" // for vtkSmartPointer
 
 #include <memory> // for the internals
@@ -89,13 +90,14 @@ public:
     BILINEAR = 2, ///< both interpolated; sharp on the far faces of the cube
     FOCAL = 3,    ///< both interpolated, aimed at the focal point: sharp there
     DEPTH = 4,    ///< aimed at the surface found by the depth channel: sharp everywhere
+    GEOMETRY = 5, ///< aimed at the field's geometry, seen by all viewpoints that see it: sharpest
     NUMBER_OF_LOOKUPS
   };
 
   ///@{
   /**
-   * The lookup. If the field has no depth channel, DEPTH is drawn as FOCAL about the cube's centre.
-   * Default: DEPTH.
+   * The lookup. Without geometry, GEOMETRY is drawn as DEPTH. If the field has no depth channel,
+   * both are drawn as FOCAL about the cube's centre. Default: GEOMETRY.
    */
   void SetLookup(int lookup);
   vtkGetMacro(Lookup, int);
@@ -104,6 +106,7 @@ public:
   void SetLookupToBilinear() { this->SetLookup(BILINEAR); }
   void SetLookupToFocal() { this->SetLookup(FOCAL); }
   void SetLookupToDepth() { this->SetLookup(DEPTH); }
+  void SetLookupToGeometry() { this->SetLookup(GEOMETRY); }
   const char* GetLookupAsString();
   ///@}
 
@@ -213,6 +216,18 @@ public:
    */
   vtkTypeInt64 GetTextureBytes();
 
+  ///@{
+  /**
+   * The field's geometry, which is optional: where its surfaces are, in the field's world
+   * coordinates. Its triangles are drawn with the colours of the viewpoints that see them, so they
+   * need not be those of the sampled scene, but each must lie on its surfaces. Point data `Color`,
+   * as the field has it, is for what no viewpoint sees. In a pipeline, use SetInputConnection with
+   * port 1.
+   */
+  void SetGeometryData(vtkPolyData* geometry) { this->SetInputDataInternal(1, geometry); }
+  vtkPolyData* GetGeometry();
+  ///@}
+
   using vtkMapper::GetBounds;
   /**
    * The bounds of the field's cube; uninitialized if there is no valid field.
@@ -260,6 +275,7 @@ private:
   void operator=(const vtkCSLFMapper&) = delete;
 
   bool UpdateField();
+  void UpdateGeometry();
   std::shared_ptr<cslf::ViewpointSource> OpenDecoder(vtkCSLFDecoder* decoder);
   std::shared_ptr<cslf::ViewpointSource> OpenImage(vtkImageData* image);
   void ReportDamage(int damaged, int undamaged);

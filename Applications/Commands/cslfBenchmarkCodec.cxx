@@ -248,7 +248,10 @@ Result Run(Options options)
   const BenchmarkViews views = options.Begin(file.Field);
   if (!views.Views.empty())
   {
-    sweep.SetViews(views.Views, GetLookups(file.Field));
+    // The geometry is not coded.
+    FieldFile coded = file;
+    coded.GeometryReader = nullptr;
+    sweep.SetViews(views.Views, GetLookups(coded));
   }
   std::vector<Series> all;
   std::sort(options.CRFs.begin(), options.CRFs.end());

@@ -32,7 +32,7 @@ struct Options
 {
   std::string Field;
   std::string Folder;
-  std::string Lookup = "depth";
+  std::string Lookup = "geometry";
   int Size = 512;
   int Repeats = 10;
 };
@@ -95,10 +95,14 @@ void OpenOnce(const Options& options, Findings& findings)
   phases[Opening] = opening.Read();
 
   const Stopwatch drawing;
-  findings.Lookup = ChooseLookup(options.Lookup, file.Field);
+  findings.Lookup = ChooseLookup(options.Lookup, file);
   ReadToDraw(file);
   vtkNew<vtkCSLFMapper> mapper;
   mapper->SetInputConnection(file.Reader->GetOutputPort());
+  if (file.GeometryReader)
+  {
+    mapper->SetInputConnection(1, file.GetGeometry());
+  }
   mapper->SetLookup(FindLookup(findings.Lookup));
   mapper->StreamingOn();
   vtkNew<vtkActor> actor;

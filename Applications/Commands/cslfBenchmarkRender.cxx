@@ -32,7 +32,7 @@ namespace
 struct Options : BenchmarkOptions
 {
   std::string Mesh;
-  std::vector<std::string> Lookups; ///< if empty, all that the field has the channels for
+  std::vector<std::string> Lookups; ///< if empty, all of the field
   int Frames = 72;
   double Rate = 30.0; ///< wanted while the view moves
 };
@@ -137,8 +137,7 @@ std::unique_ptr<FieldRenderer> Open(
   const auto start = std::chrono::steady_clock::now();
   file = OpenField(options.Field);
   ReadToDraw(file);
-  auto renderer = std::make_unique<FieldRenderer>(
-    file.Reader->GetOutputPort(), options.Novel.Size, options.Novel.Size);
+  auto renderer = std::make_unique<FieldRenderer>(file, options.Novel.Size, options.Novel.Size);
   renderer->SetStreaming(isStreaming);
   const int stillSamples = renderer->GetPixelSamples();
   renderer->SetPixelSamples(1);
@@ -155,7 +154,7 @@ Findings Measure(
   findings.Path = options.Scene.HasCornellBox() ? SwingName : OrbitName;
   findings.Triangles = mesh ? mesh->GetNumberOfTriangles() : 0;
   findings.NoiseFloor = views.NoiseFloor;
-  for (const LookupName& lookup : ChooseLookups(options.Lookups, file.Field))
+  for (const LookupName& lookup : ChooseLookups(options.Lookups, file))
   {
     Score score;
     score.Lookup = lookup;

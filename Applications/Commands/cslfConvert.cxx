@@ -64,12 +64,12 @@ Result Extract(const Options& options)
   return result;
 }
 
-/// Writes the field of a connection. Only the first process has a result; `isCoarser` selects its
-/// details.
-Result Write(const Options& options, const FieldWriter& writer, vtkAlgorithmOutput* connection,
-  const char* label, bool isCoarser)
+/// Writes the field of a connection, with the geometry of a file. Only the first process has a
+/// result; `isCoarser` selects its details.
+Result Write(const Options& options, const FieldWriter& writer, const FieldFile& file,
+  vtkAlgorithmOutput* connection, const char* label, bool isCoarser)
 {
-  const nlohmann::json coding = writer.Write(connection, label);
+  const nlohmann::json coding = writer.Write(connection, file.GetGeometry(), label);
   ThrowOnError();
 
   if (!IsFirstRank())
@@ -111,7 +111,7 @@ Result Convert(const Options& options, bool toVideo)
   const FieldFile file = OpenField(options.Input);
   writer.TakeParts(file);
   return Write(
-    options, writer, file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding", false);
+    options, writer, file, file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding", false);
 }
 
 Result Resample(const Options& options)
@@ -124,7 +124,7 @@ Result Resample(const Options& options)
   resample->SetInputConnection(file.Reader->GetOutputPort());
   resample->SetResolutionDivisor(options.ResolutionDivisor);
   resample->SetViewpointStride(options.ViewpointStride);
-  return Write(options, writer, resample->GetOutputPort(), "Resampling", true);
+  return Write(options, writer, file, resample->GetOutputPort(), "Resampling", true);
 }
 
 void Add(CLI::App& app, Command& chosen, const char* name, const char* help, bool toVideo)

@@ -43,7 +43,7 @@ struct Options
   std::string ContactSheet;
   std::string Title;
   int PixelSamples = options::PixelSamples.Default;
-  std::vector<std::string> Lookups; ///< if empty, all that the field has the channels for
+  std::vector<std::string> Lookups; ///< if empty, all of the field
   NovelViewOptions Novel;
   CameraPathOptions Path;
   ToneOptions Tone;
@@ -82,11 +82,11 @@ void CheckOutputs(const Options& options)
   }
 }
 
-/// One score for each lookup. Throws a Failure if the field does not have the channels for it.
-std::vector<Score> MakeScores(const Options& options, const Description& description)
+/// One score for each lookup. Throws a Failure if the field lacks what it needs.
+std::vector<Score> MakeScores(const Options& options, const FieldFile& file)
 {
   std::vector<Score> scores;
-  for (const LookupName& lookup : ChooseLookups(options.Lookups, description))
+  for (const LookupName& lookup : ChooseLookups(options.Lookups, file))
   {
     scores.emplace_back();
     scores.back().Lookup = lookup;
@@ -267,14 +267,14 @@ Result Run(Options options)
   const FieldFile file = OpenField(options.Field);
   RequireDisplay();
   Findings findings;
-  findings.Scores = MakeScores(options, file.Field);
+  findings.Scores = MakeScores(options, file);
   const auto cameras = MakeCameras(options, file.Field.Box);
   options.Scene.TakeDefaults(nlohmann::json::parse(file.Field.Sampling, nullptr, false));
   const Scene scene = options.Scene.Read();
   ReadToDraw(file);
 
   const int size = options.Novel.Size;
-  FieldRenderer renderer(file.Reader->GetOutputPort(), size, size);
+  FieldRenderer renderer(file, size, size);
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
   TruthTracer tracer(options.Scene, scene, options.Novel.TruthFolder);

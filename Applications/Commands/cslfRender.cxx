@@ -30,7 +30,7 @@ struct Options
 {
   FieldInput Field;
   std::string Output;
-  std::string Lookup = "depth";
+  std::string Lookup = "geometry";
   ToneOptions Tone;
   int PixelSamples = options::PixelSamples.Default;
   CameraOptions Camera;
@@ -45,11 +45,10 @@ Result RunView(const Options& options)
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   RequireDisplay();
   ReadToDraw(file);
-  FieldRenderer renderer(
-    file.Reader->GetOutputPort(), options.Camera.GetWidth(), options.Camera.GetHeight());
+  FieldRenderer renderer(file, options.Camera.GetWidth(), options.Camera.GetHeight());
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
-  const std::string lookup = ChooseLookup(options.Lookup, file.Field);
+  const std::string lookup = ChooseLookup(options.Lookup, file);
   WritePicture(options.Output, renderer.Render(camera, FindLookup(lookup)));
   Result result;
   result.Text = options.Output + "\n";
@@ -66,10 +65,10 @@ Result RunPath(const Options& options)
   const int height = options.Camera.GetHeight();
   const auto writer = MakeFrameWriter(options.Output, width, height, options.FrameRate);
   ReadToDraw(file);
-  FieldRenderer renderer(file.Reader->GetOutputPort(), width, height);
+  FieldRenderer renderer(file, width, height);
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
-  const std::string name = ChooseLookup(options.Lookup, file.Field);
+  const std::string name = ChooseLookup(options.Lookup, file);
   const int lookup = FindLookup(name);
   // The first picture uploads the field to graphics memory, so its time does not count as a frame.
   renderer.Draw(cameras.front(), lookup);
@@ -107,8 +106,8 @@ void AddRender(CLI::App& app, Command& chosen)
       "-o,--output", options->Output, std::string("the output: .png; with --path ") + FrameFormats)
     ->required();
   command
-    ->add_option(
-      "--lookup", options->Lookup, "the lookup; if the field has no depth, depth becomes focal")
+    ->add_option("--lookup", options->Lookup,
+      "the lookup; if the field has no geometry, geometry becomes depth, and without depth focal")
     ->check(CLI::IsMember(GetLookupNames()))
     ->capture_default_str();
   AddPixelSamples(*command, options->PixelSamples);

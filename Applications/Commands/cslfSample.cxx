@@ -48,6 +48,8 @@ struct Options
   int Viewpoints = options::Viewpoints.Default;
   int Resolution = options::Resolution.Default;
   double Offset = options::Offset.Default;
+  bool SurfaceTexels = options::SurfaceTexels.Default;
+  int GeometryTriangles = options::GeometryTriangles.Default;
   std::vector<double> Center;
   std::vector<double> Edges;
   double TimeBudget = 0.0;
@@ -104,6 +106,8 @@ void SetUp(const Options& options, const Scene& scene, vtkCSLFSampler* sampler)
     sampler->GetChannelSelection()->SetArraySetting(name.c_str(), isSampled);
   }
   sampler->SetColorType(options.Float ? VTK_FLOAT : VTK_UNSIGNED_CHAR);
+  sampler->SetSurfaceTexels(options.SurfaceTexels);
+  sampler->SetGeometryTriangles(options.GeometryTriangles);
   SetCube(options, sampler);
 }
 
@@ -234,7 +238,9 @@ Result Run(const Options& options)
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
   ChooseSamples(options, writer.GetFormat(), sampler);
-  const nlohmann::json coding = writer.Write(sampler->GetOutputPort(), "Sampling");
+  vtkAlgorithmOutput* geometry =
+    options.GeometryTriangles > 0 ? sampler->GetOutputPort(1) : nullptr;
+  const nlohmann::json coding = writer.Write(sampler->GetOutputPort(0), geometry, "Sampling");
   ThrowOnError();
 
   if (!IsFirstRank())
@@ -301,6 +307,11 @@ void AddField(CLI::App& command, Options& options)
   AddOption(command, cslf::options::Viewpoints, options.Viewpoints)->group(field);
   AddOption(command, cslf::options::Resolution, options.Resolution)->group(field);
   AddOption(command, cslf::options::Offset, options.Offset)->group(field);
+  command
+    .add_flag("--surface-texels,--no-surface-texels{false}", options.SurfaceTexels,
+      std::string(cslf::options::SurfaceTexels.Help) + " (default: yes)")
+    ->group(field);
+  AddOption(command, cslf::options::GeometryTriangles, options.GeometryTriangles)->group(field);
   command
     .add_option("--center", options.Center, "centre of the cube, instead of the scene's centre")
     ->expected(3)

@@ -40,7 +40,7 @@ struct Options
 {
   std::string Field;
   SceneOptions Scene;
-  std::string Lookup = "depth";
+  std::string Lookup = "geometry";
   std::string Keys;
   std::string Screenshot;
   int TruthSamples = 1024;
@@ -168,7 +168,7 @@ Result Run(const Options& options)
     file, camera, options.Camera.GetWidth(), options.Camera.GetHeight(), std::move(truth));
   viewer.GetWindow()->SetWindowName(("cslf: " + options.Field).c_str());
   viewer.GetWindow()->SetOffScreenRendering(!options.Screenshot.empty());
-  viewer.SetLookup(FindLookup(ChooseLookup(options.Lookup, file.Field)));
+  viewer.SetLookup(FindLookup(ChooseLookup(options.Lookup, file)));
   viewer.SetToneMapping(options.Tone.Get());
   PressKeys(viewer, options.Keys);
   Result result;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldFiles.h"
 
+#include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWorkFolder.h"
 #include "Options/cslfTableOptions.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Scenes/cslfSceneChecks.h"
 #include "cslfUnfinishedFields.h"
@@ -20,12 +22,17 @@
 #endif
 
 #include <vtkAlgorithmOutput.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -139,6 +146,48 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
   return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
 }
 
+/// The scene that a field was sampled from, or that a geometry belongs to, as a hash.
+std::string GetSceneOf(const Description& field)
+{
+  const auto sampling = nlohmann::json::parse(field.Sampling, nullptr, false);
+  const auto scene = sampling.find("scene");
+  return scene != sampling.end() && scene->is_string() ? scene->get<std::string>() : std::string();
+}
+
+std::string GetSceneOf(vtkPolyData* geometry)
+{
+  auto* name =
+    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometrySceneName));
+  return name && name->GetNumberOfValues() == 1 ? name->GetValue(0) : std::string();
+}
+
+/// The reader of a field's geometry. Null if there is none.
+vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
+{
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    return decoder->HasGeometry() ? decoder : nullptr;
+  }
+  const std::string fileName = GetGeometryName(file.FileName);
+  std::error_code failure;
+  if (file.Format != FieldFormat::ImageData || !fs::exists(ToPath(fileName), failure))
+  {
+    return nullptr;
+  }
+  CheckVTKXML(fileName);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(fileName.c_str());
+  NameFileInErrors(reader, fileName);
+  reader->Update();
+  ThrowOnError();
+  if (GetSceneOf(reader->GetOutput()) != GetSceneOf(file.Field))
+  {
+    AddWarning(fileName + " belongs to another light field and was ignored.");
+    return nullptr;
+  }
+  return reader.Get();
+}
+
 vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
 {
   vtkNew<vtkXMLImageDataWriter> writer;
@@ -249,7 +298,20 @@ FieldFile OpenField(const std::string& name)
     throw Failure(fileName + ": " + error);
   }
   file.Field = *description;
+  file.GeometryReader = OpenGeometry(file);
   return file;
+}
+
+vtkAlgorithmOutput* FieldFile::GetGeometry() const
+{
+  return this->GeometryReader
+    ? this->GeometryReader->GetOutputPort(this->Format == FieldFormat::Video ? 1 : 0)
+    : nullptr;
+}
+
+std::string GetGeometryName(const std::string& fileName)
+{
+  return ToName(ToPath(fileName).replace_extension(".geometry.vtp"));
 }
 
 void FieldInput::AddTo(CLI::App& command, const std::string& name)
@@ -507,16 +569,30 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
 #endif
 }
 
-nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::string& label) const
+void FieldWriter::TakeParts(const FieldFile& file)
+{
+  std::vector<FieldPart> parts = GetParts(file);
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                [](const FieldPart& part) { return part.Type == GeometryPartType; }),
+    parts.end());
+  MergeParts(this->Parts, parts);
+}
+
+nlohmann::json FieldWriter::Write(
+  vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const
 {
   switch (this->Format)
   {
 #ifdef CSLF_HAS_ENCODER
     case FieldFormat::Video:
-      return this->WriteVideo(connection, label);
+      return this->WriteVideo(connection, geometry, label);
 #endif
     case FieldFormat::ImageData:
       this->WriteImageData(connection, label);
+      if (geometry)
+      {
+        this->WriteGeometry(geometry);
+      }
       break;
     default:
       this->WriteFolder(connection, label);
@@ -527,10 +603,11 @@ nlohmann::json FieldWriter::Write(vtkAlgorithmOutput* connection, const std::str
 
 #ifdef CSLF_HAS_ENCODER
 nlohmann::json FieldWriter::WriteVideo(
-  vtkAlgorithmOutput* connection, const std::string& label) const
+  vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const
 {
   vtkNew<vtkCSLFEncoder> encoder;
-  encoder->SetInputConnection(connection);
+  encoder->SetInputConnection(0, connection);
+  encoder->SetInputConnection(1, geometry);
   encoder->SetFileName(this->FileName.c_str());
   this->Coding.Apply(encoder);
   AddParts(encoder, this->Parts);
@@ -579,6 +656,17 @@ void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::stri
   writer->SetInputConnection(connection);
   WriteTemporary(writer.Get(), file);
   file.Publish();
+}
+
+void FieldWriter::WriteGeometry(vtkAlgorithmOutput* connection) const
+{
+  vtkAlgorithm* producer = connection->GetProducer();
+  producer->Update(connection->GetIndex());
+  ThrowOnError();
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->EncodeAppendedDataOff();
+  writer->SetInputDataObject(producer->GetOutputDataObject(connection->GetIndex()));
+  WriteWhole(writer.Get(), GetGeometryName(this->FileName));
 }
 
 void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const

@@ -52,7 +52,14 @@ struct FieldFile
   FieldFormat Format = FieldFormat::Folder;
   vtkSmartPointer<vtkAlgorithm> Reader;
   Description Field;
+  vtkSmartPointer<vtkAlgorithm> GeometryReader; ///< the field's reader or another one; may be null
+
+  /// Delivers the field's geometry. Null if there is none.
+  vtkAlgorithmOutput* GetGeometry() const;
 };
+
+/// The file with the geometry of a field in image data.
+std::string GetGeometryName(const std::string& fileName);
 
 /// A field that a command reads. All commands but view have the same rule for damaged files: fields
 /// with missing viewpoints are read only if the user allows it.
@@ -133,20 +140,25 @@ public:
   /// a video. Throws a Failure if the destination is not writable.
   FieldWriter(const std::string& fileName, const CodingOptions& coding);
 
-  /// Pulls the field from the connection and writes it. Throws a Failure. Under mpirun, all
-  /// processes write a video together. Returns the results of coding a video, on the first process:
-  /// "crf", "ratio", "psnr".
-  nlohmann::json Write(vtkAlgorithmOutput* connection, const std::string& label) const;
+  /// Pulls the field from the connection and writes it, and its geometry from another connection,
+  /// which may be null; folders have no place for it. Throws a Failure. Under mpirun, all processes
+  /// write a video together. Returns the results of coding a video, on the first process: "crf",
+  /// "ratio", "psnr".
+  nlohmann::json Write(
+    vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
 
   FieldFormat GetFormat() const { return this->Format; }
 
-  /// Adds the parts of another field's file to a video, except those that it has already.
-  void TakeParts(const FieldFile& file) { MergeParts(this->Parts, GetParts(file)); }
+  /// Adds the parts of another field's file to a video, except those that it has already, and the
+  /// geometry.
+  void TakeParts(const FieldFile& file);
 
 private:
   /// Only with the video encoder.
-  nlohmann::json WriteVideo(vtkAlgorithmOutput* connection, const std::string& label) const;
+  nlohmann::json WriteVideo(
+    vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
   void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
+  void WriteGeometry(vtkAlgorithmOutput* connection) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   std::string FileName;

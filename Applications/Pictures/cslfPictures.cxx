@@ -10,6 +10,7 @@
 #include "vtkCSLFMapper.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithm.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkImageExtractComponents.h>
@@ -91,6 +92,21 @@ void RequireDisplay()
 #endif
 }
 
+namespace
+{
+/// What a field lacks for a lookup; empty if nothing.
+std::string FindLack(const LookupName& lookup, const FieldFile& file)
+{
+  if (lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.GeometryReader)
+  {
+    return "geometry";
+  }
+  return lookup.Lookup >= vtkCSLFMapper::DEPTH && !file.Field.FindChannel(KnownChannel::Depth)
+    ? "a depth channel"
+    : "";
+}
+}
+
 const std::vector<LookupName>& GetLookups()
 {
   static const std::vector<LookupName> lookups = []
@@ -106,15 +122,12 @@ const std::vector<LookupName>& GetLookups()
   return lookups;
 }
 
-std::vector<LookupName> GetLookups(const Description& description)
+std::vector<LookupName> GetLookups(const FieldFile& file)
 {
   std::vector<LookupName> lookups = GetLookups();
-  if (!description.FindChannel(KnownChannel::Depth))
-  {
-    lookups.erase(std::remove_if(lookups.begin(), lookups.end(),
-                    [](const LookupName& lookup) { return lookup.Lookup == vtkCSLFMapper::DEPTH; }),
-      lookups.end());
-  }
+  lookups.erase(std::remove_if(lookups.begin(), lookups.end(),
+                  [&file](const LookupName& lookup) { return !FindLack(lookup, file).empty(); }),
+    lookups.end());
   return lookups;
 }
 
@@ -128,19 +141,23 @@ std::vector<std::string> GetLookupNames()
   return names;
 }
 
-std::vector<LookupName> ChooseLookups(
-  const std::vector<std::string>& names, const Description& description)
+std::vector<LookupName> ChooseLookups(const std::vector<std::string>& names, const FieldFile& file)
 {
-  const auto isNamed = [&names](const LookupName& lookup)
-  { return names.empty() || std::count(names.begin(), names.end(), lookup.Name) > 0; };
-  if (std::count(names.begin(), names.end(), "depth") > 0 &&
-    !description.FindChannel(KnownChannel::Depth))
-  {
-    throw Failure("The depth lookup needs a depth channel, which the field does not have.");
-  }
   std::vector<LookupName> lookups;
-  const std::vector<LookupName> all = GetLookups(description);
-  std::copy_if(all.begin(), all.end(), std::back_inserter(lookups), isNamed);
+  for (const LookupName& lookup : GetLookups())
+  {
+    const bool isNamed = std::count(names.begin(), names.end(), lookup.Name) > 0;
+    const std::string lack = FindLack(lookup, file);
+    if (isNamed && !lack.empty())
+    {
+      throw Failure("The " + std::string(lookup.Name) + " lookup needs " + lack +
+        ", which the field does not have.");
+    }
+    if (isNamed || (names.empty() && lack.empty()))
+    {
+      lookups.push_back(lookup);
+    }
+  }
   return lookups;
 }
 
@@ -153,8 +170,8 @@ void AddLookups(CLI::App& command, std::vector<std::string>& names)
 {
   command
     .add_option("--lookups", names,
-      "lookups to measure, for example bilinear,depth (default: all that the field has channels "
-      "for)")
+      "lookups to measure, for example bilinear,depth (default: all for which the field has what "
+      "they need)")
     ->delimiter(',')
     ->check(CLI::IsMember(GetLookupNames()));
 }
@@ -167,14 +184,20 @@ int FindLookup(const std::string& name)
   return found->Lookup;
 }
 
-std::string ChooseLookup(const std::string& name, const Description& description)
+std::string ChooseLookup(const std::string& name, const FieldFile& file)
 {
-  if (name == "depth" && !description.FindChannel(KnownChannel::Depth))
+  std::string chosen = name;
+  if (chosen == vtkCSLFMapper::GetLookupName(vtkCSLFMapper::GEOMETRY) && !file.GeometryReader)
+  {
+    chosen = vtkCSLFMapper::GetLookupName(vtkCSLFMapper::DEPTH);
+  }
+  const bool needsDepth = FindLookup(chosen) >= vtkCSLFMapper::DEPTH;
+  if (needsDepth && !file.Field.FindChannel(KnownChannel::Depth))
   {
     AddWarning("The field has no depth: the focal lookup is used.");
-    return "focal";
+    chosen = vtkCSLFMapper::GetLookupName(vtkCSLFMapper::FOCAL);
   }
-  return name;
+  return chosen;
 }
 
 FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
@@ -183,6 +206,15 @@ FieldRenderer::FieldRenderer(vtkAlgorithmOutput* field, int width, int height)
   this->Mapper->SetInputConnection(field);
   this->Actor->SetMapper(this->Mapper);
   this->Window.AddActor(this->Actor);
+}
+
+FieldRenderer::FieldRenderer(const FieldFile& file, int width, int height)
+  : FieldRenderer(file.Reader->GetOutputPort(), width, height)
+{
+  if (file.GeometryReader)
+  {
+    this->Mapper->SetInputConnection(1, file.GetGeometry());
+  }
 }
 
 FieldRenderer::~FieldRenderer() = default;

@@ -7,7 +7,7 @@
 #ifndef cslfPictures_h
 #define cslfPictures_h
 
-#include "cslfDescription.h"
+#include "Fields/cslfFieldFiles.h"
 #include "cslfOffscreenWindow.h"
 
 #include <vtkNew.h>
@@ -54,19 +54,18 @@ struct LookupName
   const char* Name;
 };
 
-/// All lookups, in the order of the keys 1 to 5.
+/// All lookups, in the order of the keys from 1 on.
 const std::vector<LookupName>& GetLookups();
 
-/// The lookups that a field has the channels for.
-std::vector<LookupName> GetLookups(const Description& description);
+/// The lookups for which a field has all that they need: depth, geometry.
+std::vector<LookupName> GetLookups(const FieldFile& file);
 
 /// The names of all lookups.
 std::vector<std::string> GetLookupNames();
 
-/// The lookups with these names or, if there are none, all that a field has the channels for.
-/// Throws a Failure if the field lacks channels for one of the names.
-std::vector<LookupName> ChooseLookups(
-  const std::vector<std::string>& names, const Description& description);
+/// The lookups with these names or, if there are none, all those of the field. Throws a Failure if
+/// the field lacks what one of them needs.
+std::vector<LookupName> ChooseLookups(const std::vector<std::string>& names, const FieldFile& file);
 
 /// Adds --pixel-samples, like vtkCSLFMapper::PixelSamples.
 void AddPixelSamples(CLI::App& command, int& samples);
@@ -77,14 +76,18 @@ void AddLookups(CLI::App& command, std::vector<std::string>& names);
 /// The lookup of a name, which must be one of them.
 int FindLookup(const std::string& name);
 
-/// The lookup of that name, or focal with a warning if it needs depth and the field has none.
-std::string ChooseLookup(const std::string& name, const Description& description);
+/// The lookup of that name. If a field lacks what it needs, the next best one: depth instead of
+/// geometry, and focal instead of depth, with a warning.
+std::string ChooseLookup(const std::string& name, const FieldFile& file);
 
 /// Draws a light field off screen, over black.
 class FieldRenderer
 {
 public:
   FieldRenderer(vtkAlgorithmOutput* field, int width, int height);
+
+  /// With its geometry, if it has one.
+  FieldRenderer(const FieldFile& file, int width, int height);
   ~FieldRenderer();
 
   /// The tone mapping of views. By default, colours are shown unchanged.

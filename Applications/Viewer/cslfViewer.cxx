@@ -99,6 +99,10 @@ Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   , Truth(std::move(truth))
 {
   this->Mapper->SetInputConnection(file.Reader->GetOutputPort());
+  if (file.GeometryReader)
+  {
+    this->Mapper->SetInputConnection(1, file.GetGeometry());
+  }
   this->FieldActor->SetMapper(this->Mapper);
   for (const auto& prop : { this->Outline, this->Axes, this->Markers })
   {
@@ -108,7 +112,7 @@ Viewer::Viewer(const FieldFile& file, vtkCamera* camera, int width, int height,
   this->Window->SetSize(width, height);
   this->Window->SetMultiSamples(0);
   this->Window->SetNumberOfLayers(2);
-  for (const LookupName& lookup : GetLookups(this->Field))
+  for (const LookupName& lookup : GetLookups(file))
   {
     this->Lookup = this->AddPane(lookup.Name, lookup.Lookup)->Lookup;
   }

@@ -34,7 +34,8 @@ int main(int argc, char* argv[])
 
   // Write the field; the encoder requests a few viewpoints at a time from the sampler.
   vtkNew<vtkCSLFEncoder> encoder;
-  encoder->SetInputConnection(sampler->GetOutputPort());
+  encoder->SetInputConnection(0, sampler->GetOutputPort(0));
+  encoder->SetInputConnection(1, sampler->GetOutputPort(1)); // where surfaces are
   encoder->SetFileName("HelloLightField.mp4");
   if (!encoder->Write())
   {
@@ -45,7 +46,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkCSLFDecoder> decoder;
   decoder->SetFileName("HelloLightField.mp4");
   vtkNew<vtkCSLFMapper> mapper;
-  mapper->SetInputConnection(decoder->GetOutputPort());
+  mapper->SetInputConnection(0, decoder->GetOutputPort(0));
+  mapper->SetInputConnection(1, decoder->GetOutputPort(1));
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;

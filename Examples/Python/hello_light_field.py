@@ -18,7 +18,8 @@ sampler.GetEnvironment().SetModeToNone()  # the box has its own lamp
 
 # Write the field; the encoder requests a few viewpoints at a time from the sampler.
 encoder = cslf.vtkCSLFEncoder()
-encoder.SetInputConnection(sampler.GetOutputPort())
+encoder.SetInputConnection(0, sampler.GetOutputPort(0))
+encoder.SetInputConnection(1, sampler.GetOutputPort(1))  # where surfaces are
 encoder.SetFileName("HelloLightField.mp4")
 if not encoder.Write():
     sys.exit("The light field was not written.")
@@ -27,7 +28,8 @@ if not encoder.Write():
 decoder = cslf.vtkCSLFDecoder()
 decoder.SetFileName("HelloLightField.mp4")
 mapper = cslf.vtkCSLFMapper()
-mapper.SetInputConnection(decoder.GetOutputPort())
+mapper.SetInputConnection(0, decoder.GetOutputPort(0))
+mapper.SetInputConnection(1, decoder.GetOutputPort(1))
 actor = vtkRenderingCore.vtkActor()
 actor.SetMapper(mapper)
 renderer = vtkRenderingCore.vtkRenderer()

@@ -100,4 +100,26 @@ glm::dvec4 ChannelReader::Blend(const LookupResult& result) const
   }
   return value / std::max(sum, lookup::LeastWeight);
 }
+
+glm::dvec4 ChannelReader::Blend(const Sightings& found) const
+{
+  const double most = std::max(this->Grid.GetResolution() - 2.0, 0.0);
+  glm::dvec4 value(0.0);
+  for (int k = 0; k < found.Count; ++k)
+  {
+    const Sighting& sighting = found.All[k];
+    if (sighting.Share <= 0.0)
+    {
+      continue;
+    }
+    const glm::ivec2 base(
+      glm::clamp(glm::floor(this->TexelPosition(sighting.At) - 0.5), 0.0, most));
+    for (int texel = 0; texel < 4; ++texel)
+    {
+      value += found.Weights[k] / sighting.Share * sighting.Texels[texel] *
+        this->Fetch(sighting.At, base.x + TexelCorners[texel][0], base.y + TexelCorners[texel][1]);
+    }
+  }
+  return value.w > 0.0 ? value / value.w : glm::dvec4(0.0);
+}
 }

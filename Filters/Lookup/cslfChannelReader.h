@@ -22,6 +22,7 @@ class vtkDataArray;
 namespace cslf
 {
 struct LookupResult;
+struct Sightings;
 
 /// A place in the samples of a viewpoint.
 struct Place
@@ -60,6 +61,10 @@ public:
 
   /// The mean of what the views see, over those that see anything. 0 if none does.
   glm::dvec4 Blend(const LookupResult& result) const;
+
+  /// The same over the texels that lie on the surface. Where a texel is covered only in part, it
+  /// shows a silhouette, which is the geometry's business: the mean of what is covered.
+  glm::dvec4 Blend(const Sightings& found) const;
 
 private:
   vtkIdType TexelIndex(const Place& place, int p, int q) const;

@@ -196,24 +196,23 @@ Lookup::ViewCell Lookup::FindOuterViews(const Ray& ray, int rings) const
   return this->MakeCell(ray, widen(ray.Entry.x), widen(ray.Entry.y));
 }
 
+// The exit face that a direction from a view meets.
+ExitFrame Lookup::FindExit(const View& view, const glm::dvec3& direction, const glm::dvec3& share)
+{
+  if (share.x > std::max(share.y, share.z))
+  {
+    return FindExitFrame(view.Face, 0, direction.x);
+  }
+  return share.y > share.z ? FindExitFrame(view.Face, 1, direction.y)
+                           : FindExitFrame(view.Face, 2, 1.0);
+}
+
 Lookup::Projection Lookup::Project(const View& view, const glm::dvec3& point)
 {
   const glm::dvec3 direction = point - glm::dvec3(view.Position, 0.0);
   const glm::dvec3 share = ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
   const double depth = std::max({ share.x, share.y, share.z, LeastDepth });
-  int axis = 2;
-  double sign = 1.0;
-  if (share.x > std::max(share.y, share.z))
-  {
-    axis = 0;
-    sign = direction.x;
-  }
-  else if (share.y > share.z)
-  {
-    axis = 1;
-    sign = direction.y;
-  }
-  const ExitFrame frame = FindExitFrame(view.Face, axis, sign);
+  const ExitFrame frame = FindExit(view, direction, share);
   const glm::dvec3 exit = glm::dvec3(view.Position, -1.0) + direction / depth;
   return { { view.Slice, frame.Tile, { glm::dot(frame.S, exit), glm::dot(frame.T, exit) } },
     1.0 / depth };

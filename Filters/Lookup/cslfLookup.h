@@ -16,6 +16,7 @@
 #define cslfLookup_h
 
 #include "Lookup/cslfChannelReader.h"
+#include "Lookup/cslfFaceSpace.h"
 #include "Lookup/cslfSceneGrid.h"
 #include "cslfDescription.h"
 #include "cslfViewpointSamples.h"
@@ -45,6 +46,35 @@ struct LookupResult
   double Fraction = 1.0;
 
   bool IsFinal = true; ///< otherwise the ray is left to another lookup
+};
+
+/// A point of a field's geometry.
+struct GeometryPoint
+{
+  glm::dvec3 PointCC;
+  glm::dvec3 NormalCC; ///< of unit length, on either side
+};
+
+/// The texels around a place, in the order of GLSL's textureGather.
+constexpr int TexelCorners[4][2] = { { 0, 1 }, { 1, 1 }, { 1, 0 }, { 0, 0 } };
+
+/// How a view sees a point of the geometry.
+struct Sighting
+{
+  Place At;
+  glm::dvec4 Texels{ 0.0 }; ///< the weights of the texels around the place, in the order of
+                            ///< TexelCorners, of those that lie on the surface
+  double Share = 0.0;       ///< their sum
+};
+
+/// Up to four sightings, and their weights.
+struct Sightings
+{
+  std::array<Sighting, 4> All;
+  glm::dvec4 Weights{ 0.0 };
+  int Count = 0;
+
+  void Add(const Sighting& sighting, double weight);
 };
 
 /// Looks up rays in a field, or in some viewpoints of it, in memory. The image must outlive this
@@ -82,6 +112,11 @@ public:
   /// hits first, if it sees it. If none does, four viewpoints farther away are used. Without a
   /// depth channel: like Focal about the cube's centre.
   LookupResult DepthCorrected(const RayCoordinates& ray) const;
+
+  /// How views see the point of the geometry that a ray meets first: the four around the entry, or,
+  /// if they see little of it, others of the entry face, or of other faces among `faces`, one bit
+  /// each. Nothing without a depth channel.
+  Sightings OnSurface(const RayCoordinates& ray, const GeometryPoint& surface, int faces) const;
 
 private:
   /// A ray through the cube, in the space of its entry face.
@@ -135,6 +170,16 @@ private:
     glm::dvec4 Sight{ 0.0 }; ///< how well the four views see it, in [0,1]
   };
 
+  /// A point of the geometry, in the space of a face.
+  struct FacePoint
+  {
+    int Face;
+    glm::dvec3 Point;
+    glm::dvec3 Normal; ///< on the eye's side
+    glm::dvec3 ToEye;  ///< the direction, of unit length
+    glm::dvec2 Entry;  ///< where the ray enters, or the point of the face that is nearest to this
+  };
+
   bool IsKept(int entryFace, int tile) const
   {
     return (this->LeftOut >> ExitFaceOf(entryFace, tile) & 1) == 0;
@@ -151,6 +196,7 @@ private:
   ViewCell MakeCell(const Ray& ray, const NodeBracket& u, const NodeBracket& v) const;
   ViewCell FindViews(const Ray& ray) const;
   ViewCell FindOuterViews(const Ray& ray, int rings) const;
+  static ExitFrame FindExit(const View& view, const glm::dvec3& direction, const glm::dvec3& share);
   static Projection Project(const View& view, const glm::dvec3& point);
   double GuessSurface(const Ray& ray, const View& view, double fraction) const;
   static glm::dvec4 ListWeights(const ViewCell& views);
@@ -173,6 +219,14 @@ private:
   void SearchAround(const Ray& ray, const SceneGrid::Ray& gridRay, glm::dvec2 range,
     ViewCell& views, Surface& surface) const;
   LookupResult Unseen(const Ray& ray) const;
+
+  static bool ToFace(
+    int face, const GeometryPoint& surface, const glm::dvec3& directionCC, FacePoint& point);
+  static double NearnessOf(const glm::dvec2& viewpoint, const FacePoint& surface);
+  View FindView(int face, const glm::dvec2& coordinates) const;
+  Sighting See(const View& view, const FacePoint& surface) const;
+  Sightings SeeFromAround(const ViewCell& views, const FacePoint& surface) const;
+  Sightings SeeFromAfar(const FacePoint& surface) const;
 
   Description Field;
   SceneGrid Grid;

@@ -43,7 +43,7 @@ def capture(window):
 
 
 def show(field, size=(400, 400), position=None, focal_point=None, view_up=(0.0, 1.0, 0.0),
-         background=(0.0, 0.0, 0.0), lookup="Depth"):
+         background=(0.0, 0.0, 0.0), lookup="Geometry"):
     """Draws a view of a light field and returns it as a Picture.
 
     ``field`` is the name of a video, an algorithm that makes a field, such as ``vtkCSLFSampler``,

@@ -98,7 +98,8 @@ class PlotterComponent:
             raise RuntimeError("This build of CSLF has no video encoder: leave file_name out, and "
                                "save the image data that bake returns.")
         encoder = vtkCSLF.vtkCSLFEncoder()
-        encoder.SetInputConnection(sampler.GetOutputPort())
+        encoder.SetInputConnection(0, sampler.GetOutputPort(0))
+        encoder.SetInputConnection(1, sampler.GetOutputPort(1))
         encoder.SetFileName(os.fspath(file_name))
         if quality == "preview":
             encoder.SetPreset("ultrafast")
@@ -108,7 +109,7 @@ class PlotterComponent:
             errors.require(encoder.Write())
         return file_name
 
-    def add_light_field(self, field, *, lookup="Depth", **arguments):
+    def add_light_field(self, field, *, lookup="Geometry", **arguments):
         """Adds an actor of a light field to the active renderer, and returns it.
 
         ``field`` is the name of a video, image data, or an algorithm such as ``vtkCSLFDecoder``.

@@ -96,13 +96,9 @@ float ReadNearestDepth(Place place)
   return texelFetch(DepthTexture, NearestTexel(place), 0).r;
 }
 
-// Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
-// surface.
-float ReadInverseDepth(Place place)
+// At four texels from `base` on: 01, 11, 10 and 00, in the order of textureGather.
+vec4 GatherInverseDepths(Place place, vec2 base)
 {
-  vec2 position = TexelPosition(place) - 0.5;
-  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
-  vec2 weight = clamp(position - base, 0.0, 1.0);
 #ifdef GL_ARB_texture_gather
   vec4 depth = textureGather(DepthTexture, TextureCoordinates(place, base + 1.0));
 #else
@@ -112,7 +108,17 @@ float ReadInverseDepth(Place place)
     texelFetch(DepthTexture, address + ivec3(1, 0, 0), 0).r,
     texelFetch(DepthTexture, address, 0).r);
 #endif
-  vec4 inverse = 1.0 / max(depth, LeastDepth);
+  return 1.0 / max(depth, LeastDepth);
+}
+
+// Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
+// surface.
+float ReadInverseDepth(Place place)
+{
+  vec2 position = TexelPosition(place) - 0.5;
+  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
+  vec2 weight = clamp(position - base, 0.0, 1.0);
+  vec4 inverse = GatherInverseDepths(place, base);
   float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
   float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
   float between = mix(

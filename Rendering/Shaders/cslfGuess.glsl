@@ -89,14 +89,12 @@ LookupResult LookupGuess(Ray ray)
 // this.
 LookupResult LookupMiss(Ray ray)
 {
-  LookupResult result = FindNothing();
-  result.IsFinal = GuessNothing();
-  if (result.IsFinal)
+  if (GuessNothing())
   {
-    GridRay gridRay = CastGridRay(ray);
-    vec2 range = FindRange(gridRay);
-    result.IsFinal = SkipEmpty(gridRay, range.x, range.y) == 0.0;
+    return LookupEmpty(ray);
   }
+  LookupResult result = FindNothing();
+  result.IsFinal = false;
   return result;
 }
 

@@ -119,25 +119,37 @@ ViewCell FindOuterViews(vec3 entry, float rings)
     lower, upper);
 }
 
+// The components along (s,t) of a vector, or the (s,t) of a point with z - 1 in place of z, on the
+// exit face that a direction with these shares meets.
+vec2 ToExitFace(vec3 share, vec3 direction, vec3 vector)
+{
+  vec2 sideX = ExitCoordinates(SideXAxes, vector.yz);
+  vec2 sideY = ExitCoordinates(SideYAxes, vector.xz);
+  vec2 opposite = ExitCoordinates(OppositeAxes, vector.xy);
+  sideX = direction.x < 0.0 ? sideX * SideXFlip : sideX;
+  sideY = direction.y < 0.0 ? sideY * SideYFlip : sideY;
+  return share.x > max(share.y, share.z) ? sideX : (share.y > share.z ? sideY : opposite);
+}
+
+vec3 ShareOfWays(View view, vec3 direction)
+{
+  return ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
+}
+
 Projection Project(View view, vec3 point)
 {
   vec3 direction = vec3(point.xy - view.Position, point.z);
-  vec3 share = ShareOfWays(direction, view.InverseToPositive, view.InverseToNegative);
+  vec3 share = ShareOfWays(view, direction);
   Projection seen;
   seen.At.Slice = view.Slice;
   seen.InverseDepth = 1.0 / max(max(max(share.x, share.y), share.z), LeastDepth);
   vec3 exit = vec3(view.Position, -1.0) + seen.InverseDepth * direction;
-  bool toX = share.x > max(share.y, share.z);
-  bool toY = share.y > share.z;
-  vec2 sideX = ExitCoordinates(SideXAxes, exit.yz);
-  vec2 sideY = ExitCoordinates(SideYAxes, exit.xz);
-  vec2 opposite = ExitCoordinates(OppositeAxes, exit.xy);
-  sideX = direction.x < 0.0 ? sideX * SideXFlip : sideX;
-  sideY = direction.y < 0.0 ? sideY * SideYFlip : sideY;
   float blockX = direction.x < 0.0 ? SideXBlocks.y : SideXBlocks.x;
   float blockY = direction.y < 0.0 ? SideYBlocks.y : SideYBlocks.x;
-  seen.At.Coordinates = toX ? sideX : (toY ? sideY : opposite);
-  seen.At.Block = toX ? blockX : (toY ? blockY : OppositeBlock);
+  seen.At.Coordinates = ToExitFace(share, direction, exit);
+  seen.At.Block = share.x > max(share.y, share.z)
+    ? blockX
+    : (share.y > share.z ? blockY : OppositeBlock);
   return seen;
 }
 
@@ -480,4 +492,14 @@ LookupResult LookupUnseen(Ray ray)
   }
   SearchAround(ray, gridRay, range, views, surface);
   return FindVisible(ray, views, surface);
+}
+
+// Final if the grid has nothing on the ray.
+LookupResult LookupEmpty(Ray ray)
+{
+  LookupResult result = FindNothing();
+  GridRay gridRay = CastGridRay(ray);
+  vec2 range = FindRange(gridRay);
+  result.IsFinal = SkipEmpty(gridRay, range.x, range.y) == 0.0;
+  return result;
 }

@@ -71,6 +71,25 @@ vec3 GetDisplayColor(vec3 color)
 #endif
 }
 
+// A pixel is the mean of the light of its rays, with associated alpha.
+vec4 ToLight(vec4 color)
+{
+#ifdef LINEAR_COLOR
+  return color;
+#else
+  return vec4(color.a * SRGBToLinear(color.rgb / max(color.a, 0.001)), color.a);
+#endif
+}
+
+vec4 FromLight(vec4 light)
+{
+#ifdef LINEAR_COLOR
+  return light;
+#else
+  return vec4(light.a * LinearToSRGB(light.rgb / max(light.a, 0.001)), light.a);
+#endif
+}
+
 // The picture's colour and z of DC for the fragment.
 vec4 ReadPicture(out float z)
 {
@@ -83,11 +102,11 @@ vec4 ReadPicture(out float z)
   {
     for (int x = 0; x < PictureSamples; ++x)
     {
-      sum += texelFetch(PictureColor, first + ivec2(x, y), 0);
+      sum += ToLight(texelFetch(PictureColor, first + ivec2(x, y), 0));
       z = min(z, texelFetch(PictureDepth, first + ivec2(x, y), 0).r);
     }
   }
-  return sum / float(PictureSamples * PictureSamples);
+  return FromLight(sum / float(PictureSamples * PictureSamples));
 #elif defined(PICTURE_COARSE)
   vec2 inPicture = position * PictureScale;
   ivec2 last = textureSize(PictureColor, 0) - 1;

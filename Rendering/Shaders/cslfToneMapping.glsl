@@ -10,14 +10,14 @@ vec3 LinearToSRGB(vec3 linear)
     step(vec3(0.0031308), clamped));
 }
 
-#ifdef TONE_MAPPING
-uniform float Exposure;
-
 vec3 SRGBToLinear(vec3 encoded)
 {
   return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)),
     step(vec3(0.04045), encoded));
 }
+
+#ifdef TONE_MAPPING
+uniform float Exposure;
 
 vec3 MapTone(vec3 radiance)
 {

@@ -3,12 +3,14 @@
 
 // A cube that is far away, so that its texels are smaller than pixels, or several rays for each
 // pixel by choice: each pixel shows the mean of its contents, as in a larger picture.
+#include "cslfColor.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
 #include "vtkCSLFMapper.h"
 
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iostream>
 
@@ -20,36 +22,46 @@ using cslf::testing::View;
 constexpr int SmallSize = 24;
 constexpr int NearSize = 160;
 
-/// The mean of each block of pixels.
-Picture Shrink(const Picture& large, int factor)
+Picture Draw(vtkCSLFMapper* mapper, int size, double background = 0.0)
 {
+  View view(size);
+  view.Renderer->SetBackground(background, background, background);
+  view.Add(mapper);
+  return view.Render();
+}
+
+/// The mean of each block of a larger picture's pixels, over black: of their light, in the part
+/// that they cover, which two backgrounds tell.
+Picture DrawMean(vtkCSLFMapper* mapper, int size, int factor)
+{
+  const Picture black = Draw(mapper, size * factor);
+  const Picture white = Draw(mapper, size * factor, 1.0);
   Picture small;
-  small.Width = large.Width / factor;
-  for (int y = 0; y < small.Width; ++y)
+  small.Width = size;
+  for (int y = 0; y < size; ++y)
   {
-    for (int x = 0; x < small.Width; ++x)
+    for (int x = 0; x < size; ++x)
     {
       for (int c = 0; c < 3; ++c)
       {
-        int sum = 0;
+        double light = 0.0;
+        double covered = 0.0;
         for (int k = 0; k < factor * factor; ++k)
         {
           const std::size_t row = static_cast<std::size_t>(y) * factor + k / factor;
-          sum += large.Colors[3 * (row * large.Width + x * factor + k % factor) + c];
+          const std::size_t value = 3 * (row * black.Width + x * factor + k % factor) + c;
+          const double alpha = 1.0 - (white.Colors[value] - black.Colors[value]) / 255.0;
+          const double color = black.Colors[value] / 255.0;
+          covered += alpha;
+          light += alpha > 0.0 ? alpha * cslf::SRGBToLinear(std::min(color / alpha, 1.0)) : 0.0;
         }
-        small.Colors.push_back(
-          static_cast<unsigned char>((sum + factor * factor / 2) / (factor * factor)));
+        const double mean =
+          covered > 0.0 ? covered / (factor * factor) * cslf::LinearToSRGB(light / covered) : 0.0;
+        small.Colors.push_back(cslf::ToByte(mean));
       }
     }
   }
   return small;
-}
-
-Picture Draw(vtkCSLFMapper* mapper, int size)
-{
-  View view(size);
-  view.Add(mapper);
-  return view.Render();
 }
 }
 
@@ -61,13 +73,13 @@ int TestCSLFMapperFar(int, char*[])
   {
     mapper->SetLookup(lookup);
     const Picture far = Draw(mapper, SmallSize);
-    const Picture mean = Shrink(Draw(mapper, SmallSize * 16), 16);
+    const Picture mean = DrawMean(mapper, SmallSize, 16);
     const double psnr = cslf::testing::ComparePictures(far, mean);
     std::cout << mapper->GetLookupAsString() << ": " << psnr << " dB\n";
     CSLF_CHECK(psnr > 40.0);
   }
 
-  const Picture mean = Shrink(Draw(mapper, NearSize * 2), 2);
+  const Picture mean = DrawMean(mapper, NearSize, 2);
   const double single = cslf::testing::ComparePictures(Draw(mapper, NearSize), mean);
   mapper->SetPixelSamples(2);
   const double several = cslf::testing::ComparePictures(Draw(mapper, NearSize), mean);

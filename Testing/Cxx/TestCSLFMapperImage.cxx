@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The pictures of all lookups side by side: nearest, linear, bilinear, focal and depth.
+// The pictures of all lookups side by side: nearest, linear, bilinear, focal, depth and geometry.
 #include "cslfTestField.h"
 #include "cslfTestImage.h"
 #include "cslfTesting.h"
@@ -11,6 +11,7 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -27,6 +28,7 @@ int TestCSLFMapperImage(int argc, char* argv[])
   {
     vtkNew<vtkCSLFMapper> mapper;
     mapper->SetInputData(field);
+    mapper->SetGeometryData(cslf::testing::MakeTestSurfaces(cslf::Cube()));
     mapper->SetLookup(lookup);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);

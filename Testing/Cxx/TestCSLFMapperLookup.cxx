@@ -16,8 +16,12 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolygon.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkStaticCellLocator.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/vec3.hpp>
@@ -46,6 +50,9 @@ struct Fixture
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkCSLFMapper> Mapper;
   vtkNew<vtkActor> Actor;
+  vtkSmartPointer<vtkPolyData> Surfaces; ///< in CC
+  vtkNew<vtkStaticCellLocator> Locator;
+  int SeenFaces = 0; ///< one bit each
 
   Fixture()
   {
@@ -96,9 +103,14 @@ struct Fixture
   void Compare(const char* what, const cslf::Description& field, vtkImageData* image)
   {
     this->Mapper->SetInputData(image);
+    this->Mapper->SetGeometryData(cslf::testing::MakeTestSurfaces(field.Box));
+    this->Surfaces = cslf::testing::MakeTestSurfaces(cslf::Cube());
+    this->Locator->SetDataSet(this->Surfaces);
+    this->Locator->BuildLocator();
+    this->SeenFaces = this->FindSeenFaces(field.Box);
     this->Renderer->ResetCamera();
     cslf::Lookup lookup(field, image);
-    lookup.LeaveOut(this->FindSeenFaces(field.Box));
+    lookup.LeaveOut(this->SeenFaces);
     const cslf::ChannelReader colors(field.Grid, image->GetPointData()->GetArray(cslf::ColorName));
     const FocalPoints focalPoints = cslf::FindFocalPoints(field, image);
     for (int mode = vtkCSLFMapper::NEAREST; mode < vtkCSLFMapper::NUMBER_OF_LOOKUPS; ++mode)
@@ -126,7 +138,9 @@ struct Fixture
           {
             continue;
           }
-          const glm::dvec4 color = colors.Blend(this->LookUp(lookup, mode, *ray, focalPoints));
+          const glm::dvec4 color = mode == vtkCSLFMapper::GEOMETRY
+            ? this->BlendOnSurface(lookup, colors, *ray)
+            : colors.Blend(this->LookUp(lookup, mode, *ray, focalPoints));
           double most = 0.0;
           double squares = 0.0;
           for (int c = 0; c < 3; ++c)
@@ -151,6 +165,32 @@ struct Fixture
       CSLF_CHECK(psnr > 50.0);
       CSLF_CHECK(different < 0.01 * count);
     }
+  }
+
+  /// The surface that a ray meets in the cube, and what views see there. Elsewhere, and where none
+  /// sees it, what the depth lookup finds.
+  glm::dvec4 BlendOnSurface(
+    const cslf::Lookup& lookup, const cslf::ChannelReader& colors, const cslf::RayCoordinates& ray)
+  {
+    const glm::dvec3 entry = cslf::FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
+    const glm::dvec3 exit = cslf::FaceToCube(ray.Exit.Face, ray.Exit.Coordinates);
+    double t = 0.0;
+    cslf::GeometryPoint point;
+    double parametric[3];
+    int part = 0;
+    vtkIdType cell = 0;
+    const bool isHit = this->Locator->IntersectWithLine(
+                         &entry.x, &exit.x, 0.0, t, &point.PointCC.x, parametric, part, cell) != 0;
+    if (isHit)
+    {
+      vtkPolygon::ComputeNormal(this->Surfaces->GetCell(cell)->GetPoints(), &point.NormalCC.x);
+      const glm::dvec4 color = colors.Blend(lookup.OnSurface(ray, point, this->SeenFaces));
+      if (color.w > 0.0)
+      {
+        return color;
+      }
+    }
+    return colors.Blend(lookup.DepthCorrected(ray));
   }
 
   static cslf::LookupResult LookUp(const cslf::Lookup& lookup, int mode,

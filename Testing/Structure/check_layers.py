@@ -49,6 +49,7 @@ CLASSES = {
 # Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
 LIBRARIES = {
     r"embree": ["Filters/PathTracing"],
+    r"meshoptimizer": ["Filters/PathTracing", "Filters/Coding"],
     r"OpenImageIO": ["Filters/PathTracing", "Filters/GLTF", "Filters/CubeMaps"],
     r"libav|libsw": ["Filters/Coding"],
     r"vtkOpenGL(?!Sphere|Stick)|vtk_gl|glad": ["Rendering"],

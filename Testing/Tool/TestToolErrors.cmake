@@ -156,7 +156,7 @@ execute_process(
   WORKING_DIRECTORY "${DIRECTORY}"
   OUTPUT_FILE three.stl)
 foreach (mesh IN ITEMS whole.obj whole.ply whole.stl whole.vtp three.stl)
-  cslf_run(sample ${mesh} -o left.vti ${tiny})
+  cslf_run(sample ${mesh} -o left.vti --geometry-triangles 0 ${tiny})
   file(SIZE "${DIRECTORY}/${mesh}" bytes)
   get_filename_component(extension ${mesh} EXT)
   foreach (lost IN ITEMS 2 3 17)

@@ -19,7 +19,8 @@ file(WRITE "${DIRECTORY}/empty" "")
 string(REPEAT "0123456789abcdef" 800000 large)
 file(WRITE "${DIRECTORY}/large" "${large}")
 
-set(scene cornell-box -M 2 -N 16 --spp 1 --max-depth 1 --integrator path --preset ultrafast)
+set(scene cornell-box -M 2 -N 16 --spp 1 --max-depth 1 --integrator path --preset ultrafast
+  --geometry-triangles 0)
 cslf_run(sample ${scene} -o plain.vti)
 cslf_run(sample ${scene} -o box.mp4 --part notes=text/plain:notes.txt --part "=text/csv:a=b:c.csv"
   --part "mesh=model/ply:${DATA}/dragon.ply")

@@ -134,6 +134,6 @@ string(JSON psnr_dim GET "${output}" psnr)
 if (psnr_dim GREATER 30)
   message(FATAL_ERROR "A quarter of the exposure changes the picture to ${psnr_dim} dB only.")
 endif ()
-cslf_run(evaluate box.vti cornell-box --views 1 --size 64 --spp 64 ${light} --view-exposure 0.5
+cslf_run(evaluate box.vti cornell-box --views 1 --size 64 --spp 512 ${light} --view-exposure 0.5
   --tone-mapping reinhard --json)
 expect_json_at_least(20 lookups depth psnr)

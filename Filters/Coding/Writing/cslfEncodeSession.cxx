@@ -176,6 +176,11 @@ bool EncodeSession::BeginWriting()
   this->Puller->SetKeyViewStep(this->Choice.Step);
   this->Cached.emplace(this->CountSlicesThatFit());
   this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
+  if (this->Job.AddGeometry && this->Peers.GetRank() == 0)
+  {
+    this->Job.AddGeometry(this->Puller->GetField().Box, this->Job.Parts);
+    this->Writer->SetParts(this->Job.Parts);
+  }
   return this->Peers.GetRank() != 0 || this->OpenParts();
 }
 

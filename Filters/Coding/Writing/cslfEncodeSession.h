@@ -32,6 +32,9 @@ struct EncodeJob
   std::string FileName;
   EncodeSettings Settings;
   std::vector<FilePart> Parts;
+
+  /// Adds a part with the field's geometry, if there is one, when the input has been read.
+  std::function<void(const Cube&, std::vector<FilePart>&)> AddGeometry;
   bool Restart = true;
   vtkAlgorithmOutput* Connection = nullptr;
   vtkInformation* Input = nullptr; ///< the connection's pipeline information

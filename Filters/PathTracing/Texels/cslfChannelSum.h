@@ -43,6 +43,8 @@ struct PacketSamples
   const PacketHits& First;
   const PacketRadiance& Radiance; ///< 0 if a sample sees nothing, or if its path is still to follow
   const int* Covered; ///< -1 if a sample sees a surface or environment of that radiance, else 0
+  const int* Own;     ///< -1 if its colour counts: see CenterSurfaces, else 0
+  bool HasOthers;     ///< whether there are samples whose colour does not count
 };
 
 /// The texels of a block that are written.
@@ -87,8 +89,8 @@ public:
   void Add(const PacketSamples&) {}
 
   /// Receives the missing radiance of an earlier sample of a texel: a path of the batch, whose
-  /// first hit the batch knows.
-  void AddPath(int /*texel*/, const PathBatch&, int /*path*/) {}
+  /// first hit the batch knows, and whether its colour counts.
+  void AddPath(int /*texel*/, const PathBatch&, int /*path*/, bool /*isOwn*/) {}
 
   /// Keeps the means of some texels, marked by -1: later samples do not change them.
   void Take(const int* /*texels*/) {}

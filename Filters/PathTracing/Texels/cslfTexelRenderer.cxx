@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTexelRenderer.h"
+
 #include "Pipeline/cslfParallelFor.h"
+#include "cslfCenterSurfaces.h"
 
 #include <vtkSMPThreadLocal.h>
 #include <vtkType.h>
@@ -64,6 +66,7 @@ struct TexelRenderer::Block
   bool MayEndSoon = false;   // whether a single sample may be enough
   bool LacksNearest = false; // whether samples may be the hits nearest to the centres
   PathVariance Variance;     // of the first samples
+  CenterSurfaces Surfaces;   // those whose colours count
 
   explicit Block(const ViewpointSamples& output)
     : Sums(output)
@@ -79,6 +82,7 @@ struct TexelRenderer::PathQueue
   {
     TexelSums* Sums;
     int Texel;
+    bool IsOwn; // whether its colour counts
   };
 
   PathBatch Batch;
@@ -330,14 +334,16 @@ void TexelRenderer::AddPacket(
   this->World.Intersect(packet);
 
   // Find what they see.
+  const PacketHits hits{ this->World, group, places, packet, scale };
+  alignas(64) int own[RayPacket::Size];
+  const bool hasOthers = block.Surfaces.FindSamples(hits, own);
   PacketRadiance radiance;
   alignas(64) int covered[RayPacket::Size];
   if (!this->LookUp(packet, inside, radiance, covered))
   {
-    this->Follow(packet, block, group, covered, queue);
+    this->Follow(hits, covered, own, block, queue);
   }
-  const PacketHits hits{ this->World, group, places, packet, scale };
-  block.Sums.Add({ hits, radiance, covered });
+  block.Sums.Add({ hits, radiance, covered, own, hasOthers });
   if (this->IsAdaptive())
   {
     block.Sums.AddSquares(group, radiance);
@@ -385,17 +391,19 @@ bool TexelRenderer::LookUp(
   return isKnown;
 }
 
-void TexelRenderer::Follow(const RayPacket& packet, Block& block, const TexelGroup& group,
-  const int covered[], PathQueue& queue) const
+void TexelRenderer::Follow(const PacketHits& hits, const int covered[], const int own[],
+  Block& block, PathQueue& queue) const
 {
+  const RayPacket& packet = hits.Rays;
   for (int lane = 0; lane < RayPacket::Size; ++lane)
   {
     if (packet.IsHit(lane) && !covered[lane])
     {
-      const int texel = group.GetTexel(lane);
-      const auto sample = static_cast<std::uint32_t>(block.Sums.Samples + group.GetSample(lane));
+      const int texel = hits.Group.GetTexel(lane);
+      const auto sample =
+        static_cast<std::uint32_t>(block.Sums.Samples + hits.Group.GetSample(lane));
       queue.Batch.Add({ packet.GetRay(lane), block.Hashes[texel], sample }, packet.GetHit(lane));
-      queue.Sources.push_back({ &block.Sums, texel });
+      queue.Sources.push_back({ &block.Sums, texel, own[lane] != 0 });
     }
   }
 }
@@ -410,7 +418,7 @@ void TexelRenderer::FollowPaths(PathQueue& queue) const
   for (int path = 0; path < queue.Batch.GetSize(); ++path)
   {
     const PathQueue::Source& source = queue.Sources[path];
-    source.Sums->AddPath(source.Texel, queue.Batch, path);
+    source.Sums->AddPath(source.Texel, queue.Batch, path, source.IsOwn);
   }
   queue.Batch.Clear();
   queue.Sources.clear();
@@ -425,7 +433,7 @@ bool TexelRenderer::MayMeetScene(const Block& block) const
 
 void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
 {
-  if (!this->NeedsNearest && !this->IsAdaptive())
+  if (!this->NeedsNearest && !this->IsAdaptive() && !this->Settings.SurfaceTexels)
   {
     return;
   }
@@ -443,10 +451,16 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
   const int centers = KeepInside(block.Inside, packet);
   this->World.Intersect(packet);
+  const TexelGroup all(RayPacket::Size);
+  const PacketHits hits{ this->World, all, places, packet, scale };
+  if (this->Settings.SurfaceTexels && !packet.MeetsVeils)
+  {
+    block.Surfaces.Find(hits, block.Grid);
+  }
   if (this->NeedsNearest)
   {
     // If the ray to the centre sees nothing, the samples may see something.
-    block.Sums.KeepNearest({ this->World, TexelGroup(RayPacket::Size), places, packet, scale });
+    block.Sums.KeepNearest(hits);
     for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
     {
       block.LacksNearest |= block.Inside[lane] && !packet.IsHit(lane);

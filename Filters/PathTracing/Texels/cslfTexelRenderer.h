@@ -45,6 +45,7 @@ struct RenderSettings
   std::uint32_t Seed = 0;
   double Exposure = 1.0;
   double DisplayRange = DisplayCurve::ByteRange; ///< of the noise target: see DisplayCurve
+  bool SurfaceTexels = false;   ///< whether only the surface at a texel's centre gives its colour
   bool ShowEnvironment = false; ///< whether rays that miss see the environment, with alpha 1
   PathSettings Paths;
   const RadianceCache* Cache = nullptr; ///< of the scene; null if paths are traced to their end
@@ -91,7 +92,7 @@ private:
     Block& block, const TexelGroup& group, const SamplePlaces& places, PathQueue& queue) const;
   bool LookUp(
     const RayPacket& packet, const int inside[], PacketRadiance& radiance, int covered[]) const;
-  void Follow(const RayPacket& packet, Block& block, const TexelGroup& group, const int covered[],
+  void Follow(const PacketHits& hits, const int covered[], const int own[], Block& block,
     PathQueue& queue) const;
   void FollowPaths(PathQueue& queue) const;
   bool MayMeetScene(const Block& block) const;

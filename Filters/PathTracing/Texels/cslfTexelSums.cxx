@@ -104,7 +104,7 @@ CSLF_VECTORIZE void TexelSums::Add(const PacketSamples& samples)
   ForEach(*this, [&samples](auto& sum) { sum.Add(samples); });
 }
 
-void TexelSums::AddPath(int texel, const PathBatch& batch, int path)
+void TexelSums::AddPath(int texel, const PathBatch& batch, int path, bool isOwn)
 {
   const glm::vec3& radiance = batch.GetRadiance(path);
   this->Squares.Red[texel] += radiance.x * radiance.x;
@@ -112,7 +112,7 @@ void TexelSums::AddPath(int texel, const PathBatch& batch, int path)
   this->Squares.Blue[texel] += radiance.z * radiance.z;
   ++this->Covered[texel];
   ++this->Paths[texel];
-  ForEach(*this, [&](auto& sum) { sum.AddPath(texel, batch, path); });
+  ForEach(*this, [&](auto& sum) { sum.AddPath(texel, batch, path, isOwn); });
 }
 
 void TexelSums::AddSquares(const TexelGroup& group, const PacketRadiance& radiance)

@@ -39,7 +39,7 @@ public:
   /// Pass what rays see to all requested channels: see ChannelSum.
   void KeepNearest(const PacketHits& hits);
   void Add(const PacketSamples& samples);
-  void AddPath(int texel, const PathBatch& batch, int path);
+  void AddPath(int texel, const PathBatch& batch, int path, bool isOwn);
   ///@}
 
   /// Adds the squares of the samples.

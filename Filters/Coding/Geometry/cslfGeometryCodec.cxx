@@ -1,0 +1,454 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGeometryCodec.h"
+
+#include "Pipeline/cslfGeometryArrays.h"
+#include "cslfChannel.h"
+#include "cslfJSONText.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <glm/common.hpp>
+#include <glm/gtc/packing.hpp>
+#include <glm/vec3.hpp>
+
+#include <meshoptimizer.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+
+namespace cslf
+{
+namespace
+{
+using JSON = nlohmann::json;
+
+constexpr double PositionSteps = 65535.0;
+
+/// Colours of bytes have this many steps: they are for what no viewpoint sees.
+constexpr double ColorSteps = 63.0;
+
+/// Position and padding; bytes; and halves.
+constexpr std::size_t PositionSize = 8;
+constexpr std::size_t ByteColorSize = 4;
+constexpr std::size_t HalfColorSize = 8;
+
+/// More are refused, so that a file cannot ask for much memory.
+constexpr std::size_t MostItems = std::size_t(1) << 25;
+
+constexpr const char* ByteColors = "srgb6";
+constexpr const char* HalfColors = "linear16f";
+
+/// The streams of a geometry before and after they are compressed.
+struct Streams
+{
+  std::size_t Points = 0;
+  std::vector<unsigned int> Corners;
+  std::vector<unsigned char> Positions;
+  std::vector<unsigned char> Colors; ///< none if the geometry has none
+  bool AreHalves = false;
+
+  std::size_t GetColorSize() const { return this->AreHalves ? HalfColorSize : ByteColorSize; }
+};
+
+template <typename Value>
+void Store(Value value, unsigned char* place)
+{
+  // Little-endian on all machines.
+  for (std::size_t byte = 0; byte < sizeof(Value); ++byte)
+  {
+    place[byte] = static_cast<unsigned char>(value >> (8 * byte));
+  }
+}
+
+template <typename Value>
+Value Load(const unsigned char* place)
+{
+  Value value = 0;
+  for (std::size_t byte = 0; byte < sizeof(Value); ++byte)
+  {
+    value = static_cast<Value>(value | static_cast<Value>(place[byte]) << (8 * byte));
+  }
+  return value;
+}
+
+void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
+{
+  streams.Points = triangles->GetNumberOfPoints();
+  streams.Positions.assign(PositionSize * streams.Points, 0);
+  for (std::size_t point = 0; point < streams.Points; ++point)
+  {
+    double place[3];
+    triangles->GetPoint(static_cast<vtkIdType>(point), place);
+    const glm::dvec3 pointCC = box.PointToCube({ place[0], place[1], place[2] });
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double step = std::round((0.5 * pointCC[axis] + 0.5) * PositionSteps);
+      if (!(step >= 0.0 && step <= PositionSteps))
+      {
+        throw std::invalid_argument("a point of the geometry lies outside of the cube");
+      }
+      Store(static_cast<std::uint16_t>(step), &streams.Positions[PositionSize * point + 2 * axis]);
+    }
+  }
+}
+
+void AddColors(vtkPolyData* triangles, Streams& streams)
+{
+  vtkDataArray* colors = triangles->GetPointData()->GetArray(ColorName);
+  if (!colors || colors->GetNumberOfComponents() != 4)
+  {
+    return;
+  }
+  streams.AreHalves = colors->GetDataType() != VTK_UNSIGNED_CHAR;
+  const std::size_t size = streams.GetColorSize();
+  streams.Colors.assign(size * streams.Points, 0);
+  for (std::size_t point = 0; point < streams.Points; ++point)
+  {
+    double color[4];
+    colors->GetTuple(static_cast<vtkIdType>(point), color);
+    for (std::size_t channel = 0; channel < 4; ++channel)
+    {
+      unsigned char* place = &streams.Colors[size * point + size / 4 * channel];
+      if (streams.AreHalves)
+      {
+        Store(glm::packHalf1x16(static_cast<float>(color[channel])), place);
+      }
+      else
+      {
+        *place = static_cast<unsigned char>(std::lround(color[channel] * ColorSteps / 255.0));
+      }
+    }
+  }
+}
+
+void AddCorners(vtkPolyData* triangles, Streams& streams)
+{
+  streams.Corners.reserve(3 * triangles->GetNumberOfPolys());
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  const auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    cells->GetCurrentCell(count, corners);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      streams.Corners.push_back(static_cast<unsigned int>(corners[i]));
+    }
+  }
+}
+
+/// The codecs need triangles and points in an order of use. Drops unused points.
+void Sort(Streams& streams)
+{
+  std::vector<unsigned int> sorted(streams.Corners.size());
+  meshopt_optimizeVertexCache(sorted.data(), streams.Corners.data(), sorted.size(), streams.Points);
+  std::vector<unsigned int> numbers(streams.Points);
+  const std::size_t used =
+    meshopt_optimizeVertexFetchRemap(numbers.data(), sorted.data(), sorted.size(), streams.Points);
+  meshopt_remapIndexBuffer(streams.Corners.data(), sorted.data(), sorted.size(), numbers.data());
+  const auto move = [&](std::vector<unsigned char>& stream, std::size_t size)
+  {
+    if (!stream.empty())
+    {
+      std::vector<unsigned char> moved(size * used);
+      meshopt_remapVertexBuffer(moved.data(), stream.data(), streams.Points, size, numbers.data());
+      stream = std::move(moved);
+    }
+  };
+  move(streams.Positions, PositionSize);
+  move(streams.Colors, streams.GetColorSize());
+  streams.Points = used;
+}
+
+std::vector<unsigned char> CodeVertices(
+  const std::vector<unsigned char>& stream, std::size_t count, std::size_t size)
+{
+  meshopt_encodeVertexVersion(0);
+  std::vector<unsigned char> coded(
+    stream.empty() ? 0 : meshopt_encodeVertexBufferBound(count, size));
+  if (!stream.empty())
+  {
+    coded.resize(
+      meshopt_encodeVertexBuffer(coded.data(), coded.size(), stream.data(), count, size));
+  }
+  return coded;
+}
+
+std::vector<unsigned char> CodeCorners(const Streams& streams)
+{
+  // The version of EXT_meshopt_compression.
+  meshopt_encodeIndexVersion(1);
+  std::vector<unsigned char> coded(
+    meshopt_encodeIndexBufferBound(streams.Corners.size(), streams.Points));
+  coded.resize(meshopt_encodeIndexBuffer(
+    coded.data(), coded.size(), streams.Corners.data(), streams.Corners.size()));
+  return coded;
+}
+
+double GetNumber(vtkPolyData* geometry, const char* name)
+{
+  vtkDataArray* array = geometry->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfValues() == 1 ? array->GetTuple1(0) : -1.0;
+}
+
+void AddNumber(const JSON& header, const char* key, const char* name, vtkPolyData* geometry)
+{
+  if (header.contains(key))
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->InsertNextValue(header.at(key).get<double>());
+    geometry->GetFieldData()->AddArray(array);
+  }
+}
+
+JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
+{
+  JSON header = { { "points", streams.Points }, { "triangles", streams.Corners.size() / 3 } };
+  if (!streams.Colors.empty())
+  {
+    header["colors"] = streams.AreHalves ? HalfColors : ByteColors;
+  }
+  const double error = GetNumber(geometry, GeometryErrorName);
+  const double loss = GetNumber(geometry, GeometryLossName);
+  if (error >= 0.0)
+  {
+    header["error"] = error;
+  }
+  if (loss >= 0.0)
+  {
+    header["loss"] = loss;
+  }
+  auto* scene =
+    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometrySceneName));
+  if (scene && scene->GetNumberOfValues() == 1)
+  {
+    header["scene"] = scene->GetValue(0);
+  }
+  return header;
+}
+
+std::vector<unsigned char> Compress(const std::vector<unsigned char>& bytes)
+{
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::vector<unsigned char> compressed(size);
+  if (compress2(compressed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()),
+        Z_BEST_COMPRESSION) != Z_OK)
+  {
+    throw std::runtime_error("it cannot be compressed");
+  }
+  compressed.resize(size);
+  return compressed;
+}
+
+/// The size of a stream in the header, within limits.
+std::size_t GetCount(const JSON& header, const char* key)
+{
+  const JSON& number = header.at(key);
+  if (!number.is_number_unsigned() || number.get<std::uint64_t>() > MostItems)
+  {
+    throw std::invalid_argument(std::string("its number of ") + key + " is invalid");
+  }
+  return number.get<std::size_t>();
+}
+
+std::vector<unsigned char> Uncompress(const unsigned char* bytes, std::size_t size, uLongf raw)
+{
+  std::vector<unsigned char> result(raw);
+  uLongf count = raw;
+  if (uncompress(result.data(), &count, bytes, static_cast<uLong>(size)) != Z_OK || count != raw)
+  {
+    throw std::invalid_argument("its data is damaged");
+  }
+  return result;
+}
+
+void Require(bool condition)
+{
+  if (!condition)
+  {
+    throw std::invalid_argument("its data is damaged");
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& header, const Cube& box)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(streams.Points));
+  for (std::size_t point = 0; point < streams.Points; ++point)
+  {
+    glm::dvec3 pointCC;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto step = Load<std::uint16_t>(&streams.Positions[PositionSize * point + 2 * axis]);
+      pointCC[axis] = 2.0 * step / PositionSteps - 1.0;
+    }
+    const glm::dvec3 place = box.PointToWorld(pointCC);
+    points->SetPoint(static_cast<vtkIdType>(point), place.x, place.y, place.z);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t i = 0; i < streams.Corners.size(); i += 3)
+  {
+    triangles->InsertNextCell(
+      { streams.Corners[i], streams.Corners[i + 1], streams.Corners[i + 2] });
+  }
+  auto geometry = vtkSmartPointer<vtkPolyData>::New();
+  geometry->SetPoints(points);
+  geometry->SetPolys(triangles);
+  if (!streams.Colors.empty())
+  {
+    auto colors = vtk::TakeSmartPointer(
+      vtkDataArray::CreateDataArray(streams.AreHalves ? VTK_FLOAT : VTK_UNSIGNED_CHAR));
+    colors->SetName(ColorName);
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(static_cast<vtkIdType>(streams.Points));
+    const std::size_t size = streams.GetColorSize() / 4;
+    for (std::size_t value = 0; value < 4 * streams.Points; ++value)
+    {
+      const unsigned char* place = &streams.Colors[size * value];
+      colors->SetComponent(static_cast<vtkIdType>(value / 4), static_cast<int>(value % 4),
+        streams.AreHalves ? glm::unpackHalf1x16(Load<std::uint16_t>(place))
+                          : std::round(std::min<double>(*place, ColorSteps) * 255.0 / ColorSteps));
+    }
+    geometry->GetPointData()->SetScalars(colors);
+  }
+  AddNumber(header, "error", GeometryErrorName, geometry);
+  AddNumber(header, "loss", GeometryLossName, geometry);
+  if (header.contains("scene"))
+  {
+    vtkNew<vtkStringArray> scene;
+    scene->SetName(GeometrySceneName);
+    scene->InsertNextValue(header.at("scene").get<std::string>());
+    geometry->GetFieldData()->AddArray(scene);
+  }
+  return geometry;
+}
+
+vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, const Cube& box)
+{
+  constexpr std::size_t head = sizeof(std::uint32_t);
+  Require(bytes.size() > head);
+  const std::size_t textSize = Load<std::uint32_t>(bytes.data());
+  Require(textSize <= bytes.size() - head);
+  const auto begin = bytes.begin() + head;
+  const auto end = begin + static_cast<std::ptrdiff_t>(textSize);
+  const JSON header = ParseJSON(std::string(begin, end));
+  Streams streams;
+  streams.Points = GetCount(header, "points");
+  streams.Corners.resize(3 * GetCount(header, "triangles"));
+  const std::size_t sizes[3] = { GetCount(header, "corner_bytes"),
+    GetCount(header, "position_bytes"), GetCount(header, "color_bytes") };
+  const std::size_t rest = bytes.size() - head - textSize;
+  // Deflate's limit, so that few bytes cannot ask for many.
+  constexpr std::size_t mostGrowth = 1100;
+  Require(sizes[0] + sizes[1] + sizes[2] <= mostGrowth * (rest + 1));
+  const std::vector<unsigned char> coded = Uncompress(
+    bytes.data() + head + textSize, rest, static_cast<uLongf>(sizes[0] + sizes[1] + sizes[2]));
+  // A point or a triangle takes at least a part of a byte.
+  constexpr std::size_t mostPerByte = 64;
+  Require(streams.Points <= mostPerByte * (sizes[1] + 1) &&
+    streams.Corners.size() <= 3 * mostPerByte * (sizes[0] + 1));
+  streams.Positions.resize(PositionSize * streams.Points);
+  const unsigned char* place = coded.data();
+  Require(streams.Points > 0 && !streams.Corners.empty() &&
+    meshopt_decodeIndexBuffer(
+      streams.Corners.data(), streams.Corners.size(), sizeof(unsigned int), place, sizes[0]) == 0);
+  Require(std::all_of(streams.Corners.begin(), streams.Corners.end(),
+    [&](unsigned int corner) { return corner < streams.Points; }));
+  place += sizes[0];
+  Require(meshopt_decodeVertexBuffer(
+            streams.Positions.data(), streams.Points, PositionSize, place, sizes[1]) == 0);
+  place += sizes[1];
+  if (header.contains("colors"))
+  {
+    const auto kind = header.at("colors").get<std::string>();
+    Require(kind == ByteColors || kind == HalfColors);
+    streams.AreHalves = kind == HalfColors;
+    streams.Colors.resize(streams.GetColorSize() * streams.Points);
+    Require(meshopt_decodeVertexBuffer(
+              streams.Colors.data(), streams.Points, streams.GetColorSize(), place, sizes[2]) == 0);
+  }
+  return ToPolyData(streams, header, box);
+}
+}
+
+std::vector<unsigned char> EncodeGeometry(
+  vtkPolyData* geometry, const Cube& box, std::string& error)
+{
+  try
+  {
+    vtkNew<vtkTriangleFilter> triangulate;
+    triangulate->SetInputData(geometry);
+    triangulate->PassVertsOff();
+    triangulate->PassLinesOff();
+    triangulate->Update();
+    vtkPolyData* triangles = triangulate->GetOutput();
+    if (triangles->GetNumberOfPolys() == 0)
+    {
+      throw std::invalid_argument("the geometry has no triangles");
+    }
+    Streams streams;
+    AddPositions(triangles, box, streams);
+    AddColors(triangles, streams);
+    AddCorners(triangles, streams);
+    Sort(streams);
+    const std::vector<unsigned char> parts[3] = { CodeCorners(streams),
+      CodeVertices(streams.Positions, streams.Points, PositionSize),
+      CodeVertices(streams.Colors, streams.Points, streams.GetColorSize()) };
+    JSON header = DescribeGeometry(geometry, streams);
+    header["corner_bytes"] = parts[0].size();
+    header["position_bytes"] = parts[1].size();
+    header["color_bytes"] = parts[2].size();
+    std::vector<unsigned char> all;
+    for (const std::vector<unsigned char>& part : parts)
+    {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    const std::string text = header.dump();
+    std::vector<unsigned char> bytes(sizeof(std::uint32_t));
+    Store(static_cast<std::uint32_t>(text.size()), bytes.data());
+    bytes.insert(bytes.end(), text.begin(), text.end());
+    const std::vector<unsigned char> compressed = Compress(all);
+    bytes.insert(bytes.end(), compressed.begin(), compressed.end());
+    return bytes;
+  }
+  catch (const std::exception& exception)
+  {
+    error = exception.what();
+    return {};
+  }
+}
+
+vtkSmartPointer<vtkPolyData> DecodeGeometry(
+  const std::vector<unsigned char>& bytes, const Cube& box, std::string& error)
+{
+  try
+  {
+    return Decode(bytes, box);
+  }
+  catch (const std::exception&)
+  {
+    error = "its geometry is damaged";
+    return nullptr;
+  }
+}
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A field's geometry as bytes, for coded files: see Documentation/FileFormat.md.
+ */
+#ifndef cslfGeometryCodec_h
+#define cslfGeometryCodec_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfCube.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace cslf
+{
+/// The type and the name of the part that holds a geometry.
+constexpr const char* GeometryPartType = "model/vnd.cslf.geometry";
+constexpr const char* GeometryPartName = "geometry";
+
+/// Positions get 16 bits along each edge of the cube, which must contain them. On failure returns
+/// no bytes and says why.
+VTKCSLF_EXPORT std::vector<unsigned char> EncodeGeometry(
+  vtkPolyData* geometry, const Cube& box, std::string& error);
+
+/// Bytes from anywhere. On failure returns null and says why.
+VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> DecodeGeometry(
+  const std::vector<unsigned char>& bytes, const Cube& box, std::string& error);
+}
+
+#endif

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGeometryMaker.h"
+
+#include "PathTracing/Texels/cslfFieldRays.h"
+#include "Pipeline/cslfParallelFor.h"
+#include "Quality/cslfRobertsSequence.h"
+#include "cslfSeenPlaces.h"
+#include "cslfTessellation.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStaticCellLocator.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+/// How far the surface may move, in texels at the cube's centre.
+constexpr double MostTexels = 0.1;
+
+/// Spheres, tubes and instances become as coarse as this before the whole surface is reduced.
+constexpr int Coarsest = 3;
+
+/// The most triangles before hidden ones are removed.
+constexpr std::size_t MostTessellated = 16u << 20;
+
+/// The edge of the cells in which something is seen, in texels at the cube's centre.
+constexpr double CellTexels = 4.0;
+
+/// The most viewpoints along a side of a face, and texels along a side of their pictures, that
+/// decide what is seen.
+constexpr int MostViewpoints = 9;
+constexpr int MostResolution = 128;
+
+/// The number of viewpoints that decide from which side a point is seen, and, if there are too many
+/// triangles, whether it is seen at all.
+constexpr std::size_t FewTries = 32;
+constexpr std::size_t ManyTries = 96;
+
+/// How far in front of a point rays start to find its colour, in texels at the cube's centre.
+constexpr double StartTexels = 0.5;
+
+/// The number of points at which the error is measured.
+constexpr std::size_t MeasuredPoints = 20000;
+
+/// All viewpoints, or some if there are very many.
+std::vector<int> ChooseSlices(const Layout& grid)
+{
+  const int step = std::max(1, (grid.GetViewpoints() - 1) / (MostViewpoints - 1));
+  std::vector<int> slices;
+  for (int slice = 0; slice < grid.GetSlices(); ++slice)
+  {
+    const Viewpoint viewpoint = grid.ViewpointOf(slice);
+    if (viewpoint.I % step == 0 && viewpoint.J % step == 0)
+    {
+      slices.push_back(slice);
+    }
+  }
+  return slices;
+}
+
+/// Points that are evenly spread over a surface.
+std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t count)
+{
+  std::vector<double> sums;
+  sums.reserve(surface.Triangles.size());
+  double sum = 0.0;
+  for (const glm::uvec3& corners : surface.Triangles)
+  {
+    const glm::vec3& first = surface.Points[corners.x];
+    sum +=
+      glm::length(glm::cross(surface.Points[corners.y] - first, surface.Points[corners.z] - first));
+    sums.push_back(sum);
+  }
+  std::vector<glm::vec3> points;
+  for (std::size_t i = 0; sum > 0.0 && i < count; ++i)
+  {
+    const double place = (double(i) + 0.5) / double(count) * sum;
+    const std::size_t triangle = std::min<std::size_t>(
+      std::lower_bound(sums.begin(), sums.end(), place) - sums.begin(), sums.size() - 1);
+    auto u = static_cast<float>(RobertsNumber(static_cast<int>(i), 0));
+    auto v = static_cast<float>(RobertsNumber(static_cast<int>(i), 1));
+    if (u + v > 1.0f)
+    {
+      u = 1.0f - u;
+      v = 1.0f - v;
+    }
+    const glm::uvec3& corners = surface.Triangles[triangle];
+    points.push_back((1.0f - u - v) * surface.Points[corners.x] + u * surface.Points[corners.y] +
+      v * surface.Points[corners.z]);
+  }
+  return points;
+}
+
+vtkNew<vtkPolyData> ToPolyData(const SurfaceMesh& surface)
+{
+  vtkNew<vtkPoints> points;
+  for (const glm::vec3& point : surface.Points)
+  {
+    points->InsertNextPoint(point.x, point.y, point.z);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const glm::uvec3& corners : surface.Triangles)
+  {
+    cells->InsertNextCell({ corners.x, corners.y, corners.z });
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
+}
+
+/// Measures how far points lie from the geometry.
+void Measure(const std::vector<glm::vec3>& points, double texel, Geometry& geometry)
+{
+  if (geometry.Surface.Triangles.empty() || points.empty())
+  {
+    geometry.Loss = points.empty() ? 0.0 : 1.0;
+    return;
+  }
+  const auto data = ToPolyData(geometry.Surface);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  double squares = 0.0;
+  std::size_t near = 0;
+  for (const glm::vec3& place : points)
+  {
+    const double point[3] = { place.x, place.y, place.z };
+    double closest[3];
+    vtkIdType cell = 0;
+    int part = 0;
+    double square = 0.0;
+    locator->FindClosestPoint(point, closest, cell, part, square);
+    if (square <= texel * texel)
+    {
+      squares += square;
+      ++near;
+    }
+  }
+  geometry.Error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(near, 1)));
+  geometry.Loss = 1.0 - static_cast<double>(near) / static_cast<double>(points.size());
+}
+
+/// Normals of unit length, or 0 where there is none, on the side where corners run
+/// counterclockwise.
+std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh)
+{
+  std::vector<glm::vec3> normals(mesh.Points.size(), glm::vec3(0.0f));
+  for (const glm::uvec3& corners : mesh.Triangles)
+  {
+    const glm::vec3& first = mesh.Points[corners.x];
+    const glm::vec3 across =
+      glm::cross(mesh.Points[corners.y] - first, mesh.Points[corners.z] - first);
+    for (int i = 0; i < 3; ++i)
+    {
+      normals[corners[i]] += across;
+    }
+  }
+  for (glm::vec3& normal : normals)
+  {
+    const float length = glm::length(normal);
+    normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 0.0f, 1.0f);
+  }
+  return normals;
+}
+
+/// Finds out from which side points are seen.
+class Watcher
+{
+public:
+  Watcher(const Scene& scene, const GeometrySettings& settings, const std::vector<int>& slices,
+    float tolerance)
+    : World(scene)
+    , Tolerance(tolerance)
+  {
+    this->Viewpoints.reserve(slices.size());
+    for (const int slice : slices)
+    {
+      const glm::dvec3 place = settings.Grid.ViewpointPosition(settings.Grid.ViewpointOf(slice));
+      this->Viewpoints.emplace_back(settings.Frame.PointToScene(settings.Box.PointToWorld(place)));
+    }
+  }
+
+  /// Whether any of some viewpoints, which depend on a number, sees a point.
+  bool Sees(const glm::vec3& point, std::size_t number, std::size_t tries) const
+  {
+    return this->FindViewpoint(point, number, tries) != nullptr;
+  }
+
+  /// Removes points that are not seen.
+  void KeepSeen(std::vector<glm::vec3>& points) const
+  {
+    std::vector<glm::vec3> kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (this->Sees(points[i], i, ManyTries))
+      {
+        kept.push_back(points[i]);
+      }
+    }
+    points = std::move(kept);
+  }
+
+  /// Removes triangles whose corners and middle are not seen.
+  void KeepSeen(SurfaceMesh& mesh) const
+  {
+    std::vector<char> isSeen(mesh.Points.size(), 0);
+    ParallelFor(0, static_cast<vtkIdType>(isSeen.size()), 0,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          isSeen[i] = this->Sees(mesh.Points[i], i, ManyTries) ? 1 : 0;
+        }
+      });
+    std::vector<char> isKept(mesh.Triangles.size(), 0);
+    ParallelFor(0, static_cast<vtkIdType>(isKept.size()), 0,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const glm::uvec3& corners = mesh.Triangles[i];
+          const glm::vec3 middle =
+            (mesh.Points[corners.x] + mesh.Points[corners.y] + mesh.Points[corners.z]) / 3.0f;
+          isKept[i] = isSeen[corners.x] || isSeen[corners.y] || isSeen[corners.z] ||
+              this->Sees(middle, i, ManyTries)
+            ? 1
+            : 0;
+        }
+      });
+    Keep(isKept, mesh);
+  }
+
+  /// Whether a point is seen from the back of a plane through it, and not from the front, judged by
+  /// some viewpoints that depend on a number.
+  bool IsSeenFromBehind(const glm::vec3& point, const glm::vec3& normal, std::size_t number) const
+  {
+    const glm::vec3* viewpoint = this->FindViewpoint(point, number, FewTries);
+    return viewpoint && glm::dot(normal, *viewpoint - point) < 0.0f;
+  }
+
+private:
+  const glm::vec3* FindViewpoint(
+    const glm::vec3& point, std::size_t number, std::size_t tries) const
+  {
+    // Steps of the golden ratio, so that they are far apart.
+    const auto stride = static_cast<std::size_t>(0.618 * double(this->Viewpoints.size())) | 1u;
+    for (std::size_t i = 0; i < tries; ++i)
+    {
+      const glm::vec3& viewpoint =
+        this->Viewpoints[(number + i) * stride % this->Viewpoints.size()];
+      const float distance = glm::distance(viewpoint, point);
+      const Hit hit = this->World.Intersect({ viewpoint, (point - viewpoint) / distance });
+      if (!hit.IsValid() || hit.Distance > distance - this->Tolerance)
+      {
+        return &viewpoint;
+      }
+    }
+    return nullptr;
+  }
+
+  const Scene& World;
+  float Tolerance;
+  std::vector<glm::vec3> Viewpoints;
+};
+
+std::vector<RayGrid> AimAtPoints(const Watcher& watcher, const SurfaceMesh& mesh, double distance)
+{
+  const std::vector<glm::vec3> normals = FindNormals(mesh);
+  std::vector<RayGrid> rays(mesh.Points.size());
+  ParallelFor(0, static_cast<vtkIdType>(rays.size()), 0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::vec3& point = mesh.Points[i];
+        const bool isBehind = watcher.IsSeenFromBehind(point, normals[i], i);
+        const glm::dvec3 normal = (isBehind ? -1.0 : 1.0) * glm::dvec3(normals[i]);
+        rays[i].Origin = glm::dvec3(point) + distance * normal;
+        rays[i].Direction = -normal;
+      }
+    });
+  return rays;
+}
+}
+
+Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
+{
+  const glm::dvec3& edges = settings.Box.Edges;
+  const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
+    (settings.Frame.Radius * settings.Grid.GetResolution());
+  const std::vector<int> slices = ChooseSlices(settings.Grid);
+  const Layout pictures(
+    settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), MostResolution));
+  SeenPlaces seen(scene, static_cast<float>(CellTexels * texel));
+  seen.Look(TileCount * static_cast<int>(slices.size()), pictures.GetResolution(),
+    [&](int tile)
+    {
+      return MakeFieldRays(
+        pictures, settings.Box, settings.Frame, slices[tile / TileCount], tile % TileCount);
+    });
+  const double start = StartTexels * texel;
+  const Watcher watcher(scene, settings, slices, static_cast<float>(start));
+  Geometry geometry;
+  geometry.Loss = 2.0;
+  std::vector<glm::vec3> points;
+  const auto tolerance = static_cast<float>(MostTexels * texel);
+  std::size_t previous = std::numeric_limits<std::size_t>::max();
+  for (int coarseness = 0; coarseness <= Coarsest;)
+  {
+    Geometry candidate;
+    candidate.Surface = Tessellate(scene.GetMeshes(), { tolerance, coarseness, MostTessellated });
+    seen.KeepSeen(candidate.Surface);
+    Weld(candidate.Surface);
+    if (points.empty())
+    {
+      points = SpreadPoints(candidate.Surface, MeasuredPoints);
+    }
+    Simplify(candidate.Surface, tolerance);
+    if (candidate.Surface.Triangles.size() > settings.MostTriangles)
+    {
+      watcher.KeepSeen(candidate.Surface);
+      Weld(candidate.Surface);
+      watcher.KeepSeen(points);
+    }
+    const std::size_t count = candidate.Surface.Triangles.size();
+    const double excess = double(count) / double(settings.MostTriangles);
+    const bool isCoarser = double(count) < 0.9 * double(std::exchange(previous, count));
+    Reduce(candidate.Surface, settings.MostTriangles);
+    Measure(points, texel, candidate);
+    if (candidate.Loss < geometry.Loss)
+    {
+      geometry = std::move(candidate);
+    }
+    // Each step about halves the triangles.
+    coarseness +=
+      excess > 1.0 && isCoarser ? std::max(1, static_cast<int>(std::log2(excess))) : Coarsest + 1;
+  }
+  SortForDrawing(geometry.Surface);
+  geometry.Rays = AimAtPoints(watcher, geometry.Surface, start);
+  return geometry;
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Makes a field's geometry: a bounded number of triangles that say where its surfaces are.
+ */
+#ifndef cslfGeometryMaker_h
+#define cslfGeometryMaker_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/Scene/cslfScene.h"
+#include "PathTracing/Texels/cslfRayGrid.h"
+#include "cslfCube.h"
+#include "cslfLayout.h"
+#include "cslfSurfaceMesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace cslf
+{
+struct GeometrySettings
+{
+  Layout Grid;
+  Cube Box;
+  SceneFrame Frame;
+  std::size_t MostTriangles = 0;
+};
+
+struct Geometry
+{
+  SurfaceMesh Surface; ///< in scene space
+
+  /// The root mean square distance, in scene space, of the scene's visible surface from it, and the
+  /// share of that surface which is more than a texel away, and does not count in the former.
+  double Error = 0.0;
+  double Loss = 0.0;
+
+  /// For each point, a ray that meets it from a side that is seen. All rays of a grid are alike.
+  std::vector<RayGrid> Rays;
+};
+
+/// The surface of a scene that the viewpoints see, simplified where that moves it by much less than
+/// a texel, and further until there are few enough triangles.
+VTKCSLF_EXPORT Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings);
+}
+
+#endif

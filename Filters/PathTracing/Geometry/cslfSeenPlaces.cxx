@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSeenPlaces.h"
+
+#include "Pipeline/cslfParallelFor.h"
+#include "Quality/cslfRobertsSequence.h"
+
+#include <vtkType.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cslf
+{
+namespace
+{
+/// The most cells along the longest side.
+constexpr float MostCells = 512.0f;
+
+/// The most points of a triangle that are checked, besides its corners.
+constexpr int MostPoints = 4096;
+
+constexpr int BlockSide = 4; // a packet has one ray for each texel of a block
+}
+
+SeenPlaces::SeenPlaces(const Scene& scene, float edge)
+  : World(scene)
+{
+  const Box bounds = scene.GetBounds();
+  const glm::vec3 size = bounds.High - bounds.Low;
+  this->Edge = std::max(edge, std::max({ size.x, size.y, size.z }) / MostCells);
+  this->Low = bounds.Low;
+  this->Cells = glm::ivec3(glm::floor(size / this->Edge)) + 1;
+  const std::size_t count = std::size_t(this->Cells.x) * this->Cells.y * this->Cells.z;
+  this->Marks = std::make_unique<std::atomic<std::uint8_t>[]>(count);
+}
+
+glm::ivec3 SeenPlaces::FindCell(const glm::vec3& point) const
+{
+  return glm::clamp(
+    glm::ivec3(glm::floor((point - this->Low) / this->Edge)), glm::ivec3(0), this->Cells - 1);
+}
+
+bool SeenPlaces::IsMarked(const glm::ivec3& cell) const
+{
+  if (glm::any(glm::lessThan(cell, glm::ivec3(0))) ||
+    glm::any(glm::greaterThanEqual(cell, this->Cells)))
+  {
+    return false;
+  }
+  const std::size_t place = (std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x;
+  return this->Marks[place].load(std::memory_order_relaxed) != 0;
+}
+
+bool SeenPlaces::IsNear(const glm::vec3& point) const
+{
+  const glm::ivec3 cell = this->FindCell(point);
+  for (int i = 0; i < 27; ++i)
+  {
+    if (this->IsMarked(cell + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool SeenPlaces::IsNear(const glm::vec3 corners[3]) const
+{
+  const glm::vec3 edges[2] = { corners[1] - corners[0], corners[2] - corners[0] };
+  const float area = 0.5f * glm::length(glm::cross(edges[0], edges[1]));
+  const float length =
+    std::max({ glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[1] - edges[0]) });
+  // Slivers need points for their length.
+  const float wanted = std::max(area / (this->Edge * this->Edge), length / this->Edge);
+  const int points = static_cast<int>(std::min(2.0f * wanted, float(MostPoints)));
+  for (int i = 0; i < 3; ++i)
+  {
+    if (this->IsNear(corners[i]))
+    {
+      return true;
+    }
+  }
+  for (int i = 0; i < points; ++i)
+  {
+    auto u = static_cast<float>(RobertsNumber(i, 0));
+    auto v = static_cast<float>(RobertsNumber(i, 1));
+    if (u + v > 1.0f)
+    {
+      u = 1.0f - u;
+      v = 1.0f - v;
+    }
+    if (this->IsNear(corners[0] + u * edges[0] + v * edges[1]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void SeenPlaces::LookAlong(const RayGrid& rays, int side)
+{
+  RayPacket packet;
+  PacketScale scale;
+  float x[RayPacket::Size];
+  float y[RayPacket::Size];
+  for (int row = 0; row < side; row += BlockSide)
+  {
+    for (int column = 0; column < side; column += BlockSide)
+    {
+      for (int lane = 0; lane < RayPacket::Size; ++lane)
+      {
+        x[lane] = static_cast<float>(column + lane % BlockSide) + 0.5f;
+        y[lane] = static_cast<float>(row + lane / BlockSide) + 0.5f;
+      }
+      SetRays(rays, x, y, packet, scale);
+      this->World.Intersect(packet);
+      for (int lane = 0; lane < RayPacket::Size; ++lane)
+      {
+        if (packet.Active[lane] && packet.IsHit(lane))
+        {
+          const Ray ray = packet.GetRay(lane);
+          const glm::ivec3 cell =
+            this->FindCell(ray.Origin + packet.GetHit(lane).Distance * ray.Direction);
+          this->Marks[(std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x]
+            .store(1, std::memory_order_relaxed);
+        }
+      }
+    }
+  }
+}
+
+void SeenPlaces::Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays)
+{
+  ParallelFor(0, tiles, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType tile = begin; tile < end; ++tile)
+      {
+        this->LookAlong(rays(static_cast<int>(tile)), side);
+      }
+    });
+}
+
+void SeenPlaces::KeepSeen(SurfaceMesh& mesh) const
+{
+  std::vector<char> isKept(mesh.Triangles.size(), 0);
+  ParallelFor(0, static_cast<vtkIdType>(mesh.Triangles.size()), 0,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::uvec3& triangle = mesh.Triangles[i];
+        const glm::vec3 corners[3] = { mesh.Points[triangle.x], mesh.Points[triangle.y],
+          mesh.Points[triangle.z] };
+        isKept[i] = this->IsNear(corners) ? 1 : 0;
+      }
+    });
+  Keep(isKept, mesh);
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where in a scene rays from a field's viewpoints end.
+ */
+#ifndef cslfSeenPlaces_h
+#define cslfSeenPlaces_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/Scene/cslfScene.h"
+#include "PathTracing/Texels/cslfRayGrid.h"
+#include "cslfSurfaceMesh.h"
+
+#include <glm/vec3.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace cslf
+{
+/// A grid of cells over the scene's bounds, some of which are seen.
+class VTKCSLF_EXPORT SeenPlaces
+{
+public:
+  /// The cells are cubes with this edge, or larger if there would be very many.
+  SeenPlaces(const Scene& scene, float edge);
+
+  /// Marks the places that the rays of tiles hit. A tile is that of a picture: `side` x `side`
+  /// rays.
+  void Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays);
+
+  /// Removes the triangles that have no part in or next to a seen cell.
+  void KeepSeen(SurfaceMesh& mesh) const;
+
+private:
+  glm::ivec3 FindCell(const glm::vec3& point) const;
+  bool IsMarked(const glm::ivec3& cell) const;
+  bool IsNear(const glm::vec3& point) const;
+  bool IsNear(const glm::vec3 corners[3]) const;
+  void LookAlong(const RayGrid& rays, int side);
+
+  const Scene& World;
+  glm::vec3 Low;
+  float Edge;
+  glm::ivec3 Cells;
+  std::unique_ptr<std::atomic<std::uint8_t>[]> Marks; ///< one for each cell, x first
+};
+}
+
+#endif

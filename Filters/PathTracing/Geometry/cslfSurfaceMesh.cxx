@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSurfaceMesh.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cslf
+{
+namespace
+{
+constexpr std::size_t Stride = sizeof(glm::vec3);
+
+/// How much less efficient the order of triangles may become so that those behind others follow.
+constexpr float CacheLoss = 1.05f;
+
+/// Keeps the points that triangles use, in their order of use.
+void DropUnused(SurfaceMesh& mesh)
+{
+  std::vector<glm::vec3> points(mesh.Points.size());
+  const std::size_t count = mesh.Triangles.empty()
+    ? 0
+    : meshopt_optimizeVertexFetch(points.data(), &mesh.Triangles.front().x,
+        3 * mesh.Triangles.size(), mesh.Points.data(), mesh.Points.size(), Stride);
+  points.resize(count);
+  mesh.Points = std::move(points);
+}
+
+void DropFlat(SurfaceMesh& mesh)
+{
+  mesh.Triangles.erase(
+    std::remove_if(mesh.Triangles.begin(), mesh.Triangles.end(),
+      [](const glm::uvec3& corners)
+      { return corners.x == corners.y || corners.y == corners.z || corners.z == corners.x; }),
+    mesh.Triangles.end());
+}
+
+/// A pass of one of meshoptimizer's functions, which have the same arguments.
+template <typename Pass>
+void Run(SurfaceMesh& mesh, const Pass& pass)
+{
+  std::vector<glm::uvec3> triangles(mesh.Triangles.size());
+  const std::size_t indices = pass(&triangles.front().x, &mesh.Triangles.front().x,
+    3 * mesh.Triangles.size(), &mesh.Points.front().x, mesh.Points.size());
+  triangles.resize(indices / 3);
+  mesh.Triangles = std::move(triangles);
+}
+
+void SimplifyTo(SurfaceMesh& mesh, std::size_t most, float relativeError)
+{
+  Run(mesh,
+    [&](unsigned int* result, const unsigned int* indices, std::size_t count, const float* points,
+      std::size_t pointCount)
+    {
+      return meshopt_simplify(
+        result, indices, count, points, pointCount, Stride, 3 * most, relativeError, 0, nullptr);
+    });
+}
+
+/// Does not keep the topology, so it also works for many small bodies.
+void SimplifySloppily(SurfaceMesh& mesh, std::size_t most)
+{
+  Run(mesh,
+    [&](unsigned int* result, const unsigned int* indices, std::size_t count, const float* points,
+      std::size_t pointCount)
+    {
+      return meshopt_simplifySloppy(result, indices, count, points, pointCount, Stride, 3 * most,
+        std::numeric_limits<float>::max(), nullptr);
+    });
+}
+}
+
+void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    if (isKept[i] != 0)
+    {
+      mesh.Triangles[count++] = mesh.Triangles[i];
+    }
+  }
+  mesh.Triangles.resize(count);
+}
+
+void Weld(SurfaceMesh& mesh)
+{
+  if (mesh.Triangles.empty())
+  {
+    mesh.Points.clear();
+    return;
+  }
+  std::vector<unsigned int> numbers(mesh.Points.size());
+  const std::size_t count = meshopt_generateVertexRemap(numbers.data(), &mesh.Triangles.front().x,
+    3 * mesh.Triangles.size(), mesh.Points.data(), mesh.Points.size(), Stride);
+  meshopt_remapIndexBuffer(&mesh.Triangles.front().x, &mesh.Triangles.front().x,
+    3 * mesh.Triangles.size(), numbers.data());
+  std::vector<glm::vec3> points(count);
+  meshopt_remapVertexBuffer(
+    points.data(), mesh.Points.data(), mesh.Points.size(), Stride, numbers.data());
+  mesh.Points = std::move(points);
+  DropFlat(mesh);
+  DropUnused(mesh);
+}
+
+void Simplify(SurfaceMesh& mesh, float tolerance)
+{
+  if (mesh.Triangles.empty())
+  {
+    return;
+  }
+  const float scale = meshopt_simplifyScale(&mesh.Points.front().x, mesh.Points.size(), Stride);
+  SimplifyTo(mesh, 0, scale > 0.0f ? tolerance / scale : 0.0f);
+  DropUnused(mesh);
+}
+
+void Reduce(SurfaceMesh& mesh, std::size_t most)
+{
+  if (mesh.Triangles.size() > most)
+  {
+    SimplifyTo(mesh, most, std::numeric_limits<float>::max());
+  }
+  if (mesh.Triangles.size() > most)
+  {
+    SimplifySloppily(mesh, most);
+  }
+  DropUnused(mesh);
+}
+
+void SortForDrawing(SurfaceMesh& mesh)
+{
+  if (mesh.Triangles.empty())
+  {
+    return;
+  }
+  Run(mesh,
+    [](unsigned int* result, const unsigned int* indices, std::size_t count, const float*,
+      std::size_t pointCount)
+    {
+      meshopt_optimizeVertexCache(result, indices, count, pointCount);
+      return count;
+    });
+  Run(mesh,
+    [](unsigned int* result, const unsigned int* indices, std::size_t count, const float* points,
+      std::size_t pointCount)
+    {
+      meshopt_optimizeOverdraw(result, indices, count, points, pointCount, Stride, CacheLoss);
+      return count;
+    });
+  DropUnused(mesh);
+}
+}

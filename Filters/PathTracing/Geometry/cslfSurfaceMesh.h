@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Triangles in scene space, and their simplification.
+ */
+#ifndef cslfSurfaceMesh_h
+#define cslfSurfaceMesh_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cslf
+{
+struct SurfaceMesh
+{
+  std::vector<glm::vec3> Points;
+  std::vector<glm::uvec3> Triangles;
+};
+
+/// Removes the triangles that are marked by 0.
+VTKCSLF_EXPORT void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh);
+
+/// Joins points at the same place, and drops triangles without area and points without triangle.
+VTKCSLF_EXPORT void Weld(SurfaceMesh& mesh);
+
+/// Removes as many triangles as it can without moving the surface by more than about `tolerance`.
+/// The mesh must be welded.
+VTKCSLF_EXPORT void Simplify(SurfaceMesh& mesh, float tolerance);
+
+/// Removes triangles until there are at most `most`, with an error as small as possible. The mesh
+/// must be welded.
+VTKCSLF_EXPORT void Reduce(SurfaceMesh& mesh, std::size_t most);
+
+/// Puts triangles and points into an order in which they are drawn fast.
+VTKCSLF_EXPORT void SortForDrawing(SurfaceMesh& mesh);
+}
+
+#endif

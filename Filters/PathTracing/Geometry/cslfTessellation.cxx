@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfTessellation.h"
+
+#include "PathTracing/Shapes/cslfTube.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cslf
+{
+namespace
+{
+/// The sides of a regular polygon around a circle: at least 6, and not more than 64.
+constexpr int FewestSides = 6;
+constexpr int MostSides = 64;
+
+/// The fewest triangles that a coarser instance has.
+constexpr std::size_t FewestOfPart = 8;
+
+/// A polygon of the circle's area lies within about `tolerance` of the circle on both sides.
+int CountSides(float radius, float tolerance)
+{
+  const float cosine = std::clamp(1.0f - 1.5f * tolerance / std::max(radius, 1e-30f), -1.0f, 1.0f);
+  const float half = std::max(std::acos(cosine), 1e-3f);
+  return std::clamp(static_cast<int>(std::ceil(glm::pi<float>() / half)), FewestSides, MostSides);
+}
+
+/// Adds surfaces of revolution.
+class Turner
+{
+public:
+  Turner(SurfaceMesh& mesh, const glm::vec3& axis, int sides)
+    : Result(mesh)
+    , Axis(axis)
+    , Sides(sides)
+    // A polygon with the area of the circle, so that outlines do not shrink.
+    , Growth(std::sqrt(glm::two_pi<float>() /
+        (static_cast<float>(sides) * std::sin(glm::two_pi<float>() / static_cast<float>(sides)))))
+  {
+    const glm::vec3 other =
+      std::abs(axis.x) < 0.5f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
+    this->Across = glm::normalize(glm::cross(axis, other));
+    this->Up = glm::cross(axis, this->Across);
+  }
+
+  /// A circle of a sphere, at an angle from the plane across the axis, joined with the last one.
+  void AddRing(const glm::vec3& center, float circle, float latitude)
+  {
+    const float radius = this->Growth * circle;
+    const auto first = static_cast<std::uint32_t>(this->Result.Points.size());
+    const glm::vec3 middle = center + radius * std::sin(latitude) * this->Axis;
+    for (int side = 0; side < this->Sides; ++side)
+    {
+      const float angle =
+        glm::two_pi<float>() * static_cast<float>(side) / static_cast<float>(this->Sides);
+      this->Result.Points.push_back(middle +
+        radius * std::cos(latitude) *
+          (std::cos(angle) * this->Across + std::sin(angle) * this->Up));
+    }
+    if (this->Rings++ > 0)
+    {
+      const std::uint32_t before = first - static_cast<std::uint32_t>(this->Sides);
+      for (int side = 0; side < this->Sides; ++side)
+      {
+        const auto a = static_cast<std::uint32_t>(side);
+        const auto b = static_cast<std::uint32_t>((side + 1) % this->Sides);
+        this->Result.Triangles.emplace_back(before + a, before + b, first + b);
+        this->Result.Triangles.emplace_back(before + a, first + b, first + a);
+      }
+    }
+  }
+
+  /// The circles of a sphere between two latitudes.
+  void AddCap(const glm::vec3& center, float radius, float from, float to)
+  {
+    const float step = glm::two_pi<float>() / static_cast<float>(this->Sides);
+    const int parts = std::max(1, static_cast<int>(std::ceil((to - from) / step - 0.01f)));
+    for (int part = 0; part <= parts; ++part)
+    {
+      this->AddRing(
+        center, radius, from + (to - from) * static_cast<float>(part) / static_cast<float>(parts));
+    }
+  }
+
+private:
+  SurfaceMesh& Result;
+  glm::vec3 Axis;
+  glm::vec3 Across;
+  glm::vec3 Up;
+  int Sides;
+  float Growth;
+  int Rings = 0;
+};
+
+void AddSphere(const glm::vec3& center, float radius, float tolerance, SurfaceMesh& result)
+{
+  constexpr float pole = glm::half_pi<float>();
+  Turner(result, glm::vec3(0.0f, 0.0f, 1.0f), CountSides(radius, tolerance))
+    .AddCap(center, radius, -pole, pole);
+}
+
+void AddTube(const Tube& tube, float tolerance, SurfaceMesh& result)
+{
+  if (tube.IsSphere())
+  {
+    AddSphere(tube.Start, tube.Radius, tolerance, result);
+    return;
+  }
+  constexpr float pole = glm::half_pi<float>();
+  // Where the cone touches the spheres.
+  const float touch = std::asin(-tube.Slope);
+  const float radii[2] = { tube.GetRadius(0.0f), tube.GetRadius(1.0f) };
+  Turner turner(result, tube.Axis, CountSides(std::max(radii[0], radii[1]), tolerance));
+  turner.AddCap(tube.GetCenter(0.0f), radii[0], tube.Joints[0] ? touch : -pole, touch);
+  turner.AddCap(tube.GetCenter(1.0f), radii[1], touch, tube.Joints[1] ? touch : pole);
+}
+
+/// A mesh without its instances, in its own space.
+SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance)
+{
+  SurfaceMesh result;
+  if (mesh.Shape == Mesh::Shapes::Triangles)
+  {
+    result = { mesh.Vertices, mesh.Triangles };
+  }
+  for (std::size_t i = 0; mesh.Shape == Mesh::Shapes::Spheres && i < mesh.Vertices.size(); ++i)
+  {
+    AddSphere(mesh.Vertices[i], mesh.Radii[i], tolerance, result);
+  }
+  for (std::size_t i = 0; mesh.Shape == Mesh::Shapes::Tubes && i + 1 < mesh.Vertices.size(); i += 2)
+  {
+    Tube tube(mesh.Vertices[i], mesh.Vertices[i + 1], mesh.Radii[i], mesh.Radii[i + 1]);
+    for (int end = 0; end < 2 && !mesh.Joints.empty(); ++end)
+    {
+      tube.Joints[end] = mesh.Joints[i + end] != 0;
+    }
+    AddTube(tube, tolerance, result);
+  }
+  Weld(result);
+  return result;
+}
+
+float FindLargestScale(const Mesh& mesh)
+{
+  float scale = 0.0f;
+  for (const MeshInstance& instance : mesh.Instances)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      scale = std::max(scale, glm::length(instance.Linear[column]));
+    }
+  }
+  return scale;
+}
+
+void Append(const SurfaceMesh& part, const MeshInstance& instance, SurfaceMesh& result)
+{
+  const auto first = static_cast<std::uint32_t>(result.Points.size());
+  const bool isMirrored = glm::determinant(instance.Linear) < 0.0f;
+  for (const glm::vec3& point : part.Points)
+  {
+    result.Points.push_back(instance.Linear * point + instance.Offset);
+  }
+  for (const glm::uvec3& corners : part.Triangles)
+  {
+    const glm::uvec3 moved = first + corners;
+    result.Triangles.push_back(isMirrored ? glm::uvec3(moved.x, moved.z, moved.y) : moved);
+  }
+}
+
+/// Adds a mesh and its instances.
+void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& result)
+{
+  const float tolerance = settings.Tolerance;
+  const float roundTolerance = tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
+  if (mesh.Instances.empty())
+  {
+    Append(TessellateOne(mesh, roundTolerance), MeshInstance(), result);
+    return;
+  }
+  const float scale = FindLargestScale(mesh);
+  if (!(scale > 0.0f))
+  {
+    return;
+  }
+  SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale);
+  Simplify(part, tolerance / scale);
+  const std::size_t most = settings.MostTriangles / mesh.Instances.size();
+  Reduce(
+    part, std::max(std::min(part.Triangles.size() >> settings.Coarseness, most), FewestOfPart));
+  for (const MeshInstance& instance : mesh.Instances)
+  {
+    Append(part, instance, result);
+  }
+}
+}
+
+SurfaceMesh Tessellate(const std::vector<Mesh>& meshes, const TessellationSettings& settings)
+{
+  SurfaceMesh result;
+  for (const Mesh& mesh : meshes)
+  {
+    Add(mesh, settings, result);
+  }
+  Weld(result);
+  return result;
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The surfaces of a scene as triangles.
+ */
+#ifndef cslfTessellation_h
+#define cslfTessellation_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "PathTracing/Shapes/cslfMesh.h"
+#include "cslfSurfaceMesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace cslf
+{
+struct TessellationSettings
+{
+  /// How far triangles may lie from spheres, tubes and the surfaces of instances, in scene space.
+  float Tolerance = 0.0f;
+
+  /// From 0 to 3: how often the number of triangles of each sphere, tube and instance is about
+  /// halved, whatever the tolerance.
+  int Coarseness = 0;
+
+  /// The most triangles of all instances of a mesh, as far as possible.
+  std::size_t MostTriangles = 0;
+};
+
+/// Triangles of all meshes and instances, welded.
+VTKCSLF_EXPORT SurfaceMesh Tessellate(
+  const std::vector<Mesh>& meshes, const TessellationSettings& settings);
+}
+
+#endif

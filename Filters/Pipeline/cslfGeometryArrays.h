@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The names of the field data of a light field's geometry.
+ */
+#ifndef cslfGeometryArrays_h
+#define cslfGeometryArrays_h
+
+namespace cslf
+{
+/// A number: the root mean square distance, in world coordinates, of the scene's visible surfaces
+/// from the geometry, without those that it lost.
+constexpr const char* GeometryErrorName = "GeometryError";
+
+/// A number: the share of the scene's visible surfaces that the geometry lost, because it is more
+/// than a texel away.
+constexpr const char* GeometryLossName = "GeometryLoss";
+
+/// A text: the hash of the scene that is also in the description of its fields.
+constexpr const char* GeometrySceneName = "GeometryScene";
+}
+
+#endif

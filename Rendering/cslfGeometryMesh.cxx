@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGeometryMesh.h"
+
+#include "Pipeline/cslfGeometryArrays.h"
+#include "cslfChannel.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+/// A geometry that lost more than this share of the surfaces is not complete.
+constexpr double MostLoss = 0.01;
+
+bool IsComplete(vtkPolyData* geometry)
+{
+  vtkDataArray* loss = geometry->GetFieldData()->GetArray(GeometryLossName);
+  return loss && loss->GetNumberOfValues() == 1 && loss->GetTuple1(0) <= MostLoss;
+}
+
+std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
+{
+  std::vector<glm::vec4> colors(geometry->GetNumberOfPoints(), glm::vec4(0.0f));
+  vtkDataArray* array = geometry->GetPointData()->GetArray(ColorName);
+  if (array && array->GetNumberOfComponents() == 4)
+  {
+    const double scale = array->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
+    for (vtkIdType point = 0; point < geometry->GetNumberOfPoints(); ++point)
+    {
+      double tuple[4];
+      array->GetTuple(point, tuple);
+      colors[point] = glm::vec4(scale * glm::dvec4(tuple[0], tuple[1], tuple[2], tuple[3]));
+    }
+  }
+  return colors;
+}
+}
+
+std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(geometry);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  vtkPolyData* triangles = triangulate->GetOutput();
+  if (triangles->GetNumberOfPolys() == 0)
+  {
+    return nullptr;
+  }
+  auto mesh = std::make_shared<GeometryMesh>();
+  mesh->PointsCC.reserve(triangles->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < triangles->GetNumberOfPoints(); ++point)
+  {
+    double place[3];
+    triangles->GetPoint(point, place);
+    mesh->PointsCC.emplace_back(box.PointToCube({ place[0], place[1], place[2] }));
+  }
+  mesh->Colors = GetColors(triangles);
+  mesh->HasColors = std::all_of(mesh->Colors.begin(), mesh->Colors.end(),
+    [](const glm::vec4& color) { return color.w > 0.0f; });
+  mesh->IsComplete = IsComplete(geometry);
+  mesh->Corners.reserve(3 * triangles->GetNumberOfPolys());
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  const auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    cells->GetCurrentCell(count, corners);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      mesh->Corners.push_back(static_cast<std::uint32_t>(corners[i]));
+    }
+  }
+  return mesh;
+}
+}

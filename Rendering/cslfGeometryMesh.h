@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The triangles of a field's geometry, as the graphics card gets them.
+ */
+#ifndef cslfGeometryMesh_h
+#define cslfGeometryMesh_h
+
+#include "cslfCube.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+
+namespace cslf
+{
+struct GeometryMesh
+{
+  std::vector<glm::vec3> PointsCC;
+  std::vector<glm::vec4> Colors;      ///< of the points; transparent where there is none
+  std::vector<std::uint32_t> Corners; ///< three for each triangle
+
+  /// Whether all points have a colour.
+  bool HasColors = false;
+
+  /// Whether it has all surfaces: rays that miss it see none.
+  bool IsComplete = false;
+};
+
+/// The polygons and strips of a geometry as triangles, with its point data `Color`, as in a field.
+/// Null if there are none.
+std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box);
+}
+
+#endif

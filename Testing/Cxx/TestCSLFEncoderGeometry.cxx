@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A field's geometry in a coded file: positions within half a step, colours, figures and triangles
+// come back, the mapper draws it from the decoder, and damaged bytes are refused.
+#include "Coding/Geometry/cslfGeometryCodec.h"
+#include "Pipeline/cslfGeometryArrays.h"
+#include "cslfCodecTesting.h"
+#include "cslfTestField.h"
+#include "cslfTestView.h"
+#include "cslfTesting.h"
+#include "vtkCSLFDecoder.h"
+#include "vtkCSLFEncoder.h"
+#include "vtkCSLFMapper.h"
+#include "vtkCSLFRateControl.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMassProperties.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
+#include <vtkStaticPointLocator.h>
+#include <vtkStringArray.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+const cslf::Cube Box{ { 1.0e6, -50.0, 3.0 }, { 4.0, 2.0, 8.0 } };
+
+/// A sphere in the cube; its colours vary with the position.
+vtkSmartPointer<vtkPolyData> MakeGeometry(int colorType)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->SetRadius(0.9);
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(40);
+  vtkNew<vtkTransform> transform;
+  transform->Translate(Box.Center.x, Box.Center.y, Box.Center.z);
+  vtkNew<vtkTransformPolyDataFilter> move;
+  move->SetInputConnection(source->GetOutputPort());
+  move->SetTransform(transform);
+  move->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  move->Update();
+  vtkSmartPointer<vtkPolyData> geometry = move->GetOutput();
+  const auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colorType));
+  colors->SetName("Color");
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(geometry->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    geometry->GetPoint(i, point);
+    const double share = 0.5 + 0.5 * (point[2] - Box.Center.z);
+    const double scale = colorType == VTK_FLOAT ? 7.0 : 255.0;
+    colors->SetTuple4(
+      i, scale * share, scale * (1.0 - share), 0.0, colorType == VTK_FLOAT ? 1.0 : 255.0);
+  }
+  geometry->GetPointData()->AddArray(colors);
+  vtkNew<vtkDoubleArray> error;
+  error->SetName(cslf::GeometryErrorName);
+  error->InsertNextValue(0.125);
+  geometry->GetFieldData()->AddArray(error);
+  vtkNew<vtkDoubleArray> loss;
+  loss->SetName(cslf::GeometryLossName);
+  loss->InsertNextValue(0.0);
+  geometry->GetFieldData()->AddArray(loss);
+  vtkNew<vtkStringArray> scene;
+  scene->SetName(cslf::GeometrySceneName);
+  scene->InsertNextValue("abc");
+  geometry->GetFieldData()->AddArray(scene);
+  return geometry;
+}
+
+void TestCodec(int colorType)
+{
+  const auto geometry = MakeGeometry(colorType);
+  std::string error;
+  const auto bytes = cslf::EncodeGeometry(geometry, Box, error);
+  CSLF_CHECK(error.empty());
+  const auto decoded = cslf::DecodeGeometry(bytes, Box, error);
+  CSLF_CHECK(decoded);
+  if (!decoded)
+  {
+    return;
+  }
+  std::cout << static_cast<double>(bytes.size()) / geometry->GetNumberOfPolys()
+            << " bytes per triangle\n";
+  CSLF_CHECK(decoded->GetNumberOfPolys() == geometry->GetNumberOfPolys());
+  CSLF_CHECK(decoded->GetNumberOfPoints() == geometry->GetNumberOfPoints());
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(geometry);
+  locator->BuildLocator();
+  vtkDataArray* before = geometry->GetPointData()->GetArray("Color");
+  vtkDataArray* after = decoded->GetPointData()->GetArray("Color");
+  CSLF_CHECK(after && after->GetDataType() == colorType);
+  double most = 0.0;
+  double mostColor = 0.0;
+  for (vtkIdType i = 0; i < decoded->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    decoded->GetPoint(i, point);
+    const vtkIdType same = locator->FindClosestPoint(point);
+    double expected[3];
+    geometry->GetPoint(same, expected);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      most = std::max(most, std::abs(point[axis] - expected[axis]) / Box.Edges[axis]);
+    }
+    mostColor =
+      std::max(mostColor, std::abs(before->GetComponent(same, 0) - after->GetComponent(i, 0)));
+  }
+  CSLF_CHECK(most <= 0.5001 / 65535.0);
+  CSLF_CHECK(mostColor < (colorType == VTK_FLOAT ? 0.005 : 2.6));
+  // Triangles keep their sides.
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(decoded);
+  CSLF_CHECK_NEAR(mass->GetVolume(), 4.0 / 3.0 * 3.14159265 * 0.9 * 0.9 * 0.9, 0.03);
+  CSLF_CHECK(decoded->GetFieldData()->GetArray(cslf::GeometryErrorName)->GetTuple1(0) == 0.125);
+  auto* scene = vtkStringArray::SafeDownCast(
+    decoded->GetFieldData()->GetAbstractArray(cslf::GeometrySceneName));
+  CSLF_CHECK(scene && scene->GetValue(0) == "abc");
+
+  // Points outside of the cube cannot be stored.
+  const cslf::Cube small{ Box.Center, { 1.0, 1.0, 1.0 } };
+  CSLF_CHECK(cslf::EncodeGeometry(geometry, small, error).empty() && !error.empty());
+}
+
+/// Nothing that a file may contain leads to more than an error.
+void TestDamage()
+{
+  std::string error;
+  const auto bytes = cslf::EncodeGeometry(MakeGeometry(VTK_UNSIGNED_CHAR), Box, error);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 8)
+  {
+    CSLF_CHECK(!cslf::DecodeGeometry({ bytes.begin(), bytes.begin() + size }, Box, error));
+  }
+  std::mt19937 random(1);
+  for (int i = 0; i < 600; ++i)
+  {
+    auto damaged = bytes;
+    // Mostly in the header.
+    const std::size_t range = i % 4 == 0 ? damaged.size() : 300;
+    damaged[random() % range] = static_cast<unsigned char>(random());
+    const auto geometry = cslf::DecodeGeometry(damaged, Box, error);
+    if (geometry)
+    {
+      CSLF_CHECK(geometry->GetNumberOfPoints() <= (1 << 25));
+    }
+  }
+  for (const char* text : { "{\"points\":33554432,\"triangles\":33554432,\"corner_bytes\":33554432,"
+                            "\"position_bytes\":33554432,\"color_bytes\":0}",
+         "[]", "{\"points\":-1}", "{\"points\":1e9}", "{\"points\":\"many\"}" })
+  {
+    const auto length = static_cast<unsigned char>(std::strlen(text));
+    std::vector<unsigned char> hostile = { length, 0, 0, 0 };
+    hostile.insert(hostile.end(), text, text + length);
+    hostile.resize(hostile.size() + 100);
+    CSLF_CHECK(!cslf::DecodeGeometry(hostile, Box, error));
+  }
+}
+
+/// Through a file to the mapper.
+void TestFile(const std::string& fileName)
+{
+  const auto field = cslf::testing::MakeTestField(
+    cslf::Layout(5, 64), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  const auto surfaces = cslf::testing::MakeTestSurfaces(cslf::Cube());
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(field);
+  encoder->SetGeometryData(surfaces);
+  encoder->SetFileName(fileName.c_str());
+  encoder->GetRateControl()->SetCRF(16.0);
+  encoder->RestartOff();
+  CSLF_CHECK(encoder->Write() == 1);
+
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(fileName.c_str());
+  decoder->UpdateInformation();
+  CSLF_CHECK(decoder->HasGeometry() && decoder->GetNumberOfParts() == 1);
+  decoder->Update(1);
+  CSLF_CHECK(decoder->GetGeometry()->GetNumberOfPolys() > 1000);
+  CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+  decoder->Update();
+  CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == field->GetNumberOfPoints());
+  CSLF_CHECK(decoder->GetGeometry()->GetNumberOfPolys() > 1000);
+
+  cslf::testing::View view;
+  vtkNew<vtkCSLFMapper> fromFile;
+  fromFile->SetInputConnection(0, decoder->GetOutputPort(0));
+  fromFile->SetInputConnection(1, decoder->GetOutputPort(1));
+  const auto actor = view.Add(fromFile);
+  const auto drawn = view.Render();
+  vtkNew<vtkCSLFMapper> original;
+  original->SetInputData(field);
+  original->SetGeometryData(surfaces);
+  actor->SetMapper(original);
+  const double psnr = cslf::testing::ComparePictures(drawn, view.Render());
+  std::cout << "coded: " << psnr << " dB\n";
+  CSLF_CHECK(psnr > 36.0);
+
+  // Without geometry, the port is empty.
+  encoder->SetInputConnection(1, nullptr);
+  CSLF_CHECK(encoder->Write() == 1);
+  vtkNew<vtkCSLFDecoder> plain;
+  plain->SetFileName(fileName.c_str());
+  plain->Update(1);
+  CSLF_CHECK(!plain->HasGeometry() && plain->GetGeometry()->GetNumberOfPolys() == 0);
+}
+}
+
+int TestCSLFEncoderGeometry(int argc, char* argv[])
+{
+  TestCodec(VTK_UNSIGNED_CHAR);
+  TestCodec(VTK_FLOAT);
+  TestDamage();
+  TestFile(cslf::testing::MakeFolder(argc, argv, "EncoderGeometry") + "/field.mp4");
+  return cslf::testing::Result();
+}

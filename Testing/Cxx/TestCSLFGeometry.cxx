@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The geometry of a field: hidden surfaces are left out, spheres, tubes and instances are
+// tessellated, the budget holds, positions and colours are right, also at large coordinates, and
+// nothing is made that nobody asks for.
+#include "Pipeline/cslfGeometryArrays.h"
+#include "cslfTesting.h"
+#include "vtkCSLFEnvironment.h"
+#include "vtkCSLFInstances.h"
+#include "vtkCSLFMaterial.h"
+#include "vtkCSLFSampler.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
+#include <vtkCubeSource.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeSphere(const glm::dvec3& center, double radius, int sides)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(center.x, center.y, center.z);
+  source->SetRadius(radius);
+  source->SetThetaResolution(sides);
+  source->SetPhiResolution(sides);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// White from outside, without reflections.
+void SetUp(vtkCSLFSampler* sampler, vtkDataObject* scene)
+{
+  sampler->SetInputDataObject(scene);
+  sampler->SetIntegratorToPathTracing();
+  sampler->GetEnvironment()->SetModeToNone();
+  sampler->SetViewpoints(5);
+  sampler->SetResolution(64);
+  sampler->SetSamples(1);
+  sampler->SetMaximumDepth(0);
+}
+
+glm::dvec3 GetPoint(vtkPolyData* data, vtkIdType number)
+{
+  double point[3];
+  data->GetPoint(number, point);
+  return { point[0], point[1], point[2] };
+}
+
+double GetNumber(vtkPolyData* data, const char* name)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  CSLF_CHECK(array && array->GetNumberOfValues() == 1);
+  return array ? array->GetTuple1(0) : -1.0;
+}
+
+/// A sphere within a closed box is hidden.
+void TestHidden()
+{
+  vtkNew<vtkCubeSource> box;
+  box->SetBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(box->GetOutputPort());
+  both->AddInputData(MakeSphere(glm::dvec3(0.0), 0.5, 32));
+  both->Update();
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, both->GetOutput());
+  sampler->Update(1);
+  vtkPolyData* geometry = sampler->GetGeometry();
+  CSLF_CHECK(geometry->GetNumberOfPolys() == 12);
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    CSLF_CHECK_NEAR(glm::length(GetPoint(geometry, i)), std::sqrt(3.0), 1e-6);
+  }
+  CSLF_CHECK(GetNumber(geometry, cslf::GeometryLossName) == 0.0);
+}
+
+/// A sphere, a tube and instances of a triangle, each with its emission, far from the origin.
+void TestShapes()
+{
+  const glm::dvec3 origin(5.0e5, 4.0e6, 200.0);
+  vtkNew<vtkMultiBlockDataSet> scene;
+
+  vtkNew<vtkPoints> centers;
+  centers->SetDataTypeToDouble();
+  centers->InsertNextPoint(origin.x, origin.y, origin.z);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  vtkNew<vtkPolyData> ball;
+  ball->SetPoints(centers);
+  ball->SetVerts(vertices);
+  vtkCSLFMaterial::SetPointRadius(ball, 1.0);
+  scene->SetBlock(0, ball);
+
+  vtkNew<vtkPoints> ends;
+  ends->SetDataTypeToDouble();
+  ends->InsertNextPoint(origin.x + 3.0, origin.y, origin.z);
+  ends->InsertNextPoint(origin.x + 3.0, origin.y + 2.0, origin.z);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  vtkNew<vtkPolyData> tube;
+  tube->SetPoints(ends);
+  tube->SetLines(lines);
+  vtkCSLFMaterial::SetLineRadius(tube, 0.5);
+  scene->SetBlock(1, tube);
+
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    auto* data = vtkPolyData::SafeDownCast(scene->GetBlock(block));
+    vtkCSLFMaterial::SetBaseColor(data, 0.0, 0.0, 0.0);
+    vtkCSLFMaterial::SetEmission(data, block == 0 ? 1.0 : 0.0, block == 1 ? 1.0 : 0.0, 0.0);
+  }
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, scene);
+  sampler->Update(1);
+  vtkPolyData* geometry = sampler->GetGeometry();
+  vtkDataArray* colors = geometry->GetPointData()->GetArray("Color");
+  CSLF_CHECK(geometry->GetNumberOfPolys() > 100 && colors);
+  // An edge of the cube is about 5 long, so a texel about 0.04.
+  int ofBall = 0;
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    const glm::dvec3 point = GetPoint(geometry, i) - origin;
+    const bool isOfBall = point.x < 2.0;
+    ofBall += isOfBall ? 1 : 0;
+    const glm::dvec3 nearest =
+      isOfBall ? glm::dvec3(0.0) : glm::dvec3(3.0, std::clamp(point.y, 0.0, 2.0), 0.0);
+    CSLF_CHECK_NEAR(glm::distance(point, nearest), isOfBall ? 1.0 : 0.5, 0.01);
+    CSLF_CHECK(colors->GetComponent(i, isOfBall ? 0 : 1) == 255.0);
+    CSLF_CHECK(colors->GetComponent(i, isOfBall ? 1 : 0) == 0.0);
+    CSLF_CHECK(colors->GetComponent(i, 3) == 255.0);
+  }
+  CSLF_CHECK(ofBall > 50 && ofBall < geometry->GetNumberOfPoints() - 50);
+  CSLF_CHECK(GetNumber(geometry, cslf::GeometryErrorName) < 0.01);
+  CSLF_CHECK(GetNumber(geometry, cslf::GeometryLossName) == 0.0);
+}
+
+void TestInstances()
+{
+  const auto part = MakeSphere(glm::dvec3(0.0), 0.5, 12);
+  std::vector<double> columns;
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkNew<vtkCSLFSampler> sampler;
+  for (int i = 0; i < 3; ++i)
+  {
+    matrix->SetElement(0, 3, 2.0 * i);
+    // The last one is mirrored.
+    matrix->SetElement(1, 1, i == 2 ? -1.0 : 1.0);
+    vtkCSLFInstances::AddInstance(part, matrix);
+  }
+  SetUp(sampler, part);
+  sampler->Update(1);
+  vtkPolyData* geometry = sampler->GetGeometry();
+  int counts[3] = { 0, 0, 0 };
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    const glm::dvec3 point = GetPoint(geometry, i);
+    const int instance = std::clamp(static_cast<int>(std::lround(0.5 * point.x)), 0, 2);
+    ++counts[instance];
+    CSLF_CHECK_NEAR(glm::distance(point, glm::dvec3(2.0 * instance, 0.0, 0.0)), 0.5, 1e-5);
+  }
+  CSLF_CHECK(counts[0] > 20 && counts[1] == counts[0] && counts[2] == counts[0]);
+}
+
+/// A detailed sphere, simplified to fewer and fewer triangles.
+void TestBudget()
+{
+  const auto sphere = MakeSphere(glm::dvec3(0.0), 1.0, 200);
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, sphere);
+  double error = 0.0;
+  for (const int triangles : { 200000, 500, 50 })
+  {
+    sampler->SetGeometryTriangles(triangles);
+    sampler->Update(1);
+    vtkPolyData* geometry = sampler->GetGeometry();
+    CSLF_CHECK(geometry->GetNumberOfPolys() > 4 && geometry->GetNumberOfPolys() <= triangles);
+    const double next = GetNumber(geometry, cslf::GeometryErrorName);
+    CSLF_CHECK(next >= error);
+    error = next;
+  }
+  sampler->SetGeometryTriangles(0);
+  sampler->Update(1);
+  CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() == 0);
+}
+
+/// The field and the geometry are made when each is wanted, and stay.
+void TestDemand()
+{
+  const auto sphere = MakeSphere(glm::dvec3(0.0), 1.0, 20);
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, sphere);
+  sampler->Update(1);
+  CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() > 0);
+  CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() == 0);
+  sampler->Update();
+  CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() > 0);
+  CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() > 0);
+  const vtkMTimeType time = sampler->GetOutput()->GetMTime();
+  sampler->Update(1);
+  CSLF_CHECK(sampler->GetOutput()->GetMTime() == time);
+
+  vtkNew<vtkCSLFSampler> other;
+  SetUp(other, sphere);
+  other->Update();
+  CSLF_CHECK(other->GetGeometry()->GetNumberOfPolys() == 0);
+  const vtkMTimeType otherTime = other->GetOutput()->GetMTime();
+  other->Update(1);
+  CSLF_CHECK(other->GetGeometry()->GetNumberOfPolys() > 0);
+  CSLF_CHECK(other->GetOutput()->GetNumberOfPoints() > 0);
+  CSLF_CHECK(other->GetOutput()->GetMTime() == otherTime);
+}
+}
+
+int TestCSLFGeometry(int, char*[])
+{
+  TestHidden();
+  TestShapes();
+  TestInstances();
+  TestBudget();
+  TestDemand();
+  return cslf::testing::Result();
+}

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# A field's geometry: beside image data, as a part of a video, and on the way from one to the other.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+function (expect_file name exists)
+  if (EXISTS "${DIRECTORY}/${name}")
+    set(found ON)
+  else ()
+    set(found OFF)
+  endif ()
+  if (NOT found STREQUAL exists)
+    message(FATAL_ERROR "${name} exists: ${found}, expected ${exists}.")
+  endif ()
+endfunction ()
+
+# Runs the tool, which must succeed, and print messages that match a pattern.
+function (cslf_warn pattern)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES "${pattern}")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+  endif ()
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+
+set(field -M 3 -N 48 --spp 4 --max-depth 2 --integrator path)
+set(novel --views 1 --size 96 --spp 64 --max-depth 2)
+cslf_run(sample cornell-box ${field} -o box.vti)
+expect_file(box.geometry.vtp ON)
+cslf_warn("" evaluate box.vti cornell-box ${novel} --lookups depth,geometry --json)
+expect_json_at_least(20 lookups geometry psnr)
+string(JSON by_depth GET "${output}" lookups depth psnr)
+string(JSON by_geometry GET "${output}" lookups geometry psnr)
+if (by_geometry LESS by_depth)
+  message(FATAL_ERROR "The geometry lookup has ${by_geometry} dB, the depth lookup ${by_depth}.")
+endif ()
+
+# To a video and back.
+cslf_run(encode box.vti -o box.mp4 --crf 12 --preset ultrafast)
+cslf_run(info box.mp4 --json)
+expect_json(geometry parts 0 name)
+expect_json(model/vnd.cslf.geometry parts 0 type)
+cslf_warn("" evaluate box.mp4 cornell-box ${novel} --lookups geometry --json)
+expect_json_at_least(20 lookups geometry psnr)
+cslf_run(resample box.mp4 -o small.mp4 --resolution-divisor 2 --preset ultrafast)
+cslf_run(info small.mp4 --json)
+expect_json(geometry parts 0 name)
+cslf_run(decode small.mp4 -o small.vti)
+expect_file(small.geometry.vtp ON)
+cslf_run(render small.vti -o small.png --size 64 64 --json)
+expect_json(geometry lookup)
+
+# Without geometry.
+cslf_run(sample cornell-box ${field} -o plain.vti --geometry-triangles 0)
+expect_file(plain.geometry.vtp OFF)
+cslf_run(render plain.vti -o plain.png --size 64 64 --json)
+expect_json(depth lookup)
+cslf_fail("The geometry lookup needs geometry, which the field does not have" ""
+  evaluate plain.vti cornell-box ${novel} --lookups geometry)
+cslf_run(sample cornell-box ${field} -o folder)
+cslf_run(info folder)
+
+# Geometry of another scene is not used.
+file(COPY_FILE "${DIRECTORY}/box.geometry.vtp" "${DIRECTORY}/pipes.geometry.vtp")
+cslf_warn("" sample pipes -M 2 -N 16 --spp 1 --max-depth 1 --integrator path -o pipes.vti
+  --geometry-triangles 0)
+cslf_warn("pipes.geometry.vtp belongs to another light field and was ignored" info pipes.vti)
+
+# A damaged file.
+file(WRITE "${DIRECTORY}/plain.geometry.vtp" "<VTKFile type=\"PolyData\">")
+cslf_fail("plain.geometry.vtp" "" render plain.vti -o plain.png)
