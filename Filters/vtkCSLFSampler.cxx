@@ -268,6 +268,15 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   {
     return;
   }
+  const std::string fault = cslf::FindGeometryFault(*scene.World);
+  if (!fault.empty())
+  {
+    vtkWarningMacro(
+      "The scene gets no geometry, because " << fault << ": it is looked up by depth.");
+    this->Geometry = vtkSmartPointer<vtkPolyData>::New();
+    this->GeometryKey = key.str();
+    return;
+  }
   const auto start = std::chrono::steady_clock::now();
   this->SetProgressText("Making the geometry");
   const cslf::Geometry made = cslf::MakeGeometry(*scene.World,

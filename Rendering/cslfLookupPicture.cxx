@@ -541,7 +541,7 @@ void LookupPicture::DrawFaces(
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
   for (int face = 0; face < FaceCount; ++face)
   {
-    if (this->Current.EntryFaces[face] || (getenv("ALLF") && isWhole))
+    if (this->Current.EntryFaces[face])
     {
       field.Activate(face);
       field.SetUniforms(program, face);

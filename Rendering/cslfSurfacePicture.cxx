@@ -65,13 +65,12 @@ void SurfacePicture::Upload()
 
 void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
 {
-  std::string vertex = cslfGeometryVS;
-  vtkShaderProgram::Substitute(vertex, "//CSLF::Options::Dec",
-    planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
   std::string fragment = cslfGeometryFS;
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
+    planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
   vtkShaderProgram::Substitute(fragment, "//CSLF::Normals::Dec", cslfNormalsGLSL);
   this->Triangles.Program =
-    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+    window->GetShaderCache()->ReadyShaderProgram(cslfGeometryVS, fragment.c_str(), "");
   this->Triangles.VAO->Bind();
   this->PointBuffer->Bind();
   this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->PointBuffer, "vertexCC", 0,
@@ -120,11 +119,10 @@ void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObj
   program->SetUniformMatrix("CCDCMatrix", matrix);
   std::vector<std::array<float, 4>> planes;
   planes.reserve(planesCC.size());
-  for (std::size_t i = 0; i < planesCC.size(); ++i)
+  for (const glm::dvec4& planeCC : planesCC)
   {
-    const glm::vec4 plane(planesCC[i]);
+    const glm::vec4 plane(planeCC);
     planes.push_back({ plane.x, plane.y, plane.z, plane.w });
-    glEnable(static_cast<GLenum>(GL_CLIP_DISTANCE0 + i));
   }
   if (!planes.empty())
   {
@@ -137,10 +135,6 @@ void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObj
     GL_TRIANGLES, static_cast<GLsizei>(this->Triangles.IBO->IndexCount), GL_UNSIGNED_INT, nullptr);
   this->Triangles.IBO->Release();
   this->Triangles.VAO->Release();
-  for (std::size_t i = 0; i < planesCC.size(); ++i)
-  {
-    glDisable(static_cast<GLenum>(GL_CLIP_DISTANCE0 + i));
-  }
   state->vtkglDisable(GL_DEPTH_TEST);
 }
 

@@ -146,19 +146,12 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
   return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
 }
 
-/// The scene that a field was sampled from, or that a geometry belongs to, as a hash.
-std::string GetSceneOf(const Description& field)
+/// The description of the field that a geometry was written with; empty if unknown.
+std::string GetFieldOf(vtkPolyData* geometry)
 {
-  const auto sampling = nlohmann::json::parse(field.Sampling, nullptr, false);
-  const auto scene = sampling.find("scene");
-  return scene != sampling.end() && scene->is_string() ? scene->get<std::string>() : std::string();
-}
-
-std::string GetSceneOf(vtkPolyData* geometry)
-{
-  auto* name =
-    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometrySceneName));
-  return name && name->GetNumberOfValues() == 1 ? name->GetValue(0) : std::string();
+  auto* text =
+    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometryFieldName));
+  return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : std::string();
 }
 
 /// The reader of a field's geometry. Null if there is none.
@@ -180,7 +173,7 @@ vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
   NameFileInErrors(reader, fileName);
   reader->Update();
   ThrowOnError();
-  if (GetSceneOf(reader->GetOutput()) != GetSceneOf(file.Field))
+  if (GetFieldOf(reader->GetOutput()) != file.Field.ToText())
   {
     AddWarning(fileName + " belongs to another light field and was ignored.");
     return nullptr;
@@ -591,7 +584,7 @@ nlohmann::json FieldWriter::Write(
       this->WriteImageData(connection, label);
       if (geometry)
       {
-        this->WriteGeometry(geometry);
+        this->WriteGeometry(connection, geometry);
       }
       break;
     default:
@@ -658,14 +651,28 @@ void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::stri
   file.Publish();
 }
 
-void FieldWriter::WriteGeometry(vtkAlgorithmOutput* connection) const
+void FieldWriter::WriteGeometry(vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry) const
 {
-  vtkAlgorithm* producer = connection->GetProducer();
-  producer->Update(connection->GetIndex());
+  vtkAlgorithm* producer = geometry->GetProducer();
+  producer->Update(geometry->GetIndex());
   ThrowOnError();
+  vtkNew<vtkPolyData> written;
+  written->ShallowCopy(producer->GetOutputDataObject(geometry->GetIndex()));
+  if (written->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  auto* image = vtkImageData::SafeDownCast(
+    connection->GetProducer()->GetOutputDataObject(connection->GetIndex()));
+  std::string error;
+  const auto field = Description::ReadFrom(image, error);
+  vtkNew<vtkStringArray> text;
+  text->SetName(GeometryFieldName);
+  text->InsertNextValue(field ? field->ToText() : "");
+  written->GetFieldData()->AddArray(text);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->EncodeAppendedDataOff();
-  writer->SetInputDataObject(producer->GetOutputDataObject(connection->GetIndex()));
+  writer->SetInputData(written);
   WriteWhole(writer.Get(), GetGeometryName(this->FileName));
 }
 

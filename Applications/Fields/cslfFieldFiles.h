@@ -158,7 +158,7 @@ private:
   nlohmann::json WriteVideo(
     vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
   void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
-  void WriteGeometry(vtkAlgorithmOutput* connection) const;
+  void WriteGeometry(vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   std::string FileName;

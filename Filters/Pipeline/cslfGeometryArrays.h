@@ -19,6 +19,9 @@ constexpr const char* GeometryLossName = "GeometryLoss";
 
 /// A text: the hash of the scene that is also in the description of its fields.
 constexpr const char* GeometrySceneName = "GeometryScene";
+
+/// A text: the description of the field in the file beside which the tool wrote the geometry.
+constexpr const char* GeometryFieldName = "GeometryField";
 }
 
 #endif

@@ -10,21 +10,16 @@
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
-#include <vtkInformationExecutivePortVectorKey.h>
 #include <vtkInformationVector.h>
 
 namespace cslf
 {
-/// Handles REQUEST_DATA_NOT_GENERATED. The port that is asked for will be made, and the geometry
-/// also with the field if somebody will ask for it. Outputs of other ports stay as they are.
+/// Handles REQUEST_DATA_NOT_GENERATED: only the port that is asked for will be made. The other
+/// port's output stays as it is.
 inline void ChoosePorts(vtkInformation* request, vtkInformationVector* outputs)
 {
-  const bool isForField = request->Get(vtkExecutive::FROM_OUTPUT_PORT()) != 1;
-  vtkInformation* geometry = outputs->GetInformationObject(1);
-  const bool isUsed = vtkExecutive::CONSUMERS()->Length(geometry) > 0;
-  outputs->GetInformationObject(0)->Set(
-    vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), isForField ? 0 : 1);
-  geometry->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), isForField && !isUsed ? 1 : 0);
+  const int other = request->Get(vtkExecutive::FROM_OUTPUT_PORT()) == 1 ? 0 : 1;
+  outputs->GetInformationObject(other)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
 }
 
 /// Whether a port's output is to be made, in REQUEST_DATA.

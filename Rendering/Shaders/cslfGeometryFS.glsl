@@ -3,15 +3,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes where the geometry is, its normal and its own colour, for cslfSurface.glsl.
 
+// Options:
+//   CLIPPING_PLANES  how many planes cut it
+//CSLF::Options::Dec
+
 //VTK::Output::Dec
 
 in vec3 pointCCVSOutput;
 in vec4 colorVSOutput;
 
+#ifdef CLIPPING_PLANES
+uniform vec4 ClippingPlanesCC[CLIPPING_PLANES]; // visible parts lie where they are positive
+#endif
+
 //CSLF::Normals::Dec
 
 void main()
 {
+#ifdef CLIPPING_PLANES
+  for (int i = 0; i < CLIPPING_PLANES; ++i)
+  {
+    if (dot(ClippingPlanesCC[i], vec4(pointCCVSOutput, 1.0)) < 0.0)
+    {
+      discard;
+    }
+  }
+#endif
   vec3 normal = cross(dFdx(pointCCVSOutput), dFdy(pointCCVSOutput));
   gl_FragData[0] = vec4(pointCCVSOutput, PackNormal(normal));
   gl_FragData[1] = colorVSOutput;

@@ -144,7 +144,7 @@ void TestDamage()
 {
   std::string error;
   const auto bytes = cslf::EncodeGeometry(MakeGeometry(VTK_UNSIGNED_CHAR), Box, error);
-  for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 8)
+  for (std::size_t size = 1; size < bytes.size(); size += 1 + size / 8)
   {
     CSLF_CHECK(!cslf::DecodeGeometry({ bytes.begin(), bytes.begin() + size }, Box, error));
   }

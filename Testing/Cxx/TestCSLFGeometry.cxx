@@ -13,6 +13,7 @@
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkCubeSource.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -23,6 +24,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkTestErrorObserver.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -229,8 +231,23 @@ void TestDemand()
 }
 }
 
+/// Surfaces that rays pass have no geometry.
+void TestPassed()
+{
+  const auto sphere = MakeSphere(glm::dvec3(0.0), 1.0, 20);
+  vtkCSLFMaterial::SetOpacity(sphere, 0.5);
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, sphere);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  sampler->AddObserver(vtkCommand::WarningEvent, observer);
+  sampler->Update(1);
+  CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() == 0);
+  CSLF_CHECK(observer->GetWarningMessage().find("no geometry") != std::string::npos);
+}
+
 int TestCSLFGeometry(int, char*[])
 {
+  TestPassed();
   TestHidden();
   TestShapes();
   TestInstances();

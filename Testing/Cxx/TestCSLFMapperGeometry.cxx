@@ -167,6 +167,14 @@ int TestCSLFMapperGeometry(int, char*[])
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.0, 0.0, 0.0);
   plane->SetNormal(0.0, 0.0, -1.0);
+  // Many planes, of which one cuts.
+  for (int i = 0; i < 10; ++i)
+  {
+    vtkNew<vtkPlane> far;
+    far->SetOrigin(0.0, 0.0, 10.0 + i);
+    far->SetNormal(0.0, 0.0, -1.0);
+    mapper->AddClippingPlane(far);
+  }
   mapper->AddClippingPlane(plane);
   const double wall = GetRed(view.Render());
   mapper->RemoveAllClippingPlanes();

@@ -89,12 +89,22 @@ Value Load(const unsigned char* place)
   return value;
 }
 
+/// Of the points that triangles use.
 void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
 {
   streams.Points = triangles->GetNumberOfPoints();
   streams.Positions.assign(PositionSize * streams.Points, 0);
+  std::vector<char> isUsed(streams.Points, 0);
+  for (unsigned int corner : streams.Corners)
+  {
+    isUsed[corner] = 1;
+  }
   for (std::size_t point = 0; point < streams.Points; ++point)
   {
+    if (isUsed[point] == 0)
+    {
+      continue;
+    }
     double place[3];
     triangles->GetPoint(static_cast<vtkIdType>(point), place);
     const glm::dvec3 pointCC = box.PointToCube({ place[0], place[1], place[2] });
@@ -203,6 +213,14 @@ std::vector<unsigned char> CodeCorners(const Streams& streams)
   return coded;
 }
 
+void Require(bool condition)
+{
+  if (!condition)
+  {
+    throw std::invalid_argument("its data is damaged");
+  }
+}
+
 double GetNumber(vtkPolyData* geometry, const char* name)
 {
   vtkDataArray* array = geometry->GetFieldData()->GetArray(name);
@@ -213,9 +231,11 @@ void AddNumber(const JSON& header, const char* key, const char* name, vtkPolyDat
 {
   if (header.contains(key))
   {
+    const double number = header.at(key).get<double>();
+    Require(number >= 0.0);
     vtkNew<vtkDoubleArray> array;
     array->SetName(name);
-    array->InsertNextValue(header.at(key).get<double>());
+    array->InsertNextValue(number);
     geometry->GetFieldData()->AddArray(array);
   }
 }
@@ -281,14 +301,6 @@ std::vector<unsigned char> Uncompress(const unsigned char* bytes, std::size_t si
   return result;
 }
 
-void Require(bool condition)
-{
-  if (!condition)
-  {
-    throw std::invalid_argument("its data is damaged");
-  }
-}
-
 vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& header, const Cube& box)
 {
   vtkNew<vtkPoints> points;
@@ -352,26 +364,27 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   const auto begin = bytes.begin() + head;
   const auto end = begin + static_cast<std::ptrdiff_t>(textSize);
   const JSON header = ParseJSON(std::string(begin, end));
-  Streams streams;
-  streams.Points = GetCount(header, "points");
-  streams.Corners.resize(3 * GetCount(header, "triangles"));
+  const std::size_t points = GetCount(header, "points");
+  const std::size_t triangles = GetCount(header, "triangles");
   const std::size_t sizes[3] = { GetCount(header, "corner_bytes"),
     GetCount(header, "position_bytes"), GetCount(header, "color_bytes") };
   const std::size_t rest = bytes.size() - head - textSize;
-  // Deflate's limit, so that few bytes cannot ask for many.
+  // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 256
+  // points take at least 32.
   constexpr std::size_t mostGrowth = 1100;
-  Require(sizes[0] + sizes[1] + sizes[2] <= mostGrowth * (rest + 1));
+  constexpr std::size_t mostPerByte = 8;
+  Require(points > 0 && triangles > 0 &&
+    sizes[0] + sizes[1] + sizes[2] <= mostGrowth * (rest + 1) && triangles <= sizes[0] &&
+    points <= mostPerByte * sizes[1] + 256);
   const std::vector<unsigned char> coded = Uncompress(
     bytes.data() + head + textSize, rest, static_cast<uLongf>(sizes[0] + sizes[1] + sizes[2]));
-  // A point or a triangle takes at least a part of a byte.
-  constexpr std::size_t mostPerByte = 64;
-  Require(streams.Points <= mostPerByte * (sizes[1] + 1) &&
-    streams.Corners.size() <= 3 * mostPerByte * (sizes[0] + 1));
-  streams.Positions.resize(PositionSize * streams.Points);
+  Streams streams;
+  streams.Points = points;
+  streams.Corners.resize(3 * triangles);
+  streams.Positions.resize(PositionSize * points);
   const unsigned char* place = coded.data();
-  Require(streams.Points > 0 && !streams.Corners.empty() &&
-    meshopt_decodeIndexBuffer(
-      streams.Corners.data(), streams.Corners.size(), sizeof(unsigned int), place, sizes[0]) == 0);
+  Require(meshopt_decodeIndexBuffer(streams.Corners.data(), streams.Corners.size(),
+            sizeof(unsigned int), place, sizes[0]) == 0);
   Require(std::all_of(streams.Corners.begin(), streams.Corners.end(),
     [&](unsigned int corner) { return corner < streams.Points; }));
   place += sizes[0];
@@ -407,9 +420,9 @@ std::vector<unsigned char> EncodeGeometry(
       throw std::invalid_argument("the geometry has no triangles");
     }
     Streams streams;
+    AddCorners(triangles, streams);
     AddPositions(triangles, box, streams);
     AddColors(triangles, streams);
-    AddCorners(triangles, streams);
     Sort(streams);
     const std::vector<unsigned char> parts[3] = { CodeCorners(streams),
       CodeVertices(streams.Positions, streams.Points, PositionSize),

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace cslf
@@ -62,7 +63,9 @@ std::vector<int> ChooseSlices(const Layout& grid)
   for (int slice = 0; slice < grid.GetSlices(); ++slice)
   {
     const Viewpoint viewpoint = grid.ViewpointOf(slice);
-    if (viewpoint.I % step == 0 && viewpoint.J % step == 0)
+    const auto isChosen = [&](int node)
+    { return node % step == 0 || node == grid.GetViewpoints() - 1; };
+    if (isChosen(viewpoint.I) && isChosen(viewpoint.J))
     {
       slices.push_back(slice);
     }
@@ -191,6 +194,12 @@ public:
       const glm::dvec3 place = settings.Grid.ViewpointPosition(settings.Grid.ViewpointOf(slice));
       this->Viewpoints.emplace_back(settings.Frame.PointToScene(settings.Box.PointToWorld(place)));
     }
+    // Steps of the golden ratio that reach all of them.
+    this->Stride = static_cast<std::size_t>(0.618 * double(this->Viewpoints.size())) | 1u;
+    while (std::gcd(this->Stride, this->Viewpoints.size()) != 1)
+    {
+      this->Stride += 2;
+    }
   }
 
   /// Whether any of some viewpoints, which depend on a number, sees a point.
@@ -255,12 +264,10 @@ private:
   const glm::vec3* FindViewpoint(
     const glm::vec3& point, std::size_t number, std::size_t tries) const
   {
-    // Steps of the golden ratio, so that they are far apart.
-    const auto stride = static_cast<std::size_t>(0.618 * double(this->Viewpoints.size())) | 1u;
-    for (std::size_t i = 0; i < tries; ++i)
+    const std::size_t count = this->Viewpoints.size();
+    for (std::size_t i = 0; i < std::min(tries, count); ++i)
     {
-      const glm::vec3& viewpoint =
-        this->Viewpoints[(number + i) * stride % this->Viewpoints.size()];
+      const glm::vec3& viewpoint = this->Viewpoints[(number + i) * this->Stride % count];
       const float distance = glm::distance(viewpoint, point);
       const Hit hit = this->World.Intersect({ viewpoint, (point - viewpoint) / distance });
       if (!hit.IsValid() || hit.Distance > distance - this->Tolerance)
@@ -274,6 +281,7 @@ private:
   const Scene& World;
   float Tolerance;
   std::vector<glm::vec3> Viewpoints;
+  std::size_t Stride; // to the next one, which is far away
 };
 
 std::vector<RayGrid> AimAtPoints(const Watcher& watcher, const SurfaceMesh& mesh, double distance)
@@ -296,6 +304,19 @@ std::vector<RayGrid> AimAtPoints(const Watcher& watcher, const SurfaceMesh& mesh
 }
 }
 
+std::string FindGeometryFault(const Scene& scene)
+{
+  const std::vector<Mesh>& meshes = scene.GetMeshes();
+  if (std::any_of(meshes.begin(), meshes.end(),
+        [](const Mesh& mesh) {
+          return mesh.IsTranslucent() || mesh.Material.Hides(false) || mesh.Material.Hides(true);
+        }))
+  {
+    return "surfaces are translucent, or visible from one side only";
+  }
+  return CountTriangles(meshes, Coarsest) > MostTessellated ? "there are too many shapes" : "";
+}
+
 Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
 {
   const glm::dvec3& edges = settings.Box.Edges;
@@ -304,7 +325,8 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
   const std::vector<int> slices = ChooseSlices(settings.Grid);
   const Layout pictures(
     settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), MostResolution));
-  SeenPlaces seen(scene, static_cast<float>(CellTexels * texel));
+  const double cell = CellTexels * texel * settings.Grid.GetResolution() / pictures.GetResolution();
+  SeenPlaces seen(scene, static_cast<float>(cell));
   seen.Look(TileCount * static_cast<int>(slices.size()), pictures.GetResolution(),
     [&](int tile)
     {
@@ -318,7 +340,12 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
   std::vector<glm::vec3> points;
   const auto tolerance = static_cast<float>(MostTexels * texel);
   std::size_t previous = std::numeric_limits<std::size_t>::max();
-  for (int coarseness = 0; coarseness <= Coarsest;)
+  int coarseness = 0;
+  while (coarseness < Coarsest && CountTriangles(scene.GetMeshes(), coarseness) > MostTessellated)
+  {
+    ++coarseness;
+  }
+  while (coarseness <= Coarsest)
   {
     Geometry candidate;
     candidate.Surface = Tessellate(scene.GetMeshes(), { tolerance, coarseness, MostTessellated });
@@ -347,6 +374,12 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
     // Each step about halves the triangles.
     coarseness +=
       excess > 1.0 && isCoarser ? std::max(1, static_cast<int>(std::log2(excess))) : Coarsest + 1;
+  }
+  // Coarse spheres and tubes reach a little beyond the scene's bounds.
+  const Box bounds = scene.GetBounds();
+  for (glm::vec3& point : geometry.Surface.Points)
+  {
+    point = glm::clamp(point, glm::vec3(bounds.Low), glm::vec3(bounds.High));
   }
   SortForDrawing(geometry.Surface);
   geometry.Rays = AimAtPoints(watcher, geometry.Surface, start);

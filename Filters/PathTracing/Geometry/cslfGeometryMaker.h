@@ -16,6 +16,7 @@
 #include "cslfSurfaceMesh.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace cslf
@@ -40,6 +41,10 @@ struct Geometry
   /// For each point, a ray that meets it from a side that is seen. All rays of a grid are alike.
   std::vector<RayGrid> Rays;
 };
+
+/// Says in a few words why a scene cannot have a geometry: surfaces that rays pass would need an
+/// order, or there are too many shapes. Empty if it can.
+VTKCSLF_EXPORT std::string FindGeometryFault(const Scene& scene);
 
 /// The surface of a scene that the viewpoints see, simplified where that moves it by much less than
 /// a texel, and further until there are few enough triangles.

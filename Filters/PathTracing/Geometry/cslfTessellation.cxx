@@ -22,6 +22,9 @@ constexpr int MostSides = 64;
 /// The fewest triangles that a coarser instance has.
 constexpr std::size_t FewestOfPart = 8;
 
+/// The triangles of the coarsest sphere; tubes have about as many.
+constexpr std::size_t FewestOfRound = 24;
+
 /// A polygon of the circle's area lies within about `tolerance` of the circle on both sides.
 int CountSides(float radius, float tolerance)
 {
@@ -198,6 +201,20 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& re
     Append(part, instance, result);
   }
 }
+}
+
+std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)
+{
+  std::size_t count = 0;
+  for (const Mesh& mesh : meshes)
+  {
+    const bool isRound = mesh.Shape != Mesh::Shapes::Triangles;
+    const std::size_t shapes = mesh.GetNumberOfShapes() * (isRound ? FewestOfRound : 1);
+    count += mesh.Instances.empty()
+      ? shapes
+      : mesh.Instances.size() * std::max(std::min(shapes, shapes >> coarseness), FewestOfPart);
+  }
+  return count;
 }
 
 SurfaceMesh Tessellate(const std::vector<Mesh>& meshes, const TessellationSettings& settings)

@@ -30,6 +30,9 @@ struct TessellationSettings
   std::size_t MostTriangles = 0;
 };
 
+/// About how many triangles a tessellation of that coarseness has at least.
+VTKCSLF_EXPORT std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness);
+
 /// Triangles of all meshes and instances, welded.
 VTKCSLF_EXPORT SurfaceMesh Tessellate(
   const std::vector<Mesh>& meshes, const TessellationSettings& settings);
