@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -165,11 +164,10 @@ void TestDamage()
                             "\"position_bytes\":33554432,\"color_bytes\":0}",
          "[]", "{\"points\":-1}", "{\"points\":1e9}", "{\"points\":\"many\"}" })
   {
-    const auto length = static_cast<unsigned char>(std::strlen(text));
-    std::vector<unsigned char> hostile = { length, 0, 0, 0 };
-    hostile.insert(hostile.end(), text, text + length);
-    hostile.resize(hostile.size() + 100);
-    CSLF_CHECK(!cslf::DecodeGeometry(hostile, Box, error));
+    const std::string header(text);
+    const std::string hostile = std::string(1, static_cast<char>(header.size())) +
+      std::string(3, '\0') + header + std::string(100, '\0');
+    CSLF_CHECK(!cslf::DecodeGeometry({ hostile.begin(), hostile.end() }, Box, error));
   }
 }
 
