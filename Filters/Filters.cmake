@@ -27,7 +27,7 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch ScenePipeline Slabs)
+  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch ScenePipeline Slabs TriangleList)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
@@ -97,7 +97,8 @@ if (CSLF_ENABLE_SAMPLER)
     ../Filters/vtkCSLFSceneImporter
     ../Filters/vtkCSLFSceneSource
     ../Filters/vtkCSLFViewTracer)
-  list(APPEND sources ../Filters/vtkCSLFPathTracerCache.cxx)
+  list(APPEND sources
+    ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
   cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces SurfaceMesh Tessellation)
   cslf_add(Filters/PathTracing/Lights

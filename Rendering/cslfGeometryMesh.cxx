@@ -3,16 +3,14 @@
 #include "cslfGeometryMesh.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfTriangleList.h"
 #include "cslfChannel.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkTriangleFilter.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 
@@ -49,12 +47,7 @@ std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
 
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box)
 {
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(geometry);
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
-  triangulate->Update();
-  vtkPolyData* triangles = triangulate->GetOutput();
+  const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
   if (triangles->GetNumberOfPolys() == 0)
   {
     return nullptr;
@@ -71,18 +64,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
   mesh->HasColors = std::all_of(mesh->Colors.begin(), mesh->Colors.end(),
     [](const glm::vec4& color) { return color.w > 0.0f; });
   mesh->IsComplete = IsComplete(geometry);
-  mesh->Corners.reserve(3 * triangles->GetNumberOfPolys());
-  vtkIdType count = 0;
-  const vtkIdType* corners = nullptr;
-  const auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    cells->GetCurrentCell(count, corners);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      mesh->Corners.push_back(static_cast<std::uint32_t>(corners[i]));
-    }
-  }
+  mesh->Corners = ListCorners(triangles);
   return mesh;
 }
 }

@@ -9,9 +9,9 @@
 #include "Files/cslfFileSystem.h"
 #include "Files/cslfWorkFolder.h"
 #include "Options/cslfTableOptions.h"
-#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Scenes/cslfSceneChecks.h"
+#include "cslfGeometryFiles.h"
 #include "cslfUnfinishedFields.h"
 
 #include "vtkCSLFDecoder.h"
@@ -22,17 +22,12 @@
 #endif
 
 #include <vtkAlgorithmOutput.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
-#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkStringArray.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -144,41 +139,6 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
     return std::nullopt;
   }
   return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
-}
-
-/// The description of the field that a geometry was written with; empty if unknown.
-std::string GetFieldOf(vtkPolyData* geometry)
-{
-  auto* text =
-    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometryFieldName));
-  return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : std::string();
-}
-
-/// The reader of a field's geometry. Null if there is none.
-vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
-{
-  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
-  {
-    return decoder->HasGeometry() ? decoder : nullptr;
-  }
-  const std::string fileName = GetGeometryName(file.FileName);
-  std::error_code failure;
-  if (file.Format != FieldFormat::ImageData || !fs::exists(ToPath(fileName), failure))
-  {
-    return nullptr;
-  }
-  CheckVTKXML(fileName);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(fileName.c_str());
-  NameFileInErrors(reader, fileName);
-  reader->Update();
-  ThrowOnError();
-  if (GetFieldOf(reader->GetOutput()) != file.Field.ToText())
-  {
-    AddWarning(fileName + " belongs to another light field and was ignored.");
-    return nullptr;
-  }
-  return reader.Get();
 }
 
 vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
@@ -293,18 +253,6 @@ FieldFile OpenField(const std::string& name)
   file.Field = *description;
   file.GeometryReader = OpenGeometry(file);
   return file;
-}
-
-vtkAlgorithmOutput* FieldFile::GetGeometry() const
-{
-  return this->GeometryReader
-    ? this->GeometryReader->GetOutputPort(this->Format == FieldFormat::Video ? 1 : 0)
-    : nullptr;
-}
-
-std::string GetGeometryName(const std::string& fileName)
-{
-  return ToName(ToPath(fileName).replace_extension(".geometry.vtp"));
 }
 
 void FieldInput::AddTo(CLI::App& command, const std::string& name)
@@ -584,7 +532,7 @@ nlohmann::json FieldWriter::Write(
       this->WriteImageData(connection, label);
       if (geometry)
       {
-        this->WriteGeometry(connection, geometry);
+        WriteGeometry(connection, geometry, this->FileName);
       }
       break;
     default:
@@ -649,31 +597,6 @@ void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::stri
   writer->SetInputConnection(connection);
   WriteTemporary(writer.Get(), file);
   file.Publish();
-}
-
-void FieldWriter::WriteGeometry(vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry) const
-{
-  vtkAlgorithm* producer = geometry->GetProducer();
-  producer->Update(geometry->GetIndex());
-  ThrowOnError();
-  vtkNew<vtkPolyData> written;
-  written->ShallowCopy(producer->GetOutputDataObject(geometry->GetIndex()));
-  if (written->GetNumberOfCells() == 0)
-  {
-    return;
-  }
-  auto* image = vtkImageData::SafeDownCast(
-    connection->GetProducer()->GetOutputDataObject(connection->GetIndex()));
-  std::string error;
-  const auto field = Description::ReadFrom(image, error);
-  vtkNew<vtkStringArray> text;
-  text->SetName(GeometryFieldName);
-  text->InsertNextValue(field ? field->ToText() : "");
-  written->GetFieldData()->AddArray(text);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->EncodeAppendedDataOff();
-  writer->SetInputData(written);
-  WriteWhole(writer.Get(), GetGeometryName(this->FileName));
 }
 
 void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const

@@ -58,9 +58,6 @@ struct FieldFile
   vtkAlgorithmOutput* GetGeometry() const;
 };
 
-/// The file with the geometry of a field in image data.
-std::string GetGeometryName(const std::string& fileName);
-
 /// A field that a command reads. All commands but view have the same rule for damaged files: fields
 /// with missing viewpoints are read only if the user allows it.
 struct FieldInput
@@ -158,7 +155,6 @@ private:
   nlohmann::json WriteVideo(
     vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
   void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
-  void WriteGeometry(vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   std::string FileName;

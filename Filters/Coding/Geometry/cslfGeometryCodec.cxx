@@ -3,11 +3,11 @@
 #include "cslfGeometryCodec.h"
 
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfTriangleList.h"
 #include "cslfChannel.h"
 #include "cslfJSONText.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -16,7 +16,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/common.hpp>
@@ -145,22 +144,6 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
       {
         *place = static_cast<unsigned char>(std::lround(color[channel] * ColorSteps / 255.0));
       }
-    }
-  }
-}
-
-void AddCorners(vtkPolyData* triangles, Streams& streams)
-{
-  streams.Corners.reserve(3 * triangles->GetNumberOfPolys());
-  vtkIdType count = 0;
-  const vtkIdType* corners = nullptr;
-  const auto cells = vtk::TakeSmartPointer(triangles->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    cells->GetCurrentCell(count, corners);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      streams.Corners.push_back(static_cast<unsigned int>(corners[i]));
     }
   }
 }
@@ -409,18 +392,13 @@ std::vector<unsigned char> EncodeGeometry(
 {
   try
   {
-    vtkNew<vtkTriangleFilter> triangulate;
-    triangulate->SetInputData(geometry);
-    triangulate->PassVertsOff();
-    triangulate->PassLinesOff();
-    triangulate->Update();
-    vtkPolyData* triangles = triangulate->GetOutput();
+    const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
     if (triangles->GetNumberOfPolys() == 0)
     {
       throw std::invalid_argument("the geometry has no triangles");
     }
     Streams streams;
-    AddCorners(triangles, streams);
+    streams.Corners = ListCorners(triangles);
     AddPositions(triangles, box, streams);
     AddColors(triangles, streams);
     Sort(streams);

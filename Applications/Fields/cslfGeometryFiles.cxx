@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGeometryFiles.h"
+
+#include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
+#include "Files/cslfFileSystem.h"
+#include "Pipeline/cslfGeometryArrays.h"
+#include "Scenes/cslfSceneChecks.h"
+#include "cslfFieldFiles.h"
+
+#include "vtkCSLFDecoder.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <filesystem>
+
+namespace cslf::tool
+{
+namespace
+{
+/// The file beside that of a field in image data.
+std::string GetGeometryName(const std::string& fileName)
+{
+  return ToName(ToPath(fileName).replace_extension(".geometry.vtp"));
+}
+
+/// The description of the field that a geometry was written with; empty if unknown.
+std::string GetFieldOf(vtkPolyData* geometry)
+{
+  auto* text =
+    vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometryFieldName));
+  return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : std::string();
+}
+}
+
+vtkAlgorithmOutput* FieldFile::GetGeometry() const
+{
+  return this->GeometryReader
+    ? this->GeometryReader->GetOutputPort(this->Format == FieldFormat::Video ? 1 : 0)
+    : nullptr;
+}
+
+vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
+{
+  if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
+  {
+    return decoder->HasGeometry() ? decoder : nullptr;
+  }
+  const std::string fileName = GetGeometryName(file.FileName);
+  std::error_code failure;
+  if (file.Format != FieldFormat::ImageData || !std::filesystem::exists(ToPath(fileName), failure))
+  {
+    return nullptr;
+  }
+  CheckVTKXML(fileName);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(fileName.c_str());
+  NameFileInErrors(reader, fileName);
+  reader->Update();
+  ThrowOnError();
+  if (GetFieldOf(reader->GetOutput()) != file.Field.ToText())
+  {
+    AddWarning(fileName + " belongs to another light field and was ignored.");
+    return nullptr;
+  }
+  return reader.Get();
+}
+
+void WriteGeometry(
+  vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& fieldName)
+{
+  vtkAlgorithm* producer = geometry->GetProducer();
+  producer->Update(geometry->GetIndex());
+  ThrowOnError();
+  vtkNew<vtkPolyData> written;
+  written->ShallowCopy(producer->GetOutputDataObject(geometry->GetIndex()));
+  if (written->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  auto* image = vtkImageData::SafeDownCast(
+    connection->GetProducer()->GetOutputDataObject(connection->GetIndex()));
+  std::string error;
+  const auto field = Description::ReadFrom(image, error);
+  vtkNew<vtkStringArray> text;
+  text->SetName(GeometryFieldName);
+  text->InsertNextValue(field ? field->ToText() : "");
+  // Shallow copies share their field data.
+  vtkNew<vtkFieldData> numbers;
+  numbers->ShallowCopy(written->GetFieldData());
+  numbers->AddArray(text);
+  written->SetFieldData(numbers);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->EncodeAppendedDataOff();
+  writer->SetInputData(written);
+  WriteWhole(writer.Get(), GetGeometryName(fieldName));
+}
+}

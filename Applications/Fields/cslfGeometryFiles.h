@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The geometry of a field: in its video, or in a .geometry.vtp file beside its .vti file.
+ */
+#ifndef cslfGeometryFiles_h
+#define cslfGeometryFiles_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+
+namespace cslf::tool
+{
+struct FieldFile;
+
+/// The reader of the geometry of an open field. Null if there is none. Throws a Failure if its file
+/// is damaged.
+vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file);
+
+/// Pulls the geometry of the field that a connection has delivered, and writes it beside the .vti
+/// file of that name, unless it is empty. Throws a Failure.
+void WriteGeometry(
+  vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& fieldName);
+}
+
+#endif
