@@ -57,12 +57,12 @@ cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExpos
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits)
-cslf_add(Filters/Coding/Geometry GeometryCodec)
+cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes PatchedFile)
 cslf_add(Filters/Coding/Frames
   ColorFrames ColorRows DepthCurve DepthFill FrameConverter FrameOrder PerceptualQuantizer
-  RadianceFrames TexelBytes TexelRows Track)
+  PushPull RadianceFrames TexelBytes TexelRows Track)
 cslf_add(Filters/Coding/Groups CodingTask GroupDecoder TrackDecoder)
 cslf_add(Filters/Coding/Reading
   BackgroundSteps BackgroundThread FieldReader ViewpointCache ViewpointStore)
@@ -76,7 +76,8 @@ if (CSLF_ENABLE_ENCODER)
   cslf_add(Filters/Coding/RateControl
     EncodeProbe GroupStages HeldOutViews RateControl RateModel TrackFactors)
   cslf_add(Filters/Coding/Writing
-    EncodeRanks EncodeSession EncodeSettings FieldWriter GroupCache Part PartStore SlicePuller)
+    EncodeRanks EncodeSession EncodeSettings FieldWriter GeometryPlan GroupCache Part PartStore
+    SlicePuller)
 endif ()
 
 # The sampler: the path tracer, scenes for it, and folders of cube maps.

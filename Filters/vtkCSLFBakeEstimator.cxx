@@ -89,6 +89,7 @@ cslf::EncodeSettings GetSettings(vtkCSLFEncoder* encoder)
   vtkCSLFRateControl* rate = encoder->GetRateControl();
   return { encoder->GetPreset(), encoder->GetPixelFormat(), rate->GetCRF(), rate->GetCoverageCRF(),
     rate->GetDepthCRF(), encoder->GetGroupLength(), encoder->GetLossless(),
+    encoder->GetDepthFromGeometry(),
     cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
     std::max(1, rate->GetKeyViewStep()), 0.0, encoder->GetCodec() };
 }

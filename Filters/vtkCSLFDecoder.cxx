@@ -71,15 +71,7 @@ public:
   /// The part with the geometry, or null.
   const cslf::FilePart* FindGeometry() const
   {
-    if (!this->Reader)
-    {
-      return nullptr;
-    }
-    const auto& parts = this->Reader->GetHeader().Parts;
-    const auto found = std::find_if(parts.begin(), parts.end(),
-      [](const cslf::FilePart& part)
-      { return part.Type == cslf::GeometryPartType && part.Name == cslf::GeometryPartName; });
-    return found != parts.end() ? &*found : nullptr;
+    return this->Reader ? this->Reader->GetHeader().FindGeometry() : nullptr;
   }
 
   bool HasViewpoint(vtkIdType z) const

@@ -72,6 +72,7 @@ vtkCSLFEncoder::vtkCSLFEncoder()
   , Parts(new PartList)
   , GroupLength(options::GroupLength.Default)
   , Lossless(options::Lossless.Default)
+  , DepthFromGeometry(options::DepthFromGeometry.Default)
   , Restart(options::Restart.Default)
 {
   this->SetNumberOfInputPorts(2);
@@ -153,6 +154,7 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   job.FileName = this->FileName ? this->FileName : "";
   job.Settings = { this->Preset ? this->Preset : "", this->PixelFormat ? this->PixelFormat : "",
     rate->GetCRF(), rate->GetCoverageCRF(), rate->GetDepthCRF(), this->GroupLength, this->Lossless,
+    this->DepthFromGeometry,
     cslf::MakeRateTarget(rate->GetTargetRatio(), rate->GetTargetSize(), rate->GetTargetPSNR()),
     rate->GetKeyViewStep(), rate->GetTargetNovelViewPSNR(), this->Codec ? this->Codec : "" };
   job.Parts = this->Parts->Parts;
@@ -163,15 +165,13 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     job.Connection = this->GetInputConnection(0, 0);
     job.Input = this->GetInputInformation(0, 0);
   }
-  job.AddGeometry = [this](const cslf::Cube& box, std::vector<cslf::FilePart>& parts)
+  job.GetGeometry = [this](const cslf::Cube& box, const std::vector<cslf::FilePart>& others)
   {
     auto* geometry = this->GetNumberOfInputConnections(1) > 0
       ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
       : nullptr;
-    if (geometry && geometry->GetNumberOfCells() > 0)
-    {
-      this->AddGeometry(geometry, box, parts);
-    }
+    return geometry && geometry->GetNumberOfCells() > 0 ? this->MakePart(geometry, box, others)
+                                                        : std::nullopt;
   };
   job.Progress = [this](double progress)
   {
@@ -182,22 +182,22 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
   return job;
 }
 
-void vtkCSLFEncoder::AddGeometry(
-  vtkPolyData* geometry, const cslf::Cube& box, std::vector<cslf::FilePart>& parts)
+std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
+  vtkPolyData* geometry, const cslf::Cube& box, const std::vector<cslf::FilePart>& others)
 {
   std::string fault;
   cslf::FilePart part{ cslf::GeometryPartType, cslf::GeometryPartName,
     cslf::EncodeGeometry(geometry, box, fault) };
   if (fault.empty())
   {
-    fault = cslf::FindFault(parts, part);
+    fault = cslf::FindFault(others, part);
   }
   if (!fault.empty())
   {
     vtkWarningMacro("The file is written without the geometry: " << fault);
-    return;
+    return std::nullopt;
   }
-  parts.push_back(std::move(part));
+  return part;
 }
 
 bool vtkCSLFEncoder::AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name)
@@ -248,6 +248,8 @@ bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
   this->ActualPSNR = outcome.PSNR;
   this->ActualKeyViewStep = outcome.KeyViewStep;
   this->ActualNovelViewPSNR = outcome.NovelViewPSNR;
+  this->ActualDepthFromGeometry = outcome.ComputesDepth;
+  this->ActualGeometryLoss = outcome.GeometryLoss;
   this->SetErrorCode(fault.Code);
   if (!fault.Text.empty())
   {
@@ -333,6 +335,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PixelFormat: " << (this->PixelFormat ? this->PixelFormat : "(none)") << "\n";
   os << indent << "GroupLength: " << this->GroupLength << "\n";
   os << indent << "Lossless: " << (this->Lossless ? "On" : "Off") << "\n";
+  os << indent << "DepthFromGeometry: " << (this->DepthFromGeometry ? "On" : "Off") << "\n";
   os << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n";
   os << indent << "Restart: " << (this->Restart ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
@@ -342,4 +345,7 @@ void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ActualPSNR: " << this->ActualPSNR << "\n";
   os << indent << "ActualKeyViewStep: " << this->ActualKeyViewStep << "\n";
   os << indent << "ActualNovelViewPSNR: " << this->ActualNovelViewPSNR << "\n";
+  os << indent << "ActualDepthFromGeometry: " << (this->ActualDepthFromGeometry ? "yes" : "no")
+     << "\n";
+  os << indent << "ActualGeometryLoss: " << this->ActualGeometryLoss << "\n";
 }

@@ -70,8 +70,9 @@
 #include "vtkCSLFModule.h"   // For export macro
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <memory> // For std::unique_ptr
-#include <vector> // For std::vector
+#include <memory>   // For std::unique_ptr
+#include <optional> // For std::optional
+#include <vector>   // For std::vector
 
 class vtkCSLFRateControl;
 class vtkImageData;
@@ -187,6 +188,18 @@ public:
 
   ///@{
   /**
+   * Set/get whether depth and coverage are left out of the file if its geometry tells them: readers
+   * draw the triangles as each viewpoint sees them. Colours beside silhouettes are changed to those
+   * of the triangles. Used if the surfaces that the geometry lacks or hides take at most 5 % of the
+   * texels of the first viewpoints, and not if the file is lossless. Default: on.
+   */
+  vtkSetMacro(DepthFromGeometry, bool);
+  vtkGetMacro(DepthFromGeometry, bool);
+  vtkBooleanMacro(DepthFromGeometry, bool);
+  ///@}
+
+  ///@{
+  /**
    * Additional parts that files carry besides the light field, such as a mesh of the scene or a
    * table. A part consists of bytes and a media type such as "model/gltf-binary" or "text/csv". A
    * name distinguishes parts of the same type. Type and name may have at most 100 bytes of UTF-8,
@@ -254,6 +267,16 @@ public:
   vtkGetMacro(ActualNovelViewPSNR, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether readers of that file compute depth, and coverage if it is not full, from its geometry
+   * (see DepthFromGeometry), and the share of the texels, from 0 to 1, whose surface the geometry
+   * lacks or hides in the viewpoints that were tried; 0 if none were.
+   */
+  vtkGetMacro(ActualDepthFromGeometry, bool);
+  vtkGetMacro(ActualGeometryLoss, double);
+  ///@}
+
   /**
    * Writes the file when the pipeline requests data.
    */
@@ -270,8 +293,8 @@ private:
   vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
   void operator=(const vtkCSLFEncoder&) = delete;
 
-  void AddGeometry(
-    vtkPolyData* geometry, const cslf::Cube& box, std::vector<cslf::FilePart>& parts);
+  std::optional<cslf::FilePart> MakePart(
+    vtkPolyData* geometry, const cslf::Cube& box, const std::vector<cslf::FilePart>& others);
 
   class PartList;
   cslf::EncodeFault FindFault();
@@ -288,6 +311,7 @@ private:
   char* PixelFormat = nullptr;
   int GroupLength;
   bool Lossless;
+  bool DepthFromGeometry;
   bool Restart;
   double ActualCRF = 0.0;
   double ActualSize = 0.0;
@@ -295,6 +319,8 @@ private:
   double ActualPSNR = 0.0;
   int ActualKeyViewStep = 1;
   double ActualNovelViewPSNR = 0.0;
+  bool ActualDepthFromGeometry = false;
+  double ActualGeometryLoss = 0.0;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldFiles.h"
 
-#include "Coding/Geometry/cslfGeometryCodec.h"
+#include "Coding/Containers/cslfFileParts.h"
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
@@ -434,6 +434,7 @@ void CodingOptions::AddTo(CLI::App& command)
   AddOption(command, options::PixelFormat, this->PixelFormat)->group(group);
   AddOption(command, options::GroupLength, this->GroupLength)->group(group);
   AddOption(command, options::Lossless, this->Lossless)->group(group);
+  AddOption(command, options::DepthFromGeometry, this->DepthFromGeometry)->group(group);
   AddOption(command, options::Restart, this->Restart)->group(group);
   command
     .add_option("--part", this->Parts,
@@ -460,6 +461,7 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
   encoder->SetPixelFormat(this->PixelFormat.c_str());
   encoder->SetGroupLength(this->GroupLength);
   encoder->SetLossless(this->Lossless);
+  encoder->SetDepthFromGeometry(this->DepthFromGeometry);
   encoder->SetRestart(this->Restart);
 }
 #endif
@@ -571,6 +573,11 @@ nlohmann::json FieldWriter::WriteVideo(
   if (encoder->GetActualPSNR() > 0.0)
   {
     json["psnr"] = encoder->GetActualPSNR();
+  }
+  if (encoder->GetNumberOfInputConnections(1) > 0)
+  {
+    json["depth_from_geometry"] = encoder->GetActualDepthFromGeometry();
+    json["geometry_loss"] = encoder->GetActualGeometryLoss();
   }
   if (this->Coding.HasKeyViews())
   {

@@ -112,6 +112,7 @@ struct CodingOptions
   std::string PixelFormat = options::PixelFormat.Default;
   int GroupLength = options::GroupLength.Default;
   bool Lossless = options::Lossless.Default;
+  bool DepthFromGeometry = options::DepthFromGeometry.Default;
   bool Restart = options::Restart.Default;
   std::vector<std::string> Parts; ///< in the form that ReadParts takes
 

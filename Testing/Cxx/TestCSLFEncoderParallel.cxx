@@ -5,6 +5,7 @@
 // once, and only rank 0 touches files. If one rank fails, all fail, with one message.
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
+#include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
 #include "vtkCSLFRadianceCacheOptions.h"
@@ -114,6 +115,30 @@ void TestBytes(const Setting& setting)
   {
     const std::vector<char> bytes = ReadBytes(setting.GetFileName());
     CSLF_CHECK(!cslf::testing::Exists(setting.GetFileName() + ".partial"));
+    encoder->SetController(nullptr);
+    CSLF_CHECK(encoder->Write() == 1);
+    CSLF_CHECK(!bytes.empty() && ReadBytes(setting.GetFileName()) == bytes);
+    std::filesystem::remove(setting.GetFileName());
+  }
+}
+
+/// The same if rank 0 has a geometry, which tells depth: only its own is used.
+void TestGeometry(const Setting& setting)
+{
+  vtkNew<vtkCSLFEncoder> encoder;
+  encoder->SetInputData(cslf::testing::MakeTestField(
+    cslf::Layout(3, 32), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT));
+  if (setting.GetRank() == 0)
+  {
+    encoder->SetGeometryData(cslf::testing::MakeTestSurfaces(cslf::Cube()));
+  }
+  Set(setting, encoder);
+  encoder->SetGroupLength(2);
+  CSLF_CHECK(encoder->Write() == 1);
+  if (setting.GetRank() == 0)
+  {
+    CSLF_CHECK(encoder->GetActualDepthFromGeometry());
+    const std::vector<char> bytes = ReadBytes(setting.GetFileName());
     encoder->SetController(nullptr);
     CSLF_CHECK(encoder->Write() == 1);
     CSLF_CHECK(!bytes.empty() && ReadBytes(setting.GetFileName()) == bytes);
@@ -306,6 +331,7 @@ int TestCSLFEncoderParallel(int argc, char* argv[])
   CSLF_CHECK(controller->GetNumberOfProcesses() > 1);
   TestBytes(setting);
   TestTarget(setting);
+  TestGeometry(setting);
   TestOutOfReach(setting);
   TestFailures(setting);
   TestMissingPiece(setting);

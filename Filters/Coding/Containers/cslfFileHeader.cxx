@@ -28,6 +28,14 @@ constexpr const char* PartsKey = "parts";
 constexpr const char* MissingKey = "missing_groups";
 
 ///@{
+/// The feature that readers of files without depth need, the key of the channels that they compute,
+/// and the names of these.
+constexpr const char* RequiredKey = "required";
+constexpr const char* GeometryFeature = "geometry";
+constexpr const char* ComputedKey = "from_geometry";
+///@}
+
+///@{
 /// The keys of the sample encoding of tracks of float colour and depth, and of the curves'
 /// parameters.
 constexpr const char* TransferKey = "transfer";
@@ -164,12 +172,13 @@ void ReadTracks(const JSON& json, FileHeader& header)
   }
 }
 
-/// Whether a channel of numbers has either one track or one for each byte, if the field has it.
+/// Whether a channel of numbers has either one track or one for each byte, if the field has it and
+/// readers do not compute it.
 bool FitsTracks(const FileHeader& header, KnownChannel id)
 {
   const auto has = [&](Plane plane) { return header.FindTrack({ id, plane }) != nullptr; };
   const bool hasByte = has(Plane::HighByte) || has(Plane::LowByte);
-  if (!header.Field.FindChannel(id))
+  if (!header.Field.FindChannel(id) || (id == KnownChannel::Depth && header.HasGeometryDepth))
   {
     return !has(Plane::Numbers) && !hasByte;
   }
@@ -180,9 +189,10 @@ void CheckTracks(const FileHeader& header)
 {
   const bool fits = std::all_of(std::begin(KnownChannels), std::end(KnownChannels),
     [&](KnownChannel id) { return KindOf(id) != SampleKind::Number16 || FitsTracks(header, id); });
+  const bool hasTwoCoverages = header.HasGeometryCoverage && header.FindTrack(CoverageRole);
   const bool isFloat = header.Field.FindChannel(KnownChannel::Color)->Type == VTK_FLOAT;
   if (header.Tracks.empty() || !(header.Tracks.front().Kind.Role == ColorRole) || !fits ||
-    header.Tracks.front().Kind.IsRadiance != isFloat)
+    hasTwoCoverages || header.Tracks.front().Kind.IsRadiance != isFloat)
   {
     throw std::invalid_argument("its tracks do not match its channels");
   }
@@ -307,11 +317,46 @@ void ReadChannels(FileHeader& header)
   }
 }
 
+/// Reads which channels are those of the geometry.
+void ReadComputed(const JSON& coding, FileHeader& header)
+{
+  const JSON names = coding.value(ComputedKey, JSON::array());
+  for (const JSON& name : RequireArray(names))
+  {
+    const auto role = RoleOfName(name.get<std::string>());
+    const bool isDepth = role == std::make_optional(DepthRole);
+    const bool isCoverage = role == std::make_optional(CoverageRole);
+    if (!isDepth && !isCoverage)
+    {
+      throw std::invalid_argument("it computes an unknown channel from its geometry");
+    }
+    header.HasGeometryDepth = header.HasGeometryDepth || isDepth;
+    header.HasGeometryCoverage = header.HasGeometryCoverage || isCoverage;
+  }
+  const bool hasDepth = header.Field.FindChannel(KnownChannel::Depth) != nullptr;
+  if (header.HasGeometryDepth ? !hasDepth : header.HasGeometryCoverage)
+  {
+    throw std::invalid_argument("it computes other channels from its geometry than it has");
+  }
+}
+
+/// The description without the features of files that this version supports.
+JSON WithoutFeatures(JSON json)
+{
+  if (json.contains(RequiredKey) && json.at(RequiredKey).is_array())
+  {
+    JSON& required = json.at(RequiredKey);
+    required.erase(
+      std::remove(required.begin(), required.end(), JSON(GeometryFeature)), required.end());
+  }
+  return json;
+}
+
 FileHeader Parse(const JSON& json, const HeaderTags& tags)
 {
   FileHeader header;
   std::string error;
-  const auto field = Description::FromJSON(json, error);
+  const auto field = Description::FromJSON(WithoutFeatures(json), error);
   if (!field)
   {
     throw std::invalid_argument(error);
@@ -320,6 +365,7 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   ReadChannels(header);
 
   const JSON& coding = json.at(CodingKey);
+  ReadComputed(coding, header);
   ReadTracks(coding.at("tracks"), header);
   CheckTracks(header);
   const std::size_t groups = header.Tracks.front().GroupCRCs.size();
@@ -414,6 +460,14 @@ const Track* FileHeader::FindTrack(TrackRole role) const
   return found == this->Tracks.end() ? nullptr : &found->Kind;
 }
 
+const FilePart* FileHeader::FindGeometry() const
+{
+  const auto found = std::find_if(this->Parts.begin(), this->Parts.end(),
+    [](const FilePart& part)
+    { return part.Type == GeometryPartType && part.Name == GeometryPartName; });
+  return found == this->Parts.end() ? nullptr : &*found;
+}
+
 HeaderTags FileHeader::ToTags() const
 {
   JSON tracks = JSON::array();
@@ -432,6 +486,15 @@ HeaderTags FileHeader::ToTags() const
   if (!this->Missing.empty())
   {
     json[CodingKey][MissingKey] = MissingToJSON(this->Missing);
+  }
+  if (this->HasGeometryDepth)
+  {
+    json[RequiredKey] = JSON::array({ GeometryFeature });
+    json[CodingKey][ComputedKey] = JSON::array({ NameOfRole(DepthRole) });
+  }
+  if (this->HasGeometryCoverage)
+  {
+    json[CodingKey][ComputedKey].push_back(NameOfRole(CoverageRole));
   }
   HeaderTags tags;
   if (!this->Parts.empty())

@@ -45,6 +45,9 @@ struct FileHeader
   std::vector<int> Groups;  ///< the number of frames of each group
   std::vector<int> Missing; ///< the groups that an unfinished file does not contain yet, ascending
   std::vector<FilePart> Parts;
+  /// Whether readers compute depth, and also coverage, from the geometry that is one of the parts.
+  bool HasGeometryDepth = false;
+  bool HasGeometryCoverage = false;
   /// Warnings about a file that was read, each in a part of a sentence.
   std::vector<std::string> Warnings;
 
@@ -56,6 +59,9 @@ struct FileHeader
 
   /// The track of that role, or null.
   const Track* FindTrack(TrackRole role) const;
+
+  /// The part with the geometry, or null.
+  const FilePart* FindGeometry() const;
 
   /// The contents of all of the container's tags.
   HeaderTags ToTags() const;

@@ -22,6 +22,10 @@ struct FilePart
   std::vector<unsigned char> Bytes;
 };
 
+/// The type and the name of the part that holds a geometry.
+constexpr const char* GeometryPartType = "model/vnd.cslf.geometry";
+constexpr const char* GeometryPartName = "geometry";
+
 /// Says in one line why a part cannot be added to others. Empty if it can.
 std::string FindFault(const std::vector<FilePart>& others, const FilePart& part);
 

@@ -3,6 +3,7 @@
 #include "cslfDepthFill.h"
 
 #include "cslfLayout.h"
+#include "cslfPushPull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,70 +16,6 @@ namespace
 {
 /// How much farther away a neighbour on the same surface may be.
 constexpr float SameSurface = 1.1F;
-
-/// A square of numbers, some of which are known.
-struct Patch
-{
-  explicit Patch(int size)
-    : Size(size)
-    , Values(static_cast<std::size_t>(size) * size, 0.0F)
-    , Weights(this->Values)
-  {
-  }
-
-  std::size_t IndexOf(int x, int y) const { return static_cast<std::size_t>(y) * this->Size + x; }
-
-  int Size;
-  std::vector<float> Values;
-  std::vector<float> Weights; ///< 1 where the number is known, else 0
-};
-
-/// The patch at half the size: the means of the known numbers.
-Patch Shrink(const Patch& fine)
-{
-  Patch coarse((fine.Size + 1) / 2);
-  for (int y = 0; y < fine.Size; ++y)
-  {
-    for (int x = 0; x < fine.Size; ++x)
-    {
-      const std::size_t from = fine.IndexOf(x, y);
-      const std::size_t to = coarse.IndexOf(x / 2, y / 2);
-      coarse.Values[to] += fine.Weights[from] * fine.Values[from];
-      coarse.Weights[to] += fine.Weights[from];
-    }
-  }
-  for (std::size_t k = 0; k < coarse.Values.size(); ++k)
-  {
-    if (coarse.Weights[k] > 0.0F)
-    {
-      coarse.Values[k] /= coarse.Weights[k];
-      coarse.Weights[k] = 1.0F;
-    }
-  }
-  return coarse;
-}
-
-/// Sets unknown numbers to the means of known ones around them.
-void Fill(Patch& patch)
-{
-  if (patch.Size == 1)
-  {
-    return;
-  }
-  Patch coarse = Shrink(patch);
-  Fill(coarse);
-  for (int y = 0; y < patch.Size; ++y)
-  {
-    for (int x = 0; x < patch.Size; ++x)
-    {
-      const std::size_t to = patch.IndexOf(x, y);
-      if (patch.Weights[to] == 0.0F)
-      {
-        patch.Values[to] = coarse.Values[coarse.IndexOf(x / 2, y / 2)];
-      }
-    }
-  }
-}
 
 /// Moves known texels beside unknown ones to the depth of the farthest known neighbour on the same
 /// surface.

@@ -46,6 +46,7 @@ struct TrackRole
 /// The tracks that every reader and writer needs.
 constexpr TrackRole ColorRole{ KnownChannel::Color, Plane::Colors };
 constexpr TrackRole CoverageRole{ KnownChannel::Color, Plane::Coverage };
+constexpr TrackRole DepthRole{ KnownChannel::Depth, Plane::Numbers };
 
 /// The kind of samples of a channel whose type is integer, which tells colours from numbers.
 SampleKind KindOf(KnownChannel id);

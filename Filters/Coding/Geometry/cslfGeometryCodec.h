@@ -20,10 +20,6 @@ class vtkPolyData;
 
 namespace cslf
 {
-/// The type and the name of the part that holds a geometry.
-constexpr const char* GeometryPartType = "model/vnd.cslf.geometry";
-constexpr const char* GeometryPartName = "geometry";
-
 /// Positions get 16 bits along each edge of the cube, which must contain them. On failure returns
 /// no bytes and says why.
 VTKCSLF_EXPORT std::vector<unsigned char> EncodeGeometry(

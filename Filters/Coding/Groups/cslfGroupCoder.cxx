@@ -42,12 +42,13 @@ bool DoSideBySide(
 }
 }
 
-GroupCoder::GroupCoder(
-  const EncodeSettings& settings, const Description& field, std::vector<int> groups)
+GroupCoder::GroupCoder(const EncodeSettings& settings, const Description& field,
+  std::vector<int> groups, std::vector<TrackRole> computed)
   : Settings(settings)
   , Resolution(field.Grid.GetResolution())
   , IsRadiance(HasRadiance(field))
   , Groups(std::move(groups))
+  , Computed(std::move(computed))
 {
   const EncoderChoice choice = ChooseEncoder(settings, this->IsRadiance, this->Resolution);
   for (const KnownChannel id : KnownChannels)
@@ -65,6 +66,10 @@ void GroupCoder::AddTracks(KnownChannel id, SampleKind kind, const EncoderChoice
   {
     Track track;
     track.Role = { id, plane };
+    if (std::find(this->Computed.begin(), this->Computed.end(), track.Role) != this->Computed.end())
+    {
+      continue;
+    }
     track.Format = plane == Plane::Colors ? choice.Color : choice.Encoder->GetFormat(kind, plane);
     track.Lossless = this->Settings.Lossless;
     track.Coding = choice.Encoder->Coding;
@@ -157,8 +162,12 @@ void GroupCoder::EncodeTrack(std::size_t track, const Coding& coding, std::strin
 void GroupCoder::MeasureError(const Coding& coding, std::string& error) const
 {
   GroupParts& parts = *coding.Parts;
-  MeasureSquaredError({ this->Encodings[0].Kind, &parts[0] },
-    { this->Encodings[1].Kind, &parts[1] }, this->Resolution, coding.Frames, parts[0].SquaredError,
-    error);
+  const auto found = std::find_if(this->Encodings.begin(), this->Encodings.end(),
+    [](const Encoding& encoding) { return encoding.Kind.Role == CoverageRole; });
+  const bool hasCoverage = found != this->Encodings.end();
+  const TrackPart coverage =
+    hasCoverage ? TrackPart{ found->Kind, &parts[found - this->Encodings.begin()] } : TrackPart();
+  MeasureSquaredError({ this->Encodings[0].Kind, &parts[0] }, hasCoverage ? &coverage : nullptr,
+    this->Resolution, coding.Frames, parts[0].SquaredError, error);
 }
 }

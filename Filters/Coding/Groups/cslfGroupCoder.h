@@ -24,9 +24,11 @@ class GroupCoder
 {
 public:
   /// Field and settings have passed FindFault; `groups` has the number of frames of each group.
-  GroupCoder(const EncodeSettings& settings, const Description& field, std::vector<int> groups);
+  /// `computed` are the tracks that files do not need, because readers compute their contents.
+  GroupCoder(const EncodeSettings& settings, const Description& field, std::vector<int> groups,
+    std::vector<TrackRole> computed);
 
-  /// The tracks: colour, coverage, and those of further channels.
+  /// The tracks: colour, coverage, and those of further channels, without those that are computed.
   std::vector<Track> GetTracks() const;
 
   /// Does some tasks in parallel. `slices` are those of the tasks' groups, one group after the
@@ -64,6 +66,7 @@ private:
   int Resolution;
   bool IsRadiance;
   std::vector<int> Groups;
+  std::vector<TrackRole> Computed;
   std::vector<Encoding> Encodings;
 };
 }

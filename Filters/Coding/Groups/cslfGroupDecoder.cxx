@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGroupDecoder.h"
 
+#include "Coding/Geometry/cslfGeometryFit.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
@@ -10,8 +11,10 @@
 
 namespace cslf
 {
-GroupDecoder::GroupDecoder(std::unique_ptr<ContainerReader> container)
+GroupDecoder::GroupDecoder(
+  std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths)
   : Container(std::move(container))
+  , Depths(std::move(depths))
   , GroupStarts(this->GetHeader().GetGroupStarts())
   , Idle(this->GetHeader().Tracks.size())
   , Conditions(this->GetHeader().Groups.size(), Condition::Unknown)
@@ -113,7 +116,7 @@ bool GroupDecoder::DecodeAlone(const GroupRequest& request, const GroupPackets& 
     {
       std::transform(workers.begin(), workers.end(), frames.begin(),
         [](const std::unique_ptr<Worker>& worker) { return worker->Decoder->Next(); });
-      isGood = this->Join(workers, frames, static_cast<int>(place), request.Slices[place]);
+      isGood = this->Join(request, workers, frames, static_cast<int>(place));
     }
   }
   return this->Finish(request, isGood, workers);
@@ -154,7 +157,7 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request, const GroupPackets&
     std::transform(frames.begin(), frames.end(), parts.begin(),
       [k](const std::vector<AVHandle<AVFrame>>& track)
       { return k < track.size() ? track[k].get() : nullptr; });
-    isGood = this->Join(workers, parts, places[k], request.Slices[places[k]]);
+    isGood = this->Join(request, workers, parts, places[k]);
   }
   return this->Finish(request, isGood, workers);
 }
@@ -221,9 +224,10 @@ void GroupDecoder::PutBack(Workers& workers)
   }
 }
 
-bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*>& frames,
-  int place, const ViewpointSamples& slice) const
+bool GroupDecoder::Join(const GroupRequest& request, const Workers& workers,
+  const std::vector<const AVFrame*>& frames, int place) const
 {
+  const ViewpointSamples& slice = request.Slices[place];
   for (std::size_t track = 0; track < frames.size(); ++track)
   {
     if (this->IsStopped || !frames[track] || frames[track]->pts != place ||
@@ -234,6 +238,12 @@ bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*
   }
   const FileHeader& header = this->GetHeader();
   JoinChannels(header.Field.Grid.GetResolution(), header.FindTrack(CoverageRole), slice);
+  if (this->Depths)
+  {
+    std::vector<unsigned short> depths;
+    this->Depths->Draw(header.Slices[this->GroupStarts[request.Group] + place], depths);
+    ApplyGeometry(depths, header.HasGeometryCoverage, slice);
+  }
   return true;
 }
 

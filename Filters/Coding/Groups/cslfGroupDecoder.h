@@ -9,6 +9,7 @@
 
 #include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Frames/cslfFrameConverter.h"
+#include "Coding/Geometry/cslfGeometryDepths.h"
 #include "cslfTrackDecoder.h"
 
 #include <atomic>
@@ -30,7 +31,8 @@ struct GroupRequest
 class GroupDecoder
 {
 public:
-  explicit GroupDecoder(std::unique_ptr<ContainerReader> container);
+  /// The depths are those of the file's geometry, null unless its header asks for them.
+  GroupDecoder(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths);
 
   const FileHeader& GetHeader() const { return this->Container->GetHeader(); }
   int GetNumberOfGroups() const { return static_cast<int>(this->GetHeader().Groups.size()); }
@@ -84,11 +86,12 @@ private:
   std::unique_ptr<Worker> Begin(
     std::size_t track, const GroupRequest& request, const GroupPackets& packets);
   void PutBack(Workers& workers);
-  bool Join(const Workers& workers, const std::vector<const AVFrame*>& frames, int place,
-    const ViewpointSamples& slice) const;
+  bool Join(const GroupRequest& request, const Workers& workers,
+    const std::vector<const AVFrame*>& frames, int place) const;
   void Clear(const GroupRequest& request) const;
 
   std::unique_ptr<ContainerReader> Container;
+  std::unique_ptr<const GeometryDepths> Depths;
   std::vector<int> GroupStarts;
   std::mutex ContainerMutex; ///< while packets are read
   std::mutex IdleMutex;

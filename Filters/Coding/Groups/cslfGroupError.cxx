@@ -61,12 +61,18 @@ bool Decode(const TrackPart& track, int resolution, const std::vector<ViewpointS
   return true;
 }
 
-double SumSquares(const unsigned char* a, const unsigned char* b, std::size_t texels)
+/// Of all texels, or only of those with coverage in `b`.
+double SumSquares(
+  const unsigned char* a, const unsigned char* b, std::size_t texels, bool onlyCovered)
 {
   double sum = 0.0;
   for (std::size_t texel = 0; texel < texels; ++texel)
   {
     int squares = 0;
+    if (onlyCovered && b[ColorBytes * texel + 3] == 0)
+    {
+      continue;
+    }
     for (int component = 0; component < 3; ++component)
     {
       const std::size_t place = ColorBytes * texel + component;
@@ -79,7 +85,7 @@ double SumSquares(const unsigned char* a, const unsigned char* b, std::size_t te
 }
 }
 
-bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
+bool MeasureSquaredError(const TrackPart& color, const TrackPart* coverage, int resolution,
   const std::vector<ViewpointSamples>& slices, double& sum, std::string& error)
 {
   const std::size_t texels = static_cast<std::size_t>(TileCount) * resolution * resolution;
@@ -92,7 +98,7 @@ bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int 
   {
     decoded[k] = samples.At(static_cast<vtkIdType>(texels * k));
   }
-  if (!Decode(color, resolution, decoded) || !Decode(coverage, resolution, decoded))
+  if (!Decode(color, resolution, decoded) || (coverage && !Decode(*coverage, resolution, decoded)))
   {
     error = "what was coded cannot be decoded";
     return false;
@@ -100,9 +106,9 @@ bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int 
   sum = 0.0;
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
-    JoinChannels(resolution, &coverage.Kind, decoded[k]);
+    JoinChannels(resolution, coverage ? &coverage->Kind : nullptr, decoded[k]);
     sum += SumSquares(decoded[k].Get<unsigned char>(KnownChannel::Color),
-      slices[k].Get<unsigned char>(KnownChannel::Color), texels);
+      slices[k].Get<unsigned char>(KnownChannel::Color), texels, coverage == nullptr);
   }
   return true;
 }

@@ -22,9 +22,10 @@ struct TrackPart
 };
 
 /// Decodes colour like readers do, and sums the squared errors of red, green and blue over all
-/// texels, in units of 1/255. Colour has associated alpha, so this is the error over black. On
-/// failure returns false and gives the reason in one line.
-bool MeasureSquaredError(const TrackPart& color, const TrackPart& coverage, int resolution,
+/// texels, in units of 1/255. Colour has associated alpha, so this is the error over black. Without
+/// a track of coverage, colour has no meaning where the slices have no coverage. On failure returns
+/// false and gives the reason in one line.
+bool MeasureSquaredError(const TrackPart& color, const TrackPart* coverage, int resolution,
   const std::vector<ViewpointSamples>& slices, double& sum, std::string& error);
 }
 

@@ -54,7 +54,7 @@ bool EncodeProbe::Begin(std::string& error)
   {
     return false;
   }
-  this->Writer->Begin(this->Puller->GetField(), 0);
+  this->Writer->Begin(this->Puller->GetField(), 0, GeometryPlan());
   return true;
 }
 

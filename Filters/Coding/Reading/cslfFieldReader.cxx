@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFieldReader.h"
 
+#include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include <vtkErrorCode.h>
+#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -27,6 +29,16 @@ std::size_t GetGroupsAtOnce(const FileHeader& header)
     header.Field.Grid.GetResolution() * MaximumGroupLength;
   return std::max<std::size_t>(2, TexelsAtOnce / groupTexels) *
     std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+}
+
+/// What the file's geometry says about depth. Null if the geometry is missing or damaged.
+std::unique_ptr<GeometryDepths> ReadDepths(const FileHeader& header)
+{
+  const FilePart* part = header.FindGeometry();
+  std::string ignored;
+  const auto geometry = part ? DecodeGeometry(part->Bytes, header.Field.Box, ignored) : nullptr;
+  return geometry ? std::make_unique<GeometryDepths>(geometry, header.Field.Box, header.Field.Grid)
+                  : nullptr;
 }
 }
 
@@ -174,11 +186,23 @@ std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, Open
       return nullptr;
     }
   }
-  return std::make_unique<FieldReader>(std::move(container));
+  std::unique_ptr<GeometryDepths> depths;
+  if (container->GetHeader().HasGeometryDepth)
+  {
+    depths = ReadDepths(container->GetHeader());
+    if (!depths)
+    {
+      failure = { vtkErrorCode::FileFormatError,
+        "its geometry, which tells its depth, is missing or damaged" };
+      return nullptr;
+    }
+  }
+  return std::make_unique<FieldReader>(std::move(container), std::move(depths));
 }
 
-FieldReader::FieldReader(std::unique_ptr<ContainerReader> container)
-  : Decoder(std::move(container))
+FieldReader::FieldReader(
+  std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths)
+  : Decoder(std::move(container), std::move(depths))
   , Store(this->Decoder)
 {
 }

@@ -26,7 +26,8 @@ public:
   /// Reads the header only. Returns null on failure.
   static std::unique_ptr<FieldReader> Open(const std::string& fileName, OpenFailure& failure);
 
-  explicit FieldReader(std::unique_ptr<ContainerReader> container);
+  /// See GroupDecoder.
+  FieldReader(std::unique_ptr<ContainerReader> container, std::unique_ptr<GeometryDepths> depths);
 
   const FileHeader& GetHeader() const { return this->Decoder.GetHeader(); }
 

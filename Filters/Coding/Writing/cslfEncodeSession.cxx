@@ -4,6 +4,7 @@
 
 #include "Coding/Frames/cslfPerceptualQuantizer.h"
 #include "Files/cslfFileSystem.h"
+#include "Parallel/cslfBroadcast.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfSlabs.h"
 
@@ -153,6 +154,7 @@ bool EncodeSession::BeginPulling(bool hasInput)
   {
     return this->Fail(vtkErrorCode::FileFormatError, error);
   }
+  this->Sample = this->Puller->GetFirstChecksum();
   error = FindFault(this->Job.Settings, this->Puller->GetField());
   return error.empty() || this->Fail(vtkErrorCode::UserError, error);
 }
@@ -171,16 +173,75 @@ bool EncodeSession::ChooseKeyViews(bool isReady)
   return this->Agree({}, &this->Choice.Step);
 }
 
+// Rank 0 chooses for all; the others get its geometry here.
+bool EncodeSession::ChooseGeometry(bool isReady)
+{
+  if (isReady)
+  {
+    this->Puller->SetKeyViewStep(this->Choice.Step);
+    this->Cached.emplace(this->CountSlicesThatFit());
+  }
+  if (isReady && this->Peers.GetRank() == 0)
+  {
+    this->TryGeometry();
+  }
+  const ComputedChannels& chosen = this->Plan.GetComputed();
+  int choice = (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0);
+  if (!this->Agree({}, &choice))
+  {
+    return false;
+  }
+  if (choice != 0 && this->Peers.GetCount() > 1)
+  {
+    std::string text;
+    if (this->Peers.GetRank() == 0)
+    {
+      const std::vector<unsigned char>& bytes = this->Job.Parts.back().Bytes;
+      text.assign(bytes.begin(), bytes.end());
+    }
+    BroadcastText(this->Job.Controller, text, 0);
+    if (this->Peers.GetRank() != 0)
+    {
+      this->Plan = GeometryPlan(
+        { text.begin(), text.end() }, this->Puller->GetField(), { true, (choice & 2) != 0 });
+    }
+  }
+  return true;
+}
+
+// The first group, which belongs to the coarsest grid, shows how well the geometry fits.
+void EncodeSession::TryGeometry()
+{
+  const Description field = this->Puller->GetField();
+  const auto part =
+    this->Job.GetGeometry ? this->Job.GetGeometry(field.Box, this->Job.Parts) : std::nullopt;
+  if (!part)
+  {
+    return;
+  }
+  this->Job.Parts.push_back(*part);
+  this->Writer->SetParts(this->Job.Parts);
+  const EncodeSettings& settings = this->Job.Settings;
+  if (!settings.DepthFromGeometry || settings.Lossless || !field.FindChannel(KnownChannel::Depth))
+  {
+    return;
+  }
+  const FrameOrder order = MakeFrameOrder(field.Grid, settings.GroupLength);
+  const std::vector<int> slices(order.Slices.begin(), order.Slices.begin() + order.Groups.front());
+  const PipelineWatch watch(this->Job.Connection, [this] { return this->Job.Progress(0.0); });
+  std::string error;
+  if (!this->Puller->Pull(slices, error))
+  {
+    this->FailWriting(vtkErrorCode::UnknownError, error);
+    return;
+  }
+  this->Plan = GeometryPlan::Choose(part->Bytes, field, slices, this->Puller->GetSlices());
+  this->Cached->Keep(0, this->Puller->GetSlices());
+}
+
 bool EncodeSession::BeginWriting()
 {
-  this->Puller->SetKeyViewStep(this->Choice.Step);
-  this->Cached.emplace(this->CountSlicesThatFit());
-  this->Writer->Begin(this->Puller->GetField(), this->Puller->GetFirstChecksum());
-  if (this->Job.AddGeometry && this->Peers.GetRank() == 0)
-  {
-    this->Job.AddGeometry(this->Puller->GetField().Box, this->Job.Parts);
-    this->Writer->SetParts(this->Job.Parts);
-  }
+  this->Writer->Begin(this->Puller->GetField(), this->Sample, this->Plan);
   return this->Peers.GetRank() != 0 || this->OpenParts();
 }
 
@@ -222,7 +283,7 @@ bool EncodeSession::Write(bool hasInput)
   // If the input was stopped because another rank failed, that rank reports it.
   const bool isReady = (isSynchronized || !hasInput) && this->BeginPulling(hasInput);
   this->Choice.Step = this->Job.Settings.KeyViewStep;
-  if (this->Choice.Step > 0 || this->ChooseKeyViews(isReady))
+  if ((this->Choice.Step > 0 || this->ChooseKeyViews(isReady)) && this->ChooseGeometry(isReady))
   {
     const bool hasBegun = isReady && this->BeginWriting();
     int stored = this->Writer->CountStored();
@@ -346,7 +407,8 @@ void EncodeSession::Conclude()
   const double bytes =
     static_cast<double>(std::filesystem::file_size(ToPath(this->Job.FileName), ignored));
   this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
-    this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR };
+    this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR,
+    this->Plan.GetComputed().HasDepth, this->Plan.GetLoss() };
 }
 
 void EncodeSession::Follow()
@@ -422,6 +484,7 @@ bool EncodeSession::Gather(
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   const std::vector<ViewpointSamples> fresh = this->Puller->GetSlices();
+  this->Plan.Fit(this->Writer->GetSlices(pulled), fresh);
   auto from = fresh.begin();
   for (const CodingTask& task : tasks)
   {

@@ -33,8 +33,8 @@ struct EncodeJob
   EncodeSettings Settings;
   std::vector<FilePart> Parts;
 
-  /// Adds a part with the field's geometry, if there is one, when the input has been read.
-  std::function<void(const Cube&, std::vector<FilePart>&)> AddGeometry;
+  /// Gives the part with the field's geometry, if there is one, when the input has been read.
+  std::function<std::optional<FilePart>(const Cube&, const std::vector<FilePart>&)> GetGeometry;
   bool Restart = true;
   vtkAlgorithmOutput* Connection = nullptr;
   vtkInformation* Input = nullptr; ///< the connection's pipeline information
@@ -63,6 +63,8 @@ struct EncodeOutcome
   double PSNR = 0.0;  ///< of colour, as measured by RateControl
   int KeyViewStep = 1;
   double NovelViewPSNR = 0.0; ///< where it chose the step
+  bool ComputesDepth = false; ///< readers do, from the geometry
+  double GeometryLoss = 0.0;  ///< of the viewpoints that were tried
 };
 
 class EncodeSession
@@ -100,6 +102,8 @@ private:
   bool CheckGrid();
   bool BeginPulling(bool hasInput);
   bool ChooseKeyViews(bool isReady);
+  bool ChooseGeometry(bool isReady);
+  void TryGeometry();
   bool BeginWriting();
   bool OpenParts();
 
@@ -131,6 +135,8 @@ private:
   std::optional<FieldWriter> Writer;
   std::optional<RateControl> Control; ///< rank 0
   KeyViewChoice Choice;
+  GeometryPlan Plan;
+  std::uint32_t Sample = 0; ///< stands for the field's samples
   bool Written = false;
   bool HasCheckedRoom = false;
   bool HasWarnedOfPreview = false;

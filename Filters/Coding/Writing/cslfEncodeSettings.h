@@ -25,8 +25,9 @@ struct EncodeSettings
   double DepthCRF = 0.0;
   int GroupLength = MaximumGroupLength;
   bool Lossless = false;
-  RateTarget Target{}; ///< replaces CRF, unless its kind is Factor
-  int KeyViewStep = 1; ///< see KeyViews; 0: found for NovelViewPSNR, see ChooseKeyViews
+  bool DepthFromGeometry = true; ///< readers compute from a geometry what it tells, unless lossless
+  RateTarget Target{};           ///< replaces CRF, unless its kind is Factor
+  int KeyViewStep = 1;           ///< see KeyViews; 0: found for NovelViewPSNR, see ChooseKeyViews
   double NovelViewPSNR = 0.0;
   std::string Codec = "hevc";
 };

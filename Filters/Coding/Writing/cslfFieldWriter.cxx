@@ -60,7 +60,7 @@ std::vector<int> FieldWriter::GetSlices(const std::vector<int>& groups) const
   return slices;
 }
 
-void FieldWriter::Begin(const Description& field, std::uint32_t sample)
+void FieldWriter::Begin(const Description& field, std::uint32_t sample, const GeometryPlan& plan)
 {
   FrameOrder order = MakeFrameOrder(field.Grid, this->Settings.GroupLength);
   this->Header.Groups = std::move(order.Groups);
@@ -76,7 +76,19 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
       this->Header.Field.Channels.push_back(*channel);
     }
   }
-  this->Coder.emplace(this->Settings, field, this->Header.Groups);
+  const ComputedChannels& computed = plan.GetComputed();
+  this->Header.HasGeometryDepth = computed.HasDepth;
+  this->Header.HasGeometryCoverage = computed.HasCoverage;
+  std::vector<TrackRole> roles;
+  if (computed.HasDepth)
+  {
+    roles.push_back(DepthRole);
+  }
+  if (computed.HasCoverage)
+  {
+    roles.push_back(CoverageRole);
+  }
+  this->Coder.emplace(this->Settings, field, this->Header.Groups, roles);
   this->Header.Tracks.clear();
   for (const Track& track : this->Coder->GetTracks())
   {
@@ -84,17 +96,18 @@ void FieldWriter::Begin(const Description& field, std::uint32_t sample)
       { track, 0, std::vector<std::uint32_t>(this->Header.Groups.size(), 0) });
   }
   this->States.assign(this->Header.Tracks.size(), TrackState());
-  this->Manifest = this->MakeManifest(sample);
+  this->Manifest = this->MakeManifest(sample, plan);
   this->ManifestNumber = NumberManifest(this->Manifest);
 }
 
-std::string FieldWriter::MakeManifest(std::uint32_t sample) const
+std::string FieldWriter::MakeManifest(std::uint32_t sample, const GeometryPlan& plan) const
 {
   const EncodeSettings& settings = this->Settings;
   const nlohmann::json manifest = { { "version", 3 }, { "cslf", CSLF_VERSION },
     { "codec", avcodec_version() }, { "ffmpeg", av_version_info() },
     { "libraries", FindLibraries(LibrariesOf(settings.Codec)) },
     { "description", this->Header.Field.ToJSON() }, { "sample", sample },
+    { "geometry", plan.GetChecksum() }, { "computes_coverage", plan.GetComputed().HasCoverage },
     { "coding", settings.Codec }, { "preset", settings.Preset },
     { "pixel_format", settings.PixelFormat }, { "crf", settings.CRF },
     { "coverage_crf", settings.CoverageCRF }, { "depth_crf", settings.DepthCRF },
@@ -117,7 +130,9 @@ double FieldWriter::GetContainerBytes(bool hasCoverage) const
   header.Missing.clear();
   if (!hasCoverage)
   {
-    header.Tracks.erase(header.Tracks.begin() + 1);
+    header.Tracks.erase(std::remove_if(header.Tracks.begin(), header.Tracks.end(),
+                          [](const CodedTrack& track) { return track.Kind.Role == CoverageRole; }),
+      header.Tracks.end());
   }
   const bool isMP4 = std::string(FindContainer(this->FileName)) == "mp4";
   const ContainerBytes& bytes = isMP4 ? BytesOfMP4 : BytesOfMatroska;
@@ -223,7 +238,9 @@ GroupCost FieldWriter::GetCost(const GroupParts& parts) const
   const std::vector<Track> tracks = this->Coder->GetTracks();
   const double container =
     MeasureContainer(this->FileName, tracks, this->Header.Field.Grid.GetResolution(), parts);
-  const double share = 1.0 / static_cast<double>(tracks.size());
+  const bool hasCoverage = std::any_of(
+    tracks.begin(), tracks.end(), [](const Track& track) { return track.Role == CoverageRole; });
+  const double share = hasCoverage ? 1.0 / static_cast<double>(tracks.size()) : 0.0;
   cost.CoverageBytes += share * container;
   cost.Bytes += (1.0 - share) * container;
   cost.SquaredError = parts.front().SquaredError;

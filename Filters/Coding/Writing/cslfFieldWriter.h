@@ -10,6 +10,7 @@
 #include "Coding/Containers/cslfFileHeader.h"
 #include "Coding/Frames/cslfFrameOrder.h"
 #include "Coding/Groups/cslfGroupCoder.h"
+#include "cslfGeometryPlan.h"
 #include "cslfPartStore.h"
 
 #include <cstdint>
@@ -37,7 +38,8 @@ public:
   std::vector<int> GetSlices(const std::vector<int>& groups) const;
 
   /// Fixes order and tracks. `field` has passed FindFault; `sample` stands for the field's samples.
-  void Begin(const Description& field, std::uint32_t sample);
+  /// Groups are made to fit to the plan before they are coded.
+  void Begin(const Description& field, std::uint32_t sample, const GeometryPlan& plan);
 
   /// What the file contains besides the field.
   void SetParts(const std::vector<FilePart>& parts) { this->Header.Parts = parts; }
@@ -141,7 +143,7 @@ private:
     Damaged
   };
 
-  std::string MakeManifest(std::uint32_t sample) const;
+  std::string MakeManifest(std::uint32_t sample, const GeometryPlan& plan) const;
   bool Join(
     const std::string& fileName, const std::function<bool(double)>& progress, std::string& error);
   double GetStoredBytes() const;

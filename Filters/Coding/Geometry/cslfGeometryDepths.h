@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The depth of a geometry as viewpoints of a field see it. Coded files can do without the channel
+ * Depth where readers compute it in this way.
+ */
+#ifndef cslfGeometryDepths_h
+#define cslfGeometryDepths_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfLayout.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+class vtkPolyData;
+
+namespace cslf
+{
+class VTKCSLF_EXPORT GeometryDepths
+{
+public:
+  /// The depth of texels whose ray meets no triangle. No other texel has it.
+  static constexpr unsigned short None = 65535;
+
+  /// Triangles in world coordinates.
+  GeometryDepths(vtkPolyData* triangles, const Cube& box, const Layout& grid);
+
+  const Layout& GetGrid() const { return this->Grid; }
+
+  /// Fills the strip of a viewpoint: for each texel, the first triangle that the ray to its centre
+  /// meets, as a fraction of the distance to the centre, from 0 to 65534. Triangles have two sides.
+  /// May be called by several threads at once.
+  void Draw(int slice, std::vector<unsigned short>& depths) const;
+
+private:
+  Layout Grid;
+  std::vector<glm::dvec3> Points;                ///< in CC
+  std::array<std::vector<float>, 3> Coordinates; ///< the same, axis by axis
+  std::vector<unsigned int> Corners;
+};
+}
+
+#endif
