@@ -38,10 +38,11 @@
  * two cases and draws everything.
  *
  * Pickers that use the graphics hardware find the field: vtkPropPicker and vtkWorldPointPicker
- * return the point on its surface, and vtkHardwareSelector returns as the cell the face of the
- * cube, from +X, -X to +Z, -Z, through which the line of sight enters. Pickers that intersect a
- * mapper's input themselves (vtkCellPicker, vtkPointPicker) find the image data that holds the
- * samples, which lies elsewhere.
+ * return the point on its surface, exactly if the field is drawn with its geometry, and
+ * vtkHardwareSelector returns as the cell the face of the cube, from +X, -X to +Z, -Z, through
+ * which the line of sight enters. Pickers that intersect a mapper's input themselves
+ * (vtkCellPicker, vtkPointPicker) find the image data that holds the samples, which lies elsewhere.
+ * To find the triangle under a pixel, let them search the geometry.
  *
  * A mapper can be drawn in several windows. Each window keeps the samples in its own graphics
  * memory until its resources are released.

@@ -3,12 +3,14 @@
 #include "vtkCSLFFieldWriter.h"
 
 #include "cslfGatherField.h"
+#include "cslfGeometryPort.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 vtkStandardNewMacro(vtkCSLFFieldWriter);
@@ -24,11 +26,12 @@ int vtkCSLFFieldWriter::Write()
   const int rank = controller ? controller->GetLocalProcessId() : 0;
   const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
   this->GetInputAlgorithm()->UpdatePiece(rank, ranks, 0);
+  vtkPolyData* geometry = this->UpdateGeometry();
   const vtkSmartPointer<vtkImageData> field = cslf::GatherField(this->GetInput(), controller);
   int outcome[2] = { 0, vtkErrorCode::NoError };
   if (rank == 0)
   {
-    outcome[0] = this->WriteAlone(field);
+    outcome[0] = this->WriteAlone(field, geometry);
     outcome[1] = static_cast<int>(this->GetErrorCode());
   }
   if (ranks > 1)
@@ -40,14 +43,30 @@ int vtkCSLFFieldWriter::Write()
 }
 
 //------------------------------------------------------------------------------
+// The geometry of the input's producer, or null if it has none. All ranks call this, because they
+// make it together.
+vtkPolyData* vtkCSLFFieldWriter::UpdateGeometry()
+{
+  vtkAlgorithmOutput* port = cslf::FindGeometryPort(this->GetInputConnection(0, 0));
+  if (!port)
+  {
+    return nullptr;
+  }
+  port->GetProducer()->Update(port->GetIndex());
+  return vtkPolyData::SafeDownCast(port->GetProducer()->GetOutputDataObject(port->GetIndex()));
+}
+
+//------------------------------------------------------------------------------
 // Writes a field that is complete here, without the other ranks.
-int vtkCSLFFieldWriter::WriteAlone(vtkImageData* field)
+int vtkCSLFFieldWriter::WriteAlone(vtkImageData* field, vtkPolyData* geometry)
 {
   const vtkSmartPointer<vtkMultiProcessController> controller = this->GetController();
   const vtkSmartPointer<vtkAlgorithmOutput> connection = this->GetInputConnection(0, 0);
   this->SetController(nullptr);
   this->SetInputData(field);
+  this->SetGeometryData(geometry);
   const int success = this->Superclass::Write();
+  this->SetGeometryData(nullptr);
   this->SetInputConnection(connection);
   this->SetController(controller);
   return success;

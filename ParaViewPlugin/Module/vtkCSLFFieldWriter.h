@@ -7,7 +7,8 @@
  * The whole field is made before it is coded, like all data in ParaView, and must fit in memory: if
  * it were pulled slab by slab, ParaView's pipeline would make its input again for each slab. With
  * several ranks, each makes its piece of the field, and rank 0 gathers and writes it. The frames of
- * the file are the same for any number of ranks.
+ * the file are the same for any number of ranks. The geometry of the sampler or reader that made
+ * the field is written with it.
  *
  * @sa vtkCSLFEncoder
  */
@@ -51,7 +52,8 @@ private:
   vtkCSLFFieldWriter(const vtkCSLFFieldWriter&) = delete;
   void operator=(const vtkCSLFFieldWriter&) = delete;
 
-  int WriteAlone(vtkImageData* field);
+  vtkPolyData* UpdateGeometry();
+  int WriteAlone(vtkImageData* field, vtkPolyData* geometry);
 };
 
 #endif

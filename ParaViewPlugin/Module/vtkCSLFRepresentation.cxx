@@ -3,10 +3,12 @@
 #include "vtkCSLFRepresentation.h"
 
 #include "cslfGatherField.h"
+#include "cslfGeometryPort.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithmOutput.h>
 #include <vtkBoundingBox.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -20,12 +22,22 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+namespace
+{
+// The ports of the representation's input, and of what it delivers to the rank that draws.
+constexpr int FieldPort = 0;
+constexpr int GeometryPort = 1;
+}
 
 vtkStandardNewMacro(vtkCSLFRepresentation);
 
 //------------------------------------------------------------------------------
 vtkCSLFRepresentation::vtkCSLFRepresentation()
 {
+  this->SetNumberOfInputPorts(2);
+  this->Geometry = vtkSmartPointer<vtkPolyData>::New();
   this->Actor->SetMapper(this->Mapper);
 }
 
@@ -33,12 +45,45 @@ vtkCSLFRepresentation::vtkCSLFRepresentation()
 vtkCSLFRepresentation::~vtkCSLFRepresentation() = default;
 
 //------------------------------------------------------------------------------
-int vtkCSLFRepresentation::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+int vtkCSLFRepresentation::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == FieldPort ? "vtkImageData" : "vtkPolyData");
   // A client or a render server may have none.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Connects the geometry of the field's producer, if it has any.
+void vtkCSLFRepresentation::ConnectGeometry()
+{
+  vtkAlgorithmOutput* geometry = this->GetNumberOfInputConnections(FieldPort) == 1
+    ? cslf::FindGeometryPort(this->GetInputConnection(FieldPort, 0))
+    : nullptr;
+  vtkAlgorithmOutput* connected = this->GetNumberOfInputConnections(GeometryPort) == 1
+    ? this->GetInputConnection(GeometryPort, 0)
+    : nullptr;
+  if (geometry != connected)
+  {
+    this->SetInputConnection(GeometryPort, geometry);
+    this->MarkModified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkCSLFRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  // The superclass requests pieces of the field. Geometry is not divided.
+  if (vtkInformation* geometry = inputVector[GeometryPort]->GetInformationObject(0))
+  {
+    geometry->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    geometry->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    geometry->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -56,6 +101,12 @@ int vtkCSLFRepresentation::RequestData(
     {
       this->Field = nullptr;
     }
+  }
+  this->Geometry = vtkSmartPointer<vtkPolyData>::New();
+  auto* geometry = vtkPolyData::GetData(inputVector[GeometryPort], 0);
+  if (geometry && this->Field)
+  {
+    this->Geometry->ShallowCopy(geometry);
   }
   this->UpdateOutline();
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -122,6 +173,10 @@ void vtkCSLFRepresentation::GetDrawnBounds(double bounds[6])
 int vtkCSLFRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->ConnectGeometry();
+  }
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;
@@ -129,7 +184,9 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     // A rank that receives a piece must announce one, too.
-    vtkPVView::SetPiece(inInfo, this, this->Field ? this->Field.Get() : this->NoField.Get());
+    vtkPVView::SetPiece(
+      inInfo, this, this->Field ? this->Field.Get() : this->NoField.Get(), 0, FieldPort);
+    vtkPVView::SetPiece(inInfo, this, this->Geometry, 0, GeometryPort);
     double bounds[6];
     this->GetDrawnBounds(bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
@@ -144,19 +201,25 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    auto* field = vtkImageData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
-    if (field && field->GetNumberOfPoints() > 0)
-    {
-      this->Mapper->SetInputConnection(vtkPVRenderView::GetPieceProducer(inInfo, this));
-      this->Actor->SetVisibility(this->GetVisibility());
-    }
-    else
-    {
-      this->Mapper->RemoveAllInputs();
-      this->Actor->SetVisibility(false);
-    }
+    this->ReceivePieces(inInfo);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Connects the mapper to what has been delivered to this process.
+void vtkCSLFRepresentation::ReceivePieces(vtkInformation* info)
+{
+  auto* field = vtkImageData::SafeDownCast(vtkPVView::GetDeliveredPiece(info, this, FieldPort));
+  auto* geometry =
+    vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(info, this, GeometryPort));
+  const bool hasField = field && field->GetNumberOfPoints() > 0;
+  const bool hasGeometry = hasField && geometry && geometry->GetNumberOfCells() > 0;
+  this->Mapper->SetInputConnection(
+    FieldPort, hasField ? vtkPVRenderView::GetPieceProducer(info, this, FieldPort) : nullptr);
+  this->Mapper->SetInputConnection(GeometryPort,
+    hasGeometry ? vtkPVRenderView::GetPieceProducer(info, this, GeometryPort) : nullptr);
+  this->Actor->SetVisibility(hasField && this->GetVisibility());
 }
 
 //------------------------------------------------------------------------------
@@ -281,6 +344,7 @@ void vtkCSLFRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Field: " << this->Field.Get() << "\n";
+  os << indent << "Geometry: " << this->Geometry.Get() << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

@@ -9,8 +9,12 @@
  * those of the image data. Image data that is not a whole light field is an error, and nothing is
  * drawn.
  *
- * If several ranks have each made a part of the field, rank 0 gathers all parts. Only rank 0 or the
- * client draws the field: ParaView decides by the field's size.
+ * The geometry of the sampler or reader that made the field is found in the pipeline, for the
+ * lookup GEOMETRY.
+ *
+ * If several ranks have each made a part of the field, rank 0 gathers all parts. Each rank has the
+ * whole geometry, and rank 0 delivers its own. Only rank 0 or the client draws the field: ParaView
+ * decides by its size.
  *
  * @sa vtkCSLFMapper
  */
@@ -20,6 +24,7 @@
 #include "vtkCSLFParaViewModule.h" // for export macro
 #include "vtkNew.h"                // for vtkNew
 #include "vtkPVDataRepresentation.h"
+#include "vtkPolyData.h"     // for the geometry
 #include "vtkSmartPointer.h" // for vtkSmartPointer
 
 class vtkActor;
@@ -78,6 +83,7 @@ protected:
   ~vtkCSLFRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
@@ -86,7 +92,9 @@ private:
   vtkCSLFRepresentation(const vtkCSLFRepresentation&) = delete;
   void operator=(const vtkCSLFRepresentation&) = delete;
 
+  void ConnectGeometry();
   void UpdateOutline();
+  void ReceivePieces(vtkInformation* info);
   void GetDrawnBounds(double bounds[6]);
 
   vtkNew<vtkCSLFMapper> Mapper;
@@ -94,8 +102,9 @@ private:
   vtkNew<vtkCSLFMapper>
     BoundsMapper; // never draws: gives the field's cube before the field is sent
   vtkNew<vtkOutlineSource> Outline;
-  vtkSmartPointer<vtkImageData> Field; // null if there is none, and on ranks above 0
-  vtkNew<vtkImageData> NoField;        // empty
+  vtkSmartPointer<vtkImageData> Field;   // null if there is none, and on ranks above 0
+  vtkNew<vtkImageData> NoField;          // empty
+  vtkSmartPointer<vtkPolyData> Geometry; // empty if there is none, and on ranks above 0
 };
 
 #endif

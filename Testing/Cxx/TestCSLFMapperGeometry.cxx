@@ -24,9 +24,12 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropPicker.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWorldPointPicker.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -117,6 +120,33 @@ double GetRed(const cslf::testing::Picture& picture)
   }
   return sum;
 }
+
+/// The point that a picker finds under a place of the scene, and that place, must be the same.
+template <class Picker>
+void CheckPick(cslf::testing::View& view, const double (&place)[3])
+{
+  view.Renderer->SetWorldPoint(place[0], place[1], place[2], 1.0);
+  view.Renderer->WorldToDisplay();
+  const double* pixel = view.Renderer->GetDisplayPoint();
+  vtkNew<Picker> picker;
+  picker->Pick(std::floor(pixel[0]), std::floor(pixel[1]), 0.0, view.Renderer);
+  const double* found = picker->GetPickPosition();
+  // Beside each other by less than a pixel, and exactly on the surface.
+  CSLF_CHECK_NEAR(found[0], place[0], 0.015);
+  CSLF_CHECK_NEAR(found[1], place[1], 0.015);
+  CSLF_CHECK_NEAR(found[2], place[2], 0.0005);
+}
+
+/// On a slat, and on the wall between slats.
+void CheckPicks(cslf::testing::View& view)
+{
+  for (const double z : { 0.35, -0.85 })
+  {
+    const double place[3] = { 0.1, z > 0.0 ? -0.05 : 0.05, z };
+    CheckPick<vtkWorldPointPicker>(view, place);
+    CheckPick<vtkPropPicker>(view, place);
+  }
+}
 }
 
 int TestCSLFMapperGeometry(int, char*[])
@@ -159,6 +189,12 @@ int TestCSLFMapperGeometry(int, char*[])
   }
   CSLF_CHECK(lowest > 29.0);
   mapper->SetLookupToGeometry();
+
+  // Pickers find the surfaces where they are.
+  camera->SetPosition(0.1, 0.0, 4.0);
+  camera->SetFocalPoint(0.1, 0.0, 0.0);
+  view.Render();
+  CheckPicks(view);
 
   // What a plane cuts away does not hide the rest.
   camera->SetPosition(0.0, -0.05, 4.0);

@@ -11,7 +11,11 @@ from cslfparaview import *
 def show():
     """Bakes on the server, or here, and shows the field."""
     view = make_view()
-    Show(bake(make_scene(), Viewpoints=3, Resolution=32, Samples=4), view)
+    field = bake(make_scene(), Viewpoints=3, Resolution=32, Samples=4)
+    check(Show(field, view).LookupMode == "Geometry", "geometry is not the default")
+    UpdatePipeline(proxy=OutputPort(field, 1))
+    triangles = field.GetDataInformation(1).GetNumberOfCells()
+    check(triangles > 100, f"{triangles} triangles")
     look(view)
     return view
 
