@@ -226,7 +226,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   const int wantedSamples =
     std::clamp(std::min(std::max(ofTexels, view.Samples), fitting), 1, mostSamples);
   // While the view moves, all passes of a picture share the result of the first.
-  const bool isComplete = this->Share == 1.0 && this->Samples == wantedSamples;
+  const bool isComplete =
+    this->Share == 1.0 && this->Samples == wantedSamples && !(this->IsMoving && this->IsOnGeometry);
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
     this->Current == view && this->Changes == field.GetChanges() &&
     (isComplete || seconds < StillSeconds);
@@ -237,6 +238,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->Window = window;
   this->Viewport = viewport;
   this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
+  this->IsMoving = seconds < StillSeconds;
   this->ChooseSize(view.Lookup, wantedSamples, seconds);
   this->Current = view;
   this->Changes = field.GetChanges();
@@ -247,7 +249,7 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
-  if (seconds < StillSeconds)
+  if (this->IsMoving)
   {
     glFinish();
     this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
@@ -483,15 +485,15 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
   const bool isAll = this->Current.Geometry->IsComplete && field.GetField().SceneBounds.has_value();
   if (!isAll)
   {
+    // What is hidden from the four views around such a ray is more often nothing than a surface.
     this->DrawFaces(field, *this->Miss, EmptyMark);
     this->DrawFaces(field, *this->Search, SearchMark);
-    this->DrawFaces(field, *this->Rest, RestMark);
   }
   state->vtkglDepthFunc(GL_GREATER);
   this->DrawFaces(field, *this->Near, NearMark);
   this->DrawFaces(field, *this->Far, FarMark);
   const auto& faces = this->Current.EntryFaces;
-  if (std::count(faces.begin(), faces.end(), true) > 1)
+  if (!this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
   {
     this->DrawFaces(field, *this->Other, OtherMark, true);
   }

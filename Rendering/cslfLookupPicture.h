@@ -126,6 +126,7 @@ private:
   std::array<int, 4> Area{ 0, 0, 0, 0 }; ///< of the viewport that the picture covers: x, y, size
   int Samples = 1;                 ///< the number of rays along a side of a pixel of the viewport
   double Share = 1.0;              ///< the same, as far as there is time while the view moves
+  bool IsMoving = false;           ///< the view, when the picture was drawn
   std::array<int, 2> Size{ 1, 1 }; ///< the number of rays
   double PixelSeconds = 0.0;       ///< for a pixel at the last measurement; 0 before
   bool IsSearched = false;         ///< by depth or geometry, which takes several passes
