@@ -475,7 +475,6 @@ void LookupPicture::DrawPicture(FieldTexture& field)
 // Rays that meet the geometry are looked up there, others are searched.
 void LookupPicture::DrawSurfaces(FieldTexture& field)
 {
-  vtkOpenGLState* state = this->Window->GetState();
   this->Surfaces.Draw(this->Window, this->Framebuffer, this->Current.Geometry,
     CutOut(this->Current.CCDC, this->Viewport, this->Area), this->Current.IsEyeInside,
     this->Current.ClippingPlanesCC, this->Size, this->Picture.Colors->GetVTKDataType());
@@ -489,7 +488,14 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
     this->DrawFaces(field, *this->Miss, EmptyMark);
     this->DrawFaces(field, *this->Search, SearchMark);
   }
-  state->vtkglDepthFunc(GL_GREATER);
+  this->DrawPoints(field);
+  this->Surfaces.Deactivate();
+}
+
+// Each pass looks up the marked pixels that earlier ones have left.
+void LookupPicture::DrawPoints(FieldTexture& field)
+{
+  this->Window->GetState()->vtkglDepthFunc(GL_GREATER);
   this->DrawFaces(field, *this->Near, NearMark);
   this->DrawFaces(field, *this->Far, FarMark);
   const auto& faces = this->Current.EntryFaces;
@@ -503,7 +509,6 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
     this->DrawFaces(field, *this->Search, SeenMark);
     this->DrawFaces(field, *this->Rest, UnseenMark);
   }
-  this->Surfaces.Deactivate();
 }
 
 void LookupPicture::DrawSearched(FieldTexture& field)

@@ -104,6 +104,7 @@ private:
   void ReleasePrograms();
   void DrawPicture(FieldTexture& field);
   void DrawSurfaces(FieldTexture& field);
+  void DrawPoints(FieldTexture& field);
   void DrawSearched(FieldTexture& field);
 
   /// Clears a target and draws to it from now on, perhaps with its marks.
