@@ -6,11 +6,11 @@ list(APPEND classes ../Rendering/vtkCSLFMapper ../Rendering/vtkCSLFToneMapping)
 list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
-  FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL Residency Sight SightSeries
-  SurfacePicture TilePool ViewpointLevels ViewpointSource)
+  ClosedParts FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL Residency Sight
+  SightSeries SurfacePicture TilePool ViewpointLevels ViewpointSource)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
-foreach (shader IN ITEMS Color Cube Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS
+foreach (shader IN ITEMS Color Cube Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS MeanFS
     Normals PictureFS PictureVS SceneGrid Surface SurfaceFS ToneMapping)
   list(APPEND shaders "${CSLF_SOURCE_DIR}/Rendering/Shaders/cslf${shader}.glsl")
 endforeach ()

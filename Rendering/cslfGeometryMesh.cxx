@@ -5,6 +5,7 @@
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfChannel.h"
+#include "cslfClosedParts.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -65,6 +66,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
     [](const glm::vec4& color) { return color.w > 0.0f; });
   mesh->IsComplete = IsComplete(geometry);
   mesh->Corners = ListCorners(triangles);
+  mesh->ClosedCorners = SortClosedParts(mesh->PointsCC, mesh->Corners);
   return mesh;
 }
 }

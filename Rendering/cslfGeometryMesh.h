@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,6 +26,9 @@ struct GeometryMesh
   std::vector<glm::vec3> PointsCC;
   std::vector<glm::vec4> Colors;      ///< of the points; transparent where there is none
   std::vector<std::uint32_t> Corners; ///< three for each triangle
+
+  /// The number of corners of closed parts, which come first, counterclockwise from outside.
+  std::size_t ClosedCorners = 0;
 
   /// Whether all points have a colour.
   bool HasColors = false;

@@ -13,6 +13,7 @@
 #include "cslfGuessGLSL.h"
 #include "cslfLookupConstantsGLSL.h"
 #include "cslfLookupGLSL.h"
+#include "cslfMeanFS.h"
 #include "cslfNormalsGLSL.h"
 #include "cslfOpenGL.h"
 #include "cslfPictureFS.h"
@@ -20,6 +21,7 @@
 #include "cslfSceneGridGLSL.h"
 #include "cslfSurfaceFS.h"
 #include "cslfSurfaceGLSL.h"
+#include "cslfToneMappingGLSL.h"
 #include "vtkCSLFMapper.h"
 
 #include <vtkMatrix4x4.h>
@@ -224,7 +226,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   const int wantedSamples =
     std::clamp(std::min(std::max(ofTexels, view.Samples), fitting), 1, mostSamples);
   // While the view moves, all passes of a picture share the result of the first.
-  const bool isComplete = this->Share == 1.0 && this->Samples == wantedSamples;
+  const bool isComplete =
+    this->Share == 1.0 && this->Samples == wantedSamples && !(this->IsMoving && this->IsOnGeometry);
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
     this->Current == view && this->Changes == field.GetChanges() &&
     (isComplete || seconds < StillSeconds);
@@ -235,17 +238,18 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->Window = window;
   this->Viewport = viewport;
   this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
+  this->IsMoving = seconds < StillSeconds;
   this->ChooseSize(view.Lookup, wantedSamples, seconds);
   this->Current = view;
   this->Changes = field.GetChanges();
   this->IsSearched = isSearched;
   this->IsOnGeometry = isOnGeometry;
   this->Allocate(field);
-  this->BuildPrograms(hasDepth);
+  this->BuildPrograms(field.GetField(), hasDepth);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
-  if (seconds < StillSeconds)
+  if (this->IsMoving)
   {
     glFinish();
     this->PixelSeconds = std::chrono::duration<double>(Clock::now() - start).count() /
@@ -299,7 +303,14 @@ void LookupPicture::Allocate(const FieldTexture& field)
   this->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
   const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
-  this->Picture.Allocate(this->Window, this->Size, colorType, this->IsSearched);
+  const bool isMean = this->Samples > 1;
+  this->Picture.Allocate(this->Window,
+    isMean ? std::array<int, 2>{ this->Area[2], this->Area[3] } : this->Size, colorType,
+    this->IsSearched && !isMean);
+  if (isMean)
+  {
+    this->Rays.Allocate(this->Window, this->Size, colorType, this->IsSearched);
+  }
   if (this->IsSearched && !this->IsOnGeometry)
   {
     const double edge = FindEdge(this->Current, this->Viewport) * this->Samples * this->Share;
@@ -313,15 +324,16 @@ void LookupPicture::Allocate(const FieldTexture& field)
 }
 
 // Branches cost time even if they are not taken, so each program has only its own lookup.
-void LookupPicture::BuildPrograms(bool hasDepth)
+void LookupPicture::BuildPrograms(const Description& field, bool hasDepth)
 {
+  const bool isLinear = field.FindChannel(KnownChannel::Color)->Encoding == LinearEncoding;
   // Indexed by vtkCSLFMapper::LookupType. The last two are for fields without depth; others are
   // searched.
   static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
     "LookupFocal", "LookupFocal", "LookupFocal" };
   static_assert(
     std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
-  const std::pair<int, bool> wanted(this->Current.Lookup, hasDepth);
+  const std::array<int, 3> wanted{ this->Current.Lookup, hasDepth, isLinear };
   if (this->Search && wanted == this->Built)
   {
     return;
@@ -350,10 +362,10 @@ void LookupPicture::BuildPrograms(bool hasDepth)
     std::string point = cslfSurfaceFS;
     vtkShaderProgram::Substitute(
       point, "//CSLF::Lookup::Dec", functions + cslfNormalsGLSL + cslfSurfaceGLSL);
-    this->OnSurface = build(point, "LookupOwn", "\n#define ANY_FACE\n#define ONLY_MARK");
+    this->OnSurface = build(point, "LookupOwn", "\n#define ONLY_MARK");
     this->Near = build(point, "LookupNear");
     this->Far = build(point, "LookupFar");
-    this->Other = build(point, "LookupFar", "\n#define ANY_FACE");
+    this->Other = build(point, "LookupFar", "\n#define OTHER_FACE");
     this->Own = build(point, "LookupOwn", "\n#define ANY_FACE");
     this->Miss = build(ray, "LookupEmpty");
   }
@@ -368,12 +380,16 @@ void LookupPicture::BuildPrograms(bool hasDepth)
   {
     this->Rest = build(ray, "LookupUnseen");
   }
+  std::string mean = cslfMeanFS;
+  vtkShaderProgram::Substitute(mean, "//CSLF::Constants::Dec", cslfLookupConstantsGLSL);
+  vtkShaderProgram::Substitute(mean, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
+  this->Mean = build(mean, "", isLinear ? "\n#define LINEAR_COLOR" : "");
 }
 
 void LookupPicture::ReleasePrograms()
 {
   for (auto* program : { &this->Search, &this->Miss, &this->Check, &this->GuessSearch, &this->Rest,
-         &this->OnSurface, &this->Near, &this->Far, &this->Other, &this->Own })
+         &this->Mean, &this->OnSurface, &this->Near, &this->Far, &this->Other, &this->Own })
   {
     program->reset();
   }
@@ -446,8 +462,12 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   }
   else
   {
-    this->Begin(this->Picture, false);
+    this->Begin(this->GetRays(), false);
     this->DrawFaces(field, *this->Search, SearchMark);
+  }
+  if (this->Samples > 1)
+  {
+    this->DrawMeans();
   }
   state->PopFramebufferBindings();
 }
@@ -455,32 +475,40 @@ void LookupPicture::DrawPicture(FieldTexture& field)
 // Rays that meet the geometry are looked up there, others are searched.
 void LookupPicture::DrawSurfaces(FieldTexture& field)
 {
-  vtkOpenGLState* state = this->Window->GetState();
   this->Surfaces.Draw(this->Window, this->Framebuffer, this->Current.Geometry,
-    CutOut(this->Current.CCDC, this->Viewport, this->Area), this->Current.ClippingPlanesCC,
-    this->Size, this->Picture.Colors->GetVTKDataType());
-  this->Begin(this->Picture, true);
-  state->vtkglEnable(GL_DEPTH_TEST);
+    CutOut(this->Current.CCDC, this->Viewport, this->Area), this->Current.IsEyeInside,
+    this->Current.ClippingPlanesCC, this->Size, this->Picture.Colors->GetVTKDataType());
   this->Surfaces.Activate();
-  this->DrawFaces(field, *this->OnSurface, SurfaceMark, true);
+  this->Begin(this->GetRays(), true);
+  this->DrawMarks(*this->OnSurface, SurfaceMark);
   const bool isAll = this->Current.Geometry->IsComplete && field.GetField().SceneBounds.has_value();
   if (!isAll)
   {
+    // What is hidden from the four views around such a ray is more often nothing than a surface.
     this->DrawFaces(field, *this->Miss, EmptyMark);
     this->DrawFaces(field, *this->Search, SearchMark);
-    this->DrawFaces(field, *this->Rest, RestMark);
   }
-  state->vtkglDepthFunc(GL_GREATER);
+  this->DrawPoints(field);
+  this->Surfaces.Deactivate();
+}
+
+// Each pass looks up the marked pixels that earlier ones have left.
+void LookupPicture::DrawPoints(FieldTexture& field)
+{
+  this->Window->GetState()->vtkglDepthFunc(GL_GREATER);
   this->DrawFaces(field, *this->Near, NearMark);
   this->DrawFaces(field, *this->Far, FarMark);
-  this->DrawFaces(field, *this->Other, OtherMark, true);
+  const auto& faces = this->Current.EntryFaces;
+  if (!this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
+  {
+    this->DrawFaces(field, *this->Other, OtherMark, true);
+  }
   this->DrawFaces(field, *this->Own, OwnMark, true);
   if (!this->Current.Geometry->HasColors)
   {
     this->DrawFaces(field, *this->Search, SeenMark);
     this->DrawFaces(field, *this->Rest, UnseenMark);
   }
-  this->Surfaces.Deactivate();
 }
 
 void LookupPicture::DrawSearched(FieldTexture& field)
@@ -492,9 +520,8 @@ void LookupPicture::DrawSearched(FieldTexture& field)
     this->DrawFaces(field, *this->GuessSearch, SearchMark);
     this->Guess.Depths->Activate();
   }
-  this->Begin(this->Picture, true);
+  this->Begin(this->GetRays(), true);
   // Later passes skip the results of earlier ones: early depth tests cull them.
-  this->Window->GetState()->vtkglEnable(GL_DEPTH_TEST);
   if (hasGuess)
   {
     this->DrawFaces(field, *this->Miss, MissMark);
@@ -503,6 +530,23 @@ void LookupPicture::DrawSearched(FieldTexture& field)
   }
   this->DrawFaces(field, *this->Search, SearchMark);
   this->DrawFaces(field, *this->Rest, RestMark);
+}
+
+void LookupPicture::DrawMeans()
+{
+  this->Begin(this->Picture, false);
+  this->Rays.Colors->Activate();
+  this->Rays.Depths->Activate();
+  vtkShaderProgram* program = this->Mean->Program;
+  this->Window->GetShaderCache()->ReadyShaderProgram(program);
+  program->SetUniformi("RayColors", this->Rays.Colors->GetTextureUnit());
+  program->SetUniformi("RayDepths", this->Rays.Depths->GetTextureUnit());
+  program->SetUniformi("RaysPerSide", this->Samples);
+  program->SetUniformi("IsWhole", true);
+  program->SetUniformf("MarkDC", 0.0F);
+  this->Mean->Render();
+  this->Rays.Colors->Deactivate();
+  this->Rays.Depths->Deactivate();
 }
 
 // All targets share one framebuffer object, because vtkOpenGLState confuses the draw buffers of
@@ -519,6 +563,8 @@ void LookupPicture::Begin(Target& target, bool marks)
   {
     this->Framebuffer->AddDepthAttachment(target.Marks);
   }
+  state->SetEnumState(GL_DEPTH_TEST, marks);
+  state->vtkglDepthFunc(GL_LESS);
   this->Framebuffer->ActivateDrawBuffers(2);
   state->vtkglViewport(0, 0, target.Size[0], target.Size[1]);
   state->vtkglScissor(0, 0, target.Size[0], target.Size[1]);
@@ -531,6 +577,17 @@ void LookupPicture::Begin(Target& target, bool marks)
     const float noMark = 1.0F;
     glClearBufferfv(GL_DEPTH, 0, &noMark);
   }
+}
+
+// Marks pixels of the whole picture.
+void LookupPicture::DrawMarks(vtkOpenGLQuadHelper& quad, float markDC)
+{
+  vtkShaderProgram* program = quad.Program;
+  this->Window->GetShaderCache()->ReadyShaderProgram(program);
+  this->Surfaces.SetUniforms(program);
+  program->SetUniformi("IsWhole", true);
+  program->SetUniformf("MarkDC", markDC);
+  quad.Render();
 }
 
 // Over each entry face, or each time over the whole picture.
@@ -567,10 +624,10 @@ void LookupPicture::SetUniforms(vtkShaderProgram* program) const
   const float origin[2] = { static_cast<float>(this->Viewport[0] + this->Area[0]),
     static_cast<float>(this->Viewport[1] + this->Area[1]) };
   program->SetUniform2f("PictureOrigin", origin);
-  const float scale[2] = { static_cast<float>(this->Size[0]) / static_cast<float>(this->Area[2]),
-    static_cast<float>(this->Size[1]) / static_cast<float>(this->Area[3]) };
+  const std::array<int, 2>& size = this->Picture.Size;
+  const float scale[2] = { static_cast<float>(size[0]) / static_cast<float>(this->Area[2]),
+    static_cast<float>(size[1]) / static_cast<float>(this->Area[3]) };
   program->SetUniform2f("PictureScale", scale);
-  program->SetUniformi("PictureSamples", this->Samples);
 }
 
 void LookupPicture::Deactivate()
@@ -587,6 +644,7 @@ void LookupPicture::Release(vtkWindow* window)
     this->Surfaces.Release(window);
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Picture.Release(window);
+    this->Rays.Release(window);
     this->Guess.Release(window);
     this->Window = nullptr;
   }

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <memory>
-#include <utility>
 #include <vector>
 
 class vtkOpenGLFramebufferObject;
@@ -30,6 +29,7 @@ class vtkWindow;
 
 namespace cslf
 {
+struct Description;
 class FieldTexture;
 
 /// A texture of colours and one of depths (z of DC) for the viewport. VTK draws an actor several
@@ -70,10 +70,6 @@ public:
   /// Compiles the programs for such pictures.
   void Compile(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field);
 
-  /// The number of the picture's pixels along each side of one of the viewport: more than 1 if they
-  /// are to be averaged.
-  int GetSamples() const { return this->Samples; }
-
   /// Whether the picture has fewer pixels than the viewport, to be interpolated.
   bool IsCoarse() const { return this->Share < 1.0; }
 
@@ -104,14 +100,22 @@ private:
     int mostSamples);
   void ChooseSize(int lookup, int wantedSamples, double seconds);
   void Allocate(const FieldTexture& field);
-  void BuildPrograms(bool hasDepth);
+  void BuildPrograms(const Description& field, bool hasDepth);
   void ReleasePrograms();
   void DrawPicture(FieldTexture& field);
   void DrawSurfaces(FieldTexture& field);
+  void DrawPoints(FieldTexture& field);
   void DrawSearched(FieldTexture& field);
 
   /// Clears a target and draws to it from now on, perhaps with its marks.
   void Begin(Target& target, bool marks);
+
+  /// Where rays are looked up: in the picture, unless pixels are means of several rays.
+  Target& GetRays() { return this->Samples > 1 ? this->Rays : this->Picture; }
+
+  /// The picture's pixels from their rays.
+  void DrawMeans();
+  void DrawMarks(vtkOpenGLQuadHelper& quad, float markDC);
   void DrawFaces(
     FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole = false);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
@@ -121,14 +125,16 @@ private:
   unsigned int Changes = 0; ///< of the field that the picture shows
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
   std::array<int, 4> Area{ 0, 0, 0, 0 }; ///< of the viewport that the picture covers: x, y, size
-  int Samples = 1;    ///< the number of the picture's pixels along a side of one of the viewport
-  double Share = 1.0; ///< the same, as far as there is time while the view moves
-  std::array<int, 2> Size{ 1, 1 };
-  double PixelSeconds = 0.0;               ///< for a pixel at the last measurement; 0 before
-  bool IsSearched = false;                 ///< by depth or geometry, which takes several passes
-  bool IsOnGeometry = false;               ///< rays that meet the geometry are not searched
-  std::pair<int, bool> Built{ -1, false }; ///< the programs: the lookup, and whether with depth
+  int Samples = 1;                 ///< the number of rays along a side of a pixel of the viewport
+  double Share = 1.0;              ///< the same, as far as there is time while the view moves
+  bool IsMoving = false;           ///< the view, when the picture was drawn
+  std::array<int, 2> Size{ 1, 1 }; ///< the number of rays
+  double PixelSeconds = 0.0;       ///< for a pixel at the last measurement; 0 before
+  bool IsSearched = false;         ///< by depth or geometry, which takes several passes
+  bool IsOnGeometry = false;       ///< rays that meet the geometry are not searched
+  std::array<int, 3> Built{ -1, 0, 0 }; ///< the programs: lookup, and whether depth and linear
   Target Picture;
+  Target Rays; ///< if there are several for each pixel
   Target Guess;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> GuessSearch; ///< a small picture's depths
@@ -139,7 +145,8 @@ private:
   std::unique_ptr<vtkOpenGLQuadHelper>
     Rest; ///< pixels for which the search found no visible surface
   SurfacePicture Surfaces;
-  std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks the pixels that show the geometry
+  std::unique_ptr<vtkOpenGLQuadHelper> Mean;      ///< the rays of a pixel
+  std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks these rays
   std::unique_ptr<vtkOpenGLQuadHelper> Near;      ///< points of the geometry, by the views around
   std::unique_ptr<vtkOpenGLQuadHelper> Far;       ///< by others of the entry face
   std::unique_ptr<vtkOpenGLQuadHelper> Other;     ///< by those of other faces

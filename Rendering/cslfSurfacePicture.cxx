@@ -18,11 +18,39 @@
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <cstdint>
 #include <string>
 #include <utility>
 
 namespace cslf
 {
+namespace
+{
+/// Whether the near side of the display cuts the cube open.
+bool IsCut(const DisplayRows& ccdc)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec4 point(
+      corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0, 1.0);
+    if (glm::dot(ccdc[2] + ccdc[3], point) < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether what is counterclockwise appears clockwise. Display coordinates are left-handed.
+bool IsMirrored(const DisplayRows& ccdc)
+{
+  return glm::determinant(glm::dmat4(ccdc[0], ccdc[1], ccdc[2], ccdc[3])) > 0.0;
+}
+}
+
 SurfacePicture::SurfacePicture() = default;
 
 SurfacePicture::~SurfacePicture() = default;
@@ -80,7 +108,7 @@ void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
 }
 
 void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-  const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc,
+  const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
   const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, int colorType)
 {
   vtkOpenGLState* state = window->GetState();
@@ -129,13 +157,28 @@ void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObj
     program->SetUniform4fv("ClippingPlanesCC", static_cast<int>(planes.size()),
       reinterpret_cast<const float(*)[4]>(planes.data()));
   }
+  this->DrawTriangles(state, !isEyeInside && planesCC.empty() && !IsCut(ccdc) && !IsMirrored(ccdc));
+  state->vtkglDisable(GL_DEPTH_TEST);
+}
+
+// Half of the triangles of closed parts face away from the eye.
+void SurfacePicture::DrawTriangles(vtkOpenGLState* state, bool hidesBacks)
+{
   this->Triangles.VAO->Bind();
   this->Triangles.IBO->Bind();
-  glDrawElements(
-    GL_TRIANGLES, static_cast<GLsizei>(this->Triangles.IBO->IndexCount), GL_UNSIGNED_INT, nullptr);
+  const std::size_t closed = hidesBacks ? this->Mesh->ClosedCorners : 0;
+  const auto draw = [](std::size_t first, std::size_t end)
+  {
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - first), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+  };
+  state->vtkglCullFace(GL_BACK);
+  state->vtkglEnable(GL_CULL_FACE);
+  draw(0, closed);
+  state->vtkglDisable(GL_CULL_FACE);
+  draw(closed, this->Triangles.IBO->IndexCount);
   this->Triangles.IBO->Release();
   this->Triangles.VAO->Release();
-  state->vtkglDisable(GL_DEPTH_TEST);
 }
 
 void SurfacePicture::Activate()

@@ -23,6 +23,7 @@
 class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -39,10 +40,10 @@ public:
   SurfacePicture(const SurfacePicture&) = delete;
   SurfacePicture& operator=(const SurfacePicture&) = delete;
 
-  /// Draws a mesh, except where any of the planes is negative. Colours have that type. Binds the
-  /// framebuffer.
+  /// Draws a mesh, except where any of the planes is negative. Closed parts hide their backs if the
+  /// eye is outside of the cube. Colours have that type. Binds the framebuffer.
   void Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
-    const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc,
+    const std::shared_ptr<const GeometryMesh>& mesh, const DisplayRows& ccdc, bool isEyeInside,
     const std::vector<glm::dvec4>& planesCC, const std::array<int, 2>& size, int colorType);
 
   /// Binds the textures to texture units, until Deactivate.
@@ -59,6 +60,7 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType);
   void Upload();
   void Build(vtkOpenGLRenderWindow* window, std::size_t planes);
+  void DrawTriangles(vtkOpenGLState* state, bool hidesBacks);
 
   std::shared_ptr<const GeometryMesh> Mesh; ///< that was uploaded
   std::array<int, 2> Size{ 0, 0 };

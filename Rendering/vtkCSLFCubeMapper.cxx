@@ -314,11 +314,7 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
     options +=
       "#define CLIPPING_PLANES " + std::to_string(this->View.ClippingPlanesCC.size()) + "\n";
   }
-  if (this->Picture.GetSamples() > 1)
-  {
-    options += "#define PICTURE_SAMPLES\n";
-  }
-  else if (this->Picture.IsCoarse())
+  if (this->Picture.IsCoarse())
   {
     options += "#define PICTURE_COARSE\n";
   }

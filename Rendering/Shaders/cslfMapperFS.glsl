@@ -8,8 +8,7 @@
 // Options, defined only where they apply:
 //   LINEAR_COLOR     the field holds linear values, otherwise sRGB-encoded ones
 //   CLIPPING_PLANES  how many planes cut the picture
-//   PICTURE_SAMPLES  the picture has several pixels for each of the window, to be averaged
-//   PICTURE_COARSE   it has fewer, to be interpolated
+//   PICTURE_COARSE   the picture has fewer pixels than the window, to be interpolated
 //   TONE_MAPPING     vtkCSLFToneMapping::Curves, unless colours are shown as they are
 //   RENDER_PASS      a render pass may ask for the surface's position and normal
 
@@ -28,7 +27,6 @@ uniform vec2 ViewportOrigin;    // in the window, in pixels
 uniform vec2 PixelSizeDC;       // of the window's pixels
 uniform vec2 PictureOrigin;     // of the picture in the window, in pixels
 uniform vec2 PictureScale;      // pixels of the picture along each side of one of the window
-uniform int PictureSamples;     // the same, if they are averaged
 uniform float Opacity;
 uniform int CoveragePass;       // 0: all, 1: fully covered pixels, 2: partly covered pixels
 #ifdef CLIPPING_PLANES
@@ -71,43 +69,11 @@ vec3 GetDisplayColor(vec3 color)
 #endif
 }
 
-// A pixel is the mean of the light of its rays, with associated alpha.
-vec4 ToLight(vec4 color)
-{
-#ifdef LINEAR_COLOR
-  return color;
-#else
-  return vec4(color.a * SRGBToLinear(color.rgb / max(color.a, 0.001)), color.a);
-#endif
-}
-
-vec4 FromLight(vec4 light)
-{
-#ifdef LINEAR_COLOR
-  return light;
-#else
-  return vec4(light.a * LinearToSRGB(light.rgb / max(light.a, 0.001)), light.a);
-#endif
-}
-
 // The picture's colour and z of DC for the fragment.
 vec4 ReadPicture(out float z)
 {
   vec2 position = gl_FragCoord.xy - PictureOrigin;
-#ifdef PICTURE_SAMPLES
-  ivec2 first = ivec2(position) * PictureSamples;
-  vec4 sum = vec4(0.0);
-  z = MissDC;
-  for (int y = 0; y < PictureSamples; ++y)
-  {
-    for (int x = 0; x < PictureSamples; ++x)
-    {
-      sum += ToLight(texelFetch(PictureColor, first + ivec2(x, y), 0));
-      z = min(z, texelFetch(PictureDepth, first + ivec2(x, y), 0).r);
-    }
-  }
-  return FromLight(sum / float(PictureSamples * PictureSamples));
-#elif defined(PICTURE_COARSE)
+#ifdef PICTURE_COARSE
   vec2 inPicture = position * PictureScale;
   ivec2 last = textureSize(PictureColor, 0) - 1;
   ivec2 low = max(ivec2(inPicture - 0.5), 0);

@@ -17,20 +17,9 @@ struct GeometryPoint
 // How a view sees a point of the geometry.
 struct Sighting
 {
-  Place At;
-  vec4 Texels; // the weights of the texels around the place, of those that lie on the surface
-  float Share; // their sum
-};
-
-// Up to four sightings.
-struct Sightings
-{
-  Sighting First;
-  Sighting Second;
-  Sighting Third;
-  Sighting Fourth;
-  vec4 Weights;
-  int Count;
+  ivec3 Address; // of the texels around the place: the first of four
+  vec4 Texels;   // the weights of those that lie on the surface
+  float Share;   // their sum
 };
 
 ivec2 PictureTexel()
@@ -76,64 +65,18 @@ Sighting See(View view, GeometryPoint surface)
     weight.x * (1.0 - weight.y), (1.0 - weight.x) * (1.0 - weight.y));
   float isSeen = step(LeastFacing * length(way), facing) * IsKept(seen.At);
   Sighting sighting;
-  sighting.At = seen.At;
+  sighting.Address = TexelAddress(seen.At, base);
   sighting.Texels =
     isSeen * shares * vec4(lessThan(abs(inverse - expected), vec4(tolerance)));
   sighting.Share = dot(sighting.Texels, vec4(1.0));
   return sighting;
 }
 
-void Add(inout Sightings found, Sighting sighting, float weight)
-{
-  if (sighting.Share * weight <= 0.0 || found.Count == 4)
-  {
-    return;
-  }
-  float amount = sighting.Share * weight;
-  if (found.Count == 0)
-  {
-    found.First = sighting;
-    found.Weights.x = amount;
-  }
-  else if (found.Count == 1)
-  {
-    found.Second = sighting;
-    found.Weights.y = amount;
-  }
-  else if (found.Count == 2)
-  {
-    found.Third = sighting;
-    found.Weights.z = amount;
-  }
-  else
-  {
-    found.Fourth = sighting;
-    found.Weights.w = amount;
-  }
-  ++found.Count;
-}
-
-// The sightings by the four viewpoints around the entry.
-Sightings SeeFromAround(ViewCell views, GeometryPoint surface)
-{
-  Sightings found;
-  found.First = See(views.View00, surface);
-  found.Second = See(views.View10, surface);
-  found.Third = See(views.View01, surface);
-  found.Fourth = See(views.View11, surface);
-  found.Weights = (ListWeights(views) + LeastWeight) *
-    vec4(found.First.Share, found.Second.Share, found.Third.Share, found.Fourth.Share);
-  found.Count = 4;
-  return found;
-}
-
-// The mean of what views see at the texels on the surface, with their alpha. Where a texel is
+// The sum of what a view sees at the texels on the surface, with their alpha. Where a texel is
 // covered only in part, it shows a silhouette, which is the geometry's business.
 vec4 ReadSurfaceColor(Sighting sighting)
 {
-  vec2 base = clamp(floor(clamp(TexelPosition(sighting.At), 0.5, Resolution - 0.5) - 0.5), 0.0,
-    max(Resolution - 2.0, 0.0));
-  ivec3 address = TexelAddress(sighting.At, base);
+  ivec3 address = sighting.Address;
   vec4 texel01 = texelFetch(ColorTexture, address + ivec3(0, 1, 0), 0);
   vec4 texel11 = texelFetch(ColorTexture, address + ivec3(1, 1, 0), 0);
   vec4 texel10 = texelFetch(ColorTexture, address + ivec3(1, 0, 0), 0);
@@ -142,16 +85,18 @@ vec4 ReadSurfaceColor(Sighting sighting)
     sighting.Texels.w * texel00;
 }
 
-vec4 BlendSightings(Sightings found)
+// Colours are added up view by view, because keeping all sightings until the end would take many
+// registers.
+void Add(inout vec4 sum, inout float share, View view, float weight, GeometryPoint surface)
 {
-  vec4 weights = found.Weights /
-    max(vec4(found.First.Share, found.Second.Share, found.Third.Share, found.Fourth.Share),
-      vec4(LeastWeight));
-  vec4 color = weights.x * ReadSurfaceColor(found.First);
-  color += weights.y * ReadSurfaceColor(found.Second);
-  color += weights.z * ReadSurfaceColor(found.Third);
-  color += weights.w * ReadSurfaceColor(found.Fourth);
-  return color.a > 0.0 ? color / color.a : vec4(0.0);
+  Sighting sighting = See(view, surface);
+  sum += weight * ReadSurfaceColor(sighting);
+  share += weight * sighting.Share;
+}
+
+vec4 ToMean(vec4 sum)
+{
+  return sum.a > 0.0 ? sum / sum.a : vec4(0.0);
 }
 
 // How near a viewpoint is to the line of sight, as a weight.
@@ -162,52 +107,92 @@ float NearnessOf(vec2 viewpoint, GeometryPoint surface)
   return 1.0 / (away * away);
 }
 
-// The nearest viewpoint to a place on the face.
-View FindView(vec2 coordinates)
+// The nearest viewpoint to a place on the face: its coordinates and slot.
+vec3 FindViewpoint(vec2 coordinates)
 {
   Cell cell = FindCell(coordinates);
   bvec2 isUpper = greaterThan(coordinates - cell.Lower, cell.Upper - coordinates);
   float slot = isUpper.x ? (isUpper.y ? cell.Slots.w : cell.Slots.y)
                          : (isUpper.y ? cell.Slots.z : cell.Slots.x);
-  return MakeView(slot, mix(cell.Lower, cell.Upper, isUpper), vec2(1.0));
+  return vec3(mix(cell.Lower, cell.Upper, isUpper), slot);
 }
 
-// The sightings by viewpoints in rings around the entry: those of the first ring that has any.
-Sightings SeeFromAfar(GeometryPoint surface)
+bool IsFacing(vec2 viewpoint, GeometryPoint surface)
 {
-  Sighting none = Sighting(Place(SlicePlace(0.0, 0.0), AbsentSlot, vec2(0.0)), vec4(0.0), 0.0);
-  Sightings found = Sightings(none, none, none, none, vec4(0.0), 0);
-  Cell inner = FindCell(surface.Entry);
-  vec2 size = inner.Upper - inner.Lower;
-  float rings = floor(2.0 / min(size.x, size.y) + 0.5);
-  for (float ring = 1.0; found.Count == 0 && ring <= rings; ring += max(1.0, floor(RingGrowth * ring)))
-  {
-    for (int i = 0; i < 8; ++i)
-    {
-      vec2 way = vec2(i == 0 || i == 1 || i == 7 ? 1.0 : i == 2 || i == 6 ? 0.0 : -1.0,
-        i > 0 && i < 4 ? 1.0 : i == 0 || i == 4 ? 0.0 : -1.0);
-      vec2 place = surface.Entry + ring * size * way;
-      if (all(lessThan(abs(place), vec2(1.0) + 0.5 * size)))
-      {
-        View view = FindView(clamp(place, -1.0, 1.0));
-        Add(found, See(view, surface), NearnessOf(view.Position, surface));
-      }
-    }
-  }
-  return found;
+  vec3 toView = vec3(viewpoint, 0.0) - surface.Point;
+  return dot(surface.Normal, toView) >= LeastFacing * length(toView);
 }
 
 // By the viewpoints around the entry. Nothing, if they see little of the point.
 vec4 LookupNear(GeometryPoint surface)
 {
-  Sightings found = SeeFromAround(FindViews(vec3(surface.Entry, 0.0)), surface);
-  return dot(found.Weights, vec4(1.0)) > EnoughSight ? BlendSightings(found) : vec4(0.0);
+  ViewCell views = FindViews(vec3(surface.Entry, 0.0));
+  vec4 weights = ListWeights(views) + LeastWeight;
+  vec4 sum = vec4(0.0);
+  float share = 0.0;
+  Add(sum, share, views.View00, weights.x, surface);
+  Add(sum, share, views.View10, weights.y, surface);
+  Add(sum, share, views.View01, weights.z, surface);
+  Add(sum, share, views.View11, weights.w, surface);
+  return share > EnoughSight ? ToMean(sum) : vec4(0.0);
 }
 
-// By viewpoints farther away.
+// Viewpoints in rings around the entry, 8 in each.
+struct Rings
+{
+  vec2 CellSize;
+  float Ring;
+  float Last; // less than the first if no viewpoint of the face can see the point
+  int Next;   // in the ring
+};
+
+Rings StartRings(GeometryPoint surface)
+{
+  Cell inner = FindCell(surface.Entry);
+  vec2 size = inner.Upper - inner.Lower;
+  bool isBehind =
+    abs(surface.Normal.x) + abs(surface.Normal.y) <= dot(surface.Normal, surface.Point);
+  return Rings(size, 1.0, isBehind ? 0.0 : floor(2.0 / min(size.x, size.y) + 0.5), 0);
+}
+
+// Goes on to the next viewpoint that the surface faces. False at the end of the rings, or of this
+// ring if it was enough. Without this, which is cheap, most viewpoints would be asked in vain.
+bool FindNext(inout Rings rings, bool isEnough, GeometryPoint surface, out vec3 viewpoint)
+{
+  viewpoint = vec3(0.0);
+  while (rings.Ring <= rings.Last && !(isEnough && rings.Next == 0))
+  {
+    int i = rings.Next;
+    vec2 way = vec2(i == 0 || i == 1 || i == 7 ? 1.0 : i == 2 || i == 6 ? 0.0 : -1.0,
+      i > 0 && i < 4 ? 1.0 : i == 0 || i == 4 ? 0.0 : -1.0);
+    vec2 place = surface.Entry + rings.Ring * rings.CellSize * way;
+    rings.Next = (i + 1) & 7;
+    rings.Ring += rings.Next == 0 ? max(1.0, floor(RingGrowth * rings.Ring)) : 0.0;
+    viewpoint = FindViewpoint(clamp(place, -1.0, 1.0));
+    if (all(lessThan(abs(place), vec2(1.0) + 0.5 * rings.CellSize)) &&
+      IsFacing(viewpoint.xy, surface))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// By viewpoints farther away: up to four of the first ring that has any.
 vec4 LookupFar(GeometryPoint surface)
 {
-  return BlendSightings(SeeFromAfar(surface));
+  Rings rings = StartRings(surface);
+  vec4 sum = vec4(0.0);
+  int count = 0;
+  vec3 viewpoint;
+  while (count < 4 && FindNext(rings, count > 0, surface, viewpoint))
+  {
+    float share = 0.0;
+    Add(sum, share, MakeView(viewpoint.z, viewpoint.xy, vec2(1.0)),
+      NearnessOf(viewpoint.xy, surface), surface);
+    count += share > 0.0 ? 1 : 0;
+  }
+  return ToMean(sum);
 }
 
 // The geometry's own colour.

@@ -7,7 +7,8 @@
 // Options:
 //   LOOKUP      the function that looks up a point
 //   ONLY_MARK   defined if only the mark counts
-//   ANY_FACE    defined if viewpoints are wanted on another face than that by which the ray enters
+//   ANY_FACE    defined if it does not matter by which face the ray enters
+//   OTHER_FACE  defined if it must not be the face that is being drawn
 //CSLF::Options::Dec
 
 //VTK::Output::Dec
@@ -34,11 +35,13 @@ void main()
   vec3 direction = EyeFC.w > 0.0 ? point - EyeFC.xyz : EyeFC.xyz;
   vec2 entry = point.xy - direction.xy * (point.z / direction.z);
   bool isWanted = direction.z > 0.0 && IsOnGeometry();
-#ifdef ANY_FACE
-  entry = clamp(entry, -1.0, 1.0);
-#else
-  isWanted = isWanted && all(lessThanEqual(abs(entry), vec2(1.0)));
+  bool isHere = all(lessThanEqual(abs(entry), vec2(1.0)));
+#if defined(OTHER_FACE)
+  isWanted = isWanted && !isHere;
+#elif !defined(ANY_FACE)
+  isWanted = isWanted && isHere;
 #endif
+  entry = clamp(entry, -1.0, 1.0);
   if (!isWanted)
   {
     discard;

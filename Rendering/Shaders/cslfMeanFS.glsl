@@ -1,0 +1,53 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Averages the rays of a pixel: colour and coverage by their mean, depth by the nearest.
+
+// Options:
+//   LINEAR_COLOR  defined if the field holds linear values, otherwise sRGB-encoded ones
+//CSLF::Options::Dec
+
+//VTK::Output::Dec
+
+uniform sampler2D RayColors;
+uniform sampler2D RayDepths; // z in DC
+uniform int RaysPerSide;     // of a pixel
+
+//CSLF::Constants::Dec
+//CSLF::ToneMapping::Dec
+
+// A pixel is the mean of the light of its rays, with associated alpha.
+vec4 ToLight(vec4 color)
+{
+#ifdef LINEAR_COLOR
+  return color;
+#else
+  return vec4(color.a * SRGBToLinear(color.rgb / max(color.a, 0.001)), color.a);
+#endif
+}
+
+vec4 FromLight(vec4 light)
+{
+#ifdef LINEAR_COLOR
+  return light;
+#else
+  return vec4(light.a * LinearToSRGB(light.rgb / max(light.a, 0.001)), light.a);
+#endif
+}
+
+void main()
+{
+  ivec2 first = ivec2(gl_FragCoord.xy) * RaysPerSide;
+  vec4 sum = vec4(0.0);
+  float z = MissDC;
+  for (int y = 0; y < RaysPerSide; ++y)
+  {
+    for (int x = 0; x < RaysPerSide; ++x)
+    {
+      sum += ToLight(texelFetch(RayColors, first + ivec2(x, y), 0));
+      z = min(z, texelFetch(RayDepths, first + ivec2(x, y), 0).r);
+    }
+  }
+  gl_FragData[0] = FromLight(sum / float(RaysPerSide * RaysPerSide));
+  gl_FragData[1] = vec4(z);
+}
