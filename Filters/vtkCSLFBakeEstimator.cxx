@@ -75,7 +75,10 @@ int RoundDown(double samples)
 /// Removes the measurements of a bake from a manifest, so that only the settings remain.
 void EraseMeasured(nlohmann::json& manifest)
 {
-  manifest.erase("sample");
+  for (const char* key : { "sample", "geometry", "computes_coverage" })
+  {
+    manifest.erase(key);
+  }
   const nlohmann::json::json_pointer cache("/description/sampling/cache");
   if (manifest.contains(cache))
   {
@@ -193,7 +196,8 @@ bool vtkCSLFBakeEstimator::RunProbe(cslf::BakeProbe& probe)
 cslf::BakeProbe vtkCSLFBakeEstimator::MakeProbe()
 {
   vtkNew<vtkCSLFEncoder> standard;
-  return { this->Sampler, GetSettings(this->Encoder ? this->Encoder.Get() : standard.Get()),
+  vtkCSLFEncoder* encoder = this->Encoder ? this->Encoder.Get() : standard.Get();
+  return { this->Sampler, GetSettings(encoder), encoder->GetNumberOfInputConnections(1) > 0,
     static_cast<cslf::BakeProbe::Format>(this->Format), this->ProbeSeconds };
 }
 

@@ -12,6 +12,8 @@
  * interpolated elsewhere. If the sampler already has a cache, it costs nothing.
  * - Groups of viewpoints, spread over the faces, are rendered and coded at a small size. They show
  * how the cost varies over the field.
+ * - If the encoder is connected to the sampler's output port 1, the geometry is made, and tells
+ * depth unless the encoder is told otherwise.
  * - A few of these groups are rendered and coded at full size as by the encoder, so the cost of
  * predicted frames is included. If one such group would take too long, the cost is extrapolated
  * from the largest size that does not.

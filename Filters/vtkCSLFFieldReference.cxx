@@ -275,21 +275,13 @@ private:
     return isDone;
   }
 
-  /// Whether the field's colours are those of the surfaces at the texels' centres.
-  bool HasSurfaceTexels() const
-  {
-    const auto sampling = nlohmann::json::parse(this->Description.Sampling, nullptr, false);
-    const auto found = sampling.find(cslf::options::SurfaceTexels.Key);
-    return found != sampling.end() && *found == true;
-  }
-
-  int GetCellSide() const { return this->HasSurfaceTexels() ? 1 : CellsOfMean; }
+  int GetCellSide() const { return this->Description.HasSurfaceTexels() ? 1 : CellsOfMean; }
 
   cslf::RenderSettings GetSettings() const
   {
     const int parts = Halves * this->GetCellSide() * this->GetCellSide();
     cslf::RenderSettings settings;
-    settings.SurfaceTexels = this->HasSurfaceTexels();
+    settings.SurfaceTexels = this->Description.HasSurfaceTexels();
     const int samples = this->Self->GetUsedSamples();
     settings.Samples = samples / parts + (samples % parts != 0);
     settings.Seed = static_cast<std::uint32_t>(

@@ -196,6 +196,13 @@ std::string FindMisfit(const Description& description, vtkImageData* image)
 }
 }
 
+bool Description::HasSurfaceTexels() const
+{
+  const JSON sampling = JSON::parse(this->Sampling, nullptr, false);
+  const auto found = sampling.find("surface_texels");
+  return found != sampling.end() && *found == true;
+}
+
 glm::dvec3 Description::GetSceneMinimumCC() const
 {
   if (!this->SceneBounds)

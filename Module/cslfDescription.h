@@ -58,7 +58,7 @@ struct VTKCSLF_EXPORT Description
   /// known. Lookups do not search outside.
   std::optional<std::array<double, 6>> SceneBounds;
   std::vector<Channel> Channels;
-  /// Sampling and scene parameters, a JSON object as text, for the record only.
+  /// Sampling and scene parameters, a JSON object as text, for the record.
   std::string Sampling = "{}";
   /// The channels that were left out of `Channels` because this version does not know their type.
   std::vector<std::string> Unknown;
@@ -72,6 +72,10 @@ struct VTKCSLF_EXPORT Description
   const Channel* FindChannel(const std::string& name) const;
   const Channel* FindChannel(KnownChannel id) const { return this->FindChannel(NameOf(id)); }
   ///@}
+
+  /// Whether, according to the record, the colours of texels are those of the surfaces at their
+  /// centres.
+  bool HasSurfaceTexels() const;
 
   /// The size of a texel of all channels of a valid description, in bytes.
   std::int64_t GetTexelBytes() const;

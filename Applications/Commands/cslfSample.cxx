@@ -117,6 +117,10 @@ vtkSmartPointer<vtkCSLFBakeEstimator> MakeEstimator(
 {
   vtkNew<vtkCSLFEncoder> encoder;
   options.Coding.Apply(encoder);
+  if (options.GeometryTriangles > 0)
+  {
+    encoder->SetInputConnection(1, sampler->GetOutputPort(1));
+  }
   auto estimator = vtkSmartPointer<vtkCSLFBakeEstimator>::New();
   estimator->SetSampler(sampler);
   estimator->SetEncoder(encoder);

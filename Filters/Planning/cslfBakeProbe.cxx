@@ -12,6 +12,7 @@
 #include <vtkLZ4DataCompressor.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -134,9 +135,11 @@ double CountArrays(vtkImageData* image)
 }
 }
 
-BakeProbe::BakeProbe(vtkCSLFSampler* sampler, EncodeSettings settings, Format kind, double seconds)
+BakeProbe::BakeProbe(
+  vtkCSLFSampler* sampler, EncodeSettings settings, bool hasGeometry, Format kind, double seconds)
   : Sampler(sampler)
   , Settings(std::move(settings))
+  , HasGeometry(hasGeometry)
   , Kind(kind)
   , Seconds(seconds)
   , Resolution(sampler->GetResolution())
@@ -163,11 +166,28 @@ double BakeProbe::GetCodingSeconds(const GroupCosts& costs) const
   return costs.CodingThreadSeconds / this->Threads * std::clamp(idle, 1.0, 2.0 * this->Threads);
 }
 
-bool BakeProbe::Begin(EncodeProbe& probe)
+// At full size, whatever size is probed.
+vtkSmartPointer<vtkPolyData> BakeProbe::MakeGeometry()
+{
+  if (!this->HasGeometry || this->Sampler->GetGeometryTriangles() == 0)
+  {
+    return nullptr;
+  }
+  this->SetSize(this->Resolution, std::min(this->Samples, SmallSamples));
+  this->Sampler->Update(1);
+  auto geometry = vtkSmartPointer<vtkPolyData>::New();
+  geometry->ShallowCopy(this->Sampler->GetGeometry());
+  return geometry->GetNumberOfPolys() > 0 ? geometry : nullptr;
+}
+
+bool BakeProbe::Begin(int resolution, std::optional<EncodeProbe>& probe)
 {
   const auto start = Clock::now();
   const double before = this->Sampler->GetCacheSeconds();
-  if (!probe.Begin(this->Error))
+  this->Geometry = this->MakeGeometry();
+  this->SetSize(resolution, std::min(this->Samples, SmallSamples));
+  probe.emplace(this->Sampler, this->Settings, this->Geometry);
+  if (!probe->Begin(this->Error))
   {
     return false;
   }
@@ -257,13 +277,12 @@ bool BakeProbe::EstimateVideo()
   }
   // Measure how the cost is distributed.
   const int small = this->ChooseSmallResolution();
-  this->SetSize(small, std::min(this->Samples, SmallSamples));
-  EncodeProbe smallProbe(this->Sampler, this->Settings);
-  if (!this->Begin(smallProbe))
+  std::optional<EncodeProbe> smallProbe;
+  if (!this->Begin(small, smallProbe))
   {
     return false;
   }
-  const int groups = smallProbe.GetGroupCount();
+  const int groups = smallProbe->GetGroupCount();
   const int fitting = SmallGroups * SmallResolution * SmallResolution / (small * small);
   const std::vector<int> chosen =
     Spread(std::min(groups, std::clamp(fitting, FullGroups, SmallGroups)), groups);
@@ -273,13 +292,13 @@ bool BakeProbe::EstimateVideo()
   for (const int group : chosen)
   {
     GroupCosts costs;
-    if (!smallProbe.Make({ group }, costs, this->Error))
+    if (!smallProbe->Make({ group }, costs, this->Error))
     {
       return false;
     }
     smallCosts.push_back(costs);
     smallSum += costs;
-    details.push_back(FindDetail(smallProbe.GetSlices(), small));
+    details.push_back(FindDetail(smallProbe->GetSlices(), small));
   }
   this->Detail = MergeDetails(details);
   const double smallSeconds =
@@ -312,7 +331,7 @@ bool BakeProbe::EstimateVideo()
     }
   }
   this->SetSize(resolution, this->Samples);
-  EncodeProbe probe(this->Sampler, this->Settings);
+  EncodeProbe probe(this->Sampler, this->Settings, this->Geometry);
   GroupCosts costs;
   if (!probe.Begin(this->Error) || !probe.Make(full, costs, this->Error))
   {

@@ -10,9 +10,13 @@
 #include "Coding/RateControl/cslfEncodeProbe.h"
 #include "Planning/cslfFieldDetail.h"
 
+#include <vtkSmartPointer.h>
+
+#include <optional>
 #include <string>
 
 class vtkCSLFSampler;
+class vtkPolyData;
 
 namespace cslf
 {
@@ -39,8 +43,9 @@ public:
   };
 
   /// Changes the sampler's resolution and samples, and does not restore them. `seconds` is about
-  /// the maximum time of an estimate.
-  BakeProbe(vtkCSLFSampler* sampler, EncodeSettings settings, Format kind, double seconds);
+  /// the maximum time of an estimate, without that of making the geometry if videos contain it.
+  BakeProbe(vtkCSLFSampler* sampler, EncodeSettings settings, bool hasGeometry, Format kind,
+    double seconds);
 
   ///@{
   /// False on failure; then GetError gives the reason.
@@ -64,7 +69,8 @@ public:
 private:
   bool EstimateVideo();
   bool EstimateImages();
-  bool Begin(EncodeProbe& probe);
+  vtkSmartPointer<vtkPolyData> MakeGeometry();
+  bool Begin(int resolution, std::optional<EncodeProbe>& probe);
   void NoteScene(double seconds, double cacheSecondsBefore);
   void SetSize(int resolution, int samples);
 
@@ -79,6 +85,7 @@ private:
 
   vtkCSLFSampler* Sampler;
   EncodeSettings Settings;
+  bool HasGeometry;
   Format Kind;
   double Seconds;
   int Resolution;
@@ -86,6 +93,7 @@ private:
   double Threads;
   BakeCosts Costs;
   FieldDetail Detail;
+  vtkSmartPointer<vtkPolyData> Geometry; ///< null if the sampler makes none
   double Growth = 1.5;
   std::string Error;
 };

@@ -3,6 +3,7 @@
 #include "Resampling/cslfTexelReducer.h"
 
 #include "cslfColor.h"
+#include "cslfSameSurface.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -12,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -71,30 +74,6 @@ double ByteToLinear(unsigned char value, unsigned char alpha)
   return alpha == 255 ? ByteToLinear(value) : SRGBToLinear(std::min(1.0, 1.0 * value / alpha));
 }
 
-void ReduceColorBytes(const Squares& squares, const unsigned char* input, unsigned char* output)
-{
-  squares.ForEach(
-    [=](std::int64_t to, const std::vector<std::int64_t>& from)
-    {
-      glm::dvec3 radiance(0.0);
-      double alpha = 0.0;
-      for (std::int64_t texel : from)
-      {
-        const unsigned char* color = input + 4 * texel;
-        if (color[3] > 0)
-        {
-          const double weight = color[3] / 255.0;
-          alpha += weight;
-          radiance += weight *
-            glm::dvec3(ByteToLinear(color[0], color[3]), ByteToLinear(color[1], color[3]),
-              ByteToLinear(color[2], color[3]));
-        }
-      }
-      const auto count = static_cast<double>(from.size());
-      EncodeColor(radiance / count, alpha / count, output + 4 * to);
-    });
-}
-
 /// Whether each texel of a slice has coverage.
 using CoveredTexels = std::vector<bool>;
 
@@ -126,6 +105,108 @@ CoveredTexels FindCovered(
     default:
       return {};
   }
+}
+
+/// The texels of a slice that give the colours of their squares, and where depth comes from.
+struct Surfaces
+{
+  std::vector<bool> Own;           ///< of the input's texels
+  std::vector<std::int64_t> Place; ///< of the output's texels: the input's texel at the centre
+};
+
+/// A texel's distance from the centre of its square, squared, in half texels.
+int GetDistance(int divisor, std::size_t place)
+{
+  const int x = 2 * static_cast<int>(place % divisor) - divisor + 1;
+  const int y = 2 * static_cast<int>(place / divisor) - divisor + 1;
+  return x * x + y * y;
+}
+
+/// Squares show the surface of the covered texel that is nearest to their centres, of several the
+/// one with the smallest depth. Where that shows the environment, all texels count.
+template <typename Value>
+Surfaces FindSurfaces(const Squares& squares, const CoveredTexels& covered, const Value* depths)
+{
+  const Value most = ToStored<Value>(1.0);
+  Surfaces surfaces{ covered, {} };
+  squares.ForEach(
+    [&](std::int64_t, const std::vector<std::int64_t>& from)
+    {
+      std::size_t center = 0;
+      const auto rank = [&](std::size_t place)
+      {
+        return std::make_tuple(
+          covered[from[place]] ? 0 : 1, GetDistance(squares.Divisor, place), depths[from[place]]);
+      };
+      for (std::size_t place = 1; place < from.size(); ++place)
+      {
+        center = rank(place) < rank(center) ? place : center;
+      }
+      const Value depth = depths[from[center]];
+      surfaces.Place.push_back(from[center]);
+      for (std::int64_t texel : from)
+      {
+        const bool isOwn = depth >= most ||
+          AreOnOneSurface(static_cast<double>(depths[texel]) / static_cast<double>(most),
+            static_cast<double>(depth) / static_cast<double>(most), squares.Divisor);
+        surfaces.Own[texel] = covered[texel] && isOwn;
+      }
+    });
+  return surfaces;
+}
+
+///@{
+/// Linear colour without association, and back with it.
+glm::dvec3 ToColor(const unsigned char* texel)
+{
+  return { ByteToLinear(texel[0], texel[3]), ByteToLinear(texel[1], texel[3]),
+    ByteToLinear(texel[2], texel[3]) };
+}
+template <typename Value>
+glm::dvec3 ToColor(const Value* texel)
+{
+  return glm::dvec3(texel[0], texel[1], texel[2]) / static_cast<double>(texel[3]);
+}
+void FromColor(const glm::dvec3& color, double alpha, unsigned char* texel)
+{
+  EncodeColor(alpha * color, alpha, texel);
+}
+template <typename Value>
+void FromColor(const glm::dvec3& color, double alpha, Value* texel)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    texel[k] = static_cast<Value>(alpha * color[k]);
+  }
+  texel[3] = static_cast<Value>(alpha);
+}
+///@}
+
+/// The linear mean of what the samples of some texels saw, with the mean alpha of all.
+template <typename Value>
+void ReduceColor(
+  const Squares& squares, const std::vector<bool>& counts, const Value* input, Value* output)
+{
+  const double full = std::is_integral<Value>::value ? 255.0 : 1.0;
+  squares.ForEach(
+    [&](std::int64_t to, const std::vector<std::int64_t>& from)
+    {
+      glm::dvec3 sum(0.0);
+      double weights = 0.0;
+      double alpha = 0.0;
+      for (std::int64_t texel : from)
+      {
+        const double weight = input[4 * texel + 3] / full;
+        alpha += weight;
+        if (weight > 0.0 && counts[texel])
+        {
+          weights += weight;
+          sum += weight * ToColor(input + 4 * texel);
+        }
+      }
+      FromColor(weights > 0.0 ? sum / weights : sum, alpha / static_cast<double>(from.size()),
+        output + 4 * to);
+    });
 }
 
 template <typename Value>
@@ -179,25 +260,64 @@ void ReduceMinimum(const Squares& squares, Value fill, const CoveredTexels& cove
     });
 }
 
-template <typename Value>
-void ReduceChannel(const Squares& squares, const Channel& channel, const CoveredTexels& covered,
-  const Value* input, Value* output)
+/// A slice, and what is known about its texels.
+struct Slice
 {
+  Squares Texels;
+  CoveredTexels Covered;
+  std::optional<Surfaces> Seen; ///< of a field whose texels show one surface each
+};
+
+template <typename Value>
+void ReduceChannel(const Slice& slice, const Channel& channel, const Value* input, Value* output)
+{
+  const Squares& squares = slice.Texels;
+  const CoveredTexels all(slice.Covered.size(), true);
   switch (FindReduction(channel))
   {
     case Reduction::Minimum:
-      ReduceMinimum(squares, ToStored<Value>(FindFill(channel)), covered, input, output);
+      if (slice.Seen && channel.Name == DepthName)
+      {
+        std::transform(slice.Seen->Place.begin(), slice.Seen->Place.end(), output,
+          [input](std::int64_t texel) { return input[texel]; });
+        return;
+      }
+      ReduceMinimum(squares, ToStored<Value>(FindFill(channel)), slice.Covered, input, output);
       return;
     case Reduction::Mean:
-      ReduceMean(squares, channel.Components, CoveredTexels(covered.size(), true), input, output);
+      if (slice.Seen && channel.Name == ColorName)
+      {
+        ReduceColor(squares, slice.Seen->Own, input, output);
+        return;
+      }
+      ReduceMean(squares, channel.Components, all, input, output);
       return;
     case Reduction::CoveredMean:
-      ReduceMean(squares, channel.Components, covered, input, output);
+      ReduceMean(squares, channel.Components, slice.Covered, input, output);
       return;
     case Reduction::LightMean:
-      ReduceColorBytes(squares, reinterpret_cast<const unsigned char*>(input),
-        reinterpret_cast<unsigned char*>(output));
+      ReduceColor(squares, slice.Seen ? slice.Seen->Own : all,
+        reinterpret_cast<const unsigned char*>(input), reinterpret_cast<unsigned char*>(output));
       return;
+  }
+}
+
+/// Nothing unless the field has surface texels.
+std::optional<Surfaces> FindSurfaces(const Description& field, vtkImageData* image,
+  std::int64_t first, const Squares& squares, const CoveredTexels& covered)
+{
+  const Channel* depth = field.FindChannel(KnownChannel::Depth);
+  if (!field.HasSurfaceTexels() || !depth || !field.FindChannel(KnownChannel::Color))
+  {
+    return std::nullopt;
+  }
+  vtkDataArray* array = image->GetPointData()->GetArray(DepthName);
+  switch (depth->Type)
+  {
+    vtkTemplateMacro(return FindSurfaces(
+      squares, covered, static_cast<const VTK_TT*>(array->GetVoidPointer(first))));
+    default:
+      return std::nullopt;
   }
 }
 }
@@ -217,7 +337,8 @@ void TexelReducer::Reduce(
   const std::int64_t from = (inputSlice - input->GetExtent()[4]) * count;
   const std::int64_t to =
     (outputSlice - output->GetExtent()[4]) * count / (std::int64_t(this->Divisor) * this->Divisor);
-  const CoveredTexels covered = FindCovered(this->Input, input, from, count);
+  Slice slice{ squares, FindCovered(this->Input, input, from, count), std::nullopt };
+  slice.Seen = FindSurfaces(this->Input, input, from, squares, slice.Covered);
   for (const Channel& channel : this->Input.Channels)
   {
     const char* name = channel.Name.c_str();
@@ -226,8 +347,8 @@ void TexelReducer::Reduce(
     void* target = output->GetPointData()->GetArray(name)->GetVoidPointer(channel.Components * to);
     switch (channel.Type)
     {
-      vtkTemplateMacro(ReduceChannel(squares, channel, covered, static_cast<const VTK_TT*>(source),
-        static_cast<VTK_TT*>(target)));
+      vtkTemplateMacro(ReduceChannel(
+        slice, channel, static_cast<const VTK_TT*>(source), static_cast<VTK_TT*>(target)));
       default:
         break;
     }

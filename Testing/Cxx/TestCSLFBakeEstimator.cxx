@@ -70,7 +70,7 @@ void CheckBytes(double estimated, const std::string& name)
   CSLF_CHECK(estimated < Factor * bytes && bytes < Factor * estimated);
 }
 
-void TestVideo(const std::string& folder, bool isLossless, bool isPath)
+void TestVideo(const std::string& folder, bool isLossless, bool isPath, bool hasGeometry = false)
 {
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(sampler);
@@ -82,6 +82,7 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath)
   encoder->SetPreset("ultrafast");
   encoder->SetLossless(isLossless);
   encoder->SetGroupLength(8);
+  encoder->SetInputConnection(1, hasGeometry ? sampler->GetOutputPort(1) : nullptr);
   vtkNew<vtkCSLFBakeEstimator> estimator;
   estimator->SetSampler(sampler);
   estimator->SetEncoder(encoder);
@@ -103,6 +104,7 @@ void TestVideo(const std::string& folder, bool isLossless, bool isPath)
   SetUp(fresh);
   fresh->SetIntegrator(sampler->GetIntegrator());
   encoder->SetInputConnection(fresh->GetOutputPort());
+  encoder->SetInputConnection(1, hasGeometry ? fresh->GetOutputPort(1) : nullptr);
   const std::string other = folder + "/other.mkv";
   encoder->SetFileName(other.c_str());
   CSLF_CHECK(encoder->Write() == 1);
@@ -279,6 +281,7 @@ int TestCSLFBakeEstimator(int argc, char* argv[])
 {
   const std::string folder = cslf::testing::MakeFolder(argc, argv, "BakeEstimator");
   TestVideo(folder, false, false);
+  TestVideo(folder, false, false, true);
   TestVideo(folder, true, true);
   TestLeastResolution(folder);
   TestImages(folder);

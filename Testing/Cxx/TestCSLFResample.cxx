@@ -208,6 +208,49 @@ void TestDescription()
   CSLF_CHECK(cslf::testing::HasEqualSlices(Resample(fine, 1, 1), fine));
 }
 
+/// Texels of one surface each become texels of one surface, that at their centre: of two texels
+/// beside it, that of the nearer surface.
+void TestSurfaces(int colorType, int depthType)
+{
+  const double full = colorType == VTK_FLOAT ? 1.0 : 255.0;
+  const double most = depthType == VTK_FLOAT ? 1.0 : 65535.0;
+  const auto fine = cslf::testing::MakeTestField(cslf::Layout(2, 12), Box, colorType, depthType, 1);
+  for (vtkIdType texel = 0; texel < fine->GetNumberOfPoints(); ++texel)
+  {
+    // Every third column is a green surface near by, all else a red one that rises slowly.
+    const bool isNear = texel % 3 == 0;
+    const double level = colorType == VTK_FLOAT ? 0.5 : 128.0;
+    GetArray(fine, "Color")
+      ->SetTuple4(texel, isNear ? 0.0 : level, isNear ? level : 0.0, 0.0, full);
+    GetArray(fine, "Depth")
+      ->SetTuple1(texel, most * (isNear ? 0.25 : 0.5 + 0.0005 * static_cast<double>(texel % 60)));
+  }
+  cslf::Description description = Describe(fine);
+  for (const bool isSurface : { false, true })
+  {
+    description.Sampling = isSurface ? R"({"surface_texels":true})" : "{}";
+    description.WriteTo(fine->GetFieldData());
+    const auto thirds = Resample(fine, 3, 1);
+    const auto halves = Resample(fine, 2, 1);
+    for (vtkIdType texel = 0; texel < thirds->GetNumberOfPoints(); ++texel)
+    {
+      const double green = GetArray(thirds, "Color")->GetComponent(texel, 1);
+      const double depth = GetArray(thirds, "Depth")->GetTuple1(texel) / most;
+      CSLF_CHECK(isSurface ? green == 0.0 : green > 0.1 * full);
+      CSLF_CHECK(isSurface ? depth >= 0.5 : depth < 0.26);
+      CSLF_CHECK(GetArray(thirds, "Color")->GetComponent(texel, 3) == full);
+    }
+    for (vtkIdType texel = 0; texel < halves->GetNumberOfPoints(); ++texel)
+    {
+      // Columns 0 and 1, 2 and 3, 4 and 5: near, near, far.
+      const bool isFar = texel % 3 == 2;
+      const double red = GetArray(halves, "Color")->GetComponent(texel, 0);
+      CSLF_CHECK(isFar || !isSurface ? red > 0.1 * full : red == 0.0);
+      CSLF_CHECK((GetArray(halves, "Depth")->GetTuple1(texel) / most < 0.26) == !isFar);
+    }
+  }
+}
+
 /// Slabs of any size give the same result, and pull no more than they need.
 void TestStreaming()
 {
@@ -326,6 +369,8 @@ int TestCSLFResample(int argc, char* argv[])
   TestSums(3, 2);
   TestSums(1, 4);
   TestAgainstCoarseField();
+  TestSurfaces(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT);
+  TestSurfaces(VTK_FLOAT, VTK_FLOAT);
   TestDescription();
   TestStreaming();
   TestVideo(folder);

@@ -4,6 +4,7 @@
 
 #include "Coding/Frames/cslfPushPull.h"
 #include "cslfGeometryDepths.h"
+#include "cslfSameSurface.h"
 
 #include <glm/vec3.hpp>
 
@@ -17,9 +18,8 @@ namespace
 {
 constexpr unsigned short None = GeometryDepths::None;
 
-/// Inverse depths of one surface differ by this share, plus the other one for each texel between.
-constexpr double SameSurface = 0.02;
-constexpr double SameSurfacePerTexel = 0.01;
+/// The stored depth that means 1.
+constexpr double MostDepth = 65535.0;
 
 /// How far the colours of texels at silhouettes may come from, in texels.
 constexpr int Reach = 3;
@@ -107,11 +107,8 @@ private:
   /// Whether the samples of a texel lie on the surface that the geometry has at another.
   bool IsOn(std::size_t texel, std::size_t drawn, double distance) const
   {
-    // Inverse depth relative to the geometry's.
-    const double ratio =
-      static_cast<double>(this->Drawn[drawn]) / std::max<unsigned short>(this->Depths[texel], 1);
     return this->HasSurface(texel) &&
-      std::abs(ratio - 1.0) <= SameSurface + SameSurfacePerTexel * distance;
+      AreOnOneSurface(this->Depths[texel] / MostDepth, this->Drawn[drawn] / MostDepth, distance);
   }
 
   /// Without association with alpha.

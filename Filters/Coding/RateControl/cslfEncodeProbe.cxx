@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfEncodeProbe.h"
 
+#include "Coding/Geometry/cslfGeometryCodec.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkInformation.h>
+#include <vtkPolyData.h>
 
 #include <chrono>
 #include <ctime>
@@ -11,9 +14,10 @@
 
 namespace cslf
 {
-EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings)
+EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry)
   : Producer(producer)
   , Settings(std::move(settings))
+  , Geometry(geometry)
 {
 }
 
@@ -54,7 +58,29 @@ bool EncodeProbe::Begin(std::string& error)
   {
     return false;
   }
-  this->Writer->Begin(this->Puller->GetField(), 0, GeometryPlan());
+  return this->BeginWriting(error);
+}
+
+bool EncodeProbe::BeginWriting(std::string& error)
+{
+  const Description field = this->Puller->GetField();
+  if (this->Geometry)
+  {
+    std::string ignored;
+    const FilePart part{ GeometryPartType, GeometryPartName,
+      EncodeGeometry(this->Geometry, field.Box, ignored) };
+    this->Writer->SetParts({ part });
+    if (this->Settings.ComputesDepth())
+    {
+      const std::vector<int> slices = GetFirstGroup(field.Grid, this->Settings.GroupLength);
+      if (!this->Puller->Pull(slices, error))
+      {
+        return false;
+      }
+      this->Plan = GeometryPlan::Choose(part.Bytes, field, slices, this->Puller->GetSlices());
+    }
+  }
+  this->Writer->Begin(field, 0, this->Plan);
   return true;
 }
 
@@ -69,6 +95,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   }
   costs.RenderSeconds += std::chrono::duration<double>(Clock::now() - start).count();
   const std::clock_t middle = std::clock();
+  this->Plan.Fit(this->Writer->GetSlices(groups), this->Puller->GetSlices());
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
   std::vector<CodingTask> tasks;
   tasks.reserve(groups.size());

@@ -10,11 +10,14 @@
 #include "Coding/Writing/cslfFieldWriter.h"
 #include "Coding/Writing/cslfSlicePuller.h"
 
+#include <vtkSmartPointer.h>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
+class vtkPolyData;
 
 namespace cslf
 {
@@ -38,8 +41,8 @@ struct GroupCosts
 class EncodeProbe
 {
 public:
-  /// The producer's output port 0 is the field.
-  EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings);
+  /// The producer's output port 0 is the field. The geometry, which may be null, is in the file.
+  EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry = nullptr);
 
   /// Asks for the field's description, with its first viewpoint. On failure returns false and gives
   /// the reason in a sentence.
@@ -60,8 +63,12 @@ public:
   double GetContainerBytes() const;
 
 private:
+  bool BeginWriting(std::string& error);
+
   vtkAlgorithm* Producer;
   EncodeSettings Settings;
+  vtkSmartPointer<vtkPolyData> Geometry;
+  GeometryPlan Plan;
   std::optional<SlicePuller> Puller;
   std::optional<FieldWriter> Writer;
   bool IsCoveredFully = true; // by all groups made so far

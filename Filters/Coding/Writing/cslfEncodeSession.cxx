@@ -209,7 +209,6 @@ bool EncodeSession::ChooseGeometry(bool isReady)
   return true;
 }
 
-// The first group, which belongs to the coarsest grid, shows how well the geometry fits.
 void EncodeSession::TryGeometry()
 {
   const Description field = this->Puller->GetField();
@@ -222,12 +221,11 @@ void EncodeSession::TryGeometry()
   this->Job.Parts.push_back(*part);
   this->Writer->SetParts(this->Job.Parts);
   const EncodeSettings& settings = this->Job.Settings;
-  if (!settings.DepthFromGeometry || settings.Lossless || !field.FindChannel(KnownChannel::Depth))
+  if (!settings.ComputesDepth() || !field.FindChannel(KnownChannel::Depth))
   {
     return;
   }
-  const FrameOrder order = MakeFrameOrder(field.Grid, settings.GroupLength);
-  const std::vector<int> slices(order.Slices.begin(), order.Slices.begin() + order.Groups.front());
+  const std::vector<int> slices = GetFirstGroup(field.Grid, settings.GroupLength);
   const PipelineWatch watch(this->Job.Connection, [this] { return this->Job.Progress(0.0); });
   std::string error;
   if (!this->Puller->Pull(slices, error))

@@ -25,11 +25,14 @@ struct EncodeSettings
   double DepthCRF = 0.0;
   int GroupLength = MaximumGroupLength;
   bool Lossless = false;
-  bool DepthFromGeometry = true; ///< readers compute from a geometry what it tells, unless lossless
-  RateTarget Target{};           ///< replaces CRF, unless its kind is Factor
-  int KeyViewStep = 1;           ///< see KeyViews; 0: found for NovelViewPSNR, see ChooseKeyViews
+  bool DepthFromGeometry = true;
+  RateTarget Target{}; ///< replaces CRF, unless its kind is Factor
+  int KeyViewStep = 1; ///< see KeyViews; 0: found for NovelViewPSNR, see ChooseKeyViews
   double NovelViewPSNR = 0.0;
   std::string Codec = "hevc";
+
+  /// Whether readers may compute what a geometry tells.
+  bool ComputesDepth() const { return this->DepthFromGeometry && !this->Lossless; }
 };
 
 /// Why a file of that name cannot be written, in one line; empty if it can. Touches no file.

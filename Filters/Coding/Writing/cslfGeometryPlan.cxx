@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryPlan.h"
 
+#include "Coding/Frames/cslfFrameOrder.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
@@ -45,6 +46,13 @@ std::vector<ViewpointSamples> Copy(
   }
   return copies;
 }
+}
+
+std::vector<int> GetFirstGroup(const Layout& grid, int groupLength)
+{
+  FrameOrder order = MakeFrameOrder(grid, groupLength);
+  order.Slices.resize(order.Groups.front());
+  return order.Slices;
 }
 
 GeometryPlan::GeometryPlan(

@@ -25,6 +25,10 @@ struct ComputedChannels
   bool HasCoverage = false; ///< only together with depth
 };
 
+/// The first viewpoints in coding order, which belong to the coarsest grid: they show how well a
+/// geometry fits.
+std::vector<int> GetFirstGroup(const Layout& grid, int groupLength);
+
 class GeometryPlan
 {
 public:
