@@ -70,6 +70,7 @@ class Report:
     def corpus(self, found):
         sampled = []
         drawn = []
+        coded = []
         for row in found:
             cells = []
             for field in row["fields"].values():
@@ -79,13 +80,20 @@ class Report:
             peak = row["fields"]["good"]["sampled"]["peak_bytes"] / 2**20
             sampled.append([get_title(row["scene"]), describe_shapes(row["shapes"]), *cells,
                             f"{peak:.0f}"])
-            depth = row["drawn"]["lookups"]["depth"]
-            drawn.append([get_title(row["scene"]), megabytes(row["coded"]["bytes"]),
-                          f"{depth['psnr']:.1f} ({depth['lowest_psnr']:.1f})",
+            lookups = row["drawn"]["lookups"]
+            geometry = lookups["geometry"]
+            drawn.append([get_title(row["scene"]),
+                          *(f"{lookups[name]['psnr']:.1f} ({lookups[name]['lowest_psnr']:.1f})"
+                            for name in ("depth", "geometry")),
                           f"{row['drawn']['views']['noise_floor']:.1f}",
-                          f"{depth['frames_per_second']:.1f}",
-                          f"{depth['moving_frames_per_second']:.1f}",
-                          f"{depth['still_frames_per_second']:.1f}"])
+                          f"{geometry['frames_per_second']:.1f}",
+                          f"{geometry['moving_frames_per_second']:.1f}",
+                          f"{geometry['still_frames_per_second']:.1f}"])
+            coded.append([get_title(row["scene"]),
+                          *(text for kind in row["coded"].values()
+                            for text in (megabytes(kind["bytes"]),
+                                         f"{kind['geometry']['psnr']:.1f}")),
+                          f"{100 * row['coded']['coded'].get('geometry_loss', 0):.1f}"])
         viewpoints, texels, samples = self.setting.scenes
         n = self.setting.resolution(128)
         size = self.setting.size
@@ -97,15 +105,21 @@ class Report:
                           "memory in good quality.") + "\n" +
                 table(["scene", "contains", "preview (s)", "dB", "good (s)", "dB",
                        "memory (MiB)"], sampled) + "\n" +
-                paragraph("The same fields in good quality, coded with rate factor 22 and the preset "
-                          f"`{self.setting.preset}`, and drawn uncoded with the depth lookup by "
+                paragraph("The same fields in good quality, drawn by "
                           f"{found[0]['drawn']['device']}: mean and lowest PSNR of "
                           f"{found[0]['drawn']['views']['count']} novel views of {size} x {size} "
-                          "pixels, the noise floor of their reference, and frames per second with "
-                          "one ray per pixel, while the view moves (30 are asked for), and in still "
-                          "views with four rays per pixel.") + "\n" +
-                table(["scene", "MB", "novel views (dB)", "noise floor (dB)", "one ray",
-                       "moving", "still"], drawn))
+                          "pixels with the depth lookup and the geometry lookup, the noise floor of "
+                          "their reference, and frames per second of the geometry lookup with one "
+                          "ray per pixel, while the view moves (30 are asked for, with fewer rays "
+                          "if need be), and in still views with four rays per pixel.") + "\n" +
+                table(["scene", "depth (dB)", "geometry (dB)", "noise floor (dB)", "one ray",
+                       "moving", "still"], drawn) + "\n" +
+                paragraph("Coded with rate factor 22 and the preset "
+                          f"`{self.setting.preset}`: size and the same novel views with the geometry "
+                          "lookup, if the file takes depth from the geometry where it can, and if it "
+                          "contains depth; and the share of the texels that the geometry does not "
+                          "tell.") + "\n" +
+                table(["scene", "MB", "dB", "with depth (MB)", "dB", "lost (%)"], coded))
 
     def sampling(self, found):
         rows = []

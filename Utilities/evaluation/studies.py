@@ -93,17 +93,26 @@ class Studies:
             fields = {quality: self.measure_quality(scene, quality)
                       for quality in ("preview", "good")}
             field = self.get_corpus_field(scene, "good")
-            file = field.with_suffix(".mp4")
-            coded = self.tool.measure(f"corpus-{scene}-coded", "encode", field, "-o", file,
-                                      "--preset", self.setting.preset, output=file)
+            coded = {kind: self.measure_coded(scene, field, kind, *options)
+                     for kind, options in (("coded", ()),
+                                           ("with-depth", ("--no-depth-from-geometry",)))}
             drawn = self.tool.measure(
                 f"corpus-{scene}-drawn", "benchmark", "render", field, "--scene",
                 *self.get_inputs(scene), "-o", self.tool.work / f"corpus-{scene}", "--frames",
                 self.setting.frames // 3, "--size", self.setting.size, "--views", 3, "--spp", 128,
-                "--lookups", "depth", *self.truth)
+                "--lookups", "depth,geometry", *self.truth)
             rows.append({"scene": scene, "shapes": known.get(scene), "fields": fields,
                          "coded": coded, "drawn": drawn})
         return rows
+
+    def measure_coded(self, scene, field, kind, *options):
+        file = field.with_name(f"{field.stem}-{kind}.mp4")
+        coded = self.tool.measure(f"corpus-{scene}-{kind}", "encode", field, "-o", file,
+                                  "--preset", self.setting.preset, *options, output=file)
+        views = self.tool.measure(f"corpus-{scene}-{kind}-views", "evaluate", file,
+                                  *self.get_inputs(scene), "--size", self.setting.size, "--views",
+                                  3, "--spp", 128, "--lookups", "geometry", *self.truth)
+        return {**coded, "geometry": views["lookups"]["geometry"]}
 
     def get_corpus_field(self, scene, quality):
         return self.tool.work / f"corpus-{scene}-{quality}.vti"
