@@ -7,8 +7,8 @@
  * vtkCSLFEncoder codes the image data of a light field: each viewpoint (z slice) becomes one frame
  * of three tracks, colour, coverage and depth. They are coded through FFmpeg's libavcodec as HEVC
  * (paper, section 3.4), AV1 or H.264. The coverage track is omitted if coverage is full everywhere,
- * and the depth track if the field has no depth. Any player based on FFmpeg can show the file, and
- * vtkCSLFDecoder reads it.
+ * and the depth track if the field has no depth; both are, if the geometry on input port 1 tells
+ * them. Any player based on FFmpeg can show the file, and vtkCSLFDecoder reads it.
  *
  * The input is requested in z slabs through the pipeline's update extents, so the whole field never
  * has to fit in memory. A slab has at most 32 viewpoints for each thread of vtkSMPTools, and fewer
@@ -181,7 +181,8 @@ public:
   /**
    * The field's geometry, which is optional, as on output port 1 of vtkCSLFSampler: triangles in
    * world coordinates, within the cube. It becomes a part of the file, with positions of 16 bits
-   * along each edge of the cube. In a pipeline, use SetInputConnection with port 1.
+   * along each edge of the cube. By default, it also tells depth (see DepthFromGeometry). In a
+   * pipeline, use SetInputConnection with port 1.
    */
   void SetGeometryData(vtkPolyData* geometry);
   ///@}
@@ -191,7 +192,7 @@ public:
    * Set/get whether depth and coverage are left out of the file if its geometry tells them: readers
    * draw the triangles as each viewpoint sees them. Colours beside silhouettes are changed to those
    * of the triangles. Used if the surfaces that the geometry lacks or hides take at most 5 % of the
-   * texels of the first viewpoints, and not if the file is lossless. Default: on.
+   * texels of the middle viewpoint of each face, and not if the file is lossless. Default: on.
    */
   vtkSetMacro(DepthFromGeometry, bool);
   vtkGetMacro(DepthFromGeometry, bool);

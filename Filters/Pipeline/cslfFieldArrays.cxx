@@ -50,6 +50,20 @@ ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples)
   return samples;
 }
 
+std::vector<ViewpointSamples> CopySamples(
+  const Description& field, const std::vector<ViewpointSamples>& samples)
+{
+  const std::size_t texels = field.Grid.GetStripTexels();
+  const ViewpointSamples all = MakeSamples(field, static_cast<vtkIdType>(texels * samples.size()));
+  std::vector<ViewpointSamples> copies;
+  for (const ViewpointSamples& viewpoint : samples)
+  {
+    copies.push_back(all.At(static_cast<vtkIdType>(texels * copies.size())));
+    viewpoint.CopyTo(copies.back(), texels);
+  }
+  return copies;
+}
+
 void Clear(const Description& field, const ViewpointSamples& samples)
 {
   const std::size_t texels = field.Grid.GetStripTexels();

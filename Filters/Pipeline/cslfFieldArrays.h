@@ -13,6 +13,8 @@
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
+#include <vector>
+
 class vtkImageData;
 
 namespace cslf
@@ -23,6 +25,10 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples
 
 /// The known channels of a field, with arrays of that many tuples. Throws std::bad_alloc.
 ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples);
+
+/// Copies of viewpoints of a field. Throws std::bad_alloc.
+std::vector<ViewpointSamples> CopySamples(
+  const Description& field, const std::vector<ViewpointSamples>& samples);
 
 /// Fills a viewpoint's texels as if nothing was covered.
 void Clear(const Description& field, const ViewpointSamples& samples);

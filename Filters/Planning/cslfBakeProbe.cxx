@@ -331,7 +331,7 @@ bool BakeProbe::EstimateVideo()
     }
   }
   this->SetSize(resolution, this->Samples);
-  EncodeProbe probe(this->Sampler, this->Settings, this->Geometry);
+  EncodeProbe probe(this->Sampler, this->Settings, this->Geometry, smallProbe->GetComputed());
   GroupCosts costs;
   if (!probe.Begin(this->Error) || !probe.Make(full, costs, this->Error))
   {

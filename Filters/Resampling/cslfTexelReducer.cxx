@@ -144,12 +144,13 @@ Surfaces FindSurfaces(const Squares& squares, const CoveredTexels& covered, cons
       }
       const Value depth = depths[from[center]];
       surfaces.Place.push_back(from[center]);
-      for (std::int64_t texel : from)
+      for (std::size_t place = 0; place < from.size(); ++place)
       {
+        const double distance = 0.5 * std::sqrt(GetDistance(squares.Divisor, place));
         const bool isOwn = depth >= most ||
-          AreOnOneSurface(static_cast<double>(depths[texel]) / static_cast<double>(most),
-            static_cast<double>(depth) / static_cast<double>(most), squares.Divisor);
-        surfaces.Own[texel] = covered[texel] && isOwn;
+          AreOnOneSurface(static_cast<double>(depths[from[place]]) / static_cast<double>(most),
+            static_cast<double>(depth) / static_cast<double>(most), distance);
+        surfaces.Own[from[place]] = covered[from[place]] && isOwn;
       }
     });
   return surfaces;
@@ -278,8 +279,9 @@ void ReduceChannel(const Slice& slice, const Channel& channel, const Value* inpu
     case Reduction::Minimum:
       if (slice.Seen && channel.Name == DepthName)
       {
+        const auto fill = ToStored<Value>(FindFill(channel));
         std::transform(slice.Seen->Place.begin(), slice.Seen->Place.end(), output,
-          [input](std::int64_t texel) { return input[texel]; });
+          [&](std::int64_t texel) { return slice.Covered[texel] ? input[texel] : fill; });
         return;
       }
       ReduceMinimum(squares, ToStored<Value>(FindFill(channel)), slice.Covered, input, output);

@@ -28,6 +28,7 @@
 #include <vtkTestErrorObserver.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <atomic>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -35,6 +36,7 @@
 namespace
 {
 constexpr int None = cslf::GeometryDepths::None;
+const std::atomic<bool> IsStopped{ false };
 
 /// The first triangle that a texel's ray meets.
 int FindDepth(vtkPolyData* triangles, const cslf::Layout& grid, int slice, int tile, int x, int y)
@@ -68,10 +70,10 @@ void TestDepths()
   int texels = 0;
   int others = 0;
   int hits = 0;
-  std::vector<unsigned short> strip;
+  std::vector<unsigned short> strip(grid.GetStripTexels());
   for (int slice : { 0, 7, 12, 30, 49, 62, 88, 101, 126, 149 })
   {
-    depths.Draw(slice, strip);
+    depths.Draw(slice, strip.data(), IsStopped);
     for (int place = 0; place < static_cast<int>(strip.size()); ++place)
     {
       const int x = place % grid.GetStripWidth();
@@ -115,10 +117,10 @@ void TestGaps()
   sheet->SetPolys(cells);
   const cslf::Layout grid(5, 64);
   const cslf::GeometryDepths depths(sheet, cslf::Cube(), grid);
-  std::vector<unsigned short> strip;
+  std::vector<unsigned short> strip(grid.GetStripTexels());
   for (int slice = 0; slice < grid.GetSlices(); ++slice)
   {
-    depths.Draw(slice, strip);
+    depths.Draw(slice, strip.data(), IsStopped);
     const cslf::Viewpoint viewpoint = grid.ViewpointOf(slice);
     // The rays to the opposite face from the two faces beside the sheet all meet it.
     if (viewpoint.Face >= 4)
@@ -329,6 +331,37 @@ void TestCovered(const std::string& folder)
   CSLF_CHECK_NEAR(sum / static_cast<double>(count), 160.0, 4.0);
 }
 
+/// Only some viewpoints are covered, among them those that the encoder tries: coverage is coded.
+void TestCoveredMiddles(const std::string& folder)
+{
+  const cslf::Layout grid(3, 32);
+  const Case file{ cslf::testing::MakeTestField(
+                     grid, cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT),
+    cslf::testing::MakeTestSurfaces(cslf::Cube()), folder + "/middles.mp4" };
+  const auto texels = static_cast<vtkIdType>(grid.GetStripTexels());
+  for (int face = 0; face < cslf::FaceCount; ++face)
+  {
+    const vtkIdType first = texels * grid.SliceOf({ face, 1, 1 });
+    for (vtkIdType k = first; k < first + texels; ++k)
+    {
+      GetArray(file.Field, "Color")->SetComponent(k, 3, 255.0);
+    }
+  }
+  CSLF_CHECK(file.Write()->GetActualDepthFromGeometry());
+  const cslf::FileHeader header = file.ReadHeader();
+  CSLF_CHECK(header.Tracks.size() == 2 && header.HasGeometryDepth && !header.HasGeometryCoverage);
+  const auto field = file.Read();
+  vtkIdType others = 0;
+  for (vtkIdType k = 0; k < field->GetNumberOfPoints(); ++k)
+  {
+    const double alphas[2] = { GetArray(file.Field, "Color")->GetComponent(k, 3),
+      GetArray(field, "Color")->GetComponent(k, 3) };
+    others += std::abs(alphas[0] - alphas[1]) > 64.0 ? 1 : 0;
+    CSLF_CHECK(alphas[1] > 0.0 || GetArray(field, "Depth")->GetTuple1(k) == None);
+  }
+  CSLF_CHECK(others < field->GetNumberOfPoints() / 500);
+}
+
 /// A file with another JSON text or without parts is refused with that message.
 template <typename Change>
 void CheckRefused(const Case& file, const std::string& message, Change change)
@@ -367,15 +400,22 @@ void TestHeaders(const std::string& folder)
   { return [names](JSON& json, Tags&) { json["coding"]["from_geometry"] = names; }; };
   CheckRefused(file, "unknown channel", setComputed({ "depth", "normals" }));
   CheckRefused(file, "unknown channel", setComputed({ "color" }));
-  CheckRefused(file, "other channels from its geometry", setComputed({ "coverage" }));
+  CheckRefused(file, "is not what it requires", setComputed({ "coverage" }));
   CheckRefused(file, "", setComputed("depth"));
   CheckRefused(file, "", setComputed({ 3 }));
-  CheckRefused(file, "its tracks do not match its channels", setComputed(JSON::array()));
+  CheckRefused(file, "is not what it requires", setComputed(JSON::array()));
+  CheckRefused(file, "is not what it requires", [](JSON& json, Tags&) { json.erase("required"); });
+  CheckRefused(file, "its tracks do not match its channels",
+    [](JSON& json, Tags&)
+    {
+      json.erase("required");
+      json["coding"].erase("from_geometry");
+    });
   CheckRefused(file, "requires features that this version does not support: layers",
     [](JSON& json, Tags&) { json["required"].push_back("layers"); });
   CheckRefused(file, "other channels from its geometry",
     [](JSON& json, Tags&) { json["channels"].erase(json["channels"].begin() + 1); });
-  const char* const lost = "its geometry, which tells its depth, is missing or damaged";
+  const char* const lost = "the geometry from which its depth is computed is missing or damaged";
   CheckRefused(file, lost, [](JSON& json, Tags&) { json.erase("parts"); });
   CheckRefused(file, lost, [](JSON& json, Tags&) { json["parts"][0]["type"] = "model/other"; });
   CheckRefused(file, lost, [](JSON&, Tags& tags) { tags["synopsis"][200] ^= 1; });
@@ -391,6 +431,7 @@ int TestCSLFEncoderGeometryDepth(int argc, char* argv[])
   TestFile(folder, VTK_FLOAT);
   TestUnused(folder);
   TestCovered(folder);
+  TestCoveredMiddles(folder);
   TestHeaders(folder);
   return cslf::testing::Result();
 }

@@ -317,8 +317,8 @@ void ReadChannels(FileHeader& header)
   }
 }
 
-/// Reads which channels are those of the geometry.
-void ReadComputed(const JSON& coding, FileHeader& header)
+/// Reads which channels are those of the geometry. Only files that require its use have such.
+void ReadComputed(const JSON& coding, bool isRequired, FileHeader& header)
 {
   const JSON names = coding.value(ComputedKey, JSON::array());
   for (const JSON& name : RequireArray(names))
@@ -332,6 +332,10 @@ void ReadComputed(const JSON& coding, FileHeader& header)
     }
     header.HasGeometryDepth = header.HasGeometryDepth || isDepth;
     header.HasGeometryCoverage = header.HasGeometryCoverage || isCoverage;
+  }
+  if (header.HasGeometryDepth != isRequired)
+  {
+    throw std::invalid_argument("what it computes from its geometry is not what it requires");
   }
   const bool hasDepth = header.Field.FindChannel(KnownChannel::Depth) != nullptr;
   if (header.HasGeometryDepth ? !hasDepth : header.HasGeometryCoverage)
@@ -365,7 +369,9 @@ FileHeader Parse(const JSON& json, const HeaderTags& tags)
   ReadChannels(header);
 
   const JSON& coding = json.at(CodingKey);
-  ReadComputed(coding, header);
+  const JSON required = json.value(RequiredKey, JSON::array());
+  ReadComputed(coding,
+    std::find(required.begin(), required.end(), JSON(GeometryFeature)) != required.end(), header);
   ReadTracks(coding.at("tracks"), header);
   CheckTracks(header);
   const std::size_t groups = header.Tracks.front().GroupCRCs.size();

@@ -15,7 +15,7 @@ namespace cslf
 namespace
 {
 /// How much farther away a neighbour on the same surface may be.
-constexpr float SameSurface = 1.1F;
+constexpr float MostRimRatio = 1.1F;
 
 /// Moves known texels beside unknown ones to the depth of the farthest known neighbour on the same
 /// surface.
@@ -27,7 +27,7 @@ void PushRim(Patch& patch)
     for (int x = 0; x < patch.Size; ++x)
     {
       const std::size_t to = patch.IndexOf(x, y);
-      const float most = SameSurface * before.Values[to];
+      const float most = MostRimRatio * before.Values[to];
       float farthest = before.Values[to];
       bool isRim = false;
       for (int j = std::max(y - 1, 0); j <= std::min(y + 1, patch.Size - 1); ++j)

@@ -27,23 +27,29 @@ constexpr double NearestDistance = 1e-6;
 
 /// Boxes of triangles are widened by this part of a texel and of a tile, because they are rounded.
 constexpr float BoxMargin = 1e-3F;
-constexpr float BoxMarginOfTile = 1e-6F;
+constexpr float BoxMarginOfTile = 1e-5F;
+
+/// Floats do not place points that are nearer to a viewpoint than this, in CC along the axis, well
+/// enough.
+constexpr float CloseDistance = 0.05F;
+
+/// The triangles that are drawn between two checks whether to stop.
+constexpr std::size_t TrianglesAtOnce = 4096;
 
 /// Triangles are widened by this, relative to the size of their edges, so that no ray falls between
 /// neighbours that are rounded differently.
 constexpr double EdgeMargin = 1e-12;
 
-/// Whether a point lies outside of a tile, on which sides: bits for each tile.
-enum Side : std::uint32_t
+/// The sides of a tile that a point lies outside of.
+enum Side : std::uint8_t
 {
   Left = 1,
   Right = 2,
   Top = 4,
   Bottom = 8,
-  Behind = 16
+  Behind = 16,
+  Close = 32
 };
-constexpr int SideBits = 5;
-constexpr std::uint32_t AllSides = (1U << SideBits) - 1;
 
 /// The edges of columns and rows of texels.
 struct TexelBox
@@ -77,10 +83,10 @@ struct Axis
   double From = 0.0;
 };
 
-/// Projects points to texels, whose centres have whole numbers. Sets the bits of the sides.
+/// Projects points to texels, whose centres have whole numbers.
 CSLF_VECTORIZE void Project(const float* const points[3], std::size_t count, const Axis axes[3],
-  float scale, float startX, float startY, float last, float margin, int shift, float* x, float* y,
-  std::uint32_t* sides)
+  float scale, float startX, float startY, float last, float margin, float* x, float* y,
+  std::uint8_t* sides)
 {
   const float* const px = points[axes[0].Number];
   const float* const py = points[axes[1].Number];
@@ -100,12 +106,12 @@ CSLF_VECTORIZE void Project(const float* const points[3], std::size_t count, con
     const float factor = scale / (isBehind ? 1.0F : z);
     const float texelX = factor * (signX * px[k] - fromX) - startX;
     const float texelY = factor * (signY * py[k] - fromY) - startY;
-    const std::uint32_t outside = (texelX < -margin ? Left : 0U) |
-      (texelX > last + margin ? Right : 0U) | (texelY < -margin ? Top : 0U) |
-      (texelY > last + margin ? Bottom : 0U);
+    const int outside = (texelX < -margin ? Left : 0) | (texelX > last + margin ? Right : 0) |
+      (texelY < -margin ? Top : 0) | (texelY > last + margin ? Bottom : 0);
     x[k] = texelX;
     y[k] = texelY;
-    sides[k] |= (isBehind ? static_cast<std::uint32_t>(Behind) : outside) << shift;
+    const int exact = z < CloseDistance ? Close : outside;
+    sides[k] = static_cast<std::uint8_t>(isBehind ? static_cast<int>(Behind) : exact);
   }
 }
 
@@ -117,16 +123,23 @@ struct Plane
   double StepY;
 };
 
+/// The range of inverse depths of a triangle, which planes of slivers exceed.
+struct Range
+{
+  double Least;
+  double Most;
+};
+
 /// Draws a triangle to the texels of a box: its inverse depth, which is the last plane, where the
 /// other three are not negative.
 CSLF_VECTORIZE void DrawTexels(
-  const Plane planes[4], const TexelBox& box, double* nearest, int resolution)
+  const Plane planes[4], const Range& range, const TexelBox& box, float* nearest, int resolution)
 {
   const int width = box.LastX - box.FirstX + 1;
   const int height = box.LastY - box.FirstY + 1;
   for (int y = 0; y < height; ++y)
   {
-    double* row = nearest + static_cast<std::size_t>(y) * resolution;
+    float* row = nearest + static_cast<std::size_t>(y) * resolution;
     double first[4];
     for (int k = 0; k < 4; ++k)
     {
@@ -138,7 +151,8 @@ CSLF_VECTORIZE void DrawTexels(
       const double least =
         std::min(std::min(first[0] + x * planes[0].StepX, first[1] + x * planes[1].StepX),
           first[2] + x * planes[2].StepX);
-      const double inverse = first[3] + x * planes[3].StepX;
+      const double linear = first[3] + x * planes[3].StepX;
+      const auto inverse = static_cast<float>(std::min(std::max(linear, range.Least), range.Most));
       row[x] = least >= 0.0 && inverse > row[x] ? inverse : row[x];
     }
   }
@@ -152,7 +166,6 @@ public:
   Tile(const Layout& grid, int slice, int tile)
     : Resolution(grid.GetResolution())
     , Margin(BoxMargin + BoxMarginOfTile * static_cast<float>(Resolution))
-    , Shift(SideBits * tile)
   {
     const Viewpoint viewpoint = grid.ViewpointOf(slice);
     const int face = ExitFaceOf(viewpoint.Face, tile);
@@ -163,35 +176,38 @@ public:
     this->Axes[2] = Axis(normal, from);
     this->Start = { -1.0 - this->Axes[0].From, -1.0 - this->Axes[1].From };
     this->Distance = 1.0 - this->Axes[2].From;
-    this->Nearest.assign(static_cast<std::size_t>(this->Resolution) * this->Resolution, 0.0);
+    this->Nearest.assign(static_cast<std::size_t>(this->Resolution) * this->Resolution, 0.0F);
   }
+
+  /// On an edge of the cube, the rays to the other face lie in that face, and meet nothing.
+  bool HasRays() const { return this->Distance > 0.0; }
 
   /// Projects the points of all triangles.
-  void Place(const std::array<std::vector<float>, 3>& points, std::vector<std::uint32_t>& sides)
+  void Place(const std::array<std::vector<float>, 3>& points)
   {
-    this->X.resize(sides.size());
-    this->Y.resize(sides.size());
-    if (!this->HasRays())
-    {
-      std::for_each(sides.begin(), sides.end(),
-        [this](std::uint32_t& side) { side |= static_cast<std::uint32_t>(Behind) << this->Shift; });
-      return;
-    }
+    const std::size_t count = points[0].size();
+    this->X.resize(count);
+    this->Y.resize(count);
+    this->Sides.resize(count);
     const double texels = 0.5 * this->Resolution;
     const float* const coordinates[3] = { points[0].data(), points[1].data(), points[2].data() };
-    Project(coordinates, sides.size(), this->Axes.data(),
-      static_cast<float>(texels * this->Distance), static_cast<float>(texels * this->Start.x + 0.5),
+    Project(coordinates, count, this->Axes.data(), static_cast<float>(texels * this->Distance),
+      static_cast<float>(texels * this->Start.x + 0.5),
       static_cast<float>(texels * this->Start.y + 0.5), static_cast<float>(this->Resolution - 1),
-      this->Margin, this->Shift, this->X.data(), this->Y.data(), sides.data());
+      this->Margin, this->X.data(), this->Y.data(), this->Sides.data());
   }
 
-  void Draw(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& sides,
-    const unsigned int* corners)
+  void Draw(const std::vector<glm::dvec3>& points, const unsigned int* corners)
   {
-    const std::uint32_t any = sides[corners[0]] | sides[corners[1]] | sides[corners[2]];
-    const bool isCut = ((any >> this->Shift) & Behind) != 0;
+    const std::uint8_t sides[3] = { this->Sides[corners[0]], this->Sides[corners[1]],
+      this->Sides[corners[2]] };
+    if ((sides[0] & sides[1] & sides[2] & ~Close) != 0)
+    {
+      return;
+    }
+    const bool isNear = ((sides[0] | sides[1] | sides[2]) & (Behind | Close)) != 0;
     const TexelBox box =
-      isCut ? this->FindBox(CutNear(this->Find(points, corners))) : this->FindBox(corners);
+      isNear ? this->FindBox(CutNear(this->Find(points, corners))) : this->FindBox(corners);
     if (box.FirstX <= box.LastX && box.FirstY <= box.LastY)
     {
       this->Draw(this->Find(points, corners), box);
@@ -208,7 +224,7 @@ public:
         static_cast<std::size_t>(tile) * this->Resolution;
       for (int x = 0; x < this->Resolution; ++x, ++from)
       {
-        const double inverse = this->Nearest[from];
+        const float inverse = this->Nearest[from];
         row[x] = inverse > 0.0 ? static_cast<unsigned short>(
                                    std::min(65535.0 / inverse + 0.5, GeometryDepths::None - 1.0))
                                : GeometryDepths::None;
@@ -218,9 +234,6 @@ public:
 
 private:
   using Triangle = std::array<glm::dvec3, 3>;
-
-  /// On an edge of the cube, the rays to the other face lie in that face.
-  bool HasRays() const { return this->Distance > 0.0; }
 
   Triangle Find(const std::vector<glm::dvec3>& points, const unsigned int* corners) const
   {
@@ -322,20 +335,24 @@ private:
     }
     const glm::dvec3 inverse = normal / height;
     planes[3] = { glm::dot(inverse, first), step * inverse.x, step * inverse.y };
-    DrawTexels(planes, box,
+    const double depths[3] = { std::max(a.z, NearestDistance),
+      std::max(triangle[1].z, NearestDistance), std::max(triangle[2].z, NearestDistance) };
+    const Range range = { this->Distance / std::max({ depths[0], depths[1], depths[2] }),
+      this->Distance / std::min({ depths[0], depths[1], depths[2] }) };
+    DrawTexels(planes, range, box,
       &this->Nearest[static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX],
       this->Resolution);
   }
 
   int Resolution;
   float Margin;
-  int Shift;
   std::array<Axis, 3> Axes;
   glm::dvec2 Start;     ///< of the tile's corner
   double Distance;      ///< of the exit face
   std::vector<float> X; ///< of the points, in texels
   std::vector<float> Y;
-  std::vector<double> Nearest; ///< the largest inverse depth of each texel, or 0
+  std::vector<std::uint8_t> Sides;
+  std::vector<float> Nearest; ///< the largest inverse depth of each texel, or 0
 };
 }
 
@@ -344,6 +361,11 @@ GeometryDepths::GeometryDepths(vtkPolyData* triangles, const Cube& box, const La
   , Corners(ListCorners(triangles))
 {
   const vtkIdType count = triangles->GetNumberOfPoints();
+  this->Points.reserve(count);
+  for (std::vector<float>& coordinates : this->Coordinates)
+  {
+    coordinates.reserve(count);
+  }
   for (vtkIdType k = 0; k < count; ++k)
   {
     double point[3];
@@ -356,32 +378,28 @@ GeometryDepths::GeometryDepths(vtkPolyData* triangles, const Cube& box, const La
   }
 }
 
-void GeometryDepths::Draw(int slice, std::vector<unsigned short>& depths) const
+bool GeometryDepths::Draw(
+  int slice, unsigned short* depths, const std::atomic<bool>& isStopped) const
 {
-  std::vector<Tile> tiles;
-  std::vector<std::uint32_t> sides(this->Points.size(), 0);
+  std::fill_n(depths, this->Grid.GetStripTexels(), None);
   for (int number = 0; number < TileCount; ++number)
   {
-    tiles.emplace_back(this->Grid, slice, number);
-    tiles.back().Place(this->Coordinates, sides);
-  }
-  for (std::size_t k = 0; k < this->Corners.size(); k += 3)
-  {
-    const unsigned int* corners = &this->Corners[k];
-    std::uint32_t outside = sides[corners[0]] & sides[corners[1]] & sides[corners[2]];
-    for (Tile& tile : tiles)
+    Tile tile(this->Grid, slice, number);
+    if (!tile.HasRays())
     {
-      if ((outside & AllSides) == 0)
-      {
-        tile.Draw(this->Points, sides, corners);
-      }
-      outside >>= SideBits;
+      continue;
     }
+    tile.Place(this->Coordinates);
+    for (std::size_t k = 0; k < this->Corners.size(); k += 3)
+    {
+      if (k % (3 * TrianglesAtOnce) == 0 && isStopped)
+      {
+        return false;
+      }
+      tile.Draw(this->Points, &this->Corners[k]);
+    }
+    tile.Write(number, depths);
   }
-  depths.assign(this->Grid.GetStripTexels(), None);
-  for (int number = 0; number < TileCount; ++number)
-  {
-    tiles[number].Write(number, depths.data());
-  }
+  return true;
 }
 }

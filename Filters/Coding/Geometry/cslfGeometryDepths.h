@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,9 @@ public:
   /// The depth of texels whose ray meets no triangle. No other texel has it.
   static constexpr unsigned short None = 65535;
 
+  /// More triangles are not drawn, so that a file cannot ask for any amount of work.
+  static constexpr std::size_t MostTriangles = std::size_t(1) << 22;
+
   /// Triangles in world coordinates.
   GeometryDepths(vtkPolyData* triangles, const Cube& box, const Layout& grid);
 
@@ -35,8 +39,8 @@ public:
 
   /// Fills the strip of a viewpoint: for each texel, the first triangle that the ray to its centre
   /// meets, as a fraction of the distance to the centre, from 0 to 65534. Triangles have two sides.
-  /// May be called by several threads at once.
-  void Draw(int slice, std::vector<unsigned short>& depths) const;
+  /// May be called by several threads at once. Returns false early if `isStopped` becomes true.
+  bool Draw(int slice, unsigned short* depths, const std::atomic<bool>& isStopped) const;
 
 private:
   Layout Grid;

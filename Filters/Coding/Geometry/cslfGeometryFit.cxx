@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryFit.h"
 
+#include "Coding/Frames/cslfPerceptualQuantizer.h"
 #include "Coding/Frames/cslfPushPull.h"
+#include "cslfColor.h"
 #include "cslfGeometryDepths.h"
 #include "cslfSameSurface.h"
 
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace cslf
 {
@@ -24,8 +27,9 @@ constexpr double MostDepth = 65535.0;
 /// How far the colours of texels at silhouettes may come from, in texels.
 constexpr int Reach = 3;
 
-/// The alpha of a texel that shows more of a surface than of what is beside it.
+/// The alpha of texels that show more of a surface than of what is beside it, and of opaque ones.
 constexpr unsigned char MostlyCovered = 128;
+constexpr unsigned char Opaque = 192;
 
 struct Place
 {
@@ -86,7 +90,10 @@ public:
     }
     for (Patch& plane : this->Planes)
     {
-      Fill(plane);
+      if (this->HasCoverage)
+      {
+        Fill(plane);
+      }
     }
     this->Write();
     return this->Result;
@@ -111,18 +118,43 @@ private:
       AreOnOneSurface(this->Depths[texel] / MostDepth, this->Drawn[drawn] / MostDepth, distance);
   }
 
-  /// Without association with alpha.
+  /// Without association with alpha, and within what a video can hold.
   glm::vec3 GetColor(std::size_t texel) const
   {
     glm::vec3 color;
     const float alpha = this->Floats ? this->Floats[4 * texel + 3] : this->Bytes[4 * texel + 3];
     const float scale = (this->Floats ? 1.0F : 255.0F) / std::max(alpha, 1e-6F);
+    const float most = this->Floats ? static_cast<float>(MaximumRadiance) : 255.0F;
     for (int k = 0; k < 3; ++k)
     {
-      const std::size_t value = 4 * texel + k;
-      color[k] = scale * (this->Floats ? this->Floats[value] : this->Bytes[value]);
+      const std::size_t place = 4 * texel + k;
+      const float value = scale * (this->Floats ? this->Floats[place] : this->Bytes[place]);
+      color[k] = value >= 0.0F ? std::min(value, most) : 0.0F; // also if it is not a number
     }
     return color;
+  }
+
+  bool IsInside(const Place& place) const
+  {
+    return std::min(place.X, place.Y) >= 0 && std::max(place.X, place.Y) < this->Resolution;
+  }
+
+  /// Whether a texel inside of the geometry's outlines shows something through it.
+  bool IsTorn(const Place& place) const
+  {
+    if (!this->HasCoverage || this->Coverage.GetCoverage(this->IndexOf(place)) >= Opaque)
+    {
+      return false;
+    }
+    for (int k = 0; k < 9; ++k)
+    {
+      const Place other = { place.X + k % 3 - 1, place.Y + k / 3 - 1 };
+      if (!this->IsInside(other) || this->Drawn[this->IndexOf(other)] == None)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   void FindColor(const Place& place)
@@ -131,20 +163,17 @@ private:
     const bool isDrawn = this->Drawn[texel] < None;
     const bool hasSurface = this->HasSurface(texel);
     this->Result.Texels += isDrawn || hasSurface ? 1 : 0;
+    const bool isOwn = isDrawn && this->IsOn(texel, texel, 0.0);
     std::optional<glm::vec3> color;
-    if (isDrawn)
+    if (isDrawn && !isOwn)
     {
-      color = this->IsOn(texel, texel, 0.0) ? this->GetColor(texel) : this->FindNearest(place);
-      this->Result.Wrong += color ? 0 : 1;
+      color = this->FindNearest(place);
     }
-    else if (hasSurface)
-    {
-      // Beside a silhouette, the nearest sample has hit something, but the centre has not.
-      const bool isCovered =
-        !this->HasCoverage || this->Coverage.GetCoverage(texel) > MostlyCovered;
-      this->Result.Wrong += isCovered ? 1 : 0;
-    }
-    if (!color && (!this->HasCoverage || (isDrawn && hasSurface)))
+    // Beside a silhouette, the nearest sample has hit something, but the centre has not.
+    const bool isCovered = !this->HasCoverage || this->Coverage.GetCoverage(texel) > MostlyCovered;
+    const bool isLost = isDrawn ? !isOwn && !color : hasSurface && isCovered;
+    this->Result.Wrong += isLost || (isDrawn && this->IsTorn(place)) ? 1 : 0;
+    if (!color && this->HasCoverage && isDrawn && hasSurface)
     {
       color = this->GetColor(texel);
     }
@@ -154,31 +183,53 @@ private:
     }
   }
 
-  /// The mean of the nearest texels on the surface that the geometry has here.
+  /// The mean light of the nearest texels on the surface that the geometry has here.
   std::optional<glm::vec3> FindNearest(const Place& place) const
   {
     static const std::vector<Place> around = ListPlacesAround();
-    glm::vec3 sum(0.0F);
-    int count = 0;
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
     int square = 0;
     for (const Place& step : around)
     {
-      if (count > 0 && SquareOf(step) > square)
+      if (weights > 0.0 && SquareOf(step) > square)
       {
         break;
       }
       const Place other = { place.X + step.X, place.Y + step.Y };
-      if (std::min(other.X, other.Y) >= 0 && std::max(other.X, other.Y) < this->Resolution &&
+      if (this->IsInside(other) &&
         this->IsOn(
           this->IndexOf(other), this->IndexOf(place), std::max(std::abs(step.X), std::abs(step.Y))))
       {
-        sum += this->GetColor(this->IndexOf(other));
+        const double weight = this->Coverage.GetCoverage(this->IndexOf(other));
+        sum += weight * this->ToLight(this->GetColor(this->IndexOf(other)));
         square = SquareOf(step);
-        ++count;
+        weights += weight;
       }
     }
-    return count > 0 ? std::make_optional(sum / static_cast<float>(count)) : std::nullopt;
+    return weights > 0.0 ? std::make_optional(this->FromLight(sum / weights)) : std::nullopt;
   }
+
+  ///@{
+  /// Bytes are encoded, floats are light.
+  glm::dvec3 ToLight(const glm::vec3& color) const
+  {
+    glm::dvec3 light(color);
+    for (int k = 0; k < 3 && this->Bytes; ++k)
+    {
+      light[k] = SRGBToLinear(light[k] / 255.0);
+    }
+    return light;
+  }
+  glm::vec3 FromLight(glm::dvec3 light) const
+  {
+    for (int k = 0; k < 3 && this->Bytes; ++k)
+    {
+      light[k] = 255.0 * LinearToSRGB(light[k]);
+    }
+    return light;
+  }
+  ///@}
 
   void Put(const Place& place, const glm::vec3& color)
   {
@@ -196,25 +247,30 @@ private:
     {
       for (int x = 0; x < this->Resolution; ++x)
       {
-        const std::size_t texel = this->IndexOf({ x, y });
-        const bool isCovered = !this->HasCoverage || this->Drawn[texel] < None;
-        for (int k = 0; k < 4; ++k)
+        const std::size_t place = this->Planes[0].IndexOf(x, y);
+        if (this->HasCoverage || this->Planes[0].Weights[place] > 0.0F)
         {
-          const float value = k < 3 ? this->Planes[k].Values[this->Planes[k].IndexOf(x, y)]
-            : !isCovered            ? 0.0F
-            : this->Floats          ? 1.0F
-                                    : 255.0F;
-          if (this->Floats)
-          {
-            this->Floats[4 * texel + k] = value;
-          }
-          else
-          {
-            this->Bytes[4 * texel + k] =
-              static_cast<unsigned char>(std::clamp(value + 0.5F, 0.0F, 255.0F));
-          }
+          this->Floats ? this->Write(this->IndexOf({ x, y }), place, 1.0F, this->Floats)
+                       : this->Write(this->IndexOf({ x, y }), place, 255.0F, this->Bytes);
         }
       }
+    }
+  }
+
+  template <typename Component>
+  void Write(std::size_t texel, std::size_t place, float full, Component* colors) const
+  {
+    Component* color = colors + 4 * texel;
+    const float rounding = std::is_integral<Component>::value ? 0.5F : 0.0F;
+    // Alpha that is computed is not coded, so colours need not be associated with it.
+    const float scale = this->HasCoverage ? 1.0F : static_cast<float>(color[3]) / full;
+    for (int k = 0; k < 3; ++k)
+    {
+      color[k] = static_cast<Component>(scale * this->Planes[k].Values[place] + rounding);
+    }
+    if (this->HasCoverage)
+    {
+      color[3] = static_cast<Component>(this->Drawn[texel] < None ? full : 0.0F);
     }
   }
 
@@ -232,14 +288,20 @@ private:
 
 template <typename Component>
 void Apply(
-  const std::vector<unsigned short>& depths, bool hasCoverage, Component full, Component* colors)
+  std::size_t texels, bool hasCoverage, Component full, unsigned short* depths, Component* colors)
 {
-  for (std::size_t texel = 0; texel < depths.size(); ++texel)
+  for (std::size_t texel = 0; texel < texels; ++texel)
   {
-    const bool isCovered = !hasCoverage || depths[texel] < None;
     Component* color = colors + 4 * texel;
-    color[3] = full;
-    if (!isCovered)
+    if (!hasCoverage)
+    {
+      depths[texel] = color[3] > Component(0) ? depths[texel] : None;
+    }
+    else if (depths[texel] < None)
+    {
+      color[3] = full;
+    }
+    else
     {
       std::fill_n(color, 4, Component(0));
     }
@@ -258,17 +320,16 @@ GeometryFit FitToGeometry(int resolution, const std::vector<unsigned short>& dep
   return fit;
 }
 
-void ApplyGeometry(
-  const std::vector<unsigned short>& depths, bool hasCoverage, const ViewpointSamples& samples)
+void ApplyGeometry(std::size_t texels, bool hasCoverage, const ViewpointSamples& samples)
 {
-  std::copy(depths.begin(), depths.end(), samples.Get<unsigned short>(KnownChannel::Depth));
+  auto* depths = samples.Get<unsigned short>(KnownChannel::Depth);
   if (auto* floats = samples.Get<float>(KnownChannel::Color))
   {
-    Apply(depths, hasCoverage, 1.0F, floats);
+    Apply(texels, hasCoverage, 1.0F, depths, floats);
   }
   else
   {
-    Apply(depths, hasCoverage, static_cast<unsigned char>(255),
+    Apply(texels, hasCoverage, static_cast<unsigned char>(255), depths,
       samples.Get<unsigned char>(KnownChannel::Color));
   }
 }

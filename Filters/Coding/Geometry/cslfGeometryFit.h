@@ -19,8 +19,8 @@ namespace cslf
 struct GeometryFit
 {
   std::size_t Texels = 0; ///< with a surface
-  /// Those among them whose surface the geometry does not have or that it hides, and those of the
-  /// geometry whose colour is not known.
+  /// Those among them whose surface the geometry does not have or hides, those of the geometry
+  /// whose colour is not known, and, inside of its outlines, those that are partly transparent.
   std::size_t Wrong = 0;
 
   void operator+=(const GeometryFit& other)
@@ -41,14 +41,14 @@ struct GeometryFit
 /// of its texels. `depths` are the geometry's (see GeometryDepths), the samples have 16-bit depth.
 /// A texel whose centre lies on another surface, at silhouettes, gets the colour of the nearest
 /// texels of the geometry's surface. If `hasCoverage` is set, alpha becomes that of the geometry, 0
-/// or 1; where it is 0, colours continue those around, and have no meaning. Depth is not changed.
+/// or 1, and colours are not multiplied by it: where it is 0, they continue those around, and have
+/// no meaning. Otherwise alpha is not changed. Depth is not changed.
 GeometryFit FitToGeometry(int resolution, const std::vector<unsigned short>& depths,
   bool hasCoverage, const ViewpointSamples& samples);
 
-/// The reader's part: sets depth and, if `hasCoverage` is set, alpha to those of the geometry, and
-/// colour to 0 where alpha is.
-void ApplyGeometry(
-  const std::vector<unsigned short>& depths, bool hasCoverage, const ViewpointSamples& samples);
+/// The reader's part: the samples' depth is that of the geometry. If `hasCoverage` is set, alpha
+/// becomes the geometry's, and colour 0 where it is 0; otherwise depth is filled where alpha is 0.
+void ApplyGeometry(std::size_t texels, bool hasCoverage, const ViewpointSamples& samples);
 }
 
 #endif

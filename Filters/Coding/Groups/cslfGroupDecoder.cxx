@@ -116,7 +116,8 @@ bool GroupDecoder::DecodeAlone(const GroupRequest& request, const GroupPackets& 
     {
       std::transform(workers.begin(), workers.end(), frames.begin(),
         [](const std::unique_ptr<Worker>& worker) { return worker->Decoder->Next(); });
-      isGood = this->Join(request, workers, frames, static_cast<int>(place));
+      isGood = this->Join(workers, frames, static_cast<int>(place), request.Slices[place]) &&
+        this->Compute(request, static_cast<int>(place));
     }
   }
   return this->Finish(request, isGood, workers);
@@ -157,9 +158,18 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request, const GroupPackets&
     std::transform(frames.begin(), frames.end(), parts.begin(),
       [k](const std::vector<AVHandle<AVFrame>>& track)
       { return k < track.size() ? track[k].get() : nullptr; });
-    isGood = this->Join(request, workers, parts, places[k]);
+    isGood = this->Join(workers, parts, places[k], request.Slices[places[k]]);
   }
-  return this->Finish(request, isGood, workers);
+  std::atomic<bool> isComputed{ true };
+  ParallelFor(0, isGood ? static_cast<vtkIdType>(places.size()) : 0, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        isComputed = this->Compute(request, places[k]) && isComputed;
+      }
+    });
+  return this->Finish(request, isGood && isComputed, workers);
 }
 
 bool GroupDecoder::Finish(const GroupRequest& request, bool isGood, Workers& workers)
@@ -224,10 +234,9 @@ void GroupDecoder::PutBack(Workers& workers)
   }
 }
 
-bool GroupDecoder::Join(const GroupRequest& request, const Workers& workers,
-  const std::vector<const AVFrame*>& frames, int place) const
+bool GroupDecoder::Join(const Workers& workers, const std::vector<const AVFrame*>& frames,
+  int place, const ViewpointSamples& slice) const
 {
-  const ViewpointSamples& slice = request.Slices[place];
   for (std::size_t track = 0; track < frames.size(); ++track)
   {
     if (this->IsStopped || !frames[track] || frames[track]->pts != place ||
@@ -238,11 +247,23 @@ bool GroupDecoder::Join(const GroupRequest& request, const Workers& workers,
   }
   const FileHeader& header = this->GetHeader();
   JoinChannels(header.Field.Grid.GetResolution(), header.FindTrack(CoverageRole), slice);
+  return true;
+}
+
+// What the geometry tells about a slice. False if decoding was stopped.
+bool GroupDecoder::Compute(const GroupRequest& request, int place) const
+{
+  const FileHeader& header = this->GetHeader();
+  const ViewpointSamples& slice = request.Slices[place];
+  if (this->Depths &&
+    !this->Depths->Draw(header.Slices[this->GroupStarts[request.Group] + place],
+      slice.Get<unsigned short>(KnownChannel::Depth), this->IsStopped))
+  {
+    return false;
+  }
   if (this->Depths)
   {
-    std::vector<unsigned short> depths;
-    this->Depths->Draw(header.Slices[this->GroupStarts[request.Group] + place], depths);
-    ApplyGeometry(depths, header.HasGeometryCoverage, slice);
+    ApplyGeometry(header.Field.Grid.GetStripTexels(), header.HasGeometryCoverage, slice);
   }
   return true;
 }

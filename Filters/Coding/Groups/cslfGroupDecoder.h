@@ -86,8 +86,9 @@ private:
   std::unique_ptr<Worker> Begin(
     std::size_t track, const GroupRequest& request, const GroupPackets& packets);
   void PutBack(Workers& workers);
-  bool Join(const GroupRequest& request, const Workers& workers,
-    const std::vector<const AVFrame*>& frames, int place) const;
+  bool Join(const Workers& workers, const std::vector<const AVFrame*>& frames, int place,
+    const ViewpointSamples& slice) const;
+  bool Compute(const GroupRequest& request, int place) const;
   void Clear(const GroupRequest& request) const;
 
   std::unique_ptr<ContainerReader> Container;

@@ -3,6 +3,7 @@
 #include "cslfEncodeProbe.h"
 
 #include "Coding/Geometry/cslfGeometryCodec.h"
+#include "Pipeline/cslfFieldArrays.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkInformation.h>
@@ -14,10 +15,12 @@
 
 namespace cslf
 {
-EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry)
+EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry,
+  std::optional<ComputedChannels> computed)
   : Producer(producer)
   , Settings(std::move(settings))
   , Geometry(geometry)
+  , Computed(computed)
 {
 }
 
@@ -64,15 +67,20 @@ bool EncodeProbe::Begin(std::string& error)
 bool EncodeProbe::BeginWriting(std::string& error)
 {
   const Description field = this->Puller->GetField();
-  if (this->Geometry)
+  std::string fault;
+  const FilePart part{ GeometryPartType, GeometryPartName,
+    this->Geometry ? EncodeGeometry(this->Geometry, field.Box, fault)
+                   : std::vector<unsigned char>() };
+  if (!part.Bytes.empty() && FindFault({}, part).empty())
   {
-    std::string ignored;
-    const FilePart part{ GeometryPartType, GeometryPartName,
-      EncodeGeometry(this->Geometry, field.Box, ignored) };
     this->Writer->SetParts({ part });
-    if (this->Settings.ComputesDepth())
+    if (this->Computed)
     {
-      const std::vector<int> slices = GetFirstGroup(field.Grid, this->Settings.GroupLength);
+      this->Plan = GeometryPlan(part.Bytes, field, *this->Computed);
+    }
+    else if (this->Settings.ComputesDepth())
+    {
+      const std::vector<int> slices = GetTriedViewpoints(field.Grid);
       if (!this->Puller->Pull(slices, error))
       {
         return false;
@@ -95,7 +103,11 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   }
   costs.RenderSeconds += std::chrono::duration<double>(Clock::now() - start).count();
   const std::clock_t middle = std::clock();
-  this->Plan.Fit(this->Writer->GetSlices(groups), this->Puller->GetSlices());
+  // The samples themselves are asked for afterwards.
+  const std::vector<ViewpointSamples> fitted = this->GetComputed().HasDepth
+    ? CopySamples(this->Puller->GetField(), this->Puller->GetSlices())
+    : this->Puller->GetSlices();
+  this->Plan.Fit(this->Writer->GetSlices(groups), fitted);
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
   std::vector<CodingTask> tasks;
   tasks.reserve(groups.size());
@@ -105,7 +117,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   }
   std::vector<GroupParts> parts;
   if (!this->Writer->GetCoder().Encode(
-        tasks, this->Puller->GetSlices(), [] {}, parts, error))
+        tasks, fitted, [] {}, parts, error))
   {
     return false;
   }

@@ -41,8 +41,10 @@ struct GroupCosts
 class EncodeProbe
 {
 public:
-  /// The producer's output port 0 is the field. The geometry, which may be null, is in the file.
-  EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry = nullptr);
+  /// The producer's output port 0 is the field. The geometry, which may be null, is in the file. If
+  /// it is not told what is computed from it, the probe tries.
+  EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry = nullptr,
+    std::optional<ComputedChannels> computed = std::nullopt);
 
   /// Asks for the field's description, with its first viewpoint. On failure returns false and gives
   /// the reason in a sentence.
@@ -50,6 +52,9 @@ public:
 
   /// What the parts of a run would depend on.
   const std::string& GetManifest() const { return this->Writer->GetManifest(); }
+
+  /// What readers would compute, after Begin.
+  const ComputedChannels& GetComputed() const { return this->Plan.GetComputed(); }
 
   int GetGroupCount() const { return this->Writer->GetGroupCount(); }
 
@@ -68,6 +73,7 @@ private:
   vtkAlgorithm* Producer;
   EncodeSettings Settings;
   vtkSmartPointer<vtkPolyData> Geometry;
+  std::optional<ComputedChannels> Computed;
   GeometryPlan Plan;
   std::optional<SlicePuller> Puller;
   std::optional<FieldWriter> Writer;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -31,14 +32,17 @@ std::size_t GetGroupsAtOnce(const FileHeader& header)
     std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
 }
 
-/// What the file's geometry says about depth. Null if the geometry is missing or damaged.
+/// What the file's geometry says about depth. Null if the geometry is missing, damaged or too
+/// large.
 std::unique_ptr<GeometryDepths> ReadDepths(const FileHeader& header)
 {
   const FilePart* part = header.FindGeometry();
   std::string ignored;
   const auto geometry = part ? DecodeGeometry(part->Bytes, header.Field.Box, ignored) : nullptr;
-  return geometry ? std::make_unique<GeometryDepths>(geometry, header.Field.Box, header.Field.Grid)
-                  : nullptr;
+  return geometry &&
+      static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MostTriangles
+    ? std::make_unique<GeometryDepths>(geometry, header.Field.Box, header.Field.Grid)
+    : nullptr;
 }
 }
 
@@ -189,11 +193,20 @@ std::unique_ptr<FieldReader> FieldReader::Open(const std::string& fileName, Open
   std::unique_ptr<GeometryDepths> depths;
   if (container->GetHeader().HasGeometryDepth)
   {
-    depths = ReadDepths(container->GetHeader());
+    try
+    {
+      depths = ReadDepths(container->GetHeader());
+    }
+    catch (const std::bad_alloc&)
+    {
+      failure = { vtkErrorCode::CannotOpenFileError,
+        "there is not enough memory for its geometry" };
+      return nullptr;
+    }
     if (!depths)
     {
       failure = { vtkErrorCode::FileFormatError,
-        "its geometry, which tells its depth, is missing or damaged" };
+        "the geometry from which its depth is computed is missing or damaged" };
       return nullptr;
     }
   }

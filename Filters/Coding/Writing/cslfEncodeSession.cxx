@@ -225,7 +225,7 @@ void EncodeSession::TryGeometry()
   {
     return;
   }
-  const std::vector<int> slices = GetFirstGroup(field.Grid, settings.GroupLength);
+  const std::vector<int> slices = GetTriedViewpoints(field.Grid);
   const PipelineWatch watch(this->Job.Connection, [this] { return this->Job.Progress(0.0); });
   std::string error;
   if (!this->Puller->Pull(slices, error))
@@ -234,7 +234,6 @@ void EncodeSession::TryGeometry()
     return;
   }
   this->Plan = GeometryPlan::Choose(part->Bytes, field, slices, this->Puller->GetSlices());
-  this->Cached->Keep(0, this->Puller->GetSlices());
 }
 
 bool EncodeSession::BeginWriting()

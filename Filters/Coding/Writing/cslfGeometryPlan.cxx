@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryPlan.h"
 
-#include "Coding/Frames/cslfFrameOrder.h"
 #include "Coding/Geometry/cslfGeometryCodec.h"
-#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include <vtkPolyData.h>
@@ -12,6 +10,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <string>
 
@@ -32,27 +31,17 @@ bool IsCovered(const ViewpointSamples& samples, std::size_t texels)
   }
   return true;
 }
+}
 
-std::vector<ViewpointSamples> Copy(
-  const Description& field, const std::vector<ViewpointSamples>& samples)
+std::vector<int> GetTriedViewpoints(const Layout& grid)
 {
-  const std::size_t texels = field.Grid.GetStripTexels();
-  const ViewpointSamples all = MakeSamples(field, static_cast<vtkIdType>(texels * samples.size()));
-  std::vector<ViewpointSamples> copies;
-  for (const ViewpointSamples& viewpoint : samples)
+  std::vector<int> slices;
+  const int middle = grid.GetViewpoints() / 2;
+  for (int face = 0; face < FaceCount; ++face)
   {
-    copies.push_back(all.At(static_cast<vtkIdType>(texels * copies.size())));
-    viewpoint.CopyTo(copies.back(), texels);
+    slices.push_back(grid.SliceOf({ face, middle, middle }));
   }
-  return copies;
-}
-}
-
-std::vector<int> GetFirstGroup(const Layout& grid, int groupLength)
-{
-  FrameOrder order = MakeFrameOrder(grid, groupLength);
-  order.Slices.resize(order.Groups.front());
-  return order.Slices;
+  return slices;
 }
 
 GeometryPlan::GeometryPlan(
@@ -61,7 +50,8 @@ GeometryPlan::GeometryPlan(
   std::string ignored;
   const auto geometry =
     bytes.empty() || !computed.HasDepth ? nullptr : DecodeGeometry(bytes, field.Box, ignored);
-  if (geometry)
+  if (geometry &&
+    static_cast<std::size_t>(geometry->GetNumberOfPolys()) <= GeometryDepths::MostTriangles)
   {
     // As readers get it, with positions that are rounded.
     this->Depths.emplace(geometry, field.Box, field.Grid);
@@ -85,14 +75,9 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   {
     return plan;
   }
-  const std::vector<ViewpointSamples> fitted = Copy(field, samples);
-  const double loss = plan.Fit(slices, fitted).GetLoss();
-  plan = loss <= MostLoss ? std::move(plan) : GeometryPlan();
-  plan.Loss = loss;
-  for (std::size_t k = 0; plan.Depths && k < samples.size(); ++k)
-  {
-    fitted[k].CopyTo(samples[k], texels);
-  }
+  const GeometryFit fit = plan.Fit(slices, samples);
+  plan = fit.Texels > 0 && fit.GetLoss() <= MostLoss ? std::move(plan) : GeometryPlan();
+  plan.Loss = fit.GetLoss();
   return plan;
 }
 
@@ -104,10 +89,11 @@ GeometryFit GeometryPlan::Fit(
   ParallelFor(0, this->Depths ? static_cast<vtkIdType>(slices.size()) : 0, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<unsigned short> depths;
+      const std::atomic<bool> isStopped{ false };
+      std::vector<unsigned short> depths(this->Depths->GetGrid().GetStripTexels());
       for (vtkIdType k = begin; k < end; ++k)
       {
-        this->Depths->Draw(slices[k], depths);
+        this->Depths->Draw(slices[k], depths.data(), isStopped);
         const GeometryFit one = FitToGeometry(
           this->Depths->GetGrid().GetResolution(), depths, this->Computed.HasCoverage, samples[k]);
         const std::lock_guard<std::mutex> lock(mutex);

@@ -25,9 +25,8 @@ struct ComputedChannels
   bool HasCoverage = false; ///< only together with depth
 };
 
-/// The first viewpoints in coding order, which belong to the coarsest grid: they show how well a
-/// geometry fits.
-std::vector<int> GetFirstGroup(const Layout& grid, int groupLength);
+/// Some viewpoints that show how well a geometry fits: the middle one of each face.
+std::vector<int> GetTriedViewpoints(const Layout& grid);
 
 class GeometryPlan
 {
@@ -42,8 +41,8 @@ public:
   GeometryPlan(
     const std::vector<unsigned char>& bytes, const Description& field, ComputedChannels computed);
 
-  /// Tries the geometry on some viewpoints, and computes what it tells well enough. If that is
-  /// anything, they are made to fit; otherwise they are not changed.
+  /// Tries the geometry on some viewpoints, whose samples it changes, and computes what it tells
+  /// well enough.
   static GeometryPlan Choose(const std::vector<unsigned char>& bytes, const Description& field,
     const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples);
 
