@@ -108,7 +108,8 @@ private:
 
   bool HasSurface(std::size_t texel) const
   {
-    return this->Depths[texel]<None&& this->Coverage.GetCoverage(texel)> 0;
+    const bool isNear = this->Depths[texel] < None;
+    return isNear && this->Coverage.GetCoverage(texel) > 0;
   }
 
   /// Whether the samples of a texel lie on the surface that the geometry has at another.
