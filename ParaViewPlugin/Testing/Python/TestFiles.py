@@ -11,15 +11,17 @@ field = bake(make_scene(), Viewpoints=3, Resolution=32)
 color = fetch_array(field, "Color")
 covered = color[:, 3] == 255
 
-# Round trips.
+# Round trips. If depth comes from the geometry, colours beside silhouettes are the geometry's.
 for name, parameters, least in (("a.mp4", {}, 36), ("a.mkv", {"Lossless": 1}, 99),
-                                ("b.mp4", {"TargetPSNR": 40}, 39), ("c.mkv", {"TargetRatio": 15}, 25)):
-    SaveData(name, proxy=field, Preset="fast", **parameters)
+                                ("b.mp4", {"TargetPSNR": 40}, 39), ("c.mkv", {"TargetRatio": 15}, 25),
+                                ("d.mp4", {"DepthFromGeometry": 1}, 27)):
+    SaveData(name, proxy=field, Preset="fast", **{"DepthFromGeometry": 0, **parameters})
     reader = OpenDataFile(name)
     check(reader.GetXMLName() == "CSLFReader", f"{name} was opened by {reader.GetXMLName()}")
     quality = psnr(fetch_array(reader, "Color")[:, :3], color[:, :3])
     check(quality > least, f"{name}: {quality} dB")
 check(os.path.getsize("a.mp4") < os.path.getsize("a.mkv") / 2, "coded no smaller than lossless")
+check(os.path.getsize("d.mp4") < os.path.getsize("a.mp4"), "no smaller without depth")
 ratio = color.shape[0] * 3 / os.path.getsize("c.mkv")
 check(14 < ratio < 16, f"coded to a ratio of {ratio}")
 
