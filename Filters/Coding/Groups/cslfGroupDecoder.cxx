@@ -166,7 +166,10 @@ bool GroupDecoder::DecodeTracks(const GroupRequest& request, const GroupPackets&
     {
       for (vtkIdType k = begin; k < end; ++k)
       {
-        isComputed = this->Compute(request, places[k]) && isComputed;
+        if (!this->Compute(request, places[k]))
+        {
+          isComputed = false;
+        }
       }
     });
   return this->Finish(request, isGood && isComputed, workers);
