@@ -101,7 +101,7 @@ if (CSLF_ENABLE_SAMPLER)
   list(APPEND sources
     ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
-  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces SurfaceMesh Tessellation)
+  cslf_add(Filters/PathTracing/Geometry GeometryMaker Reduction SeenPlaces SurfaceMesh Tessellation)
   cslf_add(Filters/PathTracing/Lights
     DirectionalLight DirectLight Emitter Environment EnvironmentReader LightBounds LightReader
     LightSample LightTree LocalLights PointLight)

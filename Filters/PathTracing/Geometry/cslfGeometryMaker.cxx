@@ -5,6 +5,7 @@
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Quality/cslfRobertsSequence.h"
+#include "cslfReduction.h"
 #include "cslfSeenPlaces.h"
 #include "cslfTessellation.h"
 
@@ -30,24 +31,30 @@ namespace
 /// How far the surface may move, in texels at the cube's centre.
 constexpr double MostTexels = 0.1;
 
-/// Spheres, tubes and instances become as coarse as this before the whole surface is reduced.
+/// Spheres, tubes and instances may become as coarse as this.
 constexpr int Coarsest = 3;
+
+/// Still coarser ones are only tried if these differ less from the scene, by this factor.
+constexpr double LeastGain = 0.9;
 
 /// The most triangles before hidden ones are removed.
 constexpr std::size_t MostTessellated = 16u << 20;
 
-/// The edge of the cells in which something is seen, in texels at the cube's centre.
-constexpr double CellTexels = 4.0;
+/// The edge of the cells in which something is seen, in texels at the cube's centre. Viewpoints of
+/// all sides see a texel's surface by many rays.
+constexpr double CellTexels = 1.0;
+
+/// Unless there are too many triangles, those within this number of cells are kept too: other views
+/// may see them.
+constexpr int WideCells = 4;
 
 /// The most viewpoints along a side of a face, and texels along a side of their pictures, that
 /// decide what is seen.
 constexpr int MostViewpoints = 9;
 constexpr int MostResolution = 128;
 
-/// The number of viewpoints that decide from which side a point is seen, and, if there are too many
-/// triangles, whether it is seen at all.
-constexpr std::size_t FewTries = 32;
-constexpr std::size_t ManyTries = 96;
+/// The number of viewpoints that decide from which side a point is seen.
+constexpr std::size_t MostTries = 32;
 
 /// How far in front of a point rays start to find its colour, in texels at the cube's centre.
 constexpr double StartTexels = 0.5;
@@ -156,6 +163,12 @@ void Measure(const std::vector<glm::vec3>& points, double texel, Geometry& geome
   geometry.Loss = 1.0 - static_cast<double>(near) / static_cast<double>(points.size());
 }
 
+/// The mean square distance of the surface, where what is lost counts as one texel.
+double FindDifference(const Geometry& geometry, double texel)
+{
+  return (1.0 - geometry.Loss) * geometry.Error * geometry.Error + geometry.Loss * texel * texel;
+}
+
 /// Normals of unit length, or 0 where there is none, on the side where corners run
 /// counterclockwise.
 std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh)
@@ -202,70 +215,19 @@ public:
     }
   }
 
-  /// Whether any of some viewpoints, which depend on a number, sees a point.
-  bool Sees(const glm::vec3& point, std::size_t number, std::size_t tries) const
-  {
-    return this->FindViewpoint(point, number, tries) != nullptr;
-  }
-
-  /// Removes points that are not seen.
-  void KeepSeen(std::vector<glm::vec3>& points) const
-  {
-    std::vector<glm::vec3> kept;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      if (this->Sees(points[i], i, ManyTries))
-      {
-        kept.push_back(points[i]);
-      }
-    }
-    points = std::move(kept);
-  }
-
-  /// Removes triangles whose corners and middle are not seen.
-  void KeepSeen(SurfaceMesh& mesh) const
-  {
-    std::vector<char> isSeen(mesh.Points.size(), 0);
-    ParallelFor(0, static_cast<vtkIdType>(isSeen.size()), 0,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          isSeen[i] = this->Sees(mesh.Points[i], i, ManyTries) ? 1 : 0;
-        }
-      });
-    std::vector<char> isKept(mesh.Triangles.size(), 0);
-    ParallelFor(0, static_cast<vtkIdType>(isKept.size()), 0,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const glm::uvec3& corners = mesh.Triangles[i];
-          const glm::vec3 middle =
-            (mesh.Points[corners.x] + mesh.Points[corners.y] + mesh.Points[corners.z]) / 3.0f;
-          isKept[i] = isSeen[corners.x] || isSeen[corners.y] || isSeen[corners.z] ||
-              this->Sees(middle, i, ManyTries)
-            ? 1
-            : 0;
-        }
-      });
-    Keep(isKept, mesh);
-  }
-
   /// Whether a point is seen from the back of a plane through it, and not from the front, judged by
   /// some viewpoints that depend on a number.
   bool IsSeenFromBehind(const glm::vec3& point, const glm::vec3& normal, std::size_t number) const
   {
-    const glm::vec3* viewpoint = this->FindViewpoint(point, number, FewTries);
+    const glm::vec3* viewpoint = this->FindViewpoint(point, number);
     return viewpoint && glm::dot(normal, *viewpoint - point) < 0.0f;
   }
 
 private:
-  const glm::vec3* FindViewpoint(
-    const glm::vec3& point, std::size_t number, std::size_t tries) const
+  const glm::vec3* FindViewpoint(const glm::vec3& point, std::size_t number) const
   {
     const std::size_t count = this->Viewpoints.size();
-    for (std::size_t i = 0; i < std::min(tries, count); ++i)
+    for (std::size_t i = 0; i < std::min(MostTries, count); ++i)
     {
       const glm::vec3& viewpoint = this->Viewpoints[(number + i) * this->Stride % count];
       const float distance = glm::distance(viewpoint, point);
@@ -302,6 +264,98 @@ std::vector<RayGrid> AimAtPoints(const Watcher& watcher, const SurfaceMesh& mesh
     });
   return rays;
 }
+
+/// Knows what the viewpoints see of a scene.
+SeenPlaces LookAround(const Scene& scene, const GeometrySettings& settings,
+  const std::vector<int>& slices, double texel)
+{
+  const Layout pictures(
+    settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), MostResolution));
+  const double cell = CellTexels * texel * settings.Grid.GetResolution() / pictures.GetResolution();
+  SeenPlaces seen(scene, static_cast<float>(cell));
+  seen.Look(TileCount * static_cast<int>(slices.size()), pictures.GetResolution(),
+    [&](int tile)
+    {
+      return MakeFieldRays(
+        pictures, settings.Box, settings.Frame, slices[tile / TileCount], tile % TileCount);
+    });
+  return seen;
+}
+
+/// The better way to reduce a surface, judged by points of the original.
+Geometry ReduceWell(const SurfaceMesh& surface, const std::vector<glm::vec3>& points,
+  std::size_t mostTriangles, double texel)
+{
+  Geometry best;
+  best.Loss = 2.0;
+  for (const bool byParts : { true, false })
+  {
+    Geometry geometry;
+    geometry.Surface = surface;
+    Reduce(geometry.Surface, mostTriangles, byParts);
+    Measure(points, texel, geometry);
+    if (FindDifference(geometry, texel) < FindDifference(best, texel))
+    {
+      best = std::move(geometry);
+    }
+    if (surface.Triangles.size() <= mostTriangles)
+    {
+      break;
+    }
+  }
+  return best;
+}
+
+/// The surface that the viewpoints see, with few enough triangles. Coarser shapes may lose less
+/// than a further reduction of fine ones.
+Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
+  const std::vector<int>& slices, double texel)
+{
+  const std::vector<Mesh>& meshes = scene.GetMeshes();
+  const auto tolerance = static_cast<float>(MostTexels * texel);
+  const SeenPlaces seen = LookAround(scene, settings, slices, texel);
+  const SeenPlaces nearlySeen = seen.Widen(WideCells);
+  int coarseness = 0;
+  while (coarseness < Coarsest && CountTriangles(meshes, coarseness) > MostTessellated)
+  {
+    ++coarseness;
+  }
+  std::vector<glm::vec3> points;
+  Geometry best;
+  best.Loss = 2.0;
+  std::size_t previous = std::numeric_limits<std::size_t>::max();
+  for (bool isBetter = true; isBetter && coarseness <= Coarsest; ++coarseness)
+  {
+    SurfaceMesh surface = Tessellate(meshes, { tolerance, coarseness, MostTessellated });
+    const std::size_t count = surface.Triangles.size();
+    if (count >= std::exchange(previous, count))
+    {
+      break;
+    }
+    nearlySeen.KeepSeen(surface);
+    Weld(surface);
+    if (points.empty())
+    {
+      points = SpreadPoints(surface, MeasuredPoints);
+      seen.KeepSeen(points);
+    }
+    Simplify(surface, tolerance);
+    if (surface.Triangles.size() > settings.MostTriangles)
+    {
+      seen.KeepSeen(surface);
+      Weld(surface);
+    }
+    Geometry geometry = ReduceWell(surface, points, settings.MostTriangles, texel);
+    const double difference = FindDifference(geometry, texel);
+    const double least = FindDifference(best, texel);
+    isBetter = difference < LeastGain * least && surface.Triangles.size() > settings.MostTriangles;
+    if (difference < least)
+    {
+      best = std::move(geometry);
+    }
+  }
+  return best;
+}
 }
 
 std::string FindGeometryFault(const Scene& scene)
@@ -323,58 +377,7 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
   const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
     (settings.Frame.Radius * settings.Grid.GetResolution());
   const std::vector<int> slices = ChooseSlices(settings.Grid);
-  const Layout pictures(
-    settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), MostResolution));
-  const double cell = CellTexels * texel * settings.Grid.GetResolution() / pictures.GetResolution();
-  SeenPlaces seen(scene, static_cast<float>(cell));
-  seen.Look(TileCount * static_cast<int>(slices.size()), pictures.GetResolution(),
-    [&](int tile)
-    {
-      return MakeFieldRays(
-        pictures, settings.Box, settings.Frame, slices[tile / TileCount], tile % TileCount);
-    });
-  const double start = StartTexels * texel;
-  const Watcher watcher(scene, settings, slices, static_cast<float>(start));
-  Geometry geometry;
-  geometry.Loss = 2.0;
-  std::vector<glm::vec3> points;
-  const auto tolerance = static_cast<float>(MostTexels * texel);
-  std::size_t previous = std::numeric_limits<std::size_t>::max();
-  int coarseness = 0;
-  while (coarseness < Coarsest && CountTriangles(scene.GetMeshes(), coarseness) > MostTessellated)
-  {
-    ++coarseness;
-  }
-  while (coarseness <= Coarsest)
-  {
-    Geometry candidate;
-    candidate.Surface = Tessellate(scene.GetMeshes(), { tolerance, coarseness, MostTessellated });
-    seen.KeepSeen(candidate.Surface);
-    Weld(candidate.Surface);
-    if (points.empty())
-    {
-      points = SpreadPoints(candidate.Surface, MeasuredPoints);
-    }
-    Simplify(candidate.Surface, tolerance);
-    if (candidate.Surface.Triangles.size() > settings.MostTriangles)
-    {
-      watcher.KeepSeen(candidate.Surface);
-      Weld(candidate.Surface);
-      watcher.KeepSeen(points);
-    }
-    const std::size_t count = candidate.Surface.Triangles.size();
-    const double excess = double(count) / double(settings.MostTriangles);
-    const bool isCoarser = double(count) < 0.9 * double(std::exchange(previous, count));
-    Reduce(candidate.Surface, settings.MostTriangles);
-    Measure(points, texel, candidate);
-    if (candidate.Loss < geometry.Loss)
-    {
-      geometry = std::move(candidate);
-    }
-    // Each step about halves the triangles.
-    coarseness +=
-      excess > 1.0 && isCoarser ? std::max(1, static_cast<int>(std::log2(excess))) : Coarsest + 1;
-  }
+  Geometry geometry = FindSurface(scene, settings, slices, texel);
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
   const Box bounds = scene.GetBounds();
   for (glm::vec3& point : geometry.Surface.Points)
@@ -382,7 +385,9 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
     point = glm::clamp(point, glm::vec3(bounds.Low), glm::vec3(bounds.High));
   }
   SortForDrawing(geometry.Surface);
-  geometry.Rays = AimAtPoints(watcher, geometry.Surface, start);
+  const double start = StartTexels * texel;
+  geometry.Rays =
+    AimAtPoints({ scene, settings, slices, static_cast<float>(start) }, geometry.Surface, start);
   return geometry;
 }
 }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 namespace cslf
@@ -26,6 +27,10 @@ constexpr float MostCells = 512.0f;
 constexpr int MostPoints = 4096;
 
 constexpr int BlockSide = 4; // a packet has one ray for each texel of a block
+
+/// Between the hits of neighbouring rays, at most this number of cells is seen, too: rays meet
+/// surfaces that they graze far apart.
+constexpr int MostBetween = 16;
 }
 
 SeenPlaces::SeenPlaces(const Scene& scene, float edge)
@@ -53,8 +58,7 @@ bool SeenPlaces::IsMarked(const glm::ivec3& cell) const
   {
     return false;
   }
-  const std::size_t place = (std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x;
-  return this->Marks[place].load(std::memory_order_relaxed) != 0;
+  return this->Marks[this->FindPlace(cell)].load(std::memory_order_relaxed) != 0;
 }
 
 bool SeenPlaces::IsNear(const glm::vec3& point) const
@@ -120,19 +124,53 @@ void SeenPlaces::LookAlong(const RayGrid& rays, int side)
       }
       SetRays(rays, x, y, packet, scale);
       this->World.Intersect(packet);
-      for (int lane = 0; lane < RayPacket::Size; ++lane)
+      this->MarkHits(packet);
+    }
+  }
+}
+
+void SeenPlaces::MarkHits(const RayPacket& packet)
+{
+  glm::ivec3 cells[RayPacket::Size];
+  bool isHit[RayPacket::Size];
+  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  {
+    isHit[lane] = packet.Active[lane] && packet.IsHit(lane);
+    if (isHit[lane])
+    {
+      const Ray ray = packet.GetRay(lane);
+      cells[lane] = this->FindCell(ray.Origin + packet.GetHit(lane).Distance * ray.Direction);
+      this->Mark(cells[lane]);
+      if (lane % BlockSide > 0 && isHit[lane - 1])
       {
-        if (packet.Active[lane] && packet.IsHit(lane))
-        {
-          const Ray ray = packet.GetRay(lane);
-          const glm::ivec3 cell =
-            this->FindCell(ray.Origin + packet.GetHit(lane).Distance * ray.Direction);
-          this->Marks[(std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x]
-            .store(1, std::memory_order_relaxed);
-        }
+        this->MarkBetween(cells[lane - 1], cells[lane]);
+      }
+      if (lane >= BlockSide && isHit[lane - BlockSide])
+      {
+        this->MarkBetween(cells[lane - BlockSide], cells[lane]);
       }
     }
   }
+}
+
+void SeenPlaces::MarkBetween(const glm::ivec3& first, const glm::ivec3& last)
+{
+  const glm::ivec3 way = last - first;
+  const int steps = std::max({ std::abs(way.x), std::abs(way.y), std::abs(way.z) });
+  for (int step = 1; step < steps && steps <= MostBetween; ++step)
+  {
+    this->Mark(first + way * step / steps);
+  }
+}
+
+void SeenPlaces::Mark(const glm::ivec3& cell)
+{
+  this->Marks[this->FindPlace(cell)].store(1, std::memory_order_relaxed);
+}
+
+std::size_t SeenPlaces::FindPlace(const glm::ivec3& cell) const
+{
+  return (std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x;
 }
 
 void SeenPlaces::Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays)
@@ -145,6 +183,33 @@ void SeenPlaces::Look(int tiles, int side, const std::function<RayGrid(int tile)
         this->LookAlong(rays(static_cast<int>(tile)), side);
       }
     });
+}
+
+SeenPlaces SeenPlaces::Widen(int factor) const
+{
+  SeenPlaces wide(this->World, static_cast<float>(factor) * this->Edge);
+  glm::ivec3 cell;
+  for (cell.z = 0; cell.z < this->Cells.z; ++cell.z)
+  {
+    for (cell.y = 0; cell.y < this->Cells.y; ++cell.y)
+    {
+      for (cell.x = 0; cell.x < this->Cells.x; ++cell.x)
+      {
+        if (this->IsMarked(cell))
+        {
+          wide.Mark(glm::min(cell / factor, wide.Cells - 1));
+        }
+      }
+    }
+  }
+  return wide;
+}
+
+void SeenPlaces::KeepSeen(std::vector<glm::vec3>& points) const
+{
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [this](const glm::vec3& point) { return !this->IsNear(point); }),
+    points.end());
 }
 
 void SeenPlaces::KeepSeen(SurfaceMesh& mesh) const

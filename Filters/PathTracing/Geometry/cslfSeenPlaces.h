@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace cslf
 {
@@ -30,19 +31,29 @@ public:
   /// The cells are cubes with this edge, or larger if there would be very many.
   SeenPlaces(const Scene& scene, float edge);
 
-  /// Marks the places that the rays of tiles hit. A tile is that of a picture: `side` x `side`
-  /// rays.
+  /// Marks the places that the rays of tiles hit, and those between the hits of neighbouring rays
+  /// unless they are far apart. A tile is that of a picture: `side` x `side` rays.
   void Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays);
+
+  /// The same with cells of a multiple of the edge, which are seen if a part of them is.
+  SeenPlaces Widen(int factor) const;
 
   /// Removes the triangles that have no part in or next to a seen cell.
   void KeepSeen(SurfaceMesh& mesh) const;
+
+  /// Removes the points that are not in or next to a seen cell.
+  void KeepSeen(std::vector<glm::vec3>& points) const;
 
 private:
   glm::ivec3 FindCell(const glm::vec3& point) const;
   bool IsMarked(const glm::ivec3& cell) const;
   bool IsNear(const glm::vec3& point) const;
   bool IsNear(const glm::vec3 corners[3]) const;
+  std::size_t FindPlace(const glm::ivec3& cell) const;
   void LookAlong(const RayGrid& rays, int side);
+  void MarkHits(const RayPacket& packet);
+  void MarkBetween(const glm::ivec3& first, const glm::ivec3& last);
+  void Mark(const glm::ivec3& cell);
 
   const Scene& World;
   glm::vec3 Low;

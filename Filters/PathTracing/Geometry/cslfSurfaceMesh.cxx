@@ -17,18 +17,6 @@ constexpr std::size_t Stride = sizeof(glm::vec3);
 /// How much less efficient the order of triangles may become so that those behind others follow.
 constexpr float CacheLoss = 1.05f;
 
-/// Keeps the points that triangles use, in their order of use.
-void DropUnused(SurfaceMesh& mesh)
-{
-  std::vector<glm::vec3> points(mesh.Points.size());
-  const std::size_t count = mesh.Triangles.empty()
-    ? 0
-    : meshopt_optimizeVertexFetch(points.data(), &mesh.Triangles.front().x,
-        3 * mesh.Triangles.size(), mesh.Points.data(), mesh.Points.size(), Stride);
-  points.resize(count);
-  mesh.Points = std::move(points);
-}
-
 void DropFlat(SurfaceMesh& mesh)
 {
   mesh.Triangles.erase(
@@ -49,26 +37,16 @@ void Run(SurfaceMesh& mesh, const Pass& pass)
   mesh.Triangles = std::move(triangles);
 }
 
-void SimplifyTo(SurfaceMesh& mesh, std::size_t most, float relativeError)
+/// Removes triangles until there are at most that many, or the surface would move by more than a
+/// share of its extent.
+void Collapse(SurfaceMesh& mesh, std::size_t most, float share)
 {
   Run(mesh,
     [&](unsigned int* result, const unsigned int* indices, std::size_t count, const float* points,
       std::size_t pointCount)
     {
       return meshopt_simplify(
-        result, indices, count, points, pointCount, Stride, 3 * most, relativeError, 0, nullptr);
-    });
-}
-
-/// Does not keep the topology, so it also works for many small bodies.
-void SimplifySloppily(SurfaceMesh& mesh, std::size_t most)
-{
-  Run(mesh,
-    [&](unsigned int* result, const unsigned int* indices, std::size_t count, const float* points,
-      std::size_t pointCount)
-    {
-      return meshopt_simplifySloppy(result, indices, count, points, pointCount, Stride, 3 * most,
-        std::numeric_limits<float>::max(), nullptr);
+        result, indices, count, points, pointCount, Stride, 3 * most, share, 0, nullptr);
     });
 }
 }
@@ -84,6 +62,17 @@ void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh)
     }
   }
   mesh.Triangles.resize(count);
+}
+
+void DropUnused(SurfaceMesh& mesh)
+{
+  std::vector<glm::vec3> points(mesh.Points.size());
+  const std::size_t count = mesh.Triangles.empty()
+    ? 0
+    : meshopt_optimizeVertexFetch(points.data(), &mesh.Triangles.front().x,
+        3 * mesh.Triangles.size(), mesh.Points.data(), mesh.Points.size(), Stride);
+  points.resize(count);
+  mesh.Points = std::move(points);
 }
 
 void Weld(SurfaceMesh& mesh)
@@ -113,21 +102,24 @@ void Simplify(SurfaceMesh& mesh, float tolerance)
     return;
   }
   const float scale = meshopt_simplifyScale(&mesh.Points.front().x, mesh.Points.size(), Stride);
-  SimplifyTo(mesh, 0, scale > 0.0f ? tolerance / scale : 0.0f);
+  Collapse(mesh, 0, scale > 0.0f ? tolerance / scale : 0.0f);
   DropUnused(mesh);
 }
 
-void Reduce(SurfaceMesh& mesh, std::size_t most)
+void SimplifyTo(SurfaceMesh& mesh, std::size_t most)
 {
-  if (mesh.Triangles.size() > most)
-  {
-    SimplifyTo(mesh, most, std::numeric_limits<float>::max());
-  }
-  if (mesh.Triangles.size() > most)
-  {
-    SimplifySloppily(mesh, most);
-  }
-  DropUnused(mesh);
+  Collapse(mesh, most, std::numeric_limits<float>::max());
+}
+
+void SimplifySloppily(SurfaceMesh& mesh, std::size_t most)
+{
+  Run(mesh,
+    [&](unsigned int* result, const unsigned int* indices, std::size_t count, const float* points,
+      std::size_t pointCount)
+    {
+      return meshopt_simplifySloppy(result, indices, count, points, pointCount, Stride, 3 * most,
+        std::numeric_limits<float>::max(), nullptr);
+    });
 }
 
 void SortForDrawing(SurfaceMesh& mesh)

@@ -26,6 +26,9 @@ struct SurfaceMesh
 /// Removes the triangles that are marked by 0.
 VTKCSLF_EXPORT void Keep(const std::vector<char>& isKept, SurfaceMesh& mesh);
 
+/// Keeps the points that triangles use, in their order of use.
+VTKCSLF_EXPORT void DropUnused(SurfaceMesh& mesh);
+
 /// Joins points at the same place, and drops triangles without area and points without triangle.
 VTKCSLF_EXPORT void Weld(SurfaceMesh& mesh);
 
@@ -33,9 +36,12 @@ VTKCSLF_EXPORT void Weld(SurfaceMesh& mesh);
 /// The mesh must be welded.
 VTKCSLF_EXPORT void Simplify(SurfaceMesh& mesh, float tolerance);
 
-/// Removes triangles until there are at most `most`, with an error as small as possible. The mesh
-/// must be welded.
-VTKCSLF_EXPORT void Reduce(SurfaceMesh& mesh, std::size_t most);
+/// Removes triangles until there are at most `most`, or no more can be removed without changing the
+/// topology, with an error as small as possible. Keeps all points. The mesh must be welded.
+VTKCSLF_EXPORT void SimplifyTo(SurfaceMesh& mesh, std::size_t most);
+
+/// Does not keep the topology, so it also works for many small bodies, but not as well.
+VTKCSLF_EXPORT void SimplifySloppily(SurfaceMesh& mesh, std::size_t most);
 
 /// Puts triangles and points into an order in which they are drawn fast.
 VTKCSLF_EXPORT void SortForDrawing(SurfaceMesh& mesh);

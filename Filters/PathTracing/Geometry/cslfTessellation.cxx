@@ -3,6 +3,7 @@
 #include "cslfTessellation.h"
 
 #include "PathTracing/Shapes/cslfTube.h"
+#include "cslfReduction.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -194,8 +195,9 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& re
   SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale);
   Simplify(part, tolerance / scale);
   const std::size_t most = settings.MostTriangles / mesh.Instances.size();
-  Reduce(
-    part, std::max(std::min(part.Triangles.size() >> settings.Coarseness, most), FewestOfPart));
+  constexpr bool byParts = true;
+  Reduce(part, std::max(std::min(part.Triangles.size() >> settings.Coarseness, most), FewestOfPart),
+    byParts);
   for (const MeshInstance& instance : mesh.Instances)
   {
     Append(part, instance, result);
