@@ -6,8 +6,8 @@ list(APPEND classes ../Rendering/vtkCSLFMapper ../Rendering/vtkCSLFToneMapping)
 list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
-  ClosedParts FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL Residency Sight
-  SightSeries SurfacePicture TilePool ViewpointLevels ViewpointSource)
+  ClosedParts FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL
+  Residency SurfacePicture TilePool ViewFrustum ViewFrustums ViewpointLevels ViewpointSource)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS Color Cube Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS MeanFS

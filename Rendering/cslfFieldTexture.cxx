@@ -66,7 +66,7 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
 //------------------------------------------------------------------------------
 // Loading samples
 
-bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight>& sights,
+bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<ViewFrustum>& frustums,
   const TexturePace& pace, std::string& error)
 {
   if (this->Window && this->Window != window)
@@ -76,7 +76,7 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
     window->MakeCurrent();
   }
   this->Window = window;
-  if ((this->IsComplete() || pace.Keeps) && sights == this->Sights &&
+  if ((this->IsComplete() || pace.Keeps) && frustums == this->Frustums &&
     this->Present.GetBlocks() > 0 && this->Limit == pace.Limit)
   {
     return true;
@@ -84,12 +84,12 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
   vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
   const int unit = window->GetTextureUnitManager()->Allocate();
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + unit);
-  const bool hasRoom = this->MakeRoom(sights, pace);
+  const bool hasRoom = this->MakeRoom(frustums, pace);
   if (hasRoom)
   {
-    this->IsChanged = this->IsChanged || sights != this->Sights;
-    this->Sights = sights;
-    this->Present.Aim(sights);
+    this->IsChanged = this->IsChanged || frustums != this->Frustums;
+    this->Frustums = frustums;
+    this->Present.Aim(frustums);
     this->Pool.BeginUploads();
     pace.Waits ? this->LoadAll() : this->LoadSome(pace);
     this->Pool.EndUploads();
@@ -115,10 +115,10 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<Sight
 
 // Allocates again if there is too little space, or far too much. Drivers may take long to allocate
 // much memory, so the first picture, if nobody waits for it, begins with little.
-bool FieldTexture::MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace)
+bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums, const TexturePace& pace)
 {
   const bool isFirst = !pace.Waits && this->IsEmpty();
-  const int needed = std::max(1, Residency::CountBlocks(sights));
+  const int needed = std::max(1, Residency::CountBlocks(frustums));
   const int blocks = isFirst ? needed
                              : *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
                                  [needed](int most) { return needed <= most; });
@@ -238,8 +238,8 @@ void FieldTexture::MakeTables()
   const int cells = this->Source->GetDescription().Grid.GetBaseNodes() - 1;
   for (int face = 0; face < FaceCount; ++face)
   {
-    const bool isSeen = std::any_of(this->Sights.begin(), this->Sights.end(),
-      [face](const Sight& sight) { return getenv("ALLF") || sight.CanEnter(face); });
+    const bool isSeen = std::any_of(this->Frustums.begin(), this->Frustums.end(),
+      [face](const ViewFrustum& frustum) { return frustum.CanEnter(face); });
     if (!isSeen)
     {
       continue;

@@ -10,8 +10,8 @@
 #include "Lookup/cslfSceneGrid.h"
 #include "cslfDescription.h"
 #include "cslfResidency.h"
-#include "cslfSight.h"
 #include "cslfTilePool.h"
+#include "cslfViewFrustum.h"
 #include "cslfViewpointSource.h"
 
 #include <array>
@@ -51,7 +51,7 @@ public:
 
   /// Uploads the samples that these cameras can use to the window's graphics memory. On failure
   /// nothing is kept and `error` gives the reason in one line.
-  bool Update(vtkOpenGLRenderWindow* window, const std::vector<Sight>& sights,
+  bool Update(vtkOpenGLRenderWindow* window, const std::vector<ViewFrustum>& frustums,
     const TexturePace& pace, std::string& error);
 
   /// Whether all samples for the cameras of the last Update are there, as far as they fit.
@@ -94,7 +94,7 @@ public:
 private:
   using Handle = unsigned int;
 
-  bool MakeRoom(const std::vector<Sight>& sights, const TexturePace& pace);
+  bool MakeRoom(const std::vector<ViewFrustum>& frustums, const TexturePace& pace);
   void LoadAll();
   void LoadSome(const TexturePace& pace);
   void Load(const WantedTiles& wanted);
@@ -110,7 +110,7 @@ private:
   TilePool Pool;
   Residency Present;
   SceneGrid Scene;
-  std::vector<Sight> Sights;
+  std::vector<ViewFrustum> Frustums;
   std::size_t Missing = 0;
   bool HasLoaded = false; ///< since the source was set
   int Damaged = 0;

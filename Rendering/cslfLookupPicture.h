@@ -8,8 +8,8 @@
 #define cslfLookupPicture_h
 
 #include "cslfCube.h"
-#include "cslfSight.h"
 #include "cslfSurfacePicture.h"
+#include "cslfViewFrustum.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

@@ -24,16 +24,16 @@ bool Holds(TileSet set, TileSet subset)
 
 /// The tiles through which lines of sight may leave: all of them, or only those where some may meet
 /// the scene.
-TileSet FindTilesOf(int face, const std::vector<Sight>& sights, bool onlyThroughScene)
+TileSet FindTilesOf(int face, const std::vector<ViewFrustum>& frustums, bool onlyThroughScene)
 {
   TileSet tiles = 0;
-  for (const Sight& sight : sights)
+  for (const ViewFrustum& frustum : frustums)
   {
-    for (int tile = 0; tile < TileCount && sight.CanEnter(face); ++tile)
+    for (int tile = 0; tile < TileCount && frustum.CanEnter(face); ++tile)
     {
       const int exit = ExitFaceOf(face, tile);
-      if (sight.CanLeave(face, exit) &&
-        (!onlyThroughScene || sight.PassesThrough(exit, glm::dvec2(-1.0), glm::dvec2(1.0))))
+      if (frustum.CanLeave(face, exit) &&
+        (!onlyThroughScene || frustum.PassesThrough(exit, glm::dvec2(-1.0), glm::dvec2(1.0))))
       {
         tiles |= SetOf(tile);
       }
@@ -59,12 +59,12 @@ Residency::Residency(const Layout& grid, int blocks, int slots)
   }
 }
 
-int Residency::CountBlocks(const std::vector<Sight>& sights)
+int Residency::CountBlocks(const std::vector<ViewFrustum>& frustums)
 {
   int blocks = 0;
   for (int face = 0; face < FaceCount; ++face)
   {
-    const TileSet tiles = FindTilesOf(face, sights, false);
+    const TileSet tiles = FindTilesOf(face, frustums, false);
     for (int tile = 0; tile < TileCount; ++tile)
     {
       blocks += Holds(tiles, SetOf(tile)) ? 1 : 0;
@@ -73,17 +73,17 @@ int Residency::CountBlocks(const std::vector<Sight>& sights)
   return blocks;
 }
 
-void Residency::Aim(const std::vector<Sight>& sights)
+void Residency::Aim(const std::vector<ViewFrustum>& frustums)
 {
-  if (sights == this->Sights)
+  if (frustums == this->Frustums)
   {
     return;
   }
-  this->Sights = sights;
+  this->Frustums = frustums;
   for (int face = 0; face < FaceCount; ++face)
   {
-    this->Faces[face].Wanted = FindTilesOf(face, sights, false);
-    this->Faces[face].Required = FindTilesOf(face, sights, true);
+    this->Faces[face].Wanted = FindTilesOf(face, frustums, false);
+    this->Faces[face].Required = FindTilesOf(face, frustums, true);
   }
   this->AssignBlocks();
   for (int face = 0; face < FaceCount; ++face)
@@ -138,9 +138,9 @@ void Residency::FreeBlock(int block)
 
 bool Residency::IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
 {
-  return std::any_of(this->Sights.begin(), this->Sights.end(),
-    [&](const Sight& sight)
-    { return sight.CanEnter(face) && sight.PassesThrough(face, minimum, maximum); });
+  return std::any_of(this->Frustums.begin(), this->Frustums.end(),
+    [&](const ViewFrustum& frustum)
+    { return frustum.CanEnter(face) && frustum.PassesThrough(face, minimum, maximum); });
 }
 
 // The viewpoints of the cells through which lines of sight enter, and of their neighbours, because
@@ -181,9 +181,9 @@ double Residency::DistanceToGaze(int slice) const
 {
   const glm::dvec3 position = this->Grid.ViewpointPosition(this->Grid.ViewpointOf(slice));
   double distance = std::numeric_limits<double>::max();
-  for (const Sight& sight : this->Sights)
+  for (const ViewFrustum& frustum : this->Frustums)
   {
-    distance = std::min(distance, glm::distance(position, sight.GetGaze()));
+    distance = std::min(distance, glm::distance(position, frustum.GetGaze()));
   }
   return distance;
 }

@@ -9,7 +9,7 @@
 
 #include "Lookup/cslfLookupConstants.h"
 #include "cslfLayout.h"
-#include "cslfSight.h"
+#include "cslfViewFrustum.h"
 #include "cslfViewpointLevels.h"
 
 #include <array>
@@ -49,7 +49,7 @@ public:
   Residency(const Layout& grid, int blocks, int slots);
 
   /// The blocks that these cameras need together.
-  static int CountBlocks(const std::vector<Sight>& sights);
+  static int CountBlocks(const std::vector<ViewFrustum>& frustums);
 
   int GetBlocks() const { return static_cast<int>(this->Owners.size()); }
   int GetSlots() const { return this->Slots; }
@@ -58,7 +58,7 @@ public:
   int CountNodes(int level) const { return static_cast<int>(this->Levels.GetNodes(level).size()); }
 
   /// Makes space for the samples that these cameras can use. Other samples stay if there is space.
-  void Aim(const std::vector<Sight>& sights);
+  void Aim(const std::vector<ViewFrustum>& frustums);
 
   /// The samples to upload, the most urgent first: the coarsest level, then samples near the points
   /// that the cameras look at.
@@ -127,8 +127,8 @@ private:
   ViewpointLevels Levels;
   int Slots = 0;
   std::array<FaceState, FaceCount> Faces;
-  std::vector<BlockOwner> Owners; ///< of each block
-  std::vector<Sight> Sights;      ///< the focal points of the cameras
+  std::vector<BlockOwner> Owners;    ///< of each block
+  std::vector<ViewFrustum> Frustums; ///< the focal points of the cameras
 };
 }
 

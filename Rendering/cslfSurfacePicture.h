@@ -8,7 +8,7 @@
 #define cslfSurfacePicture_h
 
 #include "cslfGeometryMesh.h"
-#include "cslfSight.h"
+#include "cslfViewFrustum.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLHelper.h>

@@ -144,7 +144,7 @@ void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Viewers.Update({ renderer, renderer->GetActiveCamera()->GetLeftEye() }, this->Sight);
+  this->Viewers.Update({ renderer, renderer->GetActiveCamera()->GetLeftEye() }, this->Frustum);
   if (this->TextureFailed)
   {
     return;
@@ -156,7 +156,7 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   pace.Keeps = this->ChooseCoveragePass(renderer, actor) == PartialCoverage;
   std::string error;
   const auto update = [&]
-  { return this->Texture.Update(window, this->Viewers.GetSights(), pace, error); };
+  { return this->Texture.Update(window, this->Viewers.GetFrustums(), pace, error); };
   // The driver compiles the lookup's programs at the first drawing. A small hidden picture triggers
   // this while viewpoints are decoded.
   pace.Begins = this->Streaming && this->Texture.IsEmpty();
@@ -211,12 +211,12 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
     }
   }
   const cslf::SceneGrid& scene = this->Texture.GetScene();
-  this->Sight = cslf::Sight(this->View.CCDC, scene.GetMinimum(), scene.GetMaximum());
-  this->View.EyeCC = this->Sight.GetEye();
-  this->View.IsEyeInside = this->Sight.IsInside();
+  this->Frustum = cslf::ViewFrustum(this->View.CCDC, scene.GetMinimum(), scene.GetMaximum());
+  this->View.EyeCC = this->Frustum.GetEye();
+  this->View.IsEyeInside = this->Frustum.IsInside();
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
-    this->View.EntryFaces[face] = this->Sight.CanEnter(face);
+    this->View.EntryFaces[face] = this->Frustum.CanEnter(face);
   }
 }
 
@@ -271,7 +271,7 @@ void vtkCSLFCubeMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor, int co
   vtkOpenGLHelper& triangles = this->Primitives[PrimitiveTris];
   for (int face = 0; face < cslf::FaceCount; ++face)
   {
-    if (this->Sight.CanEnter(face))
+    if (this->Frustum.CanEnter(face))
     {
       this->Face = face;
       this->UpdateShaders(triangles, renderer, actor);

@@ -13,7 +13,7 @@
 #include "cslfDescription.h"
 #include "cslfFieldTexture.h"
 #include "cslfLookupPicture.h"
-#include "cslfSightSeries.h"
+#include "cslfViewFrustums.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkNew.h>
@@ -79,7 +79,7 @@ public:
   void SetToneMapping(vtkCSLFToneMapping* toneMapping) { this->ToneMapping = toneMapping; }
 
   /// What the last picture's camera saw of the cube.
-  const cslf::Sight& GetSight() const { return this->Sight; }
+  const cslf::ViewFrustum& GetFrustum() const { return this->Frustum; }
 
   /// Whether the opaque pass that was drawn last left nothing for the translucent one.
   bool IsDrawnAtOnce() const { return this->DrawnAtOnce; }
@@ -139,7 +139,7 @@ private:
   std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;
   cslf::LookupPicture Picture;
-  cslf::SightSeries Viewers;
+  cslf::ViewFrustums Viewers;
   bool Streaming = false;
   std::int64_t TextureMemoryLimit = 0;
   vtkWindow* Window = nullptr; ///< whose memory holds resources of this
@@ -153,7 +153,7 @@ private:
   int Face = 0;             ///< of the cube, in turn
   int CoveragePass = 0;     ///< of cslfMapperFS.glsl
   bool DrawnAtOnce = false; ///< what covers its pixels in part follows in the opaque pass
-  cslf::Sight Sight;
+  cslf::ViewFrustum Frustum;
   cslf::LookupPicture::View View;
   vtkNew<vtkMatrix4x4> VCDCMatrix;
 };

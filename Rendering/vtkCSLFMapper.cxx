@@ -359,7 +359,7 @@ void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     this->ReportDamage(
       cubeMapper->GetNumberOfDamagedViewpoints(), cubeMapper->GetNumberOfViewpoints());
   }
-  if (cubeMapper->GetSight().IsInside() && !internals.HasWarnedOfInside)
+  if (cubeMapper->GetFrustum().IsInside() && !internals.HasWarnedOfInside)
   {
     internals.HasWarnedOfInside = true;
     vtkWarningMacro("The eye is inside the light field's cube: only surfaces that are also visible "

@@ -4,9 +4,9 @@
 // The samples that a camera can use, those that are kept, and where they show that surfaces may be.
 #include "Lookup/cslfSceneGrid.h"
 #include "cslfResidency.h"
-#include "cslfSight.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
+#include "cslfViewFrustum.h"
 #include "cslfViewpointLevels.h"
 
 #include <vtkCamera.h>
@@ -23,7 +23,7 @@
 #include <string>
 
 using cslf::Residency;
-using cslf::Sight;
+using cslf::ViewFrustum;
 
 namespace
 {
@@ -53,9 +53,9 @@ cslf::DisplayRows MakeRows(
   return rows;
 }
 
-Sight MakeSight(const glm::dvec3& eye, double angle = 40.0)
+ViewFrustum MakeFrustum(const glm::dvec3& eye, double angle = 40.0)
 {
-  return Sight(MakeRows(eye, glm::dvec3(0.0), angle), Minimum, Maximum);
+  return ViewFrustum(MakeRows(eye, glm::dvec3(0.0), angle), Minimum, Maximum);
 }
 
 void TestLevels()
@@ -84,13 +84,13 @@ void TestLevels()
   }
 }
 
-// Random lines of sight that meet the scene's box must all pass where Sight says.
+// Random lines of sight that meet the scene's box must all pass where ViewFrustum says.
 void TestLinesOfSight(const glm::dvec3& eye, double angle, bool isParallel)
 {
   const glm::dvec3 target(0.3, -0.1, 0.2);
   const cslf::DisplayRows rows = MakeRows(eye, target, angle, isParallel);
-  const Sight sight(rows, Minimum, Maximum);
-  CSLF_CHECK(!sight.IsInside());
+  const ViewFrustum frustum(rows, Minimum, Maximum);
+  CSLF_CHECK(!frustum.IsInside());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   int drawn = 0;
@@ -108,47 +108,47 @@ void TestLinesOfSight(const glm::dvec3& eye, double angle, bool isParallel)
       continue;
     }
     const glm::dvec3 direction =
-      isParallel ? glm::dvec3(sight.GetEye()) : point - glm::dvec3(sight.GetEye());
+      isParallel ? glm::dvec3(frustum.GetEye()) : point - glm::dvec3(frustum.GetEye());
     const auto ray = cslf::RayToCoordinates(point, direction);
     ++drawn;
-    CSLF_CHECK(sight.CanEnter(ray->Entry.Face));
-    CSLF_CHECK(sight.CanLeave(ray->Entry.Face, ray->Exit.Face));
-    CSLF_CHECK(sight.PassesThrough(
+    CSLF_CHECK(frustum.CanEnter(ray->Entry.Face));
+    CSLF_CHECK(frustum.CanLeave(ray->Entry.Face, ray->Exit.Face));
+    CSLF_CHECK(frustum.PassesThrough(
       ray->Entry.Face, ray->Entry.Coordinates - 0.01, ray->Entry.Coordinates + 0.01));
-    CSLF_CHECK(sight.PassesThrough(
+    CSLF_CHECK(frustum.PassesThrough(
       ray->Exit.Face, ray->Exit.Coordinates - 0.01, ray->Exit.Coordinates + 0.01));
   }
   CSLF_CHECK(drawn > 100);
   const auto gaze = cslf::RayToCoordinates(
-    isParallel ? target : eye, isParallel ? glm::dvec3(sight.GetEye()) : target - eye);
-  CSLF_CHECK(glm::distance(sight.GetGaze(),
+    isParallel ? target : eye, isParallel ? glm::dvec3(frustum.GetEye()) : target - eye);
+  CSLF_CHECK(glm::distance(frustum.GetGaze(),
                cslf::FaceToCube(gaze->Entry.Face, gaze->Entry.Coordinates)) < 1e-6);
 }
 
-void TestSight()
+void TestFrustum()
 {
   TestLinesOfSight({ 4.0, 2.0, 3.0 }, 40.0, false);
   TestLinesOfSight({ 0.2, 0.3, 4.0 }, 40.0, false);
   TestLinesOfSight({ 2.0, 0.3, -4.0 }, 10.0, false);
   TestLinesOfSight({ 4.0, 2.0, 3.0 }, 30.0, true);
   // Seen from above, the scene needs few of the sides.
-  const Sight above = MakeSight({ 0.0, 4.0, 0.1 });
+  const ViewFrustum above = MakeFrustum({ 0.0, 4.0, 0.1 });
   CSLF_CHECK(above.CanEnter(2) && !above.CanEnter(0) && !above.CanEnter(4));
   CSLF_CHECK(above.PassesThrough(2, glm::dvec2(-0.1), glm::dvec2(0.1)));
   CSLF_CHECK(!above.PassesThrough(2, { -0.1, 0.8 }, { 0.1, 0.9 }));
-  CSLF_CHECK(MakeSight({ 0.5, 0.5, -0.5 }).IsInside());
+  CSLF_CHECK(MakeFrustum({ 0.5, 0.5, -0.5 }).IsInside());
 }
 
 // 1, 2 and 3 faces take 5, 2 x 4 and 3 x 3 blocks.
 void TestBlocks()
 {
-  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 0.0, 0.1, 4.0 }) }) == 5);
-  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 2.0, 0.1, 4.0 }) }) == 8);
-  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 2.0, -3.0, 4.0 }) }) == 9);
-  CSLF_CHECK(Residency::CountBlocks({ MakeSight({ 0.0, 0.0, 0.5 }) }) == 30);
+  CSLF_CHECK(Residency::CountBlocks({ MakeFrustum({ 0.0, 0.1, 4.0 }) }) == 5);
+  CSLF_CHECK(Residency::CountBlocks({ MakeFrustum({ 2.0, 0.1, 4.0 }) }) == 8);
+  CSLF_CHECK(Residency::CountBlocks({ MakeFrustum({ 2.0, -3.0, 4.0 }) }) == 9);
+  CSLF_CHECK(Residency::CountBlocks({ MakeFrustum({ 0.0, 0.0, 0.5 }) }) == 30);
   // Two cameras with the same view share them.
-  CSLF_CHECK(
-    Residency::CountBlocks({ MakeSight({ 2.0, -3.0, 4.0 }), MakeSight({ 2.1, -3.0, 4.0 }) }) == 9);
+  CSLF_CHECK(Residency::CountBlocks(
+               { MakeFrustum({ 2.0, -3.0, 4.0 }), MakeFrustum({ 2.1, -3.0, 4.0 }) }) == 9);
 }
 
 // The size of the table's largest cell, in nodes of the base grid. Nothing if a slot is absent.
@@ -183,7 +183,7 @@ void TestRefinement()
 {
   const cslf::Layout grid(9, 16);
   Residency residency(grid, Residency::LeastBlocks, 81);
-  residency.Aim({ MakeSight({ 2.0, 3.0, 4.0 }) });
+  residency.Aim({ MakeFrustum({ 2.0, 3.0, 4.0 }) });
   CSLF_CHECK(!FindCoarsestCell(residency.MakeTable(4), 9));
   const auto missing = residency.ListMissing();
   CSLF_CHECK(missing.size() > 27 && missing.size() <= 3 * 81);
@@ -200,7 +200,7 @@ void TestRefinement()
       residency.MakeTable(4).Cells[8 * (3 * 8 + 3) + 4] ==
     0.25F);
 
-  residency.Aim({ MakeSight({ 2.0, 0.0, 4.0 }) });
+  residency.Aim({ MakeFrustum({ 2.0, 0.0, 4.0 }) });
   for (const cslf::WantedTiles& wanted : residency.ListMissing())
   {
     const cslf::Viewpoint viewpoint = grid.ViewpointOf(wanted.Slice);
@@ -211,7 +211,7 @@ void TestRefinement()
   BringAll(residency, 2);
   // Samples that are not needed any more made space for others. After turning back, the common
   // faces stay.
-  residency.Aim({ MakeSight({ 2.0, 3.0, 4.0 }) });
+  residency.Aim({ MakeFrustum({ 2.0, 3.0, 4.0 }) });
   const auto back = residency.ListMissing();
   CSLF_CHECK(std::all_of(back.begin(), back.end(),
     [&](const auto& wanted) { return grid.ViewpointOf(wanted.Slice).Face == 2; }));
@@ -222,7 +222,7 @@ void TestBudget()
 {
   const cslf::Layout grid(17, 16);
   Residency residency(grid, Residency::LeastBlocks, 100);
-  residency.Aim({ MakeSight({ 0.5, 0.5, 4.0 }) });
+  residency.Aim({ MakeFrustum({ 0.5, 0.5, 4.0 }) });
   const auto missing = residency.ListMissing();
   CSLF_CHECK(missing.size() == 100);
   BringAll(residency, 4);
@@ -242,7 +242,7 @@ void TestBudget()
   }
   CSLF_CHECK(std::all_of(uses.begin(), uses.end(), [](int use) { return use == 1; }));
   // Looking at another point of the same face frees only some of them.
-  residency.Aim({ MakeSight({ 0.8, 0.5, 4.0 }) });
+  residency.Aim({ MakeFrustum({ 0.8, 0.5, 4.0 }) });
   CSLF_CHECK(residency.ListMissing().size() < 50);
 }
 
@@ -251,7 +251,7 @@ void TestDamage()
 {
   const cslf::Layout grid(9, 16);
   Residency residency(grid, Residency::LeastBlocks, 81);
-  residency.Aim({ MakeSight({ 0.0, 0.1, 4.0 }) });
+  residency.Aim({ MakeFrustum({ 0.0, 0.1, 4.0 }) });
   residency.SetDamaged(grid.SliceOf({ 4, 3, 3 }));
   residency.SetDamaged(grid.SliceOf({ 4, 4, 4 }));
   BringAll(residency, 2);
@@ -293,7 +293,7 @@ void TestSceneGrid()
 int TestCSLFResidency(int, char*[])
 {
   TestLevels();
-  TestSight();
+  TestFrustum();
   TestBlocks();
   TestRefinement();
   TestBudget();

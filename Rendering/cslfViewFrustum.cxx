@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cslfSight.h"
+#include "cslfViewFrustum.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,7 +22,7 @@ glm::dvec3 CornerOf(const glm::dvec3& minimum, const glm::dvec3& maximum, int co
 }
 }
 
-Sight::Sight(
+ViewFrustum::ViewFrustum(
   const DisplayRows& ccdc, const glm::dvec3& sceneMinimum, const glm::dvec3& sceneMaximum)
 {
   this->FindEye(ccdc);
@@ -36,7 +36,7 @@ Sight::Sight(
 
 // The eye is where all lines along the display's z axis meet; for a parallel projection, at
 // infinity.
-void Sight::FindEye(const DisplayRows& ccdc)
+void ViewFrustum::FindEye(const DisplayRows& ccdc)
 {
   const glm::dmat4 dccc =
     glm::inverse(glm::transpose(glm::dmat4(ccdc[0], ccdc[1], ccdc[2], ccdc[3])));
@@ -46,7 +46,7 @@ void Sight::FindEye(const DisplayRows& ccdc)
     std::abs(eye.w) > 1e-9 * length ? eye / eye.w : glm::dvec4(glm::dvec3(eye) / length, 0.0);
 }
 
-void Sight::FindGaze(const DisplayRows& ccdc)
+void ViewFrustum::FindGaze(const DisplayRows& ccdc)
 {
   // The line on which both display coordinates are 0.
   const glm::dvec3 horizontal(ccdc[0]);
@@ -66,7 +66,7 @@ void Sight::FindGaze(const DisplayRows& ccdc)
 }
 
 // The planes through the eye that touch the scene's box along an edge.
-void Sight::AddSceneSides(const glm::dvec3& minimum, const glm::dvec3& maximum)
+void ViewFrustum::AddSceneSides(const glm::dvec3& minimum, const glm::dvec3& maximum)
 {
   const glm::dvec3 eye(this->Eye);
   for (int axis = 0; axis < 3; ++axis)
@@ -102,24 +102,25 @@ void Sight::AddSceneSides(const glm::dvec3& minimum, const glm::dvec3& maximum)
   }
 }
 
-bool Sight::IsInside() const
+bool ViewFrustum::IsInside() const
 {
   return this->Eye.w != 0.0 && std::abs(this->Eye.x) < 1.0 && std::abs(this->Eye.y) < 1.0 &&
     std::abs(this->Eye.z) < 1.0;
 }
 
-bool Sight::CanEnter(int face) const
+bool ViewFrustum::CanEnter(int face) const
 {
   const double along = FaceSign(face) * this->Eye[FaceAxis(face)];
   return this->Eye.w == 0.0 ? along < 0.0 : along >= 1.0 || this->IsInside();
 }
 
-bool Sight::CanLeave(int entryFace, int exitFace) const
+bool ViewFrustum::CanLeave(int entryFace, int exitFace) const
 {
   return entryFace != exitFace && (!this->CanEnter(exitFace) || this->IsInside());
 }
 
-bool Sight::PassesThrough(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
+bool ViewFrustum::PassesThrough(
+  int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
 {
   const glm::dvec3 least = FaceToCube(face, glm::max(minimum, -1.0));
   const glm::dvec3 most = FaceToCube(face, glm::min(maximum, 1.0));
@@ -130,7 +131,7 @@ bool Sight::PassesThrough(int face, const glm::dvec2& minimum, const glm::dvec2&
     { return glm::dot(side, middle) + glm::dot(glm::abs(glm::dvec3(side)), reach) < 0.0; });
 }
 
-bool Sight::operator==(const Sight& other) const
+bool ViewFrustum::operator==(const ViewFrustum& other) const
 {
   return this->Eye == other.Eye && this->Gaze == other.Gaze && this->Sides == other.Sides;
 }

@@ -7,7 +7,7 @@
 #ifndef cslfSightSeries_h
 #define cslfSightSeries_h
 
-#include "cslfSight.h"
+#include "cslfViewFrustum.h"
 
 #include <cstdint>
 #include <map>
@@ -18,15 +18,15 @@ namespace cslf
 {
 /// The views of all viewers of a field in one window: its renderers, and both eyes in stereo.
 /// Viewers that stop drawing are removed after a while.
-class SightSeries
+class ViewFrustums
 {
 public:
   /// A viewer: a renderer, which is only compared, and an eye.
   using Viewer = std::pair<const void*, int>;
 
-  void Update(const Viewer& viewer, const Sight& sight)
+  void Update(const Viewer& viewer, const ViewFrustum& frustum)
   {
-    this->Entries[viewer] = { sight, ++this->Count };
+    this->Entries[viewer] = { frustum, ++this->Count };
     for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
     {
       entry =
@@ -34,20 +34,20 @@ public:
     }
   }
 
-  std::vector<Sight> GetSights() const
+  std::vector<ViewFrustum> GetFrustums() const
   {
-    std::vector<Sight> sights;
+    std::vector<ViewFrustum> frustums;
     for (const auto& entry : this->Entries)
     {
-      sights.push_back(entry.second.Seen);
+      frustums.push_back(entry.second.Frustum);
     }
-    return sights;
+    return frustums;
   }
 
 private:
   struct Entry
   {
-    Sight Seen;
+    ViewFrustum Frustum;
     std::int64_t Time = 0;
   };
 

@@ -23,14 +23,15 @@ using DisplayRows = std::array<glm::dvec4, 4>;
 
 /// A camera's view of a cube. From outside at most three faces are visible, through which lines of
 /// sight enter; all of them leave through the other faces. From inside, all faces are both.
-class VTKCSLF_EXPORT Sight
+class VTKCSLF_EXPORT ViewFrustum
 {
 public:
-  Sight() = default;
+  ViewFrustum() = default;
 
   /// The eye and the sides of the picture follow from the matrix. `sceneMinimum` and `sceneMaximum`
   /// are the bounds of the scene in CC.
-  Sight(const DisplayRows& ccdc, const glm::dvec3& sceneMinimum, const glm::dvec3& sceneMaximum);
+  ViewFrustum(
+    const DisplayRows& ccdc, const glm::dvec3& sceneMinimum, const glm::dvec3& sceneMaximum);
 
   /// w = 1: the eye; w = 0: the direction of a parallel projection. In CC.
   const glm::dvec4& GetEye() const { return this->Eye; }
@@ -51,8 +52,8 @@ public:
   /// cube, that of the cube's centre.
   const glm::dvec3& GetGaze() const { return this->Gaze; }
 
-  bool operator==(const Sight& other) const;
-  bool operator!=(const Sight& other) const { return !(*this == other); }
+  bool operator==(const ViewFrustum& other) const;
+  bool operator!=(const ViewFrustum& other) const { return !(*this == other); }
 
 private:
   void FindEye(const DisplayRows& ccdc);
