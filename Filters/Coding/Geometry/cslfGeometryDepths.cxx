@@ -33,8 +33,9 @@ constexpr float BoxMarginOfTile = 1e-5F;
 /// enough.
 constexpr float CloseDistance = 0.05F;
 
-/// The triangles that are drawn between two checks whether to stop.
-constexpr std::size_t TrianglesAtOnce = 4096;
+/// The triangles that are left out of a tile at once, if their box is. Neighbours follow each other
+/// in the files' order.
+constexpr std::size_t ClusterCorners = 3 * 64;
 
 /// Triangles are widened by this, relative to the size of their edges, so that no ray falls between
 /// neighbours that are rounded differently.
@@ -83,10 +84,11 @@ struct Axis
   double From = 0.0;
 };
 
-/// Projects points to texels, whose centres have whole numbers.
+/// Projects points to texels, whose centres have whole numbers. The inverse depths are multiples of
+/// `scale`.
 CSLF_VECTORIZE void Project(const float* const points[3], std::size_t count, const Axis axes[3],
   float scale, float startX, float startY, float last, float margin, float* x, float* y,
-  std::uint8_t* sides)
+  float* inverse, std::uint8_t* sides)
 {
   const float* const px = points[axes[0].Number];
   const float* const py = points[axes[1].Number];
@@ -110,6 +112,7 @@ CSLF_VECTORIZE void Project(const float* const points[3], std::size_t count, con
       (texelY < -margin ? Top : 0) | (texelY > last + margin ? Bottom : 0);
     x[k] = texelX;
     y[k] = texelY;
+    inverse[k] = factor;
     const int exact = z < CloseDistance ? Close : outside;
     sides[k] = static_cast<std::uint8_t>(isBehind ? static_cast<int>(Behind) : exact);
   }
@@ -153,7 +156,8 @@ CSLF_VECTORIZE void DrawTexels(
           first[2] + x * planes[2].StepX);
       const double linear = first[3] + x * planes[3].StepX;
       const auto inverse = static_cast<float>(std::min(std::max(linear, range.Least), range.Most));
-      row[x] = least >= 0.0 && inverse > row[x] ? inverse : row[x];
+      // Without a branch, which could not be predicted.
+      row[x] = std::max(row[x], static_cast<float>(least >= 0.0) * inverse);
     }
   }
 }
@@ -188,13 +192,39 @@ public:
     const std::size_t count = points[0].size();
     this->X.resize(count);
     this->Y.resize(count);
+    this->Inverses.resize(count);
     this->Sides.resize(count);
     const double texels = 0.5 * this->Resolution;
     const float* const coordinates[3] = { points[0].data(), points[1].data(), points[2].data() };
     Project(coordinates, count, this->Axes.data(), static_cast<float>(texels * this->Distance),
       static_cast<float>(texels * this->Start.x + 0.5),
       static_cast<float>(texels * this->Start.y + 0.5), static_cast<float>(this->Resolution - 1),
-      this->Margin, this->X.data(), this->Y.data(), this->Sides.data());
+      this->Margin, this->X.data(), this->Y.data(), this->Inverses.data(), this->Sides.data());
+  }
+
+  /// Whether rays of the tile may meet a box.
+  bool Reaches(const GeometryDepths::Box& box) const
+  {
+    const glm::dvec3 low = this->Measure(box.Low);
+    const glm::dvec3 high = this->Measure(box.High);
+    const glm::dvec3 least = glm::min(low, high);
+    const glm::dvec3 most = glm::max(low, high);
+    if (most.z <= 0.0)
+    {
+      return false;
+    }
+    // The sides of the tile are planes through the viewpoint: x - start * z / distance is 0 there.
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double first = this->Start[axis] / this->Distance;
+      const double last = (this->Start[axis] + 2.0) / this->Distance;
+      if (most[axis] < std::min(first * least.z, first * most.z) ||
+        least[axis] > std::max(last * least.z, last * most.z))
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   void Draw(const std::vector<glm::dvec3>& points, const unsigned int* corners)
@@ -208,9 +238,17 @@ public:
     const bool isNear = ((sides[0] | sides[1] | sides[2]) & (Behind | Close)) != 0;
     const TexelBox box =
       isNear ? this->FindBox(CutNear(this->Find(points, corners))) : this->FindBox(corners);
-    if (box.FirstX <= box.LastX && box.FirstY <= box.LastY)
+    if (box.FirstX > box.LastX || box.FirstY > box.LastY)
+    {
+      return;
+    }
+    if (isNear)
     {
       this->Draw(this->Find(points, corners), box);
+    }
+    else
+    {
+      this->Draw(corners, box);
     }
   }
 
@@ -235,16 +273,16 @@ public:
 private:
   using Triangle = std::array<glm::dvec3, 3>;
 
+  glm::dvec3 Measure(const glm::dvec3& point) const
+  {
+    return { this->Axes[0].Measure(point), this->Axes[1].Measure(point),
+      this->Axes[2].Measure(point) };
+  }
+
   Triangle Find(const std::vector<glm::dvec3>& points, const unsigned int* corners) const
   {
-    Triangle triangle;
-    for (int k = 0; k < 3; ++k)
-    {
-      const glm::dvec3& point = points[corners[k]];
-      triangle[k] = { this->Axes[0].Measure(point), this->Axes[1].Measure(point),
-        this->Axes[2].Measure(point) };
-    }
-    return triangle;
+    return { this->Measure(points[corners[0]]), this->Measure(points[corners[1]]),
+      this->Measure(points[corners[2]]) };
   }
 
   /// The corners of what lies before the viewpoint.
@@ -344,6 +382,45 @@ private:
       this->Resolution);
   }
 
+  /// The same for projected corners, none of which is near. The products of their differences are
+  /// exact.
+  void Draw(const unsigned int* corners, const TexelBox& box)
+  {
+    glm::dvec2 points[3];
+    double inverses[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      points[k] = { this->X[corners[k]], this->Y[corners[k]] };
+      inverses[k] = this->Inverses[corners[k]] * (2.0 / this->Resolution);
+    }
+    const auto cross = [](const glm::dvec2& a, const glm::dvec2& b)
+    { return a.x * b.y - a.y * b.x; };
+    const double area = cross(points[1] - points[0], points[2] - points[0]);
+    if (area == 0.0)
+    {
+      return;
+    }
+    const double sign = area > 0.0 ? 1.0 : -1.0;
+    const glm::dvec2 first(box.FirstX, box.FirstY);
+    Plane planes[4];
+    planes[3] = {};
+    for (int k = 0; k < 3; ++k)
+    {
+      const glm::dvec2 edge = sign * (points[(k + 1) % 3] - points[k]);
+      const double margin = EdgeMargin * this->Resolution * (std::abs(edge.x) + std::abs(edge.y));
+      planes[k] = { cross(edge, first - points[k]) + margin, -edge.y, edge.x };
+      const double share = inverses[(k + 2) % 3] / std::abs(area);
+      planes[3].First += share * (planes[k].First - margin);
+      planes[3].StepX += share * planes[k].StepX;
+      planes[3].StepY += share * planes[k].StepY;
+    }
+    const Range range = { std::min({ inverses[0], inverses[1], inverses[2] }),
+      std::max({ inverses[0], inverses[1], inverses[2] }) };
+    DrawTexels(planes, range, box,
+      &this->Nearest[static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX],
+      this->Resolution);
+  }
+
   int Resolution;
   float Margin;
   std::array<Axis, 3> Axes;
@@ -351,6 +428,7 @@ private:
   double Distance;      ///< of the exit face
   std::vector<float> X; ///< of the points, in texels
   std::vector<float> Y;
+  std::vector<float> Inverses; ///< of their depths, in half tiles' texels
   std::vector<std::uint8_t> Sides;
   std::vector<float> Nearest; ///< the largest inverse depth of each texel, or 0
 };
@@ -376,6 +454,16 @@ GeometryDepths::GeometryDepths(vtkPolyData* triangles, const Cube& box, const La
       this->Coordinates[axis].push_back(static_cast<float>(this->Points.back()[axis]));
     }
   }
+  for (std::size_t k = 0; k < this->Corners.size(); ++k)
+  {
+    const glm::dvec3& point = this->Points[this->Corners[k]];
+    if (k % ClusterCorners == 0)
+    {
+      this->Clusters.push_back({ point, point });
+    }
+    Box& cluster = this->Clusters.back();
+    cluster = { glm::min(cluster.Low, point), glm::max(cluster.High, point) };
+  }
 }
 
 bool GeometryDepths::Draw(
@@ -390,13 +478,21 @@ bool GeometryDepths::Draw(
       continue;
     }
     tile.Place(this->Coordinates);
-    for (std::size_t k = 0; k < this->Corners.size(); k += 3)
+    for (std::size_t cluster = 0; cluster < this->Clusters.size(); ++cluster)
     {
-      if (k % (3 * TrianglesAtOnce) == 0 && isStopped)
+      if (isStopped)
       {
         return false;
       }
-      tile.Draw(this->Points, &this->Corners[k]);
+      if (tile.Reaches(this->Clusters[cluster]))
+      {
+        const std::size_t first = cluster * ClusterCorners;
+        const std::size_t end = std::min(first + ClusterCorners, this->Corners.size());
+        for (std::size_t k = first; k < end; k += 3)
+        {
+          tile.Draw(this->Points, &this->Corners[k]);
+        }
+      }
     }
     tile.Write(number, depths);
   }

@@ -35,6 +35,13 @@ public:
   /// Triangles in world coordinates.
   GeometryDepths(vtkPolyData* triangles, const Cube& box, const Layout& grid);
 
+  /// In CC.
+  struct Box
+  {
+    glm::dvec3 Low;
+    glm::dvec3 High;
+  };
+
   const Layout& GetGrid() const { return this->Grid; }
 
   /// Fills the strip of a viewpoint: for each texel, the first triangle that the ray to its centre
@@ -47,6 +54,7 @@ private:
   std::vector<glm::dvec3> Points;                ///< in CC
   std::array<std::vector<float>, 3> Coordinates; ///< the same, axis by axis
   std::vector<unsigned int> Corners;
+  std::vector<Box> Clusters; ///< of triangles that follow each other
 };
 }
 
