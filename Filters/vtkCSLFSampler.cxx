@@ -313,6 +313,13 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->Geometry->GetPointData()->SetScalars(colors);
     AddNumber(cslf::GeometryErrorName, scene.Frame.Radius * made.Error, this->Geometry);
     AddNumber(cslf::GeometryLossName, made.Loss, this->Geometry);
+    if (made.Loss > cslf::MostUsefulLoss)
+    {
+      vtkWarningMacro("With " << this->GeometryTriangles << " triangles, the geometry loses "
+                              << std::lround(100.0 * made.Loss)
+                              << " % of the visible surfaces, and mappers use depth instead: "
+                                 "increase GeometryTriangles.");
+    }
     this->Geometry->GetFieldData()->AddArray(hash);
     this->GeometryKey = key.str();
   }

@@ -26,7 +26,8 @@
  * `Color`, of the same type as that of the field: the light that leaves the surface along its
  * normal, for points that no viewpoint sees. Field data holds `GeometryError`, the root mean square
  * distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share of
- * them that is more than a texel away and does not count in the former.
+ * them that is more than a texel away and does not count in the former. Above 0.2, the filter
+ * warns, and mappers do not use it.
  *
  * The cube must strictly contain the scene; otherwise the filter reports an error.
  *

@@ -22,10 +22,11 @@ namespace
 /// A geometry that lost more than this share of the surfaces is not complete.
 constexpr double MostLoss = 0.01;
 
-bool IsComplete(vtkPolyData* geometry)
+/// Whether it is known that at most such a share of the surfaces is lost.
+bool LosesAtMost(double share, bool ifUnknown, vtkPolyData* geometry)
 {
   vtkDataArray* loss = geometry->GetFieldData()->GetArray(GeometryLossName);
-  return loss && loss->GetNumberOfValues() == 1 && loss->GetTuple1(0) <= MostLoss;
+  return loss && loss->GetNumberOfValues() == 1 ? loss->GetTuple1(0) <= share : ifUnknown;
 }
 
 std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
@@ -49,7 +50,7 @@ std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box)
 {
   const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
-  if (triangles->GetNumberOfPolys() == 0)
+  if (triangles->GetNumberOfPolys() == 0 || !LosesAtMost(MostUsefulLoss, true, geometry))
   {
     return nullptr;
   }
@@ -64,7 +65,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
   mesh->Colors = GetColors(triangles);
   mesh->HasColors = std::all_of(mesh->Colors.begin(), mesh->Colors.end(),
     [](const glm::vec4& color) { return color.w > 0.0f; });
-  mesh->IsComplete = IsComplete(geometry);
+  mesh->IsComplete = LosesAtMost(MostLoss, false, geometry);
   mesh->Corners = ListCorners(triangles);
   mesh->ClosedCorners = SortClosedParts(mesh->PointsCC, mesh->Corners);
   return mesh;

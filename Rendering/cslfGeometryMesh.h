@@ -38,7 +38,7 @@ struct GeometryMesh
 };
 
 /// The polygons and strips of a geometry as triangles, with its point data `Color`, as in a field.
-/// Null if there are none.
+/// Null if there are none, or if it lost too much to be useful.
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box);
 }
 

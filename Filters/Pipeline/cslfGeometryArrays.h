@@ -17,6 +17,9 @@ constexpr const char* GeometryErrorName = "GeometryError";
 /// than a texel away.
 constexpr const char* GeometryLossName = "GeometryLoss";
 
+/// A geometry that lost more than this is not looked up, because views with depth alone are better.
+constexpr double MostUsefulLoss = 0.2;
+
 /// A text: the hash of the scene that is also in the description of its fields.
 constexpr const char* GeometrySceneName = "GeometryScene";
 

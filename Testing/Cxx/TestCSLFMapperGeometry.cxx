@@ -17,6 +17,8 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
 #include <vtkCubeSource.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -228,6 +230,13 @@ int TestCSLFMapperGeometry(int, char*[])
   mapper->SetLookupToDepth();
   const auto byDepth = view.Render();
   mapper->SetLookupToGeometry();
+  CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), byDepth) < 40.0);
+  // The same if most of it is lost.
+  vtkNew<vtkPolyData> poor;
+  poor->DeepCopy(sampler->GetGeometry());
+  poor->GetFieldData()->GetArray("GeometryLoss")->SetComponent(0, 0, 0.3);
+  mapper->SetInputDataObject(1, poor);
+  CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), byDepth) > 98.0);
   mapper->RemoveInputConnection(1, 0);
   CSLF_CHECK(cslf::testing::ComparePictures(view.Render(), byDepth) > 98.0);
   return cslf::testing::Result();
