@@ -10,14 +10,11 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Geometry/cslfDepthTile.h"
 #include "cslfLayout.h"
 
-#include <glm/vec3.hpp>
-
-#include <array>
 #include <atomic>
 #include <cstddef>
-#include <vector>
 
 class vtkPolyData;
 
@@ -44,9 +41,7 @@ public:
 
 private:
   Layout Grid;
-  std::vector<glm::dvec3> Points;                ///< in CC
-  std::array<std::vector<float>, 3> Coordinates; ///< the same, axis by axis
-  std::vector<unsigned int> Corners;
+  DrawnTriangles Triangles;
 };
 }
 

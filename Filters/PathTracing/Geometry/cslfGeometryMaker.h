@@ -9,11 +9,11 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Texels/cslfRayGrid.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"
-#include "cslfSurfaceMesh.h"
 
 #include <cstddef>
 #include <string>

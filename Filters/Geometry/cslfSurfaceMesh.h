@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles in scene space, and their simplification.
+ * Triangles, and their simplification.
  */
 #ifndef cslfSurfaceMesh_h
 #define cslfSurfaceMesh_h
@@ -36,6 +36,9 @@ VTKCSLF_EXPORT void Simplify(SurfaceMesh& mesh, float tolerance);
 /// Removes triangles until there are at most `most`, with an error as small as possible. The mesh
 /// must be welded.
 VTKCSLF_EXPORT void Reduce(SurfaceMesh& mesh, std::size_t most);
+
+/// Normals of points, of unit length, on the side where corners run counterclockwise.
+VTKCSLF_EXPORT std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh);
 
 /// Puts triangles and points into an order in which they are drawn fast.
 VTKCSLF_EXPORT void SortForDrawing(SurfaceMesh& mesh);
