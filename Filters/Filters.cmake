@@ -5,6 +5,7 @@
 list(APPEND classes
   ../Filters/vtkCSLFDecoder
   ../Filters/vtkCSLFFieldQuality
+  ../Filters/vtkCSLFGeometryFilter
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFRateControl
   ../Filters/vtkCSLFResample)
@@ -31,6 +32,11 @@ cslf_add(Filters/Pipeline
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
+
+# Triangles that say where surfaces are.
+cslf_add(Filters/Geometry
+  DepthMesher DepthSurfaces DepthTile DepthViews GeometryData PointColors Reduction SurfaceError
+  SurfaceMesh TileFrame TilePatch ViewpointChoice)
 
 # Looking up rays in a field. Its constants become a header and a shader.
 cslf_add(Filters/Lookup ChannelReader FaceSpace Lookup SceneGrid SurfaceLookup)
@@ -101,7 +107,7 @@ if (CSLF_ENABLE_SAMPLER)
   list(APPEND sources
     ../Filters/vtkCSLFPathTracerCache.cxx ../Filters/vtkCSLFPathTracerRendering.cxx)
   list(APPEND private_headers ../Filters/vtkCSLFPathTracerInternals.h)
-  cslf_add(Filters/PathTracing/Geometry GeometryMaker Reduction SeenPlaces SurfaceMesh Tessellation)
+  cslf_add(Filters/PathTracing/Geometry GeometryMaker SeenPlaces Tessellation)
   cslf_add(Filters/PathTracing/Lights
     DirectionalLight DirectLight Emitter Environment EnvironmentReader LightBounds LightReader
     LightSample LightTree LocalLights PointLight)

@@ -3,7 +3,6 @@
 #include "vtkCSLFResample.h"
 
 #include "Options/cslfOptionTable.h"
-#include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
@@ -19,7 +18,6 @@
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -128,29 +126,13 @@ private:
 
   vtkSmartPointer<vtkImageData> Pull(int first, int last)
   {
-    vtkImageData* image = vtkImageData::GetData(this->InInfo);
-    const auto holds = [&]()
-    { return image && image->GetExtent()[4] <= first && image->GetExtent()[5] >= last; };
-    if (!holds())
+    std::string error;
+    vtkSmartPointer<vtkImageData> image = cslf::PullSlices(this->InInfo, first, last, error);
+    if (!image)
     {
-      int extent[6];
-      std::copy_n(this->Whole, 6, extent);
-      extent[4] = first;
-      extent[5] = last;
-      this->InInfo->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
-      auto* executive =
-        Pipeline::SafeDownCast(vtkExecutive::PRODUCER()->GetExecutive(this->InInfo));
-      const bool updated =
-        executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(this->InInfo)) != 0;
-      image = updated ? vtkImageData::GetData(this->InInfo) : nullptr;
+      this->Fail(error);
     }
-    if (!holds())
-    {
-      this->Fail("The input did not deliver the viewpoints " + std::to_string(first) + " to " +
-        std::to_string(last) + ".");
-      return nullptr;
-    }
-    return cslf::ToAOS(image, first, last);
+    return image;
   }
 
   /// Checks the pulled slices. Makes the output the first time.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSampler.h"
 
+#include "Geometry/cslfGeometryData.h"
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/Geometry/cslfGeometryMaker.h"
 #include "PathTracing/RadianceCache/cslfCacheCheck.h"
@@ -17,37 +18,21 @@
 #include "cslfSeconds.h"
 #include "vtkCSLFEnvironment.h"
 
-#include <vtkCellArray.h>
 #include <vtkDataArraySelection.h>
 #include <vtkDataObject.h>
 #include <vtkDemandDrivenPipeline.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>
-
-namespace
-{
-void AddNumber(const char* name, double number, vtkDataObject* data)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(number);
-  data->GetFieldData()->AddArray(array);
-}
-}
 
 vtkStandardNewMacro(vtkCSLFSampler);
 cslfSetOptionMacro(vtkCSLFSampler, Viewpoints, Viewpoints);
@@ -282,45 +267,26 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   const cslf::Geometry made = cslf::MakeGeometry(*scene.World,
     { description.Grid, description.Box, scene.Frame,
       static_cast<std::size_t>(this->GeometryTriangles) });
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const glm::vec3& point : made.Surface.Points)
-  {
-    const glm::dvec3 place = scene.Frame.Center + scene.Frame.Radius * glm::dvec3(point);
-    points->InsertNextPoint(place.x, place.y, place.z);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const glm::uvec3& corners : made.Surface.Triangles)
-  {
-    triangles->InsertNextCell({ corners.x, corners.y, corners.z });
-  }
-  vtkNew<vtkStringArray> hash;
-  hash->SetName(cslf::GeometrySceneName);
-  hash->InsertNextValue(scene.Fingerprint);
   auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->ColorType));
   colors->SetName(cslf::ColorName);
   colors->SetNumberOfComponents(4);
-  colors->SetNumberOfTuples(points->GetNumberOfPoints());
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(made.Surface.Points.size()));
   cslf::ViewpointSamples samples;
   samples.SetArray(cslf::KnownChannel::Color, colors);
   this->Geometry = nullptr;
   this->GeometryKey.clear();
   if (this->RenderRays(whole, made.Rays, samples))
   {
-    this->Geometry = vtkSmartPointer<vtkPolyData>::New();
-    this->Geometry->SetPoints(points);
-    this->Geometry->SetPolys(triangles);
-    this->Geometry->GetPointData()->SetScalars(colors);
-    AddNumber(cslf::GeometryErrorName, scene.Frame.Radius * made.Error, this->Geometry);
-    AddNumber(cslf::GeometryLossName, made.Loss, this->Geometry);
-    if (made.Loss > cslf::MostUsefulLoss)
+    this->Geometry = cslf::MakeGeometryData(made.Surface, scene.Frame.Center,
+      glm::dvec3(scene.Frame.Radius), colors,
+      { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint });
+    if (made.Error.Loss > cslf::MostUsefulLoss)
     {
       vtkWarningMacro("With " << this->GeometryTriangles << " triangles, the geometry loses "
-                              << std::lround(100.0 * made.Loss)
+                              << std::lround(100.0 * made.Error.Loss)
                               << " % of the visible surfaces, and mappers use depth instead: "
                                  "increase GeometryTriangles.");
     }
-    this->Geometry->GetFieldData()->AddArray(hash);
     this->GeometryKey = key.str();
   }
   this->GeometrySeconds = cslf::SecondsSince(start);

@@ -6,6 +6,7 @@
 #include "Console/cslfOutputFiles.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Fields/cslfGeometryFiles.h"
 #include "Options/cslfTableOptions.h"
 #include "cslfCommands.h"
 
@@ -33,6 +34,7 @@ struct Options
   std::optional<std::string> Part; ///< requested instead of the field
   int ResolutionDivisor = options::ResolutionDivisor.Default;
   int ViewpointStride = options::ViewpointStride.Default;
+  int GeometryTriangles = 0; ///< of a geometry made from depth
 };
 
 /// The size of all channels, uncoded.
@@ -71,6 +73,7 @@ Result Write(const Options& options, const FieldWriter& writer, const FieldFile&
 {
   const nlohmann::json coding = writer.Write(connection, file.GetGeometry(), label);
   ThrowOnError();
+  WarnOfLoss(file);
 
   if (!IsFirstRank())
   {
@@ -108,8 +111,9 @@ Result Convert(const Options& options, bool toVideo)
                           : "cslf decode writes .vti or a folder; see cslf encode for video.");
   }
   RequireOther(options.Input.FileName, options.Output);
-  const FieldFile file = OpenField(options.Input);
+  FieldFile file = OpenField(options.Input);
   writer.TakeParts(file);
+  MakeGeometry(options.GeometryTriangles, file);
   return Write(
     options, writer, file, file.Reader->GetOutputPort(), toVideo ? "Encoding" : "Decoding", false);
 }
@@ -118,13 +122,22 @@ Result Resample(const Options& options)
 {
   FieldWriter writer(options.Output, options.Coding);
   RequireOther(options.Input.FileName, options.Output);
-  const FieldFile file = OpenField(options.Input);
+  FieldFile file = OpenField(options.Input);
   writer.TakeParts(file);
+  MakeGeometry(options.GeometryTriangles, file);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(file.Reader->GetOutputPort());
   resample->SetResolutionDivisor(options.ResolutionDivisor);
   resample->SetViewpointStride(options.ViewpointStride);
   return Write(options, writer, file, resample->GetOutputPort(), "Resampling", true);
+}
+
+/// Adds the option that lets a field without geometry get one.
+void AddGeometry(CLI::App& command, Options& options)
+{
+  AddOption(command, cslf::options::GeometryTriangles, options.GeometryTriangles)
+    ->description("make a geometry of at most this many triangles from the depth of a light field "
+                  "that has none, for the lookup geometry; 200000 suit most; 0 for none");
 }
 
 void Add(CLI::App& app, Command& chosen, const char* name, const char* help, bool toVideo)
@@ -139,6 +152,7 @@ void Add(CLI::App& app, Command& chosen, const char* name, const char* help, boo
     ->required();
   if (toVideo)
   {
+    AddGeometry(*command, *options);
     options->Coding.AddTo(*command);
   }
   else
@@ -181,6 +195,7 @@ void AddResample(CLI::App& app, Command& chosen)
     ->required();
   AddOption(*command, cslf::options::ResolutionDivisor, options->ResolutionDivisor);
   AddOption(*command, cslf::options::ViewpointStride, options->ViewpointStride);
+  AddGeometry(*command, *options);
   options->Coding.AddTo(*command);
   command->callback(
     [options, &chosen]

@@ -10,8 +10,10 @@
 #include "cslfFieldFiles.h"
 
 #include "vtkCSLFDecoder.h"
+#include "vtkCSLFGeometryFilter.h"
 
 #include <vtkAlgorithmOutput.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -21,11 +23,16 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 namespace cslf::tool
 {
 namespace
 {
+/// A geometry that lost more than this share of the surfaces may be worse than none.
+constexpr double MostLoss = 0.01;
+
 /// The file beside that of a field in image data.
 std::string GetGeometryName(const std::string& fileName)
 {
@@ -44,7 +51,7 @@ std::string GetFieldOf(vtkPolyData* geometry)
 vtkAlgorithmOutput* FieldFile::GetGeometry() const
 {
   return this->GeometryReader
-    ? this->GeometryReader->GetOutputPort(this->Format == FieldFormat::Video ? 1 : 0)
+    ? this->GeometryReader->GetOutputPort(this->GeometryReader->GetNumberOfOutputPorts() - 1)
     : nullptr;
 }
 
@@ -72,6 +79,32 @@ vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
     return nullptr;
   }
   return reader.Get();
+}
+
+void MakeGeometry(int triangles, FieldFile& file)
+{
+  if (file.GeometryReader || triangles == 0 || !file.Field.FindChannel(KnownChannel::Depth))
+  {
+    return;
+  }
+  const auto filter = vtkSmartPointer<vtkCSLFGeometryFilter>::New();
+  filter->SetInputConnection(file.Reader->GetOutputPort());
+  filter->SetGeometryTriangles(triangles);
+  file.GeometryReader = filter;
+}
+
+void WarnOfLoss(const FieldFile& file)
+{
+  auto* filter = vtkCSLFGeometryFilter::SafeDownCast(file.GeometryReader);
+  vtkDataArray* loss =
+    filter ? filter->GetGeometry()->GetFieldData()->GetArray(GeometryLossName) : nullptr;
+  if (loss && loss->GetTuple1(0) > MostLoss)
+  {
+    std::ostringstream percent;
+    percent << std::setprecision(2) << 100.0 * loss->GetTuple1(0);
+    AddWarning("The geometry lacks " + percent.str() +
+      " % of the surfaces. The lookup depth may be sharper; see cslf evaluate.");
+  }
 }
 
 void WriteGeometry(

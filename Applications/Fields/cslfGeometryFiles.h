@@ -22,6 +22,13 @@ struct FieldFile;
 /// is damaged.
 vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file);
 
+/// Lets an open field with depth that has no geometry get one of at most that many triangles, made
+/// from its depth when it is asked for. 0 triangles: none.
+void MakeGeometry(int triangles, FieldFile& file);
+
+/// Warns if a geometry that MakeGeometry made lacks many surfaces.
+void WarnOfLoss(const FieldFile& file);
+
 /// Pulls the geometry of the field that a connection has delivered, and writes it beside the .vti
 /// file of that name, unless it is empty. Throws a Failure.
 void WriteGeometry(

@@ -13,6 +13,7 @@
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationIntegerRequestKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -34,6 +35,34 @@ constexpr double TexelBytesEstimate = 20.0;
 constexpr int SlabCount = 64;
 // How many slices a video is decoded ahead, if the decoder keeps that many.
 constexpr vtkIdType SlicesAhead = 512;
+}
+
+vtkSmartPointer<vtkImageData> PullSlices(
+  vtkInformation* information, int first, int last, std::string& error)
+{
+  vtkImageData* image = vtkImageData::GetData(information);
+  const auto holds = [&]()
+  { return image && image->GetExtent()[4] <= first && image->GetExtent()[5] >= last; };
+  if (!holds())
+  {
+    int extent[6];
+    information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    extent[4] = first;
+    extent[5] = last;
+    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+    auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(
+      vtkExecutive::PRODUCER()->GetExecutive(information));
+    const bool updated =
+      executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(information)) != 0;
+    image = updated ? vtkImageData::GetData(information) : nullptr;
+  }
+  if (!holds())
+  {
+    error = "The input did not deliver the viewpoints " + std::to_string(first) + " to " +
+      std::to_string(last) + ".";
+    return nullptr;
+  }
+  return ToAOS(image, first, last);
 }
 
 void SplitAlongZ(vtkInformation* information)

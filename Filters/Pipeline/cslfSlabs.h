@@ -92,6 +92,12 @@ private:
   std::string Error;
 };
 
+/// Pulls at least the slices from `first` to `last` from the connection of that pipeline
+/// information, within a filter's RequestData, as arrays that pointers can read. On failure returns
+/// null and gives the reason in a sentence.
+vtkSmartPointer<vtkImageData> PullSlices(
+  vtkInformation* information, int first, int last, std::string& error);
+
 /// Splits the output of that pipeline information into pieces, which are ranges of z slices. They
 /// share one slice, like pieces of image data.
 void SplitAlongZ(vtkInformation* information);

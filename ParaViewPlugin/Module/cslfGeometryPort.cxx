@@ -3,6 +3,7 @@
 #include "cslfGeometryPort.h"
 
 #include "vtkCSLFDecoder.h"
+#include "vtkCSLFGeometryFilter.h"
 #include "vtkCSLFResample.h"
 #include "vtkCSLFSampler.h"
 
@@ -30,8 +31,8 @@ vtkAlgorithmOutput* FindGeometryPort(vtkAlgorithmOutput* field)
     field = field->GetProducer()->GetInputConnection(0, 0);
   }
   vtkAlgorithm* maker = field && field->GetIndex() == 0 ? field->GetProducer() : nullptr;
-  const bool hasGeometry =
-    vtkCSLFSampler::SafeDownCast(maker) || vtkCSLFDecoder::SafeDownCast(maker);
+  const bool hasGeometry = vtkCSLFSampler::SafeDownCast(maker) ||
+    vtkCSLFDecoder::SafeDownCast(maker) || vtkCSLFGeometryFilter::SafeDownCast(maker);
   return hasGeometry ? maker->GetOutputPort(1) : nullptr;
 }
 }

@@ -3,7 +3,7 @@
 
 // Thousands of thin bars keep their number, their length and their thickness when most of their
 // triangles are removed. A large ball beside them stays round.
-#include "PathTracing/Geometry/cslfReduction.h"
+#include "Geometry/cslfReduction.h"
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>

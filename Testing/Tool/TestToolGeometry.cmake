@@ -66,6 +66,17 @@ cslf_fail("The geometry lookup needs geometry, which the field does not have" ""
 cslf_run(sample cornell-box ${field} -o folder)
 cslf_run(info folder)
 
+# Geometry from depth.
+cslf_run(resample plain.vti -o made.vti --geometry-triangles 50000)
+expect_file(made.geometry.vtp ON)
+cslf_run(render made.vti -o made.png --size 64 64 --json)
+expect_json(geometry lookup)
+cslf_run(encode folder -o made.mp4 --preset ultrafast --geometry-triangles 5000)
+cslf_run(info made.mp4 --json)
+expect_json(geometry parts 0 name)
+cslf_run(resample plain.vti -o still.vti)
+expect_file(still.geometry.vtp OFF)
+
 # Geometry of another scene is not used.
 file(COPY_FILE "${DIRECTORY}/box.geometry.vtp" "${DIRECTORY}/pipes.geometry.vtp")
 cslf_warn("" sample pipes -M 2 -N 16 --spp 1 --max-depth 1 --integrator path -o pipes.vti

@@ -10,14 +10,11 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Geometry/cslfDepthTile.h"
 #include "cslfLayout.h"
 
-#include <glm/vec3.hpp>
-
-#include <array>
 #include <atomic>
 #include <cstddef>
-#include <vector>
 
 class vtkPolyData;
 
@@ -35,13 +32,6 @@ public:
   /// Triangles in world coordinates.
   GeometryDepths(vtkPolyData* triangles, const Cube& box, const Layout& grid);
 
-  /// In CC.
-  struct Box
-  {
-    glm::dvec3 Low;
-    glm::dvec3 High;
-  };
-
   const Layout& GetGrid() const { return this->Grid; }
 
   /// Fills the strip of a viewpoint: for each texel, the first triangle that the ray to its centre
@@ -51,10 +41,7 @@ public:
 
 private:
   Layout Grid;
-  std::vector<glm::dvec3> Points;                ///< in CC
-  std::array<std::vector<float>, 3> Coordinates; ///< the same, axis by axis
-  std::vector<unsigned int> Corners;
-  std::vector<Box> Clusters; ///< of triangles that follow each other
+  DrawnTriangles Triangles;
 };
 }
 

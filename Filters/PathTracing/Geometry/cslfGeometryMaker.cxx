@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryMaker.h"
 
+#include "Geometry/cslfReduction.h"
+#include "Geometry/cslfSurfaceError.h"
+#include "Geometry/cslfViewpointChoice.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Quality/cslfRobertsSequence.h"
-#include "cslfReduction.h"
 #include "cslfSeenPlaces.h"
 #include "cslfTessellation.h"
-
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStaticCellLocator.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -62,24 +58,6 @@ constexpr double StartTexels = 0.5;
 /// The number of points at which the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
 
-/// All viewpoints, or some if there are very many.
-std::vector<int> ChooseSlices(const Layout& grid)
-{
-  const int step = std::max(1, (grid.GetViewpoints() - 1) / (MostViewpoints - 1));
-  std::vector<int> slices;
-  for (int slice = 0; slice < grid.GetSlices(); ++slice)
-  {
-    const Viewpoint viewpoint = grid.ViewpointOf(slice);
-    const auto isChosen = [&](int node)
-    { return node % step == 0 || node == grid.GetViewpoints() - 1; };
-    if (isChosen(viewpoint.I) && isChosen(viewpoint.J))
-    {
-      slices.push_back(slice);
-    }
-  }
-  return slices;
-}
-
 /// Points that are evenly spread over a surface.
 std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t count)
 {
@@ -111,85 +89,6 @@ std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t coun
       v * surface.Points[corners.z]);
   }
   return points;
-}
-
-vtkNew<vtkPolyData> ToPolyData(const SurfaceMesh& surface)
-{
-  vtkNew<vtkPoints> points;
-  for (const glm::vec3& point : surface.Points)
-  {
-    points->InsertNextPoint(point.x, point.y, point.z);
-  }
-  vtkNew<vtkCellArray> cells;
-  for (const glm::uvec3& corners : surface.Triangles)
-  {
-    cells->InsertNextCell({ corners.x, corners.y, corners.z });
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
-}
-
-/// Measures how far points lie from the geometry.
-void Measure(const std::vector<glm::vec3>& points, double texel, Geometry& geometry)
-{
-  if (geometry.Surface.Triangles.empty() || points.empty())
-  {
-    geometry.Loss = points.empty() ? 0.0 : 1.0;
-    return;
-  }
-  const auto data = ToPolyData(geometry.Surface);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(data);
-  locator->BuildLocator();
-  double squares = 0.0;
-  std::size_t near = 0;
-  for (const glm::vec3& place : points)
-  {
-    const double point[3] = { place.x, place.y, place.z };
-    double closest[3];
-    vtkIdType cell = 0;
-    int part = 0;
-    double square = 0.0;
-    locator->FindClosestPoint(point, closest, cell, part, square);
-    if (square <= texel * texel)
-    {
-      squares += square;
-      ++near;
-    }
-  }
-  geometry.Error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(near, 1)));
-  geometry.Loss = 1.0 - static_cast<double>(near) / static_cast<double>(points.size());
-}
-
-/// The mean square distance of the surface, where what is lost counts as one texel.
-double FindDifference(const Geometry& geometry, double texel)
-{
-  return (1.0 - geometry.Loss) * geometry.Error * geometry.Error + geometry.Loss * texel * texel;
-}
-
-/// Normals of unit length, or 0 where there is none, on the side where corners run
-/// counterclockwise.
-std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh)
-{
-  std::vector<glm::vec3> normals(mesh.Points.size(), glm::vec3(0.0f));
-  for (const glm::uvec3& corners : mesh.Triangles)
-  {
-    const glm::vec3& first = mesh.Points[corners.x];
-    const glm::vec3 across =
-      glm::cross(mesh.Points[corners.y] - first, mesh.Points[corners.z] - first);
-    for (int i = 0; i < 3; ++i)
-    {
-      normals[corners[i]] += across;
-    }
-  }
-  for (glm::vec3& normal : normals)
-  {
-    const float length = glm::length(normal);
-    normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 0.0f, 1.0f);
-  }
-  return normals;
 }
 
 /// Finds out from which side points are seen.
@@ -282,30 +181,6 @@ SeenPlaces LookAround(const Scene& scene, const GeometrySettings& settings,
   return seen;
 }
 
-/// The better way to reduce a surface, judged by points of the original.
-Geometry ReduceWell(const SurfaceMesh& surface, const std::vector<glm::vec3>& points,
-  std::size_t mostTriangles, double texel)
-{
-  Geometry best;
-  best.Loss = 2.0;
-  for (const bool byParts : { true, false })
-  {
-    Geometry geometry;
-    geometry.Surface = surface;
-    Reduce(geometry.Surface, mostTriangles, byParts);
-    Measure(points, texel, geometry);
-    if (FindDifference(geometry, texel) < FindDifference(best, texel))
-    {
-      best = std::move(geometry);
-    }
-    if (surface.Triangles.size() <= mostTriangles)
-    {
-      break;
-    }
-  }
-  return best;
-}
-
 /// The surface that the viewpoints see, with few enough triangles. Coarser shapes may lose less
 /// than a further reduction of fine ones.
 Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
@@ -322,7 +197,7 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
   }
   std::vector<glm::vec3> points;
   Geometry best;
-  best.Loss = 2.0;
+  best.Error.Loss = 2.0;
   std::size_t previous = std::numeric_limits<std::size_t>::max();
   for (bool isBetter = true; isBetter && coarseness <= Coarsest; ++coarseness)
   {
@@ -340,18 +215,19 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
       seen.KeepSeen(points);
     }
     Simplify(surface, tolerance);
-    if (surface.Triangles.size() > settings.MostTriangles)
+    const bool isEnough = surface.Triangles.size() <= settings.MostTriangles;
+    if (!isEnough)
     {
       seen.KeepSeen(surface);
       Weld(surface);
     }
-    Geometry geometry = ReduceWell(surface, points, settings.MostTriangles, texel);
-    const double difference = FindDifference(geometry, texel);
-    const double least = FindDifference(best, texel);
-    isBetter = difference < LeastGain * least && surface.Triangles.size() > settings.MostTriangles;
-    if (difference < least)
+    const SurfaceError error = ReduceWell(surface, settings.MostTriangles, points, texel);
+    const double least = best.Error.GetMeanSquare(texel);
+    isBetter = !isEnough && error.GetMeanSquare(texel) < LeastGain * least;
+    if (error.GetMeanSquare(texel) < least)
     {
-      best = std::move(geometry);
+      best.Surface = std::move(surface);
+      best.Error = error;
     }
   }
   return best;
@@ -376,7 +252,7 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
   const glm::dvec3& edges = settings.Box.Edges;
   const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
     (settings.Frame.Radius * settings.Grid.GetResolution());
-  const std::vector<int> slices = ChooseSlices(settings.Grid);
+  const std::vector<int> slices = ChooseSlices(settings.Grid, MostViewpoints);
   Geometry geometry = FindSurface(scene, settings, slices, texel);
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
   const Box bounds = scene.GetBounds();

@@ -9,11 +9,12 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Geometry/cslfSurfaceError.h"
+#include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Texels/cslfRayGrid.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"
-#include "cslfSurfaceMesh.h"
 
 #include <cstddef>
 #include <string>
@@ -33,10 +34,8 @@ struct Geometry
 {
   SurfaceMesh Surface; ///< in scene space
 
-  /// The root mean square distance, in scene space, of the scene's visible surface from it, and the
-  /// share of that surface which is more than a texel away, and does not count in the former.
-  double Error = 0.0;
-  double Loss = 0.0;
+  /// Of the scene's visible surface, in scene space. What is more than a texel away is lost.
+  SurfaceError Error;
 
   /// For each point, a ray that meets it from a side that is seen. All rays of a grid are alike.
   std::vector<RayGrid> Rays;

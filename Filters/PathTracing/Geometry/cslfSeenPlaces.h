@@ -9,9 +9,9 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Texels/cslfRayGrid.h"
-#include "cslfSurfaceMesh.h"
 
 #include <glm/vec3.hpp>
 

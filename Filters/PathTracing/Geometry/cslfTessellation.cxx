@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTessellation.h"
 
+#include "Geometry/cslfReduction.h"
 #include "PathTracing/Shapes/cslfTube.h"
-#include "cslfReduction.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

@@ -9,8 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Shapes/cslfMesh.h"
-#include "cslfSurfaceMesh.h"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles in scene space, and their simplification.
+ * Triangles, and their simplification.
  */
 #ifndef cslfSurfaceMesh_h
 #define cslfSurfaceMesh_h
@@ -42,6 +42,9 @@ VTKCSLF_EXPORT void SimplifyTo(SurfaceMesh& mesh, std::size_t most);
 
 /// Does not keep the topology, so it also works for many small bodies, but not as well.
 VTKCSLF_EXPORT void SimplifySloppily(SurfaceMesh& mesh, std::size_t most);
+
+/// Normals of points, of unit length, on the side where corners run counterclockwise.
+VTKCSLF_EXPORT std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh);
 
 /// Puts triangles and points into an order in which they are drawn fast.
 VTKCSLF_EXPORT void SortForDrawing(SurfaceMesh& mesh);

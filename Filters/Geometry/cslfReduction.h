@@ -7,9 +7,13 @@
 #ifndef cslfReduction_h
 #define cslfReduction_h
 
+#include "cslfSurfaceError.h"
 #include "cslfSurfaceMesh.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
+#include <vector>
 
 namespace cslf
 {
@@ -17,6 +21,11 @@ namespace cslf
 /// same share of each connected part, which only keeps more if there are many small ones. Small
 /// parts stay as large, and as thick, as they were. The mesh must be welded.
 VTKCSLF_EXPORT void Reduce(SurfaceMesh& mesh, std::size_t most, bool byParts);
+
+/// The better of the two ways, judged by how far points of the original surface lie from the result
+/// if at most `lost`, or else are lost. Returns that.
+VTKCSLF_EXPORT SurfaceError ReduceWell(
+  SurfaceMesh& mesh, std::size_t most, const std::vector<glm::vec3>& points, double lost);
 }
 
 #endif

@@ -4,6 +4,8 @@
 
 #include <meshoptimizer.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -120,6 +122,27 @@ void SimplifySloppily(SurfaceMesh& mesh, std::size_t most)
       return meshopt_simplifySloppy(result, indices, count, points, pointCount, Stride, 3 * most,
         std::numeric_limits<float>::max(), nullptr);
     });
+}
+
+std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh)
+{
+  std::vector<glm::vec3> normals(mesh.Points.size(), glm::vec3(0.0f));
+  for (const glm::uvec3& corners : mesh.Triangles)
+  {
+    const glm::vec3& first = mesh.Points[corners.x];
+    const glm::vec3 across =
+      glm::cross(mesh.Points[corners.y] - first, mesh.Points[corners.z] - first);
+    for (int i = 0; i < 3; ++i)
+    {
+      normals[corners[i]] += across;
+    }
+  }
+  for (glm::vec3& normal : normals)
+  {
+    const float length = glm::length(normal);
+    normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 0.0f, 1.0f);
+  }
+  return normals;
 }
 
 void SortForDrawing(SurfaceMesh& mesh)

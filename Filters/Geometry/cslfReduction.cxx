@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <vector>
+#include <utility>
 
 namespace cslf
 {
@@ -289,5 +289,25 @@ void Reduce(SurfaceMesh& mesh, std::size_t most, bool byParts)
     SimplifySloppily(mesh, most);
   }
   DropUnused(mesh);
+}
+
+SurfaceError ReduceWell(
+  SurfaceMesh& mesh, std::size_t most, const std::vector<glm::vec3>& points, double lost)
+{
+  if (mesh.Triangles.size() <= most)
+  {
+    return MeasureError(points, mesh, lost);
+  }
+  SurfaceMesh other = mesh;
+  Reduce(mesh, most, true);
+  const SurfaceError error = MeasureError(points, mesh, lost);
+  Reduce(other, most, false);
+  const SurfaceError otherError = MeasureError(points, other, lost);
+  if (error.GetMeanSquare(lost) <= otherError.GetMeanSquare(lost))
+  {
+    return error;
+  }
+  mesh = std::move(other);
+  return otherError;
 }
 }

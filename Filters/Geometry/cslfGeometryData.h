@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A field's geometry as polygonal data.
+ */
+#ifndef cslfGeometryData_h
+#define cslfGeometryData_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "cslfSurfaceMesh.h"
+
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/vec3.hpp>
+
+#include <string>
+
+class vtkPolyData;
+
+namespace cslf
+{
+/// What a geometry has besides its triangles.
+struct GeometryRecord
+{
+  double Error = 0.0; ///< in world coordinates
+  double Loss = 0.0;
+  std::string Scene; ///< a hash; not written if it is empty
+};
+
+/// Points in world coordinates are `center` + `scale` * point. `colors` may be null.
+VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh,
+  const glm::dvec3& center, const glm::dvec3& scale, vtkDataArray* colors,
+  const GeometryRecord& record);
+}
+
+#endif

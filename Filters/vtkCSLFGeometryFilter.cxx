@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCSLFGeometryFilter.h"
+
+#include "Geometry/cslfDepthMesher.h"
+#include "Geometry/cslfDepthViews.h"
+#include "Geometry/cslfGeometryData.h"
+#include "Geometry/cslfPointColors.h"
+#include "Geometry/cslfReduction.h"
+#include "Geometry/cslfViewpointChoice.h"
+#include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfMissingViewpoints.h"
+#include "Pipeline/cslfPortsOnDemand.h"
+#include "Pipeline/cslfSlabs.h"
+#include "cslfDescription.h"
+#include "cslfJSON.h"
+#include "cslfVTKCompatibility.h"
+
+#include <vtkDataObject.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkCSLFGeometryFilter);
+cslfSetOptionMacro(vtkCSLFGeometryFilter, GeometryTriangles, GeometryTriangles);
+
+namespace
+{
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// The most viewpoints along a side of a face, if they are nested.
+constexpr int MostViewpoints = 9;
+
+/// The most texels along a side of a tile, and of all viewpoints.
+constexpr int MostResolution = 256;
+constexpr double MostTexels = 256.0 * 1024 * 1024;
+
+/// The number of places where the error is measured.
+constexpr std::size_t MeasuredPoints = 20000;
+
+/// The most bytes of slices that are requested at once.
+constexpr double PullBytes = 64.0 * 1024 * 1024;
+
+///@{
+/// The progress when depths are read and when the mesh is made.
+constexpr double ReadProgress = 0.15;
+constexpr double MeshProgress = 0.85;
+///@}
+
+/// The number of texels along a side of a tile at which depths are kept.
+int ChooseResolution(const cslf::Layout& grid, std::size_t views)
+{
+  const double fitting = std::sqrt(MostTexels / (cslf::TileCount * std::max(1.0, double(views))));
+  return std::max(1, std::min({ grid.GetResolution(), MostResolution, static_cast<int>(fitting) }));
+}
+
+/// The hash of a field's scene, if the sampler has recorded it.
+std::string GetScene(const cslf::Description& field)
+{
+  const nlohmann::json sampling = nlohmann::json::parse(field.Sampling, nullptr, false);
+  const auto scene = sampling.is_object() ? sampling.find("scene") : sampling.end();
+  return scene != sampling.end() && scene->is_string() ? scene->get<std::string>() : "";
+}
+}
+
+/// Makes a geometry.
+class vtkCSLFGeometryFilter::Pass
+{
+public:
+  Pass(vtkCSLFGeometryFilter* self, vtkInformation* input)
+    : Self(self)
+    , Input(input)
+  {
+    input->Get(Pipeline::WHOLE_EXTENT(), this->Whole);
+  }
+
+  /// Null after an error, which it reports, and if the filter was asked to stop.
+  vtkSmartPointer<vtkPolyData> Run()
+  {
+    if (!this->ReadDepths())
+    {
+      return nullptr;
+    }
+    const auto progress = [this](double share)
+    { return this->Continue(ReadProgress + share * (MeshProgress - ReadProgress)); };
+    cslf::SurfaceMesh mesh = cslf::MeshDepths(*this->Views, progress);
+    if (cslf::IsAborted(this->Self))
+    {
+      return nullptr;
+    }
+    const cslf::SurfaceError error =
+      cslf::ReduceWell(mesh, static_cast<std::size_t>(this->Self->GeometryTriangles),
+        cslf::SpreadPoints(*this->Views, MeasuredPoints), this->Views->GetTexel());
+    cslf::SortForDrawing(mesh);
+    vtkSmartPointer<vtkDataArray> colors;
+    const cslf::Channel* color = this->Field->FindChannel(cslf::KnownChannel::Color);
+    if (color && !this->ReadColors(mesh, color->Type, colors))
+    {
+      return nullptr;
+    }
+    const glm::dvec3& edges = this->Field->Box.Edges;
+    const double half = 0.5 * std::max({ edges.x, edges.y, edges.z });
+    return cslf::MakeGeometryData(mesh, this->Field->Box.Center, glm::dvec3(half), colors,
+      { half * error.RootMeanSquare, error.Loss, GetScene(*this->Field) });
+  }
+
+private:
+  /// Visits viewpoints slab by slab. False after an error and if the filter was asked to stop.
+  bool Visit(const std::vector<int>& slices, double first, double last,
+    const std::function<void(int slice, const cslf::ViewpointSamples&, bool isMissing)>& visit)
+  {
+    const double texels = (this->Whole[1] + 1.0) * (this->Whole[3] + 1.0);
+    const auto most = static_cast<std::size_t>(
+      std::max(1.0, PullBytes / (static_cast<double>(this->Field->GetTexelBytes()) * texels)));
+    for (std::size_t begin = 0; begin < slices.size();)
+    {
+      std::size_t end = begin + 1;
+      while (end < slices.size() && end - begin < most && slices[end] == slices[end - 1] + 1)
+      {
+        ++end;
+      }
+      const vtkSmartPointer<vtkImageData> image = this->Pull(slices[begin], slices[end - 1]);
+      if (!image)
+      {
+        return false;
+      }
+      const std::vector<int> missing = cslf::GetMissing(image, this->Field->Grid.GetSlices());
+      const cslf::ViewpointSamples samples(image);
+      for (; begin < end; ++begin)
+      {
+        const int slice = slices[begin];
+        const auto start = static_cast<vtkIdType>(this->Field->Grid.GetStripTexels()) *
+          (slice - image->GetExtent()[4]);
+        visit(slice, samples.At(start), std::binary_search(missing.begin(), missing.end(), slice));
+      }
+      if (!this->Continue(
+            first + (last - first) * static_cast<double>(end) / static_cast<double>(slices.size())))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  vtkSmartPointer<vtkImageData> Pull(int first, int last)
+  {
+    std::string error;
+    vtkSmartPointer<vtkImageData> image = cslf::PullSlices(this->Input, first, last, error);
+    const auto field = image ? cslf::Description::ReadFrom(image, error) : std::nullopt;
+    if (field && this->Field && field->ToText() != this->Field->ToText())
+    {
+      error = "The input's description changes between its parts.";
+    }
+    else if (field && !field->FindChannel(cslf::KnownChannel::Depth))
+    {
+      error = "The light field has no depth, which the geometry is made from.";
+    }
+    if (!error.empty() || !field)
+    {
+      vtkErrorWithObjectMacro(this->Self, << error);
+      return nullptr;
+    }
+    this->Field = field;
+    return image;
+  }
+
+  bool ReadDepths()
+  {
+    if (!this->Pull(this->Whole[4], this->Whole[4]))
+    {
+      return false;
+    }
+    std::vector<int> slices = cslf::ChooseSlices(this->Field->Grid, MostViewpoints);
+    slices.erase(std::remove_if(slices.begin(), slices.end(),
+                   [this](int slice) { return slice < this->Whole[4] || slice > this->Whole[5]; }),
+      slices.end());
+    const cslf::Layout& grid = this->Field->Grid;
+    this->Views.emplace(
+      cslf::Layout(grid.GetBaseNodes(), grid.GetNodes(), ChooseResolution(grid, slices.size())),
+      this->Field->Box);
+    return this->Visit(slices, 0.0, ReadProgress,
+      [&](int slice, const cslf::ViewpointSamples& samples, bool isMissing)
+      {
+        if (!isMissing)
+        {
+          this->Views->Add(slice, grid.GetResolution(), samples);
+        }
+      });
+  }
+
+  bool ReadColors(const cslf::SurfaceMesh& mesh, int type, vtkSmartPointer<vtkDataArray>& array)
+  {
+    cslf::PointColors colors(*this->Views, mesh);
+    std::vector<int> slices;
+    std::vector<int> views;
+    for (int view = 0; view < this->Views->GetCount(); ++view)
+    {
+      if (colors.IsNeeded(view))
+      {
+        slices.push_back(this->Views->GetSlice(view));
+        views.push_back(view);
+      }
+    }
+    const bool isDone = this->Visit(slices, MeshProgress, 1.0,
+      [&](int slice, const cslf::ViewpointSamples& samples, bool)
+      {
+        const auto place = std::lower_bound(slices.begin(), slices.end(), slice) - slices.begin();
+        colors.Read(views[place], this->Field->Grid.GetResolution(), samples);
+      });
+    array = colors.MakeArray(type);
+    return isDone;
+  }
+
+  bool Continue(double progress)
+  {
+    this->Self->UpdateProgress(progress);
+    return !cslf::IsAborted(this->Self);
+  }
+
+  vtkCSLFGeometryFilter* Self;
+  vtkInformation* Input;
+  int Whole[6] = { 0, -1, 0, -1, 0, -1 };
+  std::optional<cslf::Description> Field;
+  std::optional<cslf::DepthViews> Views;
+};
+
+vtkCSLFGeometryFilter::vtkCSLFGeometryFilter()
+  : GeometryTriangles(cslf::options::GeometryTriangles.Default)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+// Here, because users of the header need not know polygonal data.
+vtkCSLFGeometryFilter::~vtkCSLFGeometryFilter() = default;
+
+vtkPolyData* vtkCSLFGeometryFilter::GetGeometry()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkCSLFGeometryFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillOutputPortInformation(port, info);
+  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+vtkTypeBool vtkCSLFGeometryFilter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+  {
+    cslf::ChoosePorts(request, outputVector);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkCSLFGeometryFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  inputVector[0]->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT(), extent);
+  cslf::SetFieldInformation(outputVector->GetInformationObject(0), extent);
+  return 1;
+}
+
+int vtkCSLFGeometryFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  int extent[6];
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  input->Get(Pipeline::WHOLE_EXTENT(), extent);
+  if (request->Get(vtkExecutive::FROM_OUTPUT_PORT()) == 1)
+  {
+    // The geometry requests its slices itself, after the first one.
+    extent[5] = extent[4];
+  }
+  else
+  {
+    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent);
+  }
+  input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkCSLFGeometryFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (cslf::IsPortWanted(outputVector, 0))
+  {
+    vtkImageData::GetData(outputVector, 0)->ShallowCopy(vtkImageData::GetData(input));
+  }
+  if (!cslf::IsPortWanted(outputVector, 1))
+  {
+    return 1;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 1);
+  output->Initialize();
+  if (this->GeometryTriangles == 0)
+  {
+    return 1;
+  }
+  const vtkMTimeType time =
+    vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive())->GetPipelineMTime();
+  if (!this->Geometry || this->GeometryTime != time)
+  {
+    std::string problem;
+    this->Geometry = nullptr;
+    cslf::Guard(
+      [&]
+      {
+        this->Geometry = Pass(this, input).Run();
+        return true;
+      },
+      problem);
+    if (!problem.empty())
+    {
+      vtkErrorMacro("Cannot make a geometry: " << problem << ".");
+    }
+    this->GeometryTime = time;
+  }
+  if (!this->Geometry)
+  {
+    return cslf::IsAborted(this) ? 1 : 0;
+  }
+  output->ShallowCopy(this->Geometry);
+  return 1;
+}
+
+void vtkCSLFGeometryFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GeometryTriangles: " << this->GeometryTriangles << "\n";
+}
