@@ -83,9 +83,13 @@ vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
 
 void MakeGeometry(int triangles, FieldFile& file)
 {
-  if (file.GeometryReader || triangles == 0 || !file.Field.FindChannel(KnownChannel::Depth))
+  if (file.GeometryReader || triangles == 0)
   {
     return;
+  }
+  if (!file.Field.FindChannel(KnownChannel::Depth))
+  {
+    throw Failure(file.FileName + " has no depth, which --geometry-triangles needs.");
   }
   const auto filter = vtkSmartPointer<vtkCSLFGeometryFilter>::New();
   filter->SetInputConnection(file.Reader->GetOutputPort());

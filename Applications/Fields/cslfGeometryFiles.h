@@ -23,7 +23,7 @@ struct FieldFile;
 vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file);
 
 /// Lets an open field with depth that has no geometry get one of at most that many triangles, made
-/// from its depth when it is asked for. 0 triangles: none.
+/// from its depth when it is asked for. 0 triangles: none. Throws a Failure if there is no depth.
 void MakeGeometry(int triangles, FieldFile& file);
 
 /// Warns if a geometry that MakeGeometry made lacks many surfaces.
