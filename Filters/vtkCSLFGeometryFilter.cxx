@@ -9,6 +9,7 @@
 #include "Geometry/cslfReduction.h"
 #include "Geometry/cslfViewpointChoice.h"
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfPortsOnDemand.h"
@@ -27,6 +28,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -44,7 +47,7 @@ constexpr int MostViewpoints = 9;
 
 /// The most texels along a side of a tile, and of all viewpoints.
 constexpr int MostResolution = 256;
-constexpr double MostTexels = 256.0 * 1024 * 1024;
+constexpr double MostStoredTexels = 256.0 * 1024 * 1024;
 
 /// The number of places where the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
@@ -61,7 +64,8 @@ constexpr double MeshProgress = 0.85;
 /// The number of texels along a side of a tile at which depths are kept.
 int ChooseResolution(const cslf::Layout& grid, std::size_t views)
 {
-  const double fitting = std::sqrt(MostTexels / (cslf::TileCount * std::max(1.0, double(views))));
+  const double fitting =
+    std::sqrt(MostStoredTexels / (cslf::TileCount * std::max(1.0, double(views))));
   return std::max(1, std::min({ grid.GetResolution(), MostResolution, static_cast<int>(fitting) }));
 }
 
@@ -102,7 +106,17 @@ public:
     const cslf::SurfaceError error =
       cslf::ReduceWell(mesh, static_cast<std::size_t>(this->Self->GeometryTriangles),
         cslf::SpreadPoints(*this->Views, MeasuredPoints), this->Views->GetTexel());
+    // Stretched parts may reach beyond the cube.
+    const glm::vec3 most(this->Views->GetScale());
+    for (glm::vec3& point : mesh.Points)
+    {
+      point = glm::clamp(point, -most, most);
+    }
     cslf::SortForDrawing(mesh);
+    if (!this->Continue(MeshProgress))
+    {
+      return nullptr;
+    }
     vtkSmartPointer<vtkDataArray> colors;
     const cslf::Channel* color = this->Field->FindChannel(cslf::KnownChannel::Color);
     if (color && !this->ReadColors(mesh, color->Type, colors))
@@ -111,8 +125,15 @@ public:
     }
     const glm::dvec3& edges = this->Field->Box.Edges;
     const double half = 0.5 * std::max({ edges.x, edges.y, edges.z });
-    return cslf::MakeGeometryData(mesh, this->Field->Box.Center, glm::dvec3(half), colors,
-      { half * error.RootMeanSquare, error.Loss, GetScene(*this->Field) });
+    vtkSmartPointer<vtkPolyData> geometry =
+      cslf::MakeGeometryData(mesh, this->Field->Box.Center, glm::dvec3(half), colors,
+        { half * error.RootMeanSquare, error.Loss, GetScene(*this->Field) });
+    const std::string loss = cslf::DescribeGeometryLoss(geometry);
+    if (!loss.empty())
+    {
+      vtkWarningWithObjectMacro(this->Self, << loss);
+    }
+    return geometry;
   }
 
 private:

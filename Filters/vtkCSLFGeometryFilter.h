@@ -22,8 +22,9 @@
  * adds triangles for what it sees and the triangles so far do not have, unless a later one sees it
  * much better. Outlines of surfaces are drawn back to where no viewpoint sees through them.
  * Triangles are removed by meshoptimizer as long as that moves the surface by at most a fifth of a
- * texel, and further if there are more than GeometryTriangles. Where surfaces are small and many,
- * a large GeometryLoss says that the depth lookup may be sharper.
+ * texel, and further, as in vtkCSLFSampler, if there are more than GeometryTriangles. Where
+ * surfaces are small and many, a large GeometryLoss says that the depth lookup may be sharper;
+ * above 0.2, the filter warns, and mappers use depth.
  *
  * The input is requested a few viewpoints at a time, twice: for depths, and for the colours of the
  * points. Apart from these slices, the filter needs at most about 1 GiB; depths of more than 256 x

@@ -280,12 +280,10 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->Geometry = cslf::MakeGeometryData(made.Surface, scene.Frame.Center,
       glm::dvec3(scene.Frame.Radius), colors,
       { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint });
-    if (made.Error.Loss > cslf::MostUsefulLoss)
+    const std::string loss = cslf::DescribeGeometryLoss(this->Geometry);
+    if (!loss.empty())
     {
-      vtkWarningMacro("With " << this->GeometryTriangles << " triangles, the geometry loses "
-                              << std::lround(100.0 * made.Error.Loss)
-                              << " % of the visible surfaces, and mappers use depth instead: "
-                                 "increase GeometryTriangles.");
+      vtkWarningMacro(<< loss);
     }
     this->GeometryKey = key.str();
   }

@@ -8,7 +8,6 @@
 #include "cslfClosedParts.h"
 
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -19,16 +18,6 @@ namespace cslf
 {
 namespace
 {
-/// A geometry that lost more than this share of the surfaces is not complete.
-constexpr double MostLoss = 0.01;
-
-/// Whether it is known that at most such a share of the surfaces is lost.
-bool LosesAtMost(double share, bool ifUnknown, vtkPolyData* geometry)
-{
-  vtkDataArray* loss = geometry->GetFieldData()->GetArray(GeometryLossName);
-  return loss && loss->GetNumberOfValues() == 1 ? loss->GetTuple1(0) <= share : ifUnknown;
-}
-
 std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
 {
   std::vector<glm::vec4> colors(geometry->GetNumberOfPoints(), glm::vec4(0.0f));
@@ -49,11 +38,11 @@ std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
 
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box)
 {
-  const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
-  if (triangles->GetNumberOfPolys() == 0 || !LosesAtMost(MostUsefulLoss, true, geometry))
+  if (!IsUsefulGeometry(geometry))
   {
     return nullptr;
   }
+  const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
   auto mesh = std::make_shared<GeometryMesh>();
   mesh->PointsCC.reserve(triangles->GetNumberOfPoints());
   for (vtkIdType point = 0; point < triangles->GetNumberOfPoints(); ++point)
@@ -65,7 +54,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
   mesh->Colors = GetColors(triangles);
   mesh->HasColors = std::all_of(mesh->Colors.begin(), mesh->Colors.end(),
     [](const glm::vec4& color) { return color.w > 0.0f; });
-  mesh->IsComplete = LosesAtMost(MostLoss, false, geometry);
+  mesh->IsComplete = GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete;
   mesh->Corners = ListCorners(triangles);
   mesh->ClosedCorners = SortClosedParts(mesh->PointsCC, mesh->Corners);
   return mesh;

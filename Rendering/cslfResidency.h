@@ -128,7 +128,7 @@ private:
   int Slots = 0;
   std::array<FaceState, FaceCount> Faces;
   std::vector<BlockOwner> Owners;    ///< of each block
-  std::vector<ViewFrustum> Frustums; ///< the focal points of the cameras
+  std::vector<ViewFrustum> Frustums; ///< what the cameras see
 };
 }
 

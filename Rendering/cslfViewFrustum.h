@@ -4,8 +4,8 @@
  * @file
  * The parts of a cube's surface through which the lines of sight of a camera can enter and leave.
  */
-#ifndef cslfSight_h
-#define cslfSight_h
+#ifndef cslfViewFrustum_h
+#define cslfViewFrustum_h
 
 #include "cslfCube.h"
 

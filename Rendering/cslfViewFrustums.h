@@ -4,8 +4,8 @@
  * @file
  * The cameras that take turns in drawing a light field.
  */
-#ifndef cslfSightSeries_h
-#define cslfSightSeries_h
+#ifndef cslfViewFrustums_h
+#define cslfViewFrustums_h
 
 #include "cslfViewFrustum.h"
 

@@ -98,7 +98,7 @@ public:
   ///@{
   /**
    * The lookup. Without geometry, or if that lost more than a fifth of the surfaces (see
-   * vtkCSLFSampler), GEOMETRY is drawn as DEPTH. If the field has no depth channel, both are drawn
+   * vtkCSLFSampler and vtkCSLFGeometryFilter), GEOMETRY is drawn as DEPTH. If the field has no depth channel, both are drawn
    * as FOCAL about the cube's centre. Default: GEOMETRY.
    */
   void SetLookup(int lookup);

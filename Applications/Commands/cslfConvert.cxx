@@ -124,6 +124,10 @@ Result Resample(const Options& options)
   RequireOther(options.Input.FileName, options.Output);
   FieldFile file = OpenField(options.Input);
   writer.TakeParts(file);
+  if (options.GeometryTriangles > 0 && writer.GetFormat() == FieldFormat::Folder)
+  {
+    throw Failure("A folder has no place for the geometry that --geometry-triangles makes.");
+  }
   MakeGeometry(options.GeometryTriangles, file);
   vtkNew<vtkCSLFResample> resample;
   resample->SetInputConnection(file.Reader->GetOutputPort());

@@ -56,6 +56,9 @@ struct FieldFile
 
   /// Delivers the field's geometry. Null if there is none.
   vtkAlgorithmOutput* GetGeometry() const;
+
+  /// Whether it has one that mappers use. Reads it.
+  bool HasUsefulGeometry() const;
 };
 
 /// A field that a command reads. All commands but view have the same rule for damaged files: fields

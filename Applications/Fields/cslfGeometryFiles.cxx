@@ -13,7 +13,6 @@
 #include "vtkCSLFGeometryFilter.h"
 
 #include <vtkAlgorithmOutput.h>
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -30,9 +29,6 @@ namespace cslf::tool
 {
 namespace
 {
-/// A geometry that lost more than this share of the surfaces may be worse than none.
-constexpr double MostLoss = 0.01;
-
 /// The file beside that of a field in image data.
 std::string GetGeometryName(const std::string& fileName)
 {
@@ -53,6 +49,18 @@ vtkAlgorithmOutput* FieldFile::GetGeometry() const
   return this->GeometryReader
     ? this->GeometryReader->GetOutputPort(this->GeometryReader->GetNumberOfOutputPorts() - 1)
     : nullptr;
+}
+
+bool FieldFile::HasUsefulGeometry() const
+{
+  vtkAlgorithmOutput* port = this->GetGeometry();
+  if (!port)
+  {
+    return false;
+  }
+  port->GetProducer()->Update(port->GetIndex());
+  return IsUsefulGeometry(
+    vtkPolyData::SafeDownCast(port->GetProducer()->GetOutputDataObject(port->GetIndex())));
 }
 
 vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
@@ -100,12 +108,12 @@ void MakeGeometry(int triangles, FieldFile& file)
 void WarnOfLoss(const FieldFile& file)
 {
   auto* filter = vtkCSLFGeometryFilter::SafeDownCast(file.GeometryReader);
-  vtkDataArray* loss =
-    filter ? filter->GetGeometry()->GetFieldData()->GetArray(GeometryLossName) : nullptr;
-  if (loss && loss->GetTuple1(0) > MostLoss)
+  const double loss = filter ? GetGeometryLoss(filter->GetGeometry()).value_or(0.0) : 0.0;
+  // The filter itself warns of more.
+  if (loss > MostLossIfComplete && loss <= MostUsefulLoss)
   {
     std::ostringstream percent;
-    percent << std::setprecision(2) << 100.0 * loss->GetTuple1(0);
+    percent << std::setprecision(2) << 100.0 * loss;
     AddWarning("The geometry lacks " + percent.str() +
       " % of the surfaces. The lookup depth may be sharper; see cslf evaluate.");
   }

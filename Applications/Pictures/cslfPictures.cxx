@@ -97,9 +97,9 @@ namespace
 /// What a field lacks for a lookup; empty if nothing.
 std::string FindLack(const LookupName& lookup, const FieldFile& file)
 {
-  if (lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.GeometryReader)
+  if (lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.HasUsefulGeometry())
   {
-    return "geometry";
+    return file.GeometryReader ? "geometry that lost at most a fifth of the surfaces" : "geometry";
   }
   return lookup.Lookup >= vtkCSLFMapper::DEPTH && !file.Field.FindChannel(KnownChannel::Depth)
     ? "a depth channel"
@@ -187,7 +187,7 @@ int FindLookup(const std::string& name)
 std::string ChooseLookup(const std::string& name, const FieldFile& file)
 {
   std::string chosen = name;
-  if (chosen == vtkCSLFMapper::GetLookupName(vtkCSLFMapper::GEOMETRY) && !file.GeometryReader)
+  if (chosen == vtkCSLFMapper::GetLookupName(vtkCSLFMapper::GEOMETRY) && !file.HasUsefulGeometry())
   {
     chosen = vtkCSLFMapper::GetLookupName(vtkCSLFMapper::DEPTH);
   }

@@ -302,12 +302,14 @@ public:
       });
     for (const SurfaceMesh& mesh : meshes)
     {
-      if (!mesh.Triangles.empty() && this->Result.Triangles.size() < MostCollected)
+      if (!mesh.Triangles.empty() && !this->IsFull())
       {
         this->Add(mesh);
       }
     }
   }
+
+  bool IsFull() const { return this->Result.Triangles.size() >= MostCollected; }
 
   SurfaceMesh TakeResult() { return std::move(this->Result); }
 
@@ -387,8 +389,7 @@ private:
     const double distance = SeenTexels * this->Views.GetTexel();
     const TileFrame& frame = surfaces.GetFrame();
     const double inverse = surfaces.GetInverseDepth(surfaces.IndexOf(x, y));
-    const double footprint = frame.Step * frame.Step * frame.Distance *
-      glm::length(plane.Normal / this->Views.GetScale()) / (inverse * inverse * inverse);
+    const double footprint = this->Views.FindFootprint(frame, plane.Normal, inverse);
     const glm::dvec3 ray = frame.VectorToCube(frame.GetRay(x, y)) * this->Views.GetScale();
     const double cosine =
       inverse / (glm::length(plane.Normal / this->Views.GetScale()) * glm::length(ray));
@@ -404,7 +405,7 @@ private:
         continue;
       }
       const PlaneSight sight = this->Views.See(this->Order[other], plane, distance);
-      // Within a batch, exactly one of the views keeps it.
+      // Within a batch, one of the views keeps it, unless rounded depths let each prefer another.
       const bool isBetter = other < batchEnd
         ? sight.Footprint < footprint || (sight.Footprint == footprint && other < turn)
         : sight.Footprint < BetterShare * footprint;
@@ -427,7 +428,7 @@ SurfaceMesh MeshDepths(const DepthViews& views, const std::function<bool(double)
 {
   Mesher mesher(views);
   const int count = mesher.CountBatches();
-  for (int batch = 0; batch < count; ++batch)
+  for (int batch = 0; batch < count && !mesher.IsFull(); ++batch)
   {
     if (!progress(static_cast<double>(batch) / count))
     {

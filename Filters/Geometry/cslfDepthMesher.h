@@ -24,6 +24,7 @@ namespace cslf
 /// adds triangles for texels whose surfaces the mesh so far does not have there, unless a later one
 /// sees them much better, and around these texels, so that no gaps remain. The result is in
 /// mesh space. `progress` gets numbers up to 1; if it returns false, the mesh is empty.
+/// Viewpoints that come after four million triangles are left out.
 VTKCSLF_EXPORT SurfaceMesh MeshDepths(
   const DepthViews& views, const std::function<bool(double)>& progress);
 

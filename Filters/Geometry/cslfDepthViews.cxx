@@ -245,8 +245,17 @@ PlaneSight DepthViews::See(int view, const SurfacePlane& plane, double distance)
   const double expected = glm::dot(normal, frame.VectorToCube(frame.GetRay(x, y)));
   sight.IsSeen =
     sight.Cosine > LeastCosine && std::abs(stored / expected - 1.0) <= distance * length;
-  sight.Footprint = frame.Step * frame.Step * frame.Distance * length /
-    (place.InverseDepth * place.InverseDepth * place.InverseDepth);
+  sight.Footprint = this->FindFootprint(frame, normal, place.InverseDepth);
   return sight;
+}
+
+// The pyramid of a texel's rays has the volume of its base times its height, and so does the part
+// before the plane.
+double DepthViews::FindFootprint(
+  const TileFrame& frame, const glm::dvec3& normal, double inverse) const
+{
+  const double volume = this->Scale.x * this->Scale.y * this->Scale.z;
+  return volume * frame.Step * frame.Step * frame.Distance * glm::length(normal / this->Scale) /
+    (inverse * inverse * inverse);
 }
 }

@@ -11,6 +11,7 @@
 
 #include "cslfCube.h"
 #include "cslfLayout.h"
+#include "cslfTileFrame.h"
 #include "cslfViewpointSamples.h"
 
 #include <glm/vec3.hpp>
@@ -86,6 +87,10 @@ public:
 
   /// Whether a viewpoint sees a plane at its point, within that distance.
   PlaneSight See(int view, const SurfacePlane& plane, double distance) const;
+
+  /// The area in mesh space, at an inverse depth, of a tile's texel on the plane of the points with
+  /// dot(normal, point - viewpoint) = 1 in CC.
+  double FindFootprint(const TileFrame& frame, const glm::dvec3& normal, double inverse) const;
 
 private:
   Layout Grid;

@@ -25,8 +25,8 @@ constexpr std::size_t FewestOfPart = 4;
 /// Parts with at most this many triangles lose much of their volume with each one.
 constexpr std::size_t MostOfSmallPart = 100;
 
-/// The smallest variance of a part that is stretched, as a share of the sum along all axes. What is
-/// flatter has lost a dimension, which stretching does not bring back.
+/// The smallest variance of a part along an axis, as a share of the sum along all axes. What was
+/// flatter, or became so, is not stretched along it.
 constexpr double LeastVariance = 1e-4;
 
 /// The connected parts of a surface.
@@ -162,8 +162,9 @@ Stretch FindStretch(const Moments& moments, const Moments& wanted)
   Stretch stretch;
   if (moments.Area > 0.0 && wanted.Area > 0.0)
   {
-    const glm::dmat3& variance = wanted.Variance;
-    const double least = LeastVariance * (variance[0][0] + variance[1][1] + variance[2][2]);
+    const glm::dmat3& all = wanted.Variance;
+    const double least = LeastVariance * (all[0][0] + all[1][1] + all[2][2]);
+    const glm::dmat3 variance = Power(all, 1.0, least);
     const glm::dmat3 root = Power(moments.Variance, 0.5, least);
     const glm::dmat3 inverse = Power(moments.Variance, -0.5, least);
     stretch.Linear = inverse * Power(root * variance * root, 0.5, 0.0) * inverse;

@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The names of the field data of a light field's geometry.
+ * The field data of a light field's geometry.
  */
 #ifndef cslfGeometryArrays_h
 #define cslfGeometryArrays_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include <optional>
+#include <string>
+
+class vtkPolyData;
 
 namespace cslf
 {
@@ -17,6 +24,9 @@ constexpr const char* GeometryErrorName = "GeometryError";
 /// than a texel away.
 constexpr const char* GeometryLossName = "GeometryLoss";
 
+/// A geometry that lost more than this share is not complete: what misses it may be a surface.
+constexpr double MostLossIfComplete = 0.01;
+
 /// A geometry that lost more than this is not looked up, because views with depth alone are better.
 constexpr double MostUsefulLoss = 0.2;
 
@@ -25,6 +35,15 @@ constexpr const char* GeometrySceneName = "GeometryScene";
 
 /// A text: the description of the field in the file beside which the tool wrote the geometry.
 constexpr const char* GeometryFieldName = "GeometryField";
+
+/// The share that a geometry lost, if it says so.
+std::optional<double> VTKCSLF_EXPORT GetGeometryLoss(vtkPolyData* geometry);
+
+/// Whether a geometry has polygons, and did not lose too much.
+bool VTKCSLF_EXPORT IsUsefulGeometry(vtkPolyData* geometry);
+
+/// A warning if a geometry lost too much, or nothing.
+std::string VTKCSLF_EXPORT DescribeGeometryLoss(vtkPolyData* geometry);
 }
 
 #endif

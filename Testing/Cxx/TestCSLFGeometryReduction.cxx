@@ -7,6 +7,7 @@
 #include "cslfTesting.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +22,14 @@ constexpr double Pi = 3.14159265358979;
 const float Thickness = 0.001F; // radius of a bar
 const float Length = 0.02F;
 
-void AddBar(const glm::vec3& place, cslf::SurfaceMesh& mesh)
+void AddBar(const glm::vec3& place, float length, cslf::SurfaceMesh& mesh)
 {
   const auto first = static_cast<unsigned int>(mesh.Points.size());
   for (int i = 0; i < 2 * Sides; ++i)
   {
     const double angle = 2.0 * Pi * (i % Sides) / Sides;
     mesh.Points.push_back(place +
-      glm::vec3(i < Sides ? 0.0F : Length, Thickness * static_cast<float>(std::cos(angle)),
+      glm::vec3(i < Sides ? 0.0F : length, Thickness * static_cast<float>(std::cos(angle)),
         Thickness * static_cast<float>(std::sin(angle))));
   }
   for (unsigned int i = 0; i < Sides; ++i)
@@ -119,7 +120,7 @@ int TestCSLFGeometryReduction(int, char*[])
   cslf::SurfaceMesh mesh;
   for (int bar = 0; bar < Bars; ++bar)
   {
-    AddBar(PlaceOf(bar), mesh);
+    AddBar(PlaceOf(bar), Length, mesh);
   }
   AddBall({ -1.0F, 0.0F, 0.0F }, mesh);
   cslf::Weld(mesh);
@@ -143,6 +144,19 @@ int TestCSLFGeometryReduction(int, char*[])
   CSLF_CHECK(least > 0.8);
   CSLF_CHECK(worst < 0.15);
   CSLF_CHECK(after.WorstOfBall < 0.01);
+
+  // A bar of 400 times its thickness.
+  cslf::SurfaceMesh wire;
+  AddBar(glm::vec3(0.0F), 400.0F * Thickness, wire);
+  cslf::Weld(wire);
+  cslf::Reduce(wire, wire.Triangles.size() / 2, true);
+  float thickest = 0.0F;
+  for (const glm::vec3& point : wire.Points)
+  {
+    thickest = std::max(thickest, glm::length(glm::vec2(point.y, point.z)));
+  }
+  std::cout << "radius of a wire " << thickest / Thickness << "\n";
+  CSLF_CHECK(thickest > 0.9F * Thickness && thickest < 1.8F * Thickness);
 
   // There is nothing to reduce, or nothing at all.
   cslf::SurfaceMesh few = reduced;

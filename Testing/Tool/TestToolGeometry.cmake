@@ -80,6 +80,8 @@ endif ()
 cslf_run(sample cornell-box ${field} -o flat.vti --geometry-triangles 0 --no-depth)
 cslf_fail("flat.vti has no depth, which --geometry-triangles needs" "flat.mp4"
   encode flat.vti -o flat.mp4 --geometry-triangles 5000)
+cslf_fail("A folder has no place for the geometry" "nowhere"
+  resample plain.vti -o nowhere --geometry-triangles 5000)
 cslf_run(encode folder -o made.mp4 --preset ultrafast --geometry-triangles 5000)
 cslf_run(info made.mp4 --json)
 expect_json(geometry parts 0 name)

@@ -4,6 +4,7 @@
 
 #include "Pipeline/cslfParallelFor.h"
 #include "Quality/cslfRobertsSequence.h"
+#include "cslfLayout.h"
 
 #include <vtkType.h>
 
@@ -27,6 +28,10 @@ constexpr float MostCells = 512.0f;
 constexpr int MostPoints = 4096;
 
 constexpr int BlockSide = 4; // a packet has one ray for each texel of a block
+
+/// Tiles with at least this number of texels along each side need a ray for one of four texels
+/// only: other viewpoints have theirs for the other ones.
+constexpr int FewestTexels = 16;
 
 /// Between the hits of neighbouring rays, at most this number of cells is seen, too: rays meet
 /// surfaces that they graze far apart.
@@ -107,8 +112,11 @@ bool SeenPlaces::IsNear(const glm::vec3 corners[3]) const
   return false;
 }
 
-void SeenPlaces::LookAlong(const RayGrid& rays, int side)
+void SeenPlaces::LookAlong(const RayGrid& rays, int texels, int stride, const glm::ivec2& first)
 {
+  const int side = (texels + stride - 1) / stride;
+  const glm::ivec3 none(-1);
+  std::vector<glm::ivec3> cells(std::size_t(side) * side, none);
   RayPacket packet;
   PacketScale scale;
   float x[RayPacket::Size];
@@ -119,35 +127,37 @@ void SeenPlaces::LookAlong(const RayGrid& rays, int side)
     {
       for (int lane = 0; lane < RayPacket::Size; ++lane)
       {
-        x[lane] = static_cast<float>(column + lane % BlockSide) + 0.5f;
-        y[lane] = static_cast<float>(row + lane / BlockSide) + 0.5f;
+        x[lane] = static_cast<float>(stride * (column + lane % BlockSide) + first.x) + 0.5f;
+        y[lane] = static_cast<float>(stride * (row + lane / BlockSide) + first.y) + 0.5f;
       }
       SetRays(rays, x, y, packet, scale);
       this->World.Intersect(packet);
-      this->MarkHits(packet);
+      for (int lane = 0; lane < RayPacket::Size; ++lane)
+      {
+        const int atX = column + lane % BlockSide;
+        const int atY = row + lane / BlockSide;
+        const bool isInside = stride * atX + first.x < texels && stride * atY + first.y < texels;
+        if (packet.Active[lane] && packet.IsHit(lane) && isInside)
+        {
+          const Ray ray = packet.GetRay(lane);
+          cells[std::size_t(atY) * side + atX] =
+            this->FindCell(ray.Origin + packet.GetHit(lane).Distance * ray.Direction);
+        }
+      }
     }
   }
-}
-
-void SeenPlaces::MarkHits(const RayPacket& packet)
-{
-  glm::ivec3 cells[RayPacket::Size];
-  bool isHit[RayPacket::Size];
-  for (int lane = 0; lane < RayPacket::Size; ++lane)
+  for (std::size_t k = 0; k < cells.size(); ++k)
   {
-    isHit[lane] = packet.Active[lane] && packet.IsHit(lane);
-    if (isHit[lane])
+    if (cells[k] != none)
     {
-      const Ray ray = packet.GetRay(lane);
-      cells[lane] = this->FindCell(ray.Origin + packet.GetHit(lane).Distance * ray.Direction);
-      this->Mark(cells[lane]);
-      if (lane % BlockSide > 0 && isHit[lane - 1])
+      this->Mark(cells[k]);
+      if (k % side > 0 && cells[k - 1] != none)
       {
-        this->MarkBetween(cells[lane - 1], cells[lane]);
+        this->MarkBetween(cells[k - 1], cells[k]);
       }
-      if (lane >= BlockSide && isHit[lane - BlockSide])
+      if (k >= std::size_t(side) && cells[k - side] != none)
       {
-        this->MarkBetween(cells[lane - BlockSide], cells[lane]);
+        this->MarkBetween(cells[k - side], cells[k]);
       }
     }
   }
@@ -175,12 +185,15 @@ std::size_t SeenPlaces::FindPlace(const glm::ivec3& cell) const
 
 void SeenPlaces::Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays)
 {
+  const int stride = side < FewestTexels ? 1 : 2;
   ParallelFor(0, tiles, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType tile = begin; tile < end; ++tile)
       {
-        this->LookAlong(rays(static_cast<int>(tile)), side);
+        const vtkIdType viewpoint = tile / TileCount;
+        const glm::ivec2 first(viewpoint % stride, viewpoint / 2 % stride);
+        this->LookAlong(rays(static_cast<int>(tile)), side, stride, first);
       }
     });
 }

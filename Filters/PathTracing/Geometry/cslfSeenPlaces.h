@@ -13,6 +13,7 @@
 #include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Texels/cslfRayGrid.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <atomic>
@@ -32,7 +33,9 @@ public:
   SeenPlaces(const Scene& scene, float edge);
 
   /// Marks the places that the rays of tiles hit, and those between the hits of neighbouring rays
-  /// unless they are far apart. A tile is that of a picture: `side` x `side` rays.
+  /// unless they are far apart. A tile is that of a picture with `side` x `side` texels, and each
+  /// TileCount of them are those of a viewpoint. Large ones have rays for a quarter of their
+  /// texels.
   void Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays);
 
   /// The same with cells of a multiple of the edge, which are seen if a part of them is.
@@ -50,8 +53,7 @@ private:
   bool IsNear(const glm::vec3& point) const;
   bool IsNear(const glm::vec3 corners[3]) const;
   std::size_t FindPlace(const glm::ivec3& cell) const;
-  void LookAlong(const RayGrid& rays, int side);
-  void MarkHits(const RayPacket& packet);
+  void LookAlong(const RayGrid& rays, int texels, int stride, const glm::ivec2& first);
   void MarkBetween(const glm::ivec3& first, const glm::ivec3& last);
   void Mark(const glm::ivec3& cell);
 

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGeometryArrays.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+namespace cslf
+{
+std::optional<double> GetGeometryLoss(vtkPolyData* geometry)
+{
+  vtkDataArray* loss = geometry->GetFieldData()->GetArray(GeometryLossName);
+  return loss && loss->GetNumberOfValues() == 1 ? std::optional(loss->GetTuple1(0)) : std::nullopt;
+}
+
+bool IsUsefulGeometry(vtkPolyData* geometry)
+{
+  const bool hasPolygons = geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() > 0;
+  return hasPolygons && GetGeometryLoss(geometry).value_or(0.0) <= MostUsefulLoss;
+}
+
+std::string DescribeGeometryLoss(vtkPolyData* geometry)
+{
+  const double loss = GetGeometryLoss(geometry).value_or(0.0);
+  return loss > MostUsefulLoss ? "With " + std::to_string(geometry->GetNumberOfPolys()) +
+      " triangles, the geometry loses " + std::to_string(std::lround(100.0 * loss)) +
+      " % of the visible surfaces, and mappers use depth instead: increase GeometryTriangles."
+                               : "";
+}
+}
