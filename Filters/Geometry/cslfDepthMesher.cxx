@@ -339,12 +339,12 @@ private:
   SurfaceMesh Look(int turn, int batchEnd, int tile) const
   {
     const int view = this->Order[turn];
-    const DepthSurfaces surfaces(this->Views, view, tile);
     DepthTile drawn(this->Views.GetGrid(), this->Views.GetSlice(view), tile);
     if (!drawn.HasRays())
     {
       return {};
     }
+    const DepthSurfaces surfaces(this->Views, view, tile);
     const std::atomic<bool> isStopped{ false };
     for (const DrawnTriangles& patch : this->Patches)
     {
