@@ -6,6 +6,7 @@
 #include "Lookup/cslfLookupConstants.h"
 #include "cslfColorGLSL.h"
 #include "cslfCubeGLSL.h"
+#include "cslfEntryGLSL.h"
 #include "cslfFaceUniforms.h"
 #include "cslfFieldGLSL.h"
 #include "cslfFieldTexture.h"
@@ -339,8 +340,9 @@ void LookupPicture::BuildPrograms(const Description& field, bool hasDepth)
     return;
   }
   this->Built = wanted;
-  const std::string functions = std::string(cslfLookupConstantsGLSL) + cslfCubeGLSL +
-    cslfFieldGLSL + cslfSceneGridGLSL + cslfLookupGLSL + cslfGuessGLSL + cslfColorGLSL;
+  const std::string functions = std::string(cslfLookupConstantsGLSL) + cslfEntryGLSL +
+    cslfCubeGLSL + cslfFieldGLSL + cslfSceneGridGLSL + cslfLookupGLSL + cslfGuessGLSL +
+    cslfColorGLSL;
   const auto build =
     [&](std::string fragment, const std::string& lookup, const std::string& more = std::string())
   {

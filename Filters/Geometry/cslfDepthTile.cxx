@@ -181,16 +181,10 @@ DrawnTriangles::DrawnTriangles(std::vector<glm::dvec3> points, std::vector<unsig
 DepthTile::DepthTile(const Layout& grid, int slice, int tile)
   : Resolution(grid.GetResolution())
   , Margin(BoxMargin + BoxMarginOfTile * static_cast<float>(Resolution))
+  , Frame(grid, slice, tile)
+  , Axes{ TileAxis(Frame.AxisX, Frame.From), TileAxis(Frame.AxisY, Frame.From),
+    TileAxis(Frame.AxisZ, Frame.From) }
 {
-  const Viewpoint viewpoint = grid.ViewpointOf(slice);
-  const int face = ExitFaceOf(viewpoint.Face, tile);
-  const glm::dvec3 from = grid.ViewpointPosition(viewpoint);
-  const glm::dvec3 normal = FaceToCube(face, { 0.0, 0.0 });
-  this->Axes[0] = TileAxis(FaceToCube(face, { 1.0, 0.0 }) - normal, from);
-  this->Axes[1] = TileAxis(FaceToCube(face, { 0.0, 1.0 }) - normal, from);
-  this->Axes[2] = TileAxis(normal, from);
-  this->Start = { -1.0 - this->Axes[0].From, -1.0 - this->Axes[1].From };
-  this->Distance = 1.0 - this->Axes[2].From;
   this->Nearest.assign(static_cast<std::size_t>(this->Resolution) * this->Resolution, 0.0F);
 }
 
@@ -236,8 +230,8 @@ bool DepthTile::Reaches(const DrawnTriangles::Box& box) const
   // The sides of the tile are planes through the viewpoint: x - start * z / distance is 0 there.
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double first = this->Start[axis] / this->Distance;
-    const double last = (this->Start[axis] + 2.0) / this->Distance;
+    const double first = this->Frame.Start[axis] / this->Frame.Distance;
+    const double last = (this->Frame.Start[axis] + 2.0) / this->Frame.Distance;
     if (most[axis] < std::min(first * least.z, first * most.z) ||
       least[axis] > std::max(last * least.z, last * most.z))
     {
@@ -257,10 +251,11 @@ void DepthTile::Place(const std::array<std::vector<float>, 3>& points)
   this->Sides.resize(count);
   const double texels = 0.5 * this->Resolution;
   const float* const coordinates[3] = { points[0].data(), points[1].data(), points[2].data() };
-  Project(coordinates, count, this->Axes.data(), static_cast<float>(texels * this->Distance),
-    static_cast<float>(texels * this->Start.x + 0.5),
-    static_cast<float>(texels * this->Start.y + 0.5), static_cast<float>(this->Resolution - 1),
-    this->Margin, this->X.data(), this->Y.data(), this->Inverses.data(), this->Sides.data());
+  Project(coordinates, count, this->Axes.data(), static_cast<float>(texels * this->Frame.Distance),
+    static_cast<float>(texels * this->Frame.Start.x + 0.5),
+    static_cast<float>(texels * this->Frame.Start.y + 0.5),
+    static_cast<float>(this->Resolution - 1), this->Margin, this->X.data(), this->Y.data(),
+    this->Inverses.data(), this->Sides.data());
 }
 
 void DepthTile::Draw(const std::vector<glm::dvec3>& points, const unsigned int* corners)
@@ -317,8 +312,8 @@ DepthTile::Box DepthTile::FindBox(const std::vector<glm::dvec3>& corners) const
   const double texels = 0.5 * this->Resolution;
   for (const glm::dvec3& corner : corners)
   {
-    const double factor = this->Distance / corner.z;
-    const glm::vec2 texel = texels * (factor * glm::dvec2(corner) - this->Start) - 0.5;
+    const double factor = this->Frame.Distance / corner.z;
+    const glm::vec2 texel = texels * (factor * glm::dvec2(corner) - this->Frame.Start) - 0.5;
     least = glm::min(least, texel);
     most = glm::max(most, texel);
   }
@@ -354,9 +349,8 @@ void DepthTile::Draw(const Triangle& triangle, const Box& box)
   const double sign = height > 0.0 ? 1.0 : -1.0;
   const glm::dvec3 edges[3] = { sign * glm::cross(a, triangle[1]),
     sign * glm::cross(triangle[1], triangle[2]), sign * glm::cross(triangle[2], a) };
-  const double step = 2.0 / this->Resolution;
-  const glm::dvec3 first = { this->Start.x + (box.FirstX + 0.5) * step,
-    this->Start.y + (box.FirstY + 0.5) * step, this->Distance };
+  const double step = this->Frame.Step;
+  const glm::dvec3 first = this->Frame.GetRay(box.FirstX, box.FirstY);
   Plane planes[4];
   for (int k = 0; k < 3; ++k)
   {
@@ -368,8 +362,8 @@ void DepthTile::Draw(const Triangle& triangle, const Box& box)
   planes[3] = { glm::dot(inverse, first), step * inverse.x, step * inverse.y };
   const double depths[3] = { std::max(a.z, NearestDistance),
     std::max(triangle[1].z, NearestDistance), std::max(triangle[2].z, NearestDistance) };
-  const Range range = { this->Distance / std::max({ depths[0], depths[1], depths[2] }),
-    this->Distance / std::min({ depths[0], depths[1], depths[2] }) };
+  const Range range = { this->Frame.Distance / std::max({ depths[0], depths[1], depths[2] }),
+    this->Frame.Distance / std::min({ depths[0], depths[1], depths[2] }) };
   DrawTexels(planes, range, box.LastX - box.FirstX + 1, box.LastY - box.FirstY + 1,
     &this->Nearest[static_cast<std::size_t>(box.FirstY) * this->Resolution + box.FirstX],
     this->Resolution);

@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "cslfLayout.h"
+#include "cslfTileFrame.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -85,8 +86,7 @@ class VTKCSLF_EXPORT DepthTile
 public:
   DepthTile(const Layout& grid, int slice, int tile);
 
-  /// On an edge of the cube, the rays to the other face lie in that face, and meet nothing.
-  bool HasRays() const { return this->Distance > 0.0; }
+  bool HasRays() const { return this->Frame.HasRays(); }
 
   /// Returns false early if `isStopped` becomes true.
   bool Draw(const DrawnTriangles& triangles, const std::atomic<bool>& isStopped);
@@ -119,9 +119,8 @@ private:
 
   int Resolution;
   float Margin;
-  std::array<TileAxis, 3> Axes; ///< x and y along those of the exit face, z along its normal
-  glm::dvec2 Start;             ///< of the tile's corner
-  double Distance;              ///< of the exit face
+  TileFrame Frame;
+  std::array<TileAxis, 3> Axes; ///< of the frame
   std::vector<float> X;         ///< of the points, in texels
   std::vector<float> Y;
   std::vector<float> Inverses; ///< of their depths, in halves of a tile's side

@@ -26,8 +26,8 @@ void AddNumber(const char* name, double number, vtkPolyData* data)
 }
 }
 
-vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm::dvec3& center,
-  const glm::dvec3& scale, vtkDataArray* colors, const GeometryRecord& record)
+vtkSmartPointer<vtkPolyData> MakePolyData(
+  const SurfaceMesh& mesh, const glm::dvec3& center, const glm::dvec3& scale)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -44,6 +44,13 @@ vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetPolys(triangles);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm::dvec3& center,
+  const glm::dvec3& scale, vtkDataArray* colors, const GeometryRecord& record)
+{
+  vtkSmartPointer<vtkPolyData> data = MakePolyData(mesh, center, scale);
   if (colors)
   {
     data->GetPointData()->SetScalars(colors);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceError.h"
 
-#include <vtkCellArray.h>
+#include "cslfGeometryData.h"
+
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
 
@@ -14,27 +14,6 @@
 
 namespace cslf
 {
-namespace
-{
-vtkNew<vtkPolyData> ToPolyData(const SurfaceMesh& surface)
-{
-  vtkNew<vtkPoints> points;
-  for (const glm::vec3& point : surface.Points)
-  {
-    points->InsertNextPoint(point.x, point.y, point.z);
-  }
-  vtkNew<vtkCellArray> cells;
-  for (const glm::uvec3& corners : surface.Triangles)
-  {
-    cells->InsertNextCell({ corners.x, corners.y, corners.z });
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  return data;
-}
-}
-
 SurfaceError MeasureError(
   const std::vector<glm::vec3>& points, const SurfaceMesh& mesh, double most)
 {
@@ -44,7 +23,7 @@ SurfaceError MeasureError(
     error.Loss = points.empty() ? 0.0 : 1.0;
     return error;
   }
-  const auto data = ToPolyData(mesh);
+  const auto data = MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0));
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(data);
   locator->BuildLocator();

@@ -206,22 +206,36 @@ void ForEachPolyData(vtkDataObject* input, Visit visit)
     }
   }
 }
+
+/// A part for each data object of the actor's mapper, unless `makeShapes` returns none.
+template <typename MakeShapes>
+ActorParts MakeParts(vtkActor* actor, vtkMatrix4x4* matrix, MakeShapes makeShapes)
+{
+  ActorParts parts;
+  ForEachPolyData(actor->GetMapper()->GetInputDataObject(0, 0),
+    [&](vtkPolyData* data)
+    {
+      if (const vtkSmartPointer<vtkPolyData> shapes = makeShapes(data))
+      {
+        parts.push_back(MakeClippedPart(shapes, actor, matrix));
+      }
+    });
+  return parts;
+}
 }
 
 ActorParts TakeSplatsApart(
   vtkActor* actor, vtkPointGaussianMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
-  ActorParts parts;
-  ForEachPolyData(mapper->GetInputDataObject(0, 0),
-    [&](vtkPolyData* data)
-    {
-      parts.push_back(
-        MakeClippedPart(SplatReader(mapper, data, scene).MakeShapes(), actor, matrix));
-      // Splats show their colours, unless a user's shader computes something else.
-      const char* shader = mapper->GetSplatShaderCode();
-      const bool lit = shader && *shader && mapper->GetScaleFactor() != 0.0;
-      parts.back().Actor->GetProperty()->SetLighting(lit);
-    });
+  ActorParts parts = MakeParts(actor, matrix,
+    [&](vtkPolyData* data) { return SplatReader(mapper, data, scene).MakeShapes(); });
+  // Splats show their colours, unless a user's shader computes something else.
+  const char* shader = mapper->GetSplatShaderCode();
+  const bool lit = shader && *shader && mapper->GetScaleFactor() != 0.0;
+  for (const ActorPart& part : parts)
+  {
+    part.Actor->GetProperty()->SetLighting(lit);
+  }
   if (!parts.empty() && mapper->GetScaleFactor() != 0.0)
   {
     scene.Meet(ImportLimit::Splats);
@@ -232,9 +246,8 @@ ActorParts TakeSplatsApart(
 ActorParts TakeSpheresApart(
   vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
-  ActorParts parts;
   auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(mapper);
-  ForEachPolyData(mapper->GetInputDataObject(0, 0),
+  return MakeParts(actor, matrix,
     [&](vtkPolyData* data)
     {
       vtkSmartPointer<vtkDataArray> radii = FindArray(data, SphereAccess::GetScales(spheres));
@@ -243,30 +256,26 @@ ActorParts TakeSpheresApart(
         radii = MakeEqual(spheres->GetRadius(), data->GetNumberOfPoints());
       }
       const MappedScalars colors = MapScalars(mapper, data, false, scene);
-      parts.push_back(
-        MakeClippedPart(MakeSpheres(data->GetPoints(), radii, colors.Colors), actor, matrix));
+      return MakeSpheres(data->GetPoints(), radii, colors.Colors);
     });
-  return parts;
 }
 
 ActorParts TakeSticksApart(
   vtkActor* actor, vtkPolyDataMapper* mapper, vtkMatrix4x4* matrix, ImportedScene& scene)
 {
-  ActorParts parts;
   auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper);
-  ForEachPolyData(mapper->GetInputDataObject(0, 0),
-    [&](vtkPolyData* data)
+  return MakeParts(actor, matrix,
+    [&](vtkPolyData* data) -> vtkSmartPointer<vtkPolyData>
     {
       vtkDataArray* scales = FindArray(data, StickAccess::GetScales(sticks));
       vtkDataArray* directions = FindArray(data, StickAccess::GetDirections(sticks));
-      if (scales && directions && scales->GetNumberOfComponents() == 3 &&
-        directions->GetNumberOfComponents() == 3)
+      if (!scales || !directions || scales->GetNumberOfComponents() != 3 ||
+        directions->GetNumberOfComponents() != 3)
       {
-        const MappedScalars colors = MapScalars(mapper, data, false, scene);
-        parts.push_back(MakeClippedPart(
-          MakeSticks(data->GetPoints(), scales, directions, colors.Colors), actor, matrix));
+        return nullptr;
       }
+      const MappedScalars colors = MapScalars(mapper, data, false, scene);
+      return MakeSticks(data->GetPoints(), scales, directions, colors.Colors);
     });
-  return parts;
 }
 }

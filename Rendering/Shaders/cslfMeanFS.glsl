@@ -17,23 +17,20 @@ uniform int RaysPerSide;     // of a pixel
 //CSLF::ToneMapping::Dec
 
 // A pixel is the mean of the light of its rays, with associated alpha.
+#ifdef LINEAR_COLOR
+#define ToLight(color) (color)
+#define FromLight(light) (light)
+#else
 vec4 ToLight(vec4 color)
 {
-#ifdef LINEAR_COLOR
-  return color;
-#else
   return vec4(color.a * SRGBToLinear(color.rgb / max(color.a, 0.001)), color.a);
-#endif
 }
 
 vec4 FromLight(vec4 light)
 {
-#ifdef LINEAR_COLOR
-  return light;
-#else
   return vec4(light.a * LinearToSRGB(light.rgb / max(light.a, 0.001)), light.a);
-#endif
 }
+#endif
 
 void main()
 {

@@ -13,24 +13,16 @@
 
 //VTK::Output::Dec
 
-in vec4 pointVSOutput;
-
-uniform vec4 EyeFC; // w = 1: the eye; w = 0: the direction of parallel projection
-uniform mat4 FCDCMatrix;
-uniform vec3 FocalPointFC;
-
 //CSLF::Lookup::Dec
 
 void main()
 {
-  vec3 point = pointVSOutput.xyz / pointVSOutput.w;
-  vec3 direction = EyeFC.w > 0.0 ? point - EyeFC.xyz : EyeFC.xyz;
-  vec2 entry = point.xy - direction.xy * (point.z / direction.z);
-  if (direction.z <= 0.0 || any(greaterThan(abs(entry), vec2(1.0))))
+  EyeRay eyeRay = FindEyeRay();
+  if (!eyeRay.IsInward || !eyeRay.IsOnFace)
   {
     discard;
   }
-  Ray ray = CastRay(point, direction);
+  Ray ray = CastRay(eyeRay.Point, eyeRay.Direction);
   LookupResult result = LOOKUP(ray);
   if (!result.IsFinal)
   {
@@ -42,6 +34,6 @@ void main()
   vec4 color = BlendColor(result);
 #endif
   gl_FragData[0] = color;
-  vec4 hitDC = FCDCMatrix * vec4(ray.Entry + result.Fraction * ray.Chord, 1.0);
-  gl_FragData[1] = vec4(color.a > 0.0 ? hitDC.z / hitDC.w : MissDC);
+  float z = ToDisplayDepth(ray.Entry + result.Fraction * ray.Chord);
+  gl_FragData[1] = vec4(color.a > 0.0 ? z : MissDC);
 }

@@ -13,12 +13,6 @@
 
 //VTK::Output::Dec
 
-in vec4 pointVSOutput;
-
-uniform vec4 EyeFC; // w = 1: the eye; w = 0: the direction of parallel projection
-uniform mat4 FCDCMatrix;
-uniform vec3 FocalPointFC;
-
 //CSLF::Lookup::Dec
 
 void main()
@@ -31,29 +25,24 @@ void main()
   gl_FragData[0] = vec4(0.0);
   gl_FragData[1] = vec4(MissDC);
 #else
-  vec3 point = pointVSOutput.xyz / pointVSOutput.w;
-  vec3 direction = EyeFC.w > 0.0 ? point - EyeFC.xyz : EyeFC.xyz;
-  vec2 entry = point.xy - direction.xy * (point.z / direction.z);
-  bool isWanted = direction.z > 0.0 && IsOnGeometry();
-  bool isHere = all(lessThanEqual(abs(entry), vec2(1.0)));
+  EyeRay ray = FindEyeRay();
+  bool isWanted = ray.IsInward && IsOnGeometry();
 #if defined(OTHER_FACE)
-  isWanted = isWanted && !isHere;
+  isWanted = isWanted && !ray.IsOnFace;
 #elif !defined(ANY_FACE)
-  isWanted = isWanted && isHere;
+  isWanted = isWanted && ray.IsOnFace;
 #endif
-  entry = clamp(entry, -1.0, 1.0);
   if (!isWanted)
   {
     discard;
   }
-  GeometryPoint surface = FindGeometryPoint(entry, direction);
+  GeometryPoint surface = FindGeometryPoint(clamp(ray.Entry, -1.0, 1.0), ray.Direction);
   vec4 color = LOOKUP(surface);
   if (color.a <= 0.0)
   {
     discard;
   }
   gl_FragData[0] = color;
-  vec4 hitDC = FCDCMatrix * vec4(surface.Point, 1.0);
-  gl_FragData[1] = vec4(hitDC.z / hitDC.w);
+  gl_FragData[1] = vec4(ToDisplayDepth(surface.Point));
 #endif
 }

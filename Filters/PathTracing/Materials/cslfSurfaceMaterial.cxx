@@ -5,6 +5,7 @@
 #include "cslfBSDF.h"
 #include "cslfFresnel.h"
 #include "cslfGGX.h"
+#include "cslfReflections.h"
 
 #include <algorithm>
 
@@ -20,21 +21,10 @@ constexpr float SmallestAlpha = 1e-3f;
 // G1.
 float IntegrateSpecular(float ior, const GGX& facets, float cosine)
 {
-  constexpr int side = 24;
-  const glm::vec3 outgoing(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
   float sum = 0.0f;
-  for (int i = 0; i < side * side; ++i)
-  {
-    const glm::vec2 u((i / side + 0.5f) / side, (i % side + 0.5f) / side);
-    const glm::vec3 incident = facets.Sample(outgoing, u);
-    if (incident.z > 0.0f)
-    {
-      const float cosHalf = glm::dot(outgoing, glm::normalize(outgoing + incident));
-      sum += DielectricFresnel(cosHalf, ior) * facets.MaskingShadowing(outgoing, incident) /
-        facets.Masking(outgoing);
-    }
-  }
-  return sum / (side * side);
+  const int count =
+    VisitReflections(ior, facets, cosine, [&](const glm::vec3&, float weight) { sum += weight; });
+  return sum / static_cast<float>(count);
 }
 }
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfIncidentLight.h"
 
-#include "PathTracing/Materials/cslfFresnel.h"
-#include "PathTracing/Materials/cslfGGX.h"
+#include "PathTracing/Materials/cslfReflections.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -67,28 +66,18 @@ GlossyLobe::GlossyLobe(const SurfaceMaterial& material)
 
 GlossyLobe::Row GlossyLobe::MakeRow(const SurfaceMaterial& material, float cosine)
 {
-  constexpr int side = 24;
-  const GGX facets(material.Alpha);
-  const glm::vec3 outgoing(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
   Row row;
   float total = 0.0f;
-  for (int i = 0; i < side * side; ++i)
-  {
-    const glm::vec2 u((i / side + 0.5f) / side, (i % side + 0.5f) / side);
-    const glm::vec3 incident = facets.Sample(outgoing, u);
-    if (incident.z > 0.0f)
+  VisitReflections(material.IndexOfRefraction, GGX(material.Alpha), cosine,
+    [&](const glm::vec3& incident, float weight)
     {
-      const float cosHalf = glm::dot(outgoing, glm::normalize(outgoing + incident));
-      const float weight = DielectricFresnel(cosHalf, material.IndexOfRefraction) *
-        facets.MaskingShadowing(outgoing, incident) / facets.Masking(outgoing);
       total += weight;
       row.X += weight * incident.x;
       row.Z += weight * incident.z;
       row.XX += weight * incident.x * incident.x;
       row.YY += weight * incident.y * incident.y;
       row.XZ += weight * incident.x * incident.z;
-    }
-  }
+    });
   if (total > 0.0f)
   {
     return { row.X / total, row.Z / total, row.XX / total, row.YY / total, row.XZ / total };
