@@ -142,8 +142,47 @@ void TestThinThings()
 }
 }
 
+namespace
+{
+/// Bars in front of a wall, all of which glow: a texel's colour is that of the surface at its
+/// centre, which takes few samples, whatever the others see.
+void TestSurfaceTexels()
+{
+  constexpr int size = 64;
+  std::vector<cslf::Mesh> meshes;
+  meshes.push_back(MakeRectangle({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, MakeDiffuse(0.0f, 0.2f)));
+  for (int i = 0; i < 12; ++i)
+  {
+    meshes.push_back(MakeRectangle({ -0.97f + 0.17f * static_cast<float>(i), 0, 0.5f },
+      { 0.05f, 0, 0 }, { 0, 2, 0 }, MakeDiffuse(0.0f, 0.8f)));
+  }
+  const cslf::Scene scene(meshes, cslf::LightSet());
+  cslf::RenderSettings settings;
+  settings.Samples = 64;
+  settings.NoiseTarget = 0.004;
+  std::uint64_t rays[2] = {};
+  std::vector<float> colors;
+  for (const bool areSurfaces : { false, true })
+  {
+    settings.SurfaceTexels = areSurfaces;
+    colors = TexelPicture(scene, size, 1.0).Render(settings, &rays[areSurfaces ? 1 : 0]);
+  }
+  std::cout << "rays for surfaces, in those for means: "
+            << static_cast<double>(rays[1]) / static_cast<double>(rays[0]) << "\n";
+  CSLF_CHECK(rays[1] < rays[0] / 4);
+  for (int i = 0; i < size * size; ++i)
+  {
+    const float x = 2.0f * (static_cast<float>(i % size) + 0.5f) / size - 1.0f;
+    const float place = std::fmod(x + 0.97f + 0.085f, 0.17f) - 0.085f;
+    CSLF_CHECK_NEAR(colors[4 * i + 1], std::abs(place) < 0.05f ? 0.8f : 0.2f, 1e-6);
+    CSLF_CHECK_NEAR(colors[4 * i + 3], 1.0f, 1e-6);
+  }
+}
+}
+
 int TestCSLFTexelRenderer(int, char*[])
 {
+  TestSurfaceTexels();
   TestRareLight();
   TestThinThings();
   return cslf::testing::Result();

@@ -87,6 +87,17 @@ public:
   /// The sums of all samples so far.
   const PacketRadiance& GetSum() const { return this->Sum; }
 
+  /// The number of samples so far whose colour does not count, if others' does.
+  int GetOtherCount(int texel) const { return this->OtherCount[texel]; }
+
+  /// The sum of the samples so far whose colour counts.
+  glm::vec3 GetOwnSum(int texel) const
+  {
+    return { this->Sum.Red[texel] - this->Others.Red[texel],
+      this->Sum.Green[texel] - this->Others.Green[texel],
+      this->Sum.Blue[texel] - this->Others.Blue[texel] };
+  }
+
 private:
   void AddOthers(const PacketSamples& samples)
   {

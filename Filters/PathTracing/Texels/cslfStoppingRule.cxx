@@ -52,20 +52,20 @@ CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& 
   high = highs[0];
 }
 
-/// The variance of a texel's samples.
-glm::vec3 FindVariance(const TexelSums& sums, int texel, const glm::vec3& mean)
+/// Texels with fewer samples on the surface at their centre need more, whatever those see.
+constexpr int FewestForVariance = 2;
+
+glm::vec3 FindMean(const ColorSamples& samples)
 {
-  const auto count = static_cast<float>(sums.Samples);
-  const glm::vec3 squares(
-    sums.Squares.Red[texel], sums.Squares.Green[texel], sums.Squares.Blue[texel]);
-  return glm::max(squares - count * mean * mean, glm::vec3(0.0f)) / (count - 1.0f);
+  return samples.Sum / static_cast<float>(samples.Count);
 }
 
-glm::vec3 FindMean(const TexelSums& sums, int texel)
+/// The variance of at least two samples.
+glm::vec3 FindVariance(const ColorSamples& samples)
 {
-  const PacketRadiance& sum = sums.GetRadiance();
-  return glm::vec3(sum.Red[texel], sum.Green[texel], sum.Blue[texel]) /
-    static_cast<float>(sums.Samples);
+  const auto count = static_cast<float>(samples.Count);
+  const glm::vec3 mean = FindMean(samples);
+  return glm::max(samples.Squares - count * mean * mean, glm::vec3(0.0f)) / (count - 1.0f);
 }
 }
 
@@ -106,7 +106,8 @@ bool StoppingRule::IsPlain(const ColorBounds& seen) const
   return !seen.AreMixed() && seen.GetRange(this->Display) <= RangeOfTarget * this->Target;
 }
 
-void StoppingRule::TakeByOthers(const bool needs[Size], const int inside[Size], TexelSums& sums)
+void StoppingRule::TakeByOthers(
+  const bool needs[Size], const bool lacks[Size], const int inside[Size], TexelSums& sums)
 {
   int texels = 0;
   int needing = 0;
@@ -121,7 +122,8 @@ void StoppingRule::TakeByOthers(const bool needs[Size], const int inside[Size], 
     int enough[Size];
     for (int texel = 0; texel < Size; ++texel)
     {
-      enough[texel] = !inside[texel] || needing == 0 || needs[texel] ? -1 : 0;
+      const bool isEnough = needing == 0 || (needs[texel] && !lacks[texel]);
+      enough[texel] = !inside[texel] || isEnough ? -1 : 0;
     }
     sums.Take(enough);
   }
@@ -131,6 +133,7 @@ void StoppingRule::TakeSingle(
   const ColorBounds& expected, const int inside[Size], TexelSums& sums) const
 {
   bool needs[Size] = {};
+  constexpr bool lacks[Size] = {};
   ColorBounds all = expected;
   all.Add(sums, inside);
   const bool areFollowed = std::any_of(sums.Paths, sums.Paths + Size, [](int n) { return n > 0; });
@@ -146,7 +149,7 @@ void StoppingRule::TakeSingle(
       one[texel] = 0;
     }
   }
-  TakeByOthers(needs, inside, sums);
+  TakeByOthers(needs, lacks, inside, sums);
 }
 
 void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
@@ -157,11 +160,13 @@ void StoppingRule::Take(const ColorBounds& expected, const glm::vec3& elsewhere,
     return;
   }
   bool needs[Size];
+  bool lacks[Size];
   for (int texel = 0; texel < Size; ++texel)
   {
-    needs[texel] = inside[texel] && this->IsNoisy(sums, texel, elsewhere);
+    lacks[texel] = inside[texel] && sums.GetColorSamples(texel).Count < FewestForVariance;
+    needs[texel] = lacks[texel] || (inside[texel] && this->IsNoisy(sums, texel, elsewhere));
   }
-  TakeByOthers(needs, inside, sums);
+  TakeByOthers(needs, lacks, inside, sums);
 }
 
 bool StoppingRule::IsNoisyOutline(float alpha, int samples) const
@@ -171,13 +176,15 @@ bool StoppingRule::IsNoisyOutline(float alpha, int samples) const
 
 bool StoppingRule::IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const
 {
-  const auto count = static_cast<float>(sums.Samples);
-  if (this->IsNoisyOutline(static_cast<float>(sums.Covered[texel]) / count, sums.Samples))
+  const float alpha = static_cast<float>(sums.Covered[texel]) / static_cast<float>(sums.Samples);
+  if (this->IsNoisyOutline(alpha, sums.Samples))
   {
     return true;
   }
-  const glm::vec3 mean = FindMean(sums, texel);
-  glm::vec3 variance = FindVariance(sums, texel, mean);
+  const ColorSamples samples = sums.GetColorSamples(texel);
+  const auto count = static_cast<float>(samples.Count);
+  const glm::vec3 mean = FindMean(samples);
+  glm::vec3 variance = FindVariance(samples);
   if (sums.Paths[texel] > 0)
   {
     variance = ((count - 1.0f) * variance + elsewhere) / count;
@@ -193,9 +200,10 @@ PathVariance StoppingRule::GetVariance(const TexelSums& sums)
   PathVariance variance;
   for (int texel = 0; texel < Size; ++texel)
   {
-    if (sums.Paths[texel] > 0)
+    const ColorSamples samples = sums.GetColorSamples(texel);
+    if (sums.Paths[texel] > 0 && samples.Count >= FewestForVariance)
     {
-      variance.Sum += FindVariance(sums, texel, FindMean(sums, texel));
+      variance.Sum += FindVariance(samples);
       ++variance.Texels;
     }
   }

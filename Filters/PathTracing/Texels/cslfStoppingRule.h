@@ -103,9 +103,10 @@ public:
   void TakeSingle(
     const ColorBounds& expected, const int inside[TexelSums::Size], TexelSums& sums) const;
 
-  /// With more samples, a texel has enough if the standard error of all others is at most the
-  /// target. If an outline is expected, this must also hold for a half-covered texel. The variance
-  /// of traced paths elsewhere counts like one sample.
+  /// With more samples, a texel has enough if the standard error of all others' colours is at most
+  /// the target. Samples whose colour does not count have no part in it. If an outline is expected,
+  /// this must also hold for the coverage of a half-covered texel. The variance of traced paths
+  /// elsewhere counts like one sample.
   void Take(const ColorBounds& expected, const glm::vec3& elsewhere,
     const int inside[TexelSums::Size], TexelSums& sums) const;
 
@@ -113,8 +114,8 @@ public:
   static PathVariance GetVariance(const TexelSums& sums);
 
 private:
-  static void TakeByOthers(
-    const bool needs[TexelSums::Size], const int inside[TexelSums::Size], TexelSums& sums);
+  static void TakeByOthers(const bool needs[TexelSums::Size], const bool lacks[TexelSums::Size],
+    const int inside[TexelSums::Size], TexelSums& sums);
   bool IsNoisyOutline(float alpha, int samples) const;
   bool IsNoisy(const TexelSums& sums, int texel, const glm::vec3& elsewhere) const;
 

@@ -343,10 +343,11 @@ void TexelRenderer::AddPacket(
   {
     this->Follow(hits, covered, own, block, queue);
   }
-  block.Sums.Add({ hits, radiance, covered, own, hasOthers });
+  const PacketSamples samples{ hits, radiance, covered, own, hasOthers };
+  block.Sums.Add(samples);
   if (this->IsAdaptive())
   {
-    block.Sums.AddSquares(group, radiance);
+    block.Sums.AddSquares(samples);
   }
   if (block.LacksNearest)
   {

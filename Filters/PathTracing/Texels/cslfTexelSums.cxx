@@ -48,12 +48,13 @@ CSLF_VECTORIZE void AddCovered(int* sums, const TexelGroup& group, const int* co
   ChannelSum::AddTo(sums, group, counts);
 }
 
-CSLF_VECTORIZE void AddSquare(float* sums, const TexelGroup& group, const float* values)
+CSLF_VECTORIZE void AddSquare(
+  float* sums, const TexelGroup& group, const float* values, const int* own)
 {
   alignas(64) float squares[Size];
   for (int lane = 0; lane < Size; ++lane)
   {
-    squares[lane] = values[lane] * values[lane];
+    squares[lane] = own[lane] ? values[lane] * values[lane] : 0.0f;
   }
   ChannelSum::AddTo(sums, group, squares);
 }
@@ -107,19 +108,31 @@ CSLF_VECTORIZE void TexelSums::Add(const PacketSamples& samples)
 void TexelSums::AddPath(int texel, const PathBatch& batch, int path, bool isOwn)
 {
   const glm::vec3& radiance = batch.GetRadiance(path);
-  this->Squares.Red[texel] += radiance.x * radiance.x;
-  this->Squares.Green[texel] += radiance.y * radiance.y;
-  this->Squares.Blue[texel] += radiance.z * radiance.z;
+  if (isOwn)
+  {
+    this->Squares.Red[texel] += radiance.x * radiance.x;
+    this->Squares.Green[texel] += radiance.y * radiance.y;
+    this->Squares.Blue[texel] += radiance.z * radiance.z;
+  }
   ++this->Covered[texel];
   ++this->Paths[texel];
   ForEach(*this, [&](auto& sum) { sum.AddPath(texel, batch, path, isOwn); });
 }
 
-void TexelSums::AddSquares(const TexelGroup& group, const PacketRadiance& radiance)
+void TexelSums::AddSquares(const PacketSamples& samples)
 {
-  AddSquare(this->Squares.Red, group, radiance.Red);
-  AddSquare(this->Squares.Green, group, radiance.Green);
-  AddSquare(this->Squares.Blue, group, radiance.Blue);
+  const TexelGroup& group = samples.First.Group;
+  AddSquare(this->Squares.Red, group, samples.Radiance.Red, samples.Own);
+  AddSquare(this->Squares.Green, group, samples.Radiance.Green, samples.Own);
+  AddSquare(this->Squares.Blue, group, samples.Radiance.Blue, samples.Own);
+}
+
+ColorSamples TexelSums::GetColorSamples(int texel) const
+{
+  const auto& color = std::get<ColorSum>(this->Channels);
+  const int others = color.GetOtherCount(texel);
+  return { others == 0 ? this->Samples : this->Covered[texel] - others, color.GetOwnSum(texel),
+    { this->Squares.Red[texel], this->Squares.Green[texel], this->Squares.Blue[texel] } };
 }
 
 CSLF_VECTORIZE void TexelSums::Take(const int texels[Size])

@@ -17,6 +17,14 @@
 
 namespace cslf
 {
+/// The samples whose mean is a texel's colour.
+struct ColorSamples
+{
+  int Count = 0;
+  glm::vec3 Sum{ 0.0f };
+  glm::vec3 Squares{ 0.0f }; ///< the sum of the squares, if added
+};
+
 /// For as many texels as a packet has rays.
 class VTKCSLF_EXPORT TexelSums
 {
@@ -42,8 +50,8 @@ public:
   void AddPath(int texel, const PathBatch& batch, int path, bool isOwn);
   ///@}
 
-  /// Adds the squares of the samples.
-  void AddSquares(const TexelGroup& group, const PacketRadiance& radiance);
+  /// Adds the squares of the samples whose colour counts.
+  void AddSquares(const PacketSamples& samples);
 
   /// Takes the means of some texels' samples so far, unless that was done before. Texels are marked
   /// by -1.
@@ -59,7 +67,10 @@ public:
   /// The sums of the radiance of all samples so far.
   const PacketRadiance& GetRadiance() const { return std::get<ColorSum>(this->Channels).GetSum(); }
 
-  PacketRadiance Squares{};           ///< sums of the squares of the radiance, if added
+  /// The samples so far whose mean is a texel's colour: none if all see other surfaces than the
+  /// centre does.
+  ColorSamples GetColorSamples(int texel) const;
+
   alignas(64) int Covered[Size] = {}; ///< the number of samples that see something
   alignas(64) int Paths[Size] = {};   ///< the number of samples whose paths were followed
   int Samples = 0;                    ///< of each texel
@@ -71,6 +82,7 @@ private:
 
   const ViewpointSamples* Output;
   ChannelList Channels;
+  PacketRadiance Squares{};              // sums of the squares of the radiance
   alignas(64) float NearestOffset[Size]; // squared, from the centre to the nearest hit
   int TakenCount = 0;                    // of texels
   int TakenSamples[Size] = {};           // 0 if the mean is not taken yet
