@@ -194,9 +194,10 @@ public:
    * the standard error of their colours is at most this fraction of displayed white. 1/256 is one
    * level of 8 bits. For floating-point output, this holds at any exposure from 1/16 to 16 times
    * Exposure. Texels that see only cached light, or nothing, may need only one sample; all others
-   * take at least 4 of the Samples. The mean of a texel is not biased, because only the other
-   * texels of its square determine its number of samples. 0 takes all Samples. Values below 0 are
-   * automatic, see Quality. Range: -1 to 1. Default: -1.
+   * take at least 4 of the Samples. The mean of a texel is not biased, because only the radiance of
+   * the other texels of its square determines its number of samples. With SurfaceTexels, only
+   * samples whose colour counts are judged, and each texel goes on until it has two of them. 0
+   * takes all Samples. Values below 0 are automatic, see Quality. Range: -1 to 1. Default: -1.
    */
   void SetNoiseTarget(double target);
   vtkGetMacro(NoiseTarget, double);

@@ -10,8 +10,8 @@ cslf_add(Rendering
   Residency SurfacePicture TilePool ViewFrustum ViewFrustums ViewpointLevels ViewpointSource)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
-foreach (shader IN ITEMS Color Cube Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS MeanFS
-    Normals PictureFS PictureVS SceneGrid Surface SurfaceFS ToneMapping)
+foreach (shader IN ITEMS Color Cube Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS
+    MeanFS Normals PictureFS PictureVS SceneGrid Surface SurfaceFS ToneMapping)
   list(APPEND shaders "${CSLF_SOURCE_DIR}/Rendering/Shaders/cslf${shader}.glsl")
 endforeach ()
 foreach (shader IN LISTS shaders)

@@ -86,6 +86,7 @@ class VTKCSLF_EXPORT DepthTile
 public:
   DepthTile(const Layout& grid, int slice, int tile);
 
+  /// See TileFrame::HasRays.
   bool HasRays() const { return this->Frame.HasRays(); }
 
   /// Returns false early if `isStopped` becomes true.
@@ -120,7 +121,7 @@ private:
   int Resolution;
   float Margin;
   TileFrame Frame;
-  std::array<TileAxis, 3> Axes; ///< of the frame
+  std::array<TileAxis, 3> Axes; ///< of the frame, with the viewpoint's coordinates
   std::vector<float> X;         ///< of the points, in texels
   std::vector<float> Y;
   std::vector<float> Inverses; ///< of their depths, in halves of a tile's side

@@ -30,11 +30,11 @@ struct GeometryRecord
   std::string Scene; ///< a hash; not written if it is empty
 };
 
-/// The triangles of a mesh, with the points `center` + `scale` * point.
+/// The triangles of a mesh. Its points become `center` + `scale` * point.
 vtkSmartPointer<vtkPolyData> MakePolyData(
   const SurfaceMesh& mesh, const glm::dvec3& center, const glm::dvec3& scale);
 
-/// The same in world coordinates, as a geometry. `colors` may be null.
+/// The same in world coordinates, with the arrays of a geometry. `colors` may be null.
 VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh,
   const glm::dvec3& center, const glm::dvec3& scale, vtkDataArray* colors,
   const GeometryRecord& record);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the ray from the eye through a fragment enters the cube, for what cslfPictureVS.glsl draws.
+// Where the ray from the eye through a fragment enters the cube, for what cslfPictureVS.glsl draws,
+// and z of DC.
 
 in vec4 pointVSOutput;
 
 uniform vec4 EyeFC; // w = 1: the eye; w = 0: the direction of parallel projection
 uniform mat4 FCDCMatrix;
-uniform vec3 FocalPointFC;
 
 struct EyeRay
 {

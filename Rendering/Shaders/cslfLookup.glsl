@@ -3,6 +3,8 @@
 // The lookups, as in cslfLookup.cxx, which explains every step. Positions along a ray are inverse
 // fractions w: the chord's point at w is Entry + Chord / w. All points are in FC.
 
+uniform vec3 FocalPointFC;
+
 // What a lookup returns: the places where the four views see what the ray sees.
 struct LookupResult
 {

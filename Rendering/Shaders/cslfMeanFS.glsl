@@ -18,8 +18,15 @@ uniform int RaysPerSide;     // of a pixel
 
 // A pixel is the mean of the light of its rays, with associated alpha.
 #ifdef LINEAR_COLOR
-#define ToLight(color) (color)
-#define FromLight(light) (light)
+vec4 ToLight(vec4 color)
+{
+  return color;
+}
+
+vec4 FromLight(vec4 light)
+{
+  return light;
+}
 #else
 vec4 ToLight(vec4 color)
 {

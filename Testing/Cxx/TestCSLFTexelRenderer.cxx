@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <vector>
@@ -99,6 +100,18 @@ void TestRareLight()
   const cslf::Scene room(MakeDarkRoom(0.07), cslf::testing::MakeUniformLight(4.0f));
   CheckMean("light through a hole", TexelPicture(room, 48, 1.9), settings, 1);
 
+  // The same behind bars, with texels of one surface.
+  std::vector<cslf::Mesh> behindBars = MakeDarkRoom(0.07);
+  for (int i = 0; i < 12; ++i)
+  {
+    behindBars.push_back(MakeRectangle({ -0.97f + 0.17f * static_cast<float>(i), 0, 0.3f },
+      { 0.03f, 0, 0 }, { 0, 1, 0 }, MakeDiffuse(0.5f)));
+  }
+  const cslf::Scene barred(behindBars, cslf::testing::MakeUniformLight(4.0f));
+  settings.SurfaceTexels = true;
+  CheckMean("light behind bars", TexelPicture(barred, 48, 1.9), settings, 1);
+  settings.SurfaceTexels = false;
+
   // A mirror that shows many small lamps behind the camera.
   std::vector<cslf::Mesh> meshes;
   meshes.push_back(MakeRectangle(
@@ -139,11 +152,19 @@ void TestThinThings()
   CSLF_CHECK(cache.Build([](double) { return true; }));
   settings.Cache = &cache;
   CheckMean("wires over a wall", TexelPicture(scene, 48, 1.0), settings, 1);
-}
+
+  // The surface at a texel's centre does not depend on the number of samples.
+  settings.SurfaceTexels = true;
+  TexelPicture picture(scene, 48, 1.0);
+  const std::vector<float> few = picture.Render(settings);
+  settings.NoiseTarget = 0.0;
+  const std::vector<float> all = picture.Render(settings);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    CSLF_CHECK_NEAR(few[i], all[i], 1e-6);
+  }
 }
 
-namespace
-{
 /// Bars in front of a wall, all of which glow: a texel's colour is that of the surface at its
 /// centre, which takes few samples, whatever the others see.
 void TestSurfaceTexels()

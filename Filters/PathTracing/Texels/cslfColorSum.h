@@ -24,35 +24,31 @@ public:
   void Add(const PacketSamples& samples)
   {
     const TexelGroup& group = samples.First.Group;
-    AddTo(this->Sum.Red, group, samples.Radiance.Red);
-    AddTo(this->Sum.Green, group, samples.Radiance.Green);
-    AddTo(this->Sum.Blue, group, samples.Radiance.Blue);
     if (samples.HasOthers)
     {
-      this->AddOthers(samples);
+      this->AddBoth(samples);
+      return;
     }
+    AddTo(this->Own.Red, group, samples.Radiance.Red);
+    AddTo(this->Own.Green, group, samples.Radiance.Green);
+    AddTo(this->Own.Blue, group, samples.Radiance.Blue);
   }
 
   void AddPath(int texel, const PathBatch& batch, int path, bool isOwn)
   {
     const glm::vec3& radiance = batch.GetRadiance(path);
-    this->Sum.Red[texel] += radiance.x;
-    this->Sum.Green[texel] += radiance.y;
-    this->Sum.Blue[texel] += radiance.z;
-    if (!isOwn)
-    {
-      this->Others.Red[texel] += radiance.x;
-      this->Others.Green[texel] += radiance.y;
-      this->Others.Blue[texel] += radiance.z;
-      ++this->OtherCount[texel];
-    }
+    PacketRadiance& sum = isOwn ? this->Own : this->Others;
+    sum.Red[texel] += radiance.x;
+    sum.Green[texel] += radiance.y;
+    sum.Blue[texel] += radiance.z;
+    this->OtherCount[texel] += isOwn ? 0 : 1;
   }
 
   void Take(const int* texels)
   {
-    CopySome(this->Taken.Red, this->Sum.Red, texels);
-    CopySome(this->Taken.Green, this->Sum.Green, texels);
-    CopySome(this->Taken.Blue, this->Sum.Blue, texels);
+    CopySome(this->TakenOwn.Red, this->Own.Red, texels);
+    CopySome(this->TakenOwn.Green, this->Own.Green, texels);
+    CopySome(this->TakenOwn.Blue, this->Own.Blue, texels);
     CopySome(this->TakenOthers.Red, this->Others.Red, texels);
     CopySome(this->TakenOthers.Green, this->Others.Green, texels);
     CopySome(this->TakenOthers.Blue, this->Others.Blue, texels);
@@ -84,60 +80,60 @@ public:
     }
   }
 
-  /// The sums of all samples so far.
-  const PacketRadiance& GetSum() const { return this->Sum; }
+  /// The sums of the samples so far whose colour counts.
+  const PacketRadiance& GetOwn() const { return this->Own; }
 
-  /// The number of samples so far whose colour does not count, if others' does.
+  /// The number of samples so far that see something whose colour does not count.
   int GetOtherCount(int texel) const { return this->OtherCount[texel]; }
 
-  /// The sum of the samples so far whose colour counts.
-  glm::vec3 GetOwnSum(int texel) const
-  {
-    return { this->Sum.Red[texel] - this->Others.Red[texel],
-      this->Sum.Green[texel] - this->Others.Green[texel],
-      this->Sum.Blue[texel] - this->Others.Blue[texel] };
-  }
-
 private:
-  void AddOthers(const PacketSamples& samples)
+  void AddBoth(const PacketSamples& samples)
   {
     alignas(64) int counts[Size];
+    PacketRadiance own;
     PacketRadiance others;
     for (int lane = 0; lane < Size; ++lane)
     {
       const bool isOther = samples.Covered[lane] != 0 && samples.Own[lane] == 0;
       counts[lane] = isOther ? 1 : 0;
+      own.Red[lane] = isOther ? 0.0f : samples.Radiance.Red[lane];
+      own.Green[lane] = isOther ? 0.0f : samples.Radiance.Green[lane];
+      own.Blue[lane] = isOther ? 0.0f : samples.Radiance.Blue[lane];
       others.Red[lane] = isOther ? samples.Radiance.Red[lane] : 0.0f;
       others.Green[lane] = isOther ? samples.Radiance.Green[lane] : 0.0f;
       others.Blue[lane] = isOther ? samples.Radiance.Blue[lane] : 0.0f;
     }
     const TexelGroup& group = samples.First.Group;
+    AddTo(this->Own.Red, group, own.Red);
+    AddTo(this->Own.Green, group, own.Green);
+    AddTo(this->Own.Blue, group, own.Blue);
     AddTo(this->Others.Red, group, others.Red);
     AddTo(this->Others.Green, group, others.Green);
     AddTo(this->Others.Blue, group, others.Blue);
     AddTo(this->OtherCount, group, counts);
   }
 
-  /// The mean radiance times alpha. Samples whose colour does not count still cover the texel.
+  /// The mean radiance times alpha. Samples whose colour does not count still cover the texel, and
+  /// give its colour if there are no others.
   glm::dvec3 GetMean(const WrittenTexels::Texel& texel) const
   {
     const int i = texel.Number;
-    const glm::dvec3 sum(this->Taken.Red[i], this->Taken.Green[i], this->Taken.Blue[i]);
-    const int others = this->TakenOtherCount[i];
-    if (others == 0 || others == texel.Covered)
+    const int count = texel.Covered - this->TakenOtherCount[i];
+    const bool areOthers = count == 0 && texel.Covered > 0;
+    const PacketRadiance& sums = areOthers ? this->TakenOthers : this->TakenOwn;
+    const glm::dvec3 sum(sums.Red[i], sums.Green[i], sums.Blue[i]);
+    if (areOthers || this->TakenOtherCount[i] == 0)
     {
       return sum / static_cast<double>(texel.Samples);
     }
-    const glm::dvec3 own = sum -
-      glm::dvec3(this->TakenOthers.Red[i], this->TakenOthers.Green[i], this->TakenOthers.Blue[i]);
     const double alpha = static_cast<double>(texel.Covered) / texel.Samples;
-    return alpha / (texel.Covered - others) * glm::max(own, 0.0);
+    return alpha / count * sum;
   }
 
-  PacketRadiance Sum{};
-  PacketRadiance Others{}; // the part of those samples whose colour does not count
+  PacketRadiance Own{};
+  PacketRadiance Others{}; // of samples whose colour does not count
   alignas(64) int OtherCount[Size] = {};
-  PacketRadiance Taken;
+  PacketRadiance TakenOwn;
   PacketRadiance TakenOthers;
   int TakenOtherCount[Size];
 };

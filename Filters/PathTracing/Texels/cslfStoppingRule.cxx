@@ -52,7 +52,7 @@ CSLF_VECTORIZE void ExtendBounds(const float* values, const int* inside, float& 
   high = highs[0];
 }
 
-/// Texels with fewer samples on the surface at their centre need more, whatever those see.
+/// The fewest samples that have a variance.
 constexpr int FewestForVariance = 2;
 
 glm::vec3 FindMean(const ColorSamples& samples)
@@ -122,7 +122,7 @@ void StoppingRule::TakeByOthers(
     int enough[Size];
     for (int texel = 0; texel < Size; ++texel)
     {
-      const bool isEnough = needing == 0 || (needs[texel] && !lacks[texel]);
+      const bool isEnough = !lacks[texel] && (needing == 0 || needs[texel]);
       enough[texel] = !inside[texel] || isEnough ? -1 : 0;
     }
     sums.Take(enough);
@@ -133,16 +133,23 @@ void StoppingRule::TakeSingle(
   const ColorBounds& expected, const int inside[Size], TexelSums& sums) const
 {
   bool needs[Size] = {};
-  constexpr bool lacks[Size] = {};
+  bool lacks[Size];
+  int own[Size];
+  for (int texel = 0; texel < Size; ++texel)
+  {
+    lacks[texel] = inside[texel] && sums.GetColorSamples(texel).Count == 0;
+    own[texel] = lacks[texel] ? 0 : inside[texel];
+  }
   ColorBounds all = expected;
-  all.Add(sums, inside);
+  all.AddCoverage(sums.Covered, inside);
+  all.Add(sums, own);
   const bool areFollowed = std::any_of(sums.Paths, sums.Paths + Size, [](int n) { return n > 0; });
   if (areFollowed || !this->IsPlain(all))
   {
     int one[Size] = {};
     for (int texel = 0; texel < Size; ++texel)
     {
-      one[texel] = -1;
+      one[texel] = lacks[texel] ? 0 : -1;
       ColorBounds bounds = expected;
       bounds.Add(sums, one);
       needs[texel] = sums.Paths[texel] > 0 || !this->IsPlain(bounds);

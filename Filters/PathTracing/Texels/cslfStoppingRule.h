@@ -7,7 +7,9 @@
  * A mean is biased if the number of its samples depends on the samples themselves: if the first few
  * miss a small light, sampling would end, and if they find it, sampling would continue until the
  * light's share is right. So the samples of a texel never decide about that texel. They only decide
- * about the other texels of its square, whose random numbers are independent. (Kirk and Arvo,
+ * about the other texels of its square, whose random numbers are independent. But a texel that
+ * shows the surface at its centre goes on while it has too few samples there: that depends on where
+ * they lie, not on their radiance. (Kirk and Arvo,
  * "Unbiased Sampling Techniques for Image Synthesis", SIGGRAPH 1991, describe the bias, and a
  * remedy that discards the samples that decide.)
  */
@@ -114,6 +116,7 @@ public:
   static PathVariance GetVariance(const TexelSums& sums);
 
 private:
+  /// `needs`: the texels because of which others go on. `lacks`: those that go on themselves.
   static void TakeByOthers(const bool needs[TexelSums::Size], const bool lacks[TexelSums::Size],
     const int inside[TexelSums::Size], TexelSums& sums);
   bool IsNoisyOutline(float alpha, int samples) const;

@@ -113,9 +113,9 @@ void TexelSums::AddPath(int texel, const PathBatch& batch, int path, bool isOwn)
     this->Squares.Red[texel] += radiance.x * radiance.x;
     this->Squares.Green[texel] += radiance.y * radiance.y;
     this->Squares.Blue[texel] += radiance.z * radiance.z;
+    ++this->Paths[texel];
   }
   ++this->Covered[texel];
-  ++this->Paths[texel];
   ForEach(*this, [&](auto& sum) { sum.AddPath(texel, batch, path, isOwn); });
 }
 
@@ -131,7 +131,9 @@ ColorSamples TexelSums::GetColorSamples(int texel) const
 {
   const auto& color = std::get<ColorSum>(this->Channels);
   const int others = color.GetOtherCount(texel);
-  return { others == 0 ? this->Samples : this->Covered[texel] - others, color.GetOwnSum(texel),
+  const PacketRadiance& sum = color.GetOwn();
+  return { others == 0 ? this->Samples : this->Covered[texel] - others,
+    { sum.Red[texel], sum.Green[texel], sum.Blue[texel] },
     { this->Squares.Red[texel], this->Squares.Green[texel], this->Squares.Blue[texel] } };
 }
 

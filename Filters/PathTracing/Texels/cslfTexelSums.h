@@ -64,15 +64,15 @@ public:
   /// Writes the means of texels inside, which are marked by -1, to the arrays.
   void Write(double exposure, const int inside[Size], const std::int64_t indices[Size]) const;
 
-  /// The sums of the radiance of all samples so far.
-  const PacketRadiance& GetRadiance() const { return std::get<ColorSum>(this->Channels).GetSum(); }
+  /// The sums of the radiance of the samples so far whose colour counts.
+  const PacketRadiance& GetRadiance() const { return std::get<ColorSum>(this->Channels).GetOwn(); }
 
   /// The samples so far whose mean is a texel's colour: none if all see other surfaces than the
   /// centre does.
   ColorSamples GetColorSamples(int texel) const;
 
   alignas(64) int Covered[Size] = {}; ///< the number of samples that see something
-  alignas(64) int Paths[Size] = {};   ///< the number of samples whose paths were followed
+  alignas(64) int Paths[Size] = {};   ///< of those whose colour counts, those with followed paths
   int Samples = 0;                    ///< of each texel
 
 private:
@@ -82,7 +82,7 @@ private:
 
   const ViewpointSamples* Output;
   ChannelList Channels;
-  PacketRadiance Squares{};              // sums of the squares of the radiance
+  PacketRadiance Squares{}; // sums of the squares of the radiance, if its colour counts
   alignas(64) float NearestOffset[Size]; // squared, from the centre to the nearest hit
   int TakenCount = 0;                    // of texels
   int TakenSamples[Size] = {};           // 0 if the mean is not taken yet
