@@ -9,7 +9,8 @@ if (CSLF_BUILD_PARAVIEW_PLUGIN)
 endif ()
 set(cslf_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources
+  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling
+  FiltersSources
   ImagingCore ImagingGeneral
   IOCore IOXML
   ParallelCore

@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 # Dependencies of the headers and of those library modules that have dependencies to be found.
 string(JOIN " " cslf_package_vtk_components
   CommonCore CommonDataModel CommonExecutionModel
-  FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources
+  FiltersExtraction FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   ImagingCore IOCore ParallelCore
   RenderingCore RenderingOpenGL2)
 if (TARGET VTK::ParallelMPI)

@@ -35,8 +35,8 @@ cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
 
 # Triangles that say where surfaces are.
 cslf_add(Filters/Geometry
-  DepthMesher DepthSurfaces DepthTile DepthViews GeometryData PointColors Reduction SurfaceError
-  SurfaceMesh TileFrame TilePatch ViewpointChoice)
+  DepthMesher DepthSurfaces DepthTile DepthViews GeometryData PointColors Reduction SideColors
+  Subdivision SurfaceError SurfaceMesh TileFrame TilePatch ViewpointChoice)
 
 # Looking up rays in a field. Its constants become a header and a shader.
 cslf_add(Filters/Lookup ChannelReader FaceSpace Lookup SceneGrid SurfaceLookup)

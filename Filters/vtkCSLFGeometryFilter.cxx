@@ -7,6 +7,7 @@
 #include "Geometry/cslfGeometryData.h"
 #include "Geometry/cslfPointColors.h"
 #include "Geometry/cslfReduction.h"
+#include "Geometry/cslfSideColors.h"
 #include "Geometry/cslfViewpointChoice.h"
 #include "Options/cslfOptionTable.h"
 #include "Pipeline/cslfGeometryArrays.h"
@@ -117,17 +118,15 @@ public:
     {
       return nullptr;
     }
-    vtkSmartPointer<vtkDataArray> colors;
+    const glm::dvec3& edges = this->Field->Box.Edges;
+    const double half = 0.5 * std::max({ edges.x, edges.y, edges.z });
+    vtkSmartPointer<vtkPolyData> geometry = cslf::MakeGeometryData(mesh, this->Field->Box.Center,
+      glm::dvec3(half), { half * error.RootMeanSquare, error.Loss, GetScene(*this->Field) });
     const cslf::Channel* color = this->Field->FindChannel(cslf::KnownChannel::Color);
-    if (color && !this->ReadColors(mesh, color->Type, colors))
+    if (color && !this->ReadColors(mesh, color->Type, geometry))
     {
       return nullptr;
     }
-    const glm::dvec3& edges = this->Field->Box.Edges;
-    const double half = 0.5 * std::max({ edges.x, edges.y, edges.z });
-    vtkSmartPointer<vtkPolyData> geometry =
-      cslf::MakeGeometryData(mesh, this->Field->Box.Center, glm::dvec3(half), colors,
-        { half * error.RootMeanSquare, error.Loss, GetScene(*this->Field) });
     const std::string loss = cslf::DescribeGeometryLoss(geometry);
     if (!loss.empty())
     {
@@ -220,7 +219,7 @@ private:
       });
   }
 
-  bool ReadColors(const cslf::SurfaceMesh& mesh, int type, vtkSmartPointer<vtkDataArray>& array)
+  bool ReadColors(const cslf::SurfaceMesh& mesh, int type, vtkPolyData* geometry)
   {
     cslf::PointColors colors(*this->Views, mesh);
     std::vector<int> slices;
@@ -239,7 +238,7 @@ private:
         const auto place = std::lower_bound(slices.begin(), slices.end(), slice) - slices.begin();
         colors.Read(views[place], this->Field->Grid.GetResolution(), samples);
       });
-    array = colors.MakeArray(type);
+    cslf::AddSideColors(mesh, colors.Get(), type, geometry);
     return isDone;
   }
 

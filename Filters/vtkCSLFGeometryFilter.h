@@ -11,8 +11,8 @@
  *
  * - Port 0 is the input, unchanged.
  * - Port 1 is the geometry, for vtkCSLFMapper and vtkCSLFEncoder: triangles in world coordinates.
- * Point scalars are `Color`, of the same type as that of the field, as the viewpoint sees the point
- * that sees it least obliquely. Field data holds `GeometryError`, the root mean square distance of
+ * Point scalars are `Color`, of the same type as that of the field, as the viewpoint sees the front
+ * of the point that sees it least obliquely; `BackColor` is that of the back. Field data holds `GeometryError`, the root mean square distance of
  * the surfaces that the viewpoints see from the triangles, and `GeometryLoss`, the share of them
  * that is more than a texel away and does not count in the former. An empty field has an empty
  * geometry.

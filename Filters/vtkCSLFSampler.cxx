@@ -3,6 +3,7 @@
 #include "vtkCSLFSampler.h"
 
 #include "Geometry/cslfGeometryData.h"
+#include "Geometry/cslfSideColors.h"
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/Geometry/cslfGeometryMaker.h"
 #include "PathTracing/RadianceCache/cslfCacheCheck.h"
@@ -267,19 +268,15 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   const cslf::Geometry made = cslf::MakeGeometry(*scene.World,
     { description.Grid, description.Box, scene.Frame,
       static_cast<std::size_t>(this->GeometryTriangles) });
-  auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->ColorType));
-  colors->SetName(cslf::ColorName);
-  colors->SetNumberOfComponents(4);
-  colors->SetNumberOfTuples(static_cast<vtkIdType>(made.Surface.Points.size()));
-  cslf::ViewpointSamples samples;
-  samples.SetArray(cslf::KnownChannel::Color, colors);
   this->Geometry = nullptr;
   this->GeometryKey.clear();
-  if (this->RenderRays(whole, made.Rays, samples))
+  cslf::SideColors colors;
+  if (this->RenderSides(whole, made, colors))
   {
-    this->Geometry = cslf::MakeGeometryData(made.Surface, scene.Frame.Center,
-      glm::dvec3(scene.Frame.Radius), colors,
-      { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint });
+    this->Geometry =
+      cslf::MakeGeometryData(made.Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
+        { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint });
+    cslf::AddSideColors(made.Surface, colors, this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry);
     if (!loss.empty())
     {
@@ -289,6 +286,34 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
   }
   this->GeometrySeconds = cslf::SecondsSince(start);
   this->SetProgressText(nullptr);
+}
+
+// The colours of both sides of the geometry's points.
+bool vtkCSLFSampler::RenderSides(
+  const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors)
+{
+  for (std::size_t side = 0; side < colors.Sides.size(); ++side)
+  {
+    const auto& [points, rays] = geometry.Sides[side];
+    colors.Sides[side].resize(geometry.Surface.Points.size());
+    if (points.empty())
+    {
+      continue;
+    }
+    const cslf::Channel channel = cslf::MakeChannel(cslf::KnownChannel::Color, this->ColorType);
+    const auto array = cslf::MakeArray(channel, static_cast<vtkIdType>(points.size()));
+    cslf::ViewpointSamples samples;
+    samples.SetArray(cslf::KnownChannel::Color, array);
+    if (!this->RenderRays(whole, rays, samples))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      colors.Sides[side][points[i]] = cslf::GetColor(array, static_cast<vtkIdType>(i));
+    }
+  }
+  return true;
 }
 
 void vtkCSLFSampler::PrintSelf(ostream& os, vtkIndent indent)

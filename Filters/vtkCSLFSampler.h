@@ -23,8 +23,9 @@
  * Output port 1 is the field's geometry, for vtkCSLFMapper and vtkCSLFEncoder: the scene's surfaces
  * as triangles in world coordinates. Spheres, tubes and instances are tessellated, parts that no
  * viewpoint sees are left out, and the rest is simplified to GeometryTriangles. Point scalars are
- * `Color`, of the same type as that of the field: the light that leaves the surface along its
- * normal, for points that no viewpoint sees. Field data holds `GeometryError`, the root mean square
+ * `Color`, of the same type as that of the field: the light that leaves the front along the normal,
+ * for points that no viewpoint sees. `BackColor` is that of the back, where corners run clockwise;
+ * there is none if nobody sees any back. Field data holds `GeometryError`, the root mean square
  * distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share of
  * them that is more than a texel away and does not count in the former. Above 0.2, the filter
  * warns, and mappers do not use it.
@@ -54,6 +55,8 @@ namespace cslf
 {
 struct BuiltScene;
 struct Description;
+struct Geometry;
+struct SideColors;
 }
 
 class VTKCSLF_EXPORT vtkCSLFSampler : public vtkCSLFPathTracer
@@ -202,6 +205,8 @@ private:
     const cslf::CheckedPicture& whole, cslf::Description& description, vtkInformation* info);
   void UpdateGeometry(const cslf::BuiltScene& scene, const cslf::Description& description,
     const cslf::CheckedPicture& whole);
+  bool RenderSides(
+    const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors);
 
   int Viewpoints;
   int Resolution;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryMesh.h"
 
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfChannel.h"
@@ -18,18 +19,16 @@ namespace cslf
 {
 namespace
 {
-std::vector<glm::vec4> GetColors(vtkPolyData* geometry)
+/// The colours in an array. None if there is no such array.
+std::vector<glm::vec4> GetColors(vtkPolyData* geometry, const char* name)
 {
-  std::vector<glm::vec4> colors(geometry->GetNumberOfPoints(), glm::vec4(0.0f));
-  vtkDataArray* array = geometry->GetPointData()->GetArray(ColorName);
+  std::vector<glm::vec4> colors;
+  vtkDataArray* array = geometry->GetPointData()->GetArray(name);
   if (array && array->GetNumberOfComponents() == 4)
   {
-    const double scale = array->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
     for (vtkIdType point = 0; point < geometry->GetNumberOfPoints(); ++point)
     {
-      double tuple[4];
-      array->GetTuple(point, tuple);
-      colors[point] = glm::vec4(scale * glm::dvec4(tuple[0], tuple[1], tuple[2], tuple[3]));
+      colors.push_back(GetColor(array, point));
     }
   }
   return colors;
@@ -51,7 +50,9 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
     triangles->GetPoint(point, place);
     mesh->PointsCC.emplace_back(box.PointToCube({ place[0], place[1], place[2] }));
   }
-  mesh->Colors = GetColors(triangles);
+  mesh->Colors = GetColors(triangles, ColorName);
+  mesh->Colors.resize(mesh->PointsCC.size(), glm::vec4(0.0f));
+  mesh->BackColors = GetColors(triangles, BackColorName);
   mesh->HasColors = std::all_of(mesh->Colors.begin(), mesh->Colors.end(),
     [](const glm::vec4& color) { return color.w > 0.0f; });
   mesh->IsComplete = GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete;

@@ -25,6 +25,7 @@ struct GeometryMesh
 {
   std::vector<glm::vec3> PointsCC;
   std::vector<glm::vec4> Colors;      ///< of the points; transparent where there is none
+  std::vector<glm::vec4> BackColors;  ///< on the back; empty if they are the same
   std::vector<std::uint32_t> Corners; ///< three for each triangle
 
   /// The number of corners of closed parts, which come first, counterclockwise from outside.
@@ -37,7 +38,7 @@ struct GeometryMesh
   bool IsComplete = false;
 };
 
-/// The polygons and strips of a geometry as triangles, with its point data `Color`, as in a field.
+/// The polygons and strips of a geometry as triangles, with its point data `Color` and `BackColor`.
 /// Null if there are none, or if it lost too much to be useful.
 std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box);
 }

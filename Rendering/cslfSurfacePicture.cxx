@@ -87,24 +87,38 @@ void SurfacePicture::Upload()
     vtkOpenGLBufferObject::ArrayBuffer);
   this->ColorBuffer->Upload(&this->Mesh->Colors.front().x, 4 * this->Mesh->Colors.size(),
     vtkOpenGLBufferObject::ArrayBuffer);
+  if (!this->Mesh->BackColors.empty())
+  {
+    this->BackColorBuffer->Upload(&this->Mesh->BackColors.front().x,
+      4 * this->Mesh->BackColors.size(), vtkOpenGLBufferObject::ArrayBuffer);
+  }
   this->Triangles.IBO->Upload(this->Mesh->Corners, vtkOpenGLBufferObject::ElementArrayBuffer);
   this->Triangles.IBO->IndexCount = this->Mesh->Corners.size();
 }
 
 void SurfacePicture::Build(vtkOpenGLRenderWindow* window, std::size_t planes)
 {
+  const bool hasBackColors = !this->Mesh->BackColors.empty();
+  const std::string options = (hasBackColors ? std::string("#define BACK_COLORS\n") : "") +
+    (planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
+  std::string vertex = cslfGeometryVS;
   std::string fragment = cslfGeometryFS;
-  vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
-    planes > 0 ? "#define CLIPPING_PLANES " + std::to_string(planes) : "");
+  vtkShaderProgram::Substitute(vertex, "//CSLF::Options::Dec", options);
+  vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec", options);
   vtkShaderProgram::Substitute(fragment, "//CSLF::Normals::Dec", cslfNormalsGLSL);
   this->Triangles.Program =
-    window->GetShaderCache()->ReadyShaderProgram(cslfGeometryVS, fragment.c_str(), "");
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   this->Triangles.VAO->Bind();
   this->PointBuffer->Bind();
   this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->PointBuffer, "vertexCC", 0,
     3 * sizeof(float), VTK_FLOAT, 3, false);
   this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->ColorBuffer, "vertexColor",
     0, 4 * sizeof(float), VTK_FLOAT, 4, false);
+  if (hasBackColors)
+  {
+    this->Triangles.VAO->AddAttributeArray(this->Triangles.Program, this->BackColorBuffer,
+      "vertexBackColor", 0, 4 * sizeof(float), VTK_FLOAT, 4, false);
+  }
 }
 
 void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
@@ -145,6 +159,10 @@ void SurfacePicture::Draw(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObj
   matrix->DeepCopy(&ccdc[0].x);
   matrix->Transpose(); // GLSL's matrices are stored by columns.
   program->SetUniformMatrix("CCDCMatrix", matrix);
+  if (!mesh->BackColors.empty())
+  {
+    program->SetUniformi("IsMirrored", IsMirrored(ccdc) ? 1 : 0);
+  }
   std::vector<std::array<float, 4>> planes;
   planes.reserve(planesCC.size());
   for (const glm::dvec4& planeCC : planesCC)
@@ -206,6 +224,7 @@ void SurfacePicture::Release(vtkWindow* window)
   this->Depths->ReleaseGraphicsResources(window);
   this->PointBuffer->ReleaseGraphicsResources();
   this->ColorBuffer->ReleaseGraphicsResources();
+  this->BackColorBuffer->ReleaseGraphicsResources();
   this->Triangles.ReleaseGraphicsResources(window);
   this->Triangles.Program = nullptr;
   this->Mesh.reset();

@@ -70,6 +70,7 @@ private:
   vtkNew<vtkTextureObject> Depths;
   vtkNew<vtkOpenGLBufferObject> PointBuffer;
   vtkNew<vtkOpenGLBufferObject> ColorBuffer;
+  vtkNew<vtkOpenGLBufferObject> BackColorBuffer;
   vtkOpenGLHelper Triangles;
 };
 }

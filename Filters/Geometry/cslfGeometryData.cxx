@@ -48,13 +48,9 @@ vtkSmartPointer<vtkPolyData> MakePolyData(
 }
 
 vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh, const glm::dvec3& center,
-  const glm::dvec3& scale, vtkDataArray* colors, const GeometryRecord& record)
+  const glm::dvec3& scale, const GeometryRecord& record)
 {
   vtkSmartPointer<vtkPolyData> data = MakePolyData(mesh, center, scale);
-  if (colors)
-  {
-    data->GetPointData()->SetScalars(colors);
-  }
   AddNumber(GeometryErrorName, record.Error, data);
   AddNumber(GeometryLossName, record.Loss, data);
   if (!record.Scene.empty())

@@ -11,7 +11,6 @@
 
 #include "cslfSurfaceMesh.h"
 
-#include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
 #include <glm/vec3.hpp>
@@ -34,10 +33,9 @@ struct GeometryRecord
 vtkSmartPointer<vtkPolyData> MakePolyData(
   const SurfaceMesh& mesh, const glm::dvec3& center, const glm::dvec3& scale);
 
-/// The same in world coordinates, with the arrays of a geometry. `colors` may be null.
+/// The same in world coordinates, with the field data of a geometry.
 VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> MakeGeometryData(const SurfaceMesh& mesh,
-  const glm::dvec3& center, const glm::dvec3& scale, vtkDataArray* colors,
-  const GeometryRecord& record);
+  const glm::dvec3& center, const glm::dvec3& scale, const GeometryRecord& record);
 }
 
 #endif

@@ -22,9 +22,6 @@ namespace
 /// cube's centre.
 constexpr double SeenTexels = 1.5;
 
-/// The most steps of triangles over which a colour is passed on.
-constexpr int MostSteps = 64;
-
 /// Reads the colour of a strip at a place, from the texels around it that see the same surface.
 glm::vec4 ReadColor(int resolution, const ViewpointSamples& samples, const StripPlace& place)
 {
@@ -57,107 +54,63 @@ glm::vec4 ReadColor(int resolution, const ViewpointSamples& samples, const Strip
   }
   return sum;
 }
-
-bool IsColored(const glm::vec4& color)
-{
-  return color.w > 0.0f && std::isfinite(color.x + color.y + color.z + color.w);
-}
 }
 
 PointColors::PointColors(const DepthViews& views, const SurfaceMesh& mesh)
-  : Mesh(mesh)
-  , Places(mesh.Points.size())
-  , PointsOf(views.GetCount())
-  , Colors(mesh.Points.size(), glm::vec4(0.0f))
+  : SightsOf(views.GetCount())
 {
+  struct Choice
+  {
+    int View = -1;
+    StripPlace Place;
+  };
   const std::vector<glm::vec3> normals = FindNormals(mesh);
-  std::vector<int> chosen(mesh.Points.size(), -1);
   const double distance = SeenTexels * views.GetTexel();
-  ParallelFor(0, static_cast<vtkIdType>(chosen.size()), 0,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
+  const int resolution = views.GetGrid().GetResolution();
+  for (int side = 0; side < 2; ++side)
+  {
+    this->Colors.Sides[side].resize(mesh.Points.size());
+    std::vector<Choice> choices(mesh.Points.size());
+    ParallelFor(0, static_cast<vtkIdType>(choices.size()), 0,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const SurfacePlane plane = { glm::dvec3(mesh.Points[i]) / views.GetScale(),
-          glm::dvec3(normals[i]) * views.GetScale() };
-        double best = 0.0;
-        for (int view = 0; view < views.GetCount(); ++view)
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          const PlaneSight sight = views.See(view, plane, distance);
-          if (sight.IsSeen && sight.Cosine > best)
+          const SurfacePlane plane = { glm::dvec3(mesh.Points[i]) / views.GetScale(),
+            (side == 0 ? 1.0 : -1.0) * glm::dvec3(normals[i]) * views.GetScale() };
+          double best = 0.0;
+          for (int view = 0; view < views.GetCount(); ++view)
           {
-            best = sight.Cosine;
-            chosen[i] = view;
-            this->Places[i] = sight.Place;
+            const PlaneSight sight = views.See(view, plane, distance);
+            if (sight.IsSeen && sight.Cosine > best)
+            {
+              best = sight.Cosine;
+              choices[i] = { view, sight.Place };
+            }
           }
         }
-      }
-    });
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-  {
-    if (chosen[i] >= 0)
+      });
+    for (std::size_t i = 0; i < choices.size(); ++i)
     {
-      this->PointsOf[chosen[i]].push_back(static_cast<unsigned>(i));
-      // In parts of a tile, which all resolutions have.
-      StripPlace& place = this->Places[i];
-      place.X = (place.X + 0.5) / views.GetGrid().GetResolution();
-      place.Y = (place.Y + 0.5) / views.GetGrid().GetResolution();
+      if (choices[i].View >= 0)
+      {
+        StripPlace& place = choices[i].Place;
+        place.X = (place.X + 0.5) / resolution;
+        place.Y = (place.Y + 0.5) / resolution;
+        this->SightsOf[choices[i].View].push_back({ static_cast<unsigned>(i), side, place });
+      }
     }
   }
 }
 
 void PointColors::Read(int view, int resolution, const ViewpointSamples& samples)
 {
-  for (const unsigned point : this->PointsOf[view])
+  for (const Sight& sight : this->SightsOf[view])
   {
-    StripPlace place = this->Places[point];
+    StripPlace place = sight.Place;
     place.X = place.X * resolution - 0.5;
     place.Y = place.Y * resolution - 0.5;
-    this->Colors[point] = ReadColor(resolution, samples, place);
+    this->Colors.Sides[sight.Side][sight.Point] = ReadColor(resolution, samples, place);
   }
-}
-
-vtkSmartPointer<vtkDataArray> PointColors::MakeArray(int type)
-{
-  for (int step = 0; step < MostSteps; ++step)
-  {
-    const std::vector<glm::vec4> before = this->Colors;
-    bool isChanged = false;
-    for (const glm::uvec3& corners : this->Mesh.Triangles)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const unsigned from = corners[k];
-        const unsigned to = corners[(k + 1) % 3];
-        if (IsColored(before[from]) != IsColored(before[to]))
-        {
-          (IsColored(before[to]) ? this->Colors[from] : this->Colors[to]) =
-            IsColored(before[to]) ? before[to] : before[from];
-          isChanged = true;
-        }
-      }
-    }
-    if (!isChanged)
-    {
-      break;
-    }
-  }
-  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-  array->SetName(ColorName);
-  array->SetNumberOfComponents(4);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(this->Colors.size()));
-  const double scale = type == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
-  for (std::size_t i = 0; i < this->Colors.size(); ++i)
-  {
-    const glm::vec4& color = this->Colors[i];
-    glm::dvec3 shown =
-      IsColored(color) ? glm::dvec3(color) / static_cast<double>(color.w) : glm::dvec3(0.5);
-    if (type == VTK_UNSIGNED_CHAR)
-    {
-      shown = glm::floor(glm::clamp(shown, 0.0, 1.0) * scale + 0.5);
-    }
-    array->SetTuple4(static_cast<vtkIdType>(i), shown.x, shown.y, shown.z, scale);
-  }
-  return array;
 }
 }

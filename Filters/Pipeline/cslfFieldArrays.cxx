@@ -20,6 +20,13 @@ constexpr double LittleBytes = 64.0 * 1024 * 1024;
 constexpr double MostMissing = 64.0;
 }
 
+glm::vec4 GetColor(vtkDataArray* array, vtkIdType tuple)
+{
+  glm::dvec4 color;
+  array->GetTuple(tuple, &color.x);
+  return glm::vec4(color) / (array->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0f : 1.0f);
+}
+
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples)
 {
   auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));

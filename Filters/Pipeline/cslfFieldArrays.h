@@ -13,6 +13,8 @@
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
+#include <glm/vec4.hpp>
+
 #include <vector>
 
 class vtkImageData;
@@ -22,6 +24,9 @@ namespace cslf
 /// An array of a channel. Throws std::bad_alloc if there is not enough memory. VTK would also
 /// report an error of the internal array.
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples);
+
+/// A colour of an array with four components: from 0 to 1 if they are bytes.
+VTKCSLF_EXPORT glm::vec4 GetColor(vtkDataArray* array, vtkIdType tuple);
 
 /// The known channels of a field, with arrays of that many tuples. Throws std::bad_alloc.
 ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples);

@@ -16,6 +16,10 @@ class vtkPolyData;
 
 namespace cslf
 {
+/// Point data: the colour of the side where the corners of polygons run clockwise. `Color` is that
+/// of the other side, and of both if there is no such array.
+constexpr const char* BackColorName = "BackColor";
+
 /// A number: the root mean square distance, in world coordinates, of the scene's visible surfaces
 /// from the geometry, without those that it lost.
 constexpr const char* GeometryErrorName = "GeometryError";

@@ -3,8 +3,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws a field's geometry, from CC.
 
+// Options:
+//   BACK_COLORS  its back has other colours
+//CSLF::Options::Dec
+
 in vec3 vertexCC;
 in vec4 vertexColor;
+#ifdef BACK_COLORS
+in vec4 vertexBackColor;
+out vec4 backColorVSOutput;
+#endif
 out vec3 pointCCVSOutput;
 out vec4 colorVSOutput;
 
@@ -14,5 +22,8 @@ void main()
 {
   pointCCVSOutput = vertexCC;
   colorVSOutput = vertexColor;
+#ifdef BACK_COLORS
+  backColorVSOutput = vertexBackColor;
+#endif
   gl_Position = CCDCMatrix * vec4(vertexCC, 1.0);
 }

@@ -55,20 +55,23 @@ vtkSmartPointer<vtkPolyData> MakeGeometry(int colorType)
   move->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   move->Update();
   vtkSmartPointer<vtkPolyData> geometry = move->GetOutput();
-  const auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colorType));
-  colors->SetName("Color");
-  colors->SetNumberOfComponents(4);
-  colors->SetNumberOfTuples(geometry->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  for (const int side : { 0, 1 })
   {
-    double point[3];
-    geometry->GetPoint(i, point);
-    const double share = 0.5 + 0.5 * (point[2] - Box.Center.z);
-    const double scale = colorType == VTK_FLOAT ? 7.0 : 255.0;
-    colors->SetTuple4(
-      i, scale * share, scale * (1.0 - share), 0.0, colorType == VTK_FLOAT ? 1.0 : 255.0);
+    const auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colorType));
+    colors->SetName(side == 0 ? "Color" : "BackColor");
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(geometry->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      geometry->GetPoint(i, point);
+      const double share = 0.5 + 0.5 * (point[side] - Box.Center[side]);
+      const double scale = colorType == VTK_FLOAT ? 7.0 : 255.0;
+      colors->SetTuple4(
+        i, scale * share, scale * (1.0 - share), 0.0, colorType == VTK_FLOAT ? 1.0 : 255.0);
+    }
+    geometry->GetPointData()->AddArray(colors);
   }
-  geometry->GetPointData()->AddArray(colors);
   vtkNew<vtkDoubleArray> error;
   error->SetName(cslf::GeometryErrorName);
   error->InsertNextValue(0.125);
@@ -103,9 +106,11 @@ void TestCodec(int colorType)
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(geometry);
   locator->BuildLocator();
-  vtkDataArray* before = geometry->GetPointData()->GetArray("Color");
-  vtkDataArray* after = decoded->GetPointData()->GetArray("Color");
-  CSLF_CHECK(after && after->GetDataType() == colorType);
+  for (const char* name : { "Color", "BackColor" })
+  {
+    vtkDataArray* colors = decoded->GetPointData()->GetArray(name);
+    CSLF_CHECK(colors && colors->GetDataType() == colorType);
+  }
   double most = 0.0;
   double mostColor = 0.0;
   for (vtkIdType i = 0; i < decoded->GetNumberOfPoints(); ++i)
@@ -119,8 +124,12 @@ void TestCodec(int colorType)
     {
       most = std::max(most, std::abs(point[axis] - expected[axis]) / Box.Edges[axis]);
     }
-    mostColor =
-      std::max(mostColor, std::abs(before->GetComponent(same, 0) - after->GetComponent(i, 0)));
+    for (const char* name : { "Color", "BackColor" })
+    {
+      const double before = geometry->GetPointData()->GetArray(name)->GetComponent(same, 0);
+      const double after = decoded->GetPointData()->GetArray(name)->GetComponent(i, 0);
+      mostColor = std::max(mostColor, std::abs(before - after));
+    }
   }
   CSLF_CHECK(most <= 0.5001 / 65535.0);
   CSLF_CHECK(mostColor < (colorType == VTK_FLOAT ? 0.005 : 2.6));

@@ -26,7 +26,9 @@
 #include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtx/component_wise.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -86,10 +88,11 @@ void TestHidden()
   SetUp(sampler, both->GetOutput());
   sampler->Update(1);
   vtkPolyData* geometry = sampler->GetGeometry();
-  CSLF_CHECK(geometry->GetNumberOfPolys() == 12);
+  // The 12 triangles of the box are large, so they are divided.
+  CSLF_CHECK(geometry->GetNumberOfPolys() >= 48 && geometry->GetNumberOfPolys() < 400);
   for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
   {
-    CSLF_CHECK_NEAR(glm::length(GetPoint(geometry, i)), std::sqrt(3.0), 1e-6);
+    CSLF_CHECK_NEAR(glm::compMax(glm::abs(GetPoint(geometry, i))), 1.0, 1e-6);
   }
   CSLF_CHECK(GetNumber(geometry, cslf::GeometryLossName) == 0.0);
 }

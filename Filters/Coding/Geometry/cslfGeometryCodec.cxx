@@ -26,11 +26,13 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <numeric>
 #include <stdexcept>
 
 namespace cslf
@@ -61,7 +63,8 @@ struct Streams
   std::size_t Points = 0;
   std::vector<unsigned int> Corners;
   std::vector<unsigned char> Positions;
-  std::vector<unsigned char> Colors; ///< none if the geometry has none
+  std::vector<unsigned char> Colors;     ///< none if the geometry has none
+  std::vector<unsigned char> BackColors; ///< likewise; less the colours of the front
   bool AreHalves = false;
 
   std::size_t GetColorSize() const { return this->AreHalves ? HalfColorSize : ByteColorSize; }
@@ -119,32 +122,65 @@ void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
   }
 }
 
-void AddColors(vtkPolyData* triangles, Streams& streams)
+/// The codes of the colours in an array. None without one, or if its type is another one.
+std::vector<unsigned char> CodeColors(vtkPolyData* triangles, const char* name, bool areHalves)
 {
-  vtkDataArray* colors = triangles->GetPointData()->GetArray(ColorName);
-  if (!colors || colors->GetNumberOfComponents() != 4)
+  std::vector<unsigned char> codes;
+  vtkDataArray* colors = triangles->GetPointData()->GetArray(name);
+  if (!colors || colors->GetNumberOfComponents() != 4 ||
+    (colors->GetDataType() == VTK_UNSIGNED_CHAR) == areHalves)
   {
-    return;
+    return codes;
   }
-  streams.AreHalves = colors->GetDataType() != VTK_UNSIGNED_CHAR;
-  const std::size_t size = streams.GetColorSize();
-  streams.Colors.assign(size * streams.Points, 0);
-  for (std::size_t point = 0; point < streams.Points; ++point)
+  const vtkIdType points = triangles->GetNumberOfPoints();
+  const std::size_t size = areHalves ? sizeof(std::uint16_t) : 1;
+  codes.resize(4 * size * static_cast<std::size_t>(points));
+  unsigned char* place = codes.data();
+  for (vtkIdType point = 0; point < points; ++point)
   {
-    double color[4];
-    colors->GetTuple(static_cast<vtkIdType>(point), color);
-    for (std::size_t channel = 0; channel < 4; ++channel)
+    for (int channel = 0; channel < 4; ++channel, place += size)
     {
-      unsigned char* place = &streams.Colors[size * point + size / 4 * channel];
-      if (streams.AreHalves)
+      const double value = colors->GetComponent(point, channel);
+      if (areHalves)
       {
-        Store(glm::packHalf1x16(static_cast<float>(color[channel])), place);
+        Store(glm::packHalf1x16(static_cast<float>(value)), place);
       }
       else
       {
-        *place = static_cast<unsigned char>(std::lround(color[channel] * ColorSteps / 255.0));
+        *place = static_cast<unsigned char>(std::lround(value * ColorSteps / 255.0));
       }
     }
+  }
+  return codes;
+}
+
+/// Codes that are added up or subtracted, which overflow alike.
+void Combine(std::vector<unsigned char>& codes, const std::vector<unsigned char>& others,
+  bool areHalves, int sign)
+{
+  for (std::size_t i = 0; i < codes.size(); i += areHalves ? 2 : 1)
+  {
+    if (areHalves)
+    {
+      const int sum = Load<std::uint16_t>(&codes[i]) + sign * Load<std::uint16_t>(&others[i]);
+      Store(static_cast<std::uint16_t>(sum), &codes[i]);
+    }
+    else
+    {
+      codes[i] = static_cast<unsigned char>(codes[i] + sign * others[i]);
+    }
+  }
+}
+
+void AddColors(vtkPolyData* triangles, Streams& streams)
+{
+  vtkDataArray* colors = triangles->GetPointData()->GetArray(ColorName);
+  streams.AreHalves = colors && colors->GetDataType() != VTK_UNSIGNED_CHAR;
+  streams.Colors = CodeColors(triangles, ColorName, streams.AreHalves);
+  if (!streams.Colors.empty())
+  {
+    streams.BackColors = CodeColors(triangles, BackColorName, streams.AreHalves);
+    Combine(streams.BackColors, streams.Colors, streams.AreHalves, -1);
   }
 }
 
@@ -168,6 +204,7 @@ void Sort(Streams& streams)
   };
   move(streams.Positions, PositionSize);
   move(streams.Colors, streams.GetColorSize());
+  move(streams.BackColors, streams.GetColorSize());
   streams.Points = used;
 }
 
@@ -284,6 +321,25 @@ std::vector<unsigned char> Uncompress(const unsigned char* bytes, std::size_t si
   return result;
 }
 
+vtkSmartPointer<vtkDataArray> DecodeColors(
+  const char* name, const std::vector<unsigned char>& codes, bool areHalves)
+{
+  const std::size_t size = areHalves ? sizeof(std::uint16_t) : 1;
+  auto colors =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(areHalves ? VTK_FLOAT : VTK_UNSIGNED_CHAR));
+  colors->SetName(name);
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(codes.size() / (4 * size)));
+  for (std::size_t value = 0; value < codes.size() / size; ++value)
+  {
+    const unsigned char* place = &codes[size * value];
+    colors->SetComponent(static_cast<vtkIdType>(value / 4), static_cast<int>(value % 4),
+      areHalves ? glm::unpackHalf1x16(Load<std::uint16_t>(place))
+                : std::round(std::min<double>(*place, ColorSteps) * 255.0 / ColorSteps));
+  }
+  return colors;
+}
+
 vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& header, const Cube& box)
 {
   vtkNew<vtkPoints> points;
@@ -311,20 +367,13 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
   geometry->SetPolys(triangles);
   if (!streams.Colors.empty())
   {
-    auto colors = vtk::TakeSmartPointer(
-      vtkDataArray::CreateDataArray(streams.AreHalves ? VTK_FLOAT : VTK_UNSIGNED_CHAR));
-    colors->SetName(ColorName);
-    colors->SetNumberOfComponents(4);
-    colors->SetNumberOfTuples(static_cast<vtkIdType>(streams.Points));
-    const std::size_t size = streams.GetColorSize() / 4;
-    for (std::size_t value = 0; value < 4 * streams.Points; ++value)
-    {
-      const unsigned char* place = &streams.Colors[size * value];
-      colors->SetComponent(static_cast<vtkIdType>(value / 4), static_cast<int>(value % 4),
-        streams.AreHalves ? glm::unpackHalf1x16(Load<std::uint16_t>(place))
-                          : std::round(std::min<double>(*place, ColorSteps) * 255.0 / ColorSteps));
-    }
-    geometry->GetPointData()->SetScalars(colors);
+    geometry->GetPointData()->SetScalars(
+      DecodeColors(ColorName, streams.Colors, streams.AreHalves));
+  }
+  if (!streams.BackColors.empty())
+  {
+    geometry->GetPointData()->AddArray(
+      DecodeColors(BackColorName, streams.BackColors, streams.AreHalves));
   }
   AddNumber(header, "error", GeometryErrorName, geometry);
   AddNumber(header, "loss", GeometryLossName, geometry);
@@ -349,18 +398,19 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   const JSON header = ParseJSON(std::string(begin, end));
   const std::size_t points = GetCount(header, "points");
   const std::size_t triangles = GetCount(header, "triangles");
-  const std::size_t sizes[3] = { GetCount(header, "corner_bytes"),
-    GetCount(header, "position_bytes"), GetCount(header, "color_bytes") };
+  const std::array<std::size_t, 4> sizes = { GetCount(header, "corner_bytes"),
+    GetCount(header, "position_bytes"), GetCount(header, "color_bytes"),
+    header.contains("back_color_bytes") ? GetCount(header, "back_color_bytes") : 0 };
+  const std::size_t size = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
   const std::size_t rest = bytes.size() - head - textSize;
   // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 256
   // points take at least 32.
   constexpr std::size_t mostGrowth = 1100;
   constexpr std::size_t mostPerByte = 8;
-  Require(points > 0 && triangles > 0 &&
-    sizes[0] + sizes[1] + sizes[2] <= mostGrowth * (rest + 1) && triangles <= sizes[0] &&
+  Require(points > 0 && triangles > 0 && size <= mostGrowth * (rest + 1) && triangles <= sizes[0] &&
     points <= mostPerByte * sizes[1] + 256);
-  const std::vector<unsigned char> coded = Uncompress(
-    bytes.data() + head + textSize, rest, static_cast<uLongf>(sizes[0] + sizes[1] + sizes[2]));
+  const std::vector<unsigned char> coded =
+    Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
   Streams streams;
   streams.Points = points;
   streams.Corners.resize(3 * triangles);
@@ -379,9 +429,19 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     const auto kind = header.at("colors").get<std::string>();
     Require(kind == ByteColors || kind == HalfColors);
     streams.AreHalves = kind == HalfColors;
-    streams.Colors.resize(streams.GetColorSize() * streams.Points);
-    Require(meshopt_decodeVertexBuffer(
-              streams.Colors.data(), streams.Points, streams.GetColorSize(), place, sizes[2]) == 0);
+    const auto decode = [&](std::vector<unsigned char>& colors, std::size_t count)
+    {
+      colors.resize(streams.GetColorSize() * streams.Points);
+      Require(meshopt_decodeVertexBuffer(
+                colors.data(), streams.Points, streams.GetColorSize(), place, count) == 0);
+      place += count;
+    };
+    decode(streams.Colors, sizes[2]);
+    if (sizes[3] > 0)
+    {
+      decode(streams.BackColors, sizes[3]);
+      Combine(streams.BackColors, streams.Colors, streams.AreHalves, 1);
+    }
   }
   return ToPolyData(streams, header, box);
 }
@@ -402,13 +462,18 @@ std::vector<unsigned char> EncodeGeometry(
     AddPositions(triangles, box, streams);
     AddColors(triangles, streams);
     Sort(streams);
-    const std::vector<unsigned char> parts[3] = { CodeCorners(streams),
+    const std::array<std::vector<unsigned char>, 4> parts = { CodeCorners(streams),
       CodeVertices(streams.Positions, streams.Points, PositionSize),
-      CodeVertices(streams.Colors, streams.Points, streams.GetColorSize()) };
+      CodeVertices(streams.Colors, streams.Points, streams.GetColorSize()),
+      CodeVertices(streams.BackColors, streams.Points, streams.GetColorSize()) };
     JSON header = DescribeGeometry(geometry, streams);
     header["corner_bytes"] = parts[0].size();
     header["position_bytes"] = parts[1].size();
     header["color_bytes"] = parts[2].size();
+    if (!parts[3].empty())
+    {
+      header["back_color_bytes"] = parts[3].size();
+    }
     std::vector<unsigned char> all;
     for (const std::vector<unsigned char>& part : parts)
     {

@@ -3,21 +3,25 @@
 #include "cslfGeometryMaker.h"
 
 #include "Geometry/cslfReduction.h"
+#include "Geometry/cslfSubdivision.h"
 #include "Geometry/cslfSurfaceError.h"
 #include "Geometry/cslfViewpointChoice.h"
+#include "PathTracing/Materials/cslfFrame.h"
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "Pipeline/cslfParallelFor.h"
 #include "Quality/cslfRobertsSequence.h"
+#include "RandomNumbers/cslfSampling.h"
 #include "cslfSeenPlaces.h"
 #include "cslfTessellation.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtx/component_wise.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace cslf
@@ -49,11 +53,16 @@ constexpr int WideCells = 4;
 constexpr int MostViewpoints = 9;
 constexpr int MostResolution = 128;
 
-/// The number of viewpoints that decide from which side a point is seen.
-constexpr std::size_t MostTries = 32;
+/// The number of directions that decide whether a point can be seen on a side.
+constexpr int Directions = 64;
 
 /// How far in front of a point rays start to find its colour, in texels at the cube's centre.
 constexpr double StartTexels = 0.5;
+
+/// The longest edge of a triangle, in texels at the cube's centre, unless there are too many
+/// triangles. What no viewpoint near a ray sees is shown in the colours of the points, between
+/// which shadows would be lost.
+constexpr double LongestTexels = 32.0;
 
 /// The number of points at which the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
@@ -91,77 +100,102 @@ std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t coun
   return points;
 }
 
-/// Finds out from which side points are seen.
-class Watcher
+/// Finds out what can be seen from outside of the field's cube.
+class SightTest
 {
 public:
-  Watcher(const Scene& scene, const GeometrySettings& settings, const std::vector<int>& slices,
-    float tolerance)
+  /// What is less than `tolerance` beyond the cube's faces belongs to the inside.
+  SightTest(const Scene& scene, const GeometrySettings& settings, float tolerance)
     : World(scene)
-    , Tolerance(tolerance)
+    , Low(settings.Frame.PointToScene(settings.Box.Center - 0.5 * settings.Box.Edges))
+    , High(settings.Frame.PointToScene(settings.Box.Center + 0.5 * settings.Box.Edges))
   {
-    this->Viewpoints.reserve(slices.size());
-    for (const int slice : slices)
-    {
-      const glm::dvec3 place = settings.Grid.ViewpointPosition(settings.Grid.ViewpointOf(slice));
-      this->Viewpoints.emplace_back(settings.Frame.PointToScene(settings.Box.PointToWorld(place)));
-    }
-    // Steps of the golden ratio that reach all of them.
-    this->Stride = static_cast<std::size_t>(0.618 * double(this->Viewpoints.size())) | 1u;
-    while (std::gcd(this->Stride, this->Viewpoints.size()) != 1)
-    {
-      this->Stride += 2;
-    }
+    this->Low -= tolerance;
+    this->High += tolerance;
   }
 
-  /// Whether a point is seen from the back of a plane through it, and not from the front, judged by
-  /// some viewpoints that depend on a number.
-  bool IsSeenFromBehind(const glm::vec3& point, const glm::vec3& normal, std::size_t number) const
+  /// Whether a ray meets the scene on the front of its surface, or on the back. Spheres and tubes
+  /// are closed, so nobody sees their back.
+  bool Meets(const Ray& ray, bool isBack) const
   {
-    const glm::vec3* viewpoint = this->FindViewpoint(point, number);
-    return viewpoint && glm::dot(normal, *viewpoint - point) < 0.0f;
+    const Hit hit = this->World.Intersect(ray);
+    return hit.IsValid() && this->World.GetSurface(ray, hit).Inside == isBack &&
+      !(isBack && this->World.GetMeshes()[hit.Mesh].Shape != Mesh::Shapes::Triangles);
+  }
+
+  /// Whether nothing is in the way from a point in front of a surface to the outside, in one of
+  /// several directions around the surface's normal.
+  bool IsSeen(const glm::vec3& point, const glm::vec3& normal) const
+  {
+    const Frame frame(normal);
+    for (int i = 0; i < Directions; ++i)
+    {
+      const glm::vec3 direction = frame.ToWorld(SampleCosineHemisphere(
+        { static_cast<float>(RobertsNumber(i, 0)), static_cast<float>(RobertsNumber(i, 1)) }));
+      const Hit hit = this->World.Intersect({ point, direction });
+      if (!hit.IsValid() || hit.Distance > this->FindWayOut(point, direction))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
 private:
-  const glm::vec3* FindViewpoint(const glm::vec3& point, std::size_t number) const
+  float FindWayOut(const glm::vec3& point, const glm::vec3& direction) const
   {
-    const std::size_t count = this->Viewpoints.size();
-    for (std::size_t i = 0; i < std::min(MostTries, count); ++i)
-    {
-      const glm::vec3& viewpoint = this->Viewpoints[(number + i) * this->Stride % count];
-      const float distance = glm::distance(viewpoint, point);
-      const Hit hit = this->World.Intersect({ viewpoint, (point - viewpoint) / distance });
-      if (!hit.IsValid() || hit.Distance > distance - this->Tolerance)
-      {
-        return &viewpoint;
-      }
-    }
-    return nullptr;
+    const glm::vec3 ends =
+      glm::mix(this->Low, this->High, glm::greaterThan(direction, glm::vec3(0.0f)));
+    // Infinite along axes, where a zero's sign must not matter.
+    return glm::compMin(glm::abs((ends - point) / direction));
   }
 
   const Scene& World;
-  float Tolerance;
-  std::vector<glm::vec3> Viewpoints;
-  std::size_t Stride; // to the next one, which is far away
+  glm::vec3 Low; // of the cube
+  glm::vec3 High;
 };
 
-std::vector<RayGrid> AimAtPoints(const Watcher& watcher, const SurfaceMesh& mesh, double distance)
+/// Finds the sides of points that can be seen, and rays that start at that distance in front of
+/// them. Where bodies are thin, rays to the back meet the opposite wall, from its front.
+void FindSides(const SightTest& test, float distance, Geometry& geometry)
 {
-  const std::vector<glm::vec3> normals = FindNormals(mesh);
-  std::vector<RayGrid> rays(mesh.Points.size());
-  ParallelFor(0, static_cast<vtkIdType>(rays.size()), 0,
+  const std::vector<glm::vec3>& points = geometry.Surface.Points;
+  const std::vector<glm::vec3> normals = FindNormals(geometry.Surface);
+  std::vector<std::array<char, 2>> seen(points.size());
+  const auto aim = [&](std::size_t point, std::size_t side)
+  {
+    const glm::vec3 normal = side == 0 ? normals[point] : -normals[point];
+    return Ray{ points[point] + distance * normal, -normal };
+  };
+  ParallelFor(0, static_cast<vtkIdType>(points.size()), 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const glm::vec3& point = mesh.Points[i];
-        const bool isBehind = watcher.IsSeenFromBehind(point, normals[i], i);
-        const glm::dvec3 normal = (isBehind ? -1.0 : 1.0) * glm::dvec3(normals[i]);
-        rays[i].Origin = glm::dvec3(point) + distance * normal;
-        rays[i].Direction = -normal;
+        const Ray rays[2] = { aim(i, 0), aim(i, 1) };
+        const bool isFront = test.Meets(rays[0], false);
+        const bool isBack = test.Meets(rays[1], true);
+        // Neither, if the corners of the scene's polygons have no order.
+        const bool isAny = !isFront && !isBack;
+        seen[i][0] = (isFront || isAny) && test.IsSeen(rays[0].Origin, -rays[0].Direction);
+        seen[i][1] = (isBack || isAny) && test.IsSeen(rays[1].Origin, -rays[1].Direction);
       }
     });
-  return rays;
+  for (std::size_t side = 0; side < geometry.Sides.size(); ++side)
+  {
+    auto& [sidePoints, rays] = geometry.Sides[side];
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (seen[i][side] != 0)
+      {
+        const Ray ray = aim(i, side);
+        sidePoints.push_back(i);
+        rays.emplace_back();
+        rays.back().Origin = ray.Origin;
+        rays.back().Direction = ray.Direction;
+      }
+    }
+  }
 }
 
 /// Knows what the viewpoints see of a scene.
@@ -260,10 +294,10 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
   {
     point = glm::clamp(point, glm::vec3(bounds.Low), glm::vec3(bounds.High));
   }
+  Subdivide(geometry.Surface, LongestTexels * texel, settings.MostTriangles);
   SortForDrawing(geometry.Surface);
-  const double start = StartTexels * texel;
-  geometry.Rays =
-    AimAtPoints({ scene, settings, slices, static_cast<float>(start) }, geometry.Surface, start);
+  const auto start = static_cast<float>(StartTexels * texel);
+  FindSides({ scene, settings, start }, start, geometry);
   return geometry;
 }
 }

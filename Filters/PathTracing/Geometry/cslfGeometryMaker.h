@@ -16,6 +16,7 @@
 #include "cslfCube.h"
 #include "cslfLayout.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -37,8 +38,14 @@ struct Geometry
   /// Of the scene's visible surface, in scene space. What is more than a texel away is lost.
   SurfaceError Error;
 
-  /// For each point, a ray that meets it from a side that is seen. All rays of a grid are alike.
-  std::vector<RayGrid> Rays;
+  /// What can be seen on the front, where corners run counterclockwise, and on the back: points,
+  /// and rays that meet them. All rays of a grid are alike.
+  struct Side
+  {
+    std::vector<std::size_t> Points;
+    std::vector<RayGrid> Rays;
+  };
+  std::array<Side, 2> Sides;
 };
 
 /// Says in a few words why a scene cannot have a geometry: surfaces that rays pass would need an

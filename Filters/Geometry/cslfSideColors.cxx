@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfSideColors.h"
+
+#include "Pipeline/cslfGeometryArrays.h"
+#include "cslfChannel.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace cslf
+{
+namespace
+{
+/// The most steps of triangles over which a colour is passed on.
+constexpr int MostSteps = 8;
+
+bool IsColored(const glm::vec4& color)
+{
+  return color.w > 0.0f && std::isfinite(color.x + color.y + color.z + color.w);
+}
+
+/// Points without colour take the mean of those next to them, step by step.
+void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
+{
+  std::vector<glm::vec4> sums;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    sums.assign(colors.size(), glm::vec4(0.0f));
+    bool isChanged = false;
+    for (const glm::uvec3& corners : mesh.Triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const glm::vec4& from = colors[corners[k]];
+        for (const unsigned to : { corners[(k + 1) % 3], corners[(k + 2) % 3] })
+        {
+          if (from.w > 0.0f && colors[to].w == 0.0f)
+          {
+            sums[to] += from / from.w;
+            isChanged = true;
+          }
+        }
+      }
+    }
+    if (!isChanged)
+    {
+      break;
+    }
+    for (std::size_t i = 0; i < colors.size(); ++i)
+    {
+      if (sums[i].w > 0.0f)
+      {
+        colors[i] = sums[i] / sums[i].w;
+      }
+    }
+  }
+}
+
+vtkSmartPointer<vtkDataArray> MakeArray(
+  const char* name, const std::vector<glm::vec4>& colors, int type)
+{
+  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfComponents(4);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
+  const double scale = type == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    glm::dvec3 shown(colors[i]);
+    if (type == VTK_UNSIGNED_CHAR)
+    {
+      shown = glm::floor(glm::clamp(shown, 0.0, 1.0) * scale + 0.5);
+    }
+    array->SetTuple4(static_cast<vtkIdType>(i), shown.x, shown.y, shown.z, scale);
+  }
+  return array;
+}
+}
+
+void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPolyData* geometry)
+{
+  bool isColored[2];
+  auto& [fronts, backs] = colors.Sides;
+  for (std::size_t side = 0; side < colors.Sides.size(); ++side)
+  {
+    isColored[side] = false;
+    for (glm::vec4& color : colors.Sides[side])
+    {
+      color = IsColored(color) ? color / color.w : glm::vec4(0.0f);
+      isColored[side] = isColored[side] || color.w > 0.0f;
+    }
+    PassOn(mesh, colors.Sides[side]);
+  }
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    glm::vec4& front = fronts[i];
+    glm::vec4& back = backs[i];
+    if (front.w == 0.0f)
+    {
+      front = back.w > 0.0f ? back : glm::vec4(0.5f, 0.5f, 0.5f, 1.0f);
+    }
+    if (back.w == 0.0f)
+    {
+      back = front;
+    }
+  }
+  geometry->GetPointData()->SetScalars(MakeArray(ColorName, fronts, type));
+  if (isColored[1])
+  {
+    geometry->GetPointData()->AddArray(MakeArray(BackColorName, backs, type));
+  }
+}
+}
