@@ -181,8 +181,9 @@ public:
   /**
    * The field's geometry, which is optional, as on output port 1 of vtkCSLFSampler: triangles in
    * world coordinates, within the cube. It becomes a part of the file, with positions of 16 bits
-   * along each edge of the cube. By default, it also tells depth (see DepthFromGeometry). In a
-   * pipeline, use SetInputConnection with port 1.
+   * along each edge of the cube, and its point data `Color` and `BackColor` if they have the same
+   * type. By default, it also tells depth (see DepthFromGeometry). In a pipeline, use
+   * SetInputConnection with port 1.
    */
   void SetGeometryData(vtkPolyData* geometry);
   ///@}

@@ -238,7 +238,10 @@ private:
         const auto place = std::lower_bound(slices.begin(), slices.end(), slice) - slices.begin();
         colors.Read(views[place], this->Field->Grid.GetResolution(), samples);
       });
-    cslf::AddSideColors(mesh, colors.Get(), type, geometry);
+    if (isDone)
+    {
+      cslf::AddSideColors(mesh, colors.Get(), type, geometry);
+    }
     return isDone;
   }
 

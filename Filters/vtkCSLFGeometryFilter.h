@@ -11,11 +11,11 @@
  *
  * - Port 0 is the input, unchanged.
  * - Port 1 is the geometry, for vtkCSLFMapper and vtkCSLFEncoder: triangles in world coordinates.
- * Point scalars are `Color`, of the same type as that of the field, as the viewpoint sees the front
- * of the point that sees it least obliquely; `BackColor` is that of the back. Field data holds `GeometryError`, the root mean square distance of
- * the surfaces that the viewpoints see from the triangles, and `GeometryLoss`, the share of them
- * that is more than a texel away and does not count in the former. An empty field has an empty
- * geometry.
+ * Point scalars are `Color`, of the same type as that of the field, as the least oblique viewpoint
+ * sees the front; `BackColor` is that of the back. Field data holds `GeometryError`, the root mean
+ * square distance of the surfaces that the viewpoints see from the triangles, and `GeometryLoss`,
+ * the share of them that is more than a texel away and does not count in the former. An empty field
+ * has an empty geometry.
  *
  * The viewpoints are asked one after the other, from those in the middle of the cube's faces to
  * those between others: up to 9 x 9 on each face, or up to 16 x 16 if they are not nested. Each

@@ -276,7 +276,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->Geometry =
       cslf::MakeGeometryData(made.Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
         { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint });
-    cslf::AddSideColors(made.Surface, colors, this->ColorType, this->Geometry);
+    cslf::AddSideColors(made.Surface, std::move(colors), this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry);
     if (!loss.empty())
     {

@@ -146,7 +146,8 @@ public:
   ///@{
   /**
    * The most triangles of the geometry on output port 1. There are fewer where that moves surfaces
-   * by less than a tenth of a texel. 0 means no geometry: the port's output is empty. Default:
+   * by less than a tenth of a texel, but none has edges of more than 32 texels if they suffice. 0
+   * means no geometry: the port's output is empty. Default:
    * 200000.
    */
   void SetGeometryTriangles(int triangles);

@@ -101,7 +101,7 @@ std::vector<bool> FindClosed(const Numbers& places, const Numbers& parts)
 }
 }
 
-std::size_t SortClosedParts(const std::vector<glm::vec3>& points, Numbers& corners)
+ClosedParts SortClosedParts(const std::vector<glm::vec3>& points, Numbers& corners)
 {
   const Numbers places = FindPlaces(points, corners);
   const Numbers parts = FindParts(places, points.size());
@@ -115,6 +115,8 @@ std::size_t SortClosedParts(const std::vector<glm::vec3>& points, Numbers& corne
     volumes[parts[places[3 * triangle]]] +=
       glm::dot(getPoint(triangle, 0), glm::cross(getPoint(triangle, 1), getPoint(triangle, 2)));
   }
+  ClosedParts result;
+  result.IsTurned.assign(points.size(), false);
   Numbers sorted;
   Numbers open;
   for (std::size_t triangle = 0; triangle < triangles; ++triangle)
@@ -125,12 +127,14 @@ std::size_t SortClosedParts(const std::vector<glm::vec3>& points, Numbers& corne
     for (const int corner :
       isInsideOut ? std::array<int, 3>{ 0, 2, 1 } : std::array<int, 3>{ 0, 1, 2 })
     {
-      target.push_back(corners[3 * triangle + corner]);
+      const std::uint32_t point = corners[3 * triangle + corner];
+      target.push_back(point);
+      result.IsTurned[point] = isInsideOut;
     }
   }
-  const std::size_t count = sorted.size();
+  result.Corners = sorted.size();
   sorted.insert(sorted.end(), open.begin(), open.end());
   corners = std::move(sorted);
-  return count;
+  return result;
 }
 }

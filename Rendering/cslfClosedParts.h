@@ -15,9 +15,15 @@
 
 namespace cslf
 {
-/// Moves the triangles of closed parts to the beginning, counterclockwise from outside, and returns
-/// the number of their corners. Points in the same place count as one.
-std::size_t SortClosedParts(
+struct ClosedParts
+{
+  std::size_t Corners = 0;    ///< their number
+  std::vector<bool> IsTurned; ///< of each point, whether the corners of its part were clockwise
+};
+
+/// Moves the triangles of closed parts to the beginning, counterclockwise from outside. Points in
+/// the same place count as one.
+ClosedParts SortClosedParts(
   const std::vector<glm::vec3>& points, std::vector<std::uint32_t>& corners);
 }
 

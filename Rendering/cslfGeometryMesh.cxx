@@ -5,33 +5,35 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
-#include "cslfChannel.h"
 #include "cslfClosedParts.h"
 
 #include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace cslf
 {
 namespace
 {
-/// The colours in an array. None if there is no such array.
-std::vector<glm::vec4> GetColors(vtkPolyData* geometry, const char* name)
+/// The colours in an array. None without one.
+std::vector<glm::vec4> GetColors(vtkDataArray* array)
 {
   std::vector<glm::vec4> colors;
-  vtkDataArray* array = geometry->GetPointData()->GetArray(name);
-  if (array && array->GetNumberOfComponents() == 4)
+  for (vtkIdType point = 0; array && point < array->GetNumberOfTuples(); ++point)
   {
-    for (vtkIdType point = 0; point < geometry->GetNumberOfPoints(); ++point)
-    {
-      colors.push_back(GetColor(array, point));
-    }
+    colors.push_back(GetColor(array, point));
   }
   return colors;
+}
+
+bool AreOpaque(const std::vector<glm::vec4>& colors)
+{
+  return std::all_of(
+    colors.begin(), colors.end(), [](const glm::vec4& color) { return color.w > 0.0f; });
 }
 }
 
@@ -50,14 +52,22 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
     triangles->GetPoint(point, place);
     mesh->PointsCC.emplace_back(box.PointToCube({ place[0], place[1], place[2] }));
   }
-  mesh->Colors = GetColors(triangles, ColorName);
+  const PointColorArrays colors = FindPointColors(triangles);
+  mesh->Colors = GetColors(colors.Front);
   mesh->Colors.resize(mesh->PointsCC.size(), glm::vec4(0.0f));
-  mesh->BackColors = GetColors(triangles, BackColorName);
-  mesh->HasColors = std::all_of(mesh->Colors.begin(), mesh->Colors.end(),
-    [](const glm::vec4& color) { return color.w > 0.0f; });
+  mesh->BackColors = GetColors(colors.Back);
+  mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
   mesh->IsComplete = GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete;
   mesh->Corners = ListCorners(triangles);
-  mesh->ClosedCorners = SortClosedParts(mesh->PointsCC, mesh->Corners);
+  const ClosedParts parts = SortClosedParts(mesh->PointsCC, mesh->Corners);
+  mesh->ClosedCorners = parts.Corners;
+  for (std::size_t point = 0; point < mesh->BackColors.size(); ++point)
+  {
+    if (parts.IsTurned[point])
+    {
+      std::swap(mesh->Colors[point], mesh->BackColors[point]);
+    }
+  }
   return mesh;
 }
 }

@@ -98,8 +98,8 @@ public:
   ///@{
   /**
    * The lookup. Without geometry, or if that lost more than a fifth of the surfaces (see
-   * vtkCSLFSampler and vtkCSLFGeometryFilter), GEOMETRY is drawn as DEPTH. If the field has no depth channel, both are drawn
-   * as FOCAL about the cube's centre. Default: GEOMETRY.
+   * vtkCSLFSampler and vtkCSLFGeometryFilter), GEOMETRY is drawn as DEPTH. If the field has no
+   * depth channel, both are drawn as FOCAL about the cube's centre. Default: GEOMETRY.
    */
   void SetLookup(int lookup);
   vtkGetMacro(Lookup, int);
@@ -223,8 +223,9 @@ public:
    * The field's geometry, which is optional: where its surfaces are, in the field's world
    * coordinates. Its triangles are drawn with the colours of the viewpoints that see them, so they
    * need not be those of the sampled scene, but each must lie on its surfaces. Point data `Color`,
-   * as the field has it, is for what no viewpoint sees. In a pipeline, use SetInputConnection with
-   * port 1.
+   * as the field has it, is for what no viewpoint sees. `BackColor`, if there is one of the same
+   * type, is that of the side where corners run clockwise. In a pipeline, use SetInputConnection
+   * with port 1.
    */
   void SetGeometryData(vtkPolyData* geometry) { this->SetInputDataInternal(1, geometry); }
   vtkPolyData* GetGeometry();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSideColors.h"
 
+#include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "cslfChannel.h"
 
@@ -9,12 +10,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkType.h>
 
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
-
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -23,7 +19,7 @@ namespace cslf
 namespace
 {
 /// The most steps of triangles over which a colour is passed on.
-constexpr int MostSteps = 8;
+constexpr int MostSteps = 64;
 
 bool IsColored(const glm::vec4& color)
 {
@@ -67,22 +63,15 @@ void PassOn(const SurfaceMesh& mesh, std::vector<glm::vec4>& colors)
   }
 }
 
-vtkSmartPointer<vtkDataArray> MakeArray(
+vtkSmartPointer<vtkDataArray> MakeColors(
   const char* name, const std::vector<glm::vec4>& colors, int type)
 {
-  auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  vtkSmartPointer<vtkDataArray> array =
+    MakeArray(MakeChannel(KnownChannel::Color, type), static_cast<vtkIdType>(colors.size()));
   array->SetName(name);
-  array->SetNumberOfComponents(4);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
-  const double scale = type == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
   for (std::size_t i = 0; i < colors.size(); ++i)
   {
-    glm::dvec3 shown(colors[i]);
-    if (type == VTK_UNSIGNED_CHAR)
-    {
-      shown = glm::floor(glm::clamp(shown, 0.0, 1.0) * scale + 0.5);
-    }
-    array->SetTuple4(static_cast<vtkIdType>(i), shown.x, shown.y, shown.z, scale);
+    SetColor(array, static_cast<vtkIdType>(i), colors[i]);
   }
   return array;
 }
@@ -115,10 +104,10 @@ void AddSideColors(const SurfaceMesh& mesh, SideColors colors, int type, vtkPoly
       back = front;
     }
   }
-  geometry->GetPointData()->SetScalars(MakeArray(ColorName, fronts, type));
+  geometry->GetPointData()->SetScalars(MakeColors(ColorName, fronts, type));
   if (isColored[1])
   {
-    geometry->GetPointData()->AddArray(MakeArray(BackColorName, backs, type));
+    geometry->GetPointData()->AddArray(MakeColors(BackColorName, backs, type));
   }
 }
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace cslf
@@ -35,7 +36,7 @@ std::vector<double> FindLongestEdges(const SurfaceMesh& mesh)
   return lengths;
 }
 
-/// How many triangles there are, at most, if all edges are divided into equal parts. Each halving
+/// About how many triangles there are if all edges are divided into equal parts. Each halving
 /// divides a triangle into four.
 double CountDivided(const std::vector<double>& edges, double longest)
 {
@@ -46,38 +47,46 @@ double CountDivided(const std::vector<double>& edges, double longest)
   }
   return count;
 }
+
+SurfaceMesh Divide(const SurfaceMesh& mesh, double longest)
+{
+  vtkNew<vtkAdaptiveSubdivisionFilter> divider;
+  divider->SetInputData(MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0)));
+  divider->SetMaximumEdgeLength(longest);
+  divider->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
+  divider->Update();
+  vtkPolyData* data = divider->GetOutput();
+  SurfaceMesh divided;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    divided.Points.emplace_back(point[0], point[1], point[2]);
+  }
+  const std::vector<unsigned int> corners = ListCorners(data);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    divided.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+  }
+  return divided;
+}
 }
 
 void Subdivide(SurfaceMesh& mesh, double longest, std::size_t most)
 {
   const std::vector<double> edges = FindLongestEdges(mesh);
   const double all = edges.empty() ? 0.0 : *std::max_element(edges.begin(), edges.end());
-  while (longest < all && CountDivided(edges, longest) > static_cast<double>(most))
+  for (; longest > 0.0 && longest < all; longest *= 2.0)
   {
-    longest *= 2.0;
-  }
-  if (!(longest > 0.0) || !(longest < all))
-  {
-    return;
-  }
-  vtkNew<vtkAdaptiveSubdivisionFilter> divider;
-  divider->SetInputData(MakePolyData(mesh, glm::dvec3(0.0), glm::dvec3(1.0)));
-  divider->SetMaximumEdgeLength(longest);
-  divider->SetMaximumTriangleArea(VTK_DOUBLE_MAX);
-  divider->Update();
-  vtkPolyData* divided = divider->GetOutput();
-  const std::vector<unsigned int> corners = ListCorners(divided);
-  mesh.Points.resize(divided->GetNumberOfPoints());
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    double point[3];
-    divided->GetPoint(static_cast<vtkIdType>(i), point);
-    mesh.Points[i] = { point[0], point[1], point[2] };
-  }
-  mesh.Triangles.clear();
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-  {
-    mesh.Triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+    if (CountDivided(edges, longest) <= static_cast<double>(most))
+    {
+      SurfaceMesh divided = Divide(mesh, longest);
+      if (divided.Triangles.size() <= most)
+      {
+        mesh = std::move(divided);
+        return;
+      }
+    }
   }
 }
 }

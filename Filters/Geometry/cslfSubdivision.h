@@ -16,8 +16,8 @@
 namespace cslf
 {
 /// Divides triangles until no edge is longer than `longest`, or than a larger length with which
-/// there are about `most` triangles. The surface stays the same, but what its points have can vary
-/// within it.
+/// there are at most `most` triangles. The surface stays the same, but what its points have can
+/// vary within it.
 VTKCSLF_EXPORT void Subdivide(SurfaceMesh& mesh, double longest, std::size_t most);
 }
 

@@ -5,6 +5,8 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <new>
@@ -25,6 +27,16 @@ glm::vec4 GetColor(vtkDataArray* array, vtkIdType tuple)
   glm::dvec4 color;
   array->GetTuple(tuple, &color.x);
   return glm::vec4(color) / (array->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0f : 1.0f);
+}
+
+void SetColor(vtkDataArray* array, vtkIdType tuple, const glm::vec4& color)
+{
+  glm::dvec4 stored(color);
+  if (array->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    stored = glm::round(255.0 * glm::clamp(stored, 0.0, 1.0));
+  }
+  array->SetTuple(tuple, &stored.x);
 }
 
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples)

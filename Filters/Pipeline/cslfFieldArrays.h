@@ -25,8 +25,11 @@ namespace cslf
 /// report an error of the internal array.
 vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples);
 
+///@{
 /// A colour of an array with four components: from 0 to 1 if they are bytes.
 VTKCSLF_EXPORT glm::vec4 GetColor(vtkDataArray* array, vtkIdType tuple);
+VTKCSLF_EXPORT void SetColor(vtkDataArray* array, vtkIdType tuple, const glm::vec4& color);
+///@}
 
 /// The known channels of a field, with arrays of that many tuples. Throws std::bad_alloc.
 ViewpointSamples MakeSamples(const Description& field, vtkIdType tuples);

@@ -2,14 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGeometryArrays.h"
 
+#include "cslfChannel.h"
+
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <cmath>
 
 namespace cslf
 {
+PointColorArrays FindPointColors(vtkPolyData* geometry)
+{
+  const auto find = [geometry](const char* name) -> vtkDataArray*
+  {
+    vtkDataArray* array = geometry->GetPointData()->GetArray(name);
+    const bool fits = array && array->GetNumberOfComponents() == 4 &&
+      array->GetNumberOfTuples() == geometry->GetNumberOfPoints();
+    return fits ? array : nullptr;
+  };
+  vtkDataArray* front = find(ColorName);
+  vtkDataArray* back = front ? find(BackColorName) : nullptr;
+  const bool areAlike = back && back->GetDataType() == front->GetDataType();
+  return { front, areAlike ? back : nullptr };
+}
+
 std::optional<double> GetGeometryLoss(vtkPolyData* geometry)
 {
   vtkDataArray* loss = geometry->GetFieldData()->GetArray(GeometryLossName);

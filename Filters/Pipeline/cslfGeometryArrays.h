@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The field data of a light field's geometry.
+ * The arrays of a light field's geometry.
  */
 #ifndef cslfGeometryArrays_h
 #define cslfGeometryArrays_h
@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+class vtkDataArray;
 class vtkPolyData;
 
 namespace cslf
@@ -39,6 +40,17 @@ constexpr const char* GeometrySceneName = "GeometryScene";
 
 /// A text: the description of the field in the file beside which the tool wrote the geometry.
 constexpr const char* GeometryFieldName = "GeometryField";
+
+/// The colours of a geometry's points. Null where there is none.
+struct PointColorArrays
+{
+  vtkDataArray* Front = nullptr;
+  vtkDataArray* Back = nullptr;
+};
+
+/// The point data `Color` and `BackColor`, if each point has four components. The latter counts
+/// only if it has the type of the former.
+PointColorArrays VTKCSLF_EXPORT FindPointColors(vtkPolyData* geometry);
 
 /// The share that a geometry lost, if it says so.
 std::optional<double> VTKCSLF_EXPORT GetGeometryLoss(vtkPolyData* geometry);

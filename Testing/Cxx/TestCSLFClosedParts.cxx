@@ -52,11 +52,15 @@ void CheckBodies()
   mesh.Corners.resize(9);
   mesh.AddTetrahedron(places[1], false);
   mesh.AddTetrahedron(places[2], true);
-  const std::size_t closed = cslf::SortClosedParts(mesh.Points, mesh.Corners);
-  CSLF_CHECK(closed == 24 && mesh.Corners.size() == 33);
+  const cslf::ClosedParts parts = cslf::SortClosedParts(mesh.Points, mesh.Corners);
+  CSLF_CHECK(parts.Corners == 24 && mesh.Corners.size() == 33);
   for (std::size_t triangle = 0; triangle < 8; ++triangle)
   {
     CSLF_CHECK(mesh.IsOutside(triangle, places[triangle < 4 ? 1 : 2]));
+  }
+  for (std::size_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    CSLF_CHECK(parts.IsTurned[point] == (glm::distance(mesh.Points[point], places[2]) < 2.0f));
   }
 }
 
@@ -66,7 +70,7 @@ void CheckTurned()
   Mesh mesh;
   mesh.AddTetrahedron({ 0, 0, 0 }, false);
   std::swap(mesh.Corners[1], mesh.Corners[2]);
-  CSLF_CHECK(cslf::SortClosedParts(mesh.Points, mesh.Corners) == 0);
+  CSLF_CHECK(cslf::SortClosedParts(mesh.Points, mesh.Corners).Corners == 0);
 }
 }
 

@@ -171,6 +171,11 @@ void TestDamage()
   }
   for (const char* text : { "{\"points\":33554432,\"triangles\":33554432,\"corner_bytes\":33554432,"
                             "\"position_bytes\":33554432,\"color_bytes\":0}",
+         "{\"points\":33554432,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_"
+         "bytes\":9,"
+         "\"colors\":\"linear16f\",\"back_color_bytes\":9}",
+         "{\"points\":3,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_bytes\":0,"
+         "\"back_color_bytes\":-1}",
          "[]", "{\"points\":-1}", "{\"points\":1e9}", "{\"points\":\"many\"}" })
   {
     const std::string header(text);

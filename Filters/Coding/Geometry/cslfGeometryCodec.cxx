@@ -46,16 +46,20 @@ constexpr double PositionSteps = 65535.0;
 /// Colours of bytes have this many steps: they are for what no viewpoint sees.
 constexpr double ColorSteps = 63.0;
 
-/// Position and padding; bytes; and halves.
+/// Three coordinates and padding.
 constexpr std::size_t PositionSize = 8;
-constexpr std::size_t ByteColorSize = 4;
-constexpr std::size_t HalfColorSize = 8;
 
 /// More are refused, so that a file cannot ask for much memory.
 constexpr std::size_t MostItems = std::size_t(1) << 25;
 
 constexpr const char* ByteColors = "srgb6";
 constexpr const char* HalfColors = "linear16f";
+
+/// The bytes of a colour's component.
+constexpr std::size_t GetCodeSize(bool areHalves)
+{
+  return areHalves ? sizeof(std::uint16_t) : 1;
+}
 
 /// The streams of a geometry before and after they are compressed.
 struct Streams
@@ -64,10 +68,10 @@ struct Streams
   std::vector<unsigned int> Corners;
   std::vector<unsigned char> Positions;
   std::vector<unsigned char> Colors;     ///< none if the geometry has none
-  std::vector<unsigned char> BackColors; ///< likewise; less the colours of the front
+  std::vector<unsigned char> BackColors; ///< differences from Colors; none without others
   bool AreHalves = false;
 
-  std::size_t GetColorSize() const { return this->AreHalves ? HalfColorSize : ByteColorSize; }
+  std::size_t GetColorSize() const { return 4 * GetCodeSize(this->AreHalves); }
 };
 
 template <typename Value>
@@ -122,19 +126,12 @@ void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
   }
 }
 
-/// The codes of the colours in an array. None without one, or if its type is another one.
-std::vector<unsigned char> CodeColors(vtkPolyData* triangles, const char* name, bool areHalves)
+/// The codes of the colours in an array. None without one.
+std::vector<unsigned char> CodeColors(vtkDataArray* colors, bool areHalves)
 {
-  std::vector<unsigned char> codes;
-  vtkDataArray* colors = triangles->GetPointData()->GetArray(name);
-  if (!colors || colors->GetNumberOfComponents() != 4 ||
-    (colors->GetDataType() == VTK_UNSIGNED_CHAR) == areHalves)
-  {
-    return codes;
-  }
-  const vtkIdType points = triangles->GetNumberOfPoints();
-  const std::size_t size = areHalves ? sizeof(std::uint16_t) : 1;
-  codes.resize(4 * size * static_cast<std::size_t>(points));
+  const std::size_t size = GetCodeSize(areHalves);
+  const vtkIdType points = colors ? colors->GetNumberOfTuples() : 0;
+  std::vector<unsigned char> codes(4 * size * static_cast<std::size_t>(points));
   unsigned char* place = codes.data();
   for (vtkIdType point = 0; point < points; ++point)
   {
@@ -154,11 +151,11 @@ std::vector<unsigned char> CodeColors(vtkPolyData* triangles, const char* name, 
   return codes;
 }
 
-/// Codes that are added up or subtracted, which overflow alike.
+/// Adds or subtracts codes, modulo their range.
 void Combine(std::vector<unsigned char>& codes, const std::vector<unsigned char>& others,
   bool areHalves, int sign)
 {
-  for (std::size_t i = 0; i < codes.size(); i += areHalves ? 2 : 1)
+  for (std::size_t i = 0; i < codes.size(); i += GetCodeSize(areHalves))
   {
     if (areHalves)
     {
@@ -174,14 +171,11 @@ void Combine(std::vector<unsigned char>& codes, const std::vector<unsigned char>
 
 void AddColors(vtkPolyData* triangles, Streams& streams)
 {
-  vtkDataArray* colors = triangles->GetPointData()->GetArray(ColorName);
-  streams.AreHalves = colors && colors->GetDataType() != VTK_UNSIGNED_CHAR;
-  streams.Colors = CodeColors(triangles, ColorName, streams.AreHalves);
-  if (!streams.Colors.empty())
-  {
-    streams.BackColors = CodeColors(triangles, BackColorName, streams.AreHalves);
-    Combine(streams.BackColors, streams.Colors, streams.AreHalves, -1);
-  }
+  const PointColorArrays colors = FindPointColors(triangles);
+  streams.AreHalves = colors.Front && colors.Front->GetDataType() != VTK_UNSIGNED_CHAR;
+  streams.Colors = CodeColors(colors.Front, streams.AreHalves);
+  streams.BackColors = CodeColors(colors.Back, streams.AreHalves);
+  Combine(streams.BackColors, streams.Colors, streams.AreHalves, -1);
 }
 
 /// The codecs need triangles and points in an order of use. Drops unused points.
@@ -436,6 +430,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
                 colors.data(), streams.Points, streams.GetColorSize(), place, count) == 0);
       place += count;
     };
+    Require(sizes[2] > 0);
     decode(streams.Colors, sizes[2]);
     if (sizes[3] > 0)
     {

@@ -16,8 +16,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtx/component_wise.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +56,9 @@ constexpr int Directions = 64;
 
 /// How far in front of a point rays start to find its colour, in texels at the cube's centre.
 constexpr double StartTexels = 0.5;
+
+/// How far they may go, in multiples of that: simplified surfaces lie elsewhere.
+constexpr float MostReach = 4.0f;
 
 /// The longest edge of a triangle, in texels at the cube's centre, unless there are too many
 /// triangles. What no viewpoint near a ray sees is shown in the colours of the points, between
@@ -100,64 +101,50 @@ std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t coun
   return points;
 }
 
-/// Finds out what can be seen from outside of the field's cube.
-class SightTest
+/// What a ray meets.
+enum class Met
 {
-public:
-  /// What is less than `tolerance` beyond the cube's faces belongs to the inside.
-  SightTest(const Scene& scene, const GeometrySettings& settings, float tolerance)
-    : World(scene)
-    , Low(settings.Frame.PointToScene(settings.Box.Center - 0.5 * settings.Box.Edges))
-    , High(settings.Frame.PointToScene(settings.Box.Center + 0.5 * settings.Box.Edges))
-  {
-    this->Low -= tolerance;
-    this->High += tolerance;
-  }
-
-  /// Whether a ray meets the scene on the front of its surface, or on the back. Spheres and tubes
-  /// are closed, so nobody sees their back.
-  bool Meets(const Ray& ray, bool isBack) const
-  {
-    const Hit hit = this->World.Intersect(ray);
-    return hit.IsValid() && this->World.GetSurface(ray, hit).Inside == isBack &&
-      !(isBack && this->World.GetMeshes()[hit.Mesh].Shape != Mesh::Shapes::Triangles);
-  }
-
-  /// Whether nothing is in the way from a point in front of a surface to the outside, in one of
-  /// several directions around the surface's normal.
-  bool IsSeen(const glm::vec3& point, const glm::vec3& normal) const
-  {
-    const Frame frame(normal);
-    for (int i = 0; i < Directions; ++i)
-    {
-      const glm::vec3 direction = frame.ToWorld(SampleCosineHemisphere(
-        { static_cast<float>(RobertsNumber(i, 0)), static_cast<float>(RobertsNumber(i, 1)) }));
-      const Hit hit = this->World.Intersect({ point, direction });
-      if (!hit.IsValid() || hit.Distance > this->FindWayOut(point, direction))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-private:
-  float FindWayOut(const glm::vec3& point, const glm::vec3& direction) const
-  {
-    const glm::vec3 ends =
-      glm::mix(this->Low, this->High, glm::greaterThan(direction, glm::vec3(0.0f)));
-    // Infinite along axes, where a zero's sign must not matter.
-    return glm::compMin(glm::abs((ends - point) / direction));
-  }
-
-  const Scene& World;
-  glm::vec3 Low; // of the cube
-  glm::vec3 High;
+  Nothing,
+  Front,
+  Back
 };
+
+/// What a ray that aims at a surface meets near it. Nobody sees the back of spheres and tubes,
+/// which are closed.
+Met FindMet(const Scene& scene, const Ray& ray, float reach)
+{
+  const Hit hit = scene.Intersect(ray);
+  if (!hit.IsValid() || hit.Distance > reach)
+  {
+    return Met::Nothing;
+  }
+  if (!scene.GetSurface(ray, hit).Inside)
+  {
+    return Met::Front;
+  }
+  return scene.GetMeshes()[hit.Mesh].Shape == Mesh::Shapes::Triangles ? Met::Back : Met::Nothing;
+}
+
+/// Whether one of several rays from a point in front of a surface, around its normal, meets
+/// nothing.
+bool IsSeen(const Scene& scene, const glm::vec3& point, const glm::vec3& normal)
+{
+  const Frame frame(normal);
+  for (int i = 0; i < Directions; ++i)
+  {
+    const glm::vec3 direction = frame.ToWorld(SampleCosineHemisphere(
+      { static_cast<float>(RobertsNumber(i, 0)), static_cast<float>(RobertsNumber(i, 1)) }));
+    if (!scene.Intersect({ point, direction }).IsValid())
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// Finds the sides of points that can be seen, and rays that start at that distance in front of
 /// them. Where bodies are thin, rays to the back meet the opposite wall, from its front.
-void FindSides(const SightTest& test, float distance, Geometry& geometry)
+void FindSides(const Scene& scene, float distance, Geometry& geometry)
 {
   const std::vector<glm::vec3>& points = geometry.Surface.Points;
   const std::vector<glm::vec3> normals = FindNormals(geometry.Surface);
@@ -173,12 +160,16 @@ void FindSides(const SightTest& test, float distance, Geometry& geometry)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const Ray rays[2] = { aim(i, 0), aim(i, 1) };
-        const bool isFront = test.Meets(rays[0], false);
-        const bool isBack = test.Meets(rays[1], true);
-        // Neither, if the corners of the scene's polygons have no order.
-        const bool isAny = !isFront && !isBack;
-        seen[i][0] = (isFront || isAny) && test.IsSeen(rays[0].Origin, -rays[0].Direction);
-        seen[i][1] = (isBack || isAny) && test.IsSeen(rays[1].Origin, -rays[1].Direction);
+        const Met met[2] = { FindMet(scene, rays[0], MostReach * distance),
+          FindMet(scene, rays[1], MostReach * distance) };
+        // Otherwise the corners of the scene's polygons are in no consistent order.
+        const bool isOrdered = met[0] == Met::Front || met[1] == Met::Back;
+        for (const int side : { 0, 1 })
+        {
+          const bool isMet = met[side] == (side == 0 ? Met::Front : Met::Back) ||
+            (!isOrdered && met[side] != Met::Nothing);
+          seen[i][side] = isMet && IsSeen(scene, rays[side].Origin, -rays[side].Direction) ? 1 : 0;
+        }
       }
     });
   for (std::size_t side = 0; side < geometry.Sides.size(); ++side)
@@ -296,8 +287,7 @@ Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
   }
   Subdivide(geometry.Surface, LongestTexels * texel, settings.MostTriangles);
   SortForDrawing(geometry.Surface);
-  const auto start = static_cast<float>(StartTexels * texel);
-  FindSides({ scene, settings, start }, start, geometry);
+  FindSides(scene, static_cast<float>(StartTexels * texel), geometry);
   return geometry;
 }
 }

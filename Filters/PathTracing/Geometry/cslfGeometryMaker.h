@@ -53,7 +53,7 @@ struct Geometry
 VTKCSLF_EXPORT std::string FindGeometryFault(const Scene& scene);
 
 /// The surface of a scene that the viewpoints see, simplified where that moves it by much less than
-/// a texel, and further until there are few enough triangles.
+/// a texel, and further until there are few enough triangles. Large ones are divided again.
 VTKCSLF_EXPORT Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings);
 }
 
