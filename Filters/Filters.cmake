@@ -63,7 +63,7 @@ cslf_add(Filters/Quality DisplayCurve PSNR RobertsSequence TexelChoice ViewExpos
 
 # Videos: their frames, codecs and containers, and the decoder.
 cslf_add(Filters/Coding/Codecs AV AV1 Bitstreams Codec H264 HEVC NALUnits)
-cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit)
+cslf_add(Filters/Coding/Geometry GeometryCodec GeometryDepths GeometryFit GeometryRays)
 cslf_add(Filters/Coding/Containers
   Checksum ContainerReader FileHeader FileParts HeaderText HeaderVersion1 MovieBoxes PatchedFile)
 cslf_add(Filters/Coding/Frames

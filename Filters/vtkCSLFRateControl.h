@@ -103,11 +103,12 @@ public:
   ///@{
   /**
    * Set/get the target PSNR, in dB, of omitted viewpoints, reconstructed from the key views before
-   * coding by the depth lookup (without depth, with the focus at the cube's centre). It is measured
-   * for red, green and blue of 8 bits over black; for floats, at the exposure from 1/16 to 16 times
-   * the baked one at which it is lowest. A seeded sample of viewpoints and texels is used. If no
-   * key views reach the target, an error states the best PSNR. Used only with AutomaticKeyViews.
-   * Range: 0 to 100. Default: 35.
+   * coding by the depth lookup (without depth, with the focus at the cube's centre), or on the
+   * geometry that the file gets. It is measured for red, green and blue of 8 bits over black, on
+   * the cube's face where it is lowest; for floats, at the exposure from 1/16 to 16 times the baked
+   * one at which it is lowest. A seeded sample of viewpoints and texels is used. If no key views
+   * reach the target, an error states the best PSNR. Used only with AutomaticKeyViews. Range: 0 to
+   * 100. Default: 35.
    */
   void SetTargetNovelViewPSNR(double psnr);
   vtkGetMacro(TargetNovelViewPSNR, double);

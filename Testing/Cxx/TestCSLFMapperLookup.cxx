@@ -4,6 +4,7 @@
 // Compares every lookup of the mapper's shaders with the C++ version, pixel by pixel: perspective
 // and parallel cameras, an actor with a rotation and a non-uniform scale, key views, and a field
 // without depth.
+#include "Coding/Geometry/cslfGeometryRays.h"
 #include "Lookup/cslfLookup.h"
 #include "cslfFocus.h"
 #include "cslfTestField.h"
@@ -17,11 +18,9 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolygon.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkStaticCellLocator.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/vec3.hpp>
@@ -29,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace
@@ -50,8 +50,7 @@ struct Fixture
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkCSLFMapper> Mapper;
   vtkNew<vtkActor> Actor;
-  vtkSmartPointer<vtkPolyData> Surfaces; ///< in CC
-  vtkNew<vtkStaticCellLocator> Locator;
+  std::optional<cslf::GeometryRays> Surfaces;
   int SeenFaces = 0; ///< one bit each
 
   Fixture()
@@ -103,10 +102,9 @@ struct Fixture
   void Compare(const char* what, const cslf::Description& field, vtkImageData* image)
   {
     this->Mapper->SetInputData(image);
-    this->Mapper->SetGeometryData(cslf::testing::MakeTestSurfaces(field.Box));
-    this->Surfaces = cslf::testing::MakeTestSurfaces(cslf::Cube());
-    this->Locator->SetDataSet(this->Surfaces);
-    this->Locator->BuildLocator();
+    const auto geometry = cslf::testing::MakeTestSurfaces(field.Box);
+    this->Mapper->SetGeometryData(geometry);
+    this->Surfaces.emplace(geometry, field.Box);
     this->SeenFaces = this->FindSeenFaces(field.Box);
     this->Renderer->ResetCamera();
     cslf::Lookup lookup(field, image);
@@ -172,19 +170,9 @@ struct Fixture
   glm::dvec4 BlendOnSurface(
     const cslf::Lookup& lookup, const cslf::ChannelReader& colors, const cslf::RayCoordinates& ray)
   {
-    const glm::dvec3 entry = cslf::FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
-    const glm::dvec3 exit = cslf::FaceToCube(ray.Exit.Face, ray.Exit.Coordinates);
-    double t = 0.0;
-    cslf::GeometryPoint point;
-    double parametric[3];
-    int part = 0;
-    vtkIdType cell = 0;
-    const bool isHit = this->Locator->IntersectWithLine(
-                         &entry.x, &exit.x, 0.0, t, &point.PointCC.x, parametric, part, cell) != 0;
-    if (isHit)
+    if (const auto hit = this->Surfaces->Intersect(ray))
     {
-      vtkPolygon::ComputeNormal(this->Surfaces->GetCell(cell)->GetPoints(), &point.NormalCC.x);
-      const glm::dvec4 color = colors.Blend(lookup.OnSurface(ray, point, this->SeenFaces));
+      const glm::dvec4 color = colors.Blend(lookup.OnSurface(ray, hit->Point, this->SeenFaces));
       if (color.w > 0.0)
       {
         return color;

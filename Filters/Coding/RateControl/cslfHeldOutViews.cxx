@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHeldOutViews.h"
+#include "Coding/Geometry/cslfGeometryRays.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
 #include "Lookup/cslfLookup.h"
@@ -12,12 +14,15 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -35,6 +40,9 @@ constexpr int FurtherShare = 80;
 
 /// The texels compared in each viewpoint.
 constexpr int TexelsPerView = 1024;
+
+/// The rings of key views that are asked besides the four around a viewpoint, with geometry.
+constexpr int RingsWithGeometry = 1;
 
 constexpr double Peak = 255.0;
 constexpr double MostPSNR = 100.0;
@@ -118,20 +126,83 @@ struct FaceErrors
   }
 };
 
-/// The slices of the key views that surround a viewpoint.
-std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, double v)
+/// The slices of the key views that surround a viewpoint, and of `rings` more around them.
+std::vector<int> FindSurroundings(const Layout& keyGrid, int face, double u, double v, int rings)
 {
-  const NodeBracket i = keyGrid.FindNodes(u);
-  const NodeBracket j = keyGrid.FindNodes(v);
+  const int last = keyGrid.GetViewpoints() - 1;
+  const NodeBracket columns = keyGrid.FindNodes(u);
+  const NodeBracket rows = keyGrid.FindNodes(v);
   std::vector<int> slices;
-  for (const Viewpoint& viewpoint :
-    { Viewpoint{ face, i.Lower, j.Lower }, Viewpoint{ face, i.Upper, j.Lower },
-      Viewpoint{ face, i.Lower, j.Upper }, Viewpoint{ face, i.Upper, j.Upper } })
+  for (int j = std::max(0, rows.Lower - rings); j <= std::min(last, rows.Upper + rings); ++j)
   {
-    slices.push_back(keyGrid.SliceOf(viewpoint));
+    for (int i = std::max(0, columns.Lower - rings); i <= std::min(last, columns.Upper + rings);
+         ++i)
+    {
+      slices.push_back(keyGrid.SliceOf({ face, i, j }));
+    }
   }
   return slices;
 }
+
+/// Looks rays up in some key views, as the mapper does.
+class KeyViewLookup
+{
+public:
+  /// `surfaces` may be null. All must outlive this object.
+  KeyViewLookup(const Description& field, vtkImageData* image, const std::vector<int>& slices,
+    const GeometryRays* surfaces)
+    : Views(field, image, slices)
+    , Colors(field.Grid, image->GetPointData()->GetArray(ColorName), slices)
+    , Surfaces(surfaces)
+    , HasAll(surfaces && surfaces->IsComplete() && field.SceneBounds)
+    , IsLinear(field.FindChannel(KnownChannel::Color)->Encoding == LinearEncoding)
+  {
+  }
+
+  /// The colour of a ray over black.
+  glm::dvec4 LookUp(const RayCoordinates& ray) const
+  {
+    const auto hit =
+      this->Surfaces ? this->Surfaces->Intersect(ray) : std::optional<GeometryRays::Hit>();
+    if (!hit)
+    {
+      return this->HasAll ? glm::dvec4(0.0) : this->Colors.Blend(this->Views.DepthCorrected(ray));
+    }
+    const glm::dvec4 seen = this->Colors.Blend(this->Views.OnSurface(ray, hit->Point, 0));
+    return seen.w > 0.0    ? seen
+      : hit->Color.w > 0.0 ? hit->Color
+                           : this->Colors.Blend(this->Views.DepthCorrected(ray));
+  }
+
+  /// The colour of a texel over black: with geometry, the mean of the light of several rays.
+  glm::dvec4 LookUpTexel(const RayCoordinates& center, double texel) const
+  {
+    if (!this->Surfaces)
+    {
+      return this->LookUp(center);
+    }
+    glm::dvec4 sum(0.0);
+    for (const glm::dvec2 place : { glm::dvec2(-0.25, -0.25), glm::dvec2(0.25, -0.25),
+           glm::dvec2(-0.25, 0.25), glm::dvec2(0.25, 0.25) })
+    {
+      RayCoordinates ray = center;
+      ray.Exit.Coordinates += texel * place;
+      const glm::dvec4 color = this->LookUp(ray);
+      const glm::dvec3 light = this->IsLinear || color.w <= 0.0
+        ? glm::dvec3(color)
+        : color.w * SRGBToLinear(glm::dvec3(color) / color.w);
+      sum += 0.25 * glm::dvec4(light, color.w);
+    }
+    return this->IsLinear ? sum : glm::dvec4(EncodeRadiance(glm::dvec3(sum), sum.w), sum.w);
+  }
+
+private:
+  Lookup Views;
+  ChannelReader Colors;
+  const GeometryRays* Surfaces;
+  bool HasAll;
+  bool IsLinear;
+};
 
 /// The squared differences of red, green and blue as they are displayed.
 double CompareDisplayed(
@@ -149,8 +220,8 @@ double CompareDisplayed(
 }
 
 /// The mean square errors of some texels of a viewpoint, looked up from key views.
-ExposureErrors Compare(const Lookup& lookup, const ChannelReader& colors, const Layout& grid,
-  int slice, const ColorTexels& truth)
+ExposureErrors Compare(
+  const KeyViewLookup& lookup, const Layout& grid, int slice, const ColorTexels& truth)
 {
   const Viewpoint viewpoint = grid.ViewpointOf(slice);
   const int resolution = grid.GetResolution();
@@ -171,7 +242,7 @@ ExposureErrors Compare(const Lookup& lookup, const ChannelReader& colors, const 
           { grid.NodeCoordinate(viewpoint.I), grid.NodeCoordinate(viewpoint.J) } };
         ray.Exit = { ExitFaceOf(viewpoint.Face, x / resolution),
           { grid.TexelCoordinate(x % resolution), grid.TexelCoordinate(texel / width) } };
-        const glm::dvec4 color = colors.Blend(lookup.DepthCorrected(ray));
+        const glm::dvec4 color = lookup.LookUpTexel(ray, 2.0 / resolution);
         for (std::size_t i = 0; i < exposures.size(); ++i)
         {
           squares[k * exposures.size() + i] = CompareDisplayed(color, truth, texel, exposures[i]);
@@ -189,14 +260,15 @@ ExposureErrors Compare(const Lookup& lookup, const ChannelReader& colors, const 
 
 /// The mean square errors of a viewpoint of the whole field, looked up from key views. On failure
 /// returns false and gives the reason.
-bool MeasureView(
-  SlicePuller& puller, const KeyViews& keys, int view, ExposureErrors& errors, std::string& error)
+bool MeasureView(SlicePuller& puller, const GeometryRays* surfaces, const KeyViews& keys, int view,
+  ExposureErrors& errors, std::string& error)
 {
   const Description whole = puller.GetField();
   const Description field = keys.Apply(whole);
   const Viewpoint viewpoint = whole.Grid.ViewpointOf(view);
-  const std::vector<int> around = FindSurroundings(field.Grid, viewpoint.Face,
-    whole.Grid.NodeCoordinate(viewpoint.I), whole.Grid.NodeCoordinate(viewpoint.J));
+  const std::vector<int> around =
+    FindSurroundings(field.Grid, viewpoint.Face, whole.Grid.NodeCoordinate(viewpoint.I),
+      whole.Grid.NodeCoordinate(viewpoint.J), surfaces ? RingsWithGeometry : 0);
   std::vector<int> slices;
   std::transform(around.begin(), around.end(), std::back_inserter(slices),
     [&keys](int slice) { return keys.ToWhole(slice); });
@@ -211,29 +283,22 @@ bool MeasureView(
   image->SetDimensions(
     whole.Grid.GetStripWidth(), whole.Grid.GetResolution(), static_cast<int>(around.size()));
   pulled.front().AddTo(image);
-  const ChannelReader colors(field.Grid, pulled.front().GetArray(KnownChannel::Color), around);
-  errors =
-    Compare(Lookup(field, image, around), colors, whole.Grid, view, ColorTexels(pulled.back()));
+  errors = Compare(
+    KeyViewLookup(field, image, around, surfaces), whole.Grid, view, ColorTexels(pulled.back()));
   return true;
 }
 
-/// The mean of the faces' errors, at the exposure where it is largest.
+/// The mean error of the face and at the exposure where it is largest.
 double FindLargestMean(const std::vector<FaceErrors>& faces)
 {
-  std::size_t exposures = 0;
+  double largest = 0.0;
   for (const FaceErrors& face : faces)
   {
-    exposures = std::max(exposures, face.Errors.empty() ? 0 : face.Errors[0].size());
-  }
-  double largest = 0.0;
-  for (std::size_t k = 0; k < exposures; ++k)
-  {
-    double sum = 0.0;
-    for (const FaceErrors& face : faces)
+    const std::size_t exposures = face.Errors.empty() ? 0 : face.Errors[0].size();
+    for (std::size_t k = 0; k < exposures; ++k)
     {
-      sum += face.GetMean(k);
+      largest = std::max(largest, face.GetMean(k));
     }
-    largest = std::max(largest, sum / FaceCount);
   }
   return largest;
 }
@@ -256,9 +321,14 @@ std::vector<int> ListSteps(int viewpoints)
 }
 }
 
-bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool()>& proceed,
-  double& psnr, std::string& error)
+bool MeasureHeldOutViews(SlicePuller& puller, vtkPolyData* geometry, int step,
+  const std::function<bool()>& proceed, double& psnr, std::string& error)
 {
+  std::optional<GeometryRays> surfaces;
+  if (geometry && IsUsefulGeometry(geometry) && puller.GetField().FindChannel(KnownChannel::Depth))
+  {
+    surfaces.emplace(geometry, puller.GetField().Box);
+  }
   const Layout grid = puller.GetField().Grid;
   const KeyViews keys(grid.GetViewpoints(), step);
   std::vector<ViewSequence> sequences;
@@ -275,7 +345,8 @@ bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool
       }
       const int slice = sequences[face].Next();
       ExposureErrors errors;
-      if (slice >= 0 && !MeasureView(puller, keys, slice, errors, error))
+      if (slice >= 0 &&
+        !MeasureView(puller, surfaces ? &*surfaces : nullptr, keys, slice, errors, error))
       {
         return false;
       }
@@ -309,8 +380,8 @@ bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool
   return true;
 }
 
-bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()>& proceed,
-  KeyViewChoice& choice, std::string& error)
+bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
+  const std::function<bool()>& proceed, KeyViewChoice& choice, std::string& error)
 {
   const std::vector<int> steps = ListSteps(puller.GetField().Grid.GetViewpoints());
   KeyViewChoice best; // of steps that are not good enough
@@ -320,7 +391,7 @@ bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()
   {
     const std::size_t middle = (good + bad) / 2;
     KeyViewChoice candidate{ steps[middle], 0.0 };
-    if (!MeasureHeldOutViews(puller, candidate.Step, proceed, candidate.PSNR, error))
+    if (!MeasureHeldOutViews(puller, geometry, candidate.Step, proceed, candidate.PSNR, error))
     {
       return false;
     }

@@ -8,6 +8,9 @@
  * A fixed sample of the other viewpoints is compared, at some texels each, with the result of the
  * depth lookup or, without depth, of the focal lookup about the cube's centre. Only those
  * viewpoints and the four key views around each are pulled.
+ *
+ * With geometry, it is the geometry lookup, with the mean of four rays for each texel. Then the 16
+ * key views around each are pulled; what they do not see has the geometry's own colour.
  */
 #ifndef cslfHeldOutViews_h
 #define cslfHeldOutViews_h
@@ -17,15 +20,17 @@
 #include <functional>
 #include <string>
 
+class vtkPolyData;
+
 namespace cslf
 {
 /// The PSNR, in dB and at most 100, of the viewpoints that a step of key views leaves out, before
-/// coding: red, green and blue of 8 bits over black, one mean square error over all texels
-/// compared. For float colours, the lowest of the PSNRs at the exposures of GetViewExposures.
-/// `puller` has begun and pulls all viewpoints. On failure returns false and gives the reason in
-/// one line.
-bool MeasureHeldOutViews(SlicePuller& puller, int step, const std::function<bool()>& proceed,
-  double& psnr, std::string& error);
+/// coding: red, green and blue of 8 bits over black, one mean square error over all texels compared
+/// of the face where it is largest, because a viewer may look from there. For float colours, the lowest of the PSNRs at the exposures of GetViewExposures.
+/// `puller` has begun and pulls all viewpoints. `geometry` may be null. On failure returns false
+/// and gives the reason in one line.
+bool MeasureHeldOutViews(SlicePuller& puller, vtkPolyData* geometry, int step,
+  const std::function<bool()>& proceed, double& psnr, std::string& error);
 
 /// A choice of key views.
 struct KeyViewChoice
@@ -38,8 +43,8 @@ struct KeyViewChoice
 /// larger steps have smaller PSNRs. `proceed` is called regularly, and returns false to stop. On
 /// failure, for example if no step above 1 is good enough, returns false and gives the reason in
 /// one line.
-bool ChooseKeyViews(SlicePuller& puller, double goal, const std::function<bool()>& proceed,
-  KeyViewChoice& choice, std::string& error);
+bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
+  const std::function<bool()>& proceed, KeyViewChoice& choice, std::string& error);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "cslfEncodeSession.h"
 
 #include "Coding/Frames/cslfPerceptualQuantizer.h"
+#include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Files/cslfFileSystem.h"
 #include "Parallel/cslfBroadcast.h"
 #include "Pipeline/cslfPipelineWatch.h"
@@ -10,7 +11,9 @@
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
+#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -162,13 +165,18 @@ bool EncodeSession::BeginPulling(bool hasInput)
 // Rank 0 chooses for all; the ranks agree on it here.
 bool EncodeSession::ChooseKeyViews(bool isReady)
 {
-  std::string error;
-  if (isReady && this->Peers.GetRank() == 0 &&
-    !cslf::ChooseKeyViews(
-      *this->Puller, this->Job.Settings.NovelViewPSNR, [this] { return this->Job.Progress(0.0); },
-      this->Choice, error))
+  if (isReady && this->Peers.GetRank() == 0)
   {
-    this->FailWriting(vtkErrorCode::UserError, error);
+    std::string error;
+    const vtkSmartPointer<vtkPolyData> geometry = this->GeometryBytes.empty()
+      ? nullptr
+      : DecodeGeometry(this->GeometryBytes, this->Puller->GetField().Box, error);
+    if (!cslf::ChooseKeyViews(
+          *this->Puller, geometry, this->Job.Settings.NovelViewPSNR,
+          [this] { return this->Job.Progress(0.0); }, this->Choice, error))
+    {
+      this->FailWriting(vtkErrorCode::UserError, error);
+    }
   }
   return this->Agree({}, &this->Choice.Step);
 }
@@ -196,8 +204,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
     std::string text;
     if (this->Peers.GetRank() == 0)
     {
-      const std::vector<unsigned char>& bytes = this->Job.Parts.back().Bytes;
-      text.assign(bytes.begin(), bytes.end());
+      text.assign(this->GeometryBytes.begin(), this->GeometryBytes.end());
     }
     BroadcastText(this->Job.Controller, text, 0);
     if (this->Peers.GetRank() != 0)
@@ -209,19 +216,25 @@ bool EncodeSession::ChooseGeometry(bool isReady)
   return true;
 }
 
+// Only rank 0 has the parts of the file.
+void EncodeSession::AddGeometry()
+{
+  const auto part = this->Job.GetGeometry
+    ? this->Job.GetGeometry(this->Puller->GetField().Box, this->Job.Parts)
+    : std::nullopt;
+  if (part)
+  {
+    this->GeometryBytes = part->Bytes;
+    this->Job.Parts.push_back(*part);
+    this->Writer->SetParts(this->Job.Parts);
+  }
+}
+
 void EncodeSession::TryGeometry()
 {
   const Description field = this->Puller->GetField();
-  const auto part =
-    this->Job.GetGeometry ? this->Job.GetGeometry(field.Box, this->Job.Parts) : std::nullopt;
-  if (!part)
-  {
-    return;
-  }
-  this->Job.Parts.push_back(*part);
-  this->Writer->SetParts(this->Job.Parts);
-  const EncodeSettings& settings = this->Job.Settings;
-  if (!settings.ComputesDepth() || !field.FindChannel(KnownChannel::Depth))
+  if (this->GeometryBytes.empty() || !this->Job.Settings.ComputesDepth() ||
+    !field.FindChannel(KnownChannel::Depth))
   {
     return;
   }
@@ -233,7 +246,7 @@ void EncodeSession::TryGeometry()
     this->FailWriting(vtkErrorCode::UnknownError, error);
     return;
   }
-  this->Plan = GeometryPlan::Choose(part->Bytes, field, slices, this->Puller->GetSlices());
+  this->Plan = GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Puller->GetSlices());
 }
 
 bool EncodeSession::BeginWriting()
@@ -279,6 +292,10 @@ bool EncodeSession::Write(bool hasInput)
   const bool isSynchronized = !this->Job.Synchronize || this->Job.Synchronize(hasInput);
   // If the input was stopped because another rank failed, that rank reports it.
   const bool isReady = (isSynchronized || !hasInput) && this->BeginPulling(hasInput);
+  if (isReady && this->Peers.GetRank() == 0)
+  {
+    this->AddGeometry();
+  }
   this->Choice.Step = this->Job.Settings.KeyViewStep;
   if ((this->Choice.Step > 0 || this->ChooseKeyViews(isReady)) && this->ChooseGeometry(isReady))
   {

@@ -103,6 +103,7 @@ private:
   bool BeginPulling(bool hasInput);
   bool ChooseKeyViews(bool isReady);
   bool ChooseGeometry(bool isReady);
+  void AddGeometry();
   void TryGeometry();
   bool BeginWriting();
   bool OpenParts();
@@ -133,7 +134,8 @@ private:
   std::optional<SlicePuller> Puller;
   std::optional<GroupCache> Cached;
   std::optional<FieldWriter> Writer;
-  std::optional<RateControl> Control; ///< rank 0
+  std::optional<RateControl> Control;       ///< rank 0
+  std::vector<unsigned char> GeometryBytes; ///< coded; only on rank 0
   KeyViewChoice Choice;
   GeometryPlan Plan;
   std::uint32_t Sample = 0; ///< stands for the field's samples

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfGeometryRays.h"
+
+#include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfTriangleList.h"
+
+#include <vtkDataArray.h>
+#include <vtkGenericCell.h>
+#include <vtkPoints.h>
+#include <vtkPolygon.h>
+
+#include <glm/geometric.hpp>
+
+namespace cslf
+{
+GeometryRays::GeometryRays(vtkPolyData* geometry, const Cube& box)
+  : HasAll(GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete)
+{
+  this->TrianglesCC->ShallowCopy(Triangulate(geometry));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < this->TrianglesCC->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    this->TrianglesCC->GetPoint(i, place);
+    const glm::dvec3 point = box.PointToCube({ place[0], place[1], place[2] });
+    points->InsertNextPoint(point.x, point.y, point.z);
+  }
+  this->TrianglesCC->SetPoints(points);
+  // Threads must find it built.
+  this->TrianglesCC->BuildCells();
+  this->Locator->SetDataSet(this->TrianglesCC);
+  this->Locator->BuildLocator();
+}
+
+std::optional<GeometryRays::Hit> GeometryRays::Intersect(const RayCoordinates& ray) const
+{
+  const glm::dvec3 entry = FaceToCube(ray.Entry.Face, ray.Entry.Coordinates);
+  const glm::dvec3 exit = FaceToCube(ray.Exit.Face, ray.Exit.Coordinates);
+  thread_local const vtkNew<vtkGenericCell> cell;
+  Hit hit;
+  double t = 0.0;
+  double parametric[3];
+  int part = 0;
+  vtkIdType number = 0;
+  if (this->Locator->IntersectWithLine(
+        &entry.x, &exit.x, 0.0, t, &hit.Point.PointCC.x, parametric, part, number, cell) == 0)
+  {
+    return std::nullopt;
+  }
+  vtkPolygon::ComputeNormal(cell->GetPoints(), &hit.Point.NormalCC.x);
+  const bool isFront = glm::dot(hit.Point.NormalCC, exit - entry) < 0.0;
+  const PointColorArrays arrays = FindPointColors(this->TrianglesCC);
+  vtkDataArray* colors = !isFront && arrays.Back ? arrays.Back : arrays.Front;
+  hit.Color = glm::dvec4(0.0);
+  const double weights[3] = { 1.0 - parametric[0] - parametric[1], parametric[0], parametric[1] };
+  for (int corner = 0; colors && corner < 3; ++corner)
+  {
+    hit.Color += weights[corner] * glm::dvec4(GetColor(colors, cell->GetPointId(corner)));
+  }
+  return hit;
+}
+}

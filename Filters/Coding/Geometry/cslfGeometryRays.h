@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where rays meet a field's geometry.
+ */
+#ifndef cslfGeometryRays_h
+#define cslfGeometryRays_h
+
+#include "vtkCSLFModule.h" // for export macro
+
+#include "Lookup/cslfLookup.h"
+#include "cslfCube.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStaticCellLocator.h>
+
+#include <glm/vec4.hpp>
+
+#include <optional>
+
+namespace cslf
+{
+class VTKCSLF_EXPORT GeometryRays
+{
+public:
+  struct Hit
+  {
+    GeometryPoint Point;
+    glm::dvec4 Color; ///< the geometry's own, on the side of the ray; alpha is 0 without one
+  };
+
+  /// Polygons in world coordinates, with point data `Color` and `BackColor`.
+  GeometryRays(vtkPolyData* geometry, const Cube& box);
+
+  /// Whether it has all surfaces: rays that miss it see none.
+  bool IsComplete() const { return this->HasAll; }
+
+  /// The first point that a ray meets. May be called by several threads at once.
+  std::optional<Hit> Intersect(const RayCoordinates& ray) const;
+
+private:
+  vtkNew<vtkPolyData> TrianglesCC;
+  vtkNew<vtkStaticCellLocator> Locator;
+  bool HasAll;
+};
+}
+
+#endif
