@@ -57,7 +57,7 @@ std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, cons
   mesh->Colors.resize(mesh->PointsCC.size(), glm::vec4(0.0f));
   mesh->BackColors = GetColors(colors.Back);
   mesh->HasColors = AreOpaque(mesh->Colors) && AreOpaque(mesh->BackColors);
-  mesh->IsComplete = GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete;
+  mesh->IsComplete = IsCompleteGeometry(geometry);
   mesh->Corners = ListCorners(triangles);
   const ClosedParts parts = SortClosedParts(mesh->PointsCC, mesh->Corners);
   mesh->ClosedCorners = parts.Corners;

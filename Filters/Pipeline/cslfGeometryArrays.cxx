@@ -34,6 +34,11 @@ std::optional<double> GetGeometryLoss(vtkPolyData* geometry)
   return loss && loss->GetNumberOfValues() == 1 ? std::optional(loss->GetTuple1(0)) : std::nullopt;
 }
 
+bool IsCompleteGeometry(vtkPolyData* geometry)
+{
+  return GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete;
+}
+
 bool IsUsefulGeometry(vtkPolyData* geometry)
 {
   const bool hasPolygons = geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() > 0;

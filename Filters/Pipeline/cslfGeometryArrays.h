@@ -55,6 +55,9 @@ PointColorArrays VTKCSLF_EXPORT FindPointColors(vtkPolyData* geometry);
 /// The share that a geometry lost, if it says so.
 std::optional<double> VTKCSLF_EXPORT GetGeometryLoss(vtkPolyData* geometry);
 
+/// Whether a geometry has all surfaces, as far as it says so: rays that miss it see none.
+bool VTKCSLF_EXPORT IsCompleteGeometry(vtkPolyData* geometry);
+
 /// Whether a geometry has polygons, and did not lose too much.
 bool VTKCSLF_EXPORT IsUsefulGeometry(vtkPolyData* geometry);
 

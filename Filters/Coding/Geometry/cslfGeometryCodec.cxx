@@ -318,7 +318,7 @@ std::vector<unsigned char> Uncompress(const unsigned char* bytes, std::size_t si
 vtkSmartPointer<vtkDataArray> DecodeColors(
   const char* name, const std::vector<unsigned char>& codes, bool areHalves)
 {
-  const std::size_t size = areHalves ? sizeof(std::uint16_t) : 1;
+  const std::size_t size = GetCodeSize(areHalves);
   auto colors =
     vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(areHalves ? VTK_FLOAT : VTK_UNSIGNED_CHAR));
   colors->SetName(name);
@@ -401,8 +401,9 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   // points take at least 32.
   constexpr std::size_t mostGrowth = 1100;
   constexpr std::size_t mostPerByte = 8;
-  Require(points > 0 && triangles > 0 && size <= mostGrowth * (rest + 1) && triangles <= sizes[0] &&
-    points <= mostPerByte * sizes[1] + 256);
+  Require(points > 0 && triangles > 0 && size <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
+  const auto canHold = [&](std::size_t stream) { return points <= mostPerByte * stream + 256; };
+  Require(canHold(sizes[1]));
   const std::vector<unsigned char> coded =
     Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
   Streams streams;
@@ -425,12 +426,12 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     streams.AreHalves = kind == HalfColors;
     const auto decode = [&](std::vector<unsigned char>& colors, std::size_t count)
     {
+      Require(canHold(count));
       colors.resize(streams.GetColorSize() * streams.Points);
       Require(meshopt_decodeVertexBuffer(
                 colors.data(), streams.Points, streams.GetColorSize(), place, count) == 0);
       place += count;
     };
-    Require(sizes[2] > 0);
     decode(streams.Colors, sizes[2]);
     if (sizes[3] > 0)
     {

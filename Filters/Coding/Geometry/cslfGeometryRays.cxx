@@ -3,7 +3,6 @@
 #include "cslfGeometryRays.h"
 
 #include "Pipeline/cslfFieldArrays.h"
-#include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfTriangleList.h"
 
 #include <vtkDataArray.h>
@@ -16,7 +15,7 @@
 namespace cslf
 {
 GeometryRays::GeometryRays(vtkPolyData* geometry, const Cube& box)
-  : HasAll(GetGeometryLoss(geometry).value_or(1.0) <= MostLossIfComplete)
+  : HasAll(IsCompleteGeometry(geometry))
 {
   this->TrianglesCC->ShallowCopy(Triangulate(geometry));
   vtkNew<vtkPoints> points;
@@ -29,6 +28,7 @@ GeometryRays::GeometryRays(vtkPolyData* geometry, const Cube& box)
     points->InsertNextPoint(point.x, point.y, point.z);
   }
   this->TrianglesCC->SetPoints(points);
+  this->Colors = FindPointColors(this->TrianglesCC);
   // Threads must find it built.
   this->TrianglesCC->BuildCells();
   this->Locator->SetDataSet(this->TrianglesCC);
@@ -52,8 +52,7 @@ std::optional<GeometryRays::Hit> GeometryRays::Intersect(const RayCoordinates& r
   }
   vtkPolygon::ComputeNormal(cell->GetPoints(), &hit.Point.NormalCC.x);
   const bool isFront = glm::dot(hit.Point.NormalCC, exit - entry) < 0.0;
-  const PointColorArrays arrays = FindPointColors(this->TrianglesCC);
-  vtkDataArray* colors = !isFront && arrays.Back ? arrays.Back : arrays.Front;
+  vtkDataArray* colors = !isFront && this->Colors.Back ? this->Colors.Back : this->Colors.Front;
   hit.Color = glm::dvec4(0.0);
   const double weights[3] = { 1.0 - parametric[0] - parametric[1], parametric[0], parametric[1] };
   for (int corner = 0; colors && corner < 3; ++corner)

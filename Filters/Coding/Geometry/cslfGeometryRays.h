@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "Lookup/cslfLookup.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "cslfCube.h"
 
 #include <vtkNew.h>
@@ -43,6 +44,7 @@ public:
 private:
   vtkNew<vtkPolyData> TrianglesCC;
   vtkNew<vtkStaticCellLocator> Locator;
+  PointColorArrays Colors; ///< of TrianglesCC
   bool HasAll;
 };
 }

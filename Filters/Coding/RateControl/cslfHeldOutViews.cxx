@@ -319,16 +319,12 @@ std::vector<int> ListSteps(int viewpoints)
   }
   return steps;
 }
-}
 
-bool MeasureHeldOutViews(SlicePuller& puller, vtkPolyData* geometry, int step,
+/// The PSNR of the viewpoints that a step of key views leaves out, see KeyViewChoice. On failure
+/// returns false and gives the reason in one line.
+bool MeasureHeldOutViews(SlicePuller& puller, const GeometryRays* surfaces, int step,
   const std::function<bool()>& proceed, double& psnr, std::string& error)
 {
-  std::optional<GeometryRays> surfaces;
-  if (geometry && IsUsefulGeometry(geometry) && puller.GetField().FindChannel(KnownChannel::Depth))
-  {
-    surfaces.emplace(geometry, puller.GetField().Box);
-  }
   const Layout grid = puller.GetField().Grid;
   const KeyViews keys(grid.GetViewpoints(), step);
   std::vector<ViewSequence> sequences;
@@ -345,8 +341,7 @@ bool MeasureHeldOutViews(SlicePuller& puller, vtkPolyData* geometry, int step,
       }
       const int slice = sequences[face].Next();
       ExposureErrors errors;
-      if (slice >= 0 &&
-        !MeasureView(puller, surfaces ? &*surfaces : nullptr, keys, slice, errors, error))
+      if (slice >= 0 && !MeasureView(puller, surfaces, keys, slice, errors, error))
       {
         return false;
       }
@@ -379,11 +374,18 @@ bool MeasureHeldOutViews(SlicePuller& puller, vtkPolyData* geometry, int step,
   psnr = PSNR(FindLargestMean(faces), Peak, MostPSNR);
   return true;
 }
+}
 
 bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
   const std::function<bool()>& proceed, KeyViewChoice& choice, std::string& error)
 {
-  const std::vector<int> steps = ListSteps(puller.GetField().Grid.GetViewpoints());
+  const Description field = puller.GetField();
+  std::optional<GeometryRays> surfaces;
+  if (geometry && IsUsefulGeometry(geometry) && field.FindChannel(KnownChannel::Depth))
+  {
+    surfaces.emplace(geometry, field.Box);
+  }
+  const std::vector<int> steps = ListSteps(field.Grid.GetViewpoints());
   KeyViewChoice best; // of steps that are not good enough
   choice = {};
   std::size_t good = 0; // the number of steps known to be good enough
@@ -391,7 +393,8 @@ bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
   {
     const std::size_t middle = (good + bad) / 2;
     KeyViewChoice candidate{ steps[middle], 0.0 };
-    if (!MeasureHeldOutViews(puller, geometry, candidate.Step, proceed, candidate.PSNR, error))
+    if (!MeasureHeldOutViews(
+          puller, surfaces ? &*surfaces : nullptr, candidate.Step, proceed, candidate.PSNR, error))
     {
       return false;
     }

@@ -24,25 +24,22 @@ class vtkPolyData;
 
 namespace cslf
 {
-/// The PSNR, in dB and at most 100, of the viewpoints that a step of key views leaves out, before
-/// coding: red, green and blue of 8 bits over black, one mean square error over all texels compared
-/// of the face where it is largest, because a viewer may look from there. For float colours, the lowest of the PSNRs at the exposures of GetViewExposures.
-/// `puller` has begun and pulls all viewpoints. `geometry` may be null. On failure returns false
-/// and gives the reason in one line.
-bool MeasureHeldOutViews(SlicePuller& puller, vtkPolyData* geometry, int step,
-  const std::function<bool()>& proceed, double& psnr, std::string& error);
-
 /// A choice of key views.
 struct KeyViewChoice
 {
   int Step = 1;
+
+  /// In dB and at most 100, of the viewpoints that are left out, before coding: red, green and blue
+  /// of 8 bits over black, one mean square error over all texels compared of a face. That of the
+  /// face where it is lowest, because a viewer may look from there, and for float colours at the
+  /// exposure of GetViewExposures where it is lowest.
   double PSNR = 0.0;
 };
 
-/// Finds the largest step of key views whose PSNR, as above, is at least `goal`. Assumes that
-/// larger steps have smaller PSNRs. `proceed` is called regularly, and returns false to stop. On
-/// failure, for example if no step above 1 is good enough, returns false and gives the reason in
-/// one line.
+/// Finds the largest step of key views whose PSNR is at least `goal`. Assumes that larger steps
+/// have smaller PSNRs. `puller` has begun and pulls all viewpoints. `geometry` may be null.
+/// `proceed` is called regularly, and returns false to stop. On failure, for example if no step
+/// above 1 is good enough, returns false and gives the reason in one line.
 bool ChooseKeyViews(SlicePuller& puller, vtkPolyData* geometry, double goal,
   const std::function<bool()>& proceed, KeyViewChoice& choice, std::string& error);
 }
