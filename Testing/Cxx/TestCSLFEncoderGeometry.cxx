@@ -20,6 +20,7 @@
 #include <vtkImageData.h>
 #include <vtkMassProperties.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
@@ -147,6 +148,30 @@ void TestCodec(int colorType)
   CSLF_CHECK(cslf::EncodeGeometry(geometry, small, error).empty() && !error.empty());
 }
 
+/// The smallest streams there are: many points in one plane and of one colour.
+void TestOneColor(int colorType)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetResolution(200, 200);
+  source->SetCenter(Box.Center.x, Box.Center.y, Box.Center.z);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  vtkPolyData* geometry = source->GetOutput();
+  for (const char* name : { "Color", "BackColor" })
+  {
+    const auto colors = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(colorType));
+    colors->SetName(name);
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(geometry->GetNumberOfPoints());
+    colors->Fill(colorType == VTK_FLOAT ? 1.0 : 255.0);
+    geometry->GetPointData()->AddArray(colors);
+  }
+  std::string error;
+  const auto bytes = cslf::EncodeGeometry(geometry, Box, error);
+  const auto decoded = cslf::DecodeGeometry(bytes, Box, error);
+  CSLF_CHECK(decoded && decoded->GetNumberOfPoints() == geometry->GetNumberOfPoints());
+}
+
 /// Nothing that a file may contain leads to more than an error.
 void TestDamage()
 {
@@ -238,6 +263,8 @@ int TestCSLFEncoderGeometry(int argc, char* argv[])
 {
   TestCodec(VTK_UNSIGNED_CHAR);
   TestCodec(VTK_FLOAT);
+  TestOneColor(VTK_UNSIGNED_CHAR);
+  TestOneColor(VTK_FLOAT);
   TestDamage();
   TestFile(cslf::testing::MakeFolder(argc, argv, "EncoderGeometry") + "/field.mp4");
   return cslf::testing::Result();

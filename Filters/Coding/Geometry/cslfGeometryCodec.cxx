@@ -397,13 +397,14 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     header.contains("back_color_bytes") ? GetCount(header, "back_color_bytes") : 0 };
   const std::size_t size = std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
   const std::size_t rest = bytes.size() - head - textSize;
-  // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 256
-  // points take at least 32.
+  // Few bytes cannot ask for many: deflate has a limit, a triangle takes at least a byte, and 64
+  // equal bytes of points take at least one.
   constexpr std::size_t mostGrowth = 1100;
-  constexpr std::size_t mostPerByte = 8;
+  constexpr std::size_t mostPerByte = 64;
   Require(points > 0 && triangles > 0 && size <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
-  const auto canHold = [&](std::size_t stream) { return points <= mostPerByte * stream + 256; };
-  Require(canHold(sizes[1]));
+  const auto canHold = [&](std::size_t stream, std::size_t pointSize)
+  { return points * pointSize <= mostPerByte * stream; };
+  Require(canHold(sizes[1], PositionSize));
   const std::vector<unsigned char> coded =
     Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
   Streams streams;
@@ -426,7 +427,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     streams.AreHalves = kind == HalfColors;
     const auto decode = [&](std::vector<unsigned char>& colors, std::size_t count)
     {
-      Require(canHold(count));
+      Require(canHold(count, streams.GetColorSize()));
       colors.resize(streams.GetColorSize() * streams.Points);
       Require(meshopt_decodeVertexBuffer(
                 colors.data(), streams.Points, streams.GetColorSize(), place, count) == 0);
