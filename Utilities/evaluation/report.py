@@ -42,6 +42,15 @@ def megabytes(number):
     return f"{number / 1e6:.2f}"
 
 
+def compare_seconds(slow, fast):
+    """How many times as long one renderer takes for the PSNR of the other's best picture, by the
+    line through its two best ones: PSNR over the logarithm of time."""
+    near, far = ((math.log(each["seconds"]), each["psnr"]) for each in slow["pictures"][-2:])
+    best = fast["pictures"][-1]
+    slope = (far[0] - near[0]) / (far[1] - near[1])
+    return math.exp(far[0] + slope * (best["psnr"] - far[1])) / best["seconds"]
+
+
 class Report:
     def __init__(self, tool, setting):
         self.tool = tool
@@ -309,6 +318,35 @@ class Report:
                 self.plot("integrators", curves, "seconds", "PSNR (dB)", log=(True, False)))
 
     def cycles(self, found):
+        first = next(iter(found.values()))
+        width, height = first["size"]
+        ratios = ", ".join(
+            f"{get_title(scene)} {compare_seconds(result['cycles'], result['path']):.1f}"
+            for scene, result in found.items())
+        return ("## Noise against time, compared with Cycles\n\n" +
+                paragraph(
+                    f"One picture of three scenes, {width} x {height} pixels, by "
+                    "`vtkCSLFViewTracer` and by Cycles of Blender "
+                    f"{first['cycles']['version']}, both on the processor. Surfaces, materials, "
+                    "light and camera are the same, with at most "
+                    f"{first['reflections']} reflections and a box filter of one pixel. Cycles "
+                    "uses neither denoising nor adaptive sampling nor clamping. The lamp of the "
+                    "Cornell box is cut into 4 x 4 parts, because Cycles makes the light of large "
+                    "triangles too dark close to their plane. Glossy materials of the assembly "
+                    "are those of Blender's Principled BSDF, whose diffuse part differs from "
+                    "ours.") + "\n" +
+                paragraph(
+                    "PSNR is that of displayed colours. The reference is the mean of two pictures "
+                    f"with {first['reference'] // 2} samples by the same renderer. Radiance "
+                    "caching has a bias, so its reference is that of path tracing. Seconds are "
+                    "medians of three. Ours do not include building the scene; those of Cycles "
+                    "are of Blender's render call. The cache serves all views.") + "\n" +
+                paragraph("To reach the PSNR of path tracing with its most samples, Cycles takes "
+                          f"longer by these factors: {ratios}.") + "\n" +
+                "\n".join(self.tell_renderers(scene, result) for scene, result in found.items()))
+
+    def tell_renderers(self, scene, found):
+        """One scene of the comparison with Cycles."""
         rows = []
         curves = []
         for name, label in (("path", "path tracing"), ("cycles", "Cycles"),
@@ -325,26 +363,11 @@ class Report:
                                      for name in ("path", "cycles")))
         channels = ", ".join(f"{other / ours - 1:+.3%}" for ours, other in
                              zip(agreement["radiance_path"], agreement["radiance_cycles"]))
-        width, height = found["size"]
-        return ("## Noise against time, compared with Cycles\n\n" +
-                paragraph(
-                    f"One picture of the Cornell box, {width} x {height} pixels, by "
-                    "`vtkCSLFViewTracer` and by Cycles of Blender "
-                    f"{found['cycles']['version']}, both on the processor. The quadrilaterals, "
-                    "reflectances, radiance of the lamp and camera are the same, with at most "
-                    f"{found['reflections']} reflections and a box filter of one pixel. Cycles "
-                    "uses neither denoising nor adaptive sampling nor clamping. Its lamp is cut "
-                    "into 4 x 4 parts, because Cycles makes the light of large triangles too dark "
-                    "close to their plane.") + "\n" +
-                paragraph(
-                    "PSNR is that of displayed colours. The reference is the mean of two pictures "
-                    f"with {found['reference'] // 2} samples by the same renderer. Radiance "
-                    "caching has a bias, so its reference is that of path tracing. Seconds are "
-                    "medians of three. Ours do not include building the scene; those of Cycles "
-                    "are of Blender's render call. The cache serves all views.") + "\n" +
+        title = get_title(scene)
+        return (f"### {title[0].upper()}{title[1:]}\n\n" +
                 table(["renderer", "samples", "cache (s)", "picture (s)", "PSNR (dB)"], rows) +
-                "\n" + self.plot("cycles", curves, "seconds, with the cache", "PSNR (dB)",
-                                 log=(True, False)) +
+                "\n" + self.plot(f"cycles-{scene}", curves, "seconds, with the cache",
+                                 "PSNR (dB)", log=(True, False)) +
                 "\n" +
                 paragraph(
                     "The two converged pictures and 16 times their difference (grey: no "
@@ -353,7 +376,7 @@ class Report:
                     f"by {channels} (red, green, blue). The means of squares of 16 x 16 pixels "
                     "differ by at most "
                     f"{255 * agreement['largest_difference_of_squares']:.2f} of 255.") + "\n" +
-                "![Path tracing, Cycles and their difference](cycles-pictures.png)\n")
+                f"![Path tracing, Cycles and their difference](cycles-{scene}-pictures.png)\n")
 
     def limits(self, found):
         parts = ["## Known weaknesses\n"]

@@ -32,7 +32,7 @@ class Setting:
     preset: str
     reference_spp: int
     scaling: tuple      # viewpoints, resolutions and steps of key views
-    one_view: dict      # arguments of OneView
+    one_view: dict      # arguments of OneView, except for the scene
     scenes: tuple       # viewpoints, texels to measure and samples of their reference
 
     def resolution(self, of_paper):
@@ -46,7 +46,7 @@ class Setting:
 FULL = Setting(divisor=1, size=512, views=6, spp=1024, frames=72, key_viewpoints=17,
                crfs="16,22,28,34,40", depth_crfs="8,12", preset="fast", reference_spp=4096,
                scaling=((16, 128, 1), (32, 128, 1), (32, 256, 1), (64, 512, 4)),
-               one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 2048},
+               one_view={"size": (448, 336), "counts": (1, 4, 16, 64), "reference": 1024},
                scenes=(9, 20000, 1024))
 QUICK = Setting(divisor=4, size=256, views=2, spp=128, frames=12, key_viewpoints=9,
                 crfs="16,28,40", depth_crfs="8", preset="veryfast", reference_spp=256,
@@ -261,7 +261,8 @@ class Studies:
     # The same compared with an independent renderer.
     def cycles(self):
         from one_view import OneView  # only this study needs the Python package and Blender
-        return OneView(self.tool, **self.setting.one_view).measure()
+        return {scene: OneView(self.tool, scene, **self.setting.one_view).measure()
+                for scene in ("cornell-box", "isosurfaces", "assembly")}
 
     # Known weaknesses.
     def limits(self):
