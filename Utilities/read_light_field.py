@@ -5,8 +5,9 @@
 
 usage: read_light_field.py FILE [-o TEXELS.npz] [--compare TEXELS.npz]
 
-FFmpeg's commands give the samples of the video tracks, numpy does the rest. Checksums of the
-description, of its parts, of the parameter sets and of all groups are checked. The texels are the
+FFmpeg's commands give the samples of the video tracks, numpy does the rest. Depth that is computed
+from a geometry takes about a second per viewpoint. Checksums of the description, of its parts, of
+the parameter sets and of all groups are checked. The texels are the
 arrays "Color" (viewpoint, row, column, 4), as bytes or float32, and "Depth" (viewpoint, row,
 column), as uint16, row 0 on top. --compare ends with 1 where any texel differs.
 """
@@ -14,11 +15,14 @@ import argparse
 import base64
 import json
 import re
+import struct
 import subprocess
 import sys
 import zlib
 
 import numpy
+
+import read_geometry
 
 TILES = 5
 FRAME_RATE = 25
@@ -96,7 +100,9 @@ def read_header(tags):
         print("One copy of the description is damaged.", file=sys.stderr)
     header = json.loads(whole[0])
     require(header["version"][0] == FORMAT, "it has another format")
-    require(not header.get("required"), "it requires features that this reader does not support")
+    computes = "from_geometry" in header["coding"]
+    require(header.get("required", []) == (["geometry"] if computes else []),
+            "it requires features that this reader does not support")
     for track in header["coding"]["tracks"]:
         crcs = base64.b64decode(track["crc"], validate=True)
         track["crc"] = numpy.frombuffer(crcs, ">u4").tolist()
@@ -318,10 +324,29 @@ def read_light_field(path):
         check_track(path, stream["index"], track, groups)
         tracks[track["role"]] = track
         planes[track["role"]] = read_planes(path, stream, size, count)
-    return make_texels(tracks, planes, size, slices), read_parts(header, tags)
+    parts = read_parts(header, tags)
+    computed = None
+    if "from_geometry" in coding:
+        computed = compute_depths(header, parts, slices)
+        if "coverage" in coding["from_geometry"]:
+            tracks["coverage"] = {"tolerance": 0}
+            planes["coverage"] = [numpy.where(computed < FAR, 255, 0)]
+    return make_texels(tracks, planes, size, slices, computed), parts
 
 
-def make_texels(tracks, planes, size, slices):
+def compute_depths(header, parts, slices):
+    """The depths that the viewpoints of the frames see of the field's geometry."""
+    found = [data for kind, name, data in parts
+             if kind == read_geometry.TYPE and name == "geometry"]
+    require(found, "it has no geometry")
+    points, corners, _ = read_geometry.read_geometry(found[0])
+    viewer = read_geometry.Viewer(points, corners, header["nodes"], header["base_nodes"],
+                                  header["resolution"])
+    return numpy.stack([viewer.see(z) for z in slices])
+
+
+def make_texels(tracks, planes, size, slices, depth):
+    """`depth` is what was computed, or None."""
     color = tracks["color"]
     is_float = color.get("transfer") == "smpte2084"
     shape = (len(slices), size, TILES * size)
@@ -342,7 +367,6 @@ def make_texels(tracks, planes, size, slices):
         colors = numpy.minimum(colors, coverage[..., None]).astype(numpy.uint8)
         alpha = coverage.astype(numpy.uint8)
     texels["Color"] = numpy.concatenate([colors, alpha[..., None]], axis=-1)
-    depth = None
     if "depth" in tracks:
         depth = list_depths(tracks["depth"])[planes["depth"][0]]
     elif "depth-high" in tracks:
@@ -362,7 +386,8 @@ def main():
     arguments = parser.parse_args()
     try:
         texels, parts = read_light_field(arguments.file)
-    except (Fault, KeyError, TypeError, ValueError) as fault:
+    except (Fault, IndexError, KeyError, TypeError, ValueError, struct.error,
+            zlib.error) as fault:
         raise SystemExit("%s: %s" % (arguments.file, fault)) from fault
     for name, array in texels.items():
         print(name, array.dtype, array.shape, "CRC-32 %08x" % zlib.crc32(array.tobytes()))

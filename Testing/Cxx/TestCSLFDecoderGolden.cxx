@@ -18,6 +18,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -39,10 +40,26 @@ std::vector<unsigned char> ReadTexels(const fs::path& fileName)
   return bytes;
 }
 
+/// Whether depths are equal. If they are computed, a few may be rounded differently.
+bool AreEqualDepths(const unsigned short* found, const unsigned short* expected, std::size_t count)
+{
+  std::size_t rounded = 0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const int difference = std::abs(found[k] - expected[k]);
+    if (difference > 1)
+    {
+      return false;
+    }
+    rounded += difference;
+  }
+  return rounded <= count / 1000;
+}
+
 /// Compares regularly spaced slices of an array with the bytes from `place` on, and advances
 /// `place`.
-void Compare(
-  vtkDataArray* array, vtkIdType slice, const std::vector<unsigned char>& bytes, std::size_t& place)
+void Compare(vtkDataArray* array, vtkIdType slice, bool isComputed,
+  const std::vector<unsigned char>& bytes, std::size_t& place)
 {
   // The larger fields have a texel file of fewer slices.
   const vtkIdType step = slice < 5 * 64 * 64 ? 5 : 12;
@@ -66,7 +83,11 @@ void Compare(
       vtkByteSwap::Swap4LERange(expected.data(), size / 4);
     }
     const unsigned char* found = texels + size / slice * first;
-    CSLF_CHECK(std::equal(expected.begin(), expected.end(), found));
+    const bool isEqual = isComputed
+      ? AreEqualDepths(reinterpret_cast<const unsigned short*>(found),
+          reinterpret_cast<const unsigned short*>(expected.data()), size / 2)
+      : std::equal(expected.begin(), expected.end(), found);
+    CSLF_CHECK(isEqual);
     place += size;
   }
 }
@@ -93,8 +114,8 @@ void TestFile(const fs::path& fileName)
   const vtkIdType slice = static_cast<vtkIdType>(size[0]) * size[1];
   const auto bytes = ReadTexels(fs::path(fileName).replace_extension(".texels.gz"));
   std::size_t place = 0;
-  Compare(color, slice, bytes, place);
-  Compare(depth, slice, bytes, place);
+  Compare(color, slice, false, bytes, place);
+  Compare(depth, slice, decoder->HasGeometry(), bytes, place);
   CSLF_CHECK(place == bytes.size());
 }
 }
@@ -116,6 +137,6 @@ int TestCSLFDecoderGolden(int, char*[])
       }
     }
   }
-  CSLF_CHECK(files >= 51);
+  CSLF_CHECK(files >= 54);
   return cslf::testing::Result();
 }

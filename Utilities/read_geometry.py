@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads the geometry of a coded light field as Documentation/FileFormat.md describes it, without
+CSLF, and computes the depth that viewpoints see of it."""
+import json
+import struct
+import zlib
+
+import numpy
+
+TYPE = "model/vnd.cslf.geometry"
+NOTHING = 65535  # the depth where a texel sees no triangle
+FACES = (  # the axes of sc and tc, and the normal
+    ((0, 0, -1), (0, -1, 0), (1, 0, 0)), ((0, 0, 1), (0, -1, 0), (-1, 0, 0)),
+    ((1, 0, 0), (0, 0, 1), (0, 1, 0)), ((1, 0, 0), (0, 0, -1), (0, -1, 0)),
+    ((1, 0, 0), (0, -1, 0), (0, 0, 1)), ((-1, 0, 0), (0, -1, 0), (0, 0, -1)))
+AT_ONCE = 1 << 22  # pairs of a texel and a triangle
+
+
+# The bitstreams of EXT_meshopt_compression.
+
+
+class Corners:
+    """The mode TRIANGLES, version 1."""
+
+    def __init__(self, stream, triangles):
+        if stream[0] != 0xe1:
+            raise ValueError("its corners have another version")
+        self.edges = [(0, 0)] * 16
+        self.points = [0] * 16
+        self.edge = self.point = self.next = self.last = 0
+        self.stream = stream
+        self.place = 1 + triangles
+        table = stream[-16:]
+        self.corners = [self.read_triangle(code, table) for code in stream[1:1 + triangles]]
+        if self.place + 16 != len(stream):
+            raise ValueError("its corners are damaged")
+
+    def read_triangle(self, code, table):
+        if code < 0xf0:
+            a, b = self.edges[(self.edge - 1 - (code >> 4)) & 15]
+            c = self.read_third(code & 15)
+            self.keep_edges((c, b), (a, c))
+            return a, b, c
+        if code < 0xfe:
+            kinds = 0, table[code & 15] >> 4, table[code & 15] & 15
+        else:
+            both = self.stream[self.place]
+            self.place += 1
+            if both == 0:
+                self.next = 0
+            kinds = 0 if code == 0xfe else 15, both >> 4, both & 15
+        before, start = list(self.points), self.point
+        # New points come before those that the stream states.
+        corners = [self.take_next() if kind == 0 else before[(start - kind) & 15]
+                   for kind in kinds]
+        for k, kind in enumerate(kinds):
+            if kind == 15:
+                corners[k] = self.read_point()
+            if kind in (0, 15):
+                self.keep_point(corners[k])
+        a, b, c = corners
+        self.keep_edges((b, a), (c, b), (a, c))
+        return a, b, c
+
+    def read_third(self, kind):
+        """The corner opposite a known edge."""
+        if 0 < kind < 13:
+            return self.points[(self.point - 1 - kind) & 15]
+        if kind == 0:
+            point = self.take_next()
+        elif kind < 15:
+            point = self.last = self.last + (-1 if kind == 13 else 1)
+        else:
+            point = self.read_point()
+        self.keep_point(point)
+        return point
+
+    def take_next(self):
+        self.next += 1
+        return self.next - 1
+
+    def read_point(self):
+        """The next number is the difference to the last such point."""
+        number = shift = 0
+        while True:
+            byte = self.stream[self.place]
+            self.place += 1
+            number |= (byte & 127) << shift
+            shift += 7
+            if byte < 128:
+                break
+        self.last += (number >> 1) ^ -(number & 1)
+        return self.last
+
+    def keep_point(self, point):
+        self.points[self.point] = point
+        self.point = (self.point + 1) & 15
+
+    def keep_edges(self, *edges):
+        for edge in edges:
+            self.edges[self.edge] = edge
+            self.edge = (self.edge + 1) & 15
+
+
+def read_group(stream, place, kind):
+    """16 bytes of one kind, and where the next group begins."""
+    if kind == 0:
+        return [0] * 16, place
+    if kind == 3:
+        return list(stream[place:place + 16]), place + 16
+    bits = 2 * kind
+    escape = (1 << bits) - 1
+    more = place + 2 * bits
+    numbers = []
+    for byte in stream[place:more]:
+        for shift in range(8 - bits, -1, -bits):
+            number = byte >> shift & escape
+            if number == escape:
+                number = stream[more]
+                more += 1
+            numbers.append(number)
+    return numbers, more
+
+
+def read_attributes(stream, points, size):
+    """The mode ATTRIBUTES, version 0: `size` bytes for each point."""
+    if stream[0] != 0xa0:
+        raise ValueError("its points have another version")
+    last = numpy.frombuffer(stream[-size:], "u1")
+    most = min(8192 // size & ~15, 256)
+    place = 1
+    blocks = []
+    for first in range(0, points, most):
+        count = min(most, points - first)
+        groups = (count + 15) // 16
+        block = numpy.empty((count, size), "u1")
+        for k in range(size):
+            kinds = stream[place:place + (groups + 3) // 4]
+            place += len(kinds)
+            numbers = []
+            for group in range(groups):
+                found, place = read_group(stream, place, kinds[group // 4] >> group % 4 * 2 & 3)
+                numbers += found
+            codes = numpy.array(numbers[:count], "u1")
+            steps = (codes >> 1) ^ (0 - (codes & 1)).astype("u1")
+            block[:, k] = last[k] + numpy.cumsum(steps, dtype="u1")
+        last = block[-1]
+        blocks.append(block)
+    return numpy.concatenate(blocks)
+
+
+def read_geometry(data):
+    """Points in CC, the corners of triangles, and the header, of the bytes of the part."""
+    size = struct.unpack_from("<I", data)[0]
+    header = json.loads(data[4:4 + size])
+    streams = zlib.decompress(data[4 + size:])
+    middle = header["corner_bytes"]
+    end = middle + header["position_bytes"]
+    corners = Corners(streams[:middle], header["triangles"]).corners
+    positions = read_attributes(streams[middle:end], header["points"], 8)
+    steps = positions.view("<u2")[:, :3].astype(float)
+    return 2.0 * steps / 65535.0 - 1.0, numpy.array(corners), header
+
+
+# What viewpoints see of it.
+
+
+class Viewer:
+    def __init__(self, points, corners, nodes, base_nodes, resolution):
+        self.triangles = points[corners]  # triangle, corner, axis
+        self.nodes = nodes
+        self.base_nodes = base_nodes
+        self.resolution = resolution
+
+    def see(self, z):
+        """The depths of a viewpoint's strip."""
+        count = len(self.nodes)
+        face, j, i = z // count**2, z // count % count, z % count
+        u, v = (2.0 * self.nodes[k] / (self.base_nodes - 1) - 1.0 for k in (i, j))
+        right, down, normal = (numpy.array(axis, float) for axis in FACES[face])
+        position = normal + u * right + v * down
+        return numpy.concatenate([self.see_tile(position, exit_face)
+                                  for exit_face in range(6) if exit_face != face], axis=1)
+
+    def see_tile(self, position, face):
+        size = self.resolution
+        depths = numpy.full(size * size, NOTHING)
+        axes = numpy.array(FACES[face], float)
+        distance = 1.0 - axes[2] @ position
+        if distance <= 0.0:  # the rays lie in the face
+            return depths.reshape(size, size)
+        seen = (self.triangles - position) @ axes.T
+        seen = seen[(seen[..., 2] > 0.0).any(axis=1)]
+        start = -1.0 - axes[:2] @ position
+        # The texels that may meet a triangle; all, if it reaches behind the viewpoint.
+        ahead = (seen[..., 2] > 1e-6).all(axis=1)
+        places = distance * seen[..., :2] / numpy.where(seen[..., 2:] > 1e-6, seen[..., 2:], 1.0)
+        places = numpy.clip((places - start) * size / 2.0 - 0.5, -2.0, size + 1.0)
+        low = numpy.where(ahead[:, None], numpy.ceil(places.min(axis=1) - 1e-6), 0)
+        high = numpy.where(ahead[:, None], numpy.floor(places.max(axis=1) + 1e-6), size - 1)
+        low = numpy.maximum(low, 0).astype(int)
+        spans = numpy.maximum(numpy.minimum(high, size - 1).astype(int) - low + 1, 0)
+        counts = spans.prod(axis=1)
+        ends = numpy.cumsum(counts)
+        for first in range(0, int(ends[-1]) if len(ends) else 0, AT_ONCE):
+            pairs = numpy.arange(first, min(first + AT_ONCE, int(ends[-1])))
+            triangle = numpy.searchsorted(ends, pairs, "right")
+            number = pairs - (ends - counts)[triangle]
+            x = low[triangle, 0] + number % spans[triangle, 0]
+            y = low[triangle, 1] + number // spans[triangle, 0]
+            rays = numpy.stack([start[0] + (2 * x + 1) / size, start[1] + (2 * y + 1) / size,
+                                numpy.full(len(x), distance)], axis=1)
+            fractions = meet(rays, seen, triangle)
+            met = numpy.isfinite(fractions)
+            steps = numpy.minimum(numpy.floor(65535.0 * fractions[met] + 0.5), NOTHING - 1)
+            numpy.minimum.at(depths, (y * size + x)[met], steps.astype(int))
+        return depths.reshape(size, size)
+
+
+def meet(rays, triangles, which):
+    """The fractions of rays from 0 at which they meet their triangles, or infinity."""
+    a, b, c = (triangles[:, k] for k in range(3))
+    sides = [(rays * numpy.cross(p, q)[which]).sum(axis=1) for p, q in ((a, b), (b, c), (c, a))]
+    volumes = (numpy.cross(a, b) * c).sum(axis=1)[which]
+    total = sides[0] + sides[1] + sides[2]
+    inside = numpy.logical_or(numpy.minimum.reduce(sides) >= 0.0,
+                              numpy.maximum.reduce(sides) <= 0.0) & (total != 0.0)
+    fractions = volumes / numpy.where(inside, total, 1.0)
+    return numpy.where(inside & (fractions > 0.0), fractions, numpy.inf)
