@@ -207,7 +207,9 @@ bool vtkCSLFEncoder::AddPart(const char* type, vtkUnsignedCharArray* bytes, cons
   {
     part.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
   }
-  const std::string fault = cslf::FindFault(this->Parts->Parts, part);
+  const std::string fault = part.Type == cslf::GeometryPartType
+    ? "The geometry is no part to be added: connect it to input port 1."
+    : cslf::FindFault(this->Parts->Parts, part);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);

@@ -37,9 +37,11 @@ bool AreOpaque(const std::vector<glm::vec4>& colors)
 }
 }
 
-std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box)
+std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
+  vtkPolyData* geometry, const Cube& box, std::string& fault)
 {
-  if (!IsUsefulGeometry(geometry))
+  fault = DescribeGeometryFault(geometry, box);
+  if (!fault.empty() || !IsUsefulGeometry(geometry))
   {
     return nullptr;
   }

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -39,8 +40,9 @@ struct GeometryMesh
 };
 
 /// The polygons and strips of a geometry as triangles, with its point data `Color` and `BackColor`.
-/// Null if there are none, or if it lost too much to be useful.
-std::shared_ptr<const GeometryMesh> MakeGeometryMesh(vtkPolyData* geometry, const Cube& box);
+/// Null if there are none, if it lost too much to be useful, or if it has a fault, which is told.
+std::shared_ptr<const GeometryMesh> MakeGeometryMesh(
+  vtkPolyData* geometry, const Cube& box, std::string& fault);
 }
 
 #endif

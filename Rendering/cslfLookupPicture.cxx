@@ -81,6 +81,12 @@ constexpr float UnseenMark = -0.86F;
 /// The depth of pixels that no pass has drawn.
 constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::MissDC);
 
+/// Whether rays that meet nothing may show the environment.
+bool ShowsEnvironment(const Description& field)
+{
+  return !field.SceneBounds;
+}
+
 /// The length in pixels of an edge of the cube at its centre, seen from the side. 0 if the centre
 /// is behind the eye.
 double FindEdge(const LookupPicture::View& view, const std::array<int, 4>& viewport)
@@ -334,7 +340,8 @@ void LookupPicture::BuildPrograms(const Description& field, bool hasDepth)
     "LookupFocal", "LookupFocal", "LookupFocal" };
   static_assert(
     std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
-  const std::array<int, 3> wanted{ this->Current.Lookup, hasDepth, isLinear };
+  const bool showsEnvironment = ShowsEnvironment(field);
+  const std::array<int, 4> wanted{ this->Current.Lookup, hasDepth, isLinear, showsEnvironment };
   if (this->Search && wanted == this->Built)
   {
     return;
@@ -347,7 +354,8 @@ void LookupPicture::BuildPrograms(const Description& field, bool hasDepth)
     [&](std::string fragment, const std::string& lookup, const std::string& more = std::string())
   {
     vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
-      "#define LOOKUP " + lookup + (hasDepth ? "\n#define HAS_DEPTH" : "") + more);
+      "#define LOOKUP " + lookup + (hasDepth ? "\n#define HAS_DEPTH" : "") +
+        (showsEnvironment ? "\n#define SHOWS_ENVIRONMENT" : "") + more);
     std::string vertex = cslfPictureVS;
     if (ReadsUniformsByLane())
     {
@@ -483,12 +491,16 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
   this->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
   this->DrawMarks(*this->OnSurface, SurfaceMark);
-  const bool isAll = this->Current.Geometry->IsComplete && field.GetField().SceneBounds.has_value();
-  if (!isAll)
+  const bool showsEnvironment = ShowsEnvironment(field.GetField());
+  if (!this->Current.Geometry->IsComplete || showsEnvironment)
   {
     // What is hidden from the four views around such a ray is more often nothing than a surface.
     this->DrawFaces(field, *this->Miss, EmptyMark);
     this->DrawFaces(field, *this->Search, SearchMark);
+  }
+  if (showsEnvironment)
+  {
+    this->DrawFaces(field, *this->Rest, RestMark);
   }
   this->DrawPoints(field);
   this->Surfaces.Deactivate();

@@ -132,7 +132,7 @@ private:
   double PixelSeconds = 0.0;       ///< for a pixel at the last measurement; 0 before
   bool IsSearched = false;         ///< by depth or geometry, which takes several passes
   bool IsOnGeometry = false;       ///< rays that meet the geometry are not searched
-  std::array<int, 3> Built{ -1, 0, 0 }; ///< the programs: lookup, and whether depth and linear
+  std::array<int, 4> Built{ -1, 0, 0, 0 }; ///< lookup, and whether depth, linear and environment
   Target Picture;
   Target Rays; ///< if there are several for each pixel
   Target Guess;

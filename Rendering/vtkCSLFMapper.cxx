@@ -259,7 +259,13 @@ void vtkCSLFMapper::UpdateGeometry()
   }
   internals.CheckedGeometry = geometry;
   internals.CheckedGeometryTime = time;
-  internals.Geometry = geometry ? cslf::MakeGeometryMesh(geometry, internals.GetCube()) : nullptr;
+  std::string fault;
+  internals.Geometry =
+    geometry ? cslf::MakeGeometryMesh(geometry, internals.GetCube(), fault) : nullptr;
+  if (!fault.empty())
+  {
+    vtkWarningMacro("The geometry is not used: " << fault << ".");
+  }
 }
 
 //------------------------------------------------------------------------------

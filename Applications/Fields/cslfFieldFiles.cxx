@@ -328,7 +328,12 @@ int CountMissing(const FieldFile& file)
   else
   {
     auto* image = vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0));
-    missing = static_cast<vtkIdType>(GetMissing(image, file.Field.Grid.GetSlices()).size());
+    const int slices = file.Field.Grid.GetSlices();
+    int extent[6];
+    file.Reader->GetOutputInformation(0)->Get(
+      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    missing = static_cast<vtkIdType>(GetMissing(image, slices).size()) + slices -
+      std::max(0, std::min(extent[5], slices - 1) - std::max(extent[4], 0) + 1);
   }
   ThrowOnError();
   return static_cast<int>(missing);

@@ -3,16 +3,28 @@
 #include "cslfGeometryArrays.h"
 
 #include "cslfChannel.h"
+#include "cslfTriangleList.h"
+#include "cslfValidPolyData.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <cmath>
 
 namespace cslf
 {
+namespace
+{
+/// What rounding may add to a point of the cube.
+constexpr double MostCoordinate = 1.0 + 1e-6;
+}
+
 PointColorArrays FindPointColors(vtkPolyData* geometry)
 {
   const auto find = [geometry](const char* name) -> vtkDataArray*
@@ -43,6 +55,26 @@ bool IsUsefulGeometry(vtkPolyData* geometry)
 {
   const bool hasPolygons = geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() > 0;
   return hasPolygons && GetGeometryLoss(geometry).value_or(0.0) <= MostUsefulLoss;
+}
+
+std::string DescribeGeometryFault(vtkPolyData* geometry, const Cube& box)
+{
+  if (!MakeSound(geometry).IsWhole())
+  {
+    return "the geometry has cells of points that do not exist";
+  }
+  for (const unsigned int corner : ListCorners(Triangulate(geometry)))
+  {
+    double point[3];
+    geometry->GetPoint(corner, point);
+    const glm::dvec3 pointCC = glm::abs(box.PointToCube({ point[0], point[1], point[2] }));
+    // False for NaN, too.
+    if (!glm::all(glm::lessThanEqual(pointCC, glm::dvec3(MostCoordinate))))
+    {
+      return "a point of the geometry lies outside of the cube";
+    }
+  }
+  return {};
 }
 
 std::string DescribeGeometryLoss(vtkPolyData* geometry)

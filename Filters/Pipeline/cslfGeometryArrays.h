@@ -9,6 +9,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "cslfCube.h"
+
 #include <optional>
 #include <string>
 
@@ -60,6 +62,10 @@ bool VTKCSLF_EXPORT IsCompleteGeometry(vtkPolyData* geometry);
 
 /// Whether a geometry has polygons, and did not lose too much.
 bool VTKCSLF_EXPORT IsUsefulGeometry(vtkPolyData* geometry);
+
+/// Says in one line why polygons cannot be the geometry of a field with this cube. Empty if they
+/// can: cells name points that exist, and lie in the cube.
+std::string VTKCSLF_EXPORT DescribeGeometryFault(vtkPolyData* geometry, const Cube& box);
 
 /// A warning if a geometry lost too much, or nothing.
 std::string VTKCSLF_EXPORT DescribeGeometryLoss(vtkPolyData* geometry);

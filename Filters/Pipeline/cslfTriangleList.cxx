@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTriangleList.h"
 
+#include "cslfValidPolyData.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkNew.h>
@@ -14,7 +16,7 @@ namespace cslf
 vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* data)
 {
   vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(data);
+  triangulate->SetInputData(MakeSound(data).Data);
   triangulate->PassVertsOff();
   triangulate->PassLinesOff();
   triangulate->Update();

@@ -412,6 +412,12 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
     vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
     return Surface(w, Nearness(clearances, w) * fromFront);
   }
+#ifdef SHOWS_ENVIRONMENT
+  if (step.FirstHidden == 0.0 && doubtful.W == 0.0)
+  {
+    return Surface(1.0, Nearness(Clearances(ray, views, 1.0, true), 1.0));
+  }
+#endif
   if (step.FirstHidden == 0.0)
   {
     return doubtful;
@@ -502,6 +508,10 @@ LookupResult LookupEmpty(Ray ray)
   LookupResult result = FindNothing();
   GridRay gridRay = CastGridRay(ray);
   vec2 range = FindRange(gridRay);
+#ifdef SHOWS_ENVIRONMENT
+  result.IsFinal = false;
+#else
   result.IsFinal = SkipEmpty(gridRay, range.x, range.y) == 0.0;
+#endif
   return result;
 }

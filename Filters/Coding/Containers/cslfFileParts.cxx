@@ -84,6 +84,10 @@ std::string FindFault(const std::vector<FilePart>& others, const FilePart& part)
   std::size_t bytes = CountTagBytes(part.Bytes.size());
   for (const FilePart& other : others)
   {
+    if (other.Type == part.Type && other.Name == part.Name)
+    {
+      return "There are two parts of the same type and name: " + Describe(part) + ".";
+    }
     bytes += CountTagBytes(other.Bytes.size());
   }
   if (bytes > MaximumTagBytes || others.size() >= MaximumParts)

@@ -95,7 +95,7 @@ Value Load(const unsigned char* place)
   return value;
 }
 
-/// Of the points that triangles use.
+/// Of the points that triangles use, which lie in the cube.
 void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
 {
   streams.Points = triangles->GetNumberOfPoints();
@@ -117,10 +117,6 @@ void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
     for (int axis = 0; axis < 3; ++axis)
     {
       const double step = std::round((0.5 * pointCC[axis] + 0.5) * PositionSteps);
-      if (!(step >= 0.0 && step <= PositionSteps))
-      {
-        throw std::invalid_argument("a point of the geometry lies outside of the cube");
-      }
       Store(static_cast<std::uint16_t>(step), &streams.Positions[PositionSize * point + 2 * axis]);
     }
   }
@@ -449,6 +445,11 @@ std::vector<unsigned char> EncodeGeometry(
 {
   try
   {
+    error = DescribeGeometryFault(geometry, box);
+    if (!error.empty())
+    {
+      return {};
+    }
     const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
     if (triangles->GetNumberOfPolys() == 0)
     {
