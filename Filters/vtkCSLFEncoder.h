@@ -205,9 +205,10 @@ public:
    * Additional parts that files carry besides the light field, such as a mesh of the scene or a
    * table. A part consists of bytes and a media type such as "model/gltf-binary" or "text/csv". A
    * name distinguishes parts of the same type. Type and name may have at most 100 bytes of UTF-8,
-   * and all parts together 12 MiB; otherwise AddPart returns false, with an error. The bytes are
-   * copied. Parts survive remuxing by FFmpeg, and vtkCSLFDecoder returns them. Only the parts of
-   * rank 0 are used. Default: no parts.
+   * and all parts together 12 MiB; otherwise, and for a second part of the same type and name,
+   * AddPart returns false, with an error. So it does for a geometry, which is input port 1. The
+   * bytes are copied. Parts survive remuxing by FFmpeg, and vtkCSLFDecoder returns them. Only the
+   * parts of rank 0 are used. Default: no parts.
    */
   bool AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name = nullptr);
   int GetNumberOfParts() const;

@@ -73,6 +73,8 @@ int TestCSLFEncoderParts(int argc, char* argv[])
   CheckRefused(encoder, "text", MakeBytes(3, 0), "\xff", "UTF-8");
   CheckRefused(encoder, "text", MakeBytes(3, 0), std::string(101, 'a').c_str(), "at most 100");
   CheckRefused(encoder, "text", MakeBytes(11000000, 0), "", "12 MiB");
+  CheckRefused(encoder, "text/plain", MakeBytes(7, 1), "", "same type and name");
+  CheckRefused(encoder, "model/vnd.cslf.geometry", MakeBytes(7, 1), "other", "input port 1");
 
   const auto field = cslf::testing::MakeByteField(2, 16);
   CSLF_CHECK(cslf::testing::Encode(encoder, field, folder + "/a.mp4"));
