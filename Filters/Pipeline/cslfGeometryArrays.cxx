@@ -3,7 +3,6 @@
 #include "cslfGeometryArrays.h"
 
 #include "cslfChannel.h"
-#include "cslfTriangleList.h"
 #include "cslfValidPolyData.h"
 
 #include <vtkDataArray.h>
@@ -63,18 +62,23 @@ std::string DescribeGeometryFault(vtkPolyData* geometry, const Cube& box)
   {
     return "the geometry has cells of points that do not exist";
   }
-  for (const unsigned int corner : ListCorners(Triangulate(geometry)))
+  bool isInside = true;
+  for (vtkCellArray* cells : { geometry->GetPolys(), geometry->GetStrips() })
   {
-    double point[3];
-    geometry->GetPoint(corner, point);
-    const glm::dvec3 pointCC = glm::abs(box.PointToCube({ point[0], point[1], point[2] }));
-    // False for NaN, too.
-    if (!glm::all(glm::lessThanEqual(pointCC, glm::dvec3(MostCoordinate))))
-    {
-      return "a point of the geometry lies outside of the cube";
-    }
+    ForEachCell(cells,
+      [&](vtkIdType, vtkIdType count, const vtkIdType* points)
+      {
+        for (vtkIdType k = 0; k < count; ++k)
+        {
+          double point[3];
+          geometry->GetPoint(points[k], point);
+          const glm::dvec3 pointCC = glm::abs(box.PointToCube({ point[0], point[1], point[2] }));
+          // False for NaN, too.
+          isInside = isInside && glm::all(glm::lessThanEqual(pointCC, glm::dvec3(MostCoordinate)));
+        }
+      });
   }
-  return {};
+  return isInside ? "" : "a point of the geometry lies outside of the cube";
 }
 
 std::string DescribeGeometryLoss(vtkPolyData* geometry)
