@@ -329,11 +329,14 @@ int CountMissing(const FieldFile& file)
   {
     auto* image = vtkImageData::SafeDownCast(file.Reader->GetOutputDataObject(0));
     const int slices = file.Field.Grid.GetSlices();
+    const std::vector<int> listed = GetMissing(image, slices);
     int extent[6];
-    file.Reader->GetOutputInformation(0)->Get(
-      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-    missing = static_cast<vtkIdType>(GetMissing(image, slices).size()) + slices -
-      std::max(0, std::min(extent[5], slices - 1) - std::max(extent[4], 0) + 1);
+    vtkStreamingDemandDrivenPipeline::GetWholeExtent(file.Reader->GetOutputInformation(0), extent);
+    for (int slice = 0; slice < slices; ++slice)
+    {
+      const bool isOutside = slice < extent[4] || slice > extent[5];
+      missing += isOutside || std::binary_search(listed.begin(), listed.end(), slice) ? 1 : 0;
+    }
   }
   ThrowOnError();
   return static_cast<int>(missing);

@@ -450,15 +450,15 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
     }
     step.Behind = w - RestartShare * views.Stride;
   }
-  if (step.FirstHidden == 0.0 && doubtful.W == 0.0 && !this->Field.SceneBounds)
+  if (step.FirstHidden > 0.0)
+  {
+    return { step.FirstHidden, glm::dvec4(0.0) };
+  }
+  if (doubtful.W == 0.0 && !this->Field.SceneBounds)
   {
     return { 1.0, Nearness(this->Clearances(ray, views, 1.0, true), 1.0) };
   }
-  if (step.FirstHidden == 0.0)
-  {
-    return doubtful;
-  }
-  return { step.FirstHidden, glm::dvec4(0.0) };
+  return doubtful;
 }
 
 // Where the views see the surface of a ray: those that see it from the ray's side; if there are

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfTriangleList.h"
 
-#include "cslfValidPolyData.h"
-
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkNew.h>
@@ -16,7 +14,7 @@ namespace cslf
 vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* data)
 {
   vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(MakeSound(data).Data);
+  triangulate->SetInputData(data);
   triangulate->PassVertsOff();
   triangulate->PassLinesOff();
   triangulate->Update();

@@ -17,8 +17,7 @@ class vtkPolyData;
 
 namespace cslf
 {
-/// The polygons and strips as triangles, without vertices and lines, and without cells with ids of
-/// points that do not exist. Points keep their numbers.
+/// The polygons and strips as triangles, without vertices and lines. Points keep their numbers.
 VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* data);
 
 /// The numbers of the points of all triangles, three for each.

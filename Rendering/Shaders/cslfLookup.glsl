@@ -412,17 +412,17 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
     vec4 fromFront = vec4(lessThan(clearances, vec4(step.ClearancesBefore.xyz, before)));
     return Surface(w, Nearness(clearances, w) * fromFront);
   }
+  if (step.FirstHidden > 0.0)
+  {
+    return Surface(step.FirstHidden, vec4(0.0));
+  }
 #ifdef SHOWS_ENVIRONMENT
-  if (step.FirstHidden == 0.0 && doubtful.W == 0.0)
+  if (doubtful.W == 0.0)
   {
     return Surface(1.0, Nearness(Clearances(ray, views, 1.0, true), 1.0));
   }
 #endif
-  if (step.FirstHidden == 0.0)
-  {
-    return doubtful;
-  }
-  return Surface(step.FirstHidden, vec4(0.0));
+  return doubtful;
 }
 
 // Where the views see the surface of a ray, if there is one: those that see it from the ray's side;

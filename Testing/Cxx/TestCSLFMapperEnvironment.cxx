@@ -26,16 +26,15 @@
 namespace
 {
 constexpr int Size = 96;
-constexpr int SphereChannel = 1; // of green, which the sphere does not have
 
-/// The share of pixels that are neither sky nor sphere.
+/// The share of pixels that are neither white as the sky nor red as the sphere.
 double CountOthers(const cslf::testing::Picture& picture)
 {
   int others = 0;
   for (int pixel = 0; pixel < Size * Size; ++pixel)
   {
     const int red = picture.Colors[3 * pixel];
-    const int green = picture.Colors[3 * pixel + SphereChannel];
+    const int green = picture.Colors[3 * pixel + 1];
     others += red < 200 || (green > 50 && green < 200) ? 1 : 0;
   }
   return static_cast<double>(others) / (Size * Size);
@@ -83,6 +82,7 @@ int TestCSLFMapperEnvironment(int, char*[])
   cslf::testing::View view(Size);
   view.Add(mapper);
   vtkCamera* camera = view.GetCamera();
+  // Sees three faces of the cube.
   camera->SetPosition(2.4, 1.9, 2.6);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewAngle(15.0); // inside of the cube's picture

@@ -445,10 +445,10 @@ std::vector<unsigned char> EncodeGeometry(
 {
   try
   {
-    error = DescribeGeometryFault(geometry, box);
-    if (!error.empty())
+    const std::string fault = DescribeGeometryFault(geometry, box);
+    if (!fault.empty())
     {
-      return {};
+      throw std::invalid_argument(fault);
     }
     const vtkSmartPointer<vtkPolyData> triangles = Triangulate(geometry);
     if (triangles->GetNumberOfPolys() == 0)
