@@ -18,6 +18,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 
@@ -52,10 +53,29 @@ private:
   vtkNew<vtkMatrix4x4> Inverse;
 };
 
+/// The camera with a clipping range that suits a scene of any size. It does not change the rays,
+/// but VTK's default would make them inexact for scenes of millions of units.
+vtkSmartPointer<vtkCamera> FitRange(vtkCamera* camera, const cslf::SceneFrame& frame)
+{
+  if (camera->GetUseExplicitProjectionTransformMatrix())
+  {
+    return camera;
+  }
+  double place[3];
+  camera->GetPosition(place);
+  const double distance =
+    std::max(glm::length(glm::dvec3(place[0], place[1], place[2]) - frame.Center), frame.Radius);
+  auto fitted = vtkSmartPointer<vtkCamera>::New();
+  fitted->DeepCopy(camera);
+  fitted->SetClippingRange(0.5 * distance, 1.5 * distance);
+  return fitted;
+}
+
 /// The rays of the picture's pixels: from the camera's plane through the near plane to the far
 /// plane.
-cslf::RayGrid MakeRays(vtkCamera* camera, int width, int height, const cslf::SceneFrame& frame)
+cslf::RayGrid MakeRays(vtkCamera* given, int width, int height, const cslf::SceneFrame& frame)
 {
+  const vtkSmartPointer<vtkCamera> camera = FitRange(given, frame);
   const ViewToWorld toWorld(camera, static_cast<double>(width) / height);
   const glm::dvec3 position(
     camera->GetPosition()[0], camera->GetPosition()[1], camera->GetPosition()[2]);

@@ -92,6 +92,43 @@ void TestCamera(bool parallel, double distance)
   }
 }
 
+/// The share of a picture that a sphere covers, with VTK's default clipping range.
+double MeasureSphere(double size)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.4 * size, -0.2 * size, 0.1 * size);
+  sphere->SetRadius(0.5 * size);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0.5 * size, 1.0 * size, 3.0 * size);
+  vtkNew<vtkCSLFViewTracer> tracer;
+  tracer->SetInputConnection(sphere->GetOutputPort());
+  tracer->SetCamera(camera);
+  tracer->SetSize(32, 24);
+  tracer->SetSamples(16);
+  tracer->SetColorTypeToFloat();
+  tracer->Update();
+  double sum = 0.0;
+  for (int y = 0; y < 24; ++y)
+  {
+    for (int x = 0; x < 32; ++x)
+    {
+      sum += GetPixel(tracer, x, y).w / (32.0 * 24.0);
+    }
+  }
+  return sum;
+}
+
+/// Scenes of all sizes look alike.
+void TestSizes()
+{
+  const double share = MeasureSphere(1.0);
+  CSLF_CHECK(share > 0.05 && share < 0.9);
+  for (const double size : { 1e-14, 1e-6, 1e6, 1e10, 1e12, 1e14 })
+  {
+    CSLF_CHECK_NEAR(MeasureSphere(size), share, 2e-3);
+  }
+}
+
 /// The environment in directions that a perspective camera at the origin sees.
 void TestEnvironments(const std::string& fileName)
 {
@@ -271,6 +308,7 @@ int TestCSLFViewTracer(int argc, char* argv[])
   TestCamera(false, 1.0);
   TestCamera(true, 1.0);
   TestCamera(false, 40.0);
+  TestSizes();
   TestEnvironments(fileName);
   TestMirrorInView(fileName);
   TestOutputAndErrors();
