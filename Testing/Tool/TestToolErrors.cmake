@@ -137,6 +137,32 @@ if (NOT result MATCHES "^[01]$" OR NOT error MATCHES "^cslf: [^\n]+\n$")
   message(FATAL_ERROR "cslf sample wild.vtp ended with ${result}: ${error}")
 endif ()
 
+# A triangle with these coordinates, and the range of its points, as VTK writes it.
+function (write_text_vtp name a b range)
+  file(WRITE "${DIRECTORY}/${name}.vtp" "<VTKFile type=\"PolyData\" version=\"0.1\"
+byte_order=\"LittleEndian\" header_type=\"UInt32\">
+<PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">
+<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">
+${a} ${a} ${a} ${b} ${a} ${a} ${a} ${b} ${a}
+<InformationKey name=\"L2_NORM_RANGE\" location=\"vtkDataArray\" length=\"2\">
+<Value index=\"0\">0</Value><Value index=\"1\">${range}</Value></InformationKey>
+</DataArray></Points>
+<Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+")
+endfunction ()
+# Sizes at which floats, or VTK's cameras, are out of their range.
+foreach (size IN ITEMS 1e25 1e-25 1e16 1e-16)
+  write_text_vtp(size 0 ${size} 1)
+  cslf_fail("diagonal of the scene's bounding box is [0-9.]+e.* long.*scale the scene" "x"
+    sample size.vtp -o x.vti ${tiny})
+endforeach ()
+foreach (size IN ITEMS 1e14 1e-14)
+  write_text_vtp(size 0 ${size} 1)
+  cslf_run(sample size.vtp -o size.vti --geometry-triangles 0 ${tiny})
+endforeach ()
+
 # Truncated meshes: an error, wherever the cut is.
 file(WRITE "${DIRECTORY}/whole.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4")
 file(WRITE "${DIRECTORY}/whole.ply" "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x

@@ -31,9 +31,11 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <iomanip>
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace cslf
@@ -42,6 +44,12 @@ namespace
 {
 // The default radius of lines and vertices, in diagonals of the scene's bounding box.
 constexpr double StandardRadius = 0.0005;
+
+// The smallest and largest diagonal of the scene's bounding box. VTK's cameras are at least 1e-20
+// away from what they look at, and floats hold intensities of lights, which are squares of lengths,
+// up to 1e38; views from near and distant lights need some powers of ten in between.
+constexpr double SmallestSize = 1e-15;
+constexpr double LargestSize = 1e15;
 
 /// Warnings for the user, each given once.
 struct Omissions
@@ -117,6 +125,14 @@ VisibleSides ReadSides(vtkDataObject* material)
   }
 }
 
+std::string DescribeSize(double size)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << "The diagonal of the scene's bounding box is " << size
+       << " long. It must be " << SmallestSize << " to " << LargestSize << ": scale the scene.";
+  return text.str();
+}
+
 class Builder
 {
 public:
@@ -148,8 +164,13 @@ public:
     {
       return this->Finish(std::move(built), {}, {});
     }
-    built.Frame = { 0.5 * (this->Lower + this->Upper),
-      0.5 * glm::length(this->Upper - this->Lower) };
+    const double size = glm::length(this->Upper - this->Lower);
+    if (size > 0.0 && !(size >= SmallestSize && size <= LargestSize))
+    {
+      built.Error = DescribeSize(size);
+      return built;
+    }
+    built.Frame = { 0.5 * (this->Lower + this->Upper), 0.5 * size };
     for (int axis = 0; axis < 3; ++axis)
     {
       built.Bounds[2 * axis] = this->Lower[axis];
