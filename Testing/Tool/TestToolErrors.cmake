@@ -163,6 +163,22 @@ foreach (size IN ITEMS 1e14 1e-14)
   cslf_run(sample size.vtp -o size.vti --geometry-triangles 0 ${tiny})
 endforeach ()
 
+# A scene without anything visible gives a field, and a warning.
+write_text_vtp(clear 0 1 1)
+file(READ "${DIRECTORY}/clear.vtp" text)
+string(REPLACE "<PolyData>" "<PolyData><FieldData><DataArray type=\"Float64\" Name=\"CSLF:Opacity\"
+NumberOfTuples=\"1\" format=\"ascii\">0</DataArray></FieldData>" text "${text}")
+file(WRITE "${DIRECTORY}/clear.vtp" "${text}")
+execute_process(
+  COMMAND "${CSLF}" sample clear.vtp -o clear.vti --geometry-triangles 0 ${tiny}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result
+  ERROR_VARIABLE error)
+if (NOT result STREQUAL "0" OR
+    NOT error MATCHES "^cslf: warning: Nothing of the scene is visible: [^\n]+\n$")
+  message(FATAL_ERROR "cslf sample clear.vtp ended with ${result}: ${error}")
+endif ()
+
 # Truncated meshes: an error, wherever the cut is.
 file(WRITE "${DIRECTORY}/whole.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4")
 file(WRITE "${DIRECTORY}/whole.ply" "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x

@@ -125,6 +125,23 @@ VisibleSides ReadSides(vtkDataObject* material)
   }
 }
 
+/// Whether no part of a mesh is visible, whatever its texture.
+bool IsInvisible(const Mesh& mesh)
+{
+  float most = mesh.Material.Opacity;
+  if (!mesh.Opacities.empty() && mesh.Coloring != Mesh::ColorsOf::None)
+  {
+    most *= *std::max_element(mesh.Opacities.begin(), mesh.Opacities.end());
+  }
+  if (!mesh.Instances.empty())
+  {
+    const auto isLess = [](const MeshInstance& a, const MeshInstance& b)
+    { return a.Opacity < b.Opacity; };
+    most *= std::max_element(mesh.Instances.begin(), mesh.Instances.end(), isLess)->Opacity;
+  }
+  return !(most > 0.0f) || most < mesh.Material.OpacityCutoff;
+}
+
 std::string DescribeSize(double size)
 {
   std::ostringstream text;
@@ -410,6 +427,12 @@ private:
       built.Error = "The scene has no triangles with an area, lines or vertices." +
         (built.Warning.empty() ? std::string() : " " + built.Warning);
       return built;
+    }
+    if (std::all_of(meshes.begin(), meshes.end(), IsInvisible))
+    {
+      built.Warning += (built.Warning.empty() ? "" : " ") +
+        std::string("Nothing of the scene is visible: all of its surfaces are transparent "
+                    "(opacity 0).");
     }
     built.Fingerprint = Identify(meshes, lights, built.Frame);
     built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
