@@ -63,6 +63,10 @@ struct VTKCSLF_EXPORT Description
   /// The channels that were left out of `Channels` because this version does not know their type.
   std::vector<std::string> Unknown;
 
+  /// Whether rays that meet no surface may show the environment. Only fields without it have
+  /// bounds.
+  bool MayShowEnvironment() const { return !this->SceneBounds; }
+
   /// The corners of the scene's bounds in CC, within [-1,1]^3.
   glm::dvec3 GetSceneMinimumCC() const;
   glm::dvec3 GetSceneMaximumCC() const;

@@ -81,12 +81,6 @@ constexpr float UnseenMark = -0.86F;
 /// The depth of pixels that no pass has drawn.
 constexpr auto UnknownDC = static_cast<float>(2.0 * lookup::MissDC);
 
-/// Whether rays that meet nothing may show the environment.
-bool ShowsEnvironment(const Description& field)
-{
-  return !field.SceneBounds;
-}
-
 /// The length in pixels of an edge of the cube at its centre, seen from the side. 0 if the centre
 /// is behind the eye.
 double FindEdge(const LookupPicture::View& view, const std::array<int, 4>& viewport)
@@ -340,7 +334,7 @@ void LookupPicture::BuildPrograms(const Description& field, bool hasDepth)
     "LookupFocal", "LookupFocal", "LookupFocal" };
   static_assert(
     std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
-  const bool showsEnvironment = ShowsEnvironment(field);
+  const bool showsEnvironment = field.MayShowEnvironment();
   const std::array<int, 4> wanted{ this->Current.Lookup, hasDepth, isLinear, showsEnvironment };
   if (this->Search && wanted == this->Built)
   {
@@ -491,7 +485,7 @@ void LookupPicture::DrawSurfaces(FieldTexture& field)
   this->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
   this->DrawMarks(*this->OnSurface, SurfaceMark);
-  const bool showsEnvironment = ShowsEnvironment(field.GetField());
+  const bool showsEnvironment = field.GetField().MayShowEnvironment();
   if (!this->Current.Geometry->IsComplete || showsEnvironment)
   {
     // What is hidden from the four views around such a ray is more often nothing than a surface.

@@ -454,7 +454,7 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   {
     return { step.FirstHidden, glm::dvec4(0.0) };
   }
-  if (doubtful.W == 0.0 && !this->Field.SceneBounds)
+  if (doubtful.W == 0.0 && this->Field.MayShowEnvironment())
   {
     return { 1.0, Nearness(this->Clearances(ray, views, 1.0, true), 1.0) };
   }

@@ -154,7 +154,7 @@ public:
     : Views(field, image, slices)
     , Colors(field.Grid, image->GetPointData()->GetArray(ColorName), slices)
     , Surfaces(surfaces)
-    , HasAll(surfaces && surfaces->IsComplete() && field.SceneBounds)
+    , HasAll(surfaces && surfaces->IsComplete() && !field.MayShowEnvironment())
     , IsLinear(field.FindChannel(KnownChannel::Color)->Encoding == LinearEncoding)
   {
   }
