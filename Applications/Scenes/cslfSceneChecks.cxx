@@ -16,7 +16,9 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -431,9 +433,27 @@ private:
     }
   }
 
+  /// VTK writes the ranges of arrays, but cannot read those that are not finite.
+  void CheckRange(vtkXMLDataElement* element) const
+  {
+    static const std::set<std::string> ranges = { "COMPONENT_RANGE", "L2_NORM_RANGE",
+      "L2_NORM_FINITE_RANGE" };
+    const char* name = element->GetAttribute("name");
+    for (int i = 0; name && ranges.count(name) > 0 && i < element->GetNumberOfNestedElements(); ++i)
+    {
+      const char* text = element->GetNestedElement(i)->GetCharacterData();
+      if (text && !std::isfinite(std::strtod(text, nullptr)))
+      {
+        throw Failure(ToName(this->Path.filename()) +
+          " has an array with coordinates or other values that are not finite.");
+      }
+    }
+  }
+
   void CheckElement(vtkXMLDataElement* element)
   {
     this->CheckType(element);
+    this->CheckRange(element);
     for (int i = 0; i < element->GetNumberOfAttributes(); ++i)
     {
       const std::string name = element->GetAttributeName(i);

@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -150,6 +151,23 @@ void ForEachPolyData(vtkDataObject* part, const std::function<void(vtkPolyData*)
   }
 }
 
+/// Whether a point has coordinates that are finite as floats, as the tracer needs them.
+bool HasFinitePoint(vtkDataObject* part)
+{
+  bool isFound = false;
+  ForEachPolyData(part,
+    [&isFound](vtkPolyData* polyData)
+    {
+      for (vtkIdType i = 0; !isFound && i < polyData->GetNumberOfPoints(); ++i)
+      {
+        const double* point = polyData->GetPoint(i);
+        isFound = std::all_of(
+          point, point + 3, [](double coordinate) { return std::abs(coordinate) < VTK_FLOAT_MAX; });
+      }
+    });
+  return isFound;
+}
+
 constexpr const char* InputHelp =
   "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or names that cslf scenes lists";
 
@@ -238,6 +256,10 @@ Part ReadScenePart(const std::string& input)
     const std::vector<std::string> warnings = GetWarnings();
     const std::string cause = warnings.empty() ? "it has no cells." : warnings.back();
     throw Failure("Cannot read " + input + ": " + (error.empty() ? cause : error));
+  }
+  if (!HasFinitePoint(part))
+  {
+    throw Failure("Cannot read " + input + ": the coordinates of its points are not finite.");
   }
   return part;
 }

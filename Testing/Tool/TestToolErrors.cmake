@@ -179,6 +179,14 @@ if (NOT result STREQUAL "0" OR
   message(FATAL_ERROR "cslf sample clear.vtp ended with ${result}: ${error}")
 endif ()
 
+# Without any finite coordinate, there is nothing to sample.
+write_text_vtp(infinite 0 inf inf)
+cslf_fail("infinite.vtp has an array with coordinates or other values that are not finite" "x"
+  sample infinite.vtp -o x.vti ${tiny})
+write_text_vtp(far 1e300 -1e300 1)
+cslf_fail("Cannot read far.vtp: the coordinates of its points are not finite" "x"
+  sample far.vtp -o x.vti ${tiny})
+
 # Truncated meshes: an error, wherever the cut is.
 file(WRITE "${DIRECTORY}/whole.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4")
 file(WRITE "${DIRECTORY}/whole.ply" "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x
