@@ -32,7 +32,7 @@ struct Options
 {
   std::string Field;
   std::string Folder;
-  std::string Lookup = "geometry";
+  std::string Lookup;
   int Size = 512;
   int Repeats = 10;
 };
@@ -229,8 +229,7 @@ void AddBenchmarkOpening(CLI::App& benchmark, Command& chosen)
     ->required();
   command->add_option("-o,--output", options->Folder, "folder for the results")->required();
   command->option_defaults()->always_capture_default();
-  command->add_option("--lookup", options->Lookup, "the lookup")
-    ->check(CLI::IsMember(GetLookupNames()));
+  AddLookup(*command, options->Lookup, "the lookup");
   command->add_option("--size", options->Size, "width and height of a picture, in pixels")
     ->check(CLI::Range(1, 8192));
   command->add_option("--repeats", options->Repeats, "repetitions")->check(CLI::Range(1, 10000));

@@ -30,7 +30,7 @@ struct Options
 {
   FieldInput Field;
   std::string Output;
-  std::string Lookup = "geometry";
+  std::string Lookup;
   ToneOptions Tone;
   int PixelSamples = options::PixelSamples.Default;
   CameraOptions Camera;
@@ -42,13 +42,13 @@ Result RunView(const Options& options)
 {
   RequireWritable(options.Output);
   const FieldFile file = OpenField(options.Field);
+  const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   RequireDisplay();
   ReadToDraw(file);
   FieldRenderer renderer(file, options.Camera.GetWidth(), options.Camera.GetHeight());
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
-  const std::string lookup = ChooseLookup(options.Lookup, file);
   WritePicture(options.Output, renderer.Render(camera, FindLookup(lookup)));
   Result result;
   result.Text = options.Output + "\n";
@@ -59,6 +59,7 @@ Result RunView(const Options& options)
 Result RunPath(const Options& options)
 {
   const FieldFile file = OpenField(options.Field);
+  const std::string name = ChooseLookup(options.Lookup, file);
   const auto cameras = options.Path.MakeCameras(options.Camera.MakeCamera(file.Field.Box));
   RequireDisplay();
   const int width = options.Camera.GetWidth();
@@ -68,7 +69,6 @@ Result RunPath(const Options& options)
   FieldRenderer renderer(file, width, height);
   renderer.SetToneMapping(options.Tone.Get());
   renderer.SetPixelSamples(options.PixelSamples);
-  const std::string name = ChooseLookup(options.Lookup, file);
   const int lookup = FindLookup(name);
   // The first picture uploads the field to graphics memory, so its time does not count as a frame.
   renderer.Draw(cameras.front(), lookup);
@@ -105,11 +105,7 @@ void AddRender(CLI::App& app, Command& chosen)
     ->add_option(
       "-o,--output", options->Output, std::string("the output: .png; with --path ") + FrameFormats)
     ->required();
-  command
-    ->add_option("--lookup", options->Lookup,
-      "the lookup; if the field has no geometry, geometry becomes depth, and without depth focal")
-    ->check(CLI::IsMember(GetLookupNames()))
-    ->capture_default_str();
+  AddLookup(*command, options->Lookup, "the lookup");
   AddPixelSamples(*command, options->PixelSamples);
   options->Tone.AddTo(*command);
   options->Camera.AddTo(*command);

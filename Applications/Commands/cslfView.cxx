@@ -40,7 +40,7 @@ struct Options
 {
   std::string Field;
   SceneOptions Scene;
-  std::string Lookup = "geometry";
+  std::string Lookup;
   std::string Keys;
   std::string Screenshot;
   int TruthSamples = 1024;
@@ -159,6 +159,7 @@ Result Run(const Options& options)
     RequireWritable(options.Screenshot);
   }
   const FieldFile file = OpenField(FieldInput{ options.Field, true });
+  const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);
   auto truth = MakeTruth(options.Scene, file.Field);
   RequireDisplay();
@@ -168,7 +169,7 @@ Result Run(const Options& options)
     file, camera, options.Camera.GetWidth(), options.Camera.GetHeight(), std::move(truth));
   viewer.GetWindow()->SetWindowName(("cslf: " + options.Field).c_str());
   viewer.GetWindow()->SetOffScreenRendering(!options.Screenshot.empty());
-  viewer.SetLookup(FindLookup(ChooseLookup(options.Lookup, file)));
+  viewer.SetLookup(FindLookup(lookup));
   viewer.SetToneMapping(options.Tone.Get());
   PressKeys(viewer, options.Keys);
   Result result;
@@ -207,9 +208,7 @@ void AddView(CLI::App& app, Command& chosen)
       std::string("the light field, also while it is being written: ") + FieldFormats)
     ->required();
   options->Scene.AddOptionalTo(*command);
-  command->add_option("--lookup", options->Lookup, "the initial lookup")
-    ->check(CLI::IsMember(GetLookupNames()))
-    ->capture_default_str();
+  AddLookup(*command, options->Lookup, "the initial lookup");
   command->add_option("--keys", options->Keys, "keys to press at the start, for example sto");
   command->add_option("--screenshot", options->Screenshot,
     "draw into this .png file without a window; if the path-traced scene is shown, when it is "

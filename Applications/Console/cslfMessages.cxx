@@ -86,6 +86,13 @@ public:
     }
   }
 
+  void Exchange(std::string& error, std::vector<std::string>& warnings)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->FirstError.swap(error);
+    this->Warnings.swap(warnings);
+  }
+
 protected:
   vtkMessageCatcher() = default;
 
@@ -158,6 +165,22 @@ void ThrowOnError()
   if (!error.empty())
   {
     throw Failure(error);
+  }
+}
+
+SeparateMessages::SeparateMessages()
+{
+  if (vtkMessageCatcher* catcher = GetCatcher())
+  {
+    catcher->Exchange(this->Error, this->Warnings);
+  }
+}
+
+SeparateMessages::~SeparateMessages()
+{
+  if (vtkMessageCatcher* catcher = GetCatcher())
+  {
+    catcher->Exchange(this->Error, this->Warnings);
   }
 }
 

@@ -39,6 +39,21 @@ std::string GetFirstError();
 /// Throws a Failure if VTK has reported an error.
 void ThrowOnError();
 
+/// For files that a command can do without: as long as it exists, GetFirstError tells only later
+/// errors. They and the warnings of that time are forgotten at its end.
+class SeparateMessages
+{
+public:
+  SeparateMessages();
+  ~SeparateMessages();
+  SeparateMessages(const SeparateMessages&) = delete;
+  void operator=(const SeparateMessages&) = delete;
+
+private:
+  std::string Error;
+  std::vector<std::string> Warnings;
+};
+
 /// For readers whose errors do not name the file: puts it in front of them.
 void NameFileInErrors(vtkXMLReader* reader, const std::string& fileName);
 

@@ -251,7 +251,7 @@ FieldFile OpenField(const std::string& name)
     throw Failure(fileName + ": " + error);
   }
   file.Field = *description;
-  file.GeometryReader = OpenGeometry(file);
+  OpenGeometry(file);
   return file;
 }
 

@@ -23,6 +23,7 @@
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkCSLFEncoder;
+class vtkPolyData;
 
 namespace CLI
 {
@@ -53,9 +54,13 @@ struct FieldFile
   vtkSmartPointer<vtkAlgorithm> Reader;
   Description Field;
   vtkSmartPointer<vtkAlgorithm> GeometryReader; ///< the field's reader or another one; may be null
+  std::string GeometryFault; ///< why the geometry beside the field is ignored; empty if it is not
 
   /// Delivers the field's geometry. Null if there is none.
   vtkAlgorithmOutput* GetGeometry() const;
+
+  /// Reads the geometry. Null if there is none.
+  vtkPolyData* ReadGeometry() const;
 
   /// Whether it has one that mappers use. Reads it.
   bool HasUsefulGeometry() const;

@@ -21,6 +21,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <exception>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -42,6 +43,29 @@ std::string GetFieldOf(vtkPolyData* geometry)
     vtkStringArray::SafeDownCast(geometry->GetFieldData()->GetAbstractArray(GeometryFieldName));
   return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : std::string();
 }
+
+/// The reader of the geometry beside a field, which it has read. Throws a Failure if the file is
+/// damaged or belongs to another field.
+vtkSmartPointer<vtkAlgorithm> ReadBeside(const std::string& fileName, const Description& field)
+{
+  const SeparateMessages separate;
+  CheckVTKXML(fileName);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(fileName.c_str());
+  NameFileInErrors(reader, fileName);
+  reader->Update();
+  ThrowOnError();
+  if (GetFieldOf(reader->GetOutput()) != field.ToText())
+  {
+    throw Failure(fileName + " belongs to another light field.");
+  }
+  const std::string fault = DescribeGeometryFault(reader->GetOutput(), field.Box);
+  if (!fault.empty())
+  {
+    throw Failure("Cannot use " + fileName + ": " + fault + ".");
+  }
+  return reader.Get();
+}
 }
 
 vtkAlgorithmOutput* FieldFile::GetGeometry() const
@@ -51,42 +75,52 @@ vtkAlgorithmOutput* FieldFile::GetGeometry() const
     : nullptr;
 }
 
-bool FieldFile::HasUsefulGeometry() const
+vtkPolyData* FieldFile::ReadGeometry() const
 {
   vtkAlgorithmOutput* port = this->GetGeometry();
   if (!port)
   {
-    return false;
+    return nullptr;
   }
   port->GetProducer()->Update(port->GetIndex());
-  return IsUsefulGeometry(
-    vtkPolyData::SafeDownCast(port->GetProducer()->GetOutputDataObject(port->GetIndex())));
+  return vtkPolyData::SafeDownCast(port->GetProducer()->GetOutputDataObject(port->GetIndex()));
 }
 
-vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file)
+bool FieldFile::HasUsefulGeometry() const
+{
+  vtkPolyData* geometry = this->ReadGeometry();
+  return geometry && IsUsefulGeometry(geometry);
+}
+
+void OpenGeometry(FieldFile& file)
 {
   if (auto* decoder = vtkCSLFDecoder::SafeDownCast(file.Reader))
   {
-    return decoder->HasGeometry() ? decoder : nullptr;
+    file.GeometryReader = decoder->HasGeometry() ? decoder : nullptr;
+    return;
   }
   const std::string fileName = GetGeometryName(file.FileName);
   std::error_code failure;
   if (file.Format != FieldFormat::ImageData || !std::filesystem::exists(ToPath(fileName), failure))
   {
-    return nullptr;
+    return;
   }
-  CheckVTKXML(fileName);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(fileName.c_str());
-  NameFileInErrors(reader, fileName);
-  reader->Update();
-  ThrowOnError();
-  if (GetFieldOf(reader->GetOutput()) != file.Field.ToText())
+  try
   {
-    AddWarning(fileName + " belongs to another light field and was ignored.");
-    return nullptr;
+    file.GeometryReader = ReadBeside(fileName, file.Field);
   }
-  return reader.Get();
+  catch (const Failure& fault)
+  {
+    file.GeometryFault = fault.what();
+  }
+  catch (const std::exception&)
+  {
+    file.GeometryFault = "Cannot read " + fileName + ": it is damaged or too large.";
+  }
+  if (!file.GeometryFault.empty())
+  {
+    AddWarning("The geometry was ignored: " + file.GeometryFault);
+  }
 }
 
 void MakeGeometry(int triangles, FieldFile& file)

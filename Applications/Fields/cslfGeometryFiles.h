@@ -7,20 +7,17 @@
 #ifndef cslfGeometryFiles_h
 #define cslfGeometryFiles_h
 
-#include <vtkSmartPointer.h>
-
 #include <string>
 
-class vtkAlgorithm;
 class vtkAlgorithmOutput;
 
 namespace cslf::tool
 {
 struct FieldFile;
 
-/// The reader of the geometry of an open field. Null if there is none. Throws a Failure if its file
-/// is damaged.
-vtkSmartPointer<vtkAlgorithm> OpenGeometry(const FieldFile& file);
+/// Finds the geometry of an open field. A file beside the field that is damaged or belongs to
+/// another field is ignored with a warning.
+void OpenGeometry(FieldFile& file);
 
 /// Lets an open field with depth that has no geometry get one of at most that many triangles, made
 /// from its depth when it is asked for. 0 triangles: none. Throws a Failure if there is no depth.

@@ -105,6 +105,14 @@ std::string FindLack(const LookupName& lookup, const FieldFile& file)
     ? "a depth channel"
     : "";
 }
+
+/// The error of a lookup for which a field has not what it needs.
+std::string DescribeLack(const LookupName& lookup, const std::string& lack, const FieldFile& file)
+{
+  const bool isIgnored = lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.GeometryFault.empty();
+  return "The " + std::string(lookup.Name) + " lookup needs " + lack +
+    ", which the field does not have" + (isIgnored ? ": " + file.GeometryFault : ".");
+}
 }
 
 const std::vector<LookupName>& GetLookups()
@@ -150,8 +158,7 @@ std::vector<LookupName> ChooseLookups(const std::vector<std::string>& names, con
     const std::string lack = FindLack(lookup, file);
     if (isNamed && !lack.empty())
     {
-      throw Failure("The " + std::string(lookup.Name) + " lookup needs " + lack +
-        ", which the field does not have.");
+      throw Failure(DescribeLack(lookup, lack, file));
     }
     if (isNamed || (names.empty() && lack.empty()))
     {
@@ -184,12 +191,28 @@ int FindLookup(const std::string& name)
   return found->Lookup;
 }
 
+void AddLookup(CLI::App& command, std::string& name, const std::string& help)
+{
+  command
+    .add_option("--lookup", name,
+      help + " (default: geometry; without geometry depth, and without depth focal)")
+    ->check(CLI::IsMember(GetLookupNames()))
+    ->default_str("");
+}
+
 std::string ChooseLookup(const std::string& name, const FieldFile& file)
 {
+  const LookupName geometry{ vtkCSLFMapper::GEOMETRY,
+    vtkCSLFMapper::GetLookupName(vtkCSLFMapper::GEOMETRY) };
   std::string chosen = name;
-  if (chosen == vtkCSLFMapper::GetLookupName(vtkCSLFMapper::GEOMETRY) && !file.HasUsefulGeometry())
+  if (name.empty() || name == geometry.Name)
   {
-    chosen = vtkCSLFMapper::GetLookupName(vtkCSLFMapper::DEPTH);
+    const std::string lack = FindLack(geometry, file);
+    if (!name.empty() && !lack.empty())
+    {
+      throw Failure(DescribeLack(geometry, lack, file));
+    }
+    chosen = lack.empty() ? geometry.Name : vtkCSLFMapper::GetLookupName(vtkCSLFMapper::DEPTH);
   }
   const bool needsDepth = FindLookup(chosen) >= vtkCSLFMapper::DEPTH;
   if (needsDepth && !file.Field.FindChannel(KnownChannel::Depth))

@@ -76,8 +76,12 @@ void AddLookups(CLI::App& command, std::vector<std::string>& names);
 /// The lookup of a name, which must be one of them.
 int FindLookup(const std::string& name);
 
-/// The lookup of that name. If a field lacks what it needs, the next best one: depth instead of
-/// geometry, and focal instead of depth, with a warning.
+/// Adds --lookup, for a name, which is empty by default.
+void AddLookup(CLI::App& command, std::string& name, const std::string& help);
+
+/// The lookup of that name or, if it is empty, geometry or, without geometry, depth. Throws a
+/// Failure if geometry is named and the field has none that is used. If a field has no depth, focal
+/// replaces depth, with a warning.
 std::string ChooseLookup(const std::string& name, const FieldFile& file);
 
 /// Draws a light field off screen, over black.
