@@ -4,14 +4,18 @@
 // cslf info: describes the contents of a light field's file.
 #include "Console/cslfTable.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Pipeline/cslfGeometryArrays.h"
 #include "cslfCommands.h"
 #include "cslfJoin.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
 
 #include <CLI/CLI.hpp>
 
+#include <iomanip>
 #include <memory>
+#include <sstream>
 
 namespace cslf::tool
 {
@@ -34,6 +38,45 @@ nlohmann::json ListParts(const FieldFile& file)
   return parts;
 }
 
+/// The geometry in a video or beside image data. Null if there is none.
+nlohmann::json SummarizeGeometry(const FieldFile& file)
+{
+  vtkPolyData* geometry = file.ReadGeometry();
+  if (!geometry || geometry->GetNumberOfPolys() == 0)
+  {
+    return nullptr;
+  }
+  nlohmann::json json = { { "triangles", geometry->GetNumberOfPolys() } };
+  if (const auto error = GetGeometryError(geometry))
+  {
+    json["error"] = *error;
+  }
+  if (const auto loss = GetGeometryLoss(geometry))
+  {
+    json["loss"] = *loss;
+  }
+  return json;
+}
+
+std::string DescribeGeometry(const nlohmann::json& json)
+{
+  if (json.is_null())
+  {
+    return "none";
+  }
+  std::ostringstream text;
+  text << json["triangles"].dump() << " triangles" << std::setprecision(3);
+  if (json.contains("error"))
+  {
+    text << ", error " << json["error"].get<double>();
+  }
+  if (json.contains("loss"))
+  {
+    text << ", loss " << 100.0 * json["loss"].get<double>() << " %";
+  }
+  return text.str();
+}
+
 Result Run(const std::string& fileName)
 {
   const FieldFile file = OpenField(fileName);
@@ -43,6 +86,7 @@ Result Run(const std::string& fileName)
   result.JSON["bytes"] = CountBytes(file.FileName);
   result.JSON["missing"] = CountMissing(file);
   result.JSON["unfinished"] = IsUnfinished(file);
+  result.JSON["geometry"] = SummarizeGeometry(file);
   result.JSON["parts"] = ListParts(file);
 
   const nlohmann::json& json = result.JSON;
@@ -69,6 +113,7 @@ Result Run(const std::string& fileName)
   table.AddRow({ "missing",
     json["missing"].dump() + " viewpoints" +
       (json["unfinished"].get<bool>() ? ", the field is unfinished" : "") });
+  table.AddRow({ "geometry", DescribeGeometry(json["geometry"]) });
   for (const auto& part : json["parts"])
   {
     table.AddRow({ "part",
@@ -87,7 +132,9 @@ void AddInfo(CLI::App& app, Command& chosen)
     "JSON keys: views (M, along each side of a face), slices (6 M^2), resolution (N), center, edge "
     "(one number, or three if they differ), channels, sampling, codec, bytes, missing (viewpoints "
     "that cannot be read), unfinished (whether it is a preview of a field that is being written), "
-    "parts (additional parts of a video: type, name, bytes).");
+    "geometry (triangles, error: their distance from the surfaces, loss: the share of the surfaces "
+    "that they lack; null if there is none), parts (additional parts of a video: type, name, "
+    "bytes).");
   const auto fileName = std::make_shared<std::string>();
   command->add_option("field", *fileName, std::string("the light field: ") + FieldFormats)
     ->required();

@@ -22,6 +22,13 @@ namespace
 {
 /// What rounding may add to a point of the cube.
 constexpr double MostCoordinate = 1.0 + 1e-6;
+
+std::optional<double> GetNumber(vtkPolyData* geometry, const char* name)
+{
+  vtkDataArray* array = geometry->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfValues() == 1 ? std::optional(array->GetTuple1(0))
+                                                  : std::nullopt;
+}
 }
 
 PointColorArrays FindPointColors(vtkPolyData* geometry)
@@ -39,10 +46,14 @@ PointColorArrays FindPointColors(vtkPolyData* geometry)
   return { front, areAlike ? back : nullptr };
 }
 
+std::optional<double> GetGeometryError(vtkPolyData* geometry)
+{
+  return GetNumber(geometry, GeometryErrorName);
+}
+
 std::optional<double> GetGeometryLoss(vtkPolyData* geometry)
 {
-  vtkDataArray* loss = geometry->GetFieldData()->GetArray(GeometryLossName);
-  return loss && loss->GetNumberOfValues() == 1 ? std::optional(loss->GetTuple1(0)) : std::nullopt;
+  return GetNumber(geometry, GeometryLossName);
 }
 
 bool IsCompleteGeometry(vtkPolyData* geometry)

@@ -54,8 +54,11 @@ struct PointColorArrays
 /// only if it has the type of the former.
 PointColorArrays VTKCSLF_EXPORT FindPointColors(vtkPolyData* geometry);
 
-/// The share that a geometry lost, if it says so.
+///@{
+/// The distance of a geometry from the surfaces and the share of them that it lost, if it says so.
+std::optional<double> VTKCSLF_EXPORT GetGeometryError(vtkPolyData* geometry);
 std::optional<double> VTKCSLF_EXPORT GetGeometryLoss(vtkPolyData* geometry);
+///@}
 
 /// Whether a geometry has all surfaces, as far as it says so: rays that miss it see none.
 bool VTKCSLF_EXPORT IsCompleteGeometry(vtkPolyData* geometry);
