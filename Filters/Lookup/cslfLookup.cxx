@@ -112,24 +112,39 @@ double Lookup::FetchInverseDepth(const Place& place, int p, int q) const
   return 1.0 / std::max(this->Depth.FetchNumber(place, p, q), LeastDepth);
 }
 
+Lookup::Corners Lookup::FetchCorners(const Place& place) const
+{
+  const glm::dvec2 position = this->Depth.TexelPosition(place) - 0.5;
+  const glm::ivec2 base(glm::floor(position));
+  Corners corners;
+  corners.Weight = position - glm::dvec2(base);
+  corners.D00 = this->FetchInverseDepth(place, base.x, base.y);
+  corners.D10 = this->FetchInverseDepth(place, base.x + 1, base.y);
+  corners.D01 = this->FetchInverseDepth(place, base.x, base.y + 1);
+  corners.D11 = this->FetchInverseDepth(place, base.x + 1, base.y + 1);
+  const double least =
+    std::min(std::min(corners.D00, corners.D10), std::min(corners.D01, corners.D11));
+  corners.Most = std::max(std::max(corners.D00, corners.D10), std::max(corners.D01, corners.D11));
+  corners.IsEdge = corners.Most - least > SurfaceStep * corners.Most;
+  return corners;
+}
+
 // Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
 // surface.
 double Lookup::ReadInverseDepth(const Place& place) const
 {
-  const glm::dvec2 position = this->Depth.TexelPosition(place) - 0.5;
-  const glm::ivec2 base(glm::floor(position));
-  const glm::dvec2 weight = position - glm::dvec2(base);
-  const double d00 = this->FetchInverseDepth(place, base.x, base.y);
-  const double d10 = this->FetchInverseDepth(place, base.x + 1, base.y);
-  const double d01 = this->FetchInverseDepth(place, base.x, base.y + 1);
-  const double d11 = this->FetchInverseDepth(place, base.x + 1, base.y + 1);
-  const double least = std::min(std::min(d00, d10), std::min(d01, d11));
-  const double most = std::max(std::max(d00, d10), std::max(d01, d11));
-  if (most - least > SurfaceStep * most)
-  {
-    return most;
-  }
-  return glm::mix(glm::mix(d00, d10, weight.x), glm::mix(d01, d11, weight.x), weight.y);
+  const Corners at = this->FetchCorners(place);
+  return at.IsEdge ? at.Most
+                   : glm::mix(glm::mix(at.D00, at.D10, at.Weight.x),
+                       glm::mix(at.D01, at.D11, at.Weight.x), at.Weight.y);
+}
+
+// How much the inverse depth of a surface changes with the coordinates; 0 across an edge.
+glm::dvec2 Lookup::ReadSlope(const Place& place) const
+{
+  const Corners at = this->FetchCorners(place);
+  const glm::dvec2 slope(at.D10 - at.D00 + at.D11 - at.D01, at.D01 - at.D00 + at.D11 - at.D10);
+  return at.IsEdge ? glm::dvec2(0.0) : 0.25 * this->Field.Grid.GetResolution() * slope;
 }
 
 //------------------------------------------------------------------------------
@@ -405,6 +420,35 @@ bool Lookup::FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ra
   return false;
 }
 
+// The normal of the surface that a view sees at a point, divided by the distance of its plane from
+// the viewpoint: the inverse depth at an exit is the product of this and the way to the exit.
+glm::dvec3 Lookup::FindNormal(const View& view, const glm::dvec3& point) const
+{
+  const glm::dvec3 way = point - glm::dvec3(view.Position, 0.0);
+  const ExitFrame frame =
+    FindExit(view, way, ShareOfWays(way, view.InverseToPositive, view.InverseToNegative));
+  const glm::dvec2 slope = this->ReadSlope(Project(view, point).At);
+  const glm::dvec3 normal = slope.x * frame.S + slope.y * frame.T;
+  const glm::dvec3 outward = glm::cross(frame.S, frame.T);
+  return normal + (1.0 - glm::dot(normal, way)) / glm::dot(outward, way) * outward;
+}
+
+// The views whose viewpoint lies within a texel of the plane of the surface that `view` sees at a
+// point. The surface may be too thin in their images to show.
+glm::bvec4 Lookup::SeeEdgeOn(
+  const ViewCell& views, const View& view, const glm::dvec3& point, double w) const
+{
+  const glm::dvec3 normal = this->FindNormal(view, point);
+  const double texel = 2.0 / (this->Field.Grid.GetResolution() * w);
+  glm::bvec4 edgeOn;
+  for (int k = 0; k < 4; ++k)
+  {
+    const double distance = glm::dot(normal, glm::dvec3(views.Views[k].Position, 0.0) - point);
+    edgeOn[k] = std::abs(distance) < EdgeOnTexels * texel * glm::length(normal);
+  }
+  return edgeOn;
+}
+
 // Free-space voting: the first point at which a view's sight along the ray ends on a surface and
 // that no view sees through. If there is none, the first point that no view sees. Otherwise the
 // surface that is least seen through, if it is nearly one, because texels that are coarse for the
@@ -425,13 +469,23 @@ Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
       step.ClearancesBefore[k], step.ClearancesBehind[k]);
     const glm::dvec4 clearances = this->Clearances(ray, views, w, true);
     const double most = std::max({ clearances.x, clearances.y, clearances.z, clearances.w }) / w;
-    const bool isSeenThrough = most > ClearanceTolerance;
+    bool isSeenThrough = most > ClearanceTolerance;
     const bool isSurface = std::abs(clearances[k]) < EdgeStep * w;
     const glm::dvec4 near = Nearness(clearances, w);
     if (isSurface && most < least)
     {
       least = most;
       doubtful = { w, near };
+    }
+    if (isSurface && isSeenThrough)
+    {
+      const glm::bvec4 edgeOn =
+        this->SeeEdgeOn(views, views.Views[k], ray.Entry + ray.Chord / w, w);
+      isSeenThrough = false;
+      for (int other = 0; other < 4; ++other)
+      {
+        isSeenThrough |= clearances[other] > ClearanceTolerance * w && !edgeOn[other];
+      }
     }
     if (!isSeenThrough && isSurface)
     {

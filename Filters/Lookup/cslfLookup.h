@@ -145,6 +145,18 @@ private:
     double InverseDepth; ///< 1 over the point's chord fraction
   };
 
+  /// The inverse depths of the four texels around a place.
+  struct Corners
+  {
+    glm::dvec2 Weight; ///< of the upper ones
+    double D00;
+    double D10;
+    double D01;
+    double D11;
+    double Most;
+    bool IsEdge; ///< whether they are not on one surface
+  };
+
   /// The views around a ray's entry: 00, 10, 01 and 11.
   struct ViewCell
   {
@@ -189,7 +201,9 @@ private:
     return this->Depth.StripOf(view.Slice) >= 0 && this->IsKept(view.Face, place.Tile);
   }
   double FetchInverseDepth(const Place& place, int p, int q) const;
+  Corners FetchCorners(const Place& place) const;
   double ReadInverseDepth(const Place& place) const;
+  glm::dvec2 ReadSlope(const Place& place) const;
 
   static Ray ToFaceSpace(const RayCoordinates& ray);
   View MakeView(int face, int i, int j, double weight) const;
@@ -212,6 +226,9 @@ private:
     double clearanceBefore, double clearanceBehind) const;
   bool FindStep(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
     const glm::dvec2& range, bool all, Step& step) const;
+  glm::dvec3 FindNormal(const View& view, const glm::dvec3& point) const;
+  glm::bvec4 SeeEdgeOn(
+    const ViewCell& views, const View& view, const glm::dvec3& point, double w) const;
   Surface FindSurface(const Ray& ray, const ViewCell& views, const SceneGrid::Ray& gridRay,
     const glm::dvec2& range, bool all) const;
   LookupResult FindVisible(const Ray& ray, const ViewCell& views, const Surface& surface) const;

@@ -125,3 +125,16 @@ float ReadInverseDepth(Place place)
     mix(inverse.w, inverse.z, weight.x), mix(inverse.x, inverse.y, weight.x), weight.y);
   return most - least > SurfaceStep * most ? most : between;
 }
+
+// How much the inverse depth of a surface changes with the coordinates; 0 across an edge.
+vec2 ReadSlope(Place place)
+{
+  vec2 position = TexelPosition(place) - 0.5;
+  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
+  vec4 inverse = GatherInverseDepths(place, base);
+  float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
+  float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
+  vec2 slope = vec2(inverse.z - inverse.w + inverse.y - inverse.x,
+    inverse.x - inverse.w + inverse.y - inverse.z);
+  return most - least > SurfaceStep * most ? vec2(0.0) : 0.25 * Resolution * slope;
+}

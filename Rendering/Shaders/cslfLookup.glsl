@@ -363,6 +363,39 @@ vec4 Nearness(vec4 clearances, float w)
   return max(vec4(0.0), 1.0 - abs(clearances) / (SightTolerance * w));
 }
 
+// The normal of the surface that a view sees at a point, divided by the distance of its plane from
+// the viewpoint.
+vec3 FindNormal(View view, vec3 point)
+{
+  vec3 way = vec3(point.xy - view.Position, point.z);
+  vec3 share = ShareOfWays(view, way);
+  vec2 slope = ReadSlope(Project(view, point).At);
+  vec3 normal = vec3(dot(slope, ToExitFace(share, way, vec3(1.0, 0.0, 0.0))),
+    dot(slope, ToExitFace(share, way, vec3(0.0, 1.0, 0.0))),
+    dot(slope, ToExitFace(share, way, vec3(0.0, 0.0, 1.0))));
+  float along = 1.0 - dot(normal, way);
+  if (share.x > max(share.y, share.z))
+  {
+    return normal + vec3(along / way.x, 0.0, 0.0);
+  }
+  return normal +
+    (share.y > share.z ? vec3(0.0, along / way.y, 0.0) : vec3(0.0, 0.0, along / way.z));
+}
+
+// The views whose viewpoint lies within a texel of the plane of the surface that `view` sees at a
+// point. The surface may be too thin in their images to show.
+bvec4 SeeEdgeOn(ViewCell views, View view, vec3 point, float w)
+{
+  vec3 normal = FindNormal(view, point);
+  float atPoint = dot(normal, point);
+  vec4 distances = vec4(dot(normal.xy, views.View00.Position),
+                     dot(normal.xy, views.View10.Position), dot(normal.xy, views.View01.Position),
+                     dot(normal.xy, views.View11.Position)) -
+    atPoint;
+  return lessThan(
+    abs(distances), vec4(EdgeOnTexels * 2.0 / (Resolution * w) * length(normal)));
+}
+
 // Steps with all four views, or with the three nearest.
 Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool all)
 {
@@ -392,6 +425,12 @@ Surface FindSurface(Ray ray, ViewCell views, GridRay gridRay, vec2 range, bool a
     {
       least = most;
       doubtful = Surface(w, Nearness(clearances, w));
+    }
+    if (isSurface && isSeenThrough)
+    {
+      vec4 seers = vec4(greaterThan(clearances, vec4(ClearanceTolerance * w)));
+      bvec4 edgeOn = SeeEdgeOn(views, ChooseView(views, chosen), ray.Entry + ray.Chord / w, w);
+      isSeenThrough = any(greaterThan(seers, vec4(edgeOn)));
     }
     isFound = !isSeenThrough && isSurface;
     if (isFound)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A slit between a block and a panel shows a stripe on a wall. No viewpoint near the line of sight
-// sees it, but viewpoints that look over the block do.
+// sees it, but viewpoints that look over the block do. A panel in the plane of a row of viewpoints,
+// which look past it, is seen by the others.
 #include "Lookup/cslfLookup.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -13,15 +14,19 @@
 
 #include <vtkCamera.h>
 #include <vtkCubeSource.h>
+#include <vtkDataObject.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <cmath>
+#include <iostream>
 #include <string>
 
 namespace
@@ -37,6 +42,61 @@ void AddBox(
   vtkCSLFMaterial::SetEmission(box, red, green, blue);
   scene->SetBlock(scene->GetNumberOfBlocks(), box);
 }
+
+void Sample(vtkDataObject* scene, int viewpoints, int resolution, vtkCSLFSampler* sampler)
+{
+  sampler->SetInputDataObject(scene);
+  sampler->AutomaticCubeOff();
+  sampler->SetCubeCenter(0.0, 0.0, 0.0);
+  sampler->SetCubeEdges(2.0, 2.0, 2.0);
+  sampler->SetIntegratorToPathTracing();
+  sampler->GetEnvironment()->SetModeToNone();
+  sampler->SetViewpoints(viewpoints);
+  sampler->SetResolution(resolution);
+  sampler->SetSamples(1);
+  sampler->SetMaximumDepth(0);
+  sampler->Update();
+}
+
+/// Lines of sight to points of a white square in the plane z = 0, from all around at a low height.
+void CheckPanel()
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-0.9, -0.9, 0.0);
+  source->SetPoint1(0.9, -0.9, 0.0);
+  source->SetPoint2(-0.9, 0.9, 0.0);
+  source->Update();
+  vtkPolyData* panel = source->GetOutput();
+  vtkCSLFMaterial::SetBaseColor(panel, 0.0, 0.0, 0.0);
+  vtkCSLFMaterial::SetEmission(panel, 1.0, 1.0, 1.0);
+  vtkNew<vtkCSLFSampler> sampler;
+  Sample(panel, 5, 48, sampler);
+  std::string error;
+  const auto field = cslf::Description::ReadFrom(sampler->GetOutput(), error);
+  CSLF_CHECK(field.has_value());
+  if (!field)
+  {
+    return;
+  }
+  const cslf::Lookup lookup(*field, sampler->GetOutput());
+  const cslf::ChannelReader colors(
+    field->Grid, sampler->GetOutput()->GetPointData()->GetArray(cslf::ColorName));
+  int rays = 0;
+  int white = 0;
+  for (double angle = 0.05; angle < 6.28; angle += 0.1)
+  {
+    for (double x = -0.75; x < 0.8; x += 0.25)
+    {
+      const glm::dvec3 point(x, 0.3 * x, 0.0);
+      const glm::dvec3 toEye(std::cos(angle), std::sin(angle), 0.25);
+      const auto ray = cslf::RayToCoordinates(point + 4.0 * toEye, -toEye);
+      ++rays;
+      white += ray && colors.Blend(lookup.DepthCorrected(*ray)).x > 0.9 ? 1 : 0;
+    }
+  }
+  std::cout << "panel: " << white << " of " << rays << " lines of sight are white\n";
+  CSLF_CHECK(white > 0.95 * rays);
+}
 }
 
 int TestCSLFMapperUnseen(int, char*[])
@@ -48,17 +108,7 @@ int TestCSLFMapperUnseen(int, char*[])
   AddBox(scene, { -0.95, 0.37, -0.95, 0.0, 0.08, 0.1 }, 1.0, 0.0, 0.0);
   AddBox(scene, { 0.69, 0.95, -0.95, 0.95, 0.85, 0.9 }, 0.0, 0.0, 1.0);
   vtkNew<vtkCSLFSampler> sampler;
-  sampler->SetInputDataObject(scene);
-  sampler->AutomaticCubeOff();
-  sampler->SetCubeCenter(0.0, 0.0, 0.0);
-  sampler->SetCubeEdges(2.0, 2.0, 2.0);
-  sampler->SetIntegratorToPathTracing();
-  sampler->GetEnvironment()->SetModeToNone();
-  sampler->SetViewpoints(9);
-  sampler->SetResolution(96);
-  sampler->SetSamples(1);
-  sampler->SetMaximumDepth(0);
-  sampler->Update();
+  Sample(scene, 9, 96, sampler);
 
   const glm::dvec3 onWall(0.1, -0.3, -0.9);
   const glm::dvec3 eye = onWall + 4.9 * glm::dvec3(0.295, 0.0, 1.0);
@@ -91,5 +141,6 @@ int TestCSLFMapperUnseen(int, char*[])
   {
     CSLF_CHECK(picture.Colors[3 * (16 * 33 + 16) + channel] > 250);
   }
+  CheckPanel();
   return cslf::testing::Result();
 }
