@@ -12,6 +12,7 @@
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Scenes/cslfSceneChecks.h"
 #include "cslfGeometryFiles.h"
+#include "cslfImageDataFiles.h"
 #include "cslfUnfinishedFields.h"
 
 #include "vtkCSLFDecoder.h"
@@ -27,7 +28,6 @@
 #include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtkXMLImageDataWriter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -139,55 +139,6 @@ std::optional<Description> ReadFirst(vtkAlgorithm* reader, std::string& error)
     return std::nullopt;
   }
   return Description::ReadFrom(vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)), error);
-}
-
-vtkNew<vtkXMLImageDataWriter> MakeImageDataWriter()
-{
-  vtkNew<vtkXMLImageDataWriter> writer;
-  writer->EncodeAppendedDataOff();
-  // VTK's default, zlib, takes ten times as long to write and read files that are a quarter
-  // smaller.
-  writer->SetCompressorTypeToLZ4();
-  return writer;
-}
-
-/// The estimated size of a field's .vti file, judged by that of one of its viewpoints.
-double GuessImageDataBytes(vtkImageData* viewpoint, int count, OutputFile& file)
-{
-  const auto writer = MakeImageDataWriter();
-  writer->SetInputData(viewpoint);
-  WriteTemporary(writer.Get(), file);
-  std::ifstream stream(ToPath(file.GetTemporaryName()), std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
-  const std::size_t header = std::min(text.size(), text.find("<AppendedData"));
-  return static_cast<double>(header) + static_cast<double>(text.size() - header) * count;
-}
-
-/// Throws a Failure if the disk does not have enough space for a field's .vti file, before the
-/// whole field is made. Viewpoints may differ, so half of the size estimated from the middle one of
-/// a face is enough.
-void RequireRoom(vtkAlgorithmOutput* connection, OutputFile& file)
-{
-  vtkAlgorithm* producer = connection->GetProducer();
-  producer->UpdateInformation();
-  ThrowOnError();
-  int extent[6];
-  vtkStreamingDemandDrivenPipeline::GetWholeExtent(
-    producer->GetOutputInformation(connection->GetIndex()), extent);
-  const int count = extent[5] - extent[4] + 1;
-  const auto side = static_cast<int>(std::lround(std::sqrt(count / 6.0)));
-  extent[4] += side / 2 * side + side / 2;
-  extent[5] = extent[4];
-  producer->UpdateExtent(extent);
-  ThrowOnError();
-  vtkNew<vtkImageData> viewpoint;
-  viewpoint->ShallowCopy(producer->GetOutputDataObject(connection->GetIndex()));
-  const double bytes = GuessImageDataBytes(viewpoint, count, file);
-  std::string error;
-  if (!HasRoom(file.GetName(), bytes, 0.5 * bytes, error))
-  {
-    FailWriting(file.GetName(), error);
-  }
 }
 
 #ifdef CSLF_HAS_ENCODER
@@ -539,7 +490,7 @@ nlohmann::json FieldWriter::Write(
       return this->WriteVideo(connection, geometry, label);
 #endif
     case FieldFormat::ImageData:
-      this->WriteImageData(connection, label);
+      WriteImageData(connection, this->FileName, label);
       if (geometry)
       {
         WriteGeometry(connection, geometry, this->FileName);
@@ -598,21 +549,6 @@ nlohmann::json FieldWriter::WriteVideo(
   return json;
 }
 #endif
-
-void FieldWriter::WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const
-{
-  OutputFile file(this->FileName);
-  {
-    const ProgressBar bar(connection->GetProducer(), label);
-    RequireRoom(connection, file);
-    connection->GetProducer()->UpdateWholeExtent();
-  }
-  ThrowOnError();
-  const auto writer = MakeImageDataWriter();
-  writer->SetInputConnection(connection);
-  WriteTemporary(writer.Get(), file);
-  file.Publish();
-}
 
 void FieldWriter::WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const
 {

@@ -163,7 +163,6 @@ private:
   /// Only with the video encoder.
   nlohmann::json WriteVideo(
     vtkAlgorithmOutput* connection, vtkAlgorithmOutput* geometry, const std::string& label) const;
-  void WriteImageData(vtkAlgorithmOutput* connection, const std::string& label) const;
   void WriteFolder(vtkAlgorithmOutput* connection, const std::string& label) const;
 
   std::string FileName;
