@@ -33,12 +33,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
