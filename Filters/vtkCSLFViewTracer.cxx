@@ -53,8 +53,8 @@ private:
   vtkNew<vtkMatrix4x4> Inverse;
 };
 
-/// The camera with a clipping range that suits a scene of any size. It does not change the rays,
-/// but VTK's default would make them inexact for scenes of millions of units.
+/// The camera with a clipping range that suits a scene of any size. The range does not change the
+/// rays, but with VTK's default they would be inexact in scenes of a hundred million units or more.
 vtkSmartPointer<vtkCamera> FitRange(vtkCamera* camera, const cslf::SceneFrame& frame)
 {
   if (camera->GetUseExplicitProjectionTransformMatrix())

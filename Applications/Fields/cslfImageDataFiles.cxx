@@ -76,23 +76,16 @@ protected:
 
 vtkStandardNewMacro(SlabWriter);
 
-/// The number of viewpoints that a filter offers.
-int CountViewpoints(vtkAlgorithmOutput* connection, int extent[6])
+/// The middle viewpoint of a face, and the number of all.
+vtkSmartPointer<vtkImageData> ReadViewpoint(vtkAlgorithmOutput* connection, int& count)
 {
   vtkAlgorithm* producer = connection->GetProducer();
   producer->UpdateInformation();
   ThrowOnError();
+  int extent[6];
   vtkStreamingDemandDrivenPipeline::GetWholeExtent(
     producer->GetOutputInformation(connection->GetIndex()), extent);
-  return extent[5] - extent[4] + 1;
-}
-
-/// The middle viewpoint of a face.
-vtkSmartPointer<vtkImageData> ReadViewpoint(vtkAlgorithmOutput* connection, int& count)
-{
-  vtkAlgorithm* producer = connection->GetProducer();
-  int extent[6];
-  count = CountViewpoints(connection, extent);
+  count = extent[5] - extent[4] + 1;
   const auto side = static_cast<int>(std::lround(std::sqrt(count / 6.0)));
   extent[4] += side / 2 * side + side / 2;
   extent[5] = extent[4];
@@ -135,13 +128,12 @@ void WriteImageData(
   vtkAlgorithm* producer = connection->GetProducer();
   vtkNew<SlabWriter> writer;
   writer->SetInputConnection(connection);
-  const bool isSampled = vtkCSLFSampler::SafeDownCast(producer) != nullptr;
   {
     const ProgressBar bar(producer, label);
     int count = 0;
     const auto viewpoint = ReadViewpoint(connection, count);
     RequireRoom(viewpoint, count, file);
-    if (isSampled)
+    if (vtkCSLFSampler::SafeDownCast(producer))
     {
       const double slabs = viewpoint->GetActualMemorySize() * static_cast<double>(count) / SlabKiB;
       writer->SetNumberOfPieces(std::clamp(static_cast<int>(std::ceil(slabs)), 1, count));
@@ -152,15 +144,8 @@ void WriteImageData(
     }
   }
   ThrowOnError();
-  if (isSampled)
-  {
-    const ProgressBar bar(writer, label);
-    WriteTemporary(writer.Get(), file);
-  }
-  else
-  {
-    WriteTemporary(writer.Get(), file);
-  }
+  const ProgressBar bar(writer, label);
+  WriteTemporary(writer.Get(), file);
   file.Publish();
 }
 }

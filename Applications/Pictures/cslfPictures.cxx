@@ -106,7 +106,7 @@ std::string FindLack(const LookupName& lookup, const FieldFile& file)
     : "";
 }
 
-/// The error of a lookup for which a field has not what it needs.
+/// The error of a lookup if a field lacks what it needs.
 std::string DescribeLack(const LookupName& lookup, const std::string& lack, const FieldFile& file)
 {
   const bool isIgnored = lookup.Lookup == vtkCSLFMapper::GEOMETRY && !file.GeometryFault.empty();

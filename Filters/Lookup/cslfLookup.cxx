@@ -452,9 +452,9 @@ glm::bvec4 Lookup::SeeEdgeOn(
 // Free-space voting: the first point at which a view's sight along the ray ends on a surface and
 // that no view sees through. If there is none, the first point that no view sees. Otherwise the
 // surface that is least seen through, if it is nearly one, because texels that are coarse for the
-// scene have larger errors than coded depth. Otherwise 0, or where the ray leaves the cube, if the
-// environment may be there: fields that show it have no bounds of the scene. Steps are taken by all
-// four views, or by the three nearest, which is nearly as good and takes less time.
+// scene have larger errors than coded depth. Otherwise 0, or where the ray leaves the cube, if it
+// may show the environment. Steps are taken by all four views, or by the three nearest, which is
+// nearly as good and takes less time.
 Lookup::Surface Lookup::FindSurface(const Ray& ray, const ViewCell& views,
   const SceneGrid::Ray& gridRay, const glm::dvec2& range, bool all) const
 {

@@ -111,30 +111,41 @@ vec4 GatherInverseDepths(Place place, vec2 base)
   return 1.0 / max(depth, LeastDepth);
 }
 
+// The inverse depths of the four texels around a place, in the order of GatherInverseDepths, the
+// largest of them, and whether they are not on one surface.
+vec4 FetchCorners(Place place, out vec2 weight, out float most, out bool isEdge)
+{
+  vec2 position = TexelPosition(place) - 0.5;
+  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
+  weight = clamp(position - base, 0.0, 1.0);
+  vec4 inverse = GatherInverseDepths(place, base);
+  float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
+  most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
+  isEdge = most - least > SurfaceStep * most;
+  return inverse;
+}
+
 // Within one surface, interpolates, which is exact for planes. Across an edge, takes the nearer
 // surface.
 float ReadInverseDepth(Place place)
 {
-  vec2 position = TexelPosition(place) - 0.5;
-  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
-  vec2 weight = clamp(position - base, 0.0, 1.0);
-  vec4 inverse = GatherInverseDepths(place, base);
-  float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
-  float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
+  vec2 weight;
+  float most;
+  bool isEdge;
+  vec4 inverse = FetchCorners(place, weight, most, isEdge);
   float between = mix(
     mix(inverse.w, inverse.z, weight.x), mix(inverse.x, inverse.y, weight.x), weight.y);
-  return most - least > SurfaceStep * most ? most : between;
+  return isEdge ? most : between;
 }
 
 // How much the inverse depth of a surface changes with the coordinates; 0 across an edge.
 vec2 ReadSlope(Place place)
 {
-  vec2 position = TexelPosition(place) - 0.5;
-  vec2 base = clamp(floor(position), 0.0, max(Resolution - 2.0, 0.0));
-  vec4 inverse = GatherInverseDepths(place, base);
-  float least = min(min(inverse.x, inverse.y), min(inverse.z, inverse.w));
-  float most = max(max(inverse.x, inverse.y), max(inverse.z, inverse.w));
+  vec2 weight;
+  float most;
+  bool isEdge;
+  vec4 inverse = FetchCorners(place, weight, most, isEdge);
   vec2 slope = vec2(inverse.z - inverse.w + inverse.y - inverse.x,
     inverse.x - inverse.w + inverse.y - inverse.z);
-  return most - least > SurfaceStep * most ? vec2(0.0) : 0.25 * Resolution * slope;
+  return isEdge ? vec2(0.0) : 0.25 * Resolution * slope;
 }

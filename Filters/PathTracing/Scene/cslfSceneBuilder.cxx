@@ -47,7 +47,7 @@ constexpr double StandardRadius = 0.0005;
 
 // The smallest and largest diagonal of the scene's bounding box. VTK's cameras are at least 1e-20
 // away from what they look at, and floats hold intensities of lights, which are squares of lengths,
-// up to 1e38; views from near and distant lights need some powers of ten in between.
+// up to 1e38. A few powers of ten are left for cameras near the scene and for lights far from it.
 constexpr double SmallestSize = 1e-15;
 constexpr double LargestSize = 1e15;
 
