@@ -101,6 +101,7 @@ struct DiffuseEstimator::Work
   glm::vec3 Variances[2] = {};     // of one sample each, according to the pilots
 
   bool IsAnyOpen() const { return this->IsOpen[0] || this->IsOpen[1]; }
+  void Close() { this->IsOpen[0] = this->IsOpen[1] = false; }
 };
 
 std::vector<SurfaceEstimate> DiffuseEstimator::Estimate(const Request& request)
@@ -169,8 +170,8 @@ bool DiffuseEstimator::TakeSamples(const Request& request, int end,
   return true;
 }
 
-void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool wantsIncident,
-  Work& work, std::array<SampleMean, 2>& means)
+void DiffuseEstimator::TakeSamples(
+  const SurfacePoint& point, int end, bool wantsIncident, Work& work, PointMeans& means)
 {
   const Receiver receiver(this->World, point.Place);
   if (!receiver.Reflection.Has(Lobes::Diffuse))
@@ -179,6 +180,11 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
   }
   const std::uint64_t hash = MixBits(MixBits(point.Key, this->Limits.Seed), this->Limits.Depth);
   const int begin = end == this->Limits.FirstSamples / 2 ? 0 : end / 2;
+  if (begin == 0 && this->IsHidden(receiver, hash, work.Estimate))
+  {
+    means.IsHidden = true;
+    return;
+  }
   const GlossyLobe* lobe =
     this->Limits.Lobes.empty() ? nullptr : &this->Limits.Lobes[point.Place.Mesh];
   const bool isSmooth = !this->World.GetMeshes()[point.Place.Mesh].Normals.empty();
@@ -199,7 +205,7 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
     const Range range{ receiver, MixBits(hash, half), begin, end };
     rays += this->Limits.Kind == Light::Sampled ? this->SampleLights(range, progress)
                                                 : this->LookAround(range, progress);
-    means[half] = progress.Samples.GetMean();
+    means.Halves[half] = progress.Samples.GetMean();
     if (begin == 0)
     {
       work.Estimate.Halves[half].Reach =
@@ -212,6 +218,47 @@ void DiffuseEstimator::TakeSamples(const SurfacePoint& point, int end, bool want
     }
   }
   this->Rays.fetch_add(rays, std::memory_order_relaxed);
+}
+
+/// A point inside a closed body sees that inside in all directions; or in most, if other bodies
+/// reach into it, too.
+bool DiffuseEstimator::IsHidden(
+  const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate)
+{
+  if (!this->Limits.IsInside)
+  {
+    return false;
+  }
+  float nearest = std::numeric_limits<float>::infinity();
+  const auto seesInside = [&](const glm::vec3& direction)
+  {
+    const Ray ray{ receiver.Surface.LeavePosition, receiver.Local.ToWorld(direction) };
+    const Hit hit = this->World.Intersect(ray);
+    nearest = hit.IsValid() ? std::min(nearest, hit.Distance) : nearest;
+    return hit.IsValid() && this->Limits.IsInside(ray, hit);
+  };
+  // Nearly all other points show it by one ray.
+  const bool mayBe = seesInside({ 0.0f, 0.0f, 1.0f });
+  this->Rays.fetch_add(1, std::memory_order_relaxed);
+  if (!mayBe)
+  {
+    return false;
+  }
+  const int all = this->Limits.FirstSamples / 2;
+  int count = 0;
+  for (int i = 0; i < all; i += RayPacket::Size)
+  {
+    GatherDirections::Packet local;
+    this->Directions.Get(hash, i, local);
+    for (int lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      count += seesInside({ local.X[lane], local.Y[lane], local.Z[lane] }) ? 1 : 0;
+    }
+  }
+  this->Rays.fetch_add(all, std::memory_order_relaxed);
+  estimate.IsHidden = 2 * count > all;
+  estimate.Halves[0].Reach = estimate.Halves[1].Reach = nearest;
+  return estimate.IsHidden;
 }
 
 bool DiffuseEstimator::Decide(
@@ -228,7 +275,7 @@ bool DiffuseEstimator::Decide(
       Work& work = works[point];
       if (work.IsOpen[half])
       {
-        work.Variances[half] = means[point][half].Variance * static_cast<float>(samples);
+        work.Variances[half] = means[point].Halves[half].Variance * static_cast<float>(samples);
       }
       variances.push_back(work.Variances[half] / static_cast<float>(samples));
     }
@@ -244,14 +291,18 @@ bool DiffuseEstimator::Decide(
       for (vtkIdType point = first; point < last; ++point)
       {
         Work& work = works[point];
+        if (means[point].IsHidden)
+        {
+          work.Close();
+        }
         for (int half = 0; half < 2; ++half)
         {
           if (work.IsOpen[half])
           {
             HalfEstimate& pilot = work.Estimate.Halves[half];
-            pilot.Pilot = means[point][half].Mean;
+            pilot.Pilot = means[point].Halves[half].Mean;
             pilot.Variance = pooled[half][point];
-            work.Estimate.Halves[1 - half].Value = means[point][1 - half].Mean;
+            work.Estimate.Halves[1 - half].Value = means[point].Halves[1 - half].Mean;
             work.IsOpen[half] = canGoOn && !this->IsEnough(request.Points[point], pilot);
           }
         }

@@ -22,7 +22,6 @@
 
 #include <vtkSMPThreadLocal.h>
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -53,6 +52,10 @@ public:
     DisplayCurve Display;
     std::vector<GlossyLobe> Lobes; ///< of each mesh: the use of incident light
     CacheShare* Share = nullptr;   ///< the ranks that estimate together; null for this one alone
+
+    /// Whether what a ray hits is the inside of a closed body. Points that mostly see such hits are
+    /// hidden. May be empty.
+    std::function<bool(const Ray&, const Hit&)> IsInside;
   };
 
   DiffuseEstimator(const Scene& scene, const PathIntegrator& paths, Settings settings)
@@ -77,14 +80,22 @@ private:
   struct Progress;
   class Gathering;
   struct Work;
-  using Means = std::vector<std::array<SampleMean, 2>>; // of the halves of all points
+
+  /// What all ranks know of a point while its samples are taken.
+  struct PointMeans
+  {
+    SampleMean Halves[2];
+    bool IsHidden = false;
+  };
+  using Means = std::vector<PointMeans>;
 
   /// Takes samples of all points that need more, up to number `end` of each half. `goOn` gets the
   /// progress, in [0,1]. Returns false if it did.
   bool TakeSamples(const Request& request, int end, const std::function<bool(double)>& goOn,
     std::vector<Work>& works, Means& means);
-  void TakeSamples(const SurfacePoint& point, int end, bool wantsIncident, Work& work,
-    std::array<SampleMean, 2>& means);
+  void TakeSamples(
+    const SurfacePoint& point, int end, bool wantsIncident, Work& work, PointMeans& means);
+  bool IsHidden(const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate);
   std::uint64_t SampleLights(const Range& range, Progress& progress) const;
   std::uint64_t LookAround(const Range& range, Progress& progress);
   /// Lets the halves decide after that many samples of each. Returns whether some need more.

@@ -300,6 +300,10 @@ void LatticeBuilder::Refine()
   for (std::size_t index = 0; index < count; ++index)
   {
     Patch& patch = this->Patches[index];
+    if (patch.IsOpen && this->CountHidden(patch) == patch.Points.size() && this->FindOthers(patch))
+    {
+      continue;
+    }
     patch.IsOpen =
       patch.IsOpen && !patch.IsConstant && patch.Level < patch.Size && this->NeedsMore(patch);
     if (patch.IsOpen && patch.Level < LeafLevel)
@@ -311,6 +315,15 @@ void LatticeBuilder::Refine()
       this->Split(index);
     }
   }
+}
+
+/// Chooses other points, which may be outside of a body. False if there are none.
+bool LatticeBuilder::FindOthers(Patch& patch)
+{
+  const bool hasOthers = patch.IsConstant || (patch.IsSmooth && !patch.IsAlone);
+  patch.IsAlone = patch.IsAlone || (hasOthers && !patch.IsConstant);
+  patch.IsConstant = false;
+  return hasOthers;
 }
 
 void LatticeBuilder::Split(std::size_t index)
@@ -397,6 +410,7 @@ bool LatticeBuilder::EvaluateRequests(bool isFirst, const Progress& goOn)
     }
   }
   this->Evaluated = this->Points.size();
+  this->LightHidden();
   if (isFirst)
   {
     this->FirstGraph = std::move(request.Graph);
@@ -410,6 +424,55 @@ bool LatticeBuilder::EvaluateRequests(bool isFirst, const Progress& goOn)
     this->FirstNumbers = std::move(numbers);
   }
   return true;
+}
+
+/// Gives points inside closed bodies the mean light of their neighbours outside, because between
+/// them it is interpolated.
+void LatticeBuilder::LightHidden()
+{
+  if (std::none_of(this->Points.begin(), this->Points.end(),
+        [](const Point& point) { return point.Estimate.IsHidden; }))
+  {
+    return;
+  }
+  std::unordered_map<std::uint32_t, std::pair<SurfaceEstimate, float>> sums;
+  const auto add = [&](std::uint32_t to, std::uint32_t from)
+  {
+    const SurfaceEstimate& estimate = this->Points[from].Estimate;
+    if (this->Points[to].Estimate.IsHidden && !estimate.IsHidden)
+    {
+      auto& [sum, weight] = sums[to];
+      weight += 1.0f;
+      sum = weight > 1.0f ? Interpolate(sum, estimate, 1.0f / weight) : estimate;
+    }
+  };
+  for (const Patch& patch : this->Patches)
+  {
+    const int splits = patch.IsConstant ? 0 : 1 << patch.Level;
+    for (int j = 0; j < splits; ++j)
+    {
+      for (int i = 0; i < splits - j; ++i)
+      {
+        const std::uint32_t corners[] = { patch.GetPoint(i, j), patch.GetPoint(i + 1, j),
+          patch.GetPoint(i, j + 1) };
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          add(corners[corner], corners[(corner + 1) % 3]);
+          add(corners[(corner + 1) % 3], corners[corner]);
+        }
+      }
+    }
+  }
+  for (const auto& [point, sum] : sums)
+  {
+    SurfaceEstimate& estimate = this->Points[point].Estimate;
+    for (int half = 0; half < 2; ++half)
+    {
+      const float reach = estimate.Halves[half].Reach;
+      estimate.Halves[half] = sum.first.Halves[half];
+      estimate.Halves[half].Reach = reach;
+    }
+  }
 }
 
 /// Adds the areas of the new points, and which of them are next to each other.
@@ -466,12 +529,20 @@ void LatticeBuilder::StoreIncident(const Patch& patch)
   for (std::uint32_t index : patch.Points)
   {
     const SurfaceEstimate& estimate = this->Points[index].Estimate;
+    if (estimate.IsHidden)
+    {
+      continue;
+    }
     if (!estimate.Incident.IsKnown())
     {
       return;
     }
     lights.push_back(estimate.Incident);
     pilots.push_back(estimate.IncidentPilot);
+  }
+  if (lights.empty())
+  {
+    return;
   }
   constexpr float third = 1.0f / 3.0f;
   TrianglePoint middle{ patch.Triangle, third, third };

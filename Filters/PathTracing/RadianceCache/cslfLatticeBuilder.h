@@ -106,12 +106,15 @@ private:
     float weight, std::uint64_t key);
   std::uint32_t AddPoint(const Patch& patch, const TrianglePoint& place, std::uint64_t key);
   bool EvaluateRequests(bool isFirst, const Progress& goOn);
+  void LightHidden();
   void AddGraph(
     const std::vector<std::uint32_t>& numbers, SurfaceEstimator::Request& request) const;
   glm::vec3 GetPosition(const Point& point) const;
   void Refine();
   float GetDistance(const Patch& patch) const;
   bool NeedsMore(const Patch& patch) const;
+  std::size_t CountHidden(const Patch& patch) const;
+  bool MeetsBody(const Patch& patch) const;
   bool VariesWithin(const Patch& patch) const;
   bool BendsWithin(const Patch& patch) const;
   bool FindBend(int half, std::uint32_t from, std::uint32_t to, Bend& bend) const;
@@ -119,6 +122,7 @@ private:
   bool IsBright(const glm::vec3& error, const glm::vec3& variance, float distance) const;
   const HalfEstimate& GetPilot(const Patch& patch, std::uint32_t point) const;
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
+  bool FindOthers(Patch& patch);
   void Split(std::size_t index);
   bool IsEmpty(const Patch& patch) const;
   void Store(const Patch& patch);

@@ -49,9 +49,13 @@ float LatticeBuilder::GetDistance(const Patch& patch) const
 
 bool LatticeBuilder::NeedsMore(const Patch& patch) const
 {
+  if (this->IsCoarse(this->GetDistance(patch)) && this->MeetsBody(patch))
+  {
+    return true;
+  }
   if (patch.Level == 0)
   {
-    return patch.IsSmooth ? this->BendsWithin(patch) : this->VariesWithin(patch);
+    return patch.IsSmooth && !patch.IsAlone ? this->BendsWithin(patch) : this->VariesWithin(patch);
   }
   // The points that the last level added lie in the middle of edges of the level before.
   const int splits = 1 << patch.Level;
@@ -68,6 +72,19 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
     }
   }
   return false;
+}
+
+std::size_t LatticeBuilder::CountHidden(const Patch& patch) const
+{
+  return static_cast<std::size_t>(std::count_if(patch.Points.begin(), patch.Points.end(),
+    [this](std::uint32_t index) { return this->Points[index].Estimate.IsHidden; }));
+}
+
+/// Whether some of its points are hidden in another body, and others not.
+bool LatticeBuilder::MeetsBody(const Patch& patch) const
+{
+  const std::size_t hidden = this->CountHidden(patch);
+  return hidden > 0 && hidden < patch.Points.size();
 }
 
 const HalfEstimate& LatticeBuilder::GetPilot(const Patch& patch, std::uint32_t point) const

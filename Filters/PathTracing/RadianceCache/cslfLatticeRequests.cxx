@@ -103,6 +103,11 @@ std::uint64_t LatticeBuilder::FindSharedKey(const Patch& patch, int column, int 
   if (way == 0 || way == last)
   {
     const auto vertex = static_cast<std::uint32_t>(way == 0 ? first : second);
+    if (patch.IsAlone)
+    {
+      return HashKey |
+        MixBits(std::uint64_t(vertex) << 32 | vertex, MakeSideKey(patch.Mesh, 0, patch.Back));
+    }
     return VertexKey |
       MakeSideKey(patch.Mesh, this->Layout.GetCluster(patch.Mesh, vertex), patch.Back);
   }

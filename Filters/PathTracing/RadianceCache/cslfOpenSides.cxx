@@ -191,9 +191,8 @@ bool MayHoldLight(const Scene& scene, const Mesh& mesh)
 bool AreInside(
   const std::vector<std::uint8_t>& insides, const Groups& groups, std::size_t group, bool back)
 {
-  return !insides.empty() &&
-    std::all_of(groups.Begin(group), groups.End(group),
-      [&insides, back](std::uint32_t triangle) { return insides[triangle] == (back ? 2 : 1); });
+  return std::all_of(groups.Begin(group), groups.End(group),
+    [&insides, back](std::uint32_t triangle) { return insides[triangle] == (back ? 2 : 1); });
 }
 
 bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, const Groups& groups,
@@ -230,8 +229,12 @@ OpenSides::OpenSides(
     const std::size_t first = this->Sides.size();
     this->Sides.resize(first + mesh.Triangles.size(), 0);
     const Groups groups(mesh, spacing);
-    const std::vector<std::uint8_t> insides =
-      MayHoldLight(scene, mesh) ? std::vector<std::uint8_t>() : FindInsides(mesh);
+    std::vector<std::uint8_t> insides(mesh.Triangles.size(), 0);
+    if (!mesh.CanBePassed())
+    {
+      insides = FindInsides(mesh);
+    }
+    const bool areDark = !MayHoldLight(scene, mesh);
     ParallelFor(0, static_cast<vtkIdType>(groups.GetCount()), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -246,7 +249,8 @@ OpenSides::OpenSides(
             place.Back = back;
             const std::size_t triangle = first + *groups.Begin(group);
             const std::uint64_t hash = MixBits(2 * triangle + (back ? 1 : 0), seed);
-            if (!mesh.Material.Hides(back) && !AreInside(insides, groups, group, back) &&
+            if (!mesh.Material.Hides(back) &&
+              !(areDark && AreInside(insides, groups, group, back)) &&
               IsOpen(scene, paths, place, groups, group, hash, rays))
             {
               sides |= back ? Back : Front;
@@ -258,6 +262,7 @@ OpenSides::OpenSides(
         }
         allRays += rays;
       });
+    this->Insides.insert(this->Insides.end(), insides.begin(), insides.end());
   }
   this->Rays = allRays;
 }

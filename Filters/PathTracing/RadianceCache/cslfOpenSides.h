@@ -12,6 +12,7 @@
 #include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "cslfCacheShare.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,6 +42,20 @@ public:
     return (this->Sides[triangle] & (back ? Back : Front)) != 0;
   }
 
+  /// Whether a side faces the inside of a closed body in which no light was found. Unknown after
+  /// reading.
+  bool IsInside(std::size_t triangle, bool back) const
+  {
+    return !this->Has(triangle, back) && (this->Insides[triangle] & (back ? Back : Front)) != 0;
+  }
+
+  /// Whether there are sides that face the inside of a closed body.
+  bool HasInsides() const
+  {
+    return std::any_of(
+      this->Insides.begin(), this->Insides.end(), [](std::uint8_t sides) { return sides != 0; });
+  }
+
   /// Makes them the same on all ranks, whose processors may round differently.
   void Agree(CacheShare& share) { share.Complete(this->Sides, 0); }
 
@@ -60,7 +75,8 @@ private:
   static constexpr std::uint8_t Front = 1;
   static constexpr std::uint8_t Back = 2;
 
-  std::vector<std::uint8_t> Sides; // of each triangle
+  std::vector<std::uint8_t> Sides;   // of each triangle
+  std::vector<std::uint8_t> Insides; // the sides that face the inside of an opaque, closed body
   std::uint64_t Rays = 0;
 };
 }

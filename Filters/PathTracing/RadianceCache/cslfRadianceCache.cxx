@@ -271,6 +271,25 @@ LatticeSettings RadianceCache::GetLatticeSettings() const
   return lattice;
 }
 
+bool RadianceCache::IsInside(const Ray& ray, const Hit& hit) const
+{
+  if (this->World.GetMeshes()[hit.Mesh].CanHoldLattice())
+  {
+    return this->Sides.IsInside(this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back);
+  }
+  const ShapeLayout& layout = this->Shapes.GetLayout();
+  return layout.Has(hit.Mesh) && layout.IsWithin(hit, this->World.GetSurface(ray, hit).Inside);
+}
+
+std::function<bool(const Ray&, const Hit&)> RadianceCache::GetInsideTest() const
+{
+  if (!this->Sides.HasInsides() && this->Shapes.GetLayout().GetNumberOfCells() == 0)
+  {
+    return nullptr;
+  }
+  return [this](const Ray& ray, const Hit& hit) { return this->IsInside(ray, hit); };
+}
+
 float RadianceCache::GetNoiseArea() const
 {
   const float width = NoiseWidth * this->Layout->GetSpacing();
@@ -298,7 +317,8 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   DiffuseEstimator estimator(this->World, paths,
     { DiffuseEstimator::Light::Sampled, FirstLightSamples,
       std::max(this->Settings.Samples, FirstLightSamples), NoiseShare * lattice.Tolerance,
-      noiseArea, 0, this->Settings.Seed, lattice.Display, {}, this->Settings.Share });
+      noiseArea, 0, this->Settings.Seed, lattice.Display, {}, this->Settings.Share,
+      this->GetInsideTest() });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
@@ -314,7 +334,7 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   DiffuseEstimator estimator(this->World, paths,
     { DiffuseEstimator::Light::Gathered, firstSamples, std::max(firstSamples, lastSamples),
       NoiseShare * lattice.Tolerance, this->GetNoiseArea(), depth, this->Settings.Seed,
-      lattice.Display, this->Lobes, this->Settings.Share });
+      lattice.Display, this->Lobes, this->Settings.Share, this->GetInsideTest() });
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;

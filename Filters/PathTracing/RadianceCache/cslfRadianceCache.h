@@ -154,6 +154,10 @@ private:
 
   LatticeSettings GetLatticeSettings() const;
 
+  /// Whether a ray hits the inside of a closed body.
+  bool IsInside(const Ray& ray, const Hit& hit) const;
+  std::function<bool(const Ray&, const Hit&)> GetInsideTest() const;
+
   /// The area within which noise is averaged, in scene space.
   float GetNoiseArea() const;
   void FindLobes();

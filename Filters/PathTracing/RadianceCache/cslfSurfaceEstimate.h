@@ -67,6 +67,9 @@ struct SurfaceEstimate
   /// The incident light from the second half, which decides where the first is looked up.
   IncidentLight IncidentPilot;
 
+  /// Whether the point lies inside a closed body, where no light is seen from outside.
+  bool IsHidden = false;
+
   SurfaceEstimate() = default;
 
   /// The estimate of a value without noise.
@@ -82,10 +85,14 @@ struct SurfaceEstimate
   glm::vec3 GetValue() const { return 0.5f * (this->Halves[0].Value + this->Halves[1].Value); }
 };
 
-/// An estimate between two others.
+/// An estimate between two others, or that of the only one which is not hidden.
 inline SurfaceEstimate Interpolate(
   const SurfaceEstimate& before, const SurfaceEstimate& after, float weight)
 {
+  if (before.IsHidden != after.IsHidden)
+  {
+    return before.IsHidden ? after : before;
+  }
   SurfaceEstimate result = weight < 0.5f ? before : after;
   for (int half = 0; half < 2; ++half)
   {

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The cached light of bodies that reach into each other: what is hidden in a body must not darken
+// what is seen.
+#include "PathTracing/RadianceCache/cslfRadianceCache.h"
+#include "cslfTestTransport.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+/// A closed box. Its triangles share no vertices.
+cslf::Mesh MakeBox(const glm::vec3& low, const glm::vec3& high, bool hasNormals)
+{
+  const glm::uvec3 triangles[] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 },
+    { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  cslf::Mesh mesh;
+  mesh.Material = cslf::testing::MakeDiffuse(0.6f);
+  for (const glm::uvec3& corners : triangles)
+  {
+    const auto first = static_cast<std::uint32_t>(mesh.Vertices.size());
+    for (const std::uint32_t corner : { corners.x, corners.y, corners.z })
+    {
+      mesh.Vertices.push_back(
+        glm::mix(low, high, glm::vec3(corner & 1u, (corner >> 1) & 1u, (corner >> 2) & 1u)));
+    }
+    mesh.Triangles.emplace_back(first, first + 1, first + 2);
+    const glm::vec3 normal =
+      glm::normalize(glm::cross(mesh.Vertices[first + 1] - mesh.Vertices[first],
+        mesh.Vertices[first + 2] - mesh.Vertices[first]));
+    if (hasNormals)
+    {
+      mesh.Normals.insert(mesh.Normals.end(), 3, normal);
+    }
+  }
+  return mesh;
+}
+
+/// A post whose lower part is in a block, seen from all sides.
+void TestPost(float spacing, int samples, bool hasNormals)
+{
+  const cslf::Scene scene({ MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 0.0f }, hasNormals),
+                            MakeBox({ -0.1f, -0.1f, -0.8f }, { 0.1f, 0.1f, 0.6f }, hasNormals) },
+    cslf::testing::MakeUniformLight(1.0f));
+  cslf::CacheSettings settings;
+  settings.Spacing = spacing;
+  settings.Samples = samples;
+  cslf::RadianceCache cache(scene, settings);
+  CSLF_CHECK(cache.Build([](double) { return true; }));
+  double squares = 0.0;
+  int hits = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const float angle = 2.4f * i;
+    const glm::vec3 from(2.0f * std::cos(angle), 2.0f * std::sin(angle), 1.0f);
+    const cslf::Ray ray = cslf::testing::LookAt(from, { 0.0f, 0.0f, 0.1f + 0.005f * i });
+    const cslf::Hit hit = scene.Intersect(ray);
+    CSLF_CHECK(hit.IsValid() && cache.Covers(hit));
+    if (hit.IsValid() && cache.Covers(hit))
+    {
+      const double truth = cslf::testing::Trace(scene, ray, {}, 1 << 12).Mean;
+      squares += std::pow(0.6 * cache.Get(hit).x - truth, 2);
+      ++hits;
+    }
+  }
+  const double error = std::sqrt(squares / std::max(hits, 1));
+  std::cout << error << ": spacing " << spacing << ", " << samples << " samples\n";
+  CSLF_CHECK(error < 0.05);
+}
+}
+
+int TestCSLFRadianceCacheHidden(int, char*[])
+{
+  for (const bool hasNormals : { false, true })
+  {
+    TestPost(1.0f, 32, hasNormals);
+    TestPost(1.0f, 512, hasNormals);
+    TestPost(0.1f, 512, hasNormals);
+  }
+  return cslf::testing::Result();
+}
