@@ -165,12 +165,13 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     job.Connection = this->GetInputConnection(0, 0);
     job.Input = this->GetInputInformation(0, 0);
   }
-  job.GetGeometry = [this](const cslf::Cube& box, const std::vector<cslf::FilePart>& others)
+  job.GetGeometry = [this](
+                      const cslf::Description& field, const std::vector<cslf::FilePart>& others)
   {
     auto* geometry = this->GetNumberOfInputConnections(1) > 0
       ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
       : nullptr;
-    return geometry && geometry->GetNumberOfCells() > 0 ? this->MakePart(geometry, box, others)
+    return geometry && geometry->GetNumberOfCells() > 0 ? this->MakePart(geometry, field, others)
                                                         : std::nullopt;
   };
   job.Progress = [this](double progress)
@@ -183,11 +184,11 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
 }
 
 std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
-  vtkPolyData* geometry, const cslf::Cube& box, const std::vector<cslf::FilePart>& others)
+  vtkPolyData* geometry, const cslf::Description& field, const std::vector<cslf::FilePart>& others)
 {
   std::string fault;
   cslf::FilePart part{ cslf::GeometryPartType, cslf::GeometryPartName,
-    cslf::EncodeGeometry(geometry, box, fault) };
+    cslf::EncodeGeometry(geometry, field.Box, field.Grid.GetResolution(), fault) };
   if (fault.empty())
   {
     fault = cslf::FindFault(others, part);

@@ -83,7 +83,7 @@ class vtkUnsignedCharArray;
 namespace cslf
 {
 class EncodeSession;
-struct Cube;
+struct Description;
 struct EncodeFault;
 struct EncodeJob;
 struct FilePart;
@@ -296,8 +296,8 @@ private:
   vtkCSLFEncoder(const vtkCSLFEncoder&) = delete;
   void operator=(const vtkCSLFEncoder&) = delete;
 
-  std::optional<cslf::FilePart> MakePart(
-    vtkPolyData* geometry, const cslf::Cube& box, const std::vector<cslf::FilePart>& others);
+  std::optional<cslf::FilePart> MakePart(vtkPolyData* geometry, const cslf::Description& field,
+    const std::vector<cslf::FilePart>& others);
 
   class PartList;
   cslf::EncodeFault FindFault();

@@ -160,7 +160,8 @@ def read_geometry(data):
     corners = Corners(streams[:middle], header["triangles"]).corners
     positions = read_attributes(streams[middle:end], header["points"], 8)
     steps = positions.view("<u2")[:, :3].astype(float)
-    return 2.0 * steps / 65535.0 - 1.0, numpy.array(corners), header
+    most = 2 ** header.get("position_bits", 16) - 1
+    return 2.0 * steps / most - 1.0, numpy.array(corners), header
 
 
 # What viewpoints see of it.

@@ -40,6 +40,9 @@ namespace
 {
 const cslf::Cube Box{ { 1.0e6, -50.0, 3.0 }, { 4.0, 2.0, 8.0 } };
 
+/// Of viewpoints for which coordinates need 16 bits.
+constexpr int Fine = 1024;
+
 /// A sphere in the cube; its colours vary with the position.
 vtkSmartPointer<vtkPolyData> MakeGeometry(int colorType)
 {
@@ -88,11 +91,11 @@ vtkSmartPointer<vtkPolyData> MakeGeometry(int colorType)
   return geometry;
 }
 
-void TestCodec(int colorType)
+void TestCodec(int colorType, int resolution)
 {
   const auto geometry = MakeGeometry(colorType);
   std::string error;
-  const auto bytes = cslf::EncodeGeometry(geometry, Box, error);
+  const auto bytes = cslf::EncodeGeometry(geometry, Box, resolution, error);
   CSLF_CHECK(error.empty());
   const auto decoded = cslf::DecodeGeometry(bytes, Box, error);
   CSLF_CHECK(decoded);
@@ -132,7 +135,8 @@ void TestCodec(int colorType)
       mostColor = std::max(mostColor, std::abs(before - after));
     }
   }
-  CSLF_CHECK(most <= 0.5001 / 65535.0);
+  // A step is a 64th of a texel, or the cube's edge divided by 65535.
+  CSLF_CHECK(most <= 0.5001 / (64.0 * std::min(resolution, Fine) - 1.0));
   CSLF_CHECK(mostColor < (colorType == VTK_FLOAT ? 0.005 : 2.6));
   // Triangles keep their sides.
   vtkNew<vtkMassProperties> mass;
@@ -145,7 +149,7 @@ void TestCodec(int colorType)
 
   // Points outside of the cube cannot be stored.
   const cslf::Cube small{ Box.Center, { 1.0, 1.0, 1.0 } };
-  CSLF_CHECK(cslf::EncodeGeometry(geometry, small, error).empty() && !error.empty());
+  CSLF_CHECK(cslf::EncodeGeometry(geometry, small, Fine, error).empty() && !error.empty());
 }
 
 /// The smallest streams there are: many points in one plane and of one colour.
@@ -167,7 +171,7 @@ void TestOneColor(int colorType)
     geometry->GetPointData()->AddArray(colors);
   }
   std::string error;
-  const auto bytes = cslf::EncodeGeometry(geometry, Box, error);
+  const auto bytes = cslf::EncodeGeometry(geometry, Box, Fine, error);
   const auto decoded = cslf::DecodeGeometry(bytes, Box, error);
   CSLF_CHECK(decoded && decoded->GetNumberOfPoints() == geometry->GetNumberOfPoints());
 }
@@ -176,7 +180,7 @@ void TestOneColor(int colorType)
 void TestDamage()
 {
   std::string error;
-  const auto bytes = cslf::EncodeGeometry(MakeGeometry(VTK_UNSIGNED_CHAR), Box, error);
+  const auto bytes = cslf::EncodeGeometry(MakeGeometry(VTK_UNSIGNED_CHAR), Box, Fine, error);
   for (std::size_t size = 1; size < bytes.size(); size += 1 + size / 8)
   {
     CSLF_CHECK(!cslf::DecodeGeometry({ bytes.begin(), bytes.begin() + size }, Box, error));
@@ -194,14 +198,17 @@ void TestDamage()
       CSLF_CHECK(geometry->GetNumberOfPoints() <= (1 << 25));
     }
   }
-  for (const char* text : { "{\"points\":33554432,\"triangles\":33554432,\"corner_bytes\":33554432,"
-                            "\"position_bytes\":33554432,\"color_bytes\":0}",
-         "{\"points\":33554432,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_"
-         "bytes\":9,"
-         "\"colors\":\"linear16f\",\"back_color_bytes\":9}",
-         "{\"points\":3,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_bytes\":0,"
-         "\"back_color_bytes\":-1}",
-         "[]", "{\"points\":-1}", "{\"points\":1e9}", "{\"points\":\"many\"}" })
+  for (const char* text :
+    { "{\"points\":33554432,\"triangles\":33554432,\"corner_bytes\":33554432,"
+      "\"position_bytes\":33554432,\"color_bytes\":0}",
+      "{\"points\":33554432,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_"
+      "bytes\":9,"
+      "\"colors\":\"linear16f\",\"back_color_bytes\":9}",
+      "{\"points\":3,\"triangles\":1,\"corner_bytes\":9,\"position_bytes\":9,\"color_bytes\":0,"
+      "\"back_color_bytes\":-1}",
+      "{\"points\":3,\"triangles\":1,\"position_bits\":40,\"corner_bytes\":9,\"position_bytes\":9,"
+      "\"color_bytes\":0}",
+      "[]", "{\"points\":-1}", "{\"points\":1e9}", "{\"points\":\"many\"}" })
   {
     const std::string header(text);
     const std::string hostile = std::string(1, static_cast<char>(header.size())) +
@@ -261,8 +268,9 @@ void TestFile(const std::string& fileName)
 
 int TestCSLFEncoderGeometry(int argc, char* argv[])
 {
-  TestCodec(VTK_UNSIGNED_CHAR);
-  TestCodec(VTK_FLOAT);
+  TestCodec(VTK_UNSIGNED_CHAR, 2 * Fine);
+  TestCodec(VTK_UNSIGNED_CHAR, 128);
+  TestCodec(VTK_FLOAT, Fine);
   TestOneColor(VTK_UNSIGNED_CHAR);
   TestOneColor(VTK_FLOAT);
   TestDamage();

@@ -33,7 +33,10 @@
 #include <cstring>
 #include <exception>
 #include <numeric>
+#include <set>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace cslf
 {
@@ -41,7 +44,13 @@ namespace
 {
 using JSON = nlohmann::json;
 
-constexpr double PositionSteps = 65535.0;
+/// The bits of a coordinate: at most, as of files that do not state them, and at least.
+constexpr int MostPositionBits = 16;
+constexpr int FewestPositionBits = 8;
+
+/// Of the cube's edge divided by the resolution, which is about a texel where surfaces are: as many
+/// steps, if there are bits for them.
+constexpr int StepsOfTexel = 64;
 
 /// Colours of bytes have this many steps: they are for what no viewpoint sees.
 constexpr double ColorSteps = 63.0;
@@ -55,6 +64,11 @@ constexpr std::size_t MostItems = std::size_t(1) << 25;
 constexpr const char* ByteColors = "srgb6";
 constexpr const char* HalfColors = "linear16f";
 
+/// What is subtracted from colours, which makes them smaller: from red and blue their green, and
+/// from backs their fronts.
+constexpr const char* Green = "green";
+constexpr const char* Front = "front";
+
 /// The bytes of a colour's component.
 constexpr std::size_t GetCodeSize(bool areHalves)
 {
@@ -66,13 +80,26 @@ struct Streams
 {
   std::size_t Points = 0;
   std::vector<unsigned int> Corners;
+  int PositionBits = MostPositionBits;
   std::vector<unsigned char> Positions;
   std::vector<unsigned char> Colors;     ///< none if the geometry has none
-  std::vector<unsigned char> BackColors; ///< differences from Colors; none without others
+  std::vector<unsigned char> BackColors; ///< none without others
   bool AreHalves = false;
 
   std::size_t GetColorSize() const { return 4 * GetCodeSize(this->AreHalves); }
+  double GetPositionSteps() const { return (1 << this->PositionBits) - 1; }
 };
+
+/// The bits of a coordinate in fields of a resolution.
+int FindPositionBits(int resolution)
+{
+  int bits = FewestPositionBits;
+  while (bits < MostPositionBits && 1 << bits < StepsOfTexel * resolution)
+  {
+    ++bits;
+  }
+  return bits;
+}
 
 template <typename Value>
 void Store(Value value, unsigned char* place)
@@ -116,14 +143,14 @@ void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
     const glm::dvec3 pointCC = box.PointToCube({ place[0], place[1], place[2] });
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double step = std::round((0.5 * pointCC[axis] + 0.5) * PositionSteps);
+      const double step = std::round((0.5 * pointCC[axis] + 0.5) * streams.GetPositionSteps());
       Store(static_cast<std::uint16_t>(step), &streams.Positions[PositionSize * point + 2 * axis]);
     }
   }
 }
 
 /// The codes of the colours in an array. None without one.
-std::vector<unsigned char> CodeColors(vtkDataArray* colors, bool areHalves)
+std::vector<unsigned char> ListCodes(vtkDataArray* colors, bool areHalves)
 {
   const std::size_t size = GetCodeSize(areHalves);
   const vtkIdType points = colors ? colors->GetNumberOfTuples() : 0;
@@ -147,21 +174,39 @@ std::vector<unsigned char> CodeColors(vtkDataArray* colors, bool areHalves)
   return codes;
 }
 
-/// Adds or subtracts codes, modulo their range.
+/// Adds or subtracts a code, modulo its range.
+void Combine(unsigned char* code, const unsigned char* other, bool areHalves, int sign)
+{
+  if (areHalves)
+  {
+    const int sum = Load<std::uint16_t>(code) + sign * Load<std::uint16_t>(other);
+    Store(static_cast<std::uint16_t>(sum), code);
+  }
+  else
+  {
+    *code = static_cast<unsigned char>(*code + sign * *other);
+  }
+}
+
+/// Adds or subtracts the codes of other colours.
 void Combine(std::vector<unsigned char>& codes, const std::vector<unsigned char>& others,
   bool areHalves, int sign)
 {
   for (std::size_t i = 0; i < codes.size(); i += GetCodeSize(areHalves))
   {
-    if (areHalves)
-    {
-      const int sum = Load<std::uint16_t>(&codes[i]) + sign * Load<std::uint16_t>(&others[i]);
-      Store(static_cast<std::uint16_t>(sum), &codes[i]);
-    }
-    else
-    {
-      codes[i] = static_cast<unsigned char>(codes[i] + sign * others[i]);
-    }
+    Combine(&codes[i], &others[i], areHalves, sign);
+  }
+}
+
+/// Adds green to red and blue, or subtracts it.
+void CombineWithGreen(std::vector<unsigned char>& codes, bool areHalves, int sign)
+{
+  const std::size_t size = GetCodeSize(areHalves);
+  for (std::size_t red = 0; red < codes.size(); red += 4 * size)
+  {
+    const std::size_t green = red + size;
+    Combine(&codes[red], &codes[green], areHalves, sign);
+    Combine(&codes[green + size], &codes[green], areHalves, sign);
   }
 }
 
@@ -169,16 +214,16 @@ void AddColors(vtkPolyData* triangles, Streams& streams)
 {
   const PointColorArrays colors = FindPointColors(triangles);
   streams.AreHalves = colors.Front && colors.Front->GetDataType() != VTK_UNSIGNED_CHAR;
-  streams.Colors = CodeColors(colors.Front, streams.AreHalves);
-  streams.BackColors = CodeColors(colors.Back, streams.AreHalves);
-  Combine(streams.BackColors, streams.Colors, streams.AreHalves, -1);
+  streams.Colors = ListCodes(colors.Front, streams.AreHalves);
+  streams.BackColors = ListCodes(colors.Back, streams.AreHalves);
 }
 
 /// The codecs need triangles and points in an order of use. Drops unused points.
 void Sort(Streams& streams)
 {
   std::vector<unsigned int> sorted(streams.Corners.size());
-  meshopt_optimizeVertexCache(sorted.data(), streams.Corners.data(), sorted.size(), streams.Points);
+  meshopt_optimizeVertexCacheStrip(
+    sorted.data(), streams.Corners.data(), sorted.size(), streams.Points);
   std::vector<unsigned int> numbers(streams.Points);
   const std::size_t used =
     meshopt_optimizeVertexFetchRemap(numbers.data(), sorted.data(), sorted.size(), streams.Points);
@@ -210,6 +255,20 @@ std::vector<unsigned char> CodeVertices(
       meshopt_encodeVertexBuffer(coded.data(), coded.size(), stream.data(), count, size));
   }
   return coded;
+}
+
+std::vector<unsigned char> CodeColors(const Streams& streams, std::vector<unsigned char> colors)
+{
+  CombineWithGreen(colors, streams.AreHalves, -1);
+  return CodeVertices(colors, streams.Points, streams.GetColorSize());
+}
+
+/// Those of the back less those of the front.
+std::vector<unsigned char> CodeColorDifferences(const Streams& streams)
+{
+  std::vector<unsigned char> differences = streams.BackColors;
+  Combine(differences, streams.Colors, streams.AreHalves, -1);
+  return CodeColors(streams, std::move(differences));
 }
 
 std::vector<unsigned char> CodeCorners(const Streams& streams)
@@ -252,7 +311,8 @@ void AddNumber(const JSON& header, const char* key, const char* name, vtkPolyDat
 
 JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
 {
-  JSON header = { { "points", streams.Points }, { "triangles", streams.Corners.size() / 3 } };
+  JSON header = { { "points", streams.Points }, { "triangles", streams.Corners.size() / 3 },
+    { "position_bits", streams.PositionBits } };
   if (!streams.Colors.empty())
   {
     header["colors"] = streams.AreHalves ? HalfColors : ByteColors;
@@ -341,7 +401,8 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto step = Load<std::uint16_t>(&streams.Positions[PositionSize * point + 2 * axis]);
-      pointCC[axis] = 2.0 * step / PositionSteps - 1.0;
+      Require(step <= streams.GetPositionSteps());
+      pointCC[axis] = 2.0 * step / streams.GetPositionSteps() - 1.0;
     }
     const glm::dvec3 place = box.PointToWorld(pointCC);
     points->SetPoint(static_cast<vtkIdType>(point), place.x, place.y, place.z);
@@ -405,6 +466,12 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
   Streams streams;
   streams.Points = points;
+  if (header.contains("position_bits"))
+  {
+    const std::size_t bits = GetCount(header, "position_bits");
+    Require(bits >= FewestPositionBits && bits <= MostPositionBits);
+    streams.PositionBits = static_cast<int>(bits);
+  }
   streams.Corners.resize(3 * triangles);
   streams.Positions.resize(PositionSize * points);
   const unsigned char* place = coded.data();
@@ -421,6 +488,10 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     const auto kind = header.at("colors").get<std::string>();
     Require(kind == ByteColors || kind == HalfColors);
     streams.AreHalves = kind == HalfColors;
+    const std::set<std::string> subtracted =
+      header.value("subtracted", std::set<std::string>{ Front });
+    Require(std::all_of(subtracted.begin(), subtracted.end(),
+      [](const std::string& what) { return what == Green || what == Front; }));
     const auto decode = [&](std::vector<unsigned char>& colors, std::size_t count)
     {
       Require(canHold(count, streams.GetColorSize()));
@@ -428,12 +499,19 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
       Require(meshopt_decodeVertexBuffer(
                 colors.data(), streams.Points, streams.GetColorSize(), place, count) == 0);
       place += count;
+      if (subtracted.count(Green) > 0)
+      {
+        CombineWithGreen(colors, streams.AreHalves, 1);
+      }
     };
     decode(streams.Colors, sizes[2]);
     if (sizes[3] > 0)
     {
       decode(streams.BackColors, sizes[3]);
-      Combine(streams.BackColors, streams.Colors, streams.AreHalves, 1);
+      if (subtracted.count(Front) > 0)
+      {
+        Combine(streams.BackColors, streams.Colors, streams.AreHalves, 1);
+      }
     }
   }
   return ToPolyData(streams, header, box);
@@ -441,7 +519,7 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
 }
 
 std::vector<unsigned char> EncodeGeometry(
-  vtkPolyData* geometry, const Cube& box, std::string& error)
+  vtkPolyData* geometry, const Cube& box, int resolution, std::string& error)
 {
   try
   {
@@ -457,14 +535,25 @@ std::vector<unsigned char> EncodeGeometry(
     }
     Streams streams;
     streams.Corners = ListCorners(triangles);
+    streams.PositionBits = FindPositionBits(resolution);
     AddPositions(triangles, box, streams);
     AddColors(triangles, streams);
     Sort(streams);
-    const std::array<std::vector<unsigned char>, 4> parts = { CodeCorners(streams),
+    std::array<std::vector<unsigned char>, 4> parts = { CodeCorners(streams),
       CodeVertices(streams.Positions, streams.Points, PositionSize),
-      CodeVertices(streams.Colors, streams.Points, streams.GetColorSize()),
-      CodeVertices(streams.BackColors, streams.Points, streams.GetColorSize()) };
+      CodeColors(streams, streams.Colors), CodeColors(streams, streams.BackColors) };
+    std::vector<unsigned char> differences = CodeColorDifferences(streams);
+    JSON subtracted = { Green };
+    if (differences.size() < parts[3].size())
+    {
+      parts[3] = std::move(differences);
+      subtracted.push_back(Front);
+    }
     JSON header = DescribeGeometry(geometry, streams);
+    if (!parts[2].empty())
+    {
+      header["subtracted"] = subtracted;
+    }
     header["corner_bytes"] = parts[0].size();
     header["position_bytes"] = parts[1].size();
     header["color_bytes"] = parts[2].size();

@@ -20,10 +20,10 @@ class vtkPolyData;
 
 namespace cslf
 {
-/// Positions get 16 bits along each edge of the cube, which must contain them. On failure returns
-/// no bytes and says why.
+/// Positions get as many bits along each edge of the cube, which must contain them, as viewpoints
+/// of a resolution need, 16 at most. On failure returns no bytes and says why.
 VTKCSLF_EXPORT std::vector<unsigned char> EncodeGeometry(
-  vtkPolyData* geometry, const Cube& box, std::string& error);
+  vtkPolyData* geometry, const Cube& box, int resolution, std::string& error);
 
 /// Bytes from anywhere. On failure returns null and says why.
 VTKCSLF_EXPORT vtkSmartPointer<vtkPolyData> DecodeGeometry(

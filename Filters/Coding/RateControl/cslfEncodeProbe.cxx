@@ -69,7 +69,7 @@ bool EncodeProbe::BeginWriting(std::string& error)
   const Description field = this->Puller->GetField();
   std::string fault;
   const FilePart part{ GeometryPartType, GeometryPartName,
-    this->Geometry ? EncodeGeometry(this->Geometry, field.Box, fault)
+    this->Geometry ? EncodeGeometry(this->Geometry, field.Box, field.Grid.GetResolution(), fault)
                    : std::vector<unsigned char>() };
   if (!part.Bytes.empty() && FindFault({}, part).empty())
   {

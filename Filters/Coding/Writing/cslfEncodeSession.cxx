@@ -220,7 +220,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
 void EncodeSession::AddGeometry()
 {
   const auto part = this->Job.GetGeometry
-    ? this->Job.GetGeometry(this->Puller->GetField().Box, this->Job.Parts)
+    ? this->Job.GetGeometry(this->Puller->GetField(), this->Job.Parts)
     : std::nullopt;
   if (part)
   {

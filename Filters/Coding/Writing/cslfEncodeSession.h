@@ -34,7 +34,8 @@ struct EncodeJob
   std::vector<FilePart> Parts;
 
   /// Gives the part with the field's geometry, if there is one, when the input has been read.
-  std::function<std::optional<FilePart>(const Cube&, const std::vector<FilePart>&)> GetGeometry;
+  std::function<std::optional<FilePart>(const Description&, const std::vector<FilePart>&)>
+    GetGeometry;
   bool Restart = true;
   vtkAlgorithmOutput* Connection = nullptr;
   vtkInformation* Input = nullptr; ///< the connection's pipeline information
