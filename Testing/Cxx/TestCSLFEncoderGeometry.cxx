@@ -34,6 +34,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -184,6 +185,18 @@ void TestDamage()
   for (std::size_t size = 1; size < bytes.size(); size += 1 + size / 8)
   {
     CSLF_CHECK(!cslf::DecodeGeometry({ bytes.begin(), bytes.begin() + size }, Box, error));
+  }
+  // Numbers and words that do not belong there, and fewer bits than the coordinates have.
+  const std::string text(bytes.begin(), bytes.end());
+  const std::pair<std::string, std::string> changes[] = { { "bits\":16", "bits\":17" },
+    { "bits\":16", "bits\":12" }, { "green", "groan" } };
+  for (const auto& [word, other] : changes)
+  {
+    const std::size_t place = text.find(word);
+    CSLF_CHECK(place != std::string::npos);
+    std::string changed = text;
+    changed.replace(std::min(place, text.size()), word.size(), other);
+    CSLF_CHECK(!cslf::DecodeGeometry({ changed.begin(), changed.end() }, Box, error));
   }
   std::mt19937 random(1);
   for (int i = 0; i < 600; ++i)

@@ -69,10 +69,51 @@ void TestPost(float spacing, int samples, bool hasNormals)
   std::cout << error << ": spacing " << spacing << ", " << samples << " samples\n";
   CSLF_CHECK(error < 0.05);
 }
+
+/// A pyramid that stands in a block, of whose triangles only one corner is outside, whichever it
+/// is.
+void TestTip(int turns)
+{
+  cslf::Mesh tip = MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 0.0f }, false);
+  const glm::vec3 corners[] = { { 0.0f, 0.0f, 0.3f }, { 0.3f, 0.0f, -0.6f },
+    { -0.2f, 0.25f, -0.6f }, { -0.2f, -0.25f, -0.6f } };
+  tip.Vertices.clear();
+  tip.Triangles.clear();
+  const int sides[][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
+  for (const auto& side : sides)
+  {
+    const auto first = static_cast<std::uint32_t>(tip.Vertices.size());
+    for (int i = 0; i < 3; ++i)
+    {
+      tip.Vertices.push_back(corners[side[(i + turns) % 3]]);
+    }
+    tip.Triangles.emplace_back(first, first + 1, first + 2);
+  }
+  const cslf::Scene scene({ MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 0.0f }, false), tip },
+    cslf::testing::MakeUniformLight(1.0f));
+  cslf::CacheSettings settings;
+  settings.Spacing = 1.0;
+  settings.Samples = 512;
+  cslf::RadianceCache cache(scene, settings);
+  CSLF_CHECK(cache.Build([](double) { return true; }));
+  for (const float angle : { 1.0f, 3.1f, 5.2f })
+  {
+    const cslf::Ray ray = cslf::testing::LookAt(
+      { 2.0f * std::cos(angle), 2.0f * std::sin(angle), 0.5f }, { 0.0f, 0.0f, 0.15f });
+    const cslf::Hit hit = scene.Intersect(ray);
+    CSLF_CHECK(hit.IsValid() && hit.Mesh == 1 && cache.Covers(hit));
+    CSLF_CHECK_NEAR(
+      0.6 * cache.Get(hit).x, cslf::testing::Trace(scene, ray, {}, 1 << 12).Mean, 0.1);
+  }
+}
 }
 
 int TestCSLFRadianceCacheHidden(int, char*[])
 {
+  for (const int turns : { 0, 1, 2 })
+  {
+    TestTip(turns);
+  }
   for (const bool hasNormals : { false, true })
   {
     TestPost(1.0f, 32, hasNormals);

@@ -44,12 +44,11 @@ namespace
 {
 using JSON = nlohmann::json;
 
-/// The bits of a coordinate: at most, as of files that do not state them, and at least.
+/// The limits of the bits of a coordinate. Files that do not state them have the most.
 constexpr int MostPositionBits = 16;
-constexpr int FewestPositionBits = 8;
+constexpr int FewestPositionBits = 12;
 
-/// Of the cube's edge divided by the resolution, which is about a texel where surfaces are: as many
-/// steps, if there are bits for them.
+/// The steps of coordinates in a texel's width, which is the cube's edge divided by the resolution.
 constexpr int StepsOfTexel = 64;
 
 /// Colours of bytes have this many steps: they are for what no viewpoint sees.
@@ -64,8 +63,8 @@ constexpr std::size_t MostItems = std::size_t(1) << 25;
 constexpr const char* ByteColors = "srgb6";
 constexpr const char* HalfColors = "linear16f";
 
-/// What is subtracted from colours, which makes them smaller: from red and blue their green, and
-/// from backs their fronts.
+/// What is subtracted from colours, so that they take fewer bytes: from red and blue their green,
+/// and from backs their fronts.
 constexpr const char* Green = "green";
 constexpr const char* Front = "front";
 
@@ -263,7 +262,7 @@ std::vector<unsigned char> CodeColors(const Streams& streams, std::vector<unsign
   return CodeVertices(colors, streams.Points, streams.GetColorSize());
 }
 
-/// Those of the back less those of the front.
+/// Codes the colours of the back less those of the front.
 std::vector<unsigned char> CodeColorDifferences(const Streams& streams)
 {
   std::vector<unsigned char> differences = streams.BackColors;
@@ -462,8 +461,6 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   const auto canHold = [&](std::size_t stream, std::size_t pointSize)
   { return points * pointSize <= mostPerByte * stream; };
   Require(canHold(sizes[1], PositionSize));
-  const std::vector<unsigned char> coded =
-    Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
   Streams streams;
   streams.Points = points;
   if (header.contains("position_bits"))
@@ -472,6 +469,8 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     Require(bits >= FewestPositionBits && bits <= MostPositionBits);
     streams.PositionBits = static_cast<int>(bits);
   }
+  const std::vector<unsigned char> coded =
+    Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
   streams.Corners.resize(3 * triangles);
   streams.Positions.resize(PositionSize * points);
   const unsigned char* place = coded.data();

@@ -21,7 +21,8 @@ class vtkPolyData;
 namespace cslf
 {
 /// Positions get as many bits along each edge of the cube, which must contain them, as viewpoints
-/// of a resolution need, 16 at most. On failure returns no bytes and says why.
+/// need whose tiles have `resolution` texels along an edge; 16 at most. On failure returns no bytes
+/// and says why.
 VTKCSLF_EXPORT std::vector<unsigned char> EncodeGeometry(
   vtkPolyData* geometry, const Cube& box, int resolution, std::string& error);
 

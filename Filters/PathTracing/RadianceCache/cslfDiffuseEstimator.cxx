@@ -220,8 +220,8 @@ void DiffuseEstimator::TakeSamples(
   this->Rays.fetch_add(rays, std::memory_order_relaxed);
 }
 
-/// A point inside a closed body sees that inside in all directions; or in most, if other bodies
-/// reach into it, too.
+/// A point inside a closed body sees that inside along its normal and in most directions; in all,
+/// unless more bodies reach into it.
 bool DiffuseEstimator::IsHidden(
   const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate)
 {
@@ -237,7 +237,7 @@ bool DiffuseEstimator::IsHidden(
     nearest = hit.IsValid() ? std::min(nearest, hit.Distance) : nearest;
     return hit.IsValid() && this->Limits.IsInside(ray, hit);
   };
-  // Nearly all other points show it by one ray.
+  // One ray rules out nearly all points that are not hidden.
   const bool mayBe = seesInside({ 0.0f, 0.0f, 1.0f });
   this->Rays.fetch_add(1, std::memory_order_relaxed);
   if (!mayBe)

@@ -5,6 +5,8 @@
 #include "cslfLatticePatch.h"
 #include "cslfLatticeSum.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -300,7 +302,8 @@ void LatticeBuilder::Refine()
   for (std::size_t index = 0; index < count; ++index)
   {
     Patch& patch = this->Patches[index];
-    if (patch.IsOpen && this->CountHidden(patch) == patch.Points.size() && this->FindOthers(patch))
+    if (patch.IsOpen && this->CountHidden(patch) == patch.Points.size() &&
+      this->UseOtherPoints(patch))
     {
       continue;
     }
@@ -317,13 +320,25 @@ void LatticeBuilder::Refine()
   }
 }
 
-/// Chooses other points, which may be outside of a body. False if there are none.
-bool LatticeBuilder::FindOthers(Patch& patch)
+/// Gives a brick whose points are all hidden others, which may be outside. False if there are none.
+bool LatticeBuilder::UseOtherPoints(Patch& patch)
 {
-  const bool hasOthers = patch.IsConstant || (patch.IsSmooth && !patch.IsAlone);
-  patch.IsAlone = patch.IsAlone || (hasOthers && !patch.IsConstant);
-  patch.IsConstant = false;
-  return hasOthers;
+  if (patch.IsConstant)
+  {
+    if (!patch.Chart)
+    {
+      // The first corner has this point's key.
+      this->Index.erase(this->Points[patch.Points[0]].Key);
+    }
+    patch.IsConstant = false;
+    return true;
+  }
+  if (patch.IsSmooth && patch.Level == 0 && patch.Size == patch.RootSize && !patch.HasOwnVertices)
+  {
+    patch.HasOwnVertices = true;
+    return true;
+  }
+  return false;
 }
 
 void LatticeBuilder::Split(std::size_t index)
@@ -435,15 +450,24 @@ void LatticeBuilder::LightHidden()
   {
     return;
   }
-  std::unordered_map<std::uint32_t, std::pair<SurfaceEstimate, float>> sums;
-  const auto add = [&](std::uint32_t to, std::uint32_t from)
+  struct Mean
+  {
+    SurfaceEstimate Light;
+    float Counts[2] = {}; // of the neighbours in bricks of each half
+  };
+  std::unordered_map<std::uint32_t, Mean> means;
+  const auto add = [&](int half, std::uint32_t to, std::uint32_t from)
   {
     const SurfaceEstimate& estimate = this->Points[from].Estimate;
     if (this->Points[to].Estimate.IsHidden && !estimate.IsHidden)
     {
-      auto& [sum, weight] = sums[to];
-      weight += 1.0f;
-      sum = weight > 1.0f ? Interpolate(sum, estimate, 1.0f / weight) : estimate;
+      Mean& mean = means[to];
+      const float weight = 1.0f / ++mean.Counts[half];
+      HalfEstimate& pilot = mean.Light.Halves[half];
+      HalfEstimate& other = mean.Light.Halves[1 - half];
+      pilot.Pilot = glm::mix(pilot.Pilot, estimate.Halves[half].Pilot, weight);
+      pilot.Variance = glm::mix(pilot.Variance, estimate.Halves[half].Variance, weight);
+      other.Value = glm::mix(other.Value, estimate.Halves[1 - half].Value, weight);
     }
   };
   for (const Patch& patch : this->Patches)
@@ -457,20 +481,20 @@ void LatticeBuilder::LightHidden()
           patch.GetPoint(i, j + 1) };
         for (int corner = 0; corner < 3; ++corner)
         {
-          add(corners[corner], corners[(corner + 1) % 3]);
-          add(corners[(corner + 1) % 3], corners[corner]);
+          add(patch.Half, corners[corner], corners[(corner + 1) % 3]);
+          add(patch.Half, corners[(corner + 1) % 3], corners[corner]);
         }
       }
     }
   }
-  for (const auto& [point, sum] : sums)
+  for (const auto& [point, mean] : means)
   {
-    SurfaceEstimate& estimate = this->Points[point].Estimate;
     for (int half = 0; half < 2; ++half)
     {
-      const float reach = estimate.Halves[half].Reach;
-      estimate.Halves[half] = sum.first.Halves[half];
-      estimate.Halves[half].Reach = reach;
+      HalfEstimate& estimate = this->Points[point].Estimate.Halves[half];
+      const float reach = estimate.Reach;
+      estimate = mean.Light.Halves[half];
+      estimate.Reach = reach;
     }
   }
 }

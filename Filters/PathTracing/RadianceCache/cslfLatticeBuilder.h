@@ -122,7 +122,7 @@ private:
   bool IsBright(const glm::vec3& error, const glm::vec3& variance, float distance) const;
   const HalfEstimate& GetPilot(const Patch& patch, std::uint32_t point) const;
   bool IsMissed(const Patch& patch, int i, int j, int sideI, int sideJ) const;
-  bool FindOthers(Patch& patch);
+  bool UseOtherPoints(Patch& patch);
   void Split(std::size_t index);
   bool IsEmpty(const Patch& patch) const;
   void Store(const Patch& patch);

@@ -59,7 +59,7 @@ struct LatticeBuilder::Patch
   int Level = 0;
   bool IsConstant = false;
   bool IsSmooth = false; // whether it is a whole triangle that shares points with its neighbours
-  bool IsAlone = false;  // whether it shares them only with triangles of the same vertices
+  bool HasOwnVertices = false; // whether it shares none with other vertices nearby
   bool IsOpen = true;
   std::vector<std::uint32_t> Points;
 

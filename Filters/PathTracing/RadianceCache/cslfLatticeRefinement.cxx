@@ -55,7 +55,8 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
   }
   if (patch.Level == 0)
   {
-    return patch.IsSmooth && !patch.IsAlone ? this->BendsWithin(patch) : this->VariesWithin(patch);
+    return patch.IsSmooth && !patch.HasOwnVertices ? this->BendsWithin(patch)
+                                                   : this->VariesWithin(patch);
   }
   // The points that the last level added lie in the middle of edges of the level before.
   const int splits = 1 << patch.Level;
@@ -80,7 +81,7 @@ std::size_t LatticeBuilder::CountHidden(const Patch& patch) const
     [this](std::uint32_t index) { return this->Points[index].Estimate.IsHidden; }));
 }
 
-/// Whether some of its points are hidden in another body, and others not.
+/// Whether some of a brick's points are hidden in another body, and others are not.
 bool LatticeBuilder::MeetsBody(const Patch& patch) const
 {
   const std::size_t hidden = this->CountHidden(patch);

@@ -103,7 +103,7 @@ std::uint64_t LatticeBuilder::FindSharedKey(const Patch& patch, int column, int 
   if (way == 0 || way == last)
   {
     const auto vertex = static_cast<std::uint32_t>(way == 0 ? first : second);
-    if (patch.IsAlone)
+    if (patch.HasOwnVertices)
     {
       return HashKey |
         MixBits(std::uint64_t(vertex) << 32 | vertex, MakeSideKey(patch.Mesh, 0, patch.Back));

@@ -42,11 +42,11 @@ public:
     return (this->Sides[triangle] & (back ? Back : Front)) != 0;
   }
 
-  /// Whether a side faces the inside of a closed body in which no light was found. Unknown after
-  /// reading.
+  /// Whether a side is not open and faces the inside of a closed body. False after reading.
   bool IsInside(std::size_t triangle, bool back) const
   {
-    return !this->Has(triangle, back) && (this->Insides[triangle] & (back ? Back : Front)) != 0;
+    return !this->Insides.empty() && !this->Has(triangle, back) &&
+      (this->Insides[triangle] & (back ? Back : Front)) != 0;
   }
 
   /// Whether there are sides that face the inside of a closed body.
