@@ -161,7 +161,9 @@ def read_geometry(data):
     positions = read_attributes(streams[middle:end], header["points"], 8)
     steps = positions.view("<u2")[:, :3].astype(float)
     most = 2 ** header.get("position_bits", 16) - 1
-    return 2.0 * steps / most - 1.0, numpy.array(corners), header
+    bounds = numpy.array(header.get("position_bounds", [-1, -1, -1, 1, 1, 1]), float)
+    points = bounds[:3] + steps / most * (bounds[3:] - bounds[:3])
+    return points, numpy.array(corners), header
 
 
 # What viewpoints see of it.

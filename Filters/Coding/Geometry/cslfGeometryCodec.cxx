@@ -80,6 +80,8 @@ struct Streams
   std::size_t Points = 0;
   std::vector<unsigned int> Corners;
   int PositionBits = MostPositionBits;
+  glm::dvec3 Low{ -1.0 }; ///< the bounds of the positions in CC, which are exact
+  glm::dvec3 High{ 1.0 };
   std::vector<unsigned char> Positions;
   std::vector<unsigned char> Colors;     ///< none if the geometry has none
   std::vector<unsigned char> BackColors; ///< none without others
@@ -131,19 +133,29 @@ void AddPositions(vtkPolyData* triangles, const Cube& box, Streams& streams)
   {
     isUsed[corner] = 1;
   }
+  std::vector<glm::dvec3> placesCC(streams.Points);
+  streams.Low = glm::dvec3(1.0);
+  streams.High = glm::dvec3(-1.0);
   for (std::size_t point = 0; point < streams.Points; ++point)
   {
-    if (isUsed[point] == 0)
-    {
-      continue;
-    }
     double place[3];
     triangles->GetPoint(static_cast<vtkIdType>(point), place);
-    const glm::dvec3 pointCC = box.PointToCube({ place[0], place[1], place[2] });
-    for (int axis = 0; axis < 3; ++axis)
+    if (isUsed[point] != 0)
     {
-      const double step = std::round((0.5 * pointCC[axis] + 0.5) * streams.GetPositionSteps());
-      Store(static_cast<std::uint16_t>(step), &streams.Positions[PositionSize * point + 2 * axis]);
+      placesCC[point] = glm::clamp(box.PointToCube({ place[0], place[1], place[2] }), -1.0, 1.0);
+      streams.Low = glm::min(streams.Low, placesCC[point]);
+      streams.High = glm::max(streams.High, placesCC[point]);
+    }
+  }
+  for (std::size_t value = 0; value < 3 * streams.Points; ++value)
+  {
+    const int axis = static_cast<int>(value % 3);
+    const double size = streams.High[axis] - streams.Low[axis];
+    if (isUsed[value / 3] != 0 && size > 0.0)
+    {
+      const double share = (placesCC[value / 3][axis] - streams.Low[axis]) / size;
+      Store(static_cast<std::uint16_t>(std::round(share * streams.GetPositionSteps())),
+        &streams.Positions[PositionSize * (value / 3) + 2 * axis]);
     }
   }
 }
@@ -311,7 +323,10 @@ void AddNumber(const JSON& header, const char* key, const char* name, vtkPolyDat
 JSON DescribeGeometry(vtkPolyData* geometry, const Streams& streams)
 {
   JSON header = { { "points", streams.Points }, { "triangles", streams.Corners.size() / 3 },
-    { "position_bits", streams.PositionBits } };
+    { "position_bits", streams.PositionBits },
+    { "position_bounds",
+      { streams.Low.x, streams.Low.y, streams.Low.z, streams.High.x, streams.High.y,
+        streams.High.z } } };
   if (!streams.Colors.empty())
   {
     header["colors"] = streams.AreHalves ? HalfColors : ByteColors;
@@ -401,7 +416,8 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Streams& streams, const JSON& head
     {
       const auto step = Load<std::uint16_t>(&streams.Positions[PositionSize * point + 2 * axis]);
       Require(step <= streams.GetPositionSteps());
-      pointCC[axis] = 2.0 * step / streams.GetPositionSteps() - 1.0;
+      pointCC[axis] =
+        glm::mix(streams.Low[axis], streams.High[axis], step / streams.GetPositionSteps());
     }
     const glm::dvec3 place = box.PointToWorld(pointCC);
     points->SetPoint(static_cast<vtkIdType>(point), place.x, place.y, place.z);
@@ -468,6 +484,16 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
     const std::size_t bits = GetCount(header, "position_bits");
     Require(bits >= FewestPositionBits && bits <= MostPositionBits);
     streams.PositionBits = static_cast<int>(bits);
+  }
+  if (header.contains("position_bounds"))
+  {
+    const auto bounds = header.at("position_bounds").get<std::array<double, 6>>();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      streams.Low[axis] = bounds[axis];
+      streams.High[axis] = bounds[axis + 3];
+      Require(-1.0 <= bounds[axis] && bounds[axis] <= bounds[axis + 3] && bounds[axis + 3] <= 1.0);
+    }
   }
   const std::vector<unsigned char> coded =
     Uncompress(bytes.data() + head + textSize, rest, static_cast<uLongf>(size));
