@@ -180,7 +180,7 @@ void DiffuseEstimator::TakeSamples(
   }
   const std::uint64_t hash = MixBits(MixBits(point.Key, this->Limits.Seed), this->Limits.Depth);
   const int begin = end == this->Limits.FirstSamples / 2 ? 0 : end / 2;
-  if (begin == 0 && this->IsHidden(receiver, hash, work.Estimate))
+  if (begin == 0 && this->FindHidden(receiver, hash, work.Estimate))
   {
     means.IsHidden = true;
     return;
@@ -221,8 +221,8 @@ void DiffuseEstimator::TakeSamples(
 }
 
 /// A point inside a closed body sees that inside along its normal and in most directions; in all,
-/// unless more bodies reach into it.
-bool DiffuseEstimator::IsHidden(
+/// unless more bodies reach into it. Sets whether it is hidden, and its reach.
+bool DiffuseEstimator::FindHidden(
   const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate)
 {
   if (!this->Limits.IsInside)

@@ -95,7 +95,7 @@ private:
     std::vector<Work>& works, Means& means);
   void TakeSamples(
     const SurfacePoint& point, int end, bool wantsIncident, Work& work, PointMeans& means);
-  bool IsHidden(const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate);
+  bool FindHidden(const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate);
   std::uint64_t SampleLights(const Range& range, Progress& progress) const;
   std::uint64_t LookAround(const Range& range, Progress& progress);
   /// Lets the halves decide after that many samples of each. Returns whether some need more.
