@@ -12,33 +12,20 @@ namespace
 /// The hit triangles.
 struct TriangleLanes
 {
-  Vec3Lanes Front; // of any length
   LaneMask Smooth;
-  Lanes<float> Length;  // of its rounding
-  Vec3Lanes Corners[3]; // the last two only of smooth triangles
+  Lanes<float> Length; // of its rounding
+  Vec3Lanes Corners[3];
   Vec3Lanes Normals[3];
   bool AnySmooth = false;
 };
 
 void FetchTriangle(const Mesh& mesh, const HitLanes& hits, int lane, TriangleLanes& triangles)
 {
-  const bool isKnown = hits.Front.Get(lane) != glm::vec3(0.0f);
   const glm::uvec3& indices = mesh.Triangles[hits.Triangle[lane]];
   triangles.Length[lane] = mesh.LengthsOfRounding[hits.Triangle[lane]];
-  if (isKnown && mesh.Normals.empty())
-  {
-    triangles.Corners[0].Set(lane, mesh.Vertices[indices.x]);
-    return;
-  }
-  glm::vec3 corners[3];
   for (int i = 0; i < 3; ++i)
   {
-    corners[i] = mesh.Vertices[indices[i]];
-    triangles.Corners[i].Set(lane, corners[i]);
-  }
-  if (!isKnown)
-  {
-    triangles.Front.Set(lane, FindFront(corners));
+    triangles.Corners[i].Set(lane, mesh.Vertices[indices[i]]);
   }
   bool smooth = !mesh.Normals.empty();
   for (int i = 0; smooth && i < 3; ++i)
@@ -109,13 +96,13 @@ CSLF_VECTORIZE void LocateFlat(const RayLanes& rays, const HitLanes& hits,
   for (int i = 0; i < LaneCount; ++i)
   {
     const glm::vec3 direction = rays.Direction.Get(i);
-    const glm::vec3 front = glm::normalize(triangles.Front.Get(i));
-    const glm::vec3 corner = triangles.Corners[0].Get(i);
-    const glm::vec3 position =
-      MoveToPlane(rays.Origin.Get(i) + hits.Distance[i] * direction, corner, front);
+    const glm::vec3 corners[3] = { triangles.Corners[0].Get(i), triangles.Corners[1].Get(i),
+      triangles.Corners[2].Get(i) };
+    const glm::vec3 front = FindFront(corners);
+    const glm::vec3 position = InterpolateCorners(corners, hits.U[i], hits.V[i]);
     const glm::vec3 normal = FaceRay(front, direction);
     const glm::vec3 offset =
-      FindOffset(front, glm::abs(position) + glm::abs(corner), triangles.Length[i]) * normal;
+      FindOffset(front, glm::abs(position) + glm::abs(corners[0]), triangles.Length[i]) * normal;
     surfaces.Inside[i] = IsBehind(front, direction) ? -1 : 0;
     surfaces.GeometricNormal.Set(i, normal);
     surfaces.ShadingNormal.Set(i, normal);
@@ -186,7 +173,6 @@ void FindSurfaces(
 {
   // Read the hit surfaces.
   TriangleLanes triangles;
-  triangles.Front = hits.Front;
   MeshTraits traits;
   std::uint32_t plain = 0;
   std::uint32_t others = 0;

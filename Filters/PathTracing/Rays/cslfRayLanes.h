@@ -31,13 +31,12 @@ struct HitLanes
   Lanes<std::uint32_t> Triangle;
   Lanes<std::uint32_t> Instance;
   LaneMask Back;
-  Vec3Lanes Front;
 
   bool IsValid(int lane) const { return this->Mesh[lane] != Hit::None; }
   Hit Get(int lane) const
   {
     return { this->Distance[lane], this->U[lane], this->V[lane], this->Mesh[lane],
-      this->Triangle[lane], this->Instance[lane], this->Back[lane] != 0, this->Front.Get(lane) };
+      this->Triangle[lane], this->Instance[lane], this->Back[lane] != 0 };
   }
   void Set(int lane, const Hit& hit)
   {
@@ -48,7 +47,6 @@ struct HitLanes
     this->Triangle[lane] = hit.Triangle;
     this->Instance[lane] = hit.Instance;
     this->Back[lane] = hit.Back ? -1 : 0;
-    this->Front.Set(lane, hit.Front);
   }
 };
 

@@ -34,8 +34,7 @@ struct Hit
   std::uint32_t Mesh = None;
   std::uint32_t Triangle = None;
   std::uint32_t Instance = None; ///< of the mesh, if it has any
-  bool Back = false;       ///< whether the ray comes from the side where the vertices run clockwise
-  glm::vec3 Front{ 0.0f }; ///< a mesh's own normal of any length; 0 if unknown
+  bool Back = false; ///< whether the ray comes from the side where the vertices run clockwise
 
   bool IsValid() const { return this->Mesh != None; }
   TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V, this->Instance }; }
@@ -85,7 +84,7 @@ struct RayPacket
     const float away = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] +
       hit.Ng_z[lane] * ray.dir_z[lane];
     return { ray.tfar[lane], hit.u[lane], hit.v[lane], hit.geomID[lane], hit.primID[lane],
-      hit.instID[0][lane], away > 0.0f, { hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane] } };
+      hit.instID[0][lane], away > 0.0f };
   }
 };
 }

@@ -127,9 +127,6 @@ inline void ReadHits(const Query& query, int first, HitLanes& hits)
     hits.Triangle[first + i] = query.hit.primID[i];
     hits.Instance[first + i] = query.hit.instID[0][i];
     hits.Back[first + i] = away > 0.0f ? -1 : 0;
-    hits.Front.X[first + i] = query.hit.Ng_x[i];
-    hits.Front.Y[first + i] = query.hit.Ng_y[i];
-    hits.Front.Z[first + i] = query.hit.Ng_z[i];
   }
 }
 
@@ -367,7 +364,7 @@ Hit Scene::Intersect(const Ray& ray) const
     const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
     hit = { query.ray.tfar, query.hit.u, query.hit.v, query.hit.geomID, query.hit.primID,
       this->GetInstance(query.hit.geomID, query.hit.instID[0]),
-      glm::dot(normal, ray.Direction) > 0.0f, normal };
+      glm::dot(normal, ray.Direction) > 0.0f };
   }
   return hit;
 }
@@ -480,8 +477,6 @@ SurfaceHit Scene::GetSurface(const Hit& hit) const
   const glm::vec3& corner = mesh.Vertices[corners.x];
   const glm::vec3 front = glm::normalize(
     glm::cross(mesh.Vertices[corners.y] - corner, mesh.Vertices[corners.z] - corner));
-  Hit place = hit;
-  place.Front = glm::vec3(0.0f); // as if no ray found it
-  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, place);
+  return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, hit);
 }
 }

@@ -101,15 +101,10 @@ glm::vec3 FindShadingNormal(const Mesh& mesh, const HitTriangle& triangle,
 }
 
 void LocateOnTriangle(
-  const Mesh& mesh, const Ray& ray, const Hit& hit, const TrianglePoint& place, SurfaceHit& surface)
+  const Mesh& mesh, const Ray& ray, const TrianglePoint& place, SurfaceHit& surface)
 {
-  // If a ray query found the place, it gives the normal and the point of flat triangles.
-  const bool isFound = hit.Front != glm::vec3(0.0f) && mesh.Instances.empty();
-  HitTriangle triangle = GetTriangle(mesh, place);
-  triangle.Front = isFound ? glm::normalize(hit.Front) : triangle.Front;
-  const glm::vec3 position = isFound
-    ? MoveToPlane(ray.Origin + hit.Distance * ray.Direction, triangle.Corners[0], triangle.Front)
-    : InterpolateCorners(triangle.Corners, place.U, place.V);
+  const HitTriangle triangle = GetTriangle(mesh, place);
+  const glm::vec3 position = InterpolateCorners(triangle.Corners, place.U, place.V);
   const glm::vec3 offset =
     FindOffset(triangle.Front, glm::abs(position) + triangle.Reach, triangle.Length) *
     FaceRay(triangle.Front, ray.Direction);
@@ -214,7 +209,7 @@ void Locate(
 {
   if (mesh.Shape == Mesh::Shapes::Triangles)
   {
-    LocateOnTriangle(mesh, ray, hit, place, surface);
+    LocateOnTriangle(mesh, ray, place, surface);
   }
   else
   {

@@ -66,15 +66,9 @@ inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float l
   return std::min(offset, LargestOffset);
 }
 
-/// The point of a plane that is nearest to a point close to the plane.
-inline glm::vec3 MoveToPlane(
-  const glm::vec3& point, const glm::vec3& corner, const glm::vec3& normal)
-{
-  return point - glm::dot(point - corner, normal) * normal;
-}
-
 /// The normal of the side where the corners run counterclockwise. It has unit length even if the
-/// triangle's area is 0 as a float.
+/// triangle's area is 0 as a float. Embree's normal is not used, because it computes that from
+/// edges relative to the ray's origin: from afar, its rounding can exceed FindOffset.
 inline glm::vec3 FindFront(const glm::vec3 corners[3])
 {
   const glm::vec3 edges[2] = { corners[1] - corners[0], corners[2] - corners[0] };
@@ -82,7 +76,7 @@ inline glm::vec3 FindFront(const glm::vec3 corners[3])
   const float size = std::max(std::max(sizes.x, sizes.y), sizes.z);
   const glm::vec3 normal = glm::cross(edges[0] / size, edges[1] / size);
   const float length = glm::length(normal);
-  return length > 0.0f ? normal / length : glm::vec3(0.0f, 0.0f, 1.0f);
+  return Choose(length > 0.0f, normal / length, glm::vec3(0.0f, 0.0f, 1.0f));
 }
 
 /// The interpolated normal, on the front.

@@ -22,9 +22,10 @@ constexpr double ReachOfTexel = 0.75;
 glm::vec3 FindNormal(const PacketHits& hits, int lane)
 {
   const Hit hit = hits.Rays.GetHit(lane);
+  const RTCHit16& found = hits.Rays.Query.hit;
   // Embree's normals of instances are in the space of the instance.
   return hit.Instance == Hit::None
-    ? hit.Front
+    ? glm::vec3(found.Ng_x[lane], found.Ng_y[lane], found.Ng_z[lane])
     : hits.World.GetSurface(hits.Rays.GetRay(lane), hit).GeometricNormal;
 }
 
