@@ -38,11 +38,22 @@ cslf::Mesh MakeBox(const glm::vec3& low, const glm::vec3& high, bool hasNormals)
   return mesh;
 }
 
-/// A post whose lower part is in a block, seen from all sides.
-void TestPost(float spacing, int samples, bool hasNormals)
+/// An opaque sphere.
+cslf::Mesh MakeBall(const glm::vec3& center, float radius, float reflectance)
 {
-  const cslf::Scene scene({ MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 0.0f }, hasNormals),
-                            MakeBox({ -0.1f, -0.1f, -0.8f }, { 0.1f, 0.1f, 0.6f }, hasNormals) },
+  cslf::Mesh mesh;
+  mesh.Shape = cslf::Mesh::Shapes::Spheres;
+  mesh.Material = cslf::testing::MakeDiffuse(reflectance);
+  mesh.Vertices = { center };
+  mesh.Radii = { radius };
+  return mesh;
+}
+
+/// A post whose lower part is in a body, seen from all sides.
+void TestPost(const cslf::Mesh& body, float spacing, int samples, bool hasNormals)
+{
+  const cslf::Scene scene(
+    { body, MakeBox({ -0.1f, -0.1f, -0.8f }, { 0.1f, 0.1f, 0.6f }, hasNormals) },
     cslf::testing::MakeUniformLight(1.0f));
   cslf::CacheSettings settings;
   settings.Spacing = spacing;
@@ -57,8 +68,9 @@ void TestPost(float spacing, int samples, bool hasNormals)
     const glm::vec3 from(2.0f * std::cos(angle), 2.0f * std::sin(angle), 1.0f);
     const cslf::Ray ray = cslf::testing::LookAt(from, { 0.0f, 0.0f, 0.1f + 0.005f * i });
     const cslf::Hit hit = scene.Intersect(ray);
-    CSLF_CHECK(hit.IsValid() && cache.Covers(hit));
-    if (hit.IsValid() && cache.Covers(hit))
+    const bool isStored = hit.IsValid() && scene.GetMeshes()[hit.Mesh].CanHoldLattice();
+    CSLF_CHECK(hit.IsValid() && cache.Covers(hit) == isStored);
+    if (isStored)
     {
       const double truth = cslf::testing::Trace(scene, ray, {}, 1 << 12).Mean;
       squares += std::pow(0.6 * cache.Get(hit).x - truth, 2);
@@ -67,7 +79,32 @@ void TestPost(float spacing, int samples, bool hasNormals)
   }
   const double error = std::sqrt(squares / std::max(hits, 1));
   std::cout << error << ": spacing " << spacing << ", " << samples << " samples\n";
+  CSLF_CHECK(hits > 0);
   CSLF_CHECK(error < 0.05);
+}
+
+/// A floor in a closed body that a lamp lights from within.
+void TestLamp(const cslf::Mesh& body)
+{
+  const cslf::Mesh lamp = cslf::testing::MakeRectangle({ 0.0f, 0.0f, 0.8f }, { 0.0f, 0.3f, 0.0f },
+    { 0.3f, 0.0f, 0.0f }, cslf::testing::MakeDiffuse(0.0f, 5.0f));
+  const cslf::Mesh floor = cslf::testing::MakeRectangle({ 0.0f, 0.0f, 0.0f }, { 0.5f, 0.0f, 0.0f },
+    { 0.0f, 0.5f, 0.0f }, cslf::testing::MakeDiffuse(0.6f));
+  const cslf::Scene scene({ body, lamp, floor }, cslf::testing::MakeUniformLight(0.0f));
+  cslf::CacheSettings settings;
+  settings.Spacing = 0.1;
+  settings.Samples = 512;
+  cslf::RadianceCache cache(scene, settings);
+  CSLF_CHECK(cache.Build([](double) { return true; }));
+  for (const float x : { -0.4f, 0.1f, 0.3f })
+  {
+    const cslf::Ray ray = cslf::testing::LookAt({ 0.8f, 0.1f, 0.3f }, { x, -0.2f, 0.0f });
+    const cslf::Hit hit = scene.Intersect(ray);
+    CSLF_CHECK(hit.IsValid() && hit.Mesh == 2 && cache.Covers(hit));
+    const double truth = cslf::testing::Trace(scene, ray, {}, 1 << 14).Mean;
+    CSLF_CHECK(truth > 0.1);
+    CSLF_CHECK_NEAR(0.6 * cache.Get(hit).x, truth, 0.03 * truth);
+  }
 }
 
 /// A pyramid that stands in a block, of whose triangles only one corner is outside, whichever it
@@ -116,9 +153,16 @@ int TestCSLFRadianceCacheHidden(int, char*[])
   }
   for (const bool hasNormals : { false, true })
   {
-    TestPost(1.0f, 32, hasNormals);
-    TestPost(1.0f, 512, hasNormals);
-    TestPost(0.1f, 512, hasNormals);
+    const cslf::Mesh block = MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 0.0f }, hasNormals);
+    TestPost(block, 1.0f, 32, hasNormals);
+    TestPost(block, 1.0f, 512, hasNormals);
+    TestPost(block, 0.1f, 512, hasNormals);
+    for (const float reflectance : { 0.6f, 0.0f })
+    {
+      TestPost(MakeBall({ 0.0f, 0.0f, -1.0f }, 1.0f, reflectance), 1.0f, 512, hasNormals);
+    }
   }
+  TestLamp(MakeBox({ -1.0f, -1.0f, -1.0f }, { 1.0f, 1.0f, 1.0f }, false));
+  TestLamp(MakeBall({ 0.0f, 0.0f, 0.0f }, 1.2f, 0.6f));
   return cslf::testing::Result();
 }

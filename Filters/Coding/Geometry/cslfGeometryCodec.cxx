@@ -48,7 +48,8 @@ using JSON = nlohmann::json;
 constexpr int MostPositionBits = 16;
 constexpr int FewestPositionBits = 12;
 
-/// The steps of coordinates in a texel's width, which is the cube's edge divided by the resolution.
+/// The fewest steps of coordinates in a texel's width, which is the cube's edge divided by the
+/// resolution, unless that needs more bits than there are.
 constexpr int StepsOfTexel = 64;
 
 /// Colours of bytes have this many steps: they are for what no viewpoint sees.

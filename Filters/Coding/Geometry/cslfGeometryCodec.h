@@ -20,9 +20,9 @@ class vtkPolyData;
 
 namespace cslf
 {
-/// Positions get as many bits along each edge of the cube, which must contain them, as viewpoints
-/// need whose tiles have `resolution` texels along an edge; 16 at most. On failure returns no bytes
-/// and says why.
+/// The cube must contain the geometry. Positions get as many bits along each axis of the geometry's
+/// bounds as viewpoints need whose tiles have `resolution` texels along an edge: 12 to 16. On
+/// failure returns no bytes and says why.
 VTKCSLF_EXPORT std::vector<unsigned char> EncodeGeometry(
   vtkPolyData* geometry, const Cube& box, int resolution, std::string& error);
 

@@ -220,8 +220,9 @@ void DiffuseEstimator::TakeSamples(
   this->Rays.fetch_add(rays, std::memory_order_relaxed);
 }
 
-/// A point inside a closed body sees that inside along its normal and in most directions; in all,
-/// unless more bodies reach into it. Sets whether it is hidden, and its reach.
+/// Sets whether a point is hidden in a closed body, and its reach. Such a point sees the inside of
+/// the body along its normal and in most directions: in the others, it sees further bodies that
+/// reach into that one.
 bool DiffuseEstimator::FindHidden(
   const Receiver& receiver, std::uint64_t hash, SurfaceEstimate& estimate)
 {

@@ -53,8 +53,8 @@ public:
     std::vector<GlossyLobe> Lobes; ///< of each mesh: the use of incident light
     CacheShare* Share = nullptr;   ///< the ranks that estimate together; null for this one alone
 
-    /// Whether what a ray hits is the inside of a closed body. Points that mostly see such hits are
-    /// hidden. May be empty.
+    /// Whether what a ray hits is the inside of a closed body without light, as in
+    /// OpenSides::IsInside. Points that mostly see such hits are hidden. May be empty.
     std::function<bool(const Ray&, const Hit&)> IsInside;
   };
 

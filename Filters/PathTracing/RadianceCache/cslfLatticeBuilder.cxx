@@ -274,7 +274,7 @@ bool LatticeBuilder::BuildBatch(const Progress& goOn)
   }
   for (const Point& point : this->Points)
   {
-    if (this->OnEstimate && !point.IsMean)
+    if (this->OnEstimate && !point.IsMean && !point.Estimate.IsHidden)
     {
       this->OnEstimate(point.Place, point.Estimate);
     }
@@ -491,10 +491,14 @@ void LatticeBuilder::LightHidden()
   {
     for (int half = 0; half < 2; ++half)
     {
-      HalfEstimate& estimate = this->Points[point].Estimate.Halves[half];
-      const float reach = estimate.Reach;
-      estimate = mean.Light.Halves[half];
-      estimate.Reach = reach;
+      // A half's bricks decide by its pilot, and store the values of the other half.
+      if (mean.Counts[half] > 0.0f)
+      {
+        SurfaceEstimate& estimate = this->Points[point].Estimate;
+        estimate.Halves[half].Pilot = mean.Light.Halves[half].Pilot;
+        estimate.Halves[half].Variance = mean.Light.Halves[half].Variance;
+        estimate.Halves[1 - half].Value = mean.Light.Halves[1 - half].Value;
+      }
     }
   }
 }

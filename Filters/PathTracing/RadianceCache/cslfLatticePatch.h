@@ -59,7 +59,8 @@ struct LatticeBuilder::Patch
   int Level = 0;
   bool IsConstant = false;
   bool IsSmooth = false; // whether it is a whole triangle that shares points with its neighbours
-  bool HasOwnVertices = false; // whether it shares none with other vertices nearby
+  bool HasOwnVertices = false; // whether its corners do not share the points of vertices nearby,
+                               // because those are all hidden
   bool IsOpen = true;
   std::vector<std::uint32_t> Points;
 

@@ -53,6 +53,11 @@ bool LatticeBuilder::NeedsMore(const Patch& patch) const
   {
     return true;
   }
+  if (patch.Level > 0 && this->CountHidden(patch) == patch.Points.size())
+  {
+    // Some have the light of other bricks, others have none.
+    return false;
+  }
   if (patch.Level == 0)
   {
     return patch.IsSmooth && !patch.HasOwnVertices ? this->BendsWithin(patch)

@@ -179,10 +179,10 @@ private:
   std::vector<std::uint32_t> Members;
 };
 
-/// Whether a body that the mesh closes can be bright inside.
-bool MayHoldLight(const Scene& scene, const Mesh& mesh)
+/// Whether an opaque closed body can be bright inside.
+bool MayHoldLight(const Scene& scene)
 {
-  return mesh.CanBePassed() || !scene.GetPointLights().empty() ||
+  return !scene.GetPointLights().empty() ||
     std::any_of(scene.GetMeshes().begin(), scene.GetMeshes().end(),
       [](const Mesh& other) { return other.Material.IsEmissive(); });
 }
@@ -219,6 +219,7 @@ OpenSides::OpenSides(
   const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing)
 {
   std::atomic<std::uint64_t> allRays{ 0 };
+  const bool areDark = !MayHoldLight(scene);
   for (std::uint32_t index = 0; index < scene.GetMeshes().size(); ++index)
   {
     const Mesh& mesh = scene.GetMeshes()[index];
@@ -234,7 +235,6 @@ OpenSides::OpenSides(
     {
       insides = FindInsides(mesh);
     }
-    const bool areDark = !MayHoldLight(scene, mesh);
     ParallelFor(0, static_cast<vtkIdType>(groups.GetCount()), 0,
       [&](vtkIdType begin, vtkIdType end)
       {

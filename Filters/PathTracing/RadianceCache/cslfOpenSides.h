@@ -42,7 +42,8 @@ public:
     return (this->Sides[triangle] & (back ? Back : Front)) != 0;
   }
 
-  /// Whether a side is not open and faces the inside of a closed body. False after reading.
+  /// Whether a side faces the inside of a closed, opaque body, in which no walk from the side has
+  /// found light. False after reading.
   bool IsInside(std::size_t triangle, bool back) const
   {
     return !this->Insides.empty() && !this->Has(triangle, back) &&

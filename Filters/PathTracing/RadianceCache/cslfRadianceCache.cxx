@@ -219,7 +219,8 @@ bool RadianceCache::EstimateShapes(int samples, const Progress& goOn)
   }
   const auto start = std::chrono::steady_clock::now();
   const PathIntegrator paths(this->World, this->Settings.Paths, this);
-  ShapeLight::Settings settings{ samples, this->Settings.Seed, 0, this->Settings.Share };
+  ShapeLight::Settings settings{ samples, this->Settings.Seed, 0, this->Settings.Share,
+    this->GetInsideTest() };
   settings.MostPaths = this->Settings.ProbeSeconds > 0.0 ? ProbedPaths : 0;
   const std::uint64_t before = this->Shapes.GetNumberOfRays();
   const bool done = this->Shapes.Estimate(this->World, paths, settings, goOn);
@@ -277,13 +278,12 @@ bool RadianceCache::IsInside(const Ray& ray, const Hit& hit) const
   {
     return this->Sides.IsInside(this->World.GetTriangleIndex(hit.Mesh, hit.Triangle), hit.Back);
   }
-  const ShapeLayout& layout = this->Shapes.GetLayout();
-  return layout.Has(hit.Mesh) && layout.IsWithin(hit, this->World.GetSurface(ray, hit).Inside);
+  return this->Shapes.GetLayout().IsInside(hit, this->World.GetSurface(ray, hit).Inside);
 }
 
 std::function<bool(const Ray&, const Hit&)> RadianceCache::GetInsideTest() const
 {
-  if (!this->Sides.HasInsides() && this->Shapes.GetLayout().GetNumberOfCells() == 0)
+  if (!this->Sides.HasInsides() && !this->Shapes.GetLayout().HasShapes())
   {
     return nullptr;
   }

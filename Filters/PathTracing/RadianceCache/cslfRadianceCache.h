@@ -154,7 +154,7 @@ private:
 
   LatticeSettings GetLatticeSettings() const;
 
-  /// Whether a ray hits the inside of a closed body.
+  /// Whether a ray hits the inside of a closed body without light: see OpenSides::IsInside.
   bool IsInside(const Ray& ray, const Hit& hit) const;
   std::function<bool(const Ray&, const Hit&)> GetInsideTest() const;
 

@@ -9,6 +9,7 @@
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,11 @@ struct ShapeLayout::Bounds
     const glm::vec3 size = this->High - this->Low;
     return std::max({ size.x, size.y, size.z });
   }
+  bool Contains(const Bounds& other) const
+  {
+    return glm::all(glm::lessThanEqual(this->Low, other.Low)) &&
+      glm::all(glm::greaterThanEqual(this->High, other.High));
+  }
 };
 
 /// A shape: an instance, or a sphere or tube that has none.
@@ -134,11 +140,18 @@ std::uint64_t ShapeLayout::Unit::CountFilled() const
 
 ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
 {
-  std::vector<Item> items;
-  for (std::uint32_t index = 0; index < scene.GetMeshes().size(); ++index)
+  const std::vector<Mesh>& meshes = scene.GetMeshes();
+  if (std::all_of(
+        meshes.begin(), meshes.end(), [](const Mesh& mesh) { return mesh.CanHoldLattice(); }))
   {
-    const Mesh& mesh = scene.GetMeshes()[index];
+    return;
+  }
+  std::vector<Item> items;
+  for (std::uint32_t index = 0; index < meshes.size(); ++index)
+  {
+    const Mesh& mesh = meshes[index];
     const bool isStored = !mesh.CanHoldLattice() && !mesh.IsBlack();
+    this->AddSides(mesh);
     this->FirstItems.push_back(isStored ? static_cast<std::uint32_t>(items.size()) : None);
     for (std::uint32_t i = 0; isStored && mesh.Instances.empty() && i < mesh.GetNumberOfShapes();
          ++i)
@@ -154,15 +167,38 @@ ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
       }
     }
   }
-  if (items.empty())
-  {
-    return;
-  }
-  for (const Mesh& mesh : scene.GetMeshes())
-  {
-    this->AddSides(mesh);
-  }
+  this->FindLit(scene, items);
   this->AddUnits(items, spacing);
+}
+
+void ShapeLayout::FindLit(const Scene& scene, const std::vector<Item>& items)
+{
+  std::vector<Bounds> lights;
+  for (const PointLight& light : scene.GetPointLights())
+  {
+    lights.emplace_back();
+    lights.back().Add(light.Position);
+  }
+  for (std::uint32_t index = 0; index < scene.GetMeshes().size(); ++index)
+  {
+    const Mesh& mesh = scene.GetMeshes()[index];
+    if (mesh.Material.IsEmissive() && !mesh.Vertices.empty())
+    {
+      const Item item(mesh, index);
+      lights.push_back(mesh.Instances.empty() ? item.Box : Bounds());
+      for (std::uint32_t instance = 0; instance < mesh.Instances.size(); ++instance)
+      {
+        lights.back().Add(item.Place(mesh, instance).Box);
+      }
+    }
+  }
+  for (const Item& item : items)
+  {
+    const bool isLit = scene.GetMeshes()[item.Mesh].Material.IsEmissive() ||
+      std::any_of(lights.begin(), lights.end(),
+        [&item](const Bounds& light) { return item.Box.Contains(light); });
+    this->AreLit.push_back(isLit ? 1 : 0);
+  }
 }
 
 void ShapeLayout::AddSides(const Mesh& mesh)
@@ -255,8 +291,7 @@ ShapeLayout::Place ShapeLayout::Find(const Hit& hit, const SurfaceHit& surface) 
   {
     return place;
   }
-  const std::uint32_t shape = hit.Instance == Hit::None ? hit.Triangle : hit.Instance;
-  const Unit& unit = this->Units[this->Items[this->FirstItems[hit.Mesh] + shape]];
+  const Unit& unit = this->Units[this->Items[this->FirstItems[hit.Mesh] + GetShape(hit)]];
   const glm::vec3 position = (surface.LeavePosition - unit.Low) / unit.Edges;
   if (!(glm::abs(position.x) + glm::abs(position.y) + glm::abs(position.z) <
         std::numeric_limits<float>::max()))
@@ -271,9 +306,16 @@ ShapeLayout::Place ShapeLayout::Find(const Hit& hit, const SurfaceHit& surface) 
   return place;
 }
 
-bool ShapeLayout::IsWithin(const Hit& hit, bool behind) const
+bool ShapeLayout::IsInside(const Hit& hit, bool behind) const
 {
-  return (this->GetSides(hit) & (behind ? Back : Front)) == 0;
+  const std::uint32_t first = this->FirstItems[hit.Mesh];
+  const bool isLit = first != None && this->AreLit[first + GetShape(hit)] != 0;
+  return !isLit && (this->GetSides(hit) & (behind ? Back : Front)) == 0;
+}
+
+std::uint32_t ShapeLayout::GetShape(const Hit& hit)
+{
+  return hit.Instance == Hit::None ? hit.Triangle : hit.Instance;
 }
 
 std::uint8_t ShapeLayout::GetSides(const Hit& hit) const

@@ -65,9 +65,12 @@ public:
   /// The place of a surface point of such a mesh; in no cell if it is inside a closed body.
   Place Find(const Hit& hit, const SurfaceHit& surface) const;
 
-  /// Whether the side of any mesh's surface that a ray hits, from behind or not, faces the inside
-  /// of a closed, opaque body.
-  bool IsWithin(const Hit& hit, bool behind) const;
+  /// Whether there are meshes that cannot hold a lattice.
+  bool HasShapes() const { return !this->FirstItems.empty(); }
+
+  /// Whether the side that a ray hits of a mesh that cannot hold a lattice, from behind or not,
+  /// faces the inside of a closed, opaque body, in which no light is known. Not after reading.
+  bool IsInside(const Hit& hit, bool behind) const;
 
   const std::vector<Unit>& GetUnits() const { return this->Units; }
   std::uint32_t GetNumberOfCells() const { return this->NumberOfCells; }
@@ -90,19 +93,22 @@ private:
   struct Bounds;
   struct Item;
 
+  static std::uint32_t GetShape(const Hit& hit);
   std::uint8_t GetSides(const Hit& hit) const;
   void AddSides(const Mesh& mesh);
+  void FindLit(const Scene& scene, const std::vector<Item>& items);
   void AddUnits(const std::vector<Item>& items, float spacing);
   void Divide(const std::vector<Bounds>& boxes, float edge);
 
   std::uint32_t NumberOfCells = 0;
   std::vector<std::uint32_t> FirstItems; // of each mesh; None if it has none
-  std::vector<std::size_t> FirstSides;   // of each mesh; empty if no mesh has such shapes
+  std::vector<std::size_t> FirstSides;   // of each mesh; empty if all meshes can hold a lattice
   std::vector<std::uint8_t> Sides;       // those of triangles, or of all of a mesh's shapes, that
                                          // are not inside: 1 for the front plus 2 for the back,
                                          // plus 4 if light is stored only on the front
   std::vector<std::uint32_t> Items;      // the units of the shapes: instances, spheres and tubes
   std::vector<Unit> Units;
+  std::vector<std::uint8_t> AreLit; // the shapes: 1 if one emits, or light may be in it, else 0
 };
 }
 

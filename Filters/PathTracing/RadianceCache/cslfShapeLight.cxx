@@ -136,13 +136,14 @@ private:
 class Sampler
 {
 public:
-  Sampler(
-    const Scene& scene, const PathIntegrator& paths, const ShapeLayout& layout, std::uint64_t seed)
+  Sampler(const Scene& scene, const PathIntegrator& paths, const ShapeLayout& layout,
+    const ShapeLight::Settings& settings)
     : World(scene)
     , Paths(paths)
     , Layout(layout)
     , Points(scene, layout)
-    , Seed(seed)
+    , Settings(settings)
+    , Seed(MixBits(settings.Seed, settings.Samples))
     , Batches(PathBatch(1, true))
   {
   }
@@ -236,14 +237,14 @@ private:
   /// Whether a ray does not start within another body, where no light is seen from outside.
   bool IsOutside(const Ray& ray, const Hit& seen) const
   {
-    const bool isBehind = seen.IsValid() && this->World.GetSurface(ray, seen).Inside;
-    return !seen.IsValid() || !this->Layout.IsWithin(seen, isBehind);
+    return !seen.IsValid() || !this->Settings.IsInside || !this->Settings.IsInside(ray, seen);
   }
 
   const Scene& World;
   const PathIntegrator& Paths;
   const ShapeLayout& Layout;
   ShapePoints Points;
+  const ShapeLight::Settings& Settings;
   std::uint64_t Seed;
   vtkSMPThreadLocal<PathBatch> Batches;
   std::atomic<std::uint64_t> Rays{ 0 };
@@ -354,7 +355,7 @@ bool ShapeLight::Estimate(const Scene& scene, const PathIntegrator& paths, const
   const std::vector<std::uint64_t> ends =
     CountSamples(this->Layout.GetUnits(), settings.Samples, settings.MostPaths, part);
   const std::uint64_t count = ends.empty() ? 0 : ends.back();
-  Sampler sampler(scene, paths, this->Layout, MixBits(settings.Seed, settings.Samples));
+  Sampler sampler(scene, paths, this->Layout, settings);
   Fitting fitting(this->Layout, ends);
   CacheShare* share = settings.Share;
   constexpr std::uint64_t size = PathBatch::Capacity;

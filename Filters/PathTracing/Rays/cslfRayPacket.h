@@ -34,7 +34,9 @@ struct Hit
   std::uint32_t Mesh = None;
   std::uint32_t Triangle = None;
   std::uint32_t Instance = None; ///< of the mesh, if it has any
-  bool Back = false; ///< whether the ray comes from the side where the vertices run clockwise
+  /// Whether the ray comes from the side where the vertices run clockwise. This is Embree's choice:
+  /// rays from afar that graze a flat triangle may differ from SurfaceHit::Inside.
+  bool Back = false;
 
   bool IsValid() const { return this->Mesh != None; }
   TrianglePoint GetPlace() const { return { this->Triangle, this->U, this->V, this->Instance }; }

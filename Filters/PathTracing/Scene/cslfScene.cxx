@@ -6,6 +6,7 @@
 #include "PathTracing/Rays/cslfHitFilter.h"
 #include "PathTracing/Rays/cslfRayLanes.h"
 #include "PathTracing/Shapes/cslfHitGeometry.h"
+#include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "SIMD/cslfVectorize.h"
 
 #include <glm/geometric.hpp>
@@ -474,9 +475,9 @@ SurfaceHit Scene::GetSurface(const Hit& hit) const
 {
   const Mesh& mesh = this->Meshes[hit.Mesh];
   const glm::uvec3& corners = mesh.Triangles[hit.Triangle];
-  const glm::vec3& corner = mesh.Vertices[corners.x];
-  const glm::vec3 front = glm::normalize(
-    glm::cross(mesh.Vertices[corners.y] - corner, mesh.Vertices[corners.z] - corner));
+  const glm::vec3 places[3] = { mesh.Vertices[corners.x], mesh.Vertices[corners.y],
+    mesh.Vertices[corners.z] };
+  const glm::vec3 front = FindFront(places);
   return this->GetSurface({ glm::vec3(0.0f), hit.Back ? front : -front }, hit);
 }
 }

@@ -67,8 +67,8 @@ inline float FindOffset(const glm::vec3& normal, const glm::vec3& reach, float l
 }
 
 /// The normal of the side where the corners run counterclockwise. It has unit length even if the
-/// triangle's area is 0 as a float. Embree's normal is not used, because it computes that from
-/// edges relative to the ray's origin: from afar, its rounding can exceed FindOffset.
+/// triangle's area is 0 as a float. Rays do not start from Embree's normal, because it is computed
+/// from edges relative to the ray's origin: from afar, its rounding can exceed FindOffset.
 inline glm::vec3 FindFront(const glm::vec3 corners[3])
 {
   const glm::vec3 edges[2] = { corners[1] - corners[0], corners[2] - corners[0] };
