@@ -127,7 +127,7 @@ public:
     {
       return nullptr;
     }
-    const std::string loss = cslf::DescribeGeometryLoss(geometry);
+    const std::string loss = cslf::DescribeGeometryLoss(geometry, this->Self->GeometryTriangles);
     if (!loss.empty())
     {
       vtkWarningWithObjectMacro(this->Self, << loss);

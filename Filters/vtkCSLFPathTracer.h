@@ -20,7 +20,8 @@
  * smooth shading.
  * - Materials, textures and lights are field data, see vtkCSLFMaterial and vtkCSLFLight.
  * - Rays pass surfaces with an opacity below 1 at random. Alpha is the fraction of rays that end on
- * a surface. Depth is that of the first surface whose opacity is at least one half.
+ * a surface. Depth is that of the first surface whose opacity is at least one half, if there is
+ * one.
  * - With ScalarVisibility, the active scalars, or those that SetInputArrayToProcess selects (of
  * points, then of cells), replace the base colour. Unsigned chars of 3 or 4 components are sRGB
  * colours. All other scalars are mapped through LookupTable, or the array's own lookup table, or a

@@ -277,7 +277,7 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
       cslf::MakeGeometryData(made.Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
         { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint });
     cslf::AddSideColors(made.Surface, std::move(colors), this->ColorType, this->Geometry);
-    const std::string loss = cslf::DescribeGeometryLoss(this->Geometry);
+    const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
     if (!loss.empty())
     {
       vtkWarningMacro(<< loss);

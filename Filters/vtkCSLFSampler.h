@@ -13,10 +13,11 @@
  * texel or one surface in it (SurfaceTexels), times the exposure; as 4 unsigned chars (sRGB-encoded
  * mean of the samples that hit a surface, times alpha) or 4 floats (linear, associated alpha).
  * Alpha is the covered fraction of the texel.
- * - `Depth`: the first intersection of the ray to the texel's centre, as a fraction of the distance
- * from the viewpoint to the texel's centre, with 0 to 1 stored as 0 to 65535. If this ray misses
- * but alpha is above 0, it is the depth of the sample nearest to the centre. If alpha is 0, or the
- * centre shows the environment, it is 65535.
+ * - `Depth`: the first intersection of the ray to the texel's centre with a surface whose opacity
+ * is at least one half, as a fraction of the distance from the viewpoint to the texel's centre,
+ * with 0 to 1 stored as 0 to 65535. If there is none, it is that with the last surface that is not
+ * invisible; if this ray misses, but alpha is above 0, the depth of the sample nearest to the
+ * centre. If alpha is 0, or the centre shows the environment, it is 65535.
  *
  * Field data holds the light field's description.
  *

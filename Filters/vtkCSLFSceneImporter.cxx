@@ -24,6 +24,7 @@
 #include <vtkLODProp3D.h>
 #include <vtkMapper.h>
 #include <vtkObjectFactory.h>
+#include <vtkPoints.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderPass.h>
 #include <vtkRenderer.h>
@@ -169,6 +170,25 @@ double GetTypicalScale(vtkPolyData* data)
   return *middle;
 }
 
+/// One point, in the middle of all blocks. VTK's writers leave out blocks without points.
+vtkSmartPointer<vtkPoints> MakeMiddle(const std::vector<cslf::ImportedBlock>& blocks)
+{
+  vtkBoundingBox bounds;
+  for (const cslf::ImportedBlock& block : blocks)
+  {
+    bounds.AddBounds(block.Data->GetBounds());
+  }
+  double middle[3] = { 0.0, 0.0, 0.0 };
+  if (bounds.IsValid())
+  {
+    bounds.GetCenter(middle);
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(middle);
+  return points;
+}
+
 /// Converts widths in pixels to widths in the world.
 void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
 {
@@ -290,6 +310,7 @@ int vtkCSLFSceneImporter::RequestData(
     output->SetBlock(index++, block.Data);
   }
   vtkNew<vtkPolyData> lightData;
+  lightData->SetPoints(MakeMiddle(scene.Blocks));
   lightData->SetFieldData(scene.Lights->GetFieldData());
   output->SetBlock(index, lightData);
   if (!scene.Limits.empty())

@@ -6,8 +6,9 @@
  *
  * This source converts the visible actors of a vtkRenderer to a vtkMultiBlockDataSet of their
  * surfaces, in world coordinates, with their materials as defined by vtkCSLFMaterial. A last block
- * holds the lights as defined by vtkCSLFLight. vtkCSLFPathTracer::SetRenderer uses the same
- * conversion. Nothing is drawn, no window is needed, and the renderer is not changed.
+ * holds the lights as defined by vtkCSLFLight, and one point, so that VTK's writers keep it.
+ * vtkCSLFPathTracer::SetRenderer uses the same conversion. Nothing is drawn, no window is needed,
+ * and the renderer is not changed.
  *
  * Actors, also in assemblies:
  * - Geometry is the input of the mapper, after its pipeline: polygonal data, the surface of any

@@ -78,7 +78,8 @@ void CheckOutputs(const Options& options)
   }
   if (!options.ContactSheet.empty())
   {
-    RequireWritable(options.ContactSheet);
+    RequirePicture(options.ContactSheet);
+    options.Scene.RequireOther(options.ContactSheet);
   }
 }
 

@@ -40,7 +40,7 @@ struct Options
 
 Result RunView(const Options& options)
 {
-  RequireWritable(options.Output);
+  RequirePicture(options.Output);
   const FieldFile file = OpenField(options.Field);
   const std::string lookup = ChooseLookup(options.Lookup, file);
   const vtkSmartPointer<vtkCamera> camera = options.Camera.MakeCamera(file.Field.Box);

@@ -5,6 +5,7 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
+#include "Fields/cslfGeometryFiles.h"
 #include "Options/cslfIntegratorOptions.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
@@ -238,6 +239,11 @@ Result Run(const Options& options)
   CheckCube(options);
   const FieldWriter writer(options.Output, options.Coding);
   CheckFormat(options, writer.GetFormat());
+  options.Scene.RequireOther(options.Output);
+  if (writer.GetFormat() == FieldFormat::ImageData)
+  {
+    options.Scene.RequireOther(GetGeometryName(options.Output));
+  }
   const Scene scene = options.Scene.Read();
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
@@ -317,12 +323,14 @@ void AddField(CLI::App& command, Options& options)
     ->group(field);
   AddOption(command, cslf::options::GeometryTriangles, options.GeometryTriangles)->group(field);
   command
-    .add_option("--center", options.Center, "centre of the cube, instead of the scene's centre")
+    .add_option("--center", options.Center,
+      "centre of the cube, with --edges (default: a cube around the scene)")
     ->expected(3)
     ->type_name("X Y Z")
     ->group(field);
   command
-    .add_option("--edges", options.Edges, "edges of the cube: one length, or three along X, Y, Z")
+    .add_option("--edges", options.Edges,
+      "edges of the cube, with --center: one length, or three along X, Y, Z")
     ->expected(1, 3)
     ->check(Positive())
     ->group(field);

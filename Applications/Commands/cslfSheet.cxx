@@ -29,7 +29,7 @@ struct Options
 
 Result Run(const Options& options)
 {
-  RequireWritable(options.Output);
+  RequirePicture(options.Output);
   if (options.Labels.size() > options.Inputs.size())
   {
     throw Failure("There are more labels than pictures.");

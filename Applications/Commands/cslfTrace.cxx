@@ -34,7 +34,8 @@ struct Options
 
 Result Run(const Options& options)
 {
-  RequireWritable(options.Output);
+  RequirePicture(options.Output);
+  options.Scene.RequireOther(options.Output);
   const Scene scene = options.Scene.Read();
   vtkNew<vtkCSLFViewTracer> tracer;
   options.Scene.Apply(scene, tracer);

@@ -156,7 +156,8 @@ Result Run(const Options& options)
 {
   if (!options.Screenshot.empty())
   {
-    RequireWritable(options.Screenshot);
+    RequirePicture(options.Screenshot);
+    options.Scene.RequireOther(options.Screenshot);
   }
   const FieldFile file = OpenField(FieldInput{ options.Field, true });
   const std::string lookup = ChooseLookup(options.Lookup, file);

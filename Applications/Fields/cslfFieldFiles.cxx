@@ -59,14 +59,6 @@ constexpr double LeastTarget = 1.0;
 /// The suffixes of numbers of bytes.
 const std::map<std::string, double> ByteUnits = { { "k", 1e3 }, { "M", 1e6 }, { "G", 1e9 } };
 
-std::string LowerExtension(const std::string& fileName)
-{
-  std::string extension = ToName(ToPath(fileName).extension());
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 std::optional<FieldFormat> FindFormat(const std::string& fileName)
 {
   const std::string extension = LowerExtension(fileName);
@@ -421,6 +413,14 @@ void CodingOptions::Apply(vtkCSLFEncoder* encoder) const
 }
 #endif
 
+std::string LowerExtension(const std::string& fileName)
+{
+  std::string extension = ToName(ToPath(fileName).extension());
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
 void RequireWritable(const std::string& fileName)
 {
   std::error_code failure;
@@ -461,7 +461,7 @@ FieldWriter::FieldWriter(const std::string& fileName, const CodingOptions& codin
   if (IsFirstRank())
   {
     // Checked before days of sampling.
-    this->Parts = ReadParts(coding.Parts);
+    this->Parts = ReadParts(coding.Parts, fileName);
     AddParts(vtkNew<vtkCSLFEncoder>(), this->Parts);
   }
 #endif

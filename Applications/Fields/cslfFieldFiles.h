@@ -174,6 +174,9 @@ private:
 /// Throws a Failure unless a file of that name can be created.
 void RequireWritable(const std::string& fileName);
 
+/// A file name's extension, with its dot, in lower case.
+std::string LowerExtension(const std::string& fileName);
+
 /// The results of FieldWriter::Write in words: ", ...", or nothing.
 std::string DescribeCoding(const nlohmann::json& coding);
 

@@ -3,6 +3,7 @@
 #include "cslfFieldParts.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfFieldFiles.h"
 #include "cslfJoin.h"
@@ -75,12 +76,13 @@ std::string FindPartFault(const std::string& option)
       "scene=model/gltf-binary:scene.glb";
 }
 
-std::vector<FieldPart> ReadParts(const std::vector<std::string>& options)
+std::vector<FieldPart> ReadParts(const std::vector<std::string>& options, const std::string& output)
 {
   std::vector<FieldPart> parts;
   for (const std::string& option : options)
   {
     const PartOption words = Split(option).value_or(PartOption());
+    RequireOther(words.FileName, output);
     FieldPart part{ words.Name, words.Type, ReadBytes(words.FileName) };
     if (std::any_of(
           parts.begin(), parts.end(), [&](const FieldPart& other) { return other.IsLike(part); }))

@@ -32,9 +32,11 @@ struct FieldPart
 /// Says in one line why an option is not of the form "NAME=TYPE:FILE". Empty if it is.
 std::string FindPartFault(const std::string& option);
 
-/// Reads the files of valid options. Throws a Failure if a file cannot be read, or if two parts
+/// Reads the files of valid options. Throws a Failure if a file cannot be read or is the output, or
+/// if two parts
 /// have the same name and type.
-std::vector<FieldPart> ReadParts(const std::vector<std::string>& options);
+std::vector<FieldPart> ReadParts(
+  const std::vector<std::string>& options, const std::string& output);
 
 /// The parts of an open field; none if it is not a video.
 std::vector<FieldPart> GetParts(const FieldFile& file);

@@ -30,12 +30,6 @@ namespace cslf::tool
 {
 namespace
 {
-/// The file beside that of a field in image data.
-std::string GetGeometryName(const std::string& fileName)
-{
-  return ToName(ToPath(fileName).replace_extension(".geometry.vtp"));
-}
-
 /// The description of the field that a geometry was written with; empty if unknown.
 std::string GetFieldOf(vtkPolyData* geometry)
 {
@@ -90,6 +84,11 @@ bool FieldFile::HasUsefulGeometry() const
 {
   vtkPolyData* geometry = this->ReadGeometry();
   return geometry && IsUsefulGeometry(geometry);
+}
+
+std::string GetGeometryName(const std::string& fieldName)
+{
+  return ToName(ToPath(fieldName).replace_extension(".geometry.vtp"));
 }
 
 void OpenGeometry(FieldFile& file)

@@ -26,6 +26,9 @@ void MakeGeometry(int triangles, FieldFile& file);
 /// Warns if a geometry that MakeGeometry made lacks many surfaces.
 void WarnOfLoss(const FieldFile& file);
 
+/// The name of the file with the geometry of a .vti file.
+std::string GetGeometryName(const std::string& fieldName);
+
 /// Pulls the geometry of the field that a connection has delivered, and writes it beside the .vti
 /// file of that name, unless it is empty. Throws a Failure.
 void WriteGeometry(

@@ -52,6 +52,15 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName)
   return reader->GetOutput();
 }
 
+void RequirePicture(const std::string& fileName)
+{
+  if (LowerExtension(fileName) != ".png")
+  {
+    throw Failure("Pictures are written as .png.");
+  }
+  RequireWritable(fileName);
+}
+
 void WritePicture(const std::string& fileName, vtkImageData* picture)
 {
   const auto bytes = EncodePNG(picture);

@@ -35,6 +35,9 @@ namespace cslf::tool
 /// Reads a PNG of 8 bits. Throws a Failure.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
 
+/// Throws a Failure if a name is not that of a PNG, or a file cannot be written there.
+void RequirePicture(const std::string& fileName);
+
 /// Writes a PNG, which appears complete or not at all. Throws a Failure.
 void WritePicture(const std::string& fileName, vtkImageData* picture);
 

@@ -3,6 +3,7 @@
 #include "cslfSceneFiles.h"
 
 #include "Console/cslfMessages.h"
+#include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
 #include "cslfPLYReader.h"
 #include "cslfSceneChecks.h"
@@ -403,6 +404,21 @@ void SceneOptions::ChooseLight(const std::string& name)
   this->Light->SetMode(isImage ? vtkCSLFEnvironment::ImageEnvironment : named->second);
   this->Light->SetFileName(isImage ? name.c_str() : nullptr);
   this->IsLightChosen = true;
+}
+
+void SceneOptions::RequireOther(const std::string& output) const
+{
+  for (const std::string& input : this->Inputs)
+  {
+    if (!vtkCSLFSceneSource::HasScene(input.c_str()))
+    {
+      tool::RequireOther(input, output);
+    }
+  }
+  if (this->Light->GetMode() == vtkCSLFEnvironment::ImageEnvironment && this->Light->GetFileName())
+  {
+    tool::RequireOther(this->Light->GetFileName(), output);
+  }
 }
 
 void SceneOptions::SetMaterial(vtkDataObject* part) const

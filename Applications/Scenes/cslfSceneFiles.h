@@ -69,6 +69,9 @@ public:
   /// Gives a path tracer the scene and its light.
   void Apply(const Scene& scene, vtkCSLFPathTracer* tracer) const;
 
+  /// Throws a Failure if writing a file would replace one of the inputs or the environment image.
+  void RequireOther(const std::string& output) const;
+
   bool IsEmpty() const { return this->Inputs.empty(); }
 
   /// Whether the Cornell box is among the inputs.

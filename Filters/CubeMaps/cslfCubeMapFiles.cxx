@@ -19,9 +19,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <system_error>
 #include <vector>
 
 namespace cslf
@@ -87,8 +89,18 @@ std::uint32_t ReadBigEndian(const unsigned char* bytes)
     std::uint32_t(bytes[2]) << 8 | bytes[3];
 }
 
-std::vector<unsigned char> ReadBytes(const std::string& fileName)
+/// The bytes of an image file. None if there is no such file, or if it is larger than an image of
+/// so many pixels can be.
+std::vector<unsigned char> ReadBytes(const std::string& fileName, std::uintmax_t pixels)
 {
+  constexpr std::uintmax_t mostOfPixel = 64;
+  constexpr std::uintmax_t mostOfRest = 1 << 20;
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(ToPath(fileName), failure) ||
+    std::filesystem::file_size(ToPath(fileName), failure) > mostOfPixel * pixels + mostOfRest)
+  {
+    return {};
+  }
   std::ifstream file(ToPath(fileName), std::ios::binary);
   return { std::istreambuf_iterator<char>(file), {} };
 }
@@ -132,7 +144,7 @@ std::unique_ptr<OIIO::ImageInput> OpenCubeMap(
   const bool isEXR = channel.Type == VTK_FLOAT;
   const int height = grid.GetResolution();
   const int width = FaceCount * height;
-  const std::vector<unsigned char> content = ReadBytes(fileName);
+  const std::vector<unsigned char> content = ReadBytes(fileName, std::uintmax_t(width) * height);
   if (!(isEXR ? IsSoundEXR(content, width, height) : IsWholePNG(content, width, height)))
   {
     return nullptr;

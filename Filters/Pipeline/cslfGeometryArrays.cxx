@@ -92,12 +92,22 @@ std::string DescribeGeometryFault(vtkPolyData* geometry, const Cube& box)
   return isInside ? "" : "a point of the geometry lies outside of the cube";
 }
 
-std::string DescribeGeometryLoss(vtkPolyData* geometry)
+std::string DescribeGeometryLoss(vtkPolyData* geometry, vtkIdType mostTriangles)
 {
   const double loss = GetGeometryLoss(geometry).value_or(0.0);
-  return loss > MostUsefulLoss ? "With " + std::to_string(geometry->GetNumberOfPolys()) +
+  const vtkIdType triangles = geometry->GetNumberOfPolys();
+  if (triangles == 0 && loss <= MostUsefulLoss)
+  {
+    return "The geometry is empty, because the viewpoints hardly see any surface: fit the cube to "
+           "the visible parts of the scene, or increase the resolution.";
+  }
+  // There may be fewer than allowed, as when a limit is reached in steps.
+  const bool areFew = triangles < mostTriangles / 2;
+  return loss > MostUsefulLoss ? "With " + std::to_string(triangles) +
       " triangles, the geometry loses " + std::to_string(std::lround(100.0 * loss)) +
-      " % of the visible surfaces, and mappers use depth instead: increase GeometryTriangles."
+      " % of the visible surfaces, and mappers use depth instead: " +
+      (areFew ? "increase the resolution, or fit the cube to the scene."
+              : "increase GeometryTriangles.")
                                : "";
 }
 }

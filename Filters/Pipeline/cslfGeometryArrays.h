@@ -11,6 +11,8 @@
 
 #include "cslfCube.h"
 
+#include <vtkType.h>
+
 #include <optional>
 #include <string>
 
@@ -70,8 +72,8 @@ bool VTKCSLF_EXPORT IsUsefulGeometry(vtkPolyData* geometry);
 /// can: cells name points that exist, and lie in the cube.
 std::string VTKCSLF_EXPORT DescribeGeometryFault(vtkPolyData* geometry, const Cube& box);
 
-/// A warning if a geometry lost too much, or nothing.
-std::string VTKCSLF_EXPORT DescribeGeometryLoss(vtkPolyData* geometry);
+/// A warning if a geometry that may have so many triangles is empty or lost too much, or nothing.
+std::string VTKCSLF_EXPORT DescribeGeometryLoss(vtkPolyData* geometry, vtkIdType mostTriangles);
 }
 
 #endif

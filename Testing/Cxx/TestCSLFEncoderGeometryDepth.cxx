@@ -331,6 +331,29 @@ void TestCovered(const std::string& folder)
   CSLF_CHECK_NEAR(sum / static_cast<double>(count), 160.0, 4.0);
 }
 
+/// Wires thinner than texels, in none of which they take more than half: a file from whose geometry
+/// coverage is computed would have them in some texels only.
+void TestWires(const std::string& folder)
+{
+  for (const bool hasWires : { false, true })
+  {
+    const Case file{ cslf::testing::MakeTestField(
+                       cslf::Layout(3, 64), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT),
+      cslf::testing::MakeTestSurfaces(cslf::Cube()), folder + "/wires.mp4" };
+    auto* colors = vtkUnsignedCharArray::SafeDownCast(GetArray(file.Field, "Color"));
+    for (vtkIdType k = 0; hasWires && k < colors->GetNumberOfTuples(); k += 7)
+    {
+      if (colors->GetTypedComponent(k, 3) == 0)
+      {
+        const unsigned char gray[] = { 40, 40, 40, 64 };
+        colors->SetTypedTuple(k, gray);
+        GetArray(file.Field, "Depth")->SetTuple1(k, 30000);
+      }
+    }
+    CSLF_CHECK(file.Write()->GetActualDepthFromGeometry() != hasWires);
+  }
+}
+
 /// Only some viewpoints are covered, among them those that the encoder tries: coverage is coded.
 void TestCoveredMiddles(const std::string& folder)
 {
@@ -431,6 +454,7 @@ int TestCSLFEncoderGeometryDepth(int argc, char* argv[])
   TestFile(folder, VTK_FLOAT);
   TestUnused(folder);
   TestCovered(folder);
+  TestWires(folder);
   TestCoveredMiddles(folder);
   TestHeaders(folder);
   return cslf::testing::Result();

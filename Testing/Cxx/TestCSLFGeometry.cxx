@@ -15,6 +15,7 @@
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkCubeSource.h>
+#include <vtkCylinderSource.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
@@ -234,6 +235,64 @@ void TestDemand()
 }
 }
 
+/// A rod in a flat cube stays round, and a thin one is there, although it is thinner than a tenth
+/// of a texel.
+void TestThin()
+{
+  const auto makeRod = [](double length, double radius)
+  {
+    vtkNew<vtkCylinderSource> rod;
+    rod->SetHeight(length);
+    rod->SetRadius(radius);
+    rod->SetResolution(24);
+    rod->Update();
+    return vtkSmartPointer<vtkPolyData>(rod->GetOutput());
+  };
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, makeRod(300.0, 0.5));
+  sampler->AutomaticCubeOff();
+  sampler->SetCubeCenter(0.0, 0.0, 0.0);
+  sampler->SetCubeEdges(2.0, 340.0, 2.0);
+  sampler->Update(1);
+  vtkPolyData* geometry = sampler->GetGeometry();
+  CSLF_CHECK(geometry->GetNumberOfPolys() >= 40);
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i)
+  {
+    const glm::dvec3 point = GetPoint(geometry, i);
+    CSLF_CHECK(std::abs(point.y) > 149.9 || std::hypot(point.x, point.z) > 0.49);
+  }
+
+  vtkNew<vtkCSLFSampler> other;
+  SetUp(other, makeRod(2.0, 0.001));
+  other->Update(1);
+  CSLF_CHECK(other->GetGeometry()->GetNumberOfPolys() > 0);
+  CSLF_CHECK(GetNumber(other->GetGeometry(), cslf::GeometryLossName) < 0.01);
+}
+
+/// Invisible surfaces cost the others nothing; and where nothing is seen, there is a warning.
+void TestUnseen()
+{
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, MakeSphere(glm::dvec3(0.0), 1.0, 20));
+  const auto hidden = MakeSphere(glm::dvec3(0.0), 1.5, 20);
+  vtkCSLFMaterial::SetOpacity(hidden, 0.0);
+  scene->SetBlock(1, hidden);
+  vtkNew<vtkCSLFSampler> sampler;
+  SetUp(sampler, scene);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  sampler->AddObserver(vtkCommand::WarningEvent, observer);
+  sampler->Update(1);
+  CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() > 100);
+  CSLF_CHECK(!observer->GetWarning());
+
+  vtkNew<vtkMultiBlockDataSet> far;
+  far->SetBlock(0, MakeSphere(glm::dvec3(0.0), 1.0, 20));
+  far->SetBlock(1, MakeSphere(glm::dvec3(1e6, 0.0, 0.0), 1.0, 20));
+  sampler->SetInputDataObject(far);
+  sampler->Update(1);
+  CSLF_CHECK(observer->GetWarningMessage().find("hardly see any surface") != std::string::npos);
+}
+
 /// Surfaces that rays pass have no geometry.
 void TestPassed()
 {
@@ -251,6 +310,8 @@ void TestPassed()
 int TestCSLFGeometry(int, char*[])
 {
   TestPassed();
+  TestThin();
+  TestUnseen();
   TestHidden();
   TestShapes();
   TestInstances();

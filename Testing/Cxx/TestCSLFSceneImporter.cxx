@@ -72,6 +72,8 @@ struct Importer
   vtkDataArray* GetLight(const char* name)
   {
     vtkMultiBlockDataSet* output = this->Update();
+    // VTK's writers leave out blocks without points.
+    CSLF_CHECK(this->GetBlock(output->GetNumberOfBlocks() - 1)->GetNumberOfPoints() > 0);
     return output->GetBlock(output->GetNumberOfBlocks() - 1)->GetFieldData()->GetArray(name);
   }
 

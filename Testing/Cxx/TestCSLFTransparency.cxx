@@ -125,6 +125,17 @@ void TestCoverage()
     CSLF_CHECK_NEAR(both.Depth, ToDepth(opacity >= 0.5f ? 1.0 : -1.0), 1.0);
   }
 
+  // Without such a surface, it is that of the last one: those in front count as air everywhere.
+  std::vector<cslf::Mesh> veils;
+  for (const float z : { 0.5f, -1.0f, 1.0f })
+  {
+    cslf::SurfaceMaterial veil = MakeDiffuse(0.8f);
+    veil.Opacity = 0.4f;
+    veils.push_back(MakeRectangle({ 0, 0, z }, { 1, 0, 0 }, { 0, 1, 0 }, veil));
+  }
+  CSLF_CHECK_NEAR(
+    Render(cslf::Scene(veils, MakeUniformLight(1.0f)), 16).Depth, ToDepth(-1.0), 1.0);
+
   // A cut-off makes opacities 0 or 1.
   for (float cutoff : { 0.2f, 0.3f })
   {

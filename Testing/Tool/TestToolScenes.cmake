@@ -24,7 +24,8 @@ expect_json(isosurfaces scenes 1 name)
 expect_json(137778 scenes 1 triangles)
 expect_json(30.0 scenes 1 bounds 5)
 expect_json(20000 scenes 3 instances)
-cslf_run(sample glyphs -o glyphs.vti -M 2 -N 8 --spp 1 --max-depth 1 --integrator path)
+cslf_run(sample glyphs -o glyphs.vti -M 2 -N 8 --spp 1 --max-depth 1 --integrator path
+  --geometry-triangles 0)
 cslf_run(evaluate-texels glyphs.vti glyphs --texels 100 --reference-spp 64)
 cslf_run(trace pipes terrain -o scenes.png ${view} --roughness 0.5)
 

@@ -475,6 +475,8 @@ vtkSmartPointer<vtkPolyData> Decode(const std::vector<unsigned char>& bytes, con
   constexpr std::size_t mostGrowth = 1100;
   constexpr std::size_t mostPerByte = 64;
   Require(points > 0 && triangles > 0 && size <= mostGrowth * (rest + 1) && triangles <= sizes[0]);
+  // The encoder drops points that no triangle uses.
+  Require(points <= 3 * triangles);
   const auto canHold = [&](std::size_t stream, std::size_t pointSize)
   { return points * pointSize <= mostPerByte * stream; };
   Require(canHold(sizes[1], PositionSize));

@@ -158,6 +158,31 @@ private:
     return true;
   }
 
+  bool IsMostlyCovered(std::size_t texel) const
+  {
+    return !this->HasCoverage || this->Coverage.GetCoverage(texel) > MostlyCovered;
+  }
+
+  /// Whether a texel that the geometry does not cover lies at a silhouette: the nearest sample has
+  /// hit something, but the centre has not. Wires thinner than a texel have no such neighbours.
+  bool IsAtSilhouette(const Place& place) const
+  {
+    if (this->IsMostlyCovered(this->IndexOf(place)))
+    {
+      return false;
+    }
+    for (int k = 0; k < 9; ++k)
+    {
+      const Place other = { place.X + k % 3 - 1, place.Y + k / 3 - 1 };
+      if (this->IsInside(other) && this->Drawn[this->IndexOf(other)] < None &&
+        this->IsMostlyCovered(this->IndexOf(other)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void FindColor(const Place& place)
   {
     const std::size_t texel = this->IndexOf(place);
@@ -170,9 +195,7 @@ private:
     {
       color = this->FindNearest(place);
     }
-    // Beside a silhouette, the nearest sample has hit something, but the centre has not.
-    const bool isCovered = !this->HasCoverage || this->Coverage.GetCoverage(texel) > MostlyCovered;
-    const bool isLost = isDrawn ? !isOwn && !color : hasSurface && isCovered;
+    const bool isLost = isDrawn ? !isOwn && !color : hasSurface && !this->IsAtSilhouette(place);
     this->Result.Wrong += isLost || (isDrawn && this->IsTorn(place)) ? 1 : 0;
     if (!color && this->HasCoverage && isDrawn && hasSurface)
     {

@@ -29,6 +29,12 @@ namespace
 /// How far the surface may move, in texels at the cube's centre.
 constexpr double MostTexels = 0.1;
 
+/// The share of the surface that may be lost where it moves so little: bodies can be thinner than
+/// that. If more is lost, the surface may move a fraction of it, and then of that, and so on.
+constexpr double MostLoss = 0.002;
+constexpr float TolerancePart = 0.25f;
+constexpr int MostParts = 3;
+
 /// Spheres, tubes and instances may become as coarse as this.
 constexpr int Coarsest = 3;
 
@@ -206,13 +212,47 @@ SeenPlaces LookAround(const Scene& scene, const GeometrySettings& settings,
   return seen;
 }
 
+void Stretch(const glm::vec3& factors, std::vector<glm::vec3>& points)
+{
+  for (glm::vec3& point : points)
+  {
+    point *= factors;
+  }
+}
+
+/// Removes triangles where that moves the surface by much less than a texel, as a surface with
+/// these points shows. The surface is stretched as the cube is shorter along some axes, along which
+/// texels are smaller. Surfaces that differ more than that without it may differ by `most`.
+void SimplifyWell(
+  SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3> points, double texel, double most)
+{
+  Stretch(stretch, points);
+  auto tolerance = static_cast<float>(MostTexels * texel);
+  for (int part = 0; part <= MostParts; ++part, tolerance *= TolerancePart)
+  {
+    SurfaceMesh simple = surface;
+    Stretch(stretch, simple.Points);
+    Simplify(simple, tolerance);
+    const SurfaceError error = MeasureError(points, simple, texel);
+    if (error.Loss <= MostLoss && error.RootMeanSquare <= most)
+    {
+      Stretch(1.0f / stretch, simple.Points);
+      surface = std::move(simple);
+      return;
+    }
+  }
+}
+
 /// The surface that the viewpoints see, with few enough triangles. Coarser shapes may lose less
 /// than a further reduction of fine ones.
 Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
   const std::vector<int>& slices, double texel)
 {
   const std::vector<Mesh>& meshes = scene.GetMeshes();
-  const auto tolerance = static_cast<float>(MostTexels * texel);
+  const glm::dvec3& edges = settings.Box.Edges;
+  const glm::vec3 stretch(std::max({ edges.x, edges.y, edges.z }) / edges);
+  const float tolerance =
+    static_cast<float>(MostTexels * texel) / std::max({ stretch.x, stretch.y, stretch.z });
   const SeenPlaces seen = LookAround(scene, settings, slices, texel);
   const SeenPlaces nearlySeen = seen.Widen(WideCells);
   int coarseness = 0;
@@ -239,7 +279,7 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
       points = SpreadPoints(surface, MeasuredPoints);
       seen.KeepSeen(points);
     }
-    Simplify(surface, tolerance);
+    SimplifyWell(surface, stretch, points, texel, MostTexels * texel * (1 << 2 * coarseness));
     const bool isEnough = surface.Triangles.size() <= settings.MostTriangles;
     if (!isEnough)
     {

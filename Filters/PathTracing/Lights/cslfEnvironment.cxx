@@ -16,6 +16,9 @@ namespace cslf
 {
 namespace
 {
+/// More are refused, so that a file cannot ask for much memory: twice as many as 16K images have.
+constexpr std::size_t MostPixels = std::size_t(1) << 28;
+
 /// The integral of the interpolated image over each pixel, times the pixel's solid angle. It is
 /// above 0 wherever the image is.
 std::vector<double> MakeImportance(const EnvironmentImage& image)
@@ -78,6 +81,12 @@ bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, 
   }
   const OIIO::ImageSpec spec = input->spec();
   const std::size_t count = std::size_t(std::max(spec.width, 0)) * std::max(spec.height, 0);
+  if (count > MostPixels)
+  {
+    error = "The environment image \"" + fileName + "\" has more than " +
+      std::to_string(MostPixels) + " pixels.";
+    return false;
+  }
   std::vector<float> values(count * std::max(spec.nchannels, 0));
   if (values.empty() ||
     !input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))

@@ -112,6 +112,26 @@ void RefuseHidden(const RTCFilterFunctionNArguments* query)
   }
 }
 
+/// Keeps a hit in a packet, at the place of the ray's id, unless the one there is farther away.
+void KeepLast(const RTCFilterFunctionNArguments* query, unsigned int lane, RTCRayHit16& last)
+{
+  const unsigned int id = RTCRayN_id(query->ray, query->N, lane);
+  const float distance = RTCRayN_tfar(query->ray, query->N, lane);
+  if (last.hit.geomID[id] != RTC_INVALID_GEOMETRY_ID && distance <= last.ray.tfar[id])
+  {
+    return;
+  }
+  last.ray.tfar[id] = distance;
+  last.hit.Ng_x[id] = RTCHitN_Ng_x(query->hit, query->N, lane);
+  last.hit.Ng_y[id] = RTCHitN_Ng_y(query->hit, query->N, lane);
+  last.hit.Ng_z[id] = RTCHitN_Ng_z(query->hit, query->N, lane);
+  last.hit.u[id] = RTCHitN_u(query->hit, query->N, lane);
+  last.hit.v[id] = RTCHitN_v(query->hit, query->N, lane);
+  last.hit.geomID[id] = RTCHitN_geomID(query->hit, query->N, lane);
+  last.hit.primID[id] = RTCHitN_primID(query->hit, query->N, lane);
+  last.hit.instID[0][id] = RTCHitN_instID(query->hit, query->N, lane, 0);
+}
+
 /// Rejects hits of rays that pass.
 void RefusePassed(const RTCFilterFunctionNArguments* query)
 {
@@ -143,8 +163,12 @@ void RefusePassed(const RTCFilterFunctionNArguments* query)
       case Passing::ByChance:
         met = GetChance(query, lane) < opacity;
         break;
-      case Passing::ByHalf:
-        met = opacity >= 0.5f;
+      case Passing::ByOpacity:
+        met = opacity >= rule.LeastOpacity;
+        if (rule.Veils && !met && opacity > 0.0f)
+        {
+          KeepLast(query, lane, *rule.Veils);
+        }
         break;
       case Passing::Attenuated:
       {

@@ -51,9 +51,9 @@ struct RayPacket
 
   alignas(64) int Active[Size]; ///< -1 for rays, else 0
 
-  /// Whether surfaces count exactly where their opacity is at least one half. Used for depths, so
+  /// If above 0, surfaces count exactly where their opacity is at least this. Used for depths, so
   /// that they do not depend on chance.
-  bool PassByHalf = false;
+  float LeastOpacity = 0.0f;
 
   /// Whether Scene::Intersect met a surface that rays pass at random.
   bool MeetsVeils = false;

@@ -67,7 +67,7 @@ CSLF_VECTORIZE void PrepareQuery(RTCRayHit16& query, const int* active, int* val
     query.ray.tfar[i] = std::numeric_limits<float>::infinity();
     query.ray.time[i] = 0.0f;
     query.ray.mask[i] = ~0u;
-    query.ray.id[i] = 0;
+    query.ray.id[i] = static_cast<unsigned int>(i);
     query.ray.flags[i] = 0;
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -372,22 +372,44 @@ Hit Scene::Intersect(const Ray& ray) const
 
 void Scene::Intersect(RayPacket& packet) const
 {
+  this->Trace(packet, nullptr);
+}
+
+void Scene::Intersect(RayPacket& packet, RayPacket& veils) const
+{
+  veils = packet;
+  std::fill_n(veils.Query.hit.geomID, RayPacket::Size, RTC_INVALID_GEOMETRY_ID);
+  this->Trace(packet, &veils.Query);
+  for (int i = 0; i < RayPacket::Size; ++i)
+  {
+    veils.Query.hit.geomID[i] =
+      packet.IsHit(i) ? RTC_INVALID_GEOMETRY_ID : veils.Query.hit.geomID[i];
+  }
+  this->FindInstances(veils);
+}
+
+void Scene::Trace(RayPacket& packet, RTCRayHit16* veils) const
+{
   alignas(64) int valid[RayPacket::Size];
   PrepareQuery(packet.Query, packet.Active, valid);
-  EmbreeQuery rule(packet.PassByHalf ? Passing::ByHalf : Passing::ByChance);
+  EmbreeQuery rule(packet.LeastOpacity > 0.0f ? Passing::ByOpacity : Passing::ByChance);
+  rule.LeastOpacity = packet.LeastOpacity;
+  rule.Veils = veils;
   packet.MeetsVeils = false;
   rule.MeetsVeils = &packet.MeetsVeils;
   EmbreeIntersect16(
     this->Tree->World.get(), this->Tree->PacketWidth, rule, true, valid, packet.Query);
-  if (!this->Tree->Parts.empty())
+  this->FindInstances(packet);
+}
+
+void Scene::FindInstances(RayPacket& packet) const
+{
+  RTCHit16& hit = packet.Query.hit;
+  for (int i = 0; !this->Tree->Parts.empty() && i < RayPacket::Size; ++i)
   {
-    RTCHit16& hit = packet.Query.hit;
-    for (int i = 0; i < RayPacket::Size; ++i)
+    if (packet.IsHit(i))
     {
-      if (packet.IsHit(i))
-      {
-        hit.instID[0][i] = this->GetInstance(hit.geomID[i], hit.instID[0][i]);
-      }
+      hit.instID[0][i] = this->GetInstance(hit.geomID[i], hit.instID[0][i]);
     }
   }
 }

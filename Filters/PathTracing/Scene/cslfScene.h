@@ -100,6 +100,10 @@ public:
   Hit Intersect(const Ray& ray) const;
   void Intersect(RayPacket& packet) const;
 
+  /// The same with the packet's LeastOpacity. Where a ray hits nothing, `veils` gets the last
+  /// surface that it passes, if there is one, and the same rays.
+  void Intersect(RayPacket& packet, RayPacket& veils) const;
+
   /// The first hits of incoherent rays.
   void Intersect(const RayLanes& rays, HitLanes& hits) const;
 
@@ -139,6 +143,8 @@ public:
 private:
   struct Acceleration;
 
+  void Trace(RayPacket& packet, RTCRayHit16* veils) const;
+  void FindInstances(RayPacket& packet) const;
   void FindInstances(HitLanes& hits) const;
   std::uint32_t GetInstance(std::uint32_t mesh, std::uint32_t geometry) const;
 

@@ -434,6 +434,10 @@ private:
         std::string("Nothing of the scene is visible: all of its surfaces are transparent "
                     "(opacity 0).");
     }
+    else
+    {
+      meshes.erase(std::remove_if(meshes.begin(), meshes.end(), IsInvisible), meshes.end());
+    }
     built.Fingerprint = Identify(meshes, lights, built.Frame);
     built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
     built.Error = built.World->GetError();

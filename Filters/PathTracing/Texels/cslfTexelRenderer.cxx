@@ -24,6 +24,10 @@ constexpr std::int64_t SmallestBatch = 16;
 // The most blocks whose paths are followed together.
 constexpr int MostBlocks = 64;
 
+// The least opacity of surfaces whose depth is stored. Other views look through those with less, so
+// where there are only such surfaces, it is the depth of the last.
+constexpr float DepthOpacity = 0.5f;
+
 /// Whether rays of two packets, all of which hit the scene's box, see the same mesh or all miss.
 bool ShowOneMesh(const RayPacket& a, const RayPacket& b)
 {
@@ -447,11 +451,12 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
     places.TileY[lane] = block.Texels.Y[lane] + 0.5f;
   }
   RayPacket packet;
-  packet.PassByHalf = true;
+  packet.LeastOpacity = DepthOpacity;
   PacketScale scale;
   SetRays(block.Grid, places.TileX, places.TileY, packet, scale);
   const int centers = KeepInside(block.Inside, packet);
-  this->World.Intersect(packet);
+  RayPacket veils;
+  this->World.Intersect(packet, veils);
   const TexelGroup all(RayPacket::Size);
   const PacketHits hits{ this->World, all, places, packet, scale };
   if (this->Settings.SurfaceTexels && !packet.MeetsVeils)
@@ -460,11 +465,12 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
   }
   if (this->NeedsNearest)
   {
-    // If the ray to the centre sees nothing, the samples may see something.
     block.Sums.KeepNearest(hits);
+    block.Sums.KeepNearest({ this->World, all, places, veils, scale });
+    // If the ray to the centre sees nothing, the samples may see something.
     for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
     {
-      block.LacksNearest |= block.Inside[lane] && !packet.IsHit(lane);
+      block.LacksNearest |= block.Inside[lane] && !veils.IsHit(lane);
     }
   }
   else
