@@ -268,7 +268,8 @@ std::optional<Description> Description::FromJSON(const nlohmann::json& json, std
   }
   catch (const std::exception& exception)
   {
-    error = std::string("The light field's description cannot be used: ") + exception.what();
+    error =
+      std::string("The light field's description cannot be used: ") + DescribeProblem(exception);
     return std::nullopt;
   }
 }

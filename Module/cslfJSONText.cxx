@@ -60,4 +60,12 @@ JSON ParseJSON(const std::string& text, std::string* error)
     return Refuse("nested deeper than " + std::to_string(MaximumJSONDepth) + " levels", error);
   }
 }
+
+std::string DescribeProblem(const std::exception& exception)
+{
+  const std::string text = exception.what();
+  const std::size_t end = text.find("] ");
+  const bool hasPrefix = dynamic_cast<const JSON::exception*>(&exception) != nullptr;
+  return hasPrefix && end != std::string::npos ? text.substr(end + 2) : text;
+}
 }

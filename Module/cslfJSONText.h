@@ -12,6 +12,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -28,6 +29,10 @@ constexpr int MaximumJSONDepth = 32;
 /// Parses a text. Returns a discarded value if the text is not JSON, too long or too deep; `error`
 /// then says which in a few words.
 VTKCSLF_EXPORT nlohmann::json ParseJSON(const std::string& text, std::string* error = nullptr);
+
+/// What is wrong, in a few words: the message of an exception without what the JSON library puts in
+/// front of its own ones.
+VTKCSLF_EXPORT std::string DescribeProblem(const std::exception& exception);
 
 /// Whether a value is a whole number that the type can hold.
 template <typename Integer>

@@ -18,6 +18,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <random>
 #include <string>
@@ -264,6 +265,28 @@ void TestDamage()
   CSLF_CHECK(*std::min_element(far, far + 4) >= 0.0F && far[6] - far[4] == 0.25F);
 }
 
+// Depths that are no number, or beyond the exit face, mark the cells of such faces only.
+void TestBadDepths()
+{
+  const auto image =
+    cslf::testing::MakeTestField(cslf::Layout(2, 16), cslf::Cube(), VTK_UNSIGNED_CHAR, VTK_FLOAT);
+  vtkDataArray* depths = image->GetPointData()->GetArray("Depth");
+  const double bad[] = { std::nan(""), 1e300, -1e300, 2.0, -1.0 };
+  for (vtkIdType i = 0; i < depths->GetNumberOfTuples(); ++i)
+  {
+    depths->SetTuple1(i, bad[i % 5]);
+  }
+  std::string error;
+  const auto field = cslf::Description::ReadFrom(image, error);
+  CSLF_CHECK(field.has_value());
+  if (field)
+  {
+    cslf::SceneGrid grid(*field);
+    grid.Add(0, cslf::ViewpointSamples(image));
+    CSLF_CHECK(grid.Spread());
+  }
+}
+
 // Each tile is examined once.
 void TestSceneGrid()
 {
@@ -299,5 +322,6 @@ int TestCSLFResidency(int, char*[])
   TestBudget();
   TestDamage();
   TestSceneGrid();
+  TestBadDepths();
   return cslf::testing::Result();
 }

@@ -420,7 +420,13 @@ std::optional<JSON> FindJSON(
     isOurs = isOurs || header.State != States::Foreign;
     if (header.State == States::Whole && !json)
     {
-      json = ParseJSON(header.JSON);
+      std::string problem;
+      json = ParseJSON(header.JSON, &problem);
+      if (json->is_discarded())
+      {
+        error = "its description is " + problem;
+        return std::nullopt;
+      }
     }
     else if (header.State == States::OtherFormat)
     {
@@ -545,7 +551,7 @@ std::optional<FileHeader> FileHeader::FromTags(
   }
   catch (const std::exception& exception)
   {
-    error = exception.what();
+    error = DescribeProblem(exception);
     return std::nullopt;
   }
 }
