@@ -12,6 +12,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,17 @@ void TestFiles(const std::string& folder)
     CSLF_CHECK_NEAR(ReadHalf(name + format), 0.5, 0.005);
   }
 }
+
+/// A small file that says to be a huge image takes no memory for it.
+void TestHuge(const std::string& folder)
+{
+  const std::string name = folder + "/TestCSLFEnvironmentImageHuge.pfm";
+  std::ofstream(name, std::ios::binary) << "PF\n20000 20000\n-1.0\n" << std::string(64, '\0');
+  cslf::EnvironmentImage image;
+  std::string error;
+  CSLF_CHECK(!cslf::ReadEnvironmentImage(name, image, error));
+  CSLF_CHECK(error.find("has more than") != std::string::npos);
+}
 }
 
 int TestCSLFEnvironmentImage(int argc, char* argv[])
@@ -96,6 +108,7 @@ int TestCSLFEnvironmentImage(int argc, char* argv[])
     vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
   TestNames();
   TestFiles(folder);
+  TestHuge(folder);
   delete[] folder;
   return cslf::testing::Result();
 }
