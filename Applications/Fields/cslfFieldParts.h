@@ -33,8 +33,7 @@ struct FieldPart
 std::string FindPartFault(const std::string& option);
 
 /// Reads the files of valid options. Throws a Failure if a file cannot be read or is the output, or
-/// if two parts
-/// have the same name and type.
+/// if two parts have the same name and type.
 std::vector<FieldPart> ReadParts(
   const std::vector<std::string>& options, const std::string& output);
 

@@ -57,7 +57,7 @@ void LookThrough(const Layout& grid, const Viewpoint& viewpoint, int tile, const
       {
         const glm::dvec3 exit =
           FaceToCube(face, { grid.TexelCoordinate(p), grid.TexelCoordinate(q) });
-        // Also of floats that are no such number.
+        // Floats may be outside [0,1], or not be numbers.
         const double stored = depthScale * depths[row + p];
         const double depth = stored >= 0.0 ? std::min(stored, 1.0) : 0.0;
         see(eye + depth * (exit - eye), depth * texel);

@@ -101,7 +101,7 @@ std::string DescribeGeometryLoss(vtkPolyData* geometry, vtkIdType mostTriangles)
     return "The geometry is empty, because the viewpoints hardly see any surface: fit the cube to "
            "the visible parts of the scene, or increase the resolution.";
   }
-  // There may be fewer than allowed, as when a limit is reached in steps.
+  // Reduced geometries may have somewhat fewer triangles than allowed.
   const bool areFew = triangles < mostTriangles / 2;
   return loss > MostUsefulLoss ? "With " + std::to_string(triangles) +
       " triangles, the geometry loses " + std::to_string(std::lround(100.0 * loss)) +

@@ -133,8 +133,7 @@ void TestCoverage()
     veil.Opacity = 0.4f;
     veils.push_back(MakeRectangle({ 0, 0, z }, { 1, 0, 0 }, { 0, 1, 0 }, veil));
   }
-  CSLF_CHECK_NEAR(
-    Render(cslf::Scene(veils, MakeUniformLight(1.0f)), 16).Depth, ToDepth(-1.0), 1.0);
+  CSLF_CHECK_NEAR(Render(cslf::Scene(veils, MakeUniformLight(1.0f)), 16).Depth, ToDepth(-1.0), 1.0);
 
   // A cut-off makes opacities 0 or 1.
   for (float cutoff : { 0.2f, 0.3f })

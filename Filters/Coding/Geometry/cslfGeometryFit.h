@@ -20,8 +20,8 @@ struct GeometryFit
 {
   std::size_t Texels = 0; ///< with a surface
   /// Those among them whose surface the geometry does not have (unless they are at most half
-  /// covered and beside a silhouette) or hides, those of the geometry
-  /// whose colour is not known, and, inside of its outlines, those that are partly transparent.
+  /// covered and beside a silhouette) or hides, those of the geometry whose colour is not known,
+  /// and, inside of its outlines, those that are partly transparent.
   std::size_t Wrong = 0;
 
   void operator+=(const GeometryFit& other)

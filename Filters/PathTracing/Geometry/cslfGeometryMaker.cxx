@@ -220,9 +220,10 @@ void Stretch(const glm::vec3& factors, std::vector<glm::vec3>& points)
   }
 }
 
-/// Removes triangles where that moves the surface by much less than a texel, as a surface with
-/// these points shows. The surface is stretched as the cube is shorter along some axes, along which
-/// texels are smaller. Surfaces that differ more than that without it may differ by `most`.
+/// Removes triangles where that moves the surface by much less than a texel. Points of the scene's
+/// surface must then be at most `most` from it (root mean square), and nearly none lost; otherwise
+/// fewer triangles are removed, or none. Distances are measured after stretching: along axes on
+/// which the cube is shorter, texels are smaller.
 void SimplifyWell(
   SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3> points, double texel, double most)
 {

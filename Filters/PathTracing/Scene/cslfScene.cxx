@@ -377,11 +377,11 @@ void Scene::Intersect(RayPacket& packet) const
 
 void Scene::Intersect(RayPacket& packet, RayPacket& veils) const
 {
-  veils = packet;
   std::fill_n(veils.Query.hit.geomID, RayPacket::Size, RTC_INVALID_GEOMETRY_ID);
   this->Trace(packet, &veils.Query);
-  for (int i = 0; i < RayPacket::Size; ++i)
+  for (int i = 0; packet.MeetsVeils && i < RayPacket::Size; ++i)
   {
+    veils.SetRay(i, packet.GetRay(i));
     veils.Query.hit.geomID[i] =
       packet.IsHit(i) ? RTC_INVALID_GEOMETRY_ID : veils.Query.hit.geomID[i];
   }

@@ -100,8 +100,8 @@ public:
   Hit Intersect(const Ray& ray) const;
   void Intersect(RayPacket& packet) const;
 
-  /// The same with the packet's LeastOpacity. Where a ray hits nothing, `veils` gets the last
-  /// surface that it passes, if there is one, and the same rays.
+  /// The same with the packet's LeastOpacity. If it meets veils, `veils` gets its rays and, where
+  /// one hits nothing, the last surface that this ray passes; otherwise it has no hits.
   void Intersect(RayPacket& packet, RayPacket& veils) const;
 
   /// The first hits of incoherent rays.

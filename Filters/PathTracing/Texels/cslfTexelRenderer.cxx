@@ -466,11 +466,14 @@ void TexelRenderer::LookAhead(Block& block, std::uint64_t& rays) const
   if (this->NeedsNearest)
   {
     block.Sums.KeepNearest(hits);
-    block.Sums.KeepNearest({ this->World, all, places, veils, scale });
+    if (packet.MeetsVeils)
+    {
+      block.Sums.KeepNearest({ this->World, all, places, veils, scale });
+    }
     // If the ray to the centre sees nothing, the samples may see something.
     for (int lane = 0; lane < RayPacket::Size && !this->Settings.ShowEnvironment; ++lane)
     {
-      block.LacksNearest |= block.Inside[lane] && !veils.IsHit(lane);
+      block.LacksNearest |= block.Inside[lane] && !packet.IsHit(lane) && !veils.IsHit(lane);
     }
   }
   else
