@@ -16,8 +16,7 @@ macro (cslf_run_parallel processes)
     WORKING_DIRECTORY "${DIRECTORY}"
     RESULT_VARIABLE result
     OUTPUT_VARIABLE output
-    ERROR_VARIABLE error
-    TIMEOUT 100)
+    ERROR_VARIABLE error)
 endmacro ()
 
 macro (cslf_expect_same file)

@@ -67,7 +67,7 @@ def run(command, limit):
     with tempfile.TemporaryFile() as error:
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=error,
                               preexec_fn=set_limit) as process:
-            end = time.monotonic() + 10 * limit
+            end = time.monotonic() + 50 * limit  # for those that hang
             status = None
             while status is None:
                 pid, code, usage = os.wait4(process.pid, os.WNOHANG)

@@ -53,7 +53,7 @@ int main()
   window->Render();
 @BLOCK_3@
   const auto start = std::chrono::steady_clock::now();
-  while (!mapper->IsComplete() && std::chrono::steady_clock::now() - start < std::chrono::minutes(1))
+  while (!mapper->IsComplete() && std::chrono::steady_clock::now() - start < std::chrono::minutes(10))
   {
     interactor->ProcessEvents();
   }
