@@ -241,6 +241,7 @@ void TestFile(const std::string& fileName)
   encoder->SetGeometryData(surfaces);
   encoder->SetFileName(fileName.c_str());
   encoder->GetRateControl()->SetCRF(16.0);
+  encoder->SetPreset("ultrafast");
   encoder->RestartOff();
   CSLF_CHECK(encoder->Write() == 1);
 
