@@ -9,6 +9,7 @@
 #include "cslfFaceSides.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
+#include "cslfTextureImage.h"
 #include "cslfVTKCompatibility.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
@@ -27,7 +28,6 @@
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
 #include <vtkMapper.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
@@ -140,45 +140,6 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
     copy->GetCellData()->AddArray(radiance);
   }
   return copy;
-}
-
-/// The matrix of texture coordinates: that of the actor's texture, which VTK sets before it draws,
-/// or one in the actor's property keys. Null if there is none.
-const double* FindTextureTransform(vtkActor* actor)
-{
-  vtkTexture* texture = actor->GetTexture();
-  if (texture && texture->GetTransform())
-  {
-    return texture->GetTransform()->GetMatrix()->GetData();
-  }
-  vtkInformation* keys = actor->GetPropertyKeys();
-  return keys ? keys->Get(TextureTransformKey()) : nullptr;
-}
-
-/// Applies the transform of an actor's texture coordinates, if there is one.
-void TransformTCoords(vtkActor* actor, vtkPolyData* block)
-{
-  vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
-  const double* matrix = FindTextureTransform(actor);
-  if (!matrix || !coordinates || coordinates->GetNumberOfComponents() < 2)
-  {
-    return;
-  }
-  vtkNew<vtkFloatArray> moved;
-  moved->SetName(coordinates->GetName());
-  moved->SetNumberOfComponents(2);
-  moved->SetNumberOfTuples(coordinates->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
-  {
-    const double u = coordinates->GetComponent(i, 0);
-    const double v = coordinates->GetComponent(i, 1);
-    for (int c = 0; c < 2; ++c)
-    {
-      const double* row = matrix + 4 * c;
-      moved->SetTypedComponent(i, c, static_cast<float>(row[0] * u + row[1] * v + row[3]));
-    }
-  }
-  block->GetPointData()->SetTCoords(moved);
 }
 
 /// Whether the actor has shaders that may change its appearance in the window.
