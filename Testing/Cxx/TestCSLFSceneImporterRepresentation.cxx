@@ -320,6 +320,138 @@ void TestDecoration()
   CheckCounts(actor, 1 + shown, 1 + 5, 0);
 }
 
+AddLights MakeHeadlight(double intensity)
+{
+  return [intensity](vtkRenderer* renderer)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    light->SetIntensity(intensity);
+    renderer->AddLight(light);
+  };
+}
+
+/// Cells with a colour of the property, of cells, or of points' numbers, which are interpolated
+/// before they are mapped.
+enum class Scalars
+{
+  None,
+  OfCells,
+  Numbers
+};
+
+vtkSmartPointer<vtkActor> MakeColored(vtkPolyData* shape, Scalars scalars, int representation)
+{
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(shape);
+  const vtkSmartPointer<vtkActor> actor = MakeActor(data, representation);
+  const Color color = { { 200, 120, 40 } };
+  if (scalars == Scalars::OfCells)
+  {
+    data->GetCellData()->SetScalars(
+      MakeColors(std::vector<Color>(data->GetNumberOfCells(), color)));
+  }
+  if (scalars == Scalars::Numbers)
+  {
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetNumberOfTuples(data->GetNumberOfPoints());
+    numbers->FillValue(0.3f);
+    data->GetPointData()->SetScalars(numbers);
+    actor->GetMapper()->InterpolateScalarsBeforeMappingOn();
+  }
+  actor->GetProperty()->SetColor(128.0 / 255.0, 64.0 / 255.0, 0.0);
+  return actor;
+}
+
+/// Lines and points without normals are drawn in their colours, whatever the lights. Here they face
+/// a light that is bright enough, or shine where the window uses no lights.
+void TestUnlit()
+{
+  struct Case
+  {
+    const char* Name;
+    vtkSmartPointer<vtkPolyData> Data;
+    int Representation;
+    Place Looked;
+  };
+  const Place middle = { { 0.0, -0.5 } };
+  const std::vector<Case> cases = {
+    { "line", MakeData({}, { { 0, 1 }, { 2, 3 } }, {}), VTK_SURFACE, middle },
+    { "vertex", MakeData({ { 0, 2 } }, {}, {}), VTK_SURFACE, Corners[0] },
+    { "points", MakeData({}, {}, { { 0, 1, 2 } }), VTK_POINTS, Corners[0] },
+    { "line in a wireframe", MakeData({}, { { 0, 1 } }, { { 1, 2, 3 } }), VTK_WIREFRAME, middle },
+    { "line beside a face", MakeData({}, { { 0, 1 } }, { { 1, 2, 3 } }), VTK_SURFACE, middle },
+    { "face beside a line", MakeData({}, { { 0, 1 } }, { { 1, 2, 3 } }), VTK_SURFACE,
+      { { 0.3, 0.3 } } },
+  };
+  struct Terms
+  {
+    const char* Name;
+    double Ambient;
+    double Diffuse;
+    bool Lighting;
+    int Interpolation;
+    AddLights Lights;
+  };
+  const AddLights none = [](vtkRenderer* renderer) { renderer->AutomaticLightCreationOff(); };
+  const std::vector<Terms> terms = {
+    { "some ambient", 0.3, 0.7, true, VTK_GOURAUD, MakeHeadlight(1.0) },
+    { "some ambient, PBR", 0.3, 0.7, true, VTK_PBR, MakeHeadlight(1.0) },
+    { "half of the light and colour", 0.1, 0.4, true, VTK_GOURAUD, MakeHeadlight(0.5) },
+    { "no lighting, some ambient", 0.2, 0.7, false, VTK_FLAT, MakeHeadlight(0.3) },
+    { "no lights", 0.2, 0.7, true, VTK_GOURAUD, none },
+  };
+  for (const Case& shape : cases)
+  {
+    for (const Terms& look : terms)
+    {
+      for (const Scalars scalars : { Scalars::None, Scalars::OfCells, Scalars::Numbers })
+      {
+        const vtkSmartPointer<vtkActor> actor =
+          MakeColored(shape.Data, scalars, shape.Representation);
+        actor->GetProperty()->SetAmbient(look.Ambient);
+        actor->GetProperty()->SetDiffuse(look.Diffuse);
+        actor->GetProperty()->SetLighting(look.Lighting);
+        actor->GetProperty()->SetInterpolation(look.Interpolation);
+        Compare(std::string(shape.Name) + ", " + look.Name + ", scalars " +
+            std::to_string(static_cast<int>(scalars)),
+          actor, { shape.Looked }, look.Lights, 4);
+      }
+    }
+  }
+}
+
+/// The material of lines whose property has no lighting, in numbers.
+void TestEmissionOfLines()
+{
+  const vtkSmartPointer<vtkPolyData> lines = MakeData({}, { { 0, 1 } }, {});
+  for (const Scalars scalars : { Scalars::None, Scalars::OfCells })
+  {
+    const vtkSmartPointer<vtkActor> actor = MakeColored(lines, scalars, VTK_SURFACE);
+    actor->GetProperty()->LightingOff();
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddActor(actor);
+    vtkNew<vtkCSLFSceneImporter> importer;
+    importer->SetRenderer(renderer);
+    importer->Update();
+    vtkDataObject* block = importer->GetOutput()->GetBlock(0);
+    double base[3];
+    double emission[3];
+    vtkCSLFMaterial::GetBaseColor(block, base);
+    vtkCSLFMaterial::GetEmission(block, emission);
+    CSLF_CHECK_NEAR(base[0], 0.0, 1e-9);
+    CSLF_CHECK_NEAR(emission[0], cslf::SRGBToLinear(128.0 / 255.0), 1e-6);
+    vtkCellData* data = vtkPolyData::SafeDownCast(block)->GetCellData();
+    vtkDataArray* ofCells = data->GetArray(vtkCSLFMaterial::EmissionName());
+    CSLF_CHECK((ofCells != nullptr) == (scalars == Scalars::OfCells));
+    if (ofCells)
+    {
+      CSLF_CHECK_NEAR(ofCells->GetComponent(0, 0), cslf::SRGBToLinear(200.0 / 255.0), 1e-6);
+      CSLF_CHECK_NEAR(data->GetScalars()->GetComponent(0, 0), 0.0, 0.0);
+    }
+  }
+}
+
 /// Flags of points hide edges of polygons, but not of strips.
 void TestEdgeFlags()
 {
@@ -393,6 +525,8 @@ int TestCSLFSceneImporterRepresentation(int, char*[])
   TestSharedPlaces();
   TestWireframe();
   TestDecoration();
+  TestUnlit();
+  TestEmissionOfLines();
   TestEdgeFlags();
   TestMappers();
   return cslf::testing::Result();
