@@ -489,12 +489,9 @@ private:
     this->Appearance = BlockAppearance();
     this->Appearance.Opacity = opacity;
     this->Appearance.IsUnlit = !isLit;
-    this->Appearance.Property = vtkSmartPointer<vtkProperty>::New();
-    if (isLit)
-    {
-      this->Appearance.Property->DeepCopy(this->Property);
-      this->Appearance.Property->RemoveAllTextures();
-    }
+    this->Appearance.Property =
+      isLit ? CopyProperty(this->Property) : vtkSmartPointer<vtkProperty>::New();
+    this->Appearance.Property->RemoveAllTextures();
     this->Appearance.Property->SetLighting(this->Property->GetLighting());
     this->Appearance.Property->SetColor(color[0], color[1], color[2]);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBlockAppearances.h"
 
+#include "cslfActorParts.h"
 #include "cslfColor.h"
 #include "cslfSurfaceAppearance.h"
 #include "cslfVTKCompatibility.h"
@@ -209,8 +210,7 @@ private:
     vtkSmartPointer<vtkProperty> property = this->Appearance.Property;
     if (!this->IsPhysical() && property->GetInterpolation() == VTK_PBR)
     {
-      property = vtkSmartPointer<vtkProperty>::New();
-      property->DeepCopy(this->Appearance.Property);
+      property = CopyProperty(this->Appearance.Property);
       property->SetInterpolationToPhong();
     }
     vtkCSLFMaterial::SetFromProperty(material, property);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFaceSides.h"
 
+#include "cslfActorParts.h"
 #include "cslfCellKinds.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
@@ -94,8 +95,7 @@ std::vector<PlacedBlock> DivideByReflection(vtkPolyData* block, bool isReflected
 /// is the front's.
 vtkSmartPointer<vtkProperty> MakeBackProperty(vtkProperty* front, vtkProperty* back)
 {
-  auto property = vtkSmartPointer<vtkProperty>::New();
-  property->DeepCopy(front);
+  vtkSmartPointer<vtkProperty> property = CopyProperty(front);
   property->SetAmbient(back->GetAmbient());
   property->SetDiffuse(back->GetDiffuse());
   property->SetSpecular(back->GetSpecular());

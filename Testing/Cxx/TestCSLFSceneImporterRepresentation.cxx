@@ -18,6 +18,7 @@
 #include <vtkDataSetMapper.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLineSource.h>
 #include <vtkMultiBlockDataSet.h>
@@ -31,6 +32,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 #include <vtkStripper.h>
+#include <vtkTexture.h>
 #include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -224,9 +226,10 @@ void TestPoints()
     const vtkSmartPointer<vtkActor> actor = MakeActor(scene.Data, VTK_POINTS);
     CheckCounts(actor, scene.Points, 0, 0);
     Compare(scene.Name, actor);
-    actor->GetProperty()->RenderPointsAsSpheresOn();
-    Compare(std::string(scene.Name) + " as spheres", actor);
   }
+  const vtkSmartPointer<vtkActor> spheres = MakeActor(cases.back().Data, VTK_POINTS);
+  spheres->GetProperty()->RenderPointsAsSpheresOn();
+  Compare("spheres", spheres);
 }
 
 /// A cube whose faces have their own points and colours: what is drawn last is seen.
@@ -396,7 +399,6 @@ void TestUnlit()
   const AddLights none = [](vtkRenderer* renderer) { renderer->AutomaticLightCreationOff(); };
   const std::vector<Terms> terms = {
     { "some ambient", 0.3, 0.7, true, VTK_GOURAUD, MakeHeadlight(1.0) },
-    { "some ambient, PBR", 0.3, 0.7, true, VTK_PBR, MakeHeadlight(1.0) },
     { "half of the light and colour", 0.1, 0.4, true, VTK_GOURAUD, MakeHeadlight(0.5) },
     { "no lighting, some ambient", 0.2, 0.7, false, VTK_FLAT, MakeHeadlight(0.3) },
     { "no lights", 0.2, 0.7, true, VTK_GOURAUD, none },
@@ -417,6 +419,49 @@ void TestUnlit()
             std::to_string(static_cast<int>(scalars)),
           actor, { shape.Looked }, look.Lights, 4);
       }
+    }
+  }
+}
+
+/// Textures on lines and points: those of the actor, and those of PBR, which needs lights.
+void TestTextures()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 1, 1);
+  image->GetPointData()->SetScalars(
+    MakeColors({ { { 200, 100, 40 } }, { { 40, 100, 200 } }, Yellow, Green }));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkTexture> physical;
+  physical->SetInputData(image);
+  physical->UseSRGBColorSpaceOn();
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (const Place& place : Corners)
+  {
+    coordinates->InsertNextTuple2(place[0] + 0.5, 0.5);
+  }
+  const vtkSmartPointer<vtkPolyData> data = MakeData({ { 4 } }, { { 0, 1 } }, {});
+  data->GetPointData()->SetTCoords(coordinates);
+  for (const int interpolation : { VTK_GOURAUD, VTK_PBR })
+  {
+    for (const bool lighting : { true, false })
+    {
+      const vtkSmartPointer<vtkActor> actor = MakeActor(data, VTK_SURFACE);
+      vtkProperty* property = actor->GetProperty();
+      property->SetColor(0.5, 0.4, 0.3);
+      property->SetInterpolation(interpolation);
+      property->SetLighting(lighting);
+      const std::string name = std::to_string(interpolation) + (lighting ? ", lit" : ", unlit");
+      if (interpolation == VTK_PBR)
+      {
+        property->SetBaseColorTexture(physical);
+        Compare("texture of PBR " + name, actor, { { { -0.15, -0.5 } } }, MakeHeadlight(1.0), 4);
+        property->RemoveAllTextures();
+      }
+      actor->SetTexture(texture);
+      Compare("texture of the actor " + name, actor, { { { -0.15, -0.5 } }, { { 0.15, -0.5 } } },
+        MakeHeadlight(1.0), 4);
     }
   }
 }
@@ -526,6 +571,7 @@ int TestCSLFSceneImporterRepresentation(int, char*[])
   TestWireframe();
   TestDecoration();
   TestUnlit();
+  TestTextures();
   TestEmissionOfLines();
   TestEdgeFlags();
   TestMappers();
