@@ -135,9 +135,9 @@ if (CSLF_ENABLE_SAMPLER)
     GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems
     GLTFValue)
   cslf_add(Filters/SceneImport
-    ActorImporter ActorParts AMRSurface BlockAppearances CellNormals ClippedBlock FaceSides
-    GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars MoleculeParts
-    PointParts SurfaceAppearance TextureImage WindowLights)
+    ActorImporter ActorParts AMRSurface BlockAppearances CellKinds CellNormals ClippedBlock
+    FaceSides GlyphImporter GraphParts ImportedScene ImportLimits LightImporter MappedScalars
+    MoleculeParts PointParts SurfaceAppearance TextureImage WindowLights)
   cslf_add(Filters/Scenes
     Arrows Assembly Isosurfaces Molecule Pipes ProceduralScene SceneActors Streamlines Terrain
     Turbulence)

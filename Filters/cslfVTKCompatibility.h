@@ -110,6 +110,14 @@ inline void Abort(vtkAlgorithm* algorithm)
 #endif
 }
 
+/// Whether the window shows visible vertices only on surfaces with visible edges. Newer versions
+/// show them in any case.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+constexpr bool VerticesNeedEdges = false;
+#else
+constexpr bool VerticesNeedEdges = true;
+#endif
+
 /// Whether physically based shading takes the colours of scalars as sRGB; older versions take them
 /// as linear.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)

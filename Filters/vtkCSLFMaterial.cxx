@@ -363,7 +363,7 @@ bool vtkCSLFMaterial::SetTextureFrom(vtkDataObject* data, int slot, vtkTexture* 
   if (!image)
   {
     vtkGenericWarningMacro(
-      "A texture was left out: its image is not two-dimensional, or its lookup "
+      "A texture was left out: its image is three-dimensional or has no scalars, or its lookup "
       "table has no values.");
   }
   if (!SetTexture(data, slot, image, true, texture->GetInterpolate() != 0))

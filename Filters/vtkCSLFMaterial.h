@@ -307,8 +307,8 @@ public:
     bool interpolate = true);
 
   /**
-   * Sets a texture from the input image of a vtkTexture, with its wrap, border and interpolation.
-   * Scalars of any type become colours as in VTK's window, by the texture's colour mode and lookup
+   * Sets a texture from the image of a vtkTexture, in any plane, with its wrap, border and
+   * interpolation. Scalars become colours as in VTK's window, by the texture's colour mode and
    * table; direct float colours are clamped to [0,1]. Cube maps are not supported. The texture's
    * transform is a transform of texture coordinates, which vtkCSLFSceneImporter applies. Returns
    * false, with a warning, if the texture cannot be used. Null removes the texture.

@@ -24,8 +24,8 @@
  * - Lights, reflectances and emissions are chosen such that a surface that faces the light is
  * traced with the colour that the window shows, plus indirect light, see
  * Documentation/Materials.md.
- * - Wireframes, visible edges, points and visible vertices become lines and vertices. PixelSize
- * converts their width from pixels to world units.
+ * - Wireframes and visible edges (also those inside triangle strips), points that cells use, and
+ * visible vertices become lines and vertices. PixelSize converts their width to world units.
  * - vtkMoleculeMapper becomes spheres and tubes with the radii and colours of its mode,
  * vtkGraphMapper lines and vertices, and vtkPointGaussianMapper, vtkOpenGLSphereMapper and
  * vtkOpenGLStickMapper spheres and tubes. The actor does not scale radii, as in the window.

@@ -4,11 +4,13 @@
 
 #include "cslfAMRSurface.h"
 #include "cslfActorParts.h"
+#include "cslfCellKinds.h"
 #include "cslfCellNormals.h"
 #include "cslfClippedBlock.h"
 #include "cslfFaceSides.h"
 #include "cslfGlyphImporter.h"
 #include "cslfMappedScalars.h"
+#include "cslfTextureImage.h"
 #include "cslfVTKCompatibility.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
@@ -16,18 +18,15 @@
 
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkExtractEdges.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
 #include <vtkMapper.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
@@ -52,6 +51,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace cslf
 {
@@ -114,8 +114,8 @@ bool HasRadii(vtkPolyData* data)
       [data](const char* name) { return data->GetPointData()->HasArray(name) != 0; });
 }
 
-/// Keeps only the geometry: points, cells, normals of both, texture coordinates, radii, and
-/// emissions of points and cells.
+/// Keeps only the geometry: points, cells, normals of both, texture coordinates, flags of edges,
+/// radii, and emissions of points and cells.
 vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -123,6 +123,7 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
   copy->GetPointData()->SetNormals(source->GetPointData()->GetNormals());
   copy->GetCellData()->SetNormals(source->GetCellData()->GetNormals());
   copy->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
+  CopyEdgeFlags(source, copy);
   for (const char* name : RadiusNames)
   {
     if (vtkDataArray* radii = source->GetPointData()->GetArray(name))
@@ -140,45 +141,6 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* source)
     copy->GetCellData()->AddArray(radiance);
   }
   return copy;
-}
-
-/// The matrix of texture coordinates: that of the actor's texture, which VTK sets before it draws,
-/// or one in the actor's property keys. Null if there is none.
-const double* FindTextureTransform(vtkActor* actor)
-{
-  vtkTexture* texture = actor->GetTexture();
-  if (texture && texture->GetTransform())
-  {
-    return texture->GetTransform()->GetMatrix()->GetData();
-  }
-  vtkInformation* keys = actor->GetPropertyKeys();
-  return keys ? keys->Get(TextureTransformKey()) : nullptr;
-}
-
-/// Applies the transform of an actor's texture coordinates, if there is one.
-void TransformTCoords(vtkActor* actor, vtkPolyData* block)
-{
-  vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
-  const double* matrix = FindTextureTransform(actor);
-  if (!matrix || !coordinates || coordinates->GetNumberOfComponents() < 2)
-  {
-    return;
-  }
-  vtkNew<vtkFloatArray> moved;
-  moved->SetName(coordinates->GetName());
-  moved->SetNumberOfComponents(2);
-  moved->SetNumberOfTuples(coordinates->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
-  {
-    const double u = coordinates->GetComponent(i, 0);
-    const double v = coordinates->GetComponent(i, 1);
-    for (int c = 0; c < 2; ++c)
-    {
-      const double* row = matrix + 4 * c;
-      moved->SetTypedComponent(i, c, static_cast<float>(row[0] * u + row[1] * v + row[3]));
-    }
-  }
-  block->GetPointData()->SetTCoords(moved);
 }
 
 /// Whether the actor has shaders that may change its appearance in the window.
@@ -355,18 +317,41 @@ private:
     {
       block->GetPointData()->SetNormals(nullptr);
     }
-    this->Appearance.IsUnlit = this->IsDrawnUnlit(block);
     switch (this->Property->GetRepresentation())
     {
       case VTK_POINTS:
-        this->AddPoints(block);
+        this->Appearance.IsUnlit = this->IsDrawnUnlit(block, CellKind::Vertices);
+        this->Add(MakePoints(block));
         break;
       case VTK_WIREFRAME:
-        this->AddEdges(block);
+        this->AddWireframe(block);
         break;
       default:
-        this->AddFaces(SpreadCellNormals(block));
-        this->AddDecoration(block);
+        this->AddSurface(block);
+    }
+    this->AddDecoration(block);
+  }
+
+  void AddSurface(vtkPolyData* block)
+  {
+    const auto [lit, unlit] = this->DivideByLighting(block);
+    for (const bool isUnlit : { true, false })
+    {
+      this->Appearance.IsUnlit = isUnlit;
+      this->AddFaces(SpreadCellNormals(SelectCells(block, isUnlit ? unlit : lit)));
+    }
+  }
+
+  void AddWireframe(vtkPolyData* block)
+  {
+    for (const CellKind kind : { CellKind::Vertices, CellKind::Lines, CellKind::Faces })
+    {
+      if (CountCells(block, kind) > 0)
+      {
+        this->Appearance.IsUnlit = this->IsDrawnUnlit(block, kind);
+        this->Add(
+          kind == CellKind::Vertices ? SelectCells(block, { kind }) : MakeEdges(block, kind));
+      }
     }
   }
 
@@ -397,15 +382,28 @@ private:
       block->GetFieldData()->HasArray(vtkCSLFInstances::InstanceColor());
   }
 
-  /// Whether the window omits the lights, as for lines and points without normals.
-  bool IsDrawnUnlit(vtkPolyData* block) const
+  /// Whether the window omits the lights, as for lines and points without normals. Points of any
+  /// cell are drawn like vertices.
+  bool IsDrawnUnlit(vtkPolyData* block, CellKind kind) const
   {
-    const bool points = this->Property->GetRepresentation() == VTK_POINTS;
-    const bool hasFaces = block->GetNumberOfPolys() > 0 || block->GetNumberOfStrips() > 0;
-    const bool areRound =
-      points ? this->Property->GetRenderPointsAsSpheres() : this->Property->GetRenderLinesAsTubes();
-    return (points || !hasFaces) && !block->GetPointData()->GetNormals() && !areRound &&
-      !HasRadii(block);
+    if (kind == CellKind::Faces || block->GetPointData()->GetNormals() || HasRadii(block))
+    {
+      return false;
+    }
+    return kind == CellKind::Lines
+      ? !this->Property->GetRenderLinesAsTubes() || this->Property->GetLineWidth() <= 1.0
+      : !this->Property->GetRenderPointsAsSpheres();
+  }
+
+  /// The kinds of a block's cells that the window lights, and those for which it omits the lights.
+  std::pair<CellKinds, CellKinds> DivideByLighting(vtkPolyData* block) const
+  {
+    std::pair<CellKinds, CellKinds> kinds;
+    for (const CellKind kind : { CellKind::Vertices, CellKind::Lines, CellKind::Faces })
+    {
+      (this->IsDrawnUnlit(block, kind) ? kinds.second : kinds.first).insert(kind);
+    }
+    return kinds;
   }
 
   /// The physically based model shows the property's textures, the other models those of
@@ -462,60 +460,40 @@ private:
     }
   }
 
-  /// All points, as vertices.
-  void AddPoints(vtkPolyData* block)
-  {
-    vtkNew<vtkCellArray> vertices;
-    for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
-    {
-      vertices->InsertNextCell(1, &i);
-    }
-    vtkNew<vtkPolyData> points;
-    points->SetPoints(block->GetPoints());
-    points->SetVerts(vertices);
-    points->GetPointData()->ShallowCopy(block->GetPointData());
-    points->SetFieldData(block->GetFieldData());
-    this->Add(points);
-  }
-
-  /// The edges of polygons, as lines; lines as they are.
-  void AddEdges(vtkPolyData* block)
-  {
-    vtkNew<vtkExtractEdges> edges;
-    edges->SetInputData(block);
-    edges->UseAllPointsOn(); // because points that it merges become floats
-    edges->Update();
-    vtkPolyData* lines = edges->GetOutput();
-    lines->SetFieldData(block->GetFieldData());
-    this->Add(lines);
-  }
-
-  /// Edges and vertices that are drawn on the surface with their own colours.
+  /// Edges and vertices that are drawn over the block with their own colours.
   void AddDecoration(vtkPolyData* block)
   {
     const BlockAppearance appearance = this->Appearance;
-    if (this->Property->GetEdgeVisibility())
+    const bool hasEdges =
+      this->Property->GetEdgeVisibility() && this->Property->GetRepresentation() == VTK_SURFACE;
+    if (hasEdges)
     {
-      this->Appearance = this->MakeBareAppearance(this->Property->GetEdgeColor());
-      this->AddEdges(MakeBare(block));
+      this->SetBareAppearance(
+        this->Property->GetEdgeColor(), this->Property->GetRenderLinesAsTubes());
+      this->Add(MakeBare(MakeEdges(SelectCells(block, { CellKind::Faces }), CellKind::Faces)));
     }
-    if (this->Property->GetVertexVisibility())
+    if (this->Property->GetVertexVisibility() && (hasEdges || !VerticesNeedEdges))
     {
-      this->Appearance = this->MakeBareAppearance(this->Property->GetVertexColor());
-      this->AddPoints(MakeBare(block));
+      this->SetBareAppearance(
+        this->Property->GetVertexColor(), this->Property->GetRenderPointsAsSpheres());
+      this->Appearance.Property->SetSpecular(0.0);
+      this->Add(MakeBare(MakePoints(block, true)));
     }
     this->Appearance = appearance;
   }
 
-  /// One colour, drawn without lights.
-  BlockAppearance MakeBareAppearance(const double* color) const
+  /// One colour, drawn with the property's lighting or without lights.
+  void SetBareAppearance(const double* color, bool isLit)
   {
-    BlockAppearance appearance;
-    appearance.Property = vtkSmartPointer<vtkProperty>::New();
-    appearance.Property->SetColor(color[0], color[1], color[2]);
-    appearance.Opacity = this->Property->GetOpacity();
-    appearance.IsUnlit = true;
-    return appearance;
+    const double opacity = this->Appearance.Opacity;
+    this->Appearance = BlockAppearance();
+    this->Appearance.Opacity = opacity;
+    this->Appearance.IsUnlit = !isLit;
+    this->Appearance.Property =
+      isLit ? CopyProperty(this->Property) : vtkSmartPointer<vtkProperty>::New();
+    this->Appearance.Property->RemoveAllTextures();
+    this->Appearance.Property->SetLighting(this->Property->GetLighting());
+    this->Appearance.Property->SetColor(color[0], color[1], color[2]);
   }
 
   /// Only a block's geometry, with the block's instances.

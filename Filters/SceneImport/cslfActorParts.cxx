@@ -56,6 +56,19 @@ std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, Impor
   return std::nullopt;
 }
 
+vtkSmartPointer<vtkProperty> CopyProperty(vtkProperty* property)
+{
+  auto copy = vtkSmartPointer<vtkProperty>::New();
+  copy->DeepCopy(property);
+  copy->SetEmissiveFactor(property->GetEmissiveFactor());
+  copy->GetAllTextures().clear(); // it has not been registered as their user
+  for (const auto& [name, texture] : property->GetAllTextures())
+  {
+    copy->SetTexture(name.c_str(), texture);
+  }
+  return copy;
+}
+
 ActorPart MakePart(vtkPolyData* data, vtkActor* whole, vtkMatrix4x4* matrix)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -63,7 +76,7 @@ ActorPart MakePart(vtkPolyData* data, vtkActor* whole, vtkMatrix4x4* matrix)
   ActorPart part;
   part.Actor = vtkSmartPointer<vtkActor>::New();
   part.Actor->SetMapper(mapper);
-  part.Actor->GetProperty()->DeepCopy(whole->GetProperty());
+  part.Actor->SetProperty(CopyProperty(whole->GetProperty()));
   part.Actor->GetProperty()->SetRepresentationToSurface();
   part.Actor->GetProperty()->EdgeVisibilityOff();
   part.Actor->GetProperty()->VertexVisibilityOff();

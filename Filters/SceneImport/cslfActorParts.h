@@ -38,6 +38,10 @@ using ActorParts = std::vector<ActorPart>;
 /// the polygons, lines and vertices of its input, or is of an unknown kind.
 std::optional<ActorParts> TakeApart(vtkActor* actor, vtkMatrix4x4* matrix, ImportedScene& scene);
 
+/// A copy of a property. Unlike that of vtkProperty::DeepCopy, it owns its textures, and has the
+/// emissive factor.
+vtkSmartPointer<vtkProperty> CopyProperty(vtkProperty* property);
+
 /// A part with surface representation, with the property and texture of the whole.
 ActorPart MakePart(vtkPolyData* data, vtkActor* whole, vtkMatrix4x4* matrix);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBlockAppearances.h"
 
+#include "cslfActorParts.h"
 #include "cslfColor.h"
 #include "cslfSurfaceAppearance.h"
 #include "cslfVTKCompatibility.h"
@@ -165,14 +166,14 @@ public:
     this->Data->SetFieldData(fields);
 
     vtkNew<vtkPolyData> material;
-    vtkCSLFMaterial::SetFromProperty(material, this->Appearance.Property);
+    this->SetFromProperty(material);
     vtkCSLFMaterial::SetOpacity(material, this->Appearance.Opacity);
     vtkCSLFMaterial::SetMetallic(material, this->Surface.GetMetallic());
     vtkCSLFMaterial::SetRoughness(material, this->Surface.GetRoughness());
     vtkCSLFMaterial::SetIndexOfRefraction(material, this->Surface.GetIndexOfRefraction());
     const glm::dvec3 base = this->Surface.GetBaseColor(this->Ambient, this->Diffuse);
     vtkCSLFMaterial::SetBaseColor(material, base.x, base.y, base.z);
-    if (this->Surface.IsEmissive())
+    if (!this->IsPhysical())
     {
       const glm::dvec3 emission = this->Surface.GetEmission(this->Ambient, this->Diffuse);
       vtkCSLFMaterial::SetEmission(material, emission.x, emission.y, emission.z);
@@ -193,10 +194,27 @@ private:
   static Drawing GetDrawing(const BlockAppearance& appearance, bool isLit)
   {
     const bool illuminates = !appearance.Property->GetLighting() || !isLit;
-    return appearance.IsUnlit ? Drawing::Unlit : illuminates ? Drawing::Illuminating : Drawing::Lit;
+    return illuminates ? Drawing::Illuminating : appearance.IsUnlit ? Drawing::Unlit : Drawing::Lit;
   }
 
-  bool IsPhysical() const { return this->Appearance.Property->GetInterpolation() == VTK_PBR; }
+  /// Whether the window shades the block by the physically based model, which needs lights.
+  bool IsPhysical() const
+  {
+    return this->Kind == Drawing::Lit && this->Appearance.Property->GetInterpolation() == VTK_PBR;
+  }
+
+  /// The property's material. Without lights, the window shows nothing of the physically based
+  /// model.
+  void SetFromProperty(vtkDataObject* material) const
+  {
+    vtkSmartPointer<vtkProperty> property = this->Appearance.Property;
+    if (!this->IsPhysical() && property->GetInterpolation() == VTK_PBR)
+    {
+      property = CopyProperty(this->Appearance.Property);
+      property->SetInterpolationToPhong();
+    }
+    vtkCSLFMaterial::SetFromProperty(material, property);
+  }
 
   /// Whether the window interpolates displayed values. Physically based shading treats textures,
   /// and in older versions of VTK scalars as well, as light.
@@ -204,8 +222,7 @@ private:
   {
     const bool hasTexture =
       this->Appearance.HasTable || this->Appearance.Property->GetNumberOfTextures() > 0;
-    return !this->IsPhysical() || this->Kind != Drawing::Lit ||
-      (PhysicalScalarsAreEncoded && !hasTexture);
+    return !this->IsPhysical() || (PhysicalScalarsAreEncoded && !hasTexture);
   }
 
   /// The radiance of a white surface in the block's light; 1 if there is none.
@@ -399,7 +416,7 @@ std::pair<glm::dvec3, double> GetExtent(const vtkBoundingBox& box)
 
 void AddTo(ShadingModels& models, const BlockAppearance& appearance)
 {
-  if (!appearance.Property || (!appearance.Property->GetLighting() && !appearance.IsUnlit))
+  if (!appearance.Property || !appearance.Property->GetLighting())
   {
     return;
   }

@@ -3,16 +3,15 @@
 #include "cslfClippedBlock.h"
 
 #include "cslfActorImporter.h"
+#include "cslfCellKinds.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkBoundingBox.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkClipPolyData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkNonMergingPointLocator.h>
@@ -42,48 +41,18 @@ void ForEachPlane(vtkPlaneCollection* planes, Visit visit)
   }
 }
 
-/// Vertices, lines and polygons (with strips), each with its cell data, because vtkClipPolyData
-/// mixes up the data of cells of several kinds.
-Pieces SplitKinds(vtkPolyData* data)
-{
-  const vtkIdType counts[3] = { data->GetNumberOfVerts(), data->GetNumberOfLines(),
-    data->GetNumberOfPolys() + data->GetNumberOfStrips() };
-  Pieces kinds;
-  vtkIdType first = 0;
-  for (int kind = 0; kind < 3; ++kind)
-  {
-    if (counts[kind] > 0)
-    {
-      auto piece = vtkSmartPointer<vtkPolyData>::New();
-      piece->SetPoints(data->GetPoints());
-      piece->GetPointData()->ShallowCopy(data->GetPointData());
-      piece->SetVerts(kind == 0 ? data->GetVerts() : nullptr);
-      piece->SetLines(kind == 1 ? data->GetLines() : nullptr);
-      piece->SetPolys(kind == 2 ? data->GetPolys() : nullptr);
-      piece->SetStrips(kind == 2 ? data->GetStrips() : nullptr);
-      vtkNew<vtkIdList> cells;
-      for (vtkIdType i = 0; i < counts[kind]; ++i)
-      {
-        cells->InsertNextId(first + i);
-      }
-      piece->GetCellData()->CopyAllocate(data->GetCellData(), counts[kind]);
-      for (vtkIdType i = 0; i < counts[kind]; ++i)
-      {
-        piece->GetCellData()->CopyData(data->GetCellData(), first + i, i);
-      }
-      kinds.push_back(piece);
-    }
-    first += counts[kind];
-  }
-  return kinds;
-}
-
 /// Cuts geometry at its position.
 Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
 {
   Pieces clipped;
-  for (vtkSmartPointer<vtkPolyData> piece : SplitKinds(data))
+  // One by one, because vtkClipPolyData mixes up the data of cells of several kinds.
+  for (const CellKind kind : { CellKind::Vertices, CellKind::Lines, CellKind::Faces })
   {
+    if (CountCells(data, kind) == 0)
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkPolyData> piece = SelectCells(data, { kind });
     ForEachPlane(planes,
       [&piece](vtkPlane* plane)
       {

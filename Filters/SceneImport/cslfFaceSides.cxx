@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfFaceSides.h"
 
+#include "cslfActorParts.h"
+#include "cslfCellKinds.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
@@ -89,38 +91,11 @@ std::vector<PlacedBlock> DivideByReflection(vtkPolyData* block, bool isReflected
   return { SelectInstances(block, false), SelectInstances(block, true) };
 }
 
-vtkIdType CountRound(vtkPolyData* block)
-{
-  return block->GetNumberOfVerts() + block->GetNumberOfLines();
-}
-
-/// Only the polygons of a block, or only its vertices and lines.
-vtkSmartPointer<vtkPolyData> TakeCells(vtkPolyData* block, bool round)
-{
-  vtkSmartPointer<vtkPolyData> copy = CopyWithOwnFields(block);
-  const vtkIdType count = CountRound(block);
-  if (count > 0)
-  {
-    const vtkSmartPointer<vtkFieldData> fields = copy->GetFieldData();
-    copy->DeepCopy(block); // cells to be deleted must not be shared
-    copy->SetFieldData(fields);
-    copy->BuildCells();
-    const vtkIdType end = round ? block->GetNumberOfCells() : count;
-    for (vtkIdType cell = round ? count : 0; cell < end; ++cell)
-    {
-      copy->DeleteCell(cell);
-    }
-    copy->RemoveDeletedCells();
-  }
-  return copy;
-}
-
 /// VTK's properties of back faces: coefficients, colours and opacity are their own, everything else
 /// is the front's.
 vtkSmartPointer<vtkProperty> MakeBackProperty(vtkProperty* front, vtkProperty* back)
 {
-  auto property = vtkSmartPointer<vtkProperty>::New();
-  property->DeepCopy(front);
+  vtkSmartPointer<vtkProperty> property = CopyProperty(front);
   property->SetAmbient(back->GetAmbient());
   property->SetDiffuse(back->GetDiffuse());
   property->SetSpecular(back->GetSpecular());
@@ -184,7 +159,8 @@ std::vector<FaceSide> DivideBySides(
         continue;
       }
       FaceSide seen;
-      seen.Block = ofBacks ? TakeCells(placed.Block, false) : CopyWithOwnFields(placed.Block);
+      seen.Block =
+        ofBacks ? SelectCells(placed.Block, { CellKind::Faces }) : CopyWithOwnFields(placed.Block);
       seen.Property = property;
       seen.IsBack = back && ofBacks;
       vtkCSLFMaterial::SetVisibleSides(seen.Block, side);
@@ -194,9 +170,10 @@ std::vector<FaceSide> DivideBySides(
       }
       sides.push_back(seen);
     }
-    if (ofBacks && CountRound(placed.Block) > 0)
+    if (ofBacks)
     {
-      sides.push_back({ TakeCells(placed.Block, true), property });
+      sides.push_back(
+        { SelectCells(placed.Block, { CellKind::Vertices, CellKind::Lines }), property });
     }
   }
   return sides;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGlyphImporter.h"
 
+#include "cslfCellKinds.h"
 #include "cslfMappedScalars.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
@@ -217,6 +218,7 @@ vtkSmartPointer<vtkPolyData> CopySource(vtkPolyData* source, ImportedScene& scen
     copy->GetPointData()->SetNormals(sound.Data->GetPointData()->GetNormals());
     copy->GetCellData()->SetNormals(sound.Data->GetCellData()->GetNormals());
     copy->GetPointData()->SetTCoords(sound.Data->GetPointData()->GetTCoords());
+    CopyEdgeFlags(sound.Data, copy);
   }
   return copy;
 }

@@ -181,9 +181,10 @@ constexpr ImportLimitText Texts[] = {
     false },
   { ImportLimit::UnlitLines,
     "lines, points and edges",
-    "a constant width in pixels; without normals, unlit in their own colours",
+    "a constant width in pixels; without normals, unlit in their own colours, but wide edges of "
+    "wireframes are black in some directions",
     "lit tubes and spheres of constant width in the world, with these colours where they face the "
-    "light; darker in dim light",
+    "light; darker in dim light, unless the property's lighting is off",
     false },
   { ImportLimit::Headlights,
     "headlights",

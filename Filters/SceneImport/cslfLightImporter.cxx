@@ -3,6 +3,7 @@
 #include "cslfLightImporter.h"
 
 #include "cslfColor.h"
+#include "cslfTextureImage.h"
 #include "vtkCSLFLight.h"
 
 #include <vtkAlgorithm.h>
@@ -64,7 +65,7 @@ void FindEnvironment(vtkRenderer* renderer, ImportedScene& scene)
   texture->GetInputAlgorithm()->Update();
   vtkNew<vtkPolyData> trial;
   scene.HasEnvironment = vtkCSLFLight::SetEnvironmentImage(
-    trial, texture->GetInput(), renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight());
+    trial, MakeFlatImage(texture), renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight());
   if (!scene.HasEnvironment)
   {
     scene.Meet(ImportLimit::EnvironmentImages);
@@ -104,8 +105,7 @@ void ImportEnvironment(vtkRenderer* renderer, double factor, ImportedScene& scen
   {
     return;
   }
-  vtkNew<vtkImageData> image;
-  image->ShallowCopy(texture->GetInput());
+  const vtkSmartPointer<vtkImageData> image = MakeFlatImage(texture);
   if (factor != 1.0)
   {
     image->GetPointData()->SetScalars(Scale(image->GetPointData()->GetScalars(), factor));

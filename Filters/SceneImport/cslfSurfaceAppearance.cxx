@@ -101,7 +101,7 @@ SurfaceAppearance::SurfaceAppearance(vtkProperty* property, const LightLevel& le
   : Property(property)
   , Level(level)
   , Kind(drawing)
-  , IsPhysical(property->GetInterpolation() == VTK_PBR)
+  , IsPhysical(drawing == Drawing::Lit && property->GetInterpolation() == VTK_PBR)
 {
   if (drawing != Drawing::Lit)
   {
@@ -247,11 +247,6 @@ double SurfaceAppearance::GetPhysicalReflectance(int channel, double color) cons
   const double albedo = this->Property->GetDiffuse() * color;
   const double window = this->Level.Window[channel] / vtkMath::Pi();
   const double traced = this->Level.Direct[channel] + this->Level.Around[channel];
-  if (this->Kind == Drawing::Unlit)
-  {
-    const double displayed = this->Property->GetAmbient() * color + albedo;
-    return SRGBToLinear(displayed) / (traced > 0.0 ? traced : 1.0);
-  }
   // The colour with which both diffuse base and metal are closest to the window.
   const double own = this->Reflects.Diffuse;
   const double metal = this->Property->GetMetallic() * albedo;

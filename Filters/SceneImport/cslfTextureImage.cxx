@@ -4,13 +4,19 @@
 
 #include "PathTracing/Materials/cslfSurfaceColors.h"
 #include "Pipeline/cslfArrayLayout.h"
+#include "cslfVTKCompatibility.h"
 
-#include <vtkCellData.h>
+#include <vtkActor.h>
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkInformation.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkTexture.h>
+#include <vtkTransform.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -19,6 +25,19 @@ namespace cslf
 {
 namespace
 {
+/// The array that a texture shows, which only subclasses can read.
+class TextureAccess : public vtkTexture
+{
+public:
+  static vtkDataArray* GetPixels(vtkTexture* texture)
+  {
+    using Get = vtkDataArray* (vtkAlgorithm::*)(int, vtkDataObject*);
+    const Get get = &TextureAccess::GetInputArrayToProcess;
+    vtkImageData* image = texture->GetInput();
+    return image ? (texture->*get)(0, image) : nullptr;
+  }
+};
+
 /// Float colours in [0,1] or 16-bit colours as bytes.
 vtkSmartPointer<vtkUnsignedCharArray> ToBytes(vtkDataArray* colors)
 {
@@ -74,46 +93,91 @@ vtkSmartPointer<vtkUnsignedCharArray> MakePixels(vtkTexture* texture, vtkDataArr
     (type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT) && scalars->GetNumberOfComponents() >= 3;
   return direct ? ToBytes(scalars) : MapByTable(texture, scalars);
 }
+
+/// The matrix of texture coordinates: that of the actor's texture, which VTK sets before it draws,
+/// or one in the actor's property keys. Null if there is none.
+const double* FindTextureTransform(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  if (texture && texture->GetTransform())
+  {
+    return texture->GetTransform()->GetMatrix()->GetData();
+  }
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return keys ? keys->Get(TextureTransformKey()) : nullptr;
+}
 }
 
-vtkSmartPointer<vtkImageData> MakeTextureImage(vtkTexture* texture)
+vtkSmartPointer<vtkImageData> MakeFlatImage(vtkTexture* texture)
 {
   vtkImageData* input = texture->GetInput();
-  if (!input)
+  vtkDataArray* pixels = TextureAccess::GetPixels(texture);
+  if (!pixels || pixels->GetNumberOfTuples() == 0)
   {
     return nullptr;
   }
-  vtkDataArray* scalars = input->GetPointData()->GetScalars();
-  const bool ofCells = !scalars;
-  scalars = ofCells ? input->GetCellData()->GetScalars() : scalars;
-  if (!scalars || scalars->GetNumberOfTuples() == 0)
+  int size[3];
+  input->GetDimensions(size);
+  if (pixels->GetNumberOfTuples() == input->GetNumberOfCells())
   {
-    return nullptr;
-  }
-  // The axes along which the image extends, at most two.
-  int size[2] = { 1, 1 };
-  int axes = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int points = input->GetDimensions()[axis];
-    if (points > 1 && axes == 2)
+    for (int& axis : size)
     {
-      return nullptr;
-    }
-    // An image that is only one pixel wide has its pixels along the first axis.
-    if (points > 1 || (axis == 0 && axes == 0))
-    {
-      size[axes++] = ofCells ? std::max(points - 1, 1) : points;
+      axis = std::max(axis - 1, 1);
     }
   }
-  const vtkSmartPointer<vtkUnsignedCharArray> pixels = MakePixels(texture, scalars);
-  if (!pixels || pixels->GetNumberOfTuples() != vtkIdType(size[0]) * size[1])
+  if (size[0] == 1)
+  {
+    std::rotate(size, size + 1, size + 3);
+  }
+  else if (size[1] == 1)
+  {
+    std::swap(size[1], size[2]);
+  }
+  if (size[2] != 1 || pixels->GetNumberOfTuples() != vtkIdType(size[0]) * size[1])
   {
     return nullptr;
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(size[0], size[1], 1);
+  image->SetDimensions(size);
   image->GetPointData()->SetScalars(pixels);
   return image;
+}
+
+vtkSmartPointer<vtkImageData> MakeTextureImage(vtkTexture* texture)
+{
+  vtkSmartPointer<vtkImageData> image = MakeFlatImage(texture);
+  const vtkSmartPointer<vtkUnsignedCharArray> pixels =
+    image ? MakePixels(texture, image->GetPointData()->GetScalars()) : nullptr;
+  if (!pixels)
+  {
+    return nullptr;
+  }
+  image->GetPointData()->SetScalars(pixels);
+  return image;
+}
+
+void TransformTCoords(vtkActor* actor, vtkPolyData* block)
+{
+  vtkDataArray* coordinates = block->GetPointData()->GetTCoords();
+  const double* matrix = FindTextureTransform(actor);
+  if (!matrix || !coordinates || coordinates->GetNumberOfComponents() < 2)
+  {
+    return;
+  }
+  vtkNew<vtkFloatArray> moved;
+  moved->SetName(coordinates->GetName());
+  moved->SetNumberOfComponents(2);
+  moved->SetNumberOfTuples(coordinates->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    const double u = coordinates->GetComponent(i, 0);
+    const double v = coordinates->GetComponent(i, 1);
+    for (int c = 0; c < 2; ++c)
+    {
+      const double* row = matrix + 4 * c;
+      moved->SetTypedComponent(i, c, static_cast<float>(row[0] * u + row[1] * v + row[3]));
+    }
+  }
+  block->GetPointData()->SetTCoords(moved);
 }
 }

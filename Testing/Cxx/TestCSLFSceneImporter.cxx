@@ -396,6 +396,11 @@ void TestLights()
   vtkDataArray* pixels = importer.GetLight(vtkCSLFLight::EnvironmentImage());
   CSLF_CHECK(pixels && pixels->GetNumberOfTuples() == 8);
   CSLF_CHECK(importer.GetLight(vtkCSLFLight::EnvironmentUp())->GetComponent(0, 2) == 1.0);
+  image->SetDimensions(1, 4, 2); // in the plane YZ
+  image->AllocateScalars(VTK_FLOAT, 3);
+  CSLF_CHECK(!importer.WarnsOf("environment"));
+  vtkDataArray* layout = importer.GetLight(vtkCSLFLight::EnvironmentImageLayout());
+  CSLF_CHECK(layout && layout->GetComponent(0, 0) == 4.0 && layout->GetComponent(0, 1) == 2.0);
 }
 
 /// The colour in the middle of a picture.

@@ -291,6 +291,27 @@ void TestMixedCells()
   CSLF_CHECK(faces == 2 && all == 3);
 }
 
+/// Copies of a property use its textures, but do not release them for their other users.
+void TestTextures()
+{
+  Square square(false);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->UseSRGBColorSpaceOn();
+  square.Front->SetInterpolationToPBR();
+  square.Front->SetBaseColorTexture(texture);
+  square.Actor->SetBackfaceProperty(square.Back);
+  const int count = texture->GetReferenceCount();
+  for (int i = 0; i < 3; ++i)
+  {
+    CSLF_CHECK(!GetWarning(square.Renderer).empty());
+    CSLF_CHECK_NEAR(texture->GetReferenceCount(), count, 0);
+  }
+}
+
 void TestWarnings()
 {
   Square square(false);
@@ -311,6 +332,7 @@ int TestCSLFSceneImporterSides(int, char*[])
   TestCulling();
   TestBackProperty();
   TestMixedCells();
+  TestTextures();
   TestWarnings();
   return cslf::testing::Result();
 }

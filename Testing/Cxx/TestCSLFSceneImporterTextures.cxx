@@ -18,6 +18,7 @@
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -156,6 +157,79 @@ void TestTypes(ShapeComparison& window)
   scene.Check("Floats as colours");
   scene.SetScalars(MakeColors<vtkUnsignedShortArray>(65535.0));
   scene.Check("16 bits as colours");
+}
+
+/// Images in any plane, of one row or one column, as a texture. The first axis with more than one
+/// pixel is that of the columns.
+void TestPlanes(ShapeComparison& window)
+{
+  Scene scene(window);
+  struct Case
+  {
+    const char* Name;
+    int Dimensions[3];
+    int Size[2];
+  };
+  const Case cases[] = { { "XY", { 4, 2, 1 }, { 4, 2 } }, { "XZ", { 4, 1, 2 }, { 4, 2 } },
+    { "YZ", { 1, 4, 2 }, { 4, 2 } }, { "X", { 8, 1, 1 }, { 8, 1 } }, { "Y", { 1, 8, 1 }, { 8, 1 } },
+    { "Z", { 1, 1, 8 }, { 1, 8 } } };
+  for (const Case& image : cases)
+  {
+    for (const bool ofCells : { false, true })
+    {
+      int extent[6];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int pixels = image.Dimensions[axis];
+        extent[2 * axis] = 5 - axis; // not from 0
+        extent[2 * axis + 1] = 5 - axis + pixels - (ofCells && pixels > 1 ? 0 : 1);
+      }
+      scene.Image->Initialize();
+      scene.Image->SetExtent(extent);
+      const auto colors = MakeColors<vtkUnsignedCharArray>(255.0);
+      vtkDataSetAttributes* attributes = scene.Image->GetPointData();
+      if (ofCells)
+      {
+        attributes = scene.Image->GetCellData();
+      }
+      attributes->SetScalars(colors);
+      scene.Texture->Modified();
+      const std::string name = std::string(image.Name) + (ofCells ? ", of cells" : "");
+      scene.Check(name.c_str());
+      vtkNew<vtkPolyData> data;
+      vtkNew<vtkImageData> read;
+      bool repeat = false;
+      bool smooth = false;
+      CSLF_CHECK(vtkCSLFMaterial::SetTextureFrom(data, 0, scene.Texture));
+      CSLF_CHECK(vtkCSLFMaterial::GetTexture(data, 0, read, repeat, smooth));
+      CSLF_CHECK_NEAR(read->GetDimensions()[0], image.Size[0], 0);
+      CSLF_CHECK_NEAR(read->GetDimensions()[1], image.Size[1], 0);
+    }
+  }
+
+  // Another array than the scalars.
+  const auto colors = MakeColors<vtkUnsignedCharArray>(255.0);
+  colors->SetName("Colors");
+  scene.SetScalars(MakeNumbers<vtkDoubleArray>(1.0));
+  scene.Image->GetPointData()->AddArray(colors);
+  scene.Texture->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Colors");
+  scene.Check("Array by name");
+}
+
+/// A texture of three dimensions is left out with a warning.
+void TestVolume()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  image->GetPointData()->SetScalars(MakeColors<vtkUnsignedCharArray>(255.0));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkTest::ErrorObserver> messages;
+  vtkOutputWindow::GetInstance()->AddObserver(vtkCommand::WarningEvent, messages);
+  vtkNew<vtkPolyData> data;
+  CSLF_CHECK(!vtkCSLFMaterial::SetTextureFrom(data, vtkCSLFMaterial::BaseColorTexture, texture));
+  vtkOutputWindow::GetInstance()->RemoveObservers(vtkCommand::WarningEvent);
+  CSLF_CHECK(messages->GetWarningMessage().find("three-dimensional") != std::string::npos);
 }
 
 /// A texture whose table is empty is left out.
@@ -302,6 +376,8 @@ int TestCSLFSceneImporterTextures(int, char*[])
 {
   ShapeComparison window;
   TestTypes(window);
+  TestPlanes(window);
+  TestVolume();
   TestEmptyTable();
   TestTransform(window);
   TestOfProperty(window);

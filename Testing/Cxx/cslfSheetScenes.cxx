@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSheetScenes.h"
 
+#include "cslfSheetParts.h"
 #include "cslfVTKCompatibility.h"
 
 #include <vtkActor.h>
@@ -35,8 +36,6 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
 #include <vtkTexture.h>
 #include <vtkTexturedSphereSource.h>
 #include <vtkTransform.h>
@@ -56,27 +55,6 @@ namespace testing
 {
 namespace
 {
-/// An actor of a source's output.
-vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkAlgorithm* source)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-  return actor;
-}
-
-vtkSmartPointer<vtkActor> AddData(vtkRenderer* renderer, vtkPolyData* data)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-  return actor;
-}
-
 /// A smooth sphere of radius 0.5.
 vtkSmartPointer<vtkActor> AddSphere(vtkRenderer* renderer, double x, double y = 0.0)
 {
@@ -88,35 +66,12 @@ vtkSmartPointer<vtkActor> AddSphere(vtkRenderer* renderer, double x, double y = 
   return actor;
 }
 
-/// A camera that looks from a direction at the origin, and sees `reach` to all sides of it. Without
-/// perspective, nothing hides from a light at the camera what the camera sees.
-vtkCamera* Look(vtkRenderer* renderer, double x, double y, double z, double reach = 1.1)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(reach);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  double position[3] = { x, y, z };
-  vtkMath::Normalize(position);
-  vtkMath::MultiplyScalar(position, 10.0);
-  camera->SetPosition(position);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  return camera;
-}
-
 /// The same with perspective.
 void LookFromNear(vtkRenderer* renderer, double x, double y, double z, double reach = 1.1)
 {
   vtkCamera* camera = Look(renderer, x, y, z, reach);
   camera->ParallelProjectionOff();
   camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(reach / camera->GetDistance())));
-}
-
-void AddHeadlight(vtkRenderer* renderer)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  renderer->AddLight(light);
 }
 
 vtkSmartPointer<vtkLight> AddLight(vtkRenderer* renderer, double x, double y, double z)
@@ -164,23 +119,6 @@ void BuildPhysical(vtkRenderer* renderer)
     property->SetRoughness(0.3 + 0.3 * (i % 3));
   }
   LookFromNear(renderer, 0.0, 0.0, 1.0, 1.75);
-}
-
-/// Letters, which show whether an image is turned or mirrored.
-vtkSmartPointer<vtkImageData> MakeLetters()
-{
-  vtkNew<vtkTextProperty> style;
-  style->SetFontSize(48);
-  style->BoldOn();
-  style->SetColor(0.95, 0.9, 0.3);
-  style->SetBackgroundColor(0.15, 0.25, 0.5);
-  style->SetBackgroundOpacity(1.0);
-  vtkNew<vtkTextRenderer> text;
-  text->SetScaleToPowerOfTwo(false);
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  int size[2];
-  text->RenderString(style, "VTK", image, size, 72);
-  return image;
 }
 
 void BuildTextures(vtkRenderer* renderer)
@@ -577,6 +515,8 @@ std::vector<SheetScene> MakeSheetScenes()
     { "Composite: colour, opacity", BuildComposite, Expectation::Bounds, 28.0, 70.0 },
     { "Ambient, no lighting, tubes", BuildUnlit },
   };
+  const std::vector<SheetScene> others = MakeRepresentationScenes();
+  scenes.insert(scenes.end(), others.begin(), others.end());
   return scenes;
 }
 }

@@ -37,7 +37,11 @@ struct SheetScene
   double Unexplained = 2.0; ///< between the expectation and the bake, for 99 % of the pixels
 };
 
+/// All scenes of the sheet.
 std::vector<SheetScene> MakeSheetScenes();
+
+/// Those of points, wireframes and lines, and of images in any plane.
+std::vector<SheetScene> MakeRepresentationScenes();
 }
 }
 
