@@ -9,7 +9,7 @@ list(APPEND classes
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFRateControl
   ../Filters/vtkCSLFResample)
-cslf_add(Filters Join Printable Seconds ValidPolyData VTKCompatibility)
+cslf_add(Filters DecimalPoint Join Printable Seconds ValidPolyData VTKCompatibility)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
 cslf_add(Filters/Files AtomicFile FileLock FileSystem JSONFile Libraries LockedFile WorkFolder)

@@ -38,8 +38,8 @@ LAYERS = {
 }
 
 # Headers of Filters itself that all layers may include, and classes that single layers may use.
-SHARED = {"cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h", "cslfVTKCompatibility.h",
-    "cslfValidPolyData.h", "vtkCSLFModule.h"}
+SHARED = {"cslfDecimalPoint.h", "cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h",
+    "cslfVTKCompatibility.h", "cslfValidPolyData.h", "vtkCSLFModule.h"}
 CLASSES = {
     "Filters/PathTracing": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
     "Filters/SceneImport": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
