@@ -131,6 +131,8 @@ if (CSLF_ENABLE_SAMPLER)
     CenterSurfaces ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
+  # Textures.
+  cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF
     GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems
     GLTFValue)

@@ -53,7 +53,7 @@ CLASSES = {
 LIBRARIES = {
     r"embree": ["Filters/PathTracing"],
     r"meshoptimizer": ["Filters/Geometry", "Filters/Coding"],
-    r"OpenImageIO": ["Filters/PathTracing", "Filters/GLTF", "Filters/CubeMaps"],
+    r"OpenImageIO": ["Filters/PathTracing", "Filters/Files", "Filters/CubeMaps"],
     r"libav|libsw": ["Filters/Coding"],
     r"vtkOpenGL(?!Sphere|Stick)|vtk_gl|glad": ["Rendering"],
     r"vtk(?!AbstractArray|DataArray|FieldData|ImageData|New|PointData|SmartPointer|StringArray|Type)":
