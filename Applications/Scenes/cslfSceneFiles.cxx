@@ -5,14 +5,15 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfOBJReader.h"
 #include "cslfPLYReader.h"
+#include "cslfSTLReader.h"
 #include "cslfSceneChecks.h"
 
 #include "Options/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "cslfJSONText.h"
-#include "cslfVTKCompatibility.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
@@ -24,10 +25,8 @@
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -65,20 +64,11 @@ Part ReadWith(const std::string& fileName)
   return reader->GetOutputDataObject(0);
 }
 
-template <typename Reader, void (*Check)(const std::string&)>
+template <typename Reader>
 Part ReadChecked(const std::string& fileName)
 {
-  Check(fileName);
+  CheckVTKXML(fileName);
   return ReadWith<Reader>(fileName);
-}
-
-Part ReadSTL(const std::string& fileName)
-{
-  const bool isText = CheckSTL(fileName);
-  vtkNew<vtkSTLReader> reader;
-  SetSTLFile(reader.Get(), ToPath(fileName), isText);
-  reader->Update();
-  return reader->GetOutput();
 }
 
 const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders()
@@ -86,9 +76,9 @@ const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders
   static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
     { ".ply", ReadPLY },
     { ".stl", ReadSTL },
-    { ".obj", ReadChecked<vtkOBJReader, CheckOBJ> },
-    { ".vtp", ReadChecked<vtkXMLPolyDataReader, CheckVTKXML> },
-    { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader, CheckVTKXML> },
+    { ".obj", ReadOBJ },
+    { ".vtp", ReadChecked<vtkXMLPolyDataReader> },
+    { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader> },
     { ".gltf", ReadWith<vtkCSLFGLTFReader> },
     { ".glb", ReadWith<vtkCSLFGLTFReader> },
   };
