@@ -60,7 +60,7 @@ int Run(const Command& command, bool isJSON)
   if (IsFirstRank())
   {
     PrintWarnings();
-    std::cout << (isJSON ? result.JSON.dump(2) + "\n" : result.Text) << std::flush;
+    std::cout << (isJSON ? Print(result.JSON) : result.Text) << std::flush;
   }
   return EXIT_SUCCESS;
 }
