@@ -5,16 +5,19 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfParallel.h"
 #include "Options/cslfNumberChecks.h"
+#include "Scenes/cslfSceneText.h"
 #include "cslfCommands.h"
 
 #include <vtkSMPTools.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -60,9 +63,25 @@ int Run(const Command& command, bool isJSON)
   if (IsFirstRank())
   {
     PrintWarnings();
-    std::cout << (isJSON ? result.JSON.dump(2) + "\n" : result.Text) << std::flush;
+    std::cout << (isJSON ? Print(result.JSON) : result.Text) << std::flush;
   }
   return EXIT_SUCCESS;
+}
+
+/// The arguments from the last to the first, as CLI11 wants them. It would take -.5 for an option,
+/// but -0.5 for a number.
+std::vector<std::string> GetArguments(int argc, char* argv[])
+{
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  for (std::string& argument : arguments)
+  {
+    if (argument.compare(0, 2, "-.") == 0 && ToNumber(argument))
+    {
+      argument.insert(1, "0");
+    }
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
 }
 
 /// Adds the common options to the commands, and to their subcommands if they have any. The numbers
@@ -107,7 +126,7 @@ int main(int argc, char* argv[])
   AddCommonOptions(&app, isJSON, threads);
   try
   {
-    app.parse(argc, argv);
+    app.parse(GetArguments(argc, argv));
   }
   catch (const CLI::ParseError& error)
   {

@@ -26,6 +26,13 @@ struct Result
   nlohmann::json JSON;
 };
 
+/// A result for programs. Names of files may have any bytes, but JSON only those of UTF-8: each of
+/// the others becomes U+FFFD.
+inline std::string Print(const nlohmann::json& json)
+{
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 /// A command with its options filled in. Throws a Failure.
 using Command = std::function<Result()>;
 

@@ -23,7 +23,7 @@ if (NOT CSLF_BUILD_PARAVIEW_PLUGIN)
     FiltersModeling
     ImagingColor ImagingStatistics ImagingStencil
     InteractionStyle InteractionWidgets
-    IOGeometry IOImage IOPLY IOXMLParser
+    IOGeometry IOImage IOLegacy IOPLY IOXMLParser
     RenderingAnnotation RenderingContextOpenGL2 RenderingFreeType RenderingUI
     ViewsContext2D)
 endif ()

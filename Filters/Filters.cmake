@@ -9,7 +9,7 @@ list(APPEND classes
   ../Filters/vtkCSLFImageQuality
   ../Filters/vtkCSLFRateControl
   ../Filters/vtkCSLFResample)
-cslf_add(Filters Join Printable Seconds ValidPolyData VTKCompatibility)
+cslf_add(Filters DecimalPoint Join Printable Seconds ValidPolyData VTKCompatibility)
 
 # Files and folders that appear complete. One folder has the implementation for each system.
 cslf_add(Filters/Files AtomicFile FileLock FileSystem JSONFile Libraries LockedFile WorkFolder)
@@ -131,6 +131,8 @@ if (CSLF_ENABLE_SAMPLER)
     CenterSurfaces ChannelSum ColorSum DepthSum FieldRays RayGrid SamplePlaces StoppingRule TexelRenderer
     TexelSums)
   cslf_add(Filters/CubeMaps CubeMapFiles EXRHeader)
+  # Textures.
+  cslf_add(Filters/Files EncodedImage)
   cslf_add(Filters/GLTF
     GLTFAccessor GLTFBlocks GLTFDocument GLTFImages GLTFMaterials GLTFPrimitives GLTFProblems
     GLTFValue)

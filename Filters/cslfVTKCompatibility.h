@@ -18,16 +18,6 @@
 #include <vtkCompositePolyDataMapper2.h>
 #endif
 
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-#include <vtkMemoryResourceStream.h>
-#include <vtkNew.h>
-
-#include <fstream>
-#include <iterator>
-#endif
-
-#include <filesystem>
-#include <string>
 #include <vector>
 
 namespace cslf
@@ -76,28 +66,6 @@ void SetNumbersOfGrids(Grids* grids, const std::vector<unsigned int>& counts)
   const std::vector<int> numbers(counts.begin(), counts.end());
   grids->Initialize(static_cast<int>(numbers.size()), numbers.data());
 #endif
-}
-
-/// Sets the file of an STL reader. VTK 9.6 does not recognise a text file that begins with white
-/// space or capitals.
-template <typename Reader>
-void SetSTLFile(Reader* reader, const std::filesystem::path& path, bool isText)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-  if (isText)
-  {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(file), {});
-    text.erase(0, text.find_first_not_of(" \t\r\n"));
-    text.replace(0, 5, "solid");
-    vtkNew<vtkMemoryResourceStream> stream;
-    stream->SetBuffer(std::move(text));
-    reader->SetStream(stream);
-    return;
-  }
-#endif
-  (void)isText;
-  reader->SetFileName(path.u8string().c_str());
 }
 
 /// Asks a running filter to stop.

@@ -326,6 +326,7 @@ void AddField(CLI::App& command, Options& options)
     .add_option("--center", options.Center,
       "centre of the cube, with --edges (default: a cube around the scene)")
     ->expected(3)
+    ->check(Finite())
     ->type_name("X Y Z")
     ->group(field);
   command

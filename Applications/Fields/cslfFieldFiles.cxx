@@ -169,6 +169,12 @@ FieldFile OpenField(const std::string& name)
         ? fileName + " is unfinished, and there is no preview yet."
         : "There is no file or folder " + fileName + ".");
   }
+  if (!isFolder && LowerExtension(fileName).empty())
+  {
+    throw Failure(fileName +
+      " is a file without an extension, which would tell its format: the formats are " +
+      FieldFormats + ".");
+  }
   const auto format = FindFormat(fileName);
   if (!format)
   {

@@ -18,7 +18,7 @@ namespace cslf::tool
 void WriteResult(const Result& result, const std::string& folder, const std::string& name)
 {
   WriteWholeText(result.Text, folder + "/" + name + ".md");
-  WriteWholeText(result.JSON.dump(2) + "\n", folder + "/" + name + ".json");
+  WriteWholeText(Print(result.JSON), folder + "/" + name + ".json");
 }
 
 void BenchmarkOptions::AddTo(CLI::App& command)

@@ -3,6 +3,7 @@
 #include "cslfCameraOptions.h"
 
 #include "Console/cslfMessages.h"
+#include "cslfNumberChecks.h"
 
 #include <vtkCamera.h>
 
@@ -24,13 +25,6 @@ constexpr int MaximumSize = 16384;
 glm::dvec3 ToVector(const std::vector<double>& values)
 {
   return { values[0], values[1], values[2] };
-}
-
-std::string CheckFinite(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return std::isfinite(value) ? std::string() : text + " is not finite";
 }
 }
 
@@ -58,19 +52,19 @@ void CameraOptions::AddTo(CLI::App& command)
     .add_option("--position", this->Position,
       "position of the camera (default: two cube edges in front of the centre)")
     ->expected(3)
-    ->check(CheckFinite)
+    ->check(Finite())
     ->type_name("X Y Z")
     ->group(group);
   command
     .add_option(
       "--focal-point", this->FocalPoint, "point that the camera looks at (default: the centre)")
     ->expected(3)
-    ->check(CheckFinite)
+    ->check(Finite())
     ->type_name("X Y Z")
     ->group(group);
   command.add_option("--view-up", this->ViewUp, "up direction of the picture")
     ->expected(3)
-    ->check(CheckFinite)
+    ->check(Finite())
     ->type_name("X Y Z")
     ->capture_default_str()
     ->group(group);

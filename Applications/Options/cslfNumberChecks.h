@@ -35,10 +35,10 @@ inline CLI::Validator Positive()
   return AtLeast(std::numeric_limits<double>::min(), "not above 0", "POSITIVE");
 }
 
-/// Refuses infinity and NaN in all floating-point options of a command.
-inline void RequireFiniteNumbers(CLI::App& command)
+/// Refuses infinity and NaN.
+inline CLI::Validator Finite()
 {
-  const CLI::Validator finite(
+  return CLI::Validator(
     [](std::string& text)
     {
       double number = 0.0;
@@ -47,11 +47,17 @@ inline void RequireFiniteNumbers(CLI::App& command)
         : std::string();
     },
     "");
+}
+
+/// Refuses infinity and NaN in all options of a command whose type is named FLOAT. Those with
+/// another name need their own check.
+inline void RequireFiniteNumbers(CLI::App& command)
+{
   for (CLI::Option* option : command.get_options())
   {
     if (option->get_type_name().find("FLOAT") != std::string::npos)
     {
-      option->check(finite);
+      option->check(Finite());
     }
   }
 }

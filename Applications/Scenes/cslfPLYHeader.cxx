@@ -3,13 +3,16 @@
 #include "cslfPLYHeader.h"
 
 #include "Console/cslfMessages.h"
+#include "cslfSceneText.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 namespace cslf::tool
@@ -17,30 +20,6 @@ namespace cslf::tool
 namespace
 {
 using Words = std::vector<std::string>;
-
-bool IsSpace(char character)
-{
-  return character == ' ' || (character >= '\t' && character <= '\r');
-}
-
-Words Split(const std::string& line)
-{
-  Words words;
-  for (std::size_t i = 0; i < line.size();)
-  {
-    const std::size_t begin = i;
-    while (i < line.size() && !IsSpace(line[i]))
-    {
-      ++i;
-    }
-    if (i > begin)
-    {
-      words.push_back(line.substr(begin, i - begin));
-    }
-    ++i;
-  }
-  return words;
-}
 
 PLYType ParseType(const std::string& name)
 {
@@ -159,7 +138,8 @@ PLYHeader ReadPLYHeader(const std::string& bytes)
     {
       throw Failure(line == 0 ? "it is not a PLY file." : "its header has no end_header.");
     }
-    const Words words = Split(bytes.substr(header.Size, end - header.Size));
+    const auto split = Split(std::string_view(bytes).substr(header.Size, end - header.Size));
+    const Words words(split.begin(), split.end());
     header.Size = end + 1;
     const std::string keyword = words.empty() ? "" : words[0];
     if (line == 0 && keyword != "ply")
@@ -230,15 +210,14 @@ double PLYNumbers::ReadWord()
     throw Failure("it is truncated.");
   }
   const char* wordEnd = std::find_if(begin, end, IsSpace);
-  double number = 0.0;
-  const auto result = std::from_chars(begin + (*begin == '+' ? 1 : 0), wordEnd, number);
-  // Numbers too small or too large for a double count as 0 or infinite.
-  if (result.ptr != wordEnd || result.ec == std::errc::invalid_argument)
+  const std::optional<double> number =
+    ToNumber({ begin, static_cast<std::size_t>(wordEnd - begin) });
+  if (!number)
   {
     throw Failure("it has a value that is not a number.");
   }
   this->Offset = static_cast<std::size_t>(wordEnd - this->Bytes.data());
-  return number;
+  return *number;
 }
 
 double PLYNumbers::ReadBinary(const PLYType& type)

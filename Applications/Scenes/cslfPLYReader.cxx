@@ -3,8 +3,8 @@
 #include "cslfPLYReader.h"
 
 #include "Console/cslfMessages.h"
-#include "Files/cslfFileSystem.h"
 #include "cslfPLYHeader.h"
+#include "cslfSceneText.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,9 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -345,8 +343,7 @@ private:
 
 vtkSmartPointer<vtkPolyData> ReadPLY(const std::string& fileName)
 {
-  std::ifstream file(ToPath(fileName), std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  const std::string bytes = ReadBytes(fileName);
   return Reader(bytes).Read();
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfSceneText.h"
 #include "cslfXMLArrayHeaders.h"
 #include "cslfXMLStrings.h"
 
@@ -13,16 +14,11 @@
 #include <vtkXMLDataParser.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -56,269 +52,6 @@ bool Parse(const std::string& text, Number& number)
   const auto result = std::from_chars(begin, end, number);
   return result.ec == std::errc() && result.ptr == end;
 }
-
-/// The lines of an OBJ file that have one index each.
-class OBJChecker
-{
-public:
-  explicit OBJChecker(const std::string& fileName)
-    : File(ToPath(fileName), std::ios::binary)
-  {
-  }
-
-  void Check()
-  {
-    this->ForEachLine([this](const std::string& command, std::istringstream&)
-      { this->Count(command, this->Totals); });
-    this->File.clear();
-    this->File.seekg(0);
-    this->ForEachLine(
-      [this](const std::string& command, std::istringstream& words)
-      {
-        this->Count(command, this->Counts);
-        if (command == "f" || command == "l" || command == "p")
-        {
-          std::string word;
-          while (words >> word)
-          {
-            this->CheckCorner(word);
-          }
-        }
-      });
-    this->CheckEnd();
-  }
-
-private:
-  /// Vertices, texture coordinates and normals.
-  using Numbers = std::array<std::int64_t, 3>;
-
-  template <typename Visit>
-  void ForEachLine(Visit visit)
-  {
-    this->Line = 0;
-    std::string line;
-    while (std::getline(this->File, line))
-    {
-      ++this->Line;
-      this->Continue(line);
-      std::istringstream words(line);
-      std::string command;
-      words >> command;
-      visit(command, words);
-    }
-  }
-
-  /// A truncated file may end within a line.
-  void CheckEnd()
-  {
-    this->File.clear();
-    this->File.seekg(0);
-    std::size_t words = 0;
-    std::string last;
-    this->ForEachLine(
-      [&](const std::string& command, std::istringstream& rest)
-      {
-        last = command;
-        words = std::distance(std::istream_iterator<std::string>(rest), {});
-      });
-    const std::map<std::string, std::size_t> fewest = { { "v", 3 }, { "vn", 3 }, { "vt", 1 },
-      { "f", 3 }, { "l", 2 }, { "p", 1 } };
-    const auto found = fewest.find(last);
-    if (found != fewest.end() && words < found->second)
-    {
-      this->Fail("is incomplete: the file is truncated");
-    }
-  }
-
-  /// Appends the next lines if a line ends with a backslash.
-  void Continue(std::string& line)
-  {
-    std::string next;
-    for (std::size_t last = line.find_last_not_of('\r');
-         last != std::string::npos && line[last] == '\\' && std::getline(this->File, next);
-         last = line.find_last_not_of('\r'))
-    {
-      ++this->Line;
-      line.replace(last, std::string::npos, " " + next);
-    }
-  }
-
-  static void Count(const std::string& command, Numbers& counts)
-  {
-    const char* const commands[] = { "v", "vt", "vn" };
-    for (int i = 0; i < 3; ++i)
-    {
-      counts[i] += command == commands[i] ? 1 : 0;
-    }
-  }
-
-  /// A corner is v, v/vt, v//vn or v/vt/vn, each from 1 on, or from -1 on backwards.
-  void CheckCorner(const std::string& word) const
-  {
-    std::size_t begin = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const std::size_t end = std::min(word.find('/', begin), word.size());
-      const std::string text = word.substr(begin, end - begin);
-      const bool isLeftOut = text.empty() && i == 1 && end < word.size();
-      if (!isLeftOut)
-      {
-        this->CheckIndex(text, i);
-      }
-      if (end == word.size())
-      {
-        return;
-      }
-      begin = end + 1;
-    }
-    this->Fail("has an invalid index");
-  }
-
-  void CheckIndex(const std::string& text, int kind) const
-  {
-    int index = 0;
-    if (!Parse(text, index))
-    {
-      this->Fail("has an invalid index");
-    }
-    if (index == 0 || index > this->Totals[kind] || index < -this->Counts[kind])
-    {
-      const char* const kinds[] = { "vertex", "texture coordinate", "normal" };
-      this->Fail(std::string("has the index of a missing ") + kinds[kind]);
-    }
-  }
-
-  [[noreturn]] void Fail(const std::string& what) const
-  {
-    throw Failure("line " + std::to_string(this->Line) + " " + what + ".");
-  }
-
-  std::ifstream File;
-  std::size_t Line = 0;
-  Numbers Totals{};
-  Numbers Counts{}; // up to this line
-};
-
-/// Whether an STL file is complete. VTK reads truncated files without an error.
-class STLChecker
-{
-public:
-  explicit STLChecker(const std::string& fileName)
-    : File(ToPath(fileName), std::ios::binary)
-  {
-    std::error_code failure;
-    this->Size = fs::file_size(ToPath(fileName), failure);
-    this->Begin.resize(std::min<std::uintmax_t>(this->Size, BytesLookedAt));
-    this->File.read(this->Begin.data(), static_cast<std::streamsize>(this->Begin.size()));
-  }
-
-  /// Returns whether the file is a text file.
-  bool Check()
-  {
-    const bool isText = this->IsText();
-    if (isText)
-    {
-      this->CheckLetters();
-      this->CheckText();
-    }
-    else
-    {
-      this->CheckBinary();
-    }
-    return isText;
-  }
-
-private:
-  static constexpr std::uintmax_t BytesLookedAt = 1024;
-  static constexpr std::uintmax_t HeaderSize = 84; // the last four bytes count the triangles
-  static constexpr std::uintmax_t TriangleSize = 50;
-
-  /// Headers of binary files may begin like text, but then the number of triangles fits the size,
-  /// or there are zeros, as after each triangle. The name of a solid may have letters beyond ASCII.
-  bool IsText() const
-  {
-    if (this->Size >= HeaderSize &&
-      this->Size == HeaderSize + TriangleSize * this->CountTriangles())
-    {
-      return false;
-    }
-    const std::size_t first = this->Begin.find_first_not_of(" \t\r\n");
-    return first != std::string::npos && ToLower(this->Begin.substr(first, 5)) == "solid" &&
-      this->Begin.find('\0') == std::string::npos;
-  }
-
-  /// VTK reads a text as binary numbers if a twentieth of its first 256 bytes is not ASCII.
-  void CheckLetters() const
-  {
-    const std::string begin = this->Begin.substr(0, 256);
-    const auto others = std::count_if(begin.begin(), begin.end(),
-      [](char letter)
-      {
-        return (letter < 32 || letter > 126) &&
-          std::string("\t\r\n").find(letter) == std::string::npos;
-      });
-    if (20 * static_cast<std::size_t>(others) >= begin.size())
-    {
-      throw Failure("the name of its solid has too many letters that are not ASCII.");
-    }
-  }
-
-  void CheckText()
-  {
-    this->File.clear();
-    this->File.seekg(0);
-    std::string line;
-    bool isOpen = false;
-    while (std::getline(this->File, line))
-    {
-      std::string word;
-      std::istringstream(line) >> word;
-      word = ToLower(word);
-      isOpen = word == "solid" || (isOpen && word != "endsolid");
-    }
-    if (isOpen)
-    {
-      throw Failure("it is truncated: its last solid has no endsolid.");
-    }
-  }
-
-  static std::string ToLower(std::string text)
-  {
-    std::transform(text.begin(), text.end(), text.begin(),
-      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
-  }
-
-  /// The number that a binary file gives.
-  std::uintmax_t CountTriangles() const
-  {
-    std::uintmax_t triangles = 0;
-    for (int i = 1; i <= 4; ++i)
-    {
-      triangles = triangles << 8 | static_cast<unsigned char>(this->Begin[HeaderSize - i]);
-    }
-    return triangles;
-  }
-
-  void CheckBinary() const
-  {
-    if (this->Size < HeaderSize)
-    {
-      throw Failure("it is too short for the header of a binary STL file.");
-    }
-    const std::uintmax_t triangles = this->CountTriangles();
-    const std::uintmax_t present = (this->Size - HeaderSize) / TriangleSize;
-    if (present < triangles)
-    {
-      throw Failure("it is truncated: it has " + std::to_string(present) + " of " +
-        std::to_string(triangles) + " triangles.");
-    }
-  }
-
-  std::ifstream File;
-  std::uintmax_t Size = 0;
-  std::string Begin;
-};
 
 /// Leaves out elements that are nested too deeply, and records that there were some.
 class vtkShallowXMLParser : public vtkXMLDataParser
@@ -370,7 +103,18 @@ public:
 
   void Check()
   {
-    vtkNew<vtkShallowXMLParser> parser;
+    const auto parser = this->ParseFile();
+    if (parser->GetRootElement())
+    {
+      this->Limit = std::max(this->Limit, ValuesPerByte * this->CountPieceBytes(parser));
+      this->CheckElements(parser);
+    }
+  }
+
+  /// Has no root element if the file is not XML, which VTK's readers report.
+  vtkSmartPointer<vtkXMLDataParser> ParseFile() const
+  {
+    auto parser = vtkSmartPointer<vtkShallowXMLParser>::New();
     parser->SetFileName(ToName(this->Path).c_str());
     const bool isParsed = parser->Parse() != 0;
     if (parser->HasDeepElements())
@@ -382,13 +126,38 @@ public:
     {
       throw Failure("Cannot read " + ToName(this->Path) + ": " + error);
     }
-    if (isParsed && parser->GetRootElement())
+    if (!isParsed)
     {
-      this->CheckElements(parser);
+      return vtkSmartPointer<vtkXMLDataParser>::New();
     }
+    return parser;
   }
 
 private:
+  /// The size of the files that a parallel file, which has no values itself, consists of.
+  double CountPieceBytes(vtkXMLDataParser* parser) const
+  {
+    std::set<std::string> names;
+    vtkXMLDataElement* root = parser->GetRootElement();
+    for (int i = 0; i < root->GetNumberOfNestedElements(); ++i)
+    {
+      vtkXMLDataElement* grid = root->GetNestedElement(i);
+      for (int j = 0; j < grid->GetNumberOfNestedElements(); ++j)
+      {
+        const char* name = grid->GetNestedElement(j)->GetAttribute("Source");
+        names.insert(name ? name : "");
+      }
+    }
+    double bytes = 0.0;
+    for (const std::string& name : names)
+    {
+      std::error_code failure;
+      const auto size = fs::file_size(this->Path.parent_path() / ToPath(name), failure);
+      bytes += failure ? 0.0 : static_cast<double>(size);
+    }
+    return bytes;
+  }
+
   void CheckElements(vtkXMLDataParser* parser)
   {
     XMLArrayHeaders headers(ToName(this->Path), parser);
@@ -442,7 +211,9 @@ private:
     for (int i = 0; name && ranges.count(name) > 0 && i < element->GetNumberOfNestedElements(); ++i)
     {
       const char* text = element->GetNestedElement(i)->GetCharacterData();
-      if (text && !std::isfinite(std::strtod(text, nullptr)))
+      const auto words = Split(text ? text : "");
+      const std::optional<double> number = words.empty() ? std::nullopt : ToNumber(words[0]);
+      if (number && !std::isfinite(*number))
       {
         throw Failure(ToName(this->Path.filename()) +
           " has an array with coordinates or other values that are not finite.");
@@ -470,7 +241,7 @@ private:
       {
         this->CheckExtent(name, text);
       }
-      else if (name == "file")
+      else if (name == "file" || name == "Source")
       {
         this->CheckFile(text);
       }
@@ -531,7 +302,13 @@ private:
   {
     const fs::path path = this->Path.parent_path() / ToPath(name);
     std::error_code failure;
-    if (path.extension() != this->Path.extension() && fs::is_regular_file(path, failure))
+    const bool isFile = fs::is_regular_file(path, failure);
+    if (!isFile && fs::exists(path, failure))
+    {
+      // VTK would wait for a pipe.
+      throw Failure(ToName(path) + " is not a file.");
+    }
+    if (isFile && path.extension() != this->Path.extension())
     {
       XMLChecker(path).Check();
     }
@@ -551,14 +328,9 @@ private:
 };
 }
 
-void CheckOBJ(const std::string& fileName)
+vtkSmartPointer<vtkXMLDataElement> ReadVTKXML(const std::string& fileName)
 {
-  OBJChecker(fileName).Check();
-}
-
-bool CheckSTL(const std::string& fileName)
-{
-  return STLChecker(fileName).Check();
+  return XMLChecker(ToPath(fileName)).ParseFile()->GetRootElement();
 }
 
 void CheckVTKXML(const std::string& fileName)

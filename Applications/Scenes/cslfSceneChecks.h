@@ -7,21 +7,20 @@
 #ifndef cslfSceneChecks_h
 #define cslfSceneChecks_h
 
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+
 #include <string>
 
 namespace cslf::tool
 {
-/// Throws a Failure if a face, line or point of an OBJ file has the index of a missing vertex,
-/// texture coordinate or normal, or if the file ends within a line.
-void CheckOBJ(const std::string& fileName);
-
-/// Throws a Failure if an STL file has fewer triangles than its header declares, or if its last
-/// solid has no end. Returns whether it is a text file.
-bool CheckSTL(const std::string& fileName);
-
 /// Throws a Failure if an XML file of VTK, or a file that it refers to, declares more data than the
 /// file can hold.
 void CheckVTKXML(const std::string& fileName);
+
+/// The root of an XML file; null if the file is not XML. Throws a Failure if elements are nested
+/// too deeply.
+vtkSmartPointer<vtkXMLDataElement> ReadVTKXML(const std::string& fileName);
 }
 
 #endif

@@ -5,14 +5,18 @@
 #include "Console/cslfMessages.h"
 #include "Console/cslfOutputFiles.h"
 #include "Files/cslfFileSystem.h"
+#include "cslfGridReader.h"
+#include "cslfOBJReader.h"
 #include "cslfPLYReader.h"
+#include "cslfSTLReader.h"
 #include "cslfSceneChecks.h"
+#include "cslfSceneText.h"
 
 #include "Options/cslfNumberChecks.h"
 #include "Options/cslfTableOptions.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "cslfJSONText.h"
-#include "cslfVTKCompatibility.h"
+#include "cslfJoin.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFGLTFReader.h"
 #include "vtkCSLFMaterial.h"
@@ -24,17 +28,13 @@
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
-#include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -65,33 +65,67 @@ Part ReadWith(const std::string& fileName)
   return reader->GetOutputDataObject(0);
 }
 
-template <typename Reader, void (*Check)(const std::string&)>
-Part ReadChecked(const std::string& fileName)
+Part ReadVTP(const std::string& fileName)
 {
-  Check(fileName);
-  return ReadWith<Reader>(fileName);
+  CheckVTKXML(fileName);
+  return ReadWith<vtkXMLPolyDataReader>(fileName);
 }
 
-Part ReadSTL(const std::string& fileName)
+using Readers = std::map<std::string, std::function<Part(const std::string&)>>;
+
+/// The readers of one file by its extension.
+const Readers& GetFileReaders()
 {
-  const bool isText = CheckSTL(fileName);
-  vtkNew<vtkSTLReader> reader;
-  SetSTLFile(reader.Get(), ToPath(fileName), isText);
-  reader->Update();
-  return reader->GetOutput();
+  static const Readers readers = []
+  {
+    Readers all = {
+      { ".ply", ReadPLY },
+      { ".stl", ReadSTL },
+      { ".obj", ReadOBJ },
+      { ".vtp", ReadVTP },
+      { ".vtk", ReadLegacyGrid },
+      { ".gltf", ReadWith<vtkCSLFGLTFReader> },
+      { ".glb", ReadWith<vtkCSLFGLTFReader> },
+    };
+    for (const char* extension : { ".vtm", ".vtu", ".vti", ".vtr", ".vts", ".vtpd", ".vtpc",
+           ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts" })
+    {
+      all[extension] = ReadXMLGrid;
+    }
+    return all;
+  }();
+  return readers;
 }
 
-const std::map<std::string, std::function<Part(const std::string&)>>& GetReaders()
+/// The reader of a file; null if there is none for its extension.
+const Readers::mapped_type* FindReader(const Readers& readers, const std::string& fileName)
 {
-  static const std::map<std::string, std::function<Part(const std::string&)>> readers = {
-    { ".ply", ReadPLY },
-    { ".stl", ReadSTL },
-    { ".obj", ReadChecked<vtkOBJReader, CheckOBJ> },
-    { ".vtp", ReadChecked<vtkXMLPolyDataReader, CheckVTKXML> },
-    { ".vtm", ReadChecked<vtkXMLMultiBlockDataReader, CheckVTKXML> },
-    { ".gltf", ReadWith<vtkCSLFGLTFReader> },
-    { ".glb", ReadWith<vtkCSLFGLTFReader> },
-  };
+  const auto found = readers.find(ToLower(ToName(ToPath(fileName).extension())));
+  return found == readers.end() ? nullptr : &found->second;
+}
+
+/// A file that a collection names.
+Part ReadEntry(const std::string& fileName)
+{
+  std::error_code failure;
+  const auto* reader = FindReader(GetFileReaders(), fileName);
+  if (!reader || !std::filesystem::is_regular_file(ToPath(fileName), failure))
+  {
+    throw Failure(reader ? "there is no file " + fileName + "."
+                         : "it names " + fileName + ", which is not a scene.");
+  }
+  return (*reader)(fileName);
+}
+
+/// The readers of files and of collections.
+const Readers& GetReaders()
+{
+  static const Readers readers = []
+  {
+    Readers all = GetFileReaders();
+    all[".pvd"] = [](const std::string& fileName) { return ReadCollection(fileName, ReadEntry); };
+    return all;
+  }();
   return readers;
 }
 
@@ -170,7 +204,9 @@ bool HasFinitePoint(vtkDataObject* part)
 }
 
 constexpr const char* InputHelp =
-  "the scene: .ply .stl .obj .vtp .vtm .gltf .glb files, or names that cslf scenes lists";
+  "the scene: .ply .stl .obj .gltf .glb files, data sets of VTK (.vtp .vtm .vtu .vti .vtr .vts "
+  ".vtk "
+  ".pvd and parallel ones such as .pvtu), or names that cslf scenes lists";
 
 constexpr const char* EnvironmentHelp =
   "environment light: white, gradient (white above, dark below), none, or the file of a lat-long "
@@ -214,29 +250,28 @@ Part ReadScenePart(const std::string& input)
     return source->GetOutputDataObject(0);
   }
   const std::filesystem::path path = ToPath(input);
-  std::string extension = ToName(path.extension());
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto reader = GetReaders().find(extension);
+  const auto* reader = FindReader(GetReaders(), input);
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code))
   {
     throw Failure("There is no file " + input + ".");
   }
-  if (reader == GetReaders().end())
+  if (!reader)
   {
-    throw Failure(input +
-      " is not a scene: supported are .ply, .stl, .obj, .vtp, .vtm, .gltf, .glb and the names that "
-      "cslf scenes lists.");
+    throw Failure(input + " is not a scene: supported are " +
+      JoinAs(GetReaders(), [](const auto& item) { return item.first; }) +
+      " and the names that cslf scenes lists.");
   }
   Part part;
   try
   {
-    part = MakePartSound(reader->second(input), input);
+    part = MakePartSound((*reader)(input), input);
   }
   catch (const Failure& failure)
   {
-    throw Failure("Cannot read " + input + ": " + failure.what());
+    const std::string text = failure.what();
+    const std::string prefix = "Cannot read " + input + ": ";
+    throw Failure(text.rfind(prefix, 0) == 0 ? text : prefix + text);
   }
   catch (const std::bad_alloc&)
   {

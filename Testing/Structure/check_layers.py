@@ -38,8 +38,8 @@ LAYERS = {
 }
 
 # Headers of Filters itself that all layers may include, and classes that single layers may use.
-SHARED = {"cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h", "cslfVTKCompatibility.h",
-    "cslfValidPolyData.h", "vtkCSLFModule.h"}
+SHARED = {"cslfDecimalPoint.h", "cslfJoin.h", "cslfPrintable.h", "cslfSeconds.h",
+    "cslfVTKCompatibility.h", "cslfValidPolyData.h", "vtkCSLFModule.h"}
 CLASSES = {
     "Filters/PathTracing": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
     "Filters/SceneImport": {"vtkCSLFMaterial.h", "vtkCSLFLight.h", "vtkCSLFInstances.h"},
@@ -53,7 +53,7 @@ CLASSES = {
 LIBRARIES = {
     r"embree": ["Filters/PathTracing"],
     r"meshoptimizer": ["Filters/Geometry", "Filters/Coding"],
-    r"OpenImageIO": ["Filters/PathTracing", "Filters/GLTF", "Filters/CubeMaps"],
+    r"OpenImageIO": ["Filters/PathTracing", "Filters/Files", "Filters/CubeMaps"],
     r"libav|libsw": ["Filters/Coding"],
     r"vtkOpenGL(?!Sphere|Stick)|vtk_gl|glad": ["Rendering"],
     r"vtk(?!AbstractArray|DataArray|FieldData|ImageData|New|PointData|SmartPointer|StringArray|Type)":

@@ -86,9 +86,25 @@ def make_ply_files():
 
 def make_obj_files():
     """OBJ files."""
-    sound = {"plain": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"}
     points = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+    sound = {
+        "plain": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n",
+        "colors": b"v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n",
+        "signs": b"v +0 -0. .0\nv +1.0e0 0 0\nv 0 1E+0 -.5\nf 1 2 3 # the only face\n",
+        "no_library": b"mtllib nowhere.mtl\n" + points + b"usemtl a\nf 1 2 3\n",
+        "own_library": b"mtllib obj_sound_own_library.obj\nnewmtl a\nKd 1 0 0\nmap_Kd a.png\n"
+                       + points + b"usemtl a\nf 1 2 3\n",
+        "many_materials": points + b"".join(b"usemtl m%d\nf 1 2 3\n" % i for i in range(1000)),
+        "mixed": points + b"vt 0 0\nvn 0 0 1\nf 1/1 2//1 3\nf 1/1/1 2/1/1 3/1/1\n",
+    }
     broken = {
+        "comma": b"v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        "hexadecimal": b"v 0x1p2 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        "two_signs": b"v +-1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        "few_normals": points + b"vn 0 0\nf 1 2 3\n",
+        "nan_texture": points + b"vt nan 0\nf 1/1 2/1 3/1\n",
+        "device_library": b"mtllib /dev/zero\n" + points + b"usemtl a\nf 1 2 3\n",
+        "folder_library": b"mtllib .\nmtllib\n" + points + b"usemtl\nf 1 2 3\n",
         "empty": b"",
         "zeros": bytes(1000),
         "far_index": points + b"f 1 2 999999999\n",
@@ -109,7 +125,6 @@ def make_obj_files():
         "late_material": points + b"vt 0 0\nf 1/1 2/1 3/1\nusemtl a\nf 1/1 2/1 3/1\n",
         "later_points": b"f 1/1/1 2/1/1 3/1/1\n" + points + b"vt 0 0\nvn 0 0 1\n",
         "some_textures": points + b"vt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1 2 3\n",
-        "mixed": points + b"vt 0 0\nvn 0 0 1\nf 1/1 2//1 3\nf 1/1/1 2/1/1 3/1/1\n",
         "long_line": points + b"f " + b"1 2 3 " * 60000 + b"\n",
     }
     return ".obj", sound, broken
@@ -123,18 +138,22 @@ def make_stl_files():
     sound = {
         "ascii": text, "binary": bytes(80) + struct.pack("<I", 1) + facet, "upper": text.upper(),
         "utf8": text.replace(b"solid a", "solid Gehäuse".encode()),
+        "letters": text.replace(b"solid a", "solid 部品番号".encode()),
+        "nan_normal": text.replace(b"normal 0 0 1", b"normal nan nan nan"),
         "binary_solid": b"solid".ljust(80) + struct.pack("<I", 1) + facet}
     broken = {
         "empty": b"",
         "header": bytes(40),
         "cut_solid": b"solid".ljust(80) + struct.pack("<I", 2) + facet,
-        "letters": text.replace(b"solid a", "solid 部品番号".encode()),
         "count_alone": bytes(80) + struct.pack("<I", 5),
         "many": bytes(80) + struct.pack("<I", 0xffffffff) + facet,
         "few": bytes(80) + struct.pack("<I", 0) + facet,
         "cut": bytes(80) + struct.pack("<I", 2) + facet + facet[:20],
         "nan": bytes(80) + struct.pack("<I", 1) + struct.pack("<12fH", *([float("nan")] * 12), 0),
         "ascii_cut": text[:60],
+        "ascii_nan": text.replace(b"1 0 0", b"nan 0 0"),
+        "ascii_comma": text.replace(b"1 0 0", b"1,5 0 0"),
+        "ascii_huge": text.replace(b"1 0 0", b"1e999 0 0"),
         "ascii_words": text.replace(b"1 0 0", b"one 0 0"),
         "ascii_short": text.replace(b"1 0 0", b"1 0"),
         "ascii_two_vertices": text.replace(b"vertex 0 1 0\n", b""),
@@ -233,8 +252,208 @@ def make_vtm_files():
         "many_blocks": make("".join(f'<Block index="{i}"><Block index="1000000"/></Block>'
                                     for i in range(60))),
         "broken_part": make('<DataSet index="0" file="vtp_far_index.vtp"/>'),
+        "broken_grid": make('<DataSet index="0" file="vtu_far_index.vtu"/>'),
     }
-    return ".vtm", {"plain": make('<DataSet index="0" file="vtp_sound_plain.vtp"/>')}, broken
+    sound = {"plain": make('<DataSet index="0" file="vtp_sound_plain.vtp"/>'),
+             "grid": make('<DataSet index="0" file="vtu_sound_plain.vtu"/>')}
+    return ".vtm", sound, broken
+
+
+def make_vtu(points="0 0 0 1 0 0 0 1 0 0 0 1", ids="0 1 2 3", offsets="4", types="10", count=4,
+             cells=1, extra=""):
+    """A .vtu file of a tetrahedron."""
+    return f"""<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="{count}" NumberOfCells="{cells}">{extra}
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{points}</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">{ids}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">{types}</DataArray></Cells>
+</Piece></UnstructuredGrid></VTKFile>
+""".encode()
+
+
+def make_vtu_files():
+    """Files of VTK's unstructured grids."""
+    colors = '<CellData Scalars="C"><DataArray type="UInt8" Name="C" format="ascii" ' \
+             'NumberOfComponents="3">255 0 0</DataArray></CellData>'
+    sound = {"plain": make_vtu(), "colors": make_vtu(extra=colors)}
+    broken = {
+        "empty": b"",
+        "cut": make_vtu()[:400],
+        "far_index": make_vtu(ids="0 1 2 99999999"),
+        "negative_index": make_vtu(ids="0 1 2 -5"),
+        "far_offset": make_vtu(offsets="3000000"),
+        "negative_offset": make_vtu(offsets="-3"),
+        "descending_offsets": make_vtu(ids="0 1 2 3 0 1 2 3", offsets="8 4", types="10 10", cells=2),
+        "few_types": make_vtu(ids="0 1 2 3 0 1 2 3", offsets="4 8", cells=2),
+        "unknown_type": make_vtu(types="200"),
+        "short_cell": make_vtu(ids="0 1", offsets="2"),
+        "short_hexahedron": make_vtu(types="12"),
+        "polyhedron_without_faces": make_vtu(types="42"),
+        "higher_order": make_vtu(types="71"),
+        "empty_cell": make_vtu(ids="", offsets="0"),
+        "few_points": make_vtu(points="0 0 0"),
+        "huge_count": make_vtu(count=99999999999999),
+        "huge_cells": make_vtu(cells=99999999999999),
+        "negative_count": make_vtu(count=-1),
+        "few_colors": make_vtu(extra=colors.replace("255 0 0", "255")),
+        "nan": make_vtu(points="nan 0 0 1 0 0 0 1 0 0 0 1"),
+        "words": make_vtu(points="zero 0 0 1 0 0 0 1 0 0 0 1"),
+        "other_type": make_vtu().replace(b"UnstructuredGrid", b"Table"),
+    }
+    return ".vtu", sound, broken
+
+
+def make_image(kind="ImageData", extent="0 2 0 2 0 2", inner="", more=""):
+    """A file of structured data."""
+    return f"""<VTKFile type="{kind}" version="0.1" byte_order="LittleEndian">
+<{kind} WholeExtent="{extent}" {more}><Piece Extent="{extent}">{inner}</Piece></{kind}></VTKFile>
+""".encode()
+
+
+def make_vti_files():
+    """Files of VTK's image data."""
+    scalars = '<PointData Scalars="S"><DataArray type="Float32" Name="S" format="ascii">' \
+              + " ".join(map(str, range(27))) + "</DataArray></PointData>"
+    sound = {"plain": make_image(), "scalars": make_image(inner=scalars)}
+    broken = {
+        "empty": b"",
+        "huge": make_image(extent="0 99999 0 99999 0 99999"),
+        "overflow": make_image(extent="-2147483648 2147483647 0 2 0 2"),
+        "upside_down": make_image(extent="2 0 2 0 2 0"),
+        "point": make_image(extent="0 0 0 0 0 0"),
+        "few_scalars": make_image(inner=scalars.replace("20 ", "")),
+        "spacing": make_image(more='Spacing="nan 0 -1"'),
+        "short_extent": make_image(extent="0 2"),
+    }
+    return ".vti", sound, broken
+
+
+def make_vtr_files():
+    """Files of VTK's rectilinear grids."""
+    def make(x="0 1 2", y="0 1 2", z="0 1 2", extent="0 2 0 2 0 2"):
+        axes = "".join(f'<DataArray type="Float32" format="ascii">{axis}</DataArray>'
+                       for axis in (x, y, z))
+        return make_image("RectilinearGrid", extent, f"<Coordinates>{axes}</Coordinates>")
+    broken = {"empty": b"", "few": make(x="0 1"), "none": make_image("RectilinearGrid"),
+              "nan": make(x="nan nan nan"), "huge": make(extent="0 99999 0 99999 0 99999")}
+    return ".vtr", {"plain": make()}, broken
+
+
+def make_vts_files():
+    """Files of VTK's structured grids."""
+    def make(points=None, extent="0 2 0 2 0 2"):
+        points = points or " ".join(f"{i % 3} {i // 3 % 3} {i // 9}" for i in range(27))
+        return make_image("StructuredGrid", extent,
+                          '<Points><DataArray type="Float32" NumberOfComponents="3" '
+                          f'format="ascii">{points}</DataArray></Points>')
+    broken = {"empty": b"", "few": make("0 0 0 1 1 1"), "none": make_image("StructuredGrid"),
+              "huge": make(extent="0 99999 0 99999 0 99999")}
+    return ".vts", {"plain": make()}, broken
+
+
+def make_vtk_files():
+    """Legacy files of VTK."""
+    def make(kind, content, form="ASCII"):
+        return f"# vtk DataFile Version 3.0\ntitle\n{form}\nDATASET {kind}\n{content}".encode()
+    points = "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+    grid = points + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+    image = "DIMENSIONS 3 3 3\nORIGIN 0 0 0\nSPACING 1 1 1\n"
+    scalars = "POINT_DATA 27\nSCALARS s float 1\nLOOKUP_TABLE default\n" + "1 " * 27 + "\n"
+    axes = "".join(f"{axis}_COORDINATES 3 float\n0 1 2\n" for axis in "XYZ")
+    lattice = " ".join(f"{i % 3} {i // 3 % 3} {i // 9}" for i in range(27))
+    polygons = points + "POLYGONS 1 4\n3 0 1 2\n"
+    binary_grid = make("UNSTRUCTURED_GRID", "POINTS 4 float\n", "BINARY") \
+        + struct.pack(">12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1) \
+        + b"\nCELLS 1 5\n" + struct.pack(">5i", 4, 0, 1, 2, 3) \
+        + b"\nCELL_TYPES 1\n" + struct.pack(">i", 10) + b"\n"
+    sound = {
+        "grid": make("UNSTRUCTURED_GRID", grid), "image": make("STRUCTURED_POINTS", image + scalars),
+        "rectilinear": make("RECTILINEAR_GRID", "DIMENSIONS 3 3 3\n" + axes),
+        "structured": make("STRUCTURED_GRID", f"DIMENSIONS 3 3 3\nPOINTS 27 float\n{lattice}\n"),
+        "polygons": make("POLYDATA", polygons), "binary": binary_grid}
+    broken = {
+        "empty": b"",
+        "text": b"no grid\n",
+        "no_type": make("FRACTAL", points),
+        "far_index": make("UNSTRUCTURED_GRID", grid.replace("0 1 2 3\nCELL", "0 1 2 99999999\nCELL")),
+        "negative_index": make("UNSTRUCTURED_GRID", grid.replace("0 1 2 3\nCELL", "0 1 2 -9\nCELL")),
+        "negative_points": make("UNSTRUCTURED_GRID", grid.replace("POINTS 4", "POINTS -4")),
+        "negative_cells": make("UNSTRUCTURED_GRID", grid.replace("CELLS 1 5", "CELLS -1 -5")),
+        "huge_points": make("UNSTRUCTURED_GRID", grid.replace("POINTS 4", "POINTS 33333333333")),
+        "huge_cells": make("UNSTRUCTURED_GRID", grid.replace("CELLS 1 5", "CELLS 1 33333333333")),
+        "many_cells": make("UNSTRUCTURED_GRID", grid.replace("CELLS 1 5", "CELLS 50 5")),
+        "long_cell": make("UNSTRUCTURED_GRID", grid.replace("4 0 1 2 3", "400 0 1 2 3")),
+        "negative_cell": make("UNSTRUCTURED_GRID", grid.replace("4 0 1 2 3", "-4 0 1 2 3")),
+        "unknown_cell": make("UNSTRUCTURED_GRID", grid.replace("\n10\n", "\n250\n")),
+        "many_types": make("UNSTRUCTURED_GRID", grid.replace("CELL_TYPES 1", "CELL_TYPES 99")),
+        "cut": make("UNSTRUCTURED_GRID", grid[:40]),
+        "words": make("UNSTRUCTURED_GRID", grid.replace("1 0 0", "one 0 0")),
+        "huge_image": make("STRUCTURED_POINTS", image.replace("3 3 3", "30000 30000 30000")),
+        "large_image": make("STRUCTURED_POINTS", image.replace("3 3 3", "2000 2000 2000")),
+        "negative_image": make("STRUCTURED_POINTS", image.replace("3 3 3", "-3 -3 -3")),
+        "few_scalars": make("STRUCTURED_POINTS", image + scalars[:90]),
+        "huge_scalars": make("STRUCTURED_POINTS", image + scalars.replace("float 1", "float 99999999")),
+        "more_data": make("STRUCTURED_POINTS", image + scalars.replace("DATA 27", "DATA 2700000000")),
+        "few_axes": make("RECTILINEAR_GRID", "DIMENSIONS 3 3 3\nX_COORDINATES 2 float\n0 1\n"),
+        "no_axes": make("RECTILINEAR_GRID", "DIMENSIONS 3 3 3\n"),
+        "few_lattice": make("STRUCTURED_GRID", "DIMENSIONS 9 9 9\nPOINTS 4 float\n" + lattice),
+        "far_polygon": make("POLYDATA", polygons.replace("3 0 1 2", "3 0 1 222222")),
+        "long_polygon": make("POLYDATA", polygons.replace("3 0 1 2", "300000 0 1 2")),
+        "field": make("FIELD f 1", "a 1 1 float\n1\n").replace(b"DATASET ", b""),
+        "binary_cut": binary_grid[:120],
+        "binary_far": binary_grid.replace(struct.pack(">5i", 4, 0, 1, 2, 3),
+                                          struct.pack(">5i", 4, 0, 1, 2, 1 << 30)),
+        "binary_long": binary_grid.replace(struct.pack(">5i", 4, 0, 1, 2, 3),
+                                           struct.pack(">5i", 1 << 30, 0, 1, 2, 3)),
+        "binary_negative": binary_grid.replace(struct.pack(">5i", 4, 0, 1, 2, 3),
+                                               struct.pack(">5i", -4, 0, 1, 2, 3)),
+    }
+    return ".vtk", sound, broken
+
+
+def make_parallel(kind, extension, piece):
+    """A parallel file of one piece."""
+    points = '<PPoints><PDataArray type="Float64" NumberOfComponents="3"/></PPoints>'
+    return f'<VTKFile type="{kind}" version="0.1" byte_order="LittleEndian"><{kind} GhostLevel="0">' \
+           f'{points}<Piece Source="{piece}{extension}"/></{kind}></VTKFile>'.encode()
+
+
+def make_pvtu_files():
+    """Parallel files: of nothing, of missing and of broken pieces."""
+    def make(piece, extension=".vtu"):
+        return make_parallel("PUnstructuredGrid", extension, piece)
+    broken = {"empty": b"", "nowhere": make("nowhere"), "broken_piece": make("vtu_far_index"),
+              "itself": make("pvtu_itself", ".pvtu"), "huge_piece": make("vtu_huge_count"),
+              "other_piece": make("vtp_sound_plain", ".vtp")}
+    return ".pvtu", {"plain": make("vtu_sound_plain")}, broken
+
+
+def make_pvtp_files():
+    """The same for polygonal data."""
+    def make(piece):
+        return make_parallel("PPolyData", ".vtp", piece)
+    broken = {"empty": b"", "nowhere": make("nowhere"), "broken_piece": make("vtp_far_index")}
+    return ".pvtp", {"plain": make("vtp_sound_plain").replace(b"Float64", b"Float32")}, broken
+
+
+def make_pvd_files():
+    """Collections of files."""
+    def make(content):
+        return f'<VTKFile type="Collection" version="0.1"><Collection>{content}</Collection>' \
+               f'</VTKFile>'.encode()
+
+    def make_entry(file, time=0):
+        return f'<DataSet timestep="{time}" part="0" file="{file}"/>'
+    sound = {"plain": make(make_entry("vtu_sound_plain.vtu") + make_entry("vtp_sound_plain.vtp")),
+             "steps": make(make_entry("nowhere.vtu", 2) + make_entry("vtk_sound_grid.vtk", 1))}
+    broken = {
+        "empty": b"", "none": make(""), "nowhere": make(make_entry("nowhere.vtu")),
+        "itself": make(make_entry("pvd_itself.pvd")), "no_file": make('<DataSet timestep="0"/>'),
+        "device": make(make_entry("/dev/zero")), "time": make(make_entry("a.vtu", "soon")),
+        "deep": b"<a>" * 300000, "many": make(make_entry("vtu_sound_plain.vtu") * 200),
+        "broken_entry": make(make_entry("vtu_far_index.vtu"))}
+    return ".pvd", sound, broken
 
 
 def make_gltf(change=lambda document: None):
@@ -323,7 +542,8 @@ def main():
     options.folder.mkdir(parents=True, exist_ok=True)
     generator = random.Random(options.seed)
     for make in (make_ply_files, make_obj_files, make_stl_files, make_vtp_files, make_vtm_files,
-                 make_gltf_files, make_glb_files):
+                 make_vtu_files, make_vti_files, make_vtr_files, make_vts_files, make_vtk_files,
+                 make_pvtu_files, make_pvtp_files, make_pvd_files, make_gltf_files, make_glb_files):
         extension, sound, broken = make()
         files = {f"sound_{name}": data for name, data in sound.items()}
         files.update(broken)

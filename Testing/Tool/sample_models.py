@@ -24,7 +24,8 @@ import sys
 import tempfile
 import time
 
-EXTENSIONS = {".ply", ".stl", ".obj", ".vtp", ".vtm", ".gltf", ".glb"}
+EXTENSIONS = {".ply", ".stl", ".obj", ".vtp", ".vtm", ".vtu", ".vti", ".vtr", ".vts", ".vtk", ".pvtp",
+              ".pvtu", ".pvd", ".gltf", ".glb"}
 ERROR = re.compile(r"cslf: error: [^\n]+\n")
 WARNINGS = re.compile(r"(cslf: warning: [^\n]+\n)*")
 SKIPPED = 125

@@ -3,6 +3,7 @@
 #include "cslfEncoderContext.h"
 
 #include "Coding/Frames/cslfFrameConverter.h"
+#include "cslfDecimalPoint.h"
 #include "cslfJoin.h"
 
 #include <algorithm>
@@ -210,6 +211,7 @@ AVHandle<AVCodecContext> OpenEncoder(const VideoEncoder& encoder, const Track& t
   // For SVT-AV1, whose encoder cannot be closed before the end of a video. It refuses unknown
   // options before it begins a video.
   context->err_recognition |= AV_EF_EXPLODE;
+  const DecimalPoint point;
   const bool isOpen = SetOptions(encoder, options, context.get(), error) &&
     Open(encoder, codec, options, context.get(), error);
   return isOpen ? std::move(context) : nullptr;

@@ -5,6 +5,7 @@
 #include "PathTracing/Materials/cslfImageCurve.h"
 #include "RandomNumbers/cslfSampling.h"
 #include "cslfColor.h"
+#include "cslfDecimalPoint.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -73,6 +74,7 @@ EnvironmentAxes EnvironmentAxes::FromUp(const glm::dvec3& up)
 
 bool ReadEnvironmentImage(const std::string& fileName, EnvironmentImage& image, std::string& error)
 {
+  const DecimalPoint point;
   const auto input = OIIO::ImageInput::open(fileName);
   if (!input)
   {

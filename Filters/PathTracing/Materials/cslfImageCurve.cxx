@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 namespace cslf
 {
@@ -23,11 +23,14 @@ double FindGamma(const std::string& name)
 {
   if (StartsWith(name, "gamma"))
   {
-    return std::strtod(name.c_str() + 5, nullptr);
+    // Not strtod, which takes the decimal comma of the program's language.
+    double gamma = 0.0;
+    std::from_chars(name.data() + 5, name.data() + name.size(), gamma);
+    return gamma;
   }
   const bool isShort = name.size() > 2 && name[0] == 'g' && std::isdigit(name[1]) &&
     std::isdigit(name[2]) && (name.size() == 3 || name[3] == '_');
-  return isShort ? std::strtod(name.substr(1, 2).c_str(), nullptr) / 10.0 : 0.0;
+  return isShort ? (10 * (name[1] - '0') + (name[2] - '0')) / 10.0 : 0.0;
 }
 }
 

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfEncodedImage.h"
+
+#include "cslfDecimalPoint.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <cstring>
+#include <set>
+#include <vector>
+
+namespace cslf
+{
+namespace
+{
+// A small file may contain a large image of one colour. An image of this size takes 1 GiB.
+constexpr std::uint64_t MostPixels = std::uint64_t(1) << 28;
+
+constexpr const char* PNGName = "image.png";
+
+/// The bytes of a file.
+struct Bytes
+{
+  const unsigned char* Data;
+  std::size_t Size;
+
+  bool HasAt(std::size_t offset, const char* mark) const
+  {
+    const std::size_t length = std::strlen(mark);
+    return this->Size >= offset + length && std::memcmp(this->Data + offset, mark, length) == 0;
+  }
+};
+
+/// A file name from which OpenImageIO recognises the format of an image. Empty for other formats
+/// than these without an extension.
+std::string FindFormat(const Bytes& bytes, const std::string& extension)
+{
+  if (bytes.HasAt(0, "\x89PNG\r\n\x1a\n"))
+  {
+    return PNGName;
+  }
+  if (bytes.HasAt(0, "\xff\xd8\xff"))
+  {
+    return "image.jpg";
+  }
+  if (bytes.HasAt(0, "RIFF") && bytes.HasAt(8, "WEBP"))
+  {
+    return "image.webp";
+  }
+  return extension.empty() ? "" : "image" + extension;
+}
+
+// A PNG file is a signature and chunks: a length, a type, bytes and a checksum. Numbers are
+// big-endian.
+constexpr std::size_t PNGSignature = 8;
+constexpr std::size_t PNGChunkEnds = 12;
+
+std::uint32_t ReadBigEndian(const unsigned char* bytes)
+{
+  return std::uint32_t(bytes[0]) << 24 | std::uint32_t(bytes[1]) << 16 |
+    std::uint32_t(bytes[2]) << 8 | std::uint32_t(bytes[3]);
+}
+
+/// The chunks of a PNG file that define pixels. Textures ignore its colour space (glTF, section
+/// 3.8.2). Damage is detected here, because the PNG library would print messages. Empty on damage.
+std::string KeepPixels(const Bytes& bytes, std::string& error)
+{
+  static const std::set<std::string> kept = { "IHDR", "PLTE", "tRNS", "IDAT", "IEND" };
+  std::string result(reinterpret_cast<const char*>(bytes.Data), PNGSignature);
+  std::string type;
+  for (std::size_t offset = PNGSignature; type != "IEND";)
+  {
+    const unsigned char* chunk = bytes.Data + offset;
+    const std::size_t rest = bytes.Size - offset;
+    const std::size_t length = rest < PNGChunkEnds ? rest : ReadBigEndian(chunk);
+    if (rest < PNGChunkEnds || length > rest - PNGChunkEnds)
+    {
+      error = "cannot be decoded: it is truncated";
+      return {};
+    }
+    type.assign(reinterpret_cast<const char*>(chunk) + 4, 4);
+    if (kept.count(type) != 0)
+    {
+      const uLong checksum = crc32(0, chunk + 4, static_cast<uInt>(length + 4));
+      if (checksum != ReadBigEndian(chunk + 8 + length))
+      {
+        error = "cannot be decoded: it is damaged";
+        return {};
+      }
+      result.append(reinterpret_cast<const char*>(chunk), length + PNGChunkEnds);
+    }
+    offset += length + PNGChunkEnds;
+  }
+  return result;
+}
+
+/// An image whose first row is the lowest, as in VTK.
+vtkSmartPointer<vtkImageData> MakeImage(
+  int width, int height, int components, const std::vector<unsigned char>& pixels)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  auto* target = static_cast<unsigned char*>(image->GetScalarPointer());
+  const std::size_t row = static_cast<std::size_t>(width) * components;
+  for (int y = 0; y < height; ++y)
+  {
+    std::memcpy(target + y * row, pixels.data() + (height - 1 - y) * row, row);
+  }
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> Decode(
+  const Bytes& bytes, const std::string& format, std::string& error)
+{
+  const DecimalPoint point;
+  OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.Data), bytes.Size);
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  const auto input = OIIO::ImageInput::open(format, &config, proxy);
+  if (!input)
+  {
+    error = "cannot be decoded: " + OIIO::geterror();
+    return nullptr;
+  }
+  const OIIO::ImageSpec spec = input->spec();
+  const bool hasSize = spec.width > 0 && spec.height > 0 && spec.nchannels > 0 &&
+    spec.nchannels <= 4 && spec.image_pixels() <= MostPixels;
+  if (!hasSize)
+  {
+    error = "has a size that is not supported";
+    return nullptr;
+  }
+  std::vector<unsigned char> pixels(spec.image_pixels() * spec.nchannels);
+  if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::UINT8, pixels.data()))
+  {
+    error = "cannot be decoded: " + input->geterror();
+    return nullptr;
+  }
+  return MakeImage(spec.width, spec.height, spec.nchannels, pixels);
+}
+}
+
+vtkSmartPointer<vtkImageData> DecodeImage(
+  const unsigned char* data, std::size_t size, const std::string& extension, std::string& error)
+{
+  const Bytes bytes = { data, size };
+  const std::string format = FindFormat(bytes, extension);
+  if (format.empty())
+  {
+    error = "is not PNG, JPEG or WebP";
+    return nullptr;
+  }
+  if (format != PNGName)
+  {
+    return Decode(bytes, format, error);
+  }
+  const std::string pixelsOnly = KeepPixels(bytes, error);
+  return pixelsOnly.empty()
+    ? nullptr
+    : Decode({ reinterpret_cast<const unsigned char*>(pixelsOnly.data()), pixelsOnly.size() },
+        format, error);
+}
+}

@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Data sets of VTK in all formats: the surface of a cube of two cells a side, coloured by its active
+# scalars.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(view --size 32 24 --spp 16 --max-depth 2)
+set(points)
+set(values)
+foreach (z RANGE 2)
+  foreach (y RANGE 2)
+    foreach (x RANGE 2)
+      string(APPEND points "${x} ${y} ${z} ")
+      string(APPEND values "200 100 50 ")
+    endforeach ()
+  endforeach ()
+endforeach ()
+set(cells)
+foreach (z RANGE 1)
+  foreach (y RANGE 1)
+    foreach (x RANGE 1)
+      math(EXPR c "${x} + 3 * ${y} + 9 * ${z}")
+      foreach (offset IN ITEMS 0 1 4 3 9 10 13 12)
+        math(EXPR id "${c} + ${offset}")
+        string(APPEND cells "${id} ")
+      endforeach ()
+    endforeach ()
+  endforeach ()
+endforeach ()
+set(scalars "<PointData Scalars=\"Heat\"><DataArray type=\"UInt8\" Name=\"Heat\" NumberOfComponents=\"3\"
+format=\"ascii\">${values}</DataArray></PointData>")
+set(lattice "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">${points}</DataArray></Points>")
+set(axis "<DataArray type=\"Float64\" format=\"ascii\">0 1 2</DataArray>")
+set(extent "0 2 0 2 0 2")
+
+function (write_xml name kind attributes piece content)
+  file(WRITE "${DIRECTORY}/${name}" "<VTKFile type=\"${kind}\" version=\"0.1\" byte_order=\"LittleEndian\">
+<${kind} ${attributes}><Piece ${piece}>${content}</Piece></${kind}></VTKFile>\n")
+endfunction ()
+write_xml(cube.vti ImageData "WholeExtent=\"${extent}\"" "Extent=\"${extent}\"" "${scalars}")
+write_xml(cube.vtr RectilinearGrid "WholeExtent=\"${extent}\"" "Extent=\"${extent}\""
+  "${scalars}<Coordinates>${axis}${axis}${axis}</Coordinates>")
+write_xml(cube.vts StructuredGrid "WholeExtent=\"${extent}\"" "Extent=\"${extent}\""
+  "${scalars}${lattice}")
+write_xml(cube.vtu UnstructuredGrid "" "NumberOfPoints=\"27\" NumberOfCells=\"8\""
+  "${scalars}${lattice}<Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">${cells}</DataArray>
+<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">8 16 24 32 40 48 56 64</DataArray>
+<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">12 12 12 12 12 12 12 12</DataArray></Cells>")
+set(header "<PPointData Scalars=\"Heat\"><PDataArray type=\"UInt8\" Name=\"Heat\" NumberOfComponents=\"3\"/></PPointData>
+<PPoints><PDataArray type=\"Float64\" NumberOfComponents=\"3\"/></PPoints>")
+file(WRITE "${DIRECTORY}/cube.pvtu" "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\"
+byte_order=\"LittleEndian\"><PUnstructuredGrid GhostLevel=\"0\">${header}<Piece Source=\"cube.vtu\"/>
+</PUnstructuredGrid></VTKFile>\n")
+file(WRITE "${DIRECTORY}/cube.pvti" "<VTKFile type=\"PImageData\" version=\"0.1\"
+byte_order=\"LittleEndian\"><PImageData GhostLevel=\"0\" WholeExtent=\"${extent}\" Origin=\"0 0 0\"
+Spacing=\"1 1 1\">${header}<Piece Extent=\"${extent}\" Source=\"cube.vti\"/></PImageData></VTKFile>\n")
+file(WRITE "${DIRECTORY}/cube.vtm" "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">
+<vtkMultiBlockDataSet><DataSet index=\"0\" file=\"cube.vtu\"/></vtkMultiBlockDataSet></VTKFile>\n")
+file(WRITE "${DIRECTORY}/cube.pvd" "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>
+<DataSet timestep=\"0.5\" part=\"0\" file=\"cube.vtu\"/></Collection></VTKFile>\n")
+set(legacy "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET ")
+string(REGEX REPLACE "([0-9]+ [0-9]+ [0-9]+ [0-9]+ [0-9]+ [0-9]+ [0-9]+ [0-9]+) " "8 \\1\n" counted "${cells}")
+set(colors "POINT_DATA 27\nCOLOR_SCALARS Heat 3\n")
+foreach (point RANGE 26)
+  string(APPEND colors "0.784314 0.392157 0.196078\n")
+endforeach ()
+file(WRITE "${DIRECTORY}/cube.vtk" "${legacy}UNSTRUCTURED_GRID\nPOINTS 27 double\n${points}
+CELLS 8 72\n${counted}CELL_TYPES 8\n12\n12\n12\n12\n12\n12\n12\n12\n${colors}")
+
+# Runs the tool, which must succeed with one warning that matches the pattern.
+function (run_with_word pattern)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES "^(cslf: warning: [^\n]+\n)+$" OR
+      NOT error MATCHES "${pattern}")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+  endif ()
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+
+file(WRITE "${DIRECTORY}/cube.obj" "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2
+f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
+cslf_run(trace cube.obj -o expected.png ${view} --base-color 0.784314 0.392157 0.196078)
+foreach (format IN ITEMS vti vtr vts vtu vtk pvtu pvti vtm pvd)
+  set(shown "Of the cells of cube.[a-z]+, the surface is shown, coloured by its active scalars Heat.\n$")
+  # Six faces of four squares.
+  run_with_word("${shown}" export cube.${format} -o exported.obj --json)
+  expect_json(48 triangles)
+endforeach ()
+foreach (format IN ITEMS vti vtk pvd)
+  run_with_word("${shown}" trace cube.${format} -o ${format}.png ${view})
+  cslf_run(compare ${format}.png expected.png --json)
+  expect_json_at_least(32 psnr)
+endforeach ()
+
+# Without active scalars.
+file(READ "${DIRECTORY}/cube.vtu" text)
+string(REPLACE " Scalars=\"Heat\"" "" text "${text}")
+file(WRITE "${DIRECTORY}/grey.vtu" "${text}")
+run_with_word("without colours: no scalars are active.\n$" trace grey.vtu -o grey.png ${view})
+
+# Of several time steps, the first is shown, and its missing files are an error.
+file(WRITE "${DIRECTORY}/steps.pvd" "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>
+<DataSet timestep=\"10\" part=\"0\" file=\"nowhere.vtu\"/><DataSet timestep=\"9.5\" part=\"0\" file=\"cube.vtu\"/>
+</Collection></VTKFile>\n")
+run_with_word("Of the 2 time steps of steps.pvd, the first is shown" export steps.pvd -o exported.obj --json)
+expect_json(48 triangles)
+file(WRITE "${DIRECTORY}/lost.pvd" "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>
+<DataSet timestep=\"1\" part=\"0\" file=\"nowhere.vtu\"/></Collection></VTKFile>\n")
+cslf_fail("Cannot read lost.pvd: there is no file nowhere.vtu" "x" export lost.pvd -o x.obj)
+
+# Cells that cannot be are left out; a light field is not a scene.
+string(REPLACE "0 1 4 3 9 10 13 12 " "0 1 4 3 9 10 13 1200 " text "${text}")
+file(WRITE "${DIRECTORY}/wild.vtu" "${text}")
+run_with_word("Invalid parts of wild.vtu were left out: 1 cell.s." export wild.vtu -o exported.obj)
+cslf_run(sample cornell-box -o field.vti -M 2 -N 16 --spp 1 --max-depth 1)
+cslf_fail("Cannot read field.vti: it is a light field, not a scene" "x" export field.vti -o x.obj)
+file(WRITE "${DIRECTORY}/large.vtk" "${legacy}STRUCTURED_POINTS\nDIMENSIONS 3000 3000 3000\nORIGIN 0 0 0\nSPACING 1 1 1\n")
+cslf_fail("large.vtk: it announces 27000000000 points" "x" export large.vtk -o x.obj)
+# VTK's reader reads out of bounds.
+file(WRITE "${DIRECTORY}/crash.vtk" "${legacy}UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1
+CELLS 1 5\n400000000 0 1 2 3\nCELL_TYPES 1\n10\n")
+cslf_fail("Cannot read crash.vtk" "x" export crash.vtk -o x.obj)

@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The numbers, colours and materials of OBJ and STL files.
+include("${CMAKE_CURRENT_LIST_DIR}/cslfToolTesting.cmake")
+
+set(camera --size 32 24 --max-depth 1 --position 0 0 4 --focal-point 0 0 0)
+set(view ${camera} --spp 16)
+set(points "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n")
+set(faces "f 1 2 3\nf 1 3 4\n")
+
+# Runs the tool, which must succeed with exactly one warning that matches `pattern`, unless that is
+# empty.
+function (run_with_word pattern)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_QUIET
+    ERROR_VARIABLE error)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES "^cslf: warning: [^\n]+\n$" OR
+      NOT error MATCHES "${pattern}")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+  endif ()
+endfunction ()
+
+# Coordinates keep all their digits.
+function (expect_points file)
+  cslf_run(export ${file} -o exported.obj)
+  file(STRINGS "${DIRECTORY}/exported.obj" lines REGEX "^v ")
+  if (NOT lines STREQUAL "v 512345.6781 5432109.8764 -0.5;v 512346.6781 5432110.1111 0;v 512345.6781 5432110.1111 0.125")
+    message(FATAL_ERROR "${file} has the points ${lines}.")
+  endif ()
+endfunction ()
+set(far "512345.6781 5432109.8764 -.5" "512346.6781 5432110.1111 0" "512345.6781 5432110.1111 +1.25e-1")
+list(JOIN far "\nv " text)
+file(WRITE "${DIRECTORY}/far.obj" "v ${text}\nf 1 2 3\n")
+expect_points(far.obj)
+list(JOIN far "\nvertex " text)
+file(WRITE "${DIRECTORY}/far.stl" "solid far\nfacet normal nan nan nan\nouter loop\nvertex ${text}\nendloop
+endfacet\nendsolid far\n")
+expect_points(far.stl)
+
+# What is not a finite number is refused, as are lines with too few.
+foreach (line IN ITEMS "v 0 0 nan" "v -inf 0 0" "v 0 0,5 0" "v 0 one 0" "v 1e999 0 0" "v 0 0 0x10"
+         "v 0 0" "vn 0 0 +-1" "vn 0 0" "vt 1.0.0" "vt")
+  file(WRITE "${DIRECTORY}/bad.obj" "${points}${line}\n${faces}")
+  cslf_fail("Cannot read bad.obj: line 5 has (a value that is not a finite number|too few values)"
+    "x" export bad.obj -o x.obj)
+endforeach ()
+foreach (value IN ITEMS nan 1,5 "")
+  file(WRITE "${DIRECTORY}/bad.stl" "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0
+vertex 1 0 ${value}\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
+  cslf_fail("Cannot read bad.stl: line [56] has a value that is not a finite number" "x"
+    export bad.stl -o x.obj)
+endforeach ()
+file(WRITE "${DIRECTORY}/bad.stl" "solid a\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendsolid a\n")
+cslf_fail("line 5 ends a facet of 2 corners" "x" export bad.stl -o x.obj)
+
+# A picture must be that of the square in one colour, or with the options given.
+function (expect_picture file)
+  cslf_run(trace square.obj -o expected.png ${view} ${ARGN})
+  cslf_run(compare ${file}.png expected.png --json)
+  expect_json_at_least(45 psnr)
+endfunction ()
+file(WRITE "${DIRECTORY}/square.obj" "${points}${faces}")
+
+# Colours of vertices, as fractions and as bytes.
+foreach (color IN ITEMS "0.8 0.4 0.2 1" "204 102 51")
+  string(REGEX REPLACE "(v [^\n]*)\n" "\\1 ${color}\n" text "${points}")
+  file(WRITE "${DIRECTORY}/colors.obj" "${text}${faces}")
+  cslf_run(trace colors.obj -o colors.png ${view})
+  expect_picture(colors --base-color 0.8 0.4 0.2)
+endforeach ()
+
+# Materials: colour, emission and transparency.
+file(WRITE "${DIRECTORY}/all.mtl" "# materials
+newmtl dark red
+Ka 1 1 1
+Kd 0.6 0.2 0.1
+illum 2
+newmtl light
+Kd 0 0 0
+Ke 0.25 0.5 0.125
+newmtl glass
+Kd 0.8 0.8 0.8
+d 0.5
+Tr 0
+newmtl veil
+Kd 0.8
+Tr 0.5
+newmtl picture
+Kd 0.5 1 1
+map_Kd -o 0.5 0 -s 1 1 1 -clamp on textures\\two colours.png
+")
+foreach (name IN ITEMS "dark red" light glass veil picture)
+  file(WRITE "${DIRECTORY}/${name}.obj" "mtllib all.mtl\n${points}
+vt .25 .5\nvt .25 .5\nvt .25 .5\nvt .25 .5\nusemtl ${name}\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+endforeach ()
+cslf_run(trace "dark red.obj" -o red.png ${view})
+expect_picture(red --base-color 0.6 0.2 0.1)
+cslf_run(trace glass.obj -o glass.png ${camera} --spp 1024)
+cslf_run(trace veil.obj -o veil.png ${camera} --spp 1024)
+file(MD5 "${DIRECTORY}/glass.png" glass)
+file(MD5 "${DIRECTORY}/veil.png" veil)
+if (NOT glass STREQUAL veil)
+  message(FATAL_ERROR "An opacity of 0.5 is not a transparency of 0.5.")
+endif ()
+# Half of the light passes, and nothing is behind: the picture has half the displayed value of 0.8.
+cslf_run(trace square.obj -o expected.png ${view} --base-color 0.4 0.4 0.4)
+cslf_run(compare glass.png expected.png --json)
+expect_json_at_least(32 psnr)
+cslf_run(trace light.obj -o light.png ${view})
+# The emission, sRGB-encoded, is that of a surface with these colours.
+expect_picture(light --base-color 0.5371 0.7354 0.3886)
+# The texture is red at the left and green at the right; the offset selects green.
+file(MAKE_DIRECTORY "${DIRECTORY}/textures")
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if (Python3_FOUND)
+  execute_process(
+    COMMAND "${Python3_EXECUTABLE}" -c "
+import struct, zlib
+def chunk(kind, data):
+    return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+row = b'\\0' + b'\\xff\\0\\0' * 2 + b'\\0\\xff\\0' * 2
+open('textures/two colours.png', 'wb').write(b'\\x89PNG\\r\\n\\x1a\\n'
+    + chunk(b'IHDR', struct.pack('>2I5B', 4, 2, 8, 2, 0, 0, 0))
+    + chunk(b'IDAT', zlib.compress(row * 2)) + chunk(b'IEND', b''))"
+    WORKING_DIRECTORY "${DIRECTORY}"
+    COMMAND_ERROR_IS_FATAL ANY)
+  cslf_run(trace picture.obj -o picture.png ${view})
+  expect_picture(picture --base-color 0 1 0)
+  file(REMOVE "${DIRECTORY}/textures/two colours.png")
+endif ()
+
+# What is missing is named, and the geometry is shown in the default colour.
+run_with_word("textures/two colours.png is missing" trace picture.obj -o missing.png ${view})
+expect_picture(missing --base-color 0.5 1 1)
+file(REMOVE "${DIRECTORY}/all.mtl")
+run_with_word("library all.mtl of light.obj is missing" trace light.obj -o missing.png ${view})
+expect_picture(missing)
+file(WRITE "${DIRECTORY}/all.mtl" "newmtl light\nKs 1 1 1\nmap_Bump a.png\nKd nan 0 0\nd 7\n")
+execute_process(
+  COMMAND "${CSLF}" trace light.obj -o invalid.png ${view}
+  WORKING_DIRECTORY "${DIRECTORY}"
+  RESULT_VARIABLE result
+  OUTPUT_QUIET
+  ERROR_VARIABLE error)
+if (NOT result STREQUAL "0" OR NOT error STREQUAL
+    "cslf: warning: Invalid lines of all.mtl were ignored: line 4 (Kd), line 5 (d).
+cslf: warning: Unsupported features of all.mtl were ignored: Ks, map_Bump.\n")
+  message(FATAL_ERROR "cslf trace light.obj ended with ${result}: ${error}")
+endif ()
+expect_picture(invalid)
+file(WRITE "${DIRECTORY}/all.mtl" "newmtl other\nKd 1 0 0\n")
+run_with_word("no library defines have the default colour: veil." trace veil.obj -o missing.png ${view})
+
+# Faces of two materials, and of which only some have normals, are all shown.
+file(WRITE "${DIRECTORY}/all.mtl" "newmtl a\nKd 0.9 0.9 0.9\nnewmtl b\nKd 0.9 0.9 0.9\n")
+file(WRITE "${DIRECTORY}/two.obj" "mtllib all.mtl\n${points}vn 0 0 1\nusemtl a\nf 1 2 3
+usemtl b\nf 1//1 3//1 4//1\n")
+cslf_run(trace two.obj -o two.png ${view})
+expect_picture(two --base-color 0.9 0.9 0.9)
