@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfClippedBlock.h"
 
+#include "Pipeline/cslfTriangleList.h"
 #include "cslfActorImporter.h"
 #include "vtkCSLFInstances.h"
 
@@ -42,6 +43,14 @@ void ForEachPlane(vtkPlaneCollection* planes, Visit visit)
   }
 }
 
+/// The data, or its triangles if it has polygons that touch or cross themselves, of which
+/// vtkClipPolyData would leave nothing.
+vtkSmartPointer<vtkPolyData> FillPolygons(vtkPolyData* data)
+{
+  const Triangulation triangulation = TriangulatePolygons(data);
+  return triangulation.Filled > 0 ? triangulation.Triangles.Get() : data;
+}
+
 /// Vertices, lines and polygons (with strips), each with its cell data, because vtkClipPolyData
 /// mixes up the data of cells of several kinds.
 Pieces SplitKinds(vtkPolyData* data)
@@ -71,7 +80,7 @@ Pieces SplitKinds(vtkPolyData* data)
       {
         piece->GetCellData()->CopyData(data->GetCellData(), first + i, i);
       }
-      kinds.push_back(piece);
+      kinds.push_back(kind == 2 ? FillPolygons(piece) : piece);
     }
     first += counts[kind];
   }

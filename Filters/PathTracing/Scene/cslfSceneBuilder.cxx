@@ -55,6 +55,8 @@ constexpr double LargestSize = 1e15;
 struct Omissions
 {
   vtkIdType Triangles = 0;
+  vtkIdType WithoutArea = 0;
+  vtkIdType Tangled = 0;
   vtkIdType Round = 0;
   vtkIdType WithoutRadius = 0;
   vtkIdType RoundGlass = 0;
@@ -92,6 +94,8 @@ private:
     const auto count = [&add](vtkIdType number, const char* what)
     { add(number > 0, std::to_string(number) + " " + what); };
     count(this->Triangles, "polygon(s) with coordinates that are not finite");
+    count(this->WithoutArea, "polygon(s) without an area");
+    count(this->Tangled, "polygon(s) that cross themselves too often to be filled");
     count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
     count(this->WithoutRadius, "sphere(s) or part(s) of lines with a radius of 0");
     count(this->RoundGlass, "block(s)' transmission of lines or vertices");
@@ -276,6 +280,8 @@ private:
   {
     TriangleSelection triangles = SelectTriangles(data);
     this->Omitted.Triangles += triangles.Removed;
+    this->Omitted.WithoutArea += triangles.WithoutArea;
+    this->Omitted.Tangled += triangles.Tangled;
     if (!triangles.Cells.empty())
     {
       block.Data = triangles.Surface;
