@@ -124,7 +124,7 @@ if (CSLF_ENABLE_SAMPLER)
     SurfaceEstimate SurfaceLattice VertexClusters)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    Arithmetic Fingerprint OldNames Scene SceneBlock SceneBuilder SceneGather)
+    Arithmetic Fingerprint OldNames PointSpacing Scene SceneBlock SceneBuilder SceneGather)
   cslf_add(Filters/PathTracing/Shapes
     Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels
