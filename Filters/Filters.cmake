@@ -28,7 +28,7 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch ScenePipeline Slabs TriangleList)
+  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch PolygonFill ScenePipeline Slabs TriangleList)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
@@ -124,7 +124,7 @@ if (CSLF_ENABLE_SAMPLER)
     SurfaceEstimate SurfaceLattice VertexClusters)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
-    Arithmetic Fingerprint OldNames Scene SceneBlock SceneBuilder SceneGather)
+    Arithmetic Fingerprint OldNames PointSpacing Scene SceneBlock SceneBuilder SceneGather)
   cslf_add(Filters/PathTracing/Shapes
     Box HitGeometry Mesh MeshJoin MeshMaker RoundView TriangleGeometry Triangles Tube TubeDivision)
   cslf_add(Filters/PathTracing/Texels

@@ -5,8 +5,10 @@
 #include "GLTF/cslfGLTFBlocks.h"
 #include "GLTF/cslfGLTFDocument.h"
 #include "GLTF/cslfGLTFProblems.h"
+#include "Options/cslfOptionTable.h"
 #include "cslfJoin.h"
 #include "cslfPrintable.h"
+#include "vtkCSLFMaterial.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -25,6 +27,7 @@
 vtkStandardNewMacro(vtkCSLFGLTFReader);
 
 vtkCSLFGLTFReader::vtkCSLFGLTFReader()
+  : PointRadius(cslf::options::PointRadius.Default)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -72,6 +75,10 @@ int vtkCSLFGLTFReader::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
+    if (this->PointRadius > 0.0 && blocks[i]->GetNumberOfVerts() > 0)
+    {
+      vtkCSLFMaterial::SetPointRadius(blocks[i], this->PointRadius);
+    }
     output->SetBlock(static_cast<unsigned int>(i), blocks[i]);
   }
   const std::string errors = problems.ListErrors();
@@ -93,4 +100,5 @@ void vtkCSLFGLTFReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "PointRadius: " << this->PointRadius << "\n";
 }

@@ -56,6 +56,15 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * The radius of points, in the file's unit. With 0, the path tracer takes half of the distance
+   * between neighbouring points, see vtkCSLFMaterial. Range: 0 to 1e30. Default: 0.
+   */
+  vtkSetClampMacro(PointRadius, double, 0.0, 1e30);
+  vtkGetMacro(PointRadius, double);
+  ///@}
+
 protected:
   vtkCSLFGLTFReader();
   ~vtkCSLFGLTFReader() override;
@@ -67,6 +76,7 @@ private:
   void operator=(const vtkCSLFGLTFReader&) = delete;
 
   char* FileName = nullptr;
+  double PointRadius;
 };
 
 #endif

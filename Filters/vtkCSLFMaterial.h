@@ -32,7 +32,9 @@
  * which polygons are visible. Rays that come from the other side pass.
  * - `CSLF:NormalScale`: any number, default 1. How far the normal texture bends normals.
  * - `CSLF:LineRadius`, `CSLF:PointRadius`: not negative, world units, default 0. The radii of the
- * tubes and spheres that represent lines and vertices; 0 selects 0.0005 of the scene's diagonal.
+ * tubes and spheres that represent lines and vertices; 0 selects 0.0005 of the scene's diagonal for
+ * lines, and for vertices half of the distance between neighbouring ones, but 0.0001 to 0.02 of the
+ * diagonal.
  * - `CSLF:DisplayedWhite`: 3 components, not negative, default 0, 0, 0. The interpolation of
  * colours between points and in textures. With 0, they are interpolated as light, as in glTF. Above
  * 0, they are interpolated as displayed (sRGB-encoded) values, as in VTK's window, in light that

@@ -189,8 +189,9 @@ vtkSmartPointer<vtkPoints> MakeMiddle(const std::vector<cslf::ImportedBlock>& bl
   return points;
 }
 
-/// Converts widths in pixels to widths in the world.
-void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
+/// Converts widths in pixels to widths in the world. Points get another radius if one is given, or
+/// none if it is negative.
+void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize, double pointRadius)
 {
   vtkBoundingBox box;
   for (const cslf::ImportedBlock& block : blocks)
@@ -205,9 +206,11 @@ void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
     {
       vtkCSLFMaterial::SetLineRadius(block.Data, radius * block.LineWidth);
     }
-    if (block.Data->GetNumberOfVerts() > 0 && vtkCSLFMaterial::GetPointRadius(block.Data) == 0.0)
+    if (block.Data->GetNumberOfVerts() > 0 && pointRadius >= 0.0 &&
+      vtkCSLFMaterial::GetPointRadius(block.Data) == 0.0)
     {
-      vtkCSLFMaterial::SetPointRadius(block.Data, radius * block.PointSize);
+      vtkCSLFMaterial::SetPointRadius(
+        block.Data, pointRadius > 0.0 ? pointRadius : radius * block.PointSize);
     }
   }
 }
@@ -215,6 +218,7 @@ void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize)
 
 vtkCSLFSceneImporter::vtkCSLFSceneImporter()
   : InterpolateDisplayedColors(cslf::options::InterpolateDisplayedColors.Default)
+  , PointRadius(cslf::options::PointRadius.Default)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -301,7 +305,7 @@ int vtkCSLFSceneImporter::RequestData(
   cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
   lights.AddTo(scene.Lights);
   cslf::ImportEnvironment(this->Renderer, lights.GetEnvironmentFactor(), scene);
-  SetRadii(scene.Blocks, this->PixelSize);
+  SetRadii(scene.Blocks, this->PixelSize, this->PointRadius);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   unsigned int index = 0;
@@ -370,4 +374,5 @@ void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";
+  os << indent << "PointRadius: " << this->PointRadius << "\n";
 }

@@ -113,6 +113,18 @@ public:
 
   ///@{
   /**
+   * The radius of points in the world, instead of the point size of the property and PixelSize:
+   * 0 for those, -1 for half of the distance between neighbouring points, as of clouds without a
+   * point size (see vtkCSLFMaterial). Radii in the data take precedence. Range: -1 to 1e30.
+   * Default: 0.
+   */
+  vtkSetClampMacro(PointRadius, double, -1.0, 1e30);
+  vtkGetMacro(PointRadius, double);
+  void SetPointRadiusFromSpacing() { this->SetPointRadius(-1.0); }
+  ///@}
+
+  ///@{
+  /**
    * The list of differences between VTK's window and a bake: the name of each difference, what the
    * window shows, what is baked, and whether the import of such a scene gives a warning.
    * Differences without a warning exist in every scene. The first has the number 0. Null or false
@@ -144,6 +156,7 @@ private:
   bool HeadlightsAllAround = true;
   bool InterpolateDisplayedColors;
   double PixelSize = 0.001;
+  double PointRadius;
   bool FindingTime = false; // where the importer's own output is among what it looks at
 };
 

@@ -14,7 +14,7 @@ build="$source/build/release"
 cslf_packages=(
   cmake g++ ninja-build pkg-config
   libvtk9-dev libpython3-dev python3 python3-vtk9
-  libembree-dev libmeshoptimizer-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
+  libembree-dev libglu1-mesa-dev libmeshoptimizer-dev libopenimageio-dev libglm-dev libcli11-dev nlohmann-json3-dev zlib1g-dev
   libavcodec-dev libavformat-dev libavutil-dev
   dpkg-dev file  # for the test of the Debian package
   ffmpeg python3-numpy  # for the test of the independent reader

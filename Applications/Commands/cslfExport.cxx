@@ -9,6 +9,7 @@
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
 
+#include "Pipeline/cslfTriangleList.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkAppendPolyData.h>
@@ -20,7 +21,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
-#include <vtkTriangleFilter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -44,15 +44,18 @@ struct Options
 /// Adds the triangles of polygonal data, at each of its instances if it has any.
 void AddTriangles(vtkPolyData* polyData, vtkAppendPolyData* append)
 {
-  vtkNew<vtkTriangleFilter> cut;
-  cut->PassVertsOff();
-  cut->PassLinesOff();
-  cut->SetInputData(polyData);
-  cut->Update();
+  const Triangulation cut = TriangulatePolygons(polyData);
+  const vtkIdType lost = cut.NotFinite + cut.WithoutArea + cut.Tangled;
+  if (lost > 0)
+  {
+    AddWarning(std::to_string(lost) +
+      " polygon(s) were left out, because they have no area, cross themselves too often, or have "
+      "coordinates that are not finite.");
+  }
   vtkDataArray* matrices = polyData->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
   if (!matrices || matrices->GetNumberOfComponents() != 16)
   {
-    append->AddInputData(cut->GetOutput());
+    append->AddInputData(cut.Triangles);
     return;
   }
   for (vtkIdType instance = 0; instance < matrices->GetNumberOfTuples(); ++instance)
@@ -60,7 +63,7 @@ void AddTriangles(vtkPolyData* polyData, vtkAppendPolyData* append)
     vtkNew<vtkTransform> transform;
     transform->SetMatrix(matrices->GetTuple(instance));
     vtkNew<vtkTransformPolyDataFilter> place;
-    place->SetInputData(cut->GetOutput());
+    place->SetInputData(cut.Triangles);
     place->SetTransform(transform);
     place->Update();
     append->AddInputData(place->GetOutput());

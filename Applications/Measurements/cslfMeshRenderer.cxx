@@ -6,11 +6,12 @@
 #include "Options/cslfCameraOptions.h"
 #include "Scenes/cslfSceneFiles.h"
 
+#include "Pipeline/cslfTriangleList.h"
+
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkTriangleFilter.h>
 
 namespace cslf::tool
 {
@@ -21,13 +22,9 @@ MeshRenderer::MeshRenderer(const std::string& fileName, int width, int height)
   scene.Parts.push_back(ReadScenePart(fileName));
   vtkNew<vtkAppendPolyData> append;
   scene.ForEachPolyData([&](vtkPolyData* polyData) { append->AddInputData(polyData); });
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(append->GetOutputPort());
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
+  append->Update();
   ThrowOnError();
-  this->Mesh = triangles->GetOutput();
+  this->Mesh = Triangulate(append->GetOutput());
   if (this->GetNumberOfTriangles() == 0)
   {
     throw Failure(fileName + " has no triangles.");

@@ -372,6 +372,7 @@ void SceneOptions::AddLightAndMaterialTo(CLI::App& command)
     ->expected(3)
     ->check(CLI::Range(0.0, 1.0))
     ->group(material);
+  AddOption(command, options::PointRadius, this->PointRadius)->group(material);
 }
 
 void SceneOptions::TakeDefaults(const nlohmann::json& sampling)
@@ -467,6 +468,11 @@ void SceneOptions::SetMaterial(vtkDataObject* part) const
         vtkCSLFMaterial::SetRoughness(
           polyData, this->Roughness.value_or(options::Roughness.Default));
         vtkCSLFMaterial::SetMetallic(polyData, this->Metallic.value_or(options::Metallic.Default));
+      }
+      if (this->PointRadius > 0.0 && polyData->GetNumberOfVerts() > 0 &&
+        vtkCSLFMaterial::GetPointRadius(polyData) == 0.0)
+      {
+        vtkCSLFMaterial::SetPointRadius(polyData, this->PointRadius);
       }
       if (this->BaseColor)
       {

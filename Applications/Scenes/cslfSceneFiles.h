@@ -86,6 +86,7 @@ private:
   std::optional<double> Roughness;
   std::optional<double> Metallic;
   std::optional<std::vector<double>> BaseColor;
+  double PointRadius = options::PointRadius.Default;
   vtkSmartPointer<vtkCSLFEnvironment> Light = vtkSmartPointer<vtkCSLFEnvironment>::New();
   bool IsLightChosen = false; ///< otherwise it depends on the inputs
   double Exposure = options::Exposure.Default;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfClippedBlock.h"
 
+#include "Pipeline/cslfTriangleList.h"
 #include "cslfActorImporter.h"
 #include "cslfCellKinds.h"
 #include "vtkCSLFInstances.h"
@@ -41,6 +42,14 @@ void ForEachPlane(vtkPlaneCollection* planes, Visit visit)
   }
 }
 
+/// The data, or its triangles if it has polygons that touch or cross themselves, of which
+/// vtkClipPolyData would leave nothing.
+vtkSmartPointer<vtkPolyData> FillPolygons(vtkPolyData* data)
+{
+  const Triangulation triangulation = TriangulatePolygons(data);
+  return triangulation.Filled > 0 ? triangulation.Triangles.Get() : data;
+}
+
 /// Cuts geometry at its position.
 Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
 {
@@ -53,6 +62,7 @@ Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
       continue;
     }
     vtkSmartPointer<vtkPolyData> piece = SelectCells(data, { kind });
+    piece = kind == CellKind::Faces ? FillPolygons(piece) : piece;
     ForEachPlane(planes,
       [&piece](vtkPlane* plane)
       {

@@ -130,8 +130,9 @@ constexpr ImportLimitText Texts[] = {
   { ImportLimit::Diagonals,
     "polygons of four corners or more",
     "split into triangles from their first corner, which affects facets, shading and the colours "
-    "between corners",
-    "split along short diagonals",
+    "between corners, and covers holes and what is beside a concave outline",
+    "split along short diagonals; outlines that touch or cross themselves are filled by the "
+    "even-odd rule",
     false },
   { ImportLimit::Coplanar,
     "surfaces in one plane",

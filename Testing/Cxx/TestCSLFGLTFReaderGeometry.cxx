@@ -7,6 +7,7 @@
 #include "cslfJSON.h"
 #include "cslfTesting.h"
 #include "vtkCSLFGLTFReader.h"
+#include "vtkCSLFMaterial.h"
 
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
@@ -86,7 +87,7 @@ public:
   }
 
   /// Writes and reads the document. There must be no message.
-  vtkSmartPointer<vtkMultiBlockDataSet> Read()
+  vtkSmartPointer<vtkMultiBlockDataSet> Read(double pointRadius = 0.0)
   {
     this->Root["buffers"][0]["byteLength"] = this->Buffer.size();
     std::ofstream(Base + " file.bin", std::ios::binary) << this->Buffer;
@@ -97,6 +98,7 @@ public:
     reader->AddObserver(vtkCommand::ErrorEvent, messages);
     reader->AddObserver(vtkCommand::WarningEvent, messages);
     reader->SetFileName(name.c_str());
+    reader->SetPointRadius(pointRadius);
     reader->Update();
     CSLF_CHECK(!messages->GetError() && !messages->GetWarning());
     return reader->GetOutput();
@@ -148,6 +150,10 @@ void TestModes()
   CSLF_CHECK(GetIds(GetBlock(blocks, 5)->GetPolys()) == Ids({ 0, 1, 2, 1, 3, 2, 2, 3, 4 }));
   CSLF_CHECK(GetIds(GetBlock(blocks, 6)->GetPolys()) == Ids({ 1, 2, 0, 2, 3, 0, 3, 4, 0 }));
   CSLF_CHECK(GetIds(GetBlock(blocks, 7)->GetPolys()) == Ids({ 0, 1, 2 }));
+  CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(GetBlock(blocks, 0)) == 0.0);
+  const vtkSmartPointer<vtkMultiBlockDataSet> again = document.Read(0.25);
+  CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(GetBlock(again, 0)) == 0.25);
+  CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(GetBlock(again, 4)) == 0.0);
 }
 
 void TestAccessors()

@@ -292,6 +292,13 @@ void TestPointMappers(ShapeComparison& window)
     CSLF_CHECK(!import.Warns("splats") && import.GetCount() == 1);
     CSLF_CHECK(!import.Get(0)->GetPointData()->HasArray(vtkCSLFMaterial::PointRadiusName()));
     CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(import.Get(0)) > 0.0);
+    // Another radius, or none, which the path tracer then takes from the spacing.
+    import.Filter->SetPointRadius(0.25);
+    import.Filter->Update();
+    CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(import.Get(0)) == 0.25);
+    import.Filter->SetPointRadiusFromSpacing();
+    import.Filter->Update();
+    CSLF_CHECK(vtkCSLFMaterial::GetPointRadius(import.Get(0)) == 0.0);
   }
 
   // These are drawn only if there are cells, because they have no bounds otherwise.

@@ -169,11 +169,70 @@ void TestSpheres()
   sampler->AddObserver(vtkCommand::WarningEvent, messages);
   sampler->Update();
   CSLF_CHECK(messages->GetWarningMessage().find("1 line(s) or vertex") != std::string::npos);
-  // The cube contains the spheres: 2 long, 0.001 around.
+  // The cube contains the spheres: 2 long, with a radius of 0.02 of that.
   const std::string description =
     vtkStringArray::SafeDownCast(sampler->GetOutput()->GetFieldData()->GetAbstractArray(0))
       ->GetValue(0);
-  CSLF_CHECK(description.find("-1.001,") != std::string::npos);
+  CSLF_CHECK(description.find("-1.04,") != std::string::npos);
+}
+
+/// Points on a grid of 20 x 20, each as often as given.
+std::vector<std::vector<double>> MakeGrid(double step, int repetitions)
+{
+  std::vector<std::vector<double>> places;
+  for (int i = 0; i < 400 * repetitions; ++i)
+  {
+    const int point = i / repetitions;
+    places.push_back({ step * (point % 20 - 9.5), step * (point / 20 - 9.5), 0.0 });
+  }
+  return places;
+}
+
+/// Points without a radius get half of the distance between neighbours.
+void TestSpacing()
+{
+  const double disks = 400.0 * vtkMath::Pi() * 0.0025;
+  Viewer viewer;
+  viewer.Look(MakePoints(MakeGrid(0.1, 1), false));
+  CSLF_CHECK_NEAR(viewer.GetArea(), disks, 0.03);
+  viewer.Look(MakePoints(MakeGrid(0.1, 3), false));
+  CSLF_CHECK_NEAR(viewer.GetArea(), disks, 0.03);
+
+  // A block for each point, beside a denser cloud, which has a radius of its own.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  unsigned int count = 0;
+  for (const std::vector<double>& place : MakeGrid(0.1, 1))
+  {
+    blocks->SetBlock(count++, MakePoints({ place }, false));
+  }
+  viewer.Look(blocks);
+  CSLF_CHECK_NEAR(viewer.GetArea(), disks, 0.03);
+  const auto dense = MakePoints(MakeGrid(0.02, 1), false);
+  for (vtkIdType i = 0; i < dense->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    dense->GetPoint(i, place);
+    dense->GetPoints()->SetPoint(i, place[0] + 1.5, place[1], place[2]);
+  }
+  blocks->SetBlock(count++, dense);
+  viewer.Look(blocks);
+  CSLF_CHECK_NEAR(viewer.GetArea(), disks * 1.04, 0.03);
+
+  // Points at random, of this density, cover about two thirds.
+  std::vector<std::vector<double>> places;
+  vtkMath::RandomSeed(3);
+  for (int i = 0; i < 1000; ++i)
+  {
+    places.push_back({ vtkMath::Random(-1.5, 1.5), vtkMath::Random(-1.5, 1.5), 0.0 });
+  }
+  viewer.Look(MakePoints(places, false));
+  CSLF_CHECK_NEAR(viewer.GetArea(), 9.0 * 0.66, 0.5);
+
+  // One place.
+  viewer.Look(MakePoints({ { 0, 0, 0 } }, false));
+  CSLF_CHECK_NEAR(viewer.GetArea(), vtkMath::Pi(), 0.02);
+  viewer.Look(MakePoints({ { 0, 0, 0 }, { 0, 0, 0 } }, false));
+  CSLF_CHECK_NEAR(viewer.GetArea(), vtkMath::Pi(), 0.02);
 }
 
 void TestTubes()
@@ -461,6 +520,7 @@ void TestSlabsAndThreads()
 int TestCSLFShapes(int, char*[])
 {
   TestSpheres();
+  TestSpacing();
   TestTubes();
   TestPointedTubes();
   TestInstances();

@@ -52,6 +52,7 @@ CLASSES = {
 # Libraries, and the layers that may include their headers. VTK's data arrays are used everywhere.
 LIBRARIES = {
     r"embree": ["Filters/PathTracing"],
+    r"(GL|OpenGL)/glu": ["Filters/Pipeline"],
     r"meshoptimizer": ["Filters/Geometry", "Filters/Coding"],
     r"OpenImageIO": ["Filters/PathTracing", "Filters/Files", "Filters/CubeMaps"],
     r"libav|libsw": ["Filters/Coding"],

@@ -111,6 +111,35 @@ cslf_run(export cornell-box -o box.obj)
 file(WRITE "${DIRECTORY}/lines.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n")
 cslf_run(trace lines.obj -o lines.png ${view})
 
+# Points are spheres: of a radius of 0.02 of the diagonal, as they are few, or of the given one. The
+# cube is a tenth longer than the scene.
+file(WRITE "${DIRECTORY}/cloud.ply" "ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+end_header
+-1 -1 0
+1 -1 0
+1 1 0
+-1 1 0
+")
+set(tiny -M 2 -N 2 --spp 1 --integrator path --geometry-triangles 0)
+cslf_run(sample cloud.ply -o cloud.vti ${tiny})
+cslf_run(info cloud.vti --json)
+expect_json_at_least(2.3244 edge)
+cslf_run(sample cloud.ply -o cloud.vti ${tiny} --point-radius 0.5)
+cslf_run(info cloud.vti --json)
+expect_json_at_least(3.2999 edge)
+cslf_fail("--point-radius" "x" trace cloud.ply -o x.png --point-radius -1)
+
+# A square with a hole, whose outline has a bridge.
+file(WRITE "${DIRECTORY}/hole.obj" "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0
+v 1 1 0\nv 3 1 0\nv 3 3 0\nv 1 3 0\nf 1 2 3 4 1 5 6 7 8 5\n")
+cslf_run(export hole.obj -o filled.obj --json)
+expect_json(8 triangles)
+
 # Vertex colours of glTF are linear: a red of 0.5 is brighter than in sRGB.
 cslf_run(trace square.ply -o red.png ${view} --base-color 0.735 0 0)
 file(READ "${DIRECTORY}/square.gltf" gltf)

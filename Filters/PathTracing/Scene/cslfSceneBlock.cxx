@@ -211,6 +211,11 @@ void SceneBlock::AddTo(glm::dvec3& lower, glm::dvec3& upper, double margin) cons
   }
 }
 
+bool SceneBlock::HasRadii() const
+{
+  return FindRadii(*this) != nullptr;
+}
+
 double SceneBlock::GetRadius(vtkIdType point) const
 {
   vtkDataArray* radii = FindRadii(*this);

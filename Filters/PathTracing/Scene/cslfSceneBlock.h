@@ -85,6 +85,9 @@ struct SceneBlock
   /// Extends bounds by the points, with a margin, in all instances.
   void AddTo(glm::dvec3& lower, glm::dvec3& upper, double margin) const;
 
+  /// Whether points have radii of their own.
+  bool HasRadii() const;
+
   /// The radius of a point's sphere or tube, in the space of the data.
   double GetRadius(vtkIdType point) const;
   double GetLargestRadius() const;

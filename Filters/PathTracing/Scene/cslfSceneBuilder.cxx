@@ -15,6 +15,7 @@
 #include "cslfColor.h"
 #include "cslfFingerprint.h"
 #include "cslfOldNames.h"
+#include "cslfPointSpacing.h"
 #include "cslfSceneBlock.h"
 #include "cslfValidPolyData.h"
 #include "vtkCSLFMaterial.h"
@@ -42,8 +43,14 @@ namespace cslf
 {
 namespace
 {
-// The default radius of lines and vertices, in diagonals of the scene's bounding box.
+// The default radius of lines, in diagonals of the scene's bounding box.
 constexpr double StandardRadius = 0.0005;
+
+// The default radius of points is half of their spacing, so that neighbours of a regular cloud
+// touch. Its limits, in the same unit: few points do not hide the scene, and points are not much
+// smaller than a texel where most of a cloud's points are in small parts of it.
+constexpr double LargestPointRadius = 0.02;
+constexpr double SmallestPointRadius = 0.0001;
 
 // The smallest and largest diagonal of the scene's bounding box. VTK's cameras are at least 1e-20
 // away from what they look at, and floats hold intensities of lights, which are squares of lengths,
@@ -55,6 +62,8 @@ constexpr double LargestSize = 1e15;
 struct Omissions
 {
   vtkIdType Triangles = 0;
+  vtkIdType WithoutArea = 0;
+  vtkIdType Tangled = 0;
   vtkIdType Round = 0;
   vtkIdType WithoutRadius = 0;
   vtkIdType RoundGlass = 0;
@@ -92,6 +101,8 @@ private:
     const auto count = [&add](vtkIdType number, const char* what)
     { add(number > 0, std::to_string(number) + " " + what); };
     count(this->Triangles, "polygon(s) with coordinates that are not finite");
+    count(this->WithoutArea, "polygon(s) without an area");
+    count(this->Tangled, "polygon(s) that cross themselves too often to be filled");
     count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
     count(this->WithoutRadius, "sphere(s) or part(s) of lines with a radius of 0");
     count(this->RoundGlass, "block(s)' transmission of lines or vertices");
@@ -276,6 +287,8 @@ private:
   {
     TriangleSelection triangles = SelectTriangles(data);
     this->Omitted.Triangles += triangles.Removed;
+    this->Omitted.WithoutArea += triangles.WithoutArea;
+    this->Omitted.Tangled += triangles.Tangled;
     if (!triangles.Cells.empty())
     {
       block.Data = triangles.Surface;
@@ -328,10 +341,41 @@ private:
     this->Blocks.push_back(std::move(block));
   }
 
+  /// Gives a radius to points without one of their own. Blocks are clouds by themselves. A cloud
+  /// may also be in pieces, or have a block for each point.
+  void SetPointRadii(double diagonal)
+  {
+    std::map<std::string, std::vector<SceneBlock*>> clouds;
+    for (std::size_t i = 0; i < this->Blocks.size(); ++i)
+    {
+      SceneBlock& block = this->Blocks[i];
+      if (block.Shape == Mesh::Shapes::Spheres && block.StandardRadius == 0.0 && !block.HasRadii())
+      {
+        const bool isJoined =
+          block.Instances.empty() && (this->Options.InPieces || block.Round.size() == 1);
+        clouds[isJoined ? "joined " + block.Appearance : std::to_string(i)].push_back(&block);
+      }
+    }
+    for (const auto& cloud : clouds)
+    {
+      double radius = 0.5 * FindPointSpacing({ cloud.second.begin(), cloud.second.end() });
+      if (cloud.second.front()->Instances.empty())
+      {
+        radius = std::clamp(radius > 0.0 ? radius : VTK_DOUBLE_MAX, SmallestPointRadius * diagonal,
+          LargestPointRadius * diagonal);
+      }
+      for (SceneBlock* block : cloud.second)
+      {
+        block->StandardRadius = radius;
+      }
+    }
+  }
+
   /// Extends the bounds by the parts of spheres and tubes beyond their points.
   void SetRadii()
   {
     const double diagonal = glm::length(this->Upper - this->Lower);
+    this->SetPointRadii(diagonal);
     const double standard = diagonal > 0.0 ? StandardRadius * diagonal : 1.0;
     for (SceneBlock& block : this->Blocks)
     {

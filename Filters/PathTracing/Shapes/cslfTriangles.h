@@ -7,10 +7,10 @@
 #ifndef cslfTriangles_h
 #define cslfTriangles_h
 
+#include "Pipeline/cslfTriangleList.h"
+
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
-
-#include <glm/vec3.hpp>
 
 #include <vector>
 
@@ -18,12 +18,6 @@ class vtkPolyData;
 
 namespace cslf
 {
-/// Whether a point's coordinates are finite numbers that a float can hold.
-bool IsFinite(const glm::dvec3& point);
-
-/// A point of a data object.
-glm::dvec3 GetPoint(vtkPolyData* data, vtkIdType index);
-
 /// Whether a cell of the data, counted over all kinds, belongs to another piece or is hidden.
 bool IsGhost(vtkPolyData* data, vtkIdType cell);
 
@@ -32,6 +26,8 @@ struct TriangleSelection
   vtkSmartPointer<vtkPolyData> Surface; ///< triangles, with their point and cell data
   std::vector<vtkIdType> Cells;         ///< with finite corners and some area, without ghosts
   vtkIdType Removed = 0;                ///< the number of polygons and triangles with other corners
+  vtkIdType WithoutArea = 0;            ///< see Triangulation
+  vtkIdType Tangled = 0;
 };
 
 /// Triangulates polygons and strips.
