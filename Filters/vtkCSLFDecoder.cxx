@@ -40,18 +40,21 @@ public:
   std::unique_ptr<cslf::FieldReader> Reader;
   std::string Description;
   std::string PixelFormat;
-  vtkNew<vtkFieldData> Field;           ///< of every output
-  std::vector<std::int64_t> TrackBytes; ///< empty until requested
-  vtkNew<vtkIdTypeArray> Missing;
-  vtkNew<vtkUnsignedCharArray> Part; ///< the last one requested
-  std::vector<int> Unwritten;        ///< viewpoints that the file does not contain yet
-  std::vector<int> Damage;           ///< the file's missing viewpoints, after the first was found
+  vtkNew<vtkFieldData> Field;                               ///< of every output
+  std::vector<std::int64_t> TrackBytes;                     ///< empty until requested
+  std::vector<vtkSmartPointer<vtkUnsignedCharArray>> Parts; ///< null until requested
+  std::vector<int> Unwritten; ///< viewpoints that the file does not contain yet
+  std::vector<int> Damage;    ///< the file's missing viewpoints, after the first was found
+
+  /// Those of the last update. Never changed, because callers keep it.
+  vtkSmartPointer<vtkIdTypeArray> Missing = vtkSmartPointer<vtkIdTypeArray>::New();
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
     this->Reader = std::move(reader);
     this->Description.clear();
     this->PixelFormat.clear();
+    this->Parts.clear();
     this->Field->Initialize();
     this->TrackBytes.clear();
     this->Unwritten.clear();
@@ -63,6 +66,7 @@ public:
       header.Field.WriteTo(this->Field);
       this->Description = header.Field.ToText();
       this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
+      this->Parts.resize(header.Parts.size());
     }
   }
 
@@ -89,11 +93,9 @@ public:
 
   void SetMissing(const std::vector<int>& slices)
   {
-    this->Missing->Reset();
-    for (int slice : slices)
-    {
-      this->Missing->InsertNextValue(slice);
-    }
+    this->Missing = vtkSmartPointer<vtkIdTypeArray>::New();
+    this->Missing->SetNumberOfValues(static_cast<vtkIdType>(slices.size()));
+    std::copy(slices.begin(), slices.end(), this->Missing->GetPointer(0));
   }
 };
 
@@ -190,10 +192,15 @@ vtkUnsignedCharArray* vtkCSLFDecoder::GetPart(int part)
   {
     return nullptr;
   }
-  const auto& bytes = this->Internal->Reader->GetHeader().Parts[part].Bytes;
-  this->Internal->Part->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
-  std::copy(bytes.begin(), bytes.end(), this->Internal->Part->GetPointer(0));
-  return this->Internal->Part;
+  vtkSmartPointer<vtkUnsignedCharArray>& array = this->Internal->Parts[part];
+  if (!array)
+  {
+    const auto& bytes = this->Internal->Reader->GetHeader().Parts[part].Bytes;
+    array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
+    std::copy(bytes.begin(), bytes.end(), array->GetPointer(0));
+  }
+  return array;
 }
 
 vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)

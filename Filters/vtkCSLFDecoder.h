@@ -118,7 +118,8 @@ public:
   /**
    * The additional parts of the file (see vtkCSLFEncoder::AddPart), available after
    * UpdateInformation: their number, and the type, name and bytes of each. The name may be empty.
-   * Damaged parts are left out with a warning. Null outside the range.
+   * Damaged parts are left out with a warning. Null outside the range. The array of a part remains
+   * the same while the file is open, and nobody changes it later.
    */
   int GetNumberOfParts() const;
   const char* GetPartType(int part) const;
@@ -129,7 +130,7 @@ public:
   ///@{
   /**
    * The missing viewpoints (z) found by the last update or by FindMissingViewpoints, in ascending
-   * order.
+   * order. Later updates make new arrays, so this one does not change.
    */
   vtkIdType GetNumberOfMissingViewpoints() const;
   vtkIdTypeArray* GetMissingViewpoints() const;
