@@ -10,6 +10,7 @@
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfJoin.h"
 
 #include <vtkDataArray.h>
@@ -37,7 +38,8 @@ vtkStandardNewMacro(vtkCSLFDecoder);
 class vtkCSLFDecoder::Internals
 {
 public:
-  std::unique_ptr<cslf::FieldReader> Reader;
+  std::shared_ptr<cslf::FieldReader> Reader;
+  std::weak_ptr<cslf::ViewpointSource> Source; ///< of the reader, while somebody uses it
   std::string Description;
   std::string PixelFormat;
   vtkNew<vtkFieldData> Field;                               ///< of every output
@@ -52,9 +54,10 @@ public:
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
     this->Reader = std::move(reader);
+    this->Source.reset();
+    this->Parts.clear();
     this->Description.clear();
     this->PixelFormat.clear();
-    this->Parts.clear();
     this->Field->Initialize();
     this->TrackBytes.clear();
     this->Unwritten.clear();
@@ -63,10 +66,10 @@ public:
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
       this->Unwritten = header.GetMissingSlices();
+      this->Parts.resize(header.Parts.size());
       header.Field.WriteTo(this->Field);
       this->Description = header.Field.ToText();
       this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
-      this->Parts.resize(header.Parts.size());
     }
   }
 
@@ -437,12 +440,16 @@ bool vtkCSLFDecoder::ReportFileDamage()
   std::ostringstream text;
   if (missing.size() == static_cast<std::size_t>(slices))
   {
-    text << "its video is damaged or truncated: none of the " << slices
-         << " viewpoints can be read";
+    text << (this->Internal->Reader->HasFileChanged()
+                ? "it was changed while it was open: none of the "
+                : "its video is damaged or truncated: none of the ")
+         << slices << " viewpoints can be read";
     return this->Fail(vtkErrorCode::FileFormatError, text.str());
   }
   const std::size_t unwritten = this->Internal->Unwritten.size();
-  const char* state = missing.size() > unwritten ? "damaged" : "unfinished";
+  const char* state = missing.size() <= unwritten ? "unfinished"
+    : this->Internal->Reader->HasFileChanged() ? "damaged, because it was changed while it was open"
+                                               : "damaged";
   constexpr std::size_t named = 5;
   text << missing.size() << " of " << slices << " viewpoints are missing";
   text << (this->AllowMissing ? " and left empty" : "") << " (z = ";
@@ -550,11 +557,20 @@ bool vtkCSLFDecoder::IsViewpointDamaged(vtkIdType z)
   }
   const auto viewpoint = this->Internal->GetViewpoint(this, z);
   const bool isMissing = viewpoint && viewpoint->IsEmpty();
-  if (isMissing && !this->AllowMissing && this->Internal->Damage.empty())
+  if (isMissing)
+  {
+    this->RequireDamageAllowed();
+  }
+  return !viewpoint || isMissing;
+}
+
+// After a viewpoint was found missing: reports an error if none may be, once for the whole file.
+void vtkCSLFDecoder::RequireDamageAllowed()
+{
+  if (!this->AllowMissing && this->Internal->Damage.empty())
   {
     this->Guard([this] { return this->ReportFileDamage(); });
   }
-  return !viewpoint || isMissing;
 }
 
 bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
@@ -634,6 +650,80 @@ void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
       viewpoints->InsertNextValue(slice);
     }
   }
+}
+
+/// The viewpoints of the file that a decoder had open when this object was made.
+class vtkCSLFDecoder::OpenFileSource : public cslf::ViewpointSource
+{
+public:
+  explicit OpenFileSource(vtkCSLFDecoder* decoder)
+    : ViewpointSource(decoder->Internal->Reader->GetHeader().Field, decoder->Internal->Unwritten)
+    , Decoder(decoder)
+    , Reader(decoder->Internal->Reader)
+    , Ranks(this->GetDescription().Grid.GetSlices())
+  {
+    int rank = 0;
+    for (const int slice : this->Reader->GetHeader().Slices)
+    {
+      this->Ranks[slice] = rank++;
+    }
+  }
+
+  void Prefetch(const std::vector<int>& slices) override
+  {
+    this->Decoder->Guard(
+      [&]
+      {
+        this->Reader->GetViewpoints().Prefetch(slices);
+        return true;
+      });
+  }
+
+  void Wait() override { this->Reader->GetViewpoints().Wait(); }
+
+  bool IsReady(int slice) override { return this->Reader->GetViewpoints().Has(slice); }
+
+  cslf::ViewpointSamples Get(int slice) override
+  {
+    std::optional<cslf::ViewpointSamples> samples;
+    this->Decoder->Guard(
+      [&]
+      {
+        samples = this->Reader->GetViewpoints().Get(slice);
+        return true;
+      });
+    if (samples && samples->IsEmpty() && this->Reader == this->Decoder->Internal->Reader)
+    {
+      this->Decoder->RequireDamageAllowed();
+    }
+    return samples.value_or(cslf::ViewpointSamples());
+  }
+
+  void Sort(std::vector<int>& slices) override
+  {
+    std::sort(slices.begin(), slices.end(),
+      [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
+  }
+
+private:
+  const vtkSmartPointer<vtkCSLFDecoder> Decoder;
+  const std::shared_ptr<cslf::FieldReader> Reader;
+  std::vector<int> Ranks; ///< of the slices, in the file
+};
+
+std::shared_ptr<cslf::ViewpointSource> vtkCSLFDecoder::GetViewpointSource()
+{
+  std::shared_ptr<cslf::ViewpointSource> source = this->Internal->Source.lock();
+  if (!source && this->Internal->Reader)
+  {
+    source = std::make_shared<OpenFileSource>(this);
+    this->Internal->Source = source;
+    if (!this->Internal->Unwritten.empty())
+    {
+      this->RequireDamageAllowed();
+    }
+  }
+  return source;
 }
 
 void vtkCSLFDecoder::PrintSelf(ostream& os, vtkIndent indent)

@@ -287,6 +287,14 @@ int vtkCSLFImageReader::RequestData(
 bool vtkCSLFImageReader::ReadRange(int first, int last, vtkImageData* image)
 {
   const cslf::Description& field = this->Internal->Folder->Field;
+  std::string error;
+  const auto now = cslf::ReadCubeMapDescription(this->FileName, error);
+  if (!now || now->Field.ToText() != field.ToText())
+  {
+    return this->Fail(vtkErrorCode::FileFormatError,
+      std::string("The folder ") + this->FileName +
+        " was replaced while it was being read. Call Modified to read it from the beginning.");
+  }
   const cslf::Slab slab{ first, last };
   const vtkIdType there = CountImages(this->FileName, field, slab);
   if (there > 0 && cslf::AreEnough(field, there, slab.GetCount()))

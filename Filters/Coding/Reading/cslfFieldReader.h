@@ -47,6 +47,9 @@ public:
   std::vector<int> FindMissing(const Progress& progress);
   std::vector<int> FindMissing(int first, int last, const Progress& progress);
 
+  /// Whether somebody has written to the file since it was opened.
+  bool HasFileChanged() const { return this->Decoder.HasFileChanged(); }
+
   /// Single viewpoints, which are kept for later.
   ViewpointStore& GetViewpoints() { return this->Store; }
 
