@@ -77,6 +77,13 @@ public:
   /// The number of points at which building a part begins.
   std::size_t CountFirstPoints(const Choice& choice);
 
+  /// The key of a point on a side of a triangle or a chart, by which it is found in a batch and
+  /// gets its random numbers. It differs from those of points at vertices and on edges that
+  /// triangles share. `domain` is the triangle's number, or that of all triangles plus the chart's,
+  /// and the column and the row count the finest points. `isMean` is for points that are
+  /// interpolated.
+  static std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row, bool isMean);
+
   /// The lattice. Call it once, at the end.
   SurfaceLattice TakeLattice();
   std::size_t GetNumberOfBricks() const { return this->Lattices[0].GetNumberOfRoots(); }
