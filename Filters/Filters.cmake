@@ -120,9 +120,9 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheFile CacheKeeper CacheShare ChartMaker ChartNeighbours ClosedBodies
     DiffuseEstimator DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder
-    LatticeLayout LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum OpenSides
-    PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart
-    SurfaceEstimate SurfaceLattice VertexClusters)
+    LatticeLayout LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum
+    LayoutProgress MeshEdges OpenSides PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight
+    ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice VertexClusters)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
     Arithmetic Fingerprint OldNames Scene SceneBlock SceneBuilder SceneGather)
