@@ -652,71 +652,22 @@ void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
   }
 }
 
-/// The viewpoints of the file that a decoder had open when this object was made.
-class vtkCSLFDecoder::OpenFileSource : public cslf::ViewpointSource
-{
-public:
-  explicit OpenFileSource(vtkCSLFDecoder* decoder)
-    : ViewpointSource(decoder->Internal->Reader->GetHeader().Field, decoder->Internal->Unwritten)
-    , Decoder(decoder)
-    , Reader(decoder->Internal->Reader)
-    , Ranks(this->GetDescription().Grid.GetSlices())
-  {
-    int rank = 0;
-    for (const int slice : this->Reader->GetHeader().Slices)
-    {
-      this->Ranks[slice] = rank++;
-    }
-  }
-
-  void Prefetch(const std::vector<int>& slices) override
-  {
-    this->Decoder->Guard(
-      [&]
-      {
-        this->Reader->GetViewpoints().Prefetch(slices);
-        return true;
-      });
-  }
-
-  void Wait() override { this->Reader->GetViewpoints().Wait(); }
-
-  bool IsReady(int slice) override { return this->Reader->GetViewpoints().Has(slice); }
-
-  cslf::ViewpointSamples Get(int slice) override
-  {
-    std::optional<cslf::ViewpointSamples> samples;
-    this->Decoder->Guard(
-      [&]
-      {
-        samples = this->Reader->GetViewpoints().Get(slice);
-        return true;
-      });
-    if (samples && samples->IsEmpty() && this->Reader == this->Decoder->Internal->Reader)
-    {
-      this->Decoder->RequireDamageAllowed();
-    }
-    return samples.value_or(cslf::ViewpointSamples());
-  }
-
-  void Sort(std::vector<int>& slices) override
-  {
-    std::sort(slices.begin(), slices.end(),
-      [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
-  }
-
-private:
-  const vtkSmartPointer<vtkCSLFDecoder> Decoder;
-  const std::shared_ptr<cslf::FieldReader> Reader;
-  std::vector<int> Ranks; ///< of the slices, in the file
-};
-
 std::shared_ptr<cslf::ViewpointSource> vtkCSLFDecoder::GetViewpointSource()
 {
   std::shared_ptr<cslf::ViewpointSource> source = this->Internal->Source.lock();
   if (!source && this->Internal->Reader)
   {
-    source = std::make_shared<OpenFileSource>(this);
+    const vtkSmartPointer<vtkCSLFDecoder> self = this;
+    const auto reader = this->Internal->Reader;
+    source = cslf::MakeSource(
+      reader, [self](const std::function<bool()>& work) { return self->Guard(work); },
+      [self, reader]
+      {
+        if (reader == self->Internal->Reader)
+        {
+          self->RequireDamageAllowed();
+        }
+      });
     this->Internal->Source = source;
     if (!this->Internal->Unwritten.empty())
     {

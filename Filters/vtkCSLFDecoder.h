@@ -259,7 +259,6 @@ private:
   void operator=(const vtkCSLFDecoder&) = delete;
 
   class Internals;
-  class OpenFileSource;
 
   bool Guard(const std::function<bool()>& work);
   bool Fail(unsigned long code, const std::string& problem);
