@@ -28,7 +28,8 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch PolygonFill ScenePipeline Slabs TriangleList)
+  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PipelineWatch
+  PolygonFill PortsOnDemand ScenePipeline Slabs TriangleList ViewpointSource)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)
@@ -119,9 +120,9 @@ if (CSLF_ENABLE_SAMPLER)
   cslf_add(Filters/PathTracing/RadianceCache
     CacheCheck CacheFile CacheKeeper CacheShare ChartMaker ChartNeighbours ClosedBodies
     DiffuseEstimator DiffuseLookUp GatherDirections HalfSamples IncidentLight LatticeBuilder
-    LatticeLayout LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum OpenSides
-    PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight ShapePoints SurfaceChart
-    SurfaceEstimate SurfaceLattice VertexClusters)
+    LatticeLayout LatticePatch LatticeProbe LatticeRefinement LatticeRequests LatticeSum
+    LayoutProgress MeshEdges OpenSides PointGraph RadianceCache SampleNoise ShapeLayout ShapeLight
+    ShapePoints SurfaceChart SurfaceEstimate SurfaceLattice VertexClusters)
   cslf_add(Filters/PathTracing/Rays Embree HitFilter RayBin RayLanes RayPacket)
   cslf_add(Filters/PathTracing/Scene
     Arithmetic Fingerprint OldNames PointSpacing Scene SceneBlock SceneBuilder SceneGather)

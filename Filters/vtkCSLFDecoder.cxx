@@ -10,6 +10,7 @@
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfJoin.h"
 
 #include <vtkDataArray.h>
@@ -37,19 +38,24 @@ vtkStandardNewMacro(vtkCSLFDecoder);
 class vtkCSLFDecoder::Internals
 {
 public:
-  std::unique_ptr<cslf::FieldReader> Reader;
+  std::shared_ptr<cslf::FieldReader> Reader;
+  std::weak_ptr<cslf::ViewpointSource> Source; ///< of the reader, while somebody uses it
   std::string Description;
   std::string PixelFormat;
-  vtkNew<vtkFieldData> Field;           ///< of every output
-  std::vector<std::int64_t> TrackBytes; ///< empty until requested
-  vtkNew<vtkIdTypeArray> Missing;
-  vtkNew<vtkUnsignedCharArray> Part; ///< the last one requested
-  std::vector<int> Unwritten;        ///< viewpoints that the file does not contain yet
-  std::vector<int> Damage;           ///< the file's missing viewpoints, after the first was found
+  vtkNew<vtkFieldData> Field;                               ///< of every output
+  std::vector<std::int64_t> TrackBytes;                     ///< empty until requested
+  std::vector<vtkSmartPointer<vtkUnsignedCharArray>> Parts; ///< null until requested
+  std::vector<int> Unwritten; ///< viewpoints that the file does not contain yet
+  std::vector<int> Damage;    ///< the file's missing viewpoints, after the first was found
+
+  /// Those of the last update. Never changed, because callers keep it.
+  vtkSmartPointer<vtkIdTypeArray> Missing = vtkSmartPointer<vtkIdTypeArray>::New();
 
   void SetReader(std::unique_ptr<cslf::FieldReader> reader)
   {
     this->Reader = std::move(reader);
+    this->Source.reset();
+    this->Parts.clear();
     this->Description.clear();
     this->PixelFormat.clear();
     this->Field->Initialize();
@@ -60,6 +66,7 @@ public:
     {
       const cslf::FileHeader& header = this->Reader->GetHeader();
       this->Unwritten = header.GetMissingSlices();
+      this->Parts.resize(header.Parts.size());
       header.Field.WriteTo(this->Field);
       this->Description = header.Field.ToText();
       this->PixelFormat = cslf::NameOfFormat(header.Tracks.front().Kind.Format);
@@ -89,11 +96,9 @@ public:
 
   void SetMissing(const std::vector<int>& slices)
   {
-    this->Missing->Reset();
-    for (int slice : slices)
-    {
-      this->Missing->InsertNextValue(slice);
-    }
+    this->Missing = vtkSmartPointer<vtkIdTypeArray>::New();
+    this->Missing->SetNumberOfValues(static_cast<vtkIdType>(slices.size()));
+    std::copy(slices.begin(), slices.end(), this->Missing->GetPointer(0));
   }
 };
 
@@ -190,10 +195,15 @@ vtkUnsignedCharArray* vtkCSLFDecoder::GetPart(int part)
   {
     return nullptr;
   }
-  const auto& bytes = this->Internal->Reader->GetHeader().Parts[part].Bytes;
-  this->Internal->Part->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
-  std::copy(bytes.begin(), bytes.end(), this->Internal->Part->GetPointer(0));
-  return this->Internal->Part;
+  vtkSmartPointer<vtkUnsignedCharArray>& array = this->Internal->Parts[part];
+  if (!array)
+  {
+    const auto& bytes = this->Internal->Reader->GetHeader().Parts[part].Bytes;
+    array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
+    std::copy(bytes.begin(), bytes.end(), array->GetPointer(0));
+  }
+  return array;
 }
 
 vtkTypeInt64 vtkCSLFDecoder::GetTrackBytes(int track)
@@ -430,12 +440,16 @@ bool vtkCSLFDecoder::ReportFileDamage()
   std::ostringstream text;
   if (missing.size() == static_cast<std::size_t>(slices))
   {
-    text << "its video is damaged or truncated: none of the " << slices
-         << " viewpoints can be read";
+    text << (this->Internal->Reader->HasFileChanged()
+                ? "it was changed while it was open: none of the "
+                : "its video is damaged or truncated: none of the ")
+         << slices << " viewpoints can be read";
     return this->Fail(vtkErrorCode::FileFormatError, text.str());
   }
   const std::size_t unwritten = this->Internal->Unwritten.size();
-  const char* state = missing.size() > unwritten ? "damaged" : "unfinished";
+  const char* state = missing.size() <= unwritten ? "unfinished"
+    : this->Internal->Reader->HasFileChanged() ? "damaged, because it was changed while it was open"
+                                               : "damaged";
   constexpr std::size_t named = 5;
   text << missing.size() << " of " << slices << " viewpoints are missing";
   text << (this->AllowMissing ? " and left empty" : "") << " (z = ";
@@ -543,11 +557,20 @@ bool vtkCSLFDecoder::IsViewpointDamaged(vtkIdType z)
   }
   const auto viewpoint = this->Internal->GetViewpoint(this, z);
   const bool isMissing = viewpoint && viewpoint->IsEmpty();
-  if (isMissing && !this->AllowMissing && this->Internal->Damage.empty())
+  if (isMissing)
+  {
+    this->RequireDamageAllowed();
+  }
+  return !viewpoint || isMissing;
+}
+
+// After a viewpoint was found missing: reports an error if none may be, once for the whole file.
+void vtkCSLFDecoder::RequireDamageAllowed()
+{
+  if (!this->AllowMissing && this->Internal->Damage.empty())
   {
     this->Guard([this] { return this->ReportFileDamage(); });
   }
-  return !viewpoint || isMissing;
 }
 
 bool vtkCSLFDecoder::GetViewpoint(vtkIdType z, vtkImageData* image)
@@ -627,6 +650,31 @@ void vtkCSLFDecoder::GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints)
       viewpoints->InsertNextValue(slice);
     }
   }
+}
+
+std::shared_ptr<cslf::ViewpointSource> vtkCSLFDecoder::GetViewpointSource()
+{
+  std::shared_ptr<cslf::ViewpointSource> source = this->Internal->Source.lock();
+  if (!source && this->Internal->Reader)
+  {
+    const vtkSmartPointer<vtkCSLFDecoder> self = this;
+    const auto reader = this->Internal->Reader;
+    source = cslf::MakeSource(
+      reader, [self](const std::function<bool()>& work) { return self->Guard(work); },
+      [self, reader]
+      {
+        if (reader == self->Internal->Reader)
+        {
+          self->RequireDamageAllowed();
+        }
+      });
+    this->Internal->Source = source;
+    if (!this->Internal->Unwritten.empty())
+    {
+      this->RequireDamageAllowed();
+    }
+  }
+  return source;
 }
 
 void vtkCSLFDecoder::PrintSelf(ostream& os, vtkIndent indent)

@@ -26,6 +26,16 @@
  * Only one thread at a time may call these methods, as usual in VTK. No event is invoked from
  * another thread.
  *
+ * The file stays open until another one is opened. If another file gets its name meanwhile, as
+ * those of vtkCSLFEncoder do by renaming, the decoder still reads the one that it has opened; call
+ * Modified to open the new one. If the file itself is overwritten or cut off, its viewpoints are
+ * missing, and the message says that the file was changed while it was open.
+ *
+ * A process may fork at any time, as Python's multiprocessing does, except while another of its
+ * threads is in one of these methods. Prefetching does not matter: fork waits until no viewpoint is
+ * being decoded in the background, which takes no longer than decoding a group of frames. Both
+ * processes may continue to use the decoder.
+ *
  * Every group is checked by its checksums before memory is allocated for it and before it is
  * decoded. Viewpoints of damaged or truncated groups are left empty (coverage 0, depth 1). The
  * first request for one of them gives a single warning that lists the missing viewpoints of the
@@ -45,8 +55,13 @@
 #include "vtkImageAlgorithm.h"
 
 #include <functional> // For std::function
-#include <memory>     // For std::unique_ptr
+#include <memory>     // For std::shared_ptr
 #include <string>     // For std::string
+
+namespace cslf
+{
+class ViewpointSource;
+}
 
 class vtkIdTypeArray;
 class vtkImageData;
@@ -118,7 +133,8 @@ public:
   /**
    * The additional parts of the file (see vtkCSLFEncoder::AddPart), available after
    * UpdateInformation: their number, and the type, name and bytes of each. The name may be empty.
-   * Damaged parts are left out with a warning. Null outside the range.
+   * Damaged parts are left out with a warning. Null outside the range. The array of a part remains
+   * the same while the file is open, and nobody changes it later.
    */
   int GetNumberOfParts() const;
   const char* GetPartType(int part) const;
@@ -129,7 +145,7 @@ public:
   ///@{
   /**
    * The missing viewpoints (z) found by the last update or by FindMissingViewpoints, in ascending
-   * order.
+   * order. Later updates make new arrays, so this one does not change.
    */
   vtkIdType GetNumberOfMissingViewpoints() const;
   vtkIdTypeArray* GetMissingViewpoints() const;
@@ -221,6 +237,13 @@ public:
    */
   void GetViewpointsInFileOrder(vtkIdTypeArray* viewpoints);
 
+  /**
+   * For C++: the viewpoints of the file that is open; null if none is. They stay those of that
+   * file, which remains open for them, also after the decoder has opened another one. They keep up
+   * to CacheSize bytes each, report what is damaged as this decoder does, and keep it alive.
+   */
+  std::shared_ptr<cslf::ViewpointSource> GetViewpointSource();
+
 protected:
   vtkCSLFDecoder();
   ~vtkCSLFDecoder() override;
@@ -247,6 +270,7 @@ private:
   bool ReportProgress(double progress);
   bool ReportDamage();
   bool ReportFileDamage();
+  void RequireDamageAllowed();
   void WarnOfHeader();
   bool UpdateReader();
   bool RequireViewpoint(vtkIdType z);

@@ -18,9 +18,9 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
@@ -35,7 +35,9 @@ class vtkCSLFImageReader::Internals
 public:
   std::optional<cslf::CubeMapFolder> Folder;
   std::string Text;
-  vtkNew<vtkIdTypeArray> Missing;
+
+  /// Those of the last update. Never changed, because callers keep it.
+  vtkSmartPointer<vtkIdTypeArray> Missing = vtkSmartPointer<vtkIdTypeArray>::New();
 };
 
 namespace
@@ -89,7 +91,7 @@ vtkIdType CountImages(
 
 /// The viewpoints of a slab for which `isThere(slice)` is false. Calls it in parallel.
 template <typename IsThere>
-void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* missing)
+vtkSmartPointer<vtkIdTypeArray> CollectMissing(const cslf::Slab& slab, IsThere isThere)
 {
   std::vector<char> found(slab.GetCount());
   cslf::ParallelFor(slab.First, slab.Last + 1, 1,
@@ -100,7 +102,7 @@ void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* mis
         found[slice - slab.First] = isThere(slice);
       }
     });
-  missing->Reset();
+  auto missing = vtkSmartPointer<vtkIdTypeArray>::New();
   for (int slice = slab.First; slice <= slab.Last; ++slice)
   {
     if (!found[slice - slab.First])
@@ -108,11 +110,12 @@ void CollectMissing(const cslf::Slab& slab, IsThere isThere, vtkIdTypeArray* mis
       missing->InsertNextValue(slice);
     }
   }
+  return missing;
 }
 
-/// Reads the slab into the image, which contains only the slab, and collects unreadable viewpoints.
-void ReadSlab(const char* folder, const cslf::Description& description, const cslf::Slab& slab,
-  vtkImageData* image, vtkIdTypeArray* missing)
+/// Reads the slab into the image, which contains only the slab. Returns the unreadable viewpoints.
+vtkSmartPointer<vtkIdTypeArray> ReadSlab(const char* folder, const cslf::Description& description,
+  const cslf::Slab& slab, vtkImageData* image)
 {
   std::vector<unsigned char*> arrays;
   for (const cslf::Channel& channel : description.Channels)
@@ -132,7 +135,7 @@ void ReadSlab(const char* folder, const cslf::Description& description, const cs
     }
     return ReadViewpoint(folder, description, slice, targets, texels);
   };
-  CollectMissing(slab, read, missing);
+  return CollectMissing(slab, read);
 }
 }
 
@@ -202,10 +205,8 @@ vtkIdType vtkCSLFImageReader::FindMissingViewpoints()
       [this]
       {
         const cslf::CubeMapFolder& folder = *this->Internal->Folder;
-        CollectMissing(
-          folder.Slices,
-          [&](int slice) { return ProbeViewpoint(this->FileName, folder.Field, slice); },
-          this->Internal->Missing);
+        this->Internal->Missing = CollectMissing(folder.Slices,
+          [&](int slice) { return ProbeViewpoint(this->FileName, folder.Field, slice); });
         return true;
       });
   return isChecked ? this->GetNumberOfMissingViewpoints() : -1;
@@ -266,7 +267,7 @@ int vtkCSLFImageReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->Internal->Missing->Reset();
+  this->Internal->Missing = vtkSmartPointer<vtkIdTypeArray>::New();
   if (!this->Internal->Folder)
   {
     return 0;
@@ -286,19 +287,26 @@ int vtkCSLFImageReader::RequestData(
 bool vtkCSLFImageReader::ReadRange(int first, int last, vtkImageData* image)
 {
   const cslf::Description& field = this->Internal->Folder->Field;
+  std::string error;
+  const auto now = cslf::ReadCubeMapDescription(this->FileName, error);
+  if (!now || now->Field.ToText() != field.ToText())
+  {
+    return this->Fail(vtkErrorCode::FileFormatError,
+      std::string("The folder ") + this->FileName +
+        " was replaced while it was being read. Call Modified to read it from the beginning.");
+  }
   const cslf::Slab slab{ first, last };
   const vtkIdType there = CountImages(this->FileName, field, slab);
   if (there > 0 && cslf::AreEnough(field, there, slab.GetCount()))
   {
     cslf::AllocateSlices(field, first, last, image);
     field.WriteTo(image->GetFieldData());
-    ReadSlab(this->FileName, field, slab, image, this->Internal->Missing);
+    this->Internal->Missing = ReadSlab(this->FileName, field, slab, image);
     cslf::SetMissing(this->Internal->Missing, image);
   }
   else
   {
-    CollectMissing(
-      slab, [](int) { return false; }, this->Internal->Missing);
+    this->Internal->Missing = CollectMissing(slab, [](int) { return false; });
   }
   const vtkIdType missing = this->GetNumberOfMissingViewpoints();
   std::ostringstream text;

@@ -61,7 +61,7 @@ public:
   ///@{
   /**
    * The missing viewpoints (z) found by the last update or by FindMissingViewpoints, in ascending
-   * order.
+   * order. Later updates make new arrays, so this one does not change.
    */
   vtkIdType GetNumberOfMissingViewpoints() const;
   vtkIdTypeArray* GetMissingViewpoints() const;

@@ -7,7 +7,7 @@ list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
   ClosedParts FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL
-  Residency SurfacePicture TilePool ViewFrustum ViewFrustums ViewpointLevels ViewpointSource)
+  Residency SurfacePicture TilePool ViewFrustum ViewFrustums ViewpointLevels)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS Color Cube Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS

@@ -8,11 +8,11 @@
 #define cslfFieldTexture_h
 
 #include "Lookup/cslfSceneGrid.h"
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfDescription.h"
 #include "cslfResidency.h"
 #include "cslfTilePool.h"
 #include "cslfViewFrustum.h"
-#include "cslfViewpointSource.h"
 
 #include <array>
 #include <cstdint>

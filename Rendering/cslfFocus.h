@@ -7,8 +7,8 @@
 #ifndef cslfFocus_h
 #define cslfFocus_h
 
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfDescription.h"
-#include "cslfViewpointSource.h"
 
 #include <array>
 

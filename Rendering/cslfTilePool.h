@@ -7,8 +7,8 @@
 #ifndef cslfTilePool_h
 #define cslfTilePool_h
 
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfDescription.h"
-#include "cslfViewpointSource.h"
 
 #include <array>
 #include <cstddef>

@@ -3,10 +3,10 @@
 #include "vtkCSLFMapper.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
 #include "cslfGeometryMesh.h"
-#include "cslfViewpointSource.h"
 #include "vtkCSLFCubeMapper.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFToneMapping.h"
@@ -219,13 +219,27 @@ bool vtkCSLFMapper::UpdateField()
   {
     return false;
   }
-  if (internals.CheckedInput == input && internals.CheckedTime == input->GetMTime())
+  if (decoder)
   {
-    return internals.Source != nullptr;
+    // What the decoder has open, whatever file it is going to open.
+    const auto source = this->OpenDecoder(decoder);
+    if (internals.CheckedInput == input && internals.Source == source)
+    {
+      return source != nullptr;
+    }
+    internals.Source = source;
   }
-  internals.Source = decoder ? this->OpenDecoder(decoder) : this->OpenImage(this->GetInput());
+  else
+  {
+    if (internals.CheckedInput == input && internals.CheckedTime == input->GetMTime())
+    {
+      return internals.Source != nullptr;
+    }
+    internals.Source = this->OpenImage(this->GetInput());
+  }
   internals.CheckedInput = input;
   internals.CheckedTime = input->GetMTime();
+  internals.CheckedGeometry = nullptr;
   if (!internals.Source)
   {
     return false;
@@ -276,10 +290,8 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenDecoder(vtkCSLFDecoder
   {
     decoder->UpdateInformation();
   }
-  std::string error;
-  const auto field = cslf::Description::FromText(decoder->GetDescription(), error);
   // A decoder that cannot read its file has reported this.
-  return field ? cslf::MakeSource(*field, decoder) : nullptr;
+  return decoder->GetViewpointSource();
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,10 @@
  * (vtkCellPicker, vtkPointPicker) find the image data that holds the samples, which lies elsewhere.
  * To find the triangle under a pixel, let them search the geometry.
  *
+ * With StaticOn, the input is not updated, as in other mappers: a mapper of a vtkCSLFDecoder draws
+ * the file that the decoder has open, also after its file name has changed, until the decoder's
+ * UpdateInformation or Update opens the other one.
+ *
  * A mapper can be drawn in several windows. Each window keeps the samples in its own graphics
  * memory until its resources are released.
  *

@@ -28,8 +28,8 @@ public:
   /// The file to write, with the same extension.
   const std::string& GetTemporaryName() const { return this->Temporary; }
 
-  /// Flushes the file to the disk and replaces an earlier one. A warning says what could not be
-  /// removed.
+  /// Flushes the file to the disk and replaces an earlier one, whose permissions it gets. A warning
+  /// says what could not be removed.
   bool Publish(std::string& warning, std::string& error);
 
 private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <random>
 #include <system_error>
 
 namespace cslf
@@ -54,9 +55,48 @@ bool IsReplaceableByFile(const std::string& name, std::string& error)
   return true;
 }
 
+bool MakeUniqueFolder(
+  const std::string& prefix, unsigned int access, std::string& name, std::string& error)
+{
+  constexpr int attempts = 100;
+  constexpr int characters = 6;
+  const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> pick(0, letters.size() - 1);
+  for (int attempt = 0; attempt < attempts; ++attempt)
+  {
+    name = prefix;
+    for (int k = 0; k < characters; ++k)
+    {
+      name += letters[pick(random)];
+    }
+    if (MakeFolder(name, error, access))
+    {
+      return true;
+    }
+    if (!error.empty())
+    {
+      return false;
+    }
+  }
+  error = "cannot make the folder " + name + ": all names are taken";
+  return false;
+}
+
+bool InputFile::HasChanged() const
+{
+  const State now = this->FindState();
+  return now.Size != this->Opened.Size || now.Time != this->Opened.Time;
+}
+
 bool PublishFile(const std::string& from, const std::string& to, std::string& error)
 {
-  return SyncFile(from, error) && Rename(from, to, error) && SyncFolder(GetParent(to), error);
+  if (!SyncFile(from, error))
+  {
+    return false;
+  }
+  CopyAccess(to, from);
+  return Rename(from, to, error) && SyncFolder(GetParent(to), error);
 }
 
 double GetFreeBytes(const std::string& name)

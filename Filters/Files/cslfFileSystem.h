@@ -12,6 +12,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,11 +25,26 @@ VTKCSLF_EXPORT std::filesystem::path ToPath(const std::string& name);
 VTKCSLF_EXPORT std::string ToName(const std::filesystem::path& path);
 ///@}
 
+/// Who may use a new folder, as POSIX permissions. The system removes those of the process's umask.
+/// Windows gives folders the permissions of their parents instead.
+constexpr unsigned int ForEveryone = 0777;
+constexpr unsigned int ForOwner = 0700;
+
 /// Makes a folder. False without an error if the name exists already.
-bool MakeFolder(const std::string& name, std::string& error);
+bool MakeFolder(const std::string& name, std::string& error, unsigned int access = ForEveryone);
 
 /// Makes a folder with a unique name: the prefix and six more characters.
-bool MakeUniqueFolder(const std::string& prefix, std::string& name, std::string& error);
+bool MakeUniqueFolder(
+  const std::string& prefix, unsigned int access, std::string& name, std::string& error);
+
+/// Who may use a folder in which the new contents of a file or folder are made: those who may read
+/// the earlier one, or everyone if there is none.
+unsigned int GetFolderAccess(const std::string& name);
+
+/// Gives a new file or folder the permissions, the owner, the access control list and the user's
+/// attributes of an earlier one that it is going to replace. What the system does not allow stays
+/// as it is, which is no error. Does nothing if there is no earlier one.
+void CopyAccess(const std::string& earlier, const std::string& made);
 
 /// Makes a file, which must not exist, with these bytes. Leaves nothing behind on failure.
 VTKCSLF_EXPORT bool MakeFile(
@@ -53,6 +69,41 @@ VTKCSLF_EXPORT bool IsReplaceableByFile(const std::string& name, std::string& er
 /// Renames within one file system, and replaces the second name if that is a file.
 bool Rename(const std::string& from, const std::string& to, std::string& error);
 
+/// A file that is open for reading. It keeps its contents if another file gets its name. Several
+/// threads, and forked processes, may read it at once, as it has no position.
+class VTKCSLF_EXPORT InputFile
+{
+public:
+  InputFile() = default;
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// Call it once. On failure gives the reason in a few words, without the name.
+  bool Open(const std::string& name, std::string& reason);
+
+  /// Its size at present, in bytes.
+  std::uint64_t GetSize() const { return this->FindState().Size; }
+
+  /// Reads bytes from a place. Returns how many there were: fewer at the end, or after a failure.
+  std::size_t Read(std::uint64_t place, void* bytes, std::size_t count) const;
+
+  /// Whether somebody has written to it since it was opened, by its size and the time of its last
+  /// change.
+  bool HasChanged() const;
+
+private:
+  struct State
+  {
+    std::uint64_t Size = 0;
+    std::int64_t Time = 0; ///< of its last change, in the system's units
+  };
+  State FindState() const;
+
+  std::intptr_t Handle = -1;
+  State Opened;
+};
+
 /// Exchanges the names of two folders in one step. False without an error if the file system cannot
 /// do this.
 bool ExchangeFolders(const std::string& one, const std::string& other, std::string& error);
@@ -64,8 +115,8 @@ bool SyncFolder(const std::string& name, std::string& error);
 bool SyncTree(const std::string& name, std::string& error);
 ///@}
 
-/// Flushes a finished file to the disk, renames it and flushes its name. After a crash, the old
-/// file or the complete new one exists.
+/// Flushes a finished file to the disk, gives it the access of the file that it replaces, renames
+/// it and flushes its name. After a crash, the old file or the complete new one exists.
 bool PublishFile(const std::string& from, const std::string& to, std::string& error);
 
 /// Whether files can be made in a folder.

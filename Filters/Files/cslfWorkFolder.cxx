@@ -101,7 +101,8 @@ bool WorkFolder::Reserve(std::string& error)
     this->ClearDead();
   }
   std::string scratch;
-  if (!MakeUniqueFolder(this->GetName(ScratchPrefix), scratch, error))
+  if (!MakeUniqueFolder(
+        this->GetName(ScratchPrefix), GetFolderAccess(this->Target), scratch, error))
   {
     return false;
   }
@@ -113,7 +114,7 @@ bool WorkFolder::Lock(std::string& error)
 {
   for (int attempt = 0; attempt < LockAttempts; ++attempt)
   {
-    const bool isMade = MakeFolder(this->Folder, error);
+    const bool isMade = MakeFolder(this->Folder, error, GetFolderAccess(this->Target));
     if (!isMade && error.empty() && !IsRealFolder(this->Folder))
     {
       error = "cannot make the folder " + this->Folder + ": something else has that name";
@@ -204,6 +205,11 @@ bool WorkFolder::PublishFolder(const std::string& name, std::string& error) cons
   {
     return false;
   }
+  for (const std::string& file : this->List(made))
+  {
+    CopyAccess(this->Target + "/" + file, made + "/" + file);
+  }
+  CopyAccess(this->Target, made);
   bool isPublished = Exists(this->Target) && ExchangeFolders(made, this->Target, error);
   if (!isPublished && error.empty())
   {

@@ -8,6 +8,10 @@
  * in a subfolder with a unique name, and renamed when they are complete. So the next run recognises
  * and removes what a killed run leaves. Nothing else is ever removed: other files in OUT.partial
  * stay, and then the folder stays, too.
+ *
+ * New files and folders have the permissions that the process's umask leaves them. What replaces an
+ * earlier file or folder gets its permissions, and is made where only those can enter who may read
+ * the earlier one.
  */
 #ifndef cslfWorkFolder_h
 #define cslfWorkFolder_h

@@ -82,7 +82,8 @@ public:
     std::error_code failure;
     std::string ignored;
     const std::string prefix = ToName(fs::temp_directory_path(failure) / "cslf-probe-");
-    this->Name = MakeUniqueFolder(prefix, this->Name, ignored) ? this->Name : std::string();
+    this->Name =
+      MakeUniqueFolder(prefix, ForOwner, this->Name, ignored) ? this->Name : std::string();
   }
   ~TemporaryFolder()
   {

@@ -6,6 +6,7 @@
 #include "Coding/Containers/cslfContainerReader.h"
 #include "Coding/Containers/cslfMovieBoxes.h"
 #include "Coding/Groups/cslfTrackDecoder.h"
+#include "Files/cslfFileSystem.h"
 #include "cslfCodecTesting.h"
 #include "cslfRemux.h"
 #include "cslfTesting.h"
@@ -225,7 +226,10 @@ void TestTables(const std::string& fileName)
       changed, static_cast<std::size_t>(found - changed.begin()) + 8 + change.Place, change.Words);
     cslf::testing::WriteBytes(name, changed);
     std::vector<std::uint64_t> broken;
-    if (cslf::CanHoldMovieBoxes(name, broken))
+    std::string reason;
+    cslf::InputFile file;
+    CSLF_CHECK(file.Open(name, reason));
+    if (cslf::CanHoldMovieBoxes(file, broken))
     {
       std::cerr << change.Type << " became " << change.NewType << " and was taken\n";
       CSLF_CHECK(false);
@@ -252,6 +256,48 @@ void TestVanished(const std::string& fileName)
   decoder->Update();
   CSLF_CHECK(observed.GetErrors() > 0);
   CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+}
+
+/// A file that another one replaces while it is open, which is how files are written; and one whose
+/// bytes are replaced by those of another field. It is larger than FFmpeg's buffer.
+void TestReplaced(const std::string& fileName, const std::string& otherName)
+{
+  const auto expected = cslf::testing::Decode(fileName);
+  for (const bool isRenamed : { true, false })
+  {
+    const std::string name = fileName + ".replaced.mp4";
+    const auto always = std::filesystem::copy_options::overwrite_existing;
+    std::filesystem::copy_file(fileName, name, always);
+    vtkNew<vtkCSLFDecoder> decoder;
+    decoder->SetFileName(name.c_str());
+    decoder->AllowMissingOff();
+    decoder->UpdateInformation();
+    const cslf::testing::Observed observed(decoder);
+    if (isRenamed)
+    {
+      std::filesystem::copy_file(otherName, name + ".new", always);
+      std::filesystem::rename(name + ".new", name);
+    }
+    else
+    {
+      cslf::testing::WriteBytes(name, cslf::testing::ReadBytes(otherName));
+    }
+    decoder->Update();
+    if (isRenamed)
+    {
+      CSLF_CHECK(observed.GetErrors() == 0 && observed.GetWarnings() == 0);
+      CSLF_CHECK(cslf::testing::HasEqualSlices(decoder->GetOutput(), expected));
+    }
+    else
+    {
+      CSLF_CHECK(observed.HasError("changed while it was open"));
+      CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+    }
+    decoder->Modified();
+    decoder->Update();
+    CSLF_CHECK(
+      cslf::testing::HasEqualSlices(decoder->GetOutput(), cslf::testing::Decode(otherName)));
+  }
 }
 
 /// A unit with `payload` after its header, as stored in a container.
@@ -360,5 +406,6 @@ int TestCSLFDecoderHostile(int argc, char* argv[])
   const std::string large = folder + "/large.mp4";
   CSLF_CHECK(cslf::testing::Encode(encoder, cslf::testing::MakeByteField(2, 64), large));
   TestLargeFrames(large, 64);
+  TestReplaced(large, fileName);
   return cslf::testing::Result();
 }

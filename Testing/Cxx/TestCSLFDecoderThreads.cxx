@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <atomic>
@@ -115,22 +116,124 @@ void TestThreads(const Samples& expected)
 }
 
 #ifdef CSLF_TEST_FORK
-/// A forked process does not have its parent's threads. Open files stay the parent's.
-void TestFork(const Samples& expected)
+/// What a forked process does, which must end within seconds. Returns whether it has succeeded.
+template <typename Work>
+bool IsDoneForked(const Work& work)
 {
-  vtkNew<vtkCSLFDecoder> open;
-  open->SetFileName(FileName);
-  open->Update();
   const pid_t child = fork();
   if (child == 0)
   {
     constexpr unsigned int mostSeconds = 30;
     alarm(mostSeconds);
-    _exit(ReadAll(expected) ? 0 : 1);
+    _exit(work() ? 0 : 1);
   }
   int status = -1;
-  CSLF_CHECK(waitpid(child, &status, 0) == child);
-  CSLF_CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// Forks again and again while viewpoints are decoded in the background. The forked processes use
+/// the decoder of their parent in different ways, and end with its destructor.
+void TestForkWhilePrefetching(const Samples& expected)
+{
+  constexpr int times = 12;
+  for (int k = 0; k < times; ++k)
+  {
+    auto decoder = vtkSmartPointer<vtkCSLFDecoder>::New();
+    decoder->SetFileName(FileName);
+    vtkNew<vtkIdTypeArray> soon;
+    for (vtkIdType z = 0; z < Slices; ++z)
+    {
+      soon->InsertNextValue((z + k) % Slices);
+    }
+    decoder->Prefetch(soon);
+    const auto readSingle = [&decoder]
+    {
+      Samples samples;
+      for (vtkIdType z = 0; z < Slices; ++z)
+      {
+        vtkNew<vtkImageData> image;
+        if (decoder->GetViewpoint(z, image))
+        {
+          samples.Add(image);
+        }
+      }
+      return samples;
+    };
+    CSLF_CHECK(IsDoneForked(
+      [&]
+      {
+        bool isGood = true;
+        if (k % 4 == 1)
+        {
+          decoder->WaitForPrefetch();
+          isGood = decoder->IsViewpointReady(0) && decoder->IsViewpointReady(Slices - 1);
+        }
+        else if (k % 4 == 2)
+        {
+          isGood = readSingle() == expected;
+        }
+        else if (k % 4 == 3)
+        {
+          decoder->Update();
+          Samples whole;
+          whole.Add(decoder->GetOutput());
+          isGood = whole == expected && ReadAll(expected);
+        }
+        decoder = nullptr;
+        return isGood;
+      }));
+    CSLF_CHECK(readSingle() == expected);
+    decoder->WaitForPrefetch();
+    CSLF_CHECK(decoder->IsViewpointReady(0));
+  }
+}
+
+/// Parent and child read one open file at the same time: its position is not shared.
+void TestReadingAtOnce(const Samples& expected)
+{
+  vtkNew<vtkCSLFDecoder> open;
+  open->SetFileName(FileName);
+  open->SetCacheSize(0);
+  open->UpdateInformation();
+  const auto readOften = [&]
+  {
+    constexpr int times = 10;
+    bool isGood = true;
+    for (int k = 0; k < times && isGood; ++k)
+    {
+      Samples samples;
+      for (vtkIdType z = 0; z < Slices; ++z)
+      {
+        vtkNew<vtkImageData> image;
+        if (!open->GetViewpoint(z, image))
+        {
+          return false;
+        }
+        samples.Add(image);
+      }
+      isGood = samples == expected;
+    }
+    return isGood;
+  };
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    constexpr unsigned int mostSeconds = 30;
+    alarm(mostSeconds);
+    _exit(readOften() ? 0 : 1);
+  }
+  CSLF_CHECK(readOften());
+  int status = -1;
+  CSLF_CHECK(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+/// A forked process does not have its parent's threads.
+void TestFork(const Samples& expected)
+{
+  vtkNew<vtkCSLFDecoder> open;
+  open->SetFileName(FileName);
+  open->Update();
+  CSLF_CHECK(IsDoneForked([&] { return ReadAll(expected); }));
   Samples after;
   open->Modified();
   open->Update();
@@ -151,6 +254,8 @@ int TestCSLFDecoderThreads(int, char*[])
   TestThreads(expected);
 #ifdef CSLF_TEST_FORK
   TestFork(expected);
+  TestForkWhilePrefetching(expected);
+  TestReadingAtOnce(expected);
 #endif
   return cslf::testing::Result();
 }

@@ -48,6 +48,32 @@ void CheckParts(const std::string& fileName)
   }
 }
 
+/// The array of a part stays as it is when others are requested, and when the decoder opens the
+/// file again: views of its memory, such as those of NumPy, remain valid.
+void CheckKept(const std::string& fileName)
+{
+  vtkNew<vtkCSLFDecoder> decoder;
+  decoder->SetFileName(fileName.c_str());
+  decoder->UpdateInformation();
+  const vtkSmartPointer<vtkUnsignedCharArray> first = decoder->GetPart(1);
+  const unsigned char* memory = first->GetPointer(0);
+  const vtkMTimeType time = first->GetMTime();
+  const auto isSame = [&]
+  {
+    const auto expected = MakeBytes(7, 1);
+    return first->GetNumberOfValues() == 7 && first->GetPointer(0) == memory &&
+      first->GetMTime() == time && std::equal(memory, memory + 7, expected->GetPointer(0));
+  };
+  CSLF_CHECK(decoder->GetPart(0) != first && decoder->GetPart(0)->GetNumberOfValues() == 2000000);
+  CSLF_CHECK(isSame());
+  CSLF_CHECK(decoder->GetPart(1) == first);
+  decoder->Modified();
+  decoder->UpdateInformation();
+  CSLF_CHECK(decoder->GetPart(0)->GetNumberOfValues() == 2000000);
+  CSLF_CHECK(decoder->GetPart(1)->GetNumberOfValues() == 7);
+  CSLF_CHECK(isSame());
+}
+
 void CheckRefused(vtkCSLFEncoder* encoder, const char* type, vtkUnsignedCharArray* bytes,
   const char* name, const char* message)
 {
@@ -78,6 +104,7 @@ int TestCSLFEncoderParts(int argc, char* argv[])
 
   const auto field = cslf::testing::MakeByteField(2, 16);
   CSLF_CHECK(cslf::testing::Encode(encoder, field, folder + "/a.mp4"));
+  CheckKept(folder + "/a.mp4");
   CheckParts(folder + "/a.mp4");
   CSLF_CHECK(cslf::testing::Encode(encoder, field, folder + "/b.mkv"));
   CheckParts(folder + "/b.mkv");

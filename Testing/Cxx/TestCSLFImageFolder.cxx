@@ -193,7 +193,10 @@ void TestMissing(const std::string& folder)
   CSLF_CHECK(reader->GetNumberOfMissingViewpoints() == 2);
   CSLF_CHECK(reader->GetMissingViewpoints()->GetValue(0) == 5);
   CSLF_CHECK(reader->GetMissingViewpoints()->GetValue(1) == 9);
+  // Later updates make new arrays, so what was returned stays as it is.
+  const vtkSmartPointer<vtkIdTypeArray> missing = reader->GetMissingViewpoints();
   CSLF_CHECK(reader->FindMissingViewpoints() == 2);
+  CSLF_CHECK(reader->GetMissingViewpoints() != missing);
   CSLF_CHECK(AreEqual(field, reader->GetOutput(), cslf::ColorName, 10, Slices - 1));
   vtkDataArray* colors = reader->GetOutput()->GetPointData()->GetArray(cslf::ColorName);
   vtkDataArray* depths = reader->GetOutput()->GetPointData()->GetArray(cslf::DepthName);
@@ -211,6 +214,31 @@ void TestMissing(const std::string& folder)
   reader->Modified();
   CSLF_CHECK(!reader->UpdateExtent(part));
   CSLF_CHECK(observer->GetErrorMessage().find("viewpoints 9 to 9") != std::string::npos);
+  CSLF_CHECK(missing->GetNumberOfValues() == 2);
+  CSLF_CHECK(missing->GetValue(0) == 5 && missing->GetValue(1) == 9);
+}
+
+/// A folder that is replaced by that of another field between two steps of the pipeline.
+void TestReplaced(const std::string& folder)
+{
+  CSLF_CHECK(Write(MakeField(VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT), folder));
+  vtkNew<vtkCSLFImageReader> reader;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName(folder.c_str());
+  reader->UpdateInformation();
+  CSLF_CHECK(Write(MakeField(VTK_FLOAT, VTK_FLOAT), folder));
+  reader->Update();
+  CSLF_CHECK(
+    observer->GetErrorMessage().find("replaced while it was being read") != std::string::npos);
+  CSLF_CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+  observer->Clear();
+  reader->Modified();
+  reader->Update();
+  CSLF_CHECK(!observer->GetError());
+  CSLF_CHECK(
+    AreEqual(MakeField(VTK_FLOAT, VTK_FLOAT), reader->GetOutput(), cslf::DepthName, 0, Slices - 1));
 }
 
 /// Any byte of an image of floats replaced by another one: the image is right or missing.
@@ -470,6 +498,7 @@ int TestCSLFImageFolder(int argc, char* argv[])
   TestHeaders(root + "/headers");
   TestAllowMissing(root + "/allowed");
   TestMissing(root + "/missing");
+  TestReplaced(root + "/replaced");
   TestBad(root);
   TestForeign(root + "/foreign");
   TestKilled(root + "/killed");

@@ -4,6 +4,7 @@
 // A field drawn from its decoder: the same pictures as from memory, coarse ones at first unless the
 // mapper waits, within a budget of graphics memory, and despite damage.
 #include "Lookup/cslfLookup.h"
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfCodecTesting.h"
 #include "cslfTestView.h"
 #include "cslfTesting.h"
@@ -265,6 +266,55 @@ void TestLoss(vtkImageData* whole)
     CSLF_CHECK(loss < 0.3);
   }
 }
+
+/// With StaticOn, the mapper draws the file that the decoder has open, until somebody else updates
+/// the decoder. Fields of other sizes, and no field at all, come next.
+void TestStatic(const std::string& fileName, vtkImageData* whole)
+{
+  const double position[3] = { 2.5, 2.0, 3.5 };
+  Streamed streamed(fileName);
+  streamed.Decoder->UpdateInformation();
+  streamed.Mapper->StaticOn();
+  View view;
+  view.Add(streamed.Mapper);
+  // One face, so that others are decoded only after the change.
+  view.GetCamera()->SetPosition(0.3, 0.2, 5.0);
+  view.Render();
+  view.GetCamera()->SetPosition(position);
+  const Picture expected = DrawAnew(whole, position);
+  for (const int viewpoints : { 3, 17 })
+  {
+    const std::string other = fileName + "." + std::to_string(viewpoints) + ".mp4";
+    vtkNew<vtkCSLFEncoder> encoder;
+    CSLF_CHECK(cslf::testing::Encode(
+      encoder, cslf::testing::MakeByteField(viewpoints, viewpoints == 3 ? 64 : 16), other));
+    streamed.Decoder->SetFileName(other.c_str());
+    CSLF_CHECK(ComparePictures(view.Render(), expected) > Same);
+    CSLF_CHECK(streamed.Mapper->IsComplete());
+    // Whoever asks the decoder for something opens the other file. The mapper keeps its own.
+    vtkNew<vtkImageData> image;
+    const auto source = streamed.Decoder->GetViewpointSource();
+    CSLF_CHECK(source->GetDescription().Grid.GetViewpoints() == Viewpoints);
+    CSLF_CHECK(
+      source->Get(6 * Viewpoints * Viewpoints - 1).Get<unsigned char>(cslf::KnownChannel::Color) !=
+      nullptr);
+    CSLF_CHECK(ComparePictures(view.Render(), expected) > Same);
+    CSLF_CHECK(streamed.Decoder->GetViewpoint(viewpoints, image));
+    const Picture next = view.Render();
+    CSLF_CHECK(ComparePictures(next, DrawAnew(cslf::testing::Decode(other), position)) > Same);
+    CSLF_CHECK(ComparePictures(next, expected) < Same);
+    streamed.Decoder->SetFileName(fileName.c_str());
+    streamed.Decoder->UpdateInformation();
+    CSLF_CHECK(ComparePictures(view.Render(), expected) > Same);
+  }
+  const cslf::testing::Observed observed(streamed.Decoder);
+  streamed.Decoder->SetFileName((fileName + ".none").c_str());
+  CSLF_CHECK(ComparePictures(view.Render(), expected) > Same);
+  CSLF_CHECK(observed.GetErrors() == 0);
+  streamed.Decoder->UpdateInformation();
+  CSLF_CHECK(observed.GetErrors() > 0);
+  CSLF_CHECK(view.Render().CountDrawn() == 0);
+}
 }
 
 int TestCSLFMapperStreaming(int argc, char* argv[])
@@ -284,6 +334,7 @@ int TestCSLFMapperStreaming(int argc, char* argv[])
     TestBudget(fileName, whole);
     TestDamage(fileName, whole);
     TestLoss(whole);
+    TestStatic(fileName, whole);
   }
   return cslf::testing::Result();
 }

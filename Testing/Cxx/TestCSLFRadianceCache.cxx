@@ -24,8 +24,14 @@
 #include <vtkSMPTools.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <iostream>
+#include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -180,6 +186,107 @@ void TestRefinement()
   CSLF_CHECK(!aborted.Build([](double) { return false; }));
 }
 
+/// Keys of points differ, however many triangles and charts there are and however long a chart is.
+void TestKeys()
+{
+  using Builder = cslf::LatticeBuilder;
+  constexpr std::size_t one = 1;
+  std::set<std::uint64_t> keys;
+  std::size_t count = 0;
+  // 26 bits are for triangles and sides.
+  for (const std::size_t domain : { 0 * one, one, (one << 25) - 1, one << 25, (one << 25) + 1,
+         one << 26, one << 27, one << 28, one << 31 })
+  {
+    for (const int column : { 0, 1, 1 << 17, 1 << 18, 1 << 19 })
+    {
+      for (const int row : { 0, 1, 1 << 17, 1 << 18 })
+      {
+        for (const bool back : { false, true })
+        {
+          for (const bool isMean : { false, true })
+          {
+            const std::uint64_t key = Builder::MakeKey(domain, back, column, row, isMean);
+            keys.insert(key);
+            ++count;
+            // 2 is for those of vertices, and 3 for hashes.
+            const bool isSmall = domain < (one << 25) && column < 1 << 18 && row < 1 << 18;
+            CSLF_CHECK(key >> 62 == (isSmall ? (isMean ? 1u : 0u) : 3u));
+          }
+        }
+      }
+    }
+  }
+  CSLF_CHECK(keys.size() == count);
+  // The noise of scenes depends on them.
+  CSLF_CHECK(Builder::MakeKey(5, true, 3, 2, false) == 0xb000080003u);
+
+  // Indices of bricks and values have 31 bits.
+  cslf::SurfaceLattice::RequireIndex(0x7fffffff);
+  std::string reason;
+  try
+  {
+    cslf::SurfaceLattice::RequireIndex(0x80000000);
+  }
+  catch (const std::length_error& error)
+  {
+    reason = error.what();
+  }
+  CSLF_CHECK(reason.find("use path tracing") != std::string::npos);
+}
+
+/// A bumpy sheet of many triangles.
+cslf::Mesh MakeSheet(std::uint32_t width)
+{
+  cslf::Mesh mesh;
+  mesh.Material = MakeDiffuse(0.5f);
+  const auto scale = 1.0f / static_cast<float>(width);
+  for (std::uint32_t row = 0; row <= width; ++row)
+  {
+    for (std::uint32_t column = 0; column <= width; ++column)
+    {
+      const float x = scale * static_cast<float>(column);
+      const float y = scale * static_cast<float>(row);
+      mesh.Vertices.emplace_back(x, y, 0.02f * std::sin(40.0f * x) * std::sin(40.0f * y));
+      const std::uint32_t corner = row * (width + 1) + column;
+      if (row < width && column < width)
+      {
+        mesh.Triangles.emplace_back(corner, corner + 1, corner + width + 1);
+        mesh.Triangles.emplace_back(corner + 1, corner + width + 2, corner + width + 1);
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Finding where light is to be stored takes long if there are many triangles. It reports its
+/// progress meanwhile, and ends as soon as it shall.
+void TestLayoutProgress()
+{
+  const cslf::Scene scene({ MakeSheet(200) }, cslf::LightSet());
+  cslf::CacheSettings settings;
+  settings.Paths.MaximumDepth = 0; // no light, so that there is no other work
+  std::vector<double> reports;
+  std::size_t most = 1000000;
+  const auto goOn = [&reports, &most](double progress)
+  {
+    reports.push_back(progress);
+    return reports.size() < most;
+  };
+  CSLF_CHECK(cslf::RadianceCache(scene, settings).Build(goOn));
+  // At most 4000 of the 80000 triangles between two reports.
+  std::cout << reports.size() << " reports\n";
+  CSLF_CHECK(reports.size() > 20);
+  CSLF_CHECK(std::is_sorted(reports.begin(), reports.end()));
+  CSLF_CHECK(std::set<double>(reports.begin(), reports.end()).size() > 20);
+  for (const std::size_t end : { 1, 5, 20 })
+  {
+    reports.clear();
+    most = end;
+    CSLF_CHECK(!cslf::RadianceCache(scene, settings).Build(goOn));
+    CSLF_CHECK(reports.size() == end);
+  }
+}
+
 void TestDepths()
 {
   vtkNew<vtkCSLFCornellBoxSource> box;
@@ -310,6 +417,8 @@ int TestCSLFRadianceCache(int, char*[])
 {
   TestLattice();
   TestRefinement();
+  TestKeys();
+  TestLayoutProgress();
   TestDepths();
   TestBlack();
   TestMaterials();

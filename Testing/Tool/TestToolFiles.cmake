@@ -125,3 +125,87 @@ if (BASH)
     endif ()
   endforeach ()
 endif ()
+
+# Files have the permissions that the umask leaves them, and those of the file that they replace.
+find_program(STAT stat)
+if (BASH AND STAT AND NOT APPLE)
+  # Runs the tool under a umask.
+  function (run_under umask)
+    execute_process(
+      COMMAND "${BASH}" -c "umask ${umask}; exec \"$@\"" bash "${CSLF}" ${ARGN}
+      WORKING_DIRECTORY "${DIRECTORY}"
+      RESULT_VARIABLE result
+      OUTPUT_QUIET
+      ERROR_VARIABLE error)
+    if (NOT result STREQUAL "0")
+      message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+    endif ()
+  endfunction ()
+  function (expect_mode mode name)
+    execute_process(
+      COMMAND "${STAT}" -c %a "${name}"
+      WORKING_DIRECTORY "${DIRECTORY}"
+      OUTPUT_VARIABLE found
+      OUTPUT_STRIP_TRAILING_WHITESPACE)
+    if (NOT found STREQUAL mode)
+      message(FATAL_ERROR "${name} has the mode ${found}, not ${mode}.")
+    endif ()
+  endfunction ()
+  function (set_mode mode name)
+    execute_process(COMMAND chmod ${mode} "${name}" WORKING_DIRECTORY "${DIRECTORY}")
+  endfunction ()
+  set(outputs mode.vti mode.obj mode.png)
+  set(mode.vti decode field.vti)
+  set(mode.obj export cornell-box)
+  set(mode.png trace cornell-box --size 8 8 --spp 1)
+  if (HAS_ENCODER)
+    list(APPEND outputs mode.mp4)
+    set(mode.mp4 encode field.vti --preset ultrafast)
+  endif ()
+  foreach (name IN LISTS outputs)
+    run_under(027 ${${name}} -o ${name})
+    expect_mode(640 ${name})
+    foreach (mode IN ITEMS 600 444 664)
+      set_mode(${mode} ${name})
+      run_under(022 ${${name}} -o ${name})
+      expect_mode(${mode} ${name})
+    endforeach ()
+  endforeach ()
+
+  # A folder and the images in it.
+  file(REMOVE_RECURSE "${DIRECTORY}/modes")
+  run_under(007 decode field.vti -o modes)
+  expect_mode(770 modes)
+  file(GLOB images RELATIVE "${DIRECTORY}" "${DIRECTORY}/modes/*")
+  list(GET images 0 image)
+  expect_mode(660 "${image}")
+  set_mode(2750 modes)
+  set_mode(600 "${image}")
+  run_under(022 decode field.vti -o modes)
+  expect_mode(2750 modes)
+  expect_mode(600 "${image}")
+  list(GET images 1 image)
+  expect_mode(660 "${image}")
+
+  # The folder in which a killed run was writing is open to the same users as the rest.
+  if (HAS_ENCODER)
+    foreach (mode IN ITEMS 775 700)
+      if (mode STREQUAL "700")
+        file(WRITE "${DIRECTORY}/shared.mp4" "private")
+        set_mode(600 shared.mp4)
+      endif ()
+      file(REMOVE_RECURSE "${DIRECTORY}/shared.mp4.partial")
+      execute_process(
+        COMMAND "${BASH}" -c
+          "umask 002; '${CSLF}' encode field.vti --preset veryslow -o shared.mp4 & \
+          until compgen -G 'shared.mp4.partial/unfinished-*' > found; do :; done; \
+          kill -9 $!; wait; stat -c %a shared.mp4.partial shared.mp4.partial/unfinished-*"
+        WORKING_DIRECTORY "${DIRECTORY}"
+        OUTPUT_VARIABLE found
+        ERROR_QUIET)
+      if (NOT found STREQUAL "${mode}\n${mode}\n")
+        message(FATAL_ERROR "The folders of a killed run have the modes ${found}, not ${mode}.")
+      endif ()
+    endforeach ()
+  endif ()
+endif ()

@@ -109,8 +109,13 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
     return Refuse(failure, vtkErrorCode::FileNotFoundError, "there is no such file");
   }
   constexpr char unknown[] = "it is not an MP4 or Matroska file, or it is damaged or truncated";
+  std::string reason;
+  if (!this->File.Open(this->FileName, reason))
+  {
+    return Refuse(failure, vtkErrorCode::CannotOpenFileError, reason);
+  }
   std::vector<std::uint64_t> broken;
-  if (!CanHoldMovieBoxes(this->FileName, broken))
+  if (!CanHoldMovieBoxes(this->File, broken))
   {
     return Refuse(failure, vtkErrorCode::UnrecognizedFileTypeError, unknown);
   }
@@ -119,21 +124,13 @@ bool ContainerReader::OpenContainer(OpenFailure& failure)
   av_dict_set(&options, "protocol_whitelist", "file", 0);
   // Times are relative to each track's first one, so edit lists can be ignored.
   av_dict_set(&options, "ignore_editlist", "1", 0);
-  AVFormatContext* context = nullptr;
-  if (!broken.empty())
-  {
-    this->Patched = std::make_unique<PatchedFile>(this->FileName, std::move(broken));
-    context = RequireMemory(avformat_alloc_context());
-    context->pb = this->Patched->GetContext();
-  }
+  this->Patched = std::make_unique<PatchedFile>(this->File, std::move(broken));
+  AVFormatContext* context = RequireMemory(avformat_alloc_context());
+  context->pb = this->Patched->GetContext();
   const std::string url = "file:" + this->FileName;
   const int code = avformat_open_input(&context, url.c_str(), nullptr, &options);
   av_dict_free(&options);
   RequireMemory(code);
-  if (code == AVERROR(EACCES) || code == AVERROR(EPERM))
-  {
-    return Refuse(failure, vtkErrorCode::CannotOpenFileError, AVErrorText(code));
-  }
   if (code < 0)
   {
     return Refuse(failure, vtkErrorCode::UnrecognizedFileTypeError, unknown);

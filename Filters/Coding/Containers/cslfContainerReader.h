@@ -7,6 +7,7 @@
 #ifndef cslfContainerReader_h
 #define cslfContainerReader_h
 
+#include "Files/cslfFileSystem.h"
 #include "cslfFileHeader.h"
 #include "cslfPatchedFile.h"
 
@@ -45,6 +46,10 @@ public:
     return this->Parameters[track].get();
   }
 
+  /// Whether somebody has written to the file since it was opened. If another file got its name,
+  /// this one is still read.
+  bool HasChanged() const { return this->File.HasChanged(); }
+
   /// Reads the packets of a group and whatever lies between them, at most some seconds of frames.
   /// Packets that are not found there are left out.
   GroupPackets Read(int group);
@@ -77,7 +82,8 @@ private:
   long long FindFrame(std::size_t track, const AVPacket* packet) const;
 
   std::string FileName;
-  std::unique_ptr<PatchedFile> Patched; ///< where the file has impossible sizes; outlives Input
+  InputFile File;                       ///< the only one that is opened: it outlives the next two
+  std::unique_ptr<PatchedFile> Patched; ///< without the file's impossible sizes
   AVInput Input;
   bool HasBrokenIndex = false; ///< reading a packet may report a lack of memory falsely
   bool HasFailed = false;      ///< a packet could not be read

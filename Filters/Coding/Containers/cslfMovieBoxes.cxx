@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace cslf
@@ -48,19 +48,17 @@ struct Box
 class BoxChecker
 {
 public:
-  explicit BoxChecker(const std::string& fileName)
-    : File(ToPath(fileName), std::ios::binary)
+  explicit BoxChecker(const InputFile& file)
+    : File(file)
+    , FileSize(file.GetSize())
+    , MostSamples(std::max(this->FileSize, FewSamples))
   {
-    this->File.seekg(0, std::ios::end);
-    const auto size = static_cast<std::int64_t>(this->File.tellg());
-    this->FileSize = static_cast<std::uint64_t>(std::max<std::int64_t>(size, 0));
-    this->MostSamples = std::max(this->FileSize, FewSamples);
   }
 
   bool Check()
   {
     constexpr std::uint64_t matroska = 0x1a45dfa3;
-    if (!this->File.is_open() || this->ReadNumber(0, 4) == matroska)
+    if (this->ReadNumber(0, 4) == matroska)
     {
       return true;
     }
@@ -269,9 +267,7 @@ private:
   std::string ReadText(std::uint64_t place, std::uint64_t size)
   {
     std::string text(static_cast<std::size_t>(size), '\0');
-    this->File.clear();
-    this->File.seekg(static_cast<std::streamoff>(place));
-    this->File.read(text.data(), static_cast<std::streamsize>(size));
+    this->File.Read(place, text.data(), text.size());
     return text;
   }
 
@@ -291,11 +287,11 @@ private:
     return number;
   }
 
-  std::ifstream File;
-  std::uint64_t FileSize = 0;    ///< in bytes
-  std::uint64_t MostSamples = 0; ///< one per byte
-  std::uint64_t Samples = 0;     ///< announced without an entry for each
-  std::uint64_t MostChunks = 0;  ///< of any track
+  const InputFile& File;
+  const std::uint64_t FileSize;    ///< in bytes
+  const std::uint64_t MostSamples; ///< one per byte
+  std::uint64_t Samples = 0;       ///< announced without an entry for each
+  std::uint64_t MostChunks = 0;    ///< of any track
   std::uint64_t MostSamplesOfChunk = 0;
   std::vector<std::uint64_t> BrokenSizes;
   int Boxes = 0;
@@ -303,9 +299,9 @@ private:
 };
 }
 
-bool CanHoldMovieBoxes(const std::string& fileName, std::vector<std::uint64_t>& brokenSizes)
+bool CanHoldMovieBoxes(const InputFile& file, std::vector<std::uint64_t>& brokenSizes)
 {
-  BoxChecker checker(fileName);
+  BoxChecker checker(file);
   const bool canHold = checker.Check();
   brokenSizes = checker.GetBrokenSizes();
   return canHold;

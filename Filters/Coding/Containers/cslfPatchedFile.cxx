@@ -16,8 +16,8 @@ constexpr int BufferSize = 32768; // in bytes
 constexpr std::uint64_t NumberSize = 4;
 }
 
-PatchedFile::PatchedFile(const std::string& fileName, std::vector<std::uint64_t> places)
-  : File(ToPath(fileName), std::ios::binary)
+PatchedFile::PatchedFile(const InputFile& file, std::vector<std::uint64_t> places)
+  : File(file)
   , Places(std::move(places))
 {
   auto* buffer = static_cast<unsigned char*>(RequireMemory(av_malloc(BufferSize)));
@@ -41,16 +41,15 @@ PatchedFile::~PatchedFile()
 int PatchedFile::Read(void* self, std::uint8_t* bytes, int count)
 {
   auto* file = static_cast<PatchedFile*>(self);
-  file->File.clear();
-  const std::streamoff begin = file->File.tellg();
-  file->File.read(reinterpret_cast<char*>(bytes), count);
-  const auto found = static_cast<int>(file->File.gcount());
-  if (begin < 0 || found == 0)
+  const std::size_t found =
+    file->File.Read(file->Position, bytes, static_cast<std::size_t>(std::max(count, 0)));
+  if (found == 0)
   {
     return AVERROR_EOF;
   }
-  file->Patch(static_cast<std::uint64_t>(begin), bytes, static_cast<std::uint64_t>(found));
-  return found;
+  file->Patch(file->Position, bytes, found);
+  file->Position += found;
+  return static_cast<int>(found);
 }
 
 void PatchedFile::Patch(std::uint64_t begin, std::uint8_t* bytes, std::uint64_t count) const
@@ -67,20 +66,20 @@ void PatchedFile::Patch(std::uint64_t begin, std::uint8_t* bytes, std::uint64_t 
 
 std::int64_t PatchedFile::Seek(void* self, std::int64_t offset, int whence)
 {
-  std::ifstream& file = static_cast<PatchedFile*>(self)->File;
-  file.clear();
+  auto* file = static_cast<PatchedFile*>(self);
+  const auto size = static_cast<std::int64_t>(file->File.GetSize());
   if (whence == AVSEEK_SIZE)
   {
-    const std::streamoff place = file.tellg();
-    file.seekg(0, std::ios::end);
-    const std::streamoff size = file.tellg();
-    file.seekg(place);
     return size;
   }
-  file.seekg(offset,
-    whence == SEEK_END     ? std::ios::end
-      : whence == SEEK_CUR ? std::ios::cur
-                           : std::ios::beg);
-  return file ? static_cast<std::int64_t>(file.tellg()) : AVERROR(EIO);
+  const std::int64_t begin = whence == SEEK_END ? size
+    : whence == SEEK_CUR                        ? static_cast<std::int64_t>(file->Position)
+                                                : 0;
+  if (offset < -begin)
+  {
+    return AVERROR(EINVAL);
+  }
+  file->Position = static_cast<std::uint64_t>(begin + offset);
+  return begin + offset;
 }
 }

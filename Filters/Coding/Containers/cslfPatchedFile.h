@@ -10,17 +10,18 @@
 #include "Coding/Codecs/cslfAV.h"
 
 #include <cstdint>
-#include <fstream>
-#include <string>
 #include <vector>
 
 namespace cslf
 {
+class InputFile;
+
 class PatchedFile
 {
 public:
-  /// The numbers have 32 bits. `places` are their offsets in bytes, in ascending order.
-  PatchedFile(const std::string& fileName, std::vector<std::uint64_t> places);
+  /// The file must outlive this object. The numbers have 32 bits. `places` are their offsets in
+  /// bytes, in ascending order.
+  PatchedFile(const InputFile& file, std::vector<std::uint64_t> places);
   ~PatchedFile();
 
   PatchedFile(const PatchedFile&) = delete;
@@ -34,7 +35,8 @@ private:
   static std::int64_t Seek(void* self, std::int64_t offset, int whence);
   void Patch(std::uint64_t begin, std::uint8_t* bytes, std::uint64_t count) const;
 
-  std::ifstream File;
+  const InputFile& File;
+  std::uint64_t Position = 0; ///< where FFmpeg reads next
   std::vector<std::uint64_t> Places;
   AVIOContext* Context = nullptr;
 };

@@ -58,6 +58,9 @@ public:
   /// The size of all packets of each track, in bytes. Reads the whole file.
   std::vector<std::int64_t> CountBytes();
 
+  /// Whether somebody has written to the file since it was opened.
+  bool HasFileChanged() const { return this->Container->HasChanged(); }
+
   /// Stops decoding: work in progress ends soon, as if damaged, and no more is begun.
   void Stop() { this->IsStopped = true; }
 

@@ -4,6 +4,10 @@
  * @file
  * Work done in the background by threads that the whole process shares. They have a low priority,
  * so that drawing continues while viewpoints are decoded.
+ *
+ * Before the process forks, it waits until no step is being done, and none begins until it has
+ * forked. So the forked process, which does not have these threads, finds everything that steps use
+ * in order: locks are free, and files and decoders are between two steps.
  */
 #ifndef cslfBackgroundSteps_h
 #define cslfBackgroundSteps_h
@@ -29,6 +33,10 @@ public:
 
   /// Requests one more step. Returns at once.
   void Post();
+
+  /// In a forked process, requests the steps again that its parent had requested but not begun. To
+  /// be called before waiting for them.
+  void PostAgain();
 
 private:
   struct Gate;

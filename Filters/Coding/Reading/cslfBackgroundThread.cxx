@@ -8,6 +8,7 @@
 #include <pthread.h>
 #include <unistd.h>
 #else
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
@@ -39,6 +40,16 @@ void LowerThreadPriority()
     isLow = true;
     LowerPriority();
   }
+}
+
+void OnFork(void (*before)(), void (*after)())
+{
+#if defined(_WIN32)
+  (void)before;
+  (void)after;
+#else
+  ::pthread_atfork(before, after, after);
+#endif
 }
 
 long GetForkNumber()

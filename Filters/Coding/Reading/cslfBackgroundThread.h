@@ -13,6 +13,10 @@ namespace cslf
 /// enough cores. Further calls on the same thread do nothing.
 void LowerThreadPriority();
 
+/// Calls functions when this process forks: `before` it does, then `after` in both processes. They
+/// must remain valid. Does nothing on systems where VTK programs do not fork.
+void OnFork(void (*before)(), void (*after)());
+
 /// A number that changes in a forked process; constant on systems where VTK programs do not fork.
 long GetForkNumber();
 }

@@ -274,4 +274,74 @@ std::vector<int> FieldReader::FindMissing(int first, int last, const Progress& p
   std::sort(missing.begin(), missing.end());
   return missing;
 }
+
+namespace
+{
+class ReaderSource : public ViewpointSource
+{
+public:
+  ReaderSource(std::shared_ptr<FieldReader> reader,
+    std::function<bool(const std::function<bool()>&)> guard, std::function<void()> onMissing)
+    : ViewpointSource(reader->GetHeader().Field, reader->GetHeader().GetMissingSlices())
+    , Reader(std::move(reader))
+    , Guard(std::move(guard))
+    , OnMissing(std::move(onMissing))
+    , Ranks(this->GetDescription().Grid.GetSlices())
+  {
+    int rank = 0;
+    for (const int slice : this->Reader->GetHeader().Slices)
+    {
+      this->Ranks[slice] = rank++;
+    }
+  }
+
+  void Prefetch(const std::vector<int>& slices) override
+  {
+    this->Guard(
+      [&]
+      {
+        this->Reader->GetViewpoints().Prefetch(slices);
+        return true;
+      });
+  }
+
+  void Wait() override { this->Reader->GetViewpoints().Wait(); }
+
+  bool IsReady(int slice) override { return this->Reader->GetViewpoints().Has(slice); }
+
+  ViewpointSamples Get(int slice) override
+  {
+    ViewpointSamples samples;
+    const bool isRead = this->Guard(
+      [&]
+      {
+        samples = this->Reader->GetViewpoints().Get(slice);
+        return true;
+      });
+    if (isRead && samples.IsEmpty())
+    {
+      this->OnMissing();
+    }
+    return samples;
+  }
+
+  void Sort(std::vector<int>& slices) override
+  {
+    std::sort(slices.begin(), slices.end(),
+      [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
+  }
+
+private:
+  const std::shared_ptr<FieldReader> Reader;
+  const std::function<bool(const std::function<bool()>&)> Guard;
+  const std::function<void()> OnMissing;
+  std::vector<int> Ranks; ///< of the slices, in the file
+};
+}
+
+std::shared_ptr<ViewpointSource> MakeSource(std::shared_ptr<FieldReader> reader,
+  std::function<bool(const std::function<bool()>& work)> guard, std::function<void()> onMissing)
+{
+  return std::make_shared<ReaderSource>(std::move(reader), std::move(guard), std::move(onMissing));
+}
 }

@@ -7,6 +7,7 @@
 #ifndef cslfFieldReader_h
 #define cslfFieldReader_h
 
+#include "Pipeline/cslfViewpointSource.h"
 #include "cslfViewpointStore.h"
 
 #include <functional>
@@ -47,6 +48,9 @@ public:
   std::vector<int> FindMissing(const Progress& progress);
   std::vector<int> FindMissing(int first, int last, const Progress& progress);
 
+  /// Whether somebody has written to the file since it was opened.
+  bool HasFileChanged() const { return this->Decoder.HasFileChanged(); }
+
   /// Single viewpoints, which are kept for later.
   ViewpointStore& GetViewpoints() { return this->Store; }
 
@@ -56,6 +60,11 @@ private:
   GroupDecoder Decoder;
   ViewpointStore Store; ///< stops the decoder before it is destroyed
 };
+
+/// The viewpoints of a reader's file. `guard` does work that may throw, and returns false if it
+/// has. `onMissing` is called when a viewpoint is found missing.
+std::shared_ptr<ViewpointSource> MakeSource(std::shared_ptr<FieldReader> reader,
+  std::function<bool(const std::function<bool()>& work)> guard, std::function<void()> onMissing);
 }
 
 #endif

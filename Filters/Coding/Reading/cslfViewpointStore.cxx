@@ -55,6 +55,7 @@ std::size_t ViewpointStore::GetCapacity()
 
 bool ViewpointStore::Has(int slice)
 {
+  this->Steps.PostAgain();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Cache.Has(slice);
 }
@@ -239,12 +240,14 @@ std::vector<ViewpointSamples> ViewpointStore::Decode(const Job& job, bool alone)
 
 void ViewpointStore::Wait()
 {
+  this->Steps.PostAgain();
   std::unique_lock<std::mutex> lock(this->Mutex);
   this->Changed.wait(lock, [this] { return this->Pending.empty() && this->InProgress.empty(); });
 }
 
 bool ViewpointStore::WaitFor(int first, int last, const std::function<bool()>& goesOn)
 {
+  this->Steps.PostAgain();
   const auto isAsked = [&](int slice) { return slice >= first && slice <= last; };
   const auto touches = [&](const Job& job)
   { return std::any_of(job.Slices.begin(), job.Slices.end(), isAsked); };

@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#if defined(__linux__)
+#include <sys/xattr.h>
+#elif defined(__APPLE__)
+#include <copyfile.h>
+#endif
 
 namespace cslf
 {
@@ -47,6 +53,37 @@ private:
   int Number;
 };
 
+/// Copies access control lists and the user's attributes. Labels for the system's security are its
+/// own affair.
+void CopyAttributes(const std::string& from, const std::string& to)
+{
+#ifdef __linux__
+  const ssize_t size = ::listxattr(from.c_str(), nullptr, 0);
+  std::string names(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
+  if (names.empty() || ::listxattr(from.c_str(), names.data(), names.size()) != size)
+  {
+    return;
+  }
+  for (std::size_t begin = 0; begin < names.size(); begin = names.find('\0', begin) + 1)
+  {
+    const char* name = names.c_str() + begin;
+    const bool isCopied =
+      std::strncmp(name, "user.", 5) == 0 || std::strncmp(name, "system.posix_acl_", 17) == 0;
+    const ssize_t length = isCopied ? ::getxattr(from.c_str(), name, nullptr, 0) : -1;
+    std::string value(static_cast<std::size_t>(std::max<ssize_t>(length, 0)), '\0');
+    if (length >= 0 && ::getxattr(from.c_str(), name, value.data(), value.size()) == length)
+    {
+      ::setxattr(to.c_str(), name, value.data(), value.size(), 0);
+    }
+  }
+#elif defined(__APPLE__)
+  ::copyfile(from.c_str(), to.c_str(), nullptr, COPYFILE_ACL | COPYFILE_XATTR);
+#else
+  (void)from;
+  (void)to;
+#endif
+}
+
 /// Some file systems cannot flush folders, and return this error.
 bool SyncHandle(int handle, bool isFolder)
 {
@@ -62,21 +99,103 @@ bool SyncHandle(int handle, bool isFolder)
 }
 }
 
-bool MakeFolder(const std::string& name, std::string& error)
+bool MakeFolder(const std::string& name, std::string& error, unsigned int access)
 {
   error.clear();
-  if (::mkdir(name.c_str(), 0777) == 0)
+  if (::mkdir(name.c_str(), access) == 0)
   {
     return true;
   }
   return errno == EEXIST ? false : Fail("make the folder", name, error);
 }
 
-bool MakeUniqueFolder(const std::string& prefix, std::string& name, std::string& error)
+unsigned int GetFolderAccess(const std::string& name)
 {
-  // mkdtemp replaces the last six characters.
-  name = prefix + std::string(6, 'X');
-  return ::mkdtemp(name.data()) ? true : Fail("make the folder", name, error);
+  struct stat status = {};
+  if (::stat(name.c_str(), &status) != 0)
+  {
+    return ForEveryone;
+  }
+  // Whoever may read the file may enter the folder.
+  const unsigned int readers = status.st_mode & 0044;
+  return ForOwner | readers | readers >> 1 | readers >> 2;
+}
+
+void CopyAccess(const std::string& earlier, const std::string& made)
+{
+  struct stat status = {};
+  if (::stat(earlier.c_str(), &status) != 0)
+  {
+    return;
+  }
+  // Only the superuser may give files away, but others may give them to their groups. This clears
+  // some permissions, so it comes first.
+  if (::chown(made.c_str(), status.st_uid, status.st_gid) != 0 &&
+    ::chown(made.c_str(), static_cast<uid_t>(-1), status.st_gid) != 0)
+  {
+    errno = 0;
+  }
+#ifdef __linux__
+  // The list that the folder's default has given it. The one of the earlier file follows.
+  ::removexattr(made.c_str(), "system.posix_acl_access");
+#endif
+  if (::chmod(made.c_str(), status.st_mode & (S_ISDIR(status.st_mode) ? 07777 : 0777)) == 0)
+  {
+    CopyAttributes(earlier, made);
+  }
+}
+
+InputFile::~InputFile()
+{
+  if (this->Handle >= 0)
+  {
+    ::close(static_cast<int>(this->Handle));
+  }
+}
+
+bool InputFile::Open(const std::string& name, std::string& reason)
+{
+  this->Handle = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (this->Handle < 0)
+  {
+    reason = std::generic_category().message(errno);
+    return false;
+  }
+  this->Opened = this->FindState();
+  return true;
+}
+
+InputFile::State InputFile::FindState() const
+{
+  struct stat status = {};
+  if (::fstat(static_cast<int>(this->Handle), &status) != 0)
+  {
+    return {};
+  }
+#ifdef __APPLE__
+  const timespec& time = status.st_mtimespec;
+#else
+  const timespec& time = status.st_mtim;
+#endif
+  constexpr std::int64_t nanoseconds = 1000000000;
+  return { static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0)),
+    nanoseconds * time.tv_sec + time.tv_nsec };
+}
+
+std::size_t InputFile::Read(std::uint64_t place, void* bytes, std::size_t count) const
+{
+  std::size_t done = 0;
+  while (done < count)
+  {
+    const ssize_t found = ::pread(static_cast<int>(this->Handle), static_cast<char*>(bytes) + done,
+      count - done, static_cast<off_t>(place + done));
+    if (found == 0 || (found < 0 && errno != EINTR))
+    {
+      break;
+    }
+    done += static_cast<std::size_t>(std::max<ssize_t>(found, 0));
+  }
+  return done;
 }
 
 bool MakeFile(const std::string& name, const void* bytes, std::size_t count, std::string& error)

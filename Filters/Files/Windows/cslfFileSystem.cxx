@@ -4,7 +4,9 @@
 
 #include "Files/Windows/cslfWindows.h"
 
-#include <random>
+#include <algorithm>
+#include <string>
+#include <system_error>
 
 namespace cslf
 {
@@ -61,7 +63,7 @@ bool Write(HANDLE file, const char* bytes, std::size_t count)
 }
 }
 
-bool MakeFolder(const std::string& name, std::string& error)
+bool MakeFolder(const std::string& name, std::string& error, unsigned int)
 {
   error.clear();
   if (::CreateDirectoryW(ToPath(name).c_str(), nullptr))
@@ -71,31 +73,79 @@ bool MakeFolder(const std::string& name, std::string& error)
   return ::GetLastError() == ERROR_ALREADY_EXISTS ? false : Fail("make the folder", name, error);
 }
 
-bool MakeUniqueFolder(const std::string& prefix, std::string& name, std::string& error)
+unsigned int GetFolderAccess(const std::string&)
 {
-  constexpr int attempts = 100;
-  constexpr int characters = 6;
-  const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789";
-  std::random_device random;
-  std::uniform_int_distribution<std::size_t> pick(0, letters.size() - 1);
-  for (int attempt = 0; attempt < attempts; ++attempt)
+  return ForEveryone;
+}
+
+void CopyAccess(const std::string& earlier, const std::string& made)
+{
+  // The lists of access that files do not inherit from their folders. A copy of them is no more
+  // than an attempt: Windows keeps the owner to the one who writes.
+  constexpr SECURITY_INFORMATION lists = DACL_SECURITY_INFORMATION;
+  DWORD size = 0;
+  ::GetFileSecurityW(ToPath(earlier).c_str(), lists, nullptr, 0, &size);
+  std::string descriptor(size, '\0');
+  if (size > 0 &&
+    ::GetFileSecurityW(ToPath(earlier).c_str(), lists, descriptor.data(), size, &size))
   {
-    name = prefix;
-    for (int k = 0; k < characters; ++k)
-    {
-      name += letters[pick(random)];
-    }
-    if (MakeFolder(name, error))
-    {
-      return true;
-    }
-    if (!error.empty())
-    {
-      return false;
-    }
+    ::SetFileSecurityW(ToPath(made).c_str(), lists, descriptor.data());
   }
-  ::SetLastError(ERROR_ALREADY_EXISTS);
-  return Fail("make the folder", name, error);
+}
+
+InputFile::~InputFile()
+{
+  if (this->Handle != -1)
+  {
+    ::CloseHandle(reinterpret_cast<HANDLE>(this->Handle));
+  }
+}
+
+bool InputFile::Open(const std::string& name, std::string& reason)
+{
+  this->Handle = reinterpret_cast<std::intptr_t>(::CreateFileW(ToPath(name).c_str(), GENERIC_READ,
+    FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr, OPEN_EXISTING,
+    FILE_ATTRIBUTE_NORMAL, nullptr));
+  if (this->Handle == -1)
+  {
+    reason = std::system_category().message(static_cast<int>(::GetLastError()));
+    return false;
+  }
+  this->Opened = this->FindState();
+  return true;
+}
+
+InputFile::State InputFile::FindState() const
+{
+  BY_HANDLE_FILE_INFORMATION status = {};
+  if (!::GetFileInformationByHandle(reinterpret_cast<HANDLE>(this->Handle), &status))
+  {
+    return {};
+  }
+  const FILETIME& time = status.ftLastWriteTime;
+  return { std::uint64_t(status.nFileSizeHigh) << 32 | status.nFileSizeLow,
+    static_cast<std::int64_t>(std::uint64_t(time.dwHighDateTime) << 32 | time.dwLowDateTime) };
+}
+
+std::size_t InputFile::Read(std::uint64_t place, void* bytes, std::size_t count) const
+{
+  std::size_t done = 0;
+  while (done < count)
+  {
+    OVERLAPPED position = {};
+    position.Offset = static_cast<DWORD>((place + done) & 0xffffffffu);
+    position.OffsetHigh = static_cast<DWORD>((place + done) >> 32);
+    constexpr std::size_t most = std::size_t{ 1 } << 30;
+    DWORD found = 0;
+    if (!::ReadFile(reinterpret_cast<HANDLE>(this->Handle), static_cast<char*>(bytes) + done,
+          static_cast<DWORD>(std::min(count - done, most)), &found, &position) ||
+      found == 0)
+    {
+      break;
+    }
+    done += found;
+  }
+  return done;
 }
 
 bool MakeFile(const std::string& name, const void* bytes, std::size_t count, std::string& error)

@@ -5,6 +5,7 @@
 #include "PathTracing/Materials/cslfFrame.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
 #include "RandomNumbers/cslfSampleStream.h"
+#include "cslfMeshEdges.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -48,6 +48,9 @@ constexpr float FoldHeight = 1.5f;
 // The most cells of a chart, and the most relative to those that its area would fill.
 constexpr float CellsOfChart = 64.0f;
 constexpr float CellsOfArea = 8.0f;
+
+// The work on a member of a chart, compared with steps of simple loops.
+constexpr std::size_t StepsOfMember = 8;
 
 struct Facet
 {
@@ -168,16 +171,17 @@ class MeshCharter
 {
 public:
   MeshCharter(const Scene& scene, std::uint32_t mesh, const OpenSides& sides,
-    const std::vector<std::uint32_t>& clusters, const ChartSettings& settings)
+    const std::vector<std::uint32_t>& clusters, const ChartSettings& settings,
+    const LayoutProgress& progress)
     : Surface(scene.GetMeshes()[mesh])
     , Clusters(clusters)
     , Index(mesh)
     , Settings(settings)
+    , Progress(progress)
     , Heights(settings.Spacing)
   {
     this->FindFacets(sides.GetData() + scene.GetTriangleIndex(mesh, 0));
-    this->JoinCorners();
-    this->JoinEdges();
+    this->JoinFacets();
   }
 
   void AddTo(std::vector<SurfaceChart>& charts)
@@ -197,12 +201,6 @@ public:
   }
 
 private:
-  struct Edge
-  {
-    std::uint64_t Key; // of its two corners
-    std::uint32_t Facet;
-  };
-
   const glm::vec3& GetPosition(const Facet& facet, int corner) const
   {
     return this->Surface.Vertices[this->Surface.Triangles[facet.Triangle][corner]];
@@ -234,6 +232,7 @@ private:
   {
     for (std::uint32_t triangle = 0; triangle < this->Surface.Triangles.size(); ++triangle)
     {
+      this->Progress.Step();
       Facet facet{};
       facet.Triangle = triangle;
       facet.Sides = sides[triangle];
@@ -256,48 +255,32 @@ private:
     this->IsTaken.resize(this->Facets.size(), 0);
   }
 
-  /// Vertices may differ in everything but their position.
-  void JoinCorners()
+  /// Finds neighbours. Vertices may differ in everything but their position.
+  void JoinFacets()
   {
-    const auto getPosition = [this](std::uint32_t corner) -> const glm::vec3&
-    { return this->GetPosition(this->Facets[corner / 3], static_cast<int>(corner % 3)); };
-    std::vector<std::uint32_t> corners(3 * this->Facets.size());
-    std::iota(corners.begin(), corners.end(), 0);
-    std::sort(corners.begin(), corners.end(),
-      [&getPosition](std::uint32_t a, std::uint32_t b)
-      {
-        const glm::vec3& p = getPosition(a);
-        const glm::vec3& q = getPosition(b);
-        return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-      });
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-    {
-      number += i > 0 && getPosition(corners[i]) != getPosition(corners[i - 1]) ? 1 : 0;
-      this->Facets[corners[i] / 3].Corners[corners[i] % 3] = number;
-    }
-  }
-
-  static std::uint64_t GetKey(const Facet& facet, int edge)
-  {
-    const std::uint64_t a = facet.Corners[edge];
-    const std::uint64_t b = facet.Corners[(edge + 1) % 3];
-    return std::min(a, b) << 32 | std::max(a, b);
-  }
-
-  void JoinEdges()
-  {
+    const VertexPlaces places = NumberPlaces(this->Surface, this->Progress);
     this->Edges.reserve(3 * this->Facets.size());
-    for (std::uint32_t facet = 0; facet < this->Facets.size(); ++facet)
+    for (std::uint32_t index = 0; index < this->Facets.size(); ++index)
     {
+      this->Progress.Step();
+      Facet& facet = this->Facets[index];
+      const glm::uvec3& corners = this->Surface.Triangles[facet.Triangle];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        facet.Corners[corner] = places.Numbers[corners[corner]];
+      }
       for (int edge = 0; edge < 3; ++edge)
       {
-        this->Edges.push_back({ GetKey(this->Facets[facet], edge), facet });
+        this->Edges.push_back(this->MakeEdge(index, edge));
       }
     }
-    std::sort(this->Edges.begin(), this->Edges.end(),
-      [](const Edge& a, const Edge& b)
-      { return a.Key != b.Key ? a.Key < b.Key : a.Facet < b.Facet; });
+    SortEdges(this->Edges, places.Count, this->Progress);
+  }
+
+  MeshEdge MakeEdge(std::uint32_t index, int edge) const
+  {
+    const Facet& facet = this->Facets[index];
+    return { facet.Corners[edge], facet.Corners[(edge + 1) % 3], index };
   }
 
   /// Collects the members of a chart around a facet.
@@ -314,17 +297,19 @@ private:
     this->Take(seed);
     for (std::size_t next = 0; next < this->Frontier.size(); ++next)
     {
+      this->Progress.Step(StepsOfMember);
       const std::uint32_t facet = this->Frontier[next];
       for (int edge = 0; edge < 3; ++edge)
       {
-        const std::uint64_t key = GetKey(this->Facets[facet], edge);
+        const MeshEdge key = this->MakeEdge(facet, edge);
         auto other = std::lower_bound(this->Edges.begin(), this->Edges.end(), key,
-          [](const Edge& candidate, std::uint64_t value) { return candidate.Key < value; });
-        for (; other != this->Edges.end() && other->Key == key; ++other)
+          [](const MeshEdge& candidate, const MeshEdge& value)
+          { return candidate.IsBefore(value); });
+        for (; other != this->Edges.end() && other->IsAlong(key); ++other)
         {
-          if (!this->IsTaken[other->Facet] && this->IsSmooth(facet, edge, other->Facet))
+          if (!this->IsTaken[other->Triangle] && this->IsSmooth(facet, edge, other->Triangle))
           {
-            this->Take(other->Facet);
+            this->Take(other->Triangle);
           }
         }
       }
@@ -471,7 +456,8 @@ private:
   std::uint32_t Index;
   ChartSettings Settings;
   std::vector<Facet> Facets;
-  std::vector<Edge> Edges; // of the facets, sorted
+  const LayoutProgress& Progress;
+  std::vector<MeshEdge> Edges; // of the facets, sorted; their triangles are numbers of facets
   std::vector<std::uint8_t> IsTaken;
 
   // The current chart.
@@ -487,14 +473,14 @@ private:
 }
 
 std::vector<SurfaceChart> MakeCharts(const Scene& scene, const OpenSides& sides,
-  const VertexClusters& clusters, const ChartSettings& settings)
+  const VertexClusters& clusters, const ChartSettings& settings, const LayoutProgress& progress)
 {
   std::vector<SurfaceChart> charts;
   for (std::uint32_t mesh = 0; mesh < scene.GetMeshes().size(); ++mesh)
   {
     if (scene.GetMeshes()[mesh].CanHoldLattice())
     {
-      MeshCharter(scene, mesh, sides, clusters[mesh], settings).AddTo(charts);
+      MeshCharter(scene, mesh, sides, clusters[mesh], settings, progress).AddTo(charts);
     }
   }
   return charts;

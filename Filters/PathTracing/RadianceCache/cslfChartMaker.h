@@ -11,6 +11,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Scene/cslfScene.h"
+#include "cslfLayoutProgress.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
 #include "cslfVertexClusters.h"
@@ -35,7 +36,8 @@ struct ChartSettings
 /// - has continuous light, because shading normals hardly differ where two triangles meet,
 /// - has fewer points than its triangles would have if they shared those at the given vertices.
 VTKCSLF_EXPORT std::vector<SurfaceChart> MakeCharts(const Scene& scene, const OpenSides& sides,
-  const VertexClusters& clusters, const ChartSettings& settings);
+  const VertexClusters& clusters, const ChartSettings& settings,
+  const LayoutProgress& progress = LayoutProgress());
 }
 
 #endif

@@ -191,17 +191,20 @@ void LatticeBuilder::AddPatch(Patch patch)
   }
 }
 
-void LatticeBuilder::BuildPart(const Choice& choice,
-  const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& onEstimate)
+bool LatticeBuilder::BuildPart(const Choice& choice,
+  const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& onEstimate,
+  const Progress& goOn)
 {
   this->IsChosen = choice;
   this->OnEstimate = onEstimate;
-  this->Build([](double) { return true; });
+  const bool done = this->Build(goOn);
   this->IsChosen = nullptr;
   this->OnEstimate = nullptr;
+  return done;
 }
 
-void LatticeBuilder::FillPart(const Choice& choice, SurfaceEstimator& estimator)
+bool LatticeBuilder::FillPart(
+  const Choice& choice, SurfaceEstimator& estimator, const Progress& goOn)
 {
   LatticeSettings settings = this->Settings;
   settings.Tolerance = std::numeric_limits<float>::infinity();
@@ -210,17 +213,19 @@ void LatticeBuilder::FillPart(const Choice& choice, SurfaceEstimator& estimator)
   SurfaceEstimator* filling = &estimator;
   std::swap(settings, this->Settings);
   std::swap(filling, this->Estimator);
-  this->BuildPart(choice, nullptr);
+  const bool done = this->BuildPart(choice, nullptr, goOn);
   std::swap(filling, this->Estimator);
   std::swap(settings, this->Settings);
+  return done;
 }
 
-std::size_t LatticeBuilder::CountFirstPoints(const Choice& choice)
+bool LatticeBuilder::CountFirstPoints(
+  const Choice& choice, std::size_t& count, const Progress& goOn)
 {
-  std::size_t count = 0;
+  count = 0;
   this->IsChosen = choice;
-  this->AddAll(
-    [this, &count](double, double)
+  const bool done = this->AddAll(
+    [&](double begin, double)
     {
       for (Patch& patch : this->Patches)
       {
@@ -228,10 +233,10 @@ std::size_t LatticeBuilder::CountFirstPoints(const Choice& choice)
       }
       count += this->Points.size() - this->Means;
       this->ClearBatch();
-      return true;
+      return goOn(begin);
     });
   this->IsChosen = nullptr;
-  return count;
+  return done;
 }
 
 bool LatticeBuilder::BuildBatch(const Progress& goOn)
@@ -249,6 +254,11 @@ bool LatticeBuilder::BuildBatch(const Progress& goOn)
       }
     }
     this->FirstEstimates += isFirst ? this->Points.size() - this->Means : 0;
+    if (!goOn(done))
+    {
+      this->ClearBatch();
+      return false;
+    }
     // It is not known how many rounds there will be. Each counts as half of what remains.
     const double part = 0.5 * (1.0 - done);
     if (!this->EvaluateRequests(
@@ -258,6 +268,11 @@ bool LatticeBuilder::BuildBatch(const Progress& goOn)
       return false;
     }
     done += part;
+    if (!goOn(done))
+    {
+      this->ClearBatch();
+      return false;
+    }
     for (std::size_t i = 0; isFirst && i < this->Patches.size(); ++i)
     {
       if (this->Patches[i].Half == 0)
@@ -267,6 +282,11 @@ bool LatticeBuilder::BuildBatch(const Progress& goOn)
     }
     isFirst = false;
     this->Refine();
+  }
+  if (!goOn(done))
+  {
+    this->ClearBatch();
+    return false;
   }
   for (const Patch& patch : this->Patches)
   {
@@ -604,9 +624,9 @@ void LatticeBuilder::Store(const Patch& patch)
     varies ? static_cast<std::uint32_t>(patch.Level) : SurfaceLattice::Constant, values);
 }
 
-SurfaceLattice LatticeBuilder::TakeLattice()
+SurfaceLattice LatticeBuilder::TakeLattice(const LayoutProgress& progress)
 {
-  SurfaceLattice sum = AddLattices(this->Lattices[0], this->Lattices[1]);
+  SurfaceLattice sum = AddLattices(this->Lattices[0], this->Lattices[1], progress);
   for (SurfaceLattice& lattice : this->Lattices)
   {
     lattice = SurfaceLattice();

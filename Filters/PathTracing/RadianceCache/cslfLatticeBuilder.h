@@ -66,19 +66,27 @@ public:
   /// Builds the lattice. `goOn` gets the progress, in [0,1]. Returns false if `goOn` did.
   bool Build(const Progress& goOn);
 
-  /// Builds a part of it. May be called for several disjoint parts. `onEstimate`, which may be
-  /// empty, gets all points.
-  void BuildPart(const Choice& choice,
-    const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& onEstimate);
+  /// Builds a part of it, like Build. May be called for several disjoint parts. `onEstimate`, which
+  /// may be empty, gets all points.
+  bool BuildPart(const Choice& choice,
+    const std::function<void(const Hit& place, const SurfaceEstimate& estimate)>& onEstimate,
+    const Progress& goOn);
 
   /// Gives the bricks of a part values at their corners, without checking their accuracy.
-  void FillPart(const Choice& choice, SurfaceEstimator& estimator);
+  bool FillPart(const Choice& choice, SurfaceEstimator& estimator, const Progress& goOn);
 
-  /// The number of points at which building a part begins.
-  std::size_t CountFirstPoints(const Choice& choice);
+  /// Counts the points at which building a part begins.
+  bool CountFirstPoints(const Choice& choice, std::size_t& count, const Progress& goOn);
+
+  /// The key of a point on a side of a triangle or a chart, by which it is found in a batch and
+  /// gets its random numbers. It differs from those of points at vertices and on edges that
+  /// triangles share. `domain` is the triangle's number, or that of all triangles plus the chart's,
+  /// and the column and the row count the finest points. `isMean` is for points that are
+  /// interpolated.
+  static std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row, bool isMean);
 
   /// The lattice. Call it once, at the end.
-  SurfaceLattice TakeLattice();
+  SurfaceLattice TakeLattice(const LayoutProgress& progress = LayoutProgress());
   std::size_t GetNumberOfBricks() const { return this->Lattices[0].GetNumberOfRoots(); }
   IncidentField& GetIncident() { return this->Incident; }
   std::size_t GetNumberOfEstimates() const { return this->Estimates; }

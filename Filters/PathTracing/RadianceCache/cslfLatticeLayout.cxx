@@ -29,32 +29,35 @@ int FindDepth(float length, float spacing, int largest)
 }
 }
 
-LatticeLayout::LatticeLayout(const Scene& scene, const OpenSides& sides, float spacing)
+LatticeLayout::LatticeLayout(
+  const Scene& scene, const OpenSides& sides, float spacing, const LayoutProgress& progress)
   : Spacing(spacing)
 {
   for (std::uint32_t mesh = 0; mesh < scene.GetMeshes().size(); ++mesh)
   {
     this->FirstTriangles.push_back(scene.GetTriangleIndex(mesh, 0));
   }
-  this->Divide(scene, sides);
+  this->Divide(scene, sides, progress);
   while (this->CountFurtherBricks() > MaximumBricks && this->Spacing < LargestSpacing)
   {
     this->Spacing *= SpacingGrowth;
-    this->Divide(scene, sides);
+    this->Divide(scene, sides, progress);
   }
 }
 
-void LatticeLayout::Divide(const Scene& scene, const OpenSides& sides)
+void LatticeLayout::Divide(
+  const Scene& scene, const OpenSides& sides, const LayoutProgress& progress)
 {
   this->Depths.clear();
   this->Clusters.clear();
   for (const Mesh& mesh : scene.GetMeshes())
   {
     this->Clusters.push_back(mesh.CanHoldLattice()
-        ? FindVertexClusters(mesh, ClusterSize * this->Spacing)
+        ? FindVertexClusters(mesh, ClusterSize * this->Spacing, progress)
         : std::vector<std::uint32_t>());
     for (std::uint32_t i = 0; mesh.CanHoldLattice() && i < mesh.Triangles.size(); ++i)
     {
+      progress.Step();
       this->Depths.push_back(
         static_cast<std::uint8_t>(FindDepth(mesh.GetLongestEdge(i), this->Spacing, LargestDepth)));
     }
@@ -62,10 +65,11 @@ void LatticeLayout::Divide(const Scene& scene, const OpenSides& sides)
   ChartSettings settings;
   settings.Spacing = this->Spacing;
   settings.BrickSize = this->Spacing * static_cast<float>(1 << BrickLevels);
-  this->Charts = MakeCharts(scene, sides, this->Clusters, settings);
+  this->Charts = MakeCharts(scene, sides, this->Clusters, settings, progress);
   this->OnChart.assign(this->Depths.size(), 0);
   for (const SurfaceChart& chart : this->Charts)
   {
+    progress.Step(chart.GetMembers().size());
     for (const SurfaceChart::Member& member : chart.GetMembers())
     {
       this->OnChart[this->FirstTriangles[chart.GetMesh()] + member.Triangle] = 1;

@@ -11,6 +11,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Scene/cslfScene.h"
+#include "cslfLayoutProgress.h"
 #include "cslfOpenSides.h"
 #include "cslfSurfaceChart.h"
 #include "cslfSurfaceLattice.h"
@@ -33,7 +34,8 @@ public:
 
   /// The smallest distance between points, in scene space: it is larger than requested if the scene
   /// would need too many bricks.
-  LatticeLayout(const Scene& scene, const OpenSides& sides, float spacing);
+  LatticeLayout(const Scene& scene, const OpenSides& sides, float spacing,
+    const LayoutProgress& progress = LayoutProgress());
 
   float GetSpacing() const { return this->Spacing; }
 
@@ -58,7 +60,7 @@ public:
   SurfaceLattice MakeLattice() const;
 
 private:
-  void Divide(const Scene& scene, const OpenSides& sides);
+  void Divide(const Scene& scene, const OpenSides& sides, const LayoutProgress& progress);
   std::size_t CountFurtherBricks() const;
   int GetSplitDepth(std::size_t triangle) const;
 

@@ -144,28 +144,37 @@ struct FirstCounts
   double Points = 0.0;
 };
 
-FirstCounts CountAll(LatticeBuilder& builder)
+FirstCounts CountAll(LatticeBuilder& builder, const LatticeBuilder::Progress& goOn)
 {
   const double share =
     std::min(1.0, static_cast<double>(MostCounted) / builder.GetNumberOfBricks());
   std::size_t all = 0;
   std::size_t counted = 0;
-  const std::size_t points = builder.CountFirstPoints(
+  std::size_t points = 0;
+  const bool isCounted = builder.CountFirstPoints(
     [&](std::size_t brick)
     {
-      const bool isCounted = GetTurn(brick, CountedRun) < share;
+      const bool isChosen = GetTurn(brick, CountedRun) < share;
       ++all;
-      counted += isCounted ? 1 : 0;
-      return isCounted;
-    });
+      counted += isChosen ? 1 : 0;
+      return isChosen;
+    },
+    points, goOn);
+  if (!isCounted)
+  {
+    return {};
+  }
   const auto bricks = static_cast<double>(all);
   return { bricks, counted > 0 ? static_cast<double>(points) * bricks / counted : points };
 }
 }
 
-double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
+double ProbeLattice(
+  const Scene& scene, LatticeBuilder& builder, double seconds, const LatticeBuilder::Progress& goOn)
 {
-  const FirstCounts all = CountAll(builder);
+  // It is not known how many steps there will be.
+  const auto goesOn = [&goOn](double) { return goOn(0.0); };
+  const FirstCounts all = CountAll(builder, goesOn);
   if (all.Bricks == 0.0)
   {
     return 0.0;
@@ -179,7 +188,7 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
   for (double share = std::max(FirstShare, least); done < 1.0; share *= 2.0)
   {
     const auto start = Clock::now();
-    builder.BuildPart(
+    const bool isBuiltWhole = builder.BuildPart(
       [&](std::size_t brick)
       {
         const double turn = GetTurn(brick, RunLength);
@@ -188,7 +197,12 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
         return isBuilt;
       },
       [&estimates](const Hit& place, const SurfaceEstimate& estimate)
-      { estimates.Add(place, estimate); });
+      { estimates.Add(place, estimate); },
+      goesOn);
+    if (!isBuiltWhole)
+    {
+      return expected;
+    }
     elapsed += SecondsSince(start);
     done = std::min(share, 1.0);
     // The whole has fewer points than the sum of its parts, because bricks share points.
@@ -208,7 +222,7 @@ double ProbeLattice(const Scene& scene, LatticeBuilder& builder, double seconds)
   {
     estimates.Finish();
     builder.FillPart(
-      [done](std::size_t brick) { return GetTurn(brick, RunLength) >= done; }, estimates);
+      [done](std::size_t brick) { return GetTurn(brick, RunLength) >= done; }, estimates, goesOn);
   }
   return expected;
 }

@@ -35,11 +35,22 @@ std::uint64_t MakeSideKey(std::uint32_t mesh, std::uint64_t place, bool back)
   return std::uint64_t(mesh) << 33 | place << 1 | (back ? 1 : 0);
 }
 
-std::uint64_t MakeKey(std::size_t domain, bool back, int column, int row)
-{
-  return (std::uint64_t(2 * domain + (back ? 1 : 0)) << SideShift) |
-    (std::uint64_t(row) << RowShift) | std::uint64_t(column);
 }
+
+std::uint64_t LatticeBuilder::MakeKey(
+  std::size_t domain, bool back, int column, int row, bool isMean)
+{
+  const std::uint64_t kind = isMean ? MeanKey : 0;
+  const std::uint64_t side = 2 * std::uint64_t(domain) + (back ? 1 : 0);
+  const std::uint64_t x = static_cast<std::uint32_t>(column);
+  const std::uint64_t y = static_cast<std::uint32_t>(row);
+  if (side < MeanKey >> SideShift && x >> RowShift == 0 && y >> RowShift == 0)
+  {
+    return kind | side << SideShift | y << RowShift | x;
+  }
+  // Of more than 33.5 million triangles, or of a chart that is very long. The points of a batch are
+  // so few that two with the same hash are improbable: one in some 100 000 batches has any.
+  return HashKey | MixBits(MixBits(side, kind), y << 32 | x);
 }
 
 void LatticeBuilder::RequestAll(Patch& patch)
@@ -93,7 +104,7 @@ std::uint64_t LatticeBuilder::FindSharedKey(const Patch& patch, int column, int 
   const bool isOnEdge = row == 0 || column == 0 || row + column == last;
   if (!isOnEdge || mesh.Normals.empty())
   {
-    return MakeKey(patch.Domain, patch.Back, column, row);
+    return MakeKey(patch.Domain, patch.Back, column, row, false);
   }
   // The edge, and the way along it.
   const glm::uvec3& corners = mesh.Triangles[patch.Triangle];
@@ -137,9 +148,10 @@ std::uint32_t LatticeBuilder::RequestOnChart(const Patch& patch, int column, int
     ? middle
     : FindChartNeighbours(row, step, cell, chart.GetRows() * cell, distance.x / distance.y);
   const float weight = std::max(columns.Weight, rows.Weight);
-  const std::uint64_t key = weight > 0.0f
-    ? MakeKey(patch.Domain, patch.Back, column, row) | MeanKey
-    : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low);
+  const bool isMean = weight > 0.0f;
+  const std::uint64_t key = isMean
+    ? MakeKey(patch.Domain, patch.Back, column, row, isMean)
+    : MakeKey(patch.Domain, patch.Back, columns.Low, rows.Low, isMean);
   const auto known = this->Index.find(key);
   if (known != this->Index.end())
   {

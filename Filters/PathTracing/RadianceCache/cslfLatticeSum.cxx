@@ -13,13 +13,14 @@ namespace
 class LatticeSum
 {
 public:
-  LatticeSum(const SurfaceLattice& a, const SurfaceLattice& b)
+  LatticeSum(const SurfaceLattice& a, const SurfaceLattice& b, const LayoutProgress& progress)
     : A(a)
     , B(b)
     , Sum(a.MakeEmpty())
   {
     for (std::size_t root = 0; root < this->Sum.GetNumberOfRoots(); ++root)
     {
+      progress.Step();
       this->Root = root;
       this->Add(root, a.GetBrick(root), b.GetBrick(root), {});
     }
@@ -96,8 +97,9 @@ private:
 };
 }
 
-SurfaceLattice AddLattices(const SurfaceLattice& a, const SurfaceLattice& b)
+SurfaceLattice AddLattices(
+  const SurfaceLattice& a, const SurfaceLattice& b, const LayoutProgress& progress)
 {
-  return std::move(LatticeSum(a, b).Get());
+  return std::move(LatticeSum(a, b, progress).Get());
 }
 }

@@ -33,6 +33,9 @@ constexpr std::uint32_t Steps = 4;
 constexpr float LowHeight = 0.5f;
 constexpr float LengthPart = 0.125f;
 
+// The number of such groups between two reports of progress.
+constexpr vtkIdType GroupsAtOnce = 4096;
+
 /// A walk over surfaces that count as white, so that it does not end by chance.
 class Walk
 {
@@ -104,7 +107,7 @@ private:
 class Groups
 {
 public:
-  Groups(const Mesh& mesh, float spacing)
+  Groups(const Mesh& mesh, float spacing, const LayoutProgress& progress)
     : Surface(mesh)
     , Spacing(spacing)
   {
@@ -113,6 +116,7 @@ public:
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     for (std::uint32_t triangle = 0; triangle < count; ++triangle)
     {
+      progress.Step();
       std::uint32_t group = this->GetCount();
       std::uint64_t key = 0;
       if (this->FindKey(triangle, key))
@@ -215,8 +219,8 @@ bool IsOpen(const Scene& scene, const PathIntegrator& paths, Hit place, const Gr
 }
 }
 
-OpenSides::OpenSides(
-  const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing)
+OpenSides::OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed,
+  float spacing, const LayoutProgress& progress)
 {
   std::atomic<std::uint64_t> allRays{ 0 };
   const bool areDark = !MayHoldLight(scene);
@@ -229,39 +233,42 @@ OpenSides::OpenSides(
     }
     const std::size_t first = this->Sides.size();
     this->Sides.resize(first + mesh.Triangles.size(), 0);
-    const Groups groups(mesh, spacing);
+    const Groups groups(mesh, spacing, progress);
     std::vector<std::uint8_t> insides(mesh.Triangles.size(), 0);
     if (!mesh.CanBePassed())
     {
-      insides = FindInsides(mesh);
+      insides = FindInsides(mesh, progress);
     }
-    ParallelFor(0, static_cast<vtkIdType>(groups.GetCount()), 0,
-      [&](vtkIdType begin, vtkIdType end)
+    const auto findSides = [&](vtkIdType begin, vtkIdType end)
+    {
+      std::uint64_t rays = 0;
+      for (vtkIdType group = begin; group < end; ++group)
       {
-        std::uint64_t rays = 0;
-        for (vtkIdType group = begin; group < end; ++group)
+        std::uint8_t sides = 0;
+        for (const bool back : { false, true })
         {
-          std::uint8_t sides = 0;
-          for (const bool back : { false, true })
+          Hit place;
+          place.Mesh = index;
+          place.Back = back;
+          const std::size_t triangle = first + *groups.Begin(group);
+          const std::uint64_t hash = MixBits(2 * triangle + (back ? 1 : 0), seed);
+          if (!mesh.Material.Hides(back) && !(areDark && AreInside(insides, groups, group, back)) &&
+            IsOpen(scene, paths, place, groups, group, hash, rays))
           {
-            Hit place;
-            place.Mesh = index;
-            place.Back = back;
-            const std::size_t triangle = first + *groups.Begin(group);
-            const std::uint64_t hash = MixBits(2 * triangle + (back ? 1 : 0), seed);
-            if (!mesh.Material.Hides(back) &&
-              !(areDark && AreInside(insides, groups, group, back)) &&
-              IsOpen(scene, paths, place, groups, group, hash, rays))
-            {
-              sides |= back ? Back : Front;
-            }
+            sides |= back ? Back : Front;
           }
-          std::for_each(groups.Begin(group), groups.End(group),
-            [this, first, sides](std::uint32_t triangle)
-            { this->Sides[first + triangle] = sides; });
         }
-        allRays += rays;
-      });
+        std::for_each(groups.Begin(group), groups.End(group),
+          [this, first, sides](std::uint32_t triangle) { this->Sides[first + triangle] = sides; });
+      }
+      allRays += rays;
+    };
+    const vtkIdType count = groups.GetCount();
+    for (vtkIdType begin = 0; begin < count; begin += GroupsAtOnce)
+    {
+      progress.Step(LayoutProgress::StepsOfReport);
+      ParallelFor(begin, std::min(begin + GroupsAtOnce, count), 0, findSides);
+    }
     this->Insides.insert(this->Insides.end(), insides.begin(), insides.end());
   }
   this->Rays = allRays;

@@ -11,6 +11,7 @@
 
 #include "PathTracing/Paths/cslfPathIntegrator.h"
 #include "cslfCacheShare.h"
+#include "cslfLayoutProgress.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -34,7 +35,8 @@ public:
   /// face the inside of a closed body without light. Neighbours with a
   /// height below half the spacing and similar orientation are combined. The spacing is in scene
   /// space.
-  OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing);
+  OpenSides(const Scene& scene, const PathIntegrator& paths, std::uint32_t seed, float spacing,
+    const LayoutProgress& progress = LayoutProgress());
 
   /// The sides of a triangle, numbered by Scene::GetTriangleIndex.
   bool Has(std::size_t triangle, bool back) const

@@ -6,6 +6,7 @@
 #include "cslfLatticeBuilder.h"
 #include "cslfLatticeProbe.h"
 #include "cslfLatticeSum.h"
+#include "cslfLayoutProgress.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -50,7 +51,11 @@ constexpr float NoiseShare = 2.0f / 3.0f;
 // The width of the area within which noise is averaged, in spacings: about that of a texel.
 constexpr float NoiseWidth = 3.0f;
 
+// The simple steps of the layout for each triangle, of two rounds.
+constexpr double LayoutSteps = 60.0;
+
 // The shares of the work, for the progress.
+constexpr double LayoutShare = 0.1;
 constexpr double LightShare = 0.2;
 constexpr double RoughShare = 0.1;
 constexpr double ShapeShare = 0.2;
@@ -67,6 +72,12 @@ std::function<bool(double)> Within(
   const std::function<bool(double)>& goOn, double start, double end)
 {
   return [goOn, start, end](double part) { return goOn(start + (end - start) * part); };
+}
+
+/// The progress of what remains to be done at the end of a pass.
+LayoutProgress AtEnd(const std::function<bool(double)>& goOn)
+{
+  return { [goOn](double) { return goOn(1.0); }, 1.0 };
 }
 }
 
@@ -90,13 +101,27 @@ bool RadianceCache::Build(const Progress& goOn)
   return done;
 }
 
-bool RadianceCache::Fill(const Progress& goOn)
+bool RadianceCache::MakeLayout(const Progress& goOn)
 {
-  // Find where anything is to be stored.
   const auto start = std::chrono::steady_clock::now();
   const PathIntegrator paths(this->World, this->Settings.Paths);
   const auto spacing = static_cast<float>(this->Settings.Spacing);
-  this->Sides = OpenSides(this->World, paths, this->Settings.Seed, spacing);
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : this->World.GetMeshes())
+  {
+    triangles += mesh.Triangles.size();
+  }
+  const LayoutProgress progress(goOn, LayoutSteps * static_cast<double>(triangles));
+  this->FindPlaces(paths, spacing, progress);
+  this->ExpectedSeconds +=
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return goOn(1.0);
+}
+
+void RadianceCache::FindPlaces(
+  const PathIntegrator& paths, float spacing, const LayoutProgress& progress)
+{
+  this->Sides = OpenSides(this->World, paths, this->Settings.Seed, spacing, progress);
   // All ranks do this, but it counts once.
   CacheShare* share = this->Settings.Share;
   const bool isFirst = !share || share->GetRank() == 0;
@@ -105,12 +130,26 @@ bool RadianceCache::Fill(const Progress& goOn)
     this->Sides.Agree(*share);
   }
   this->Rays += isFirst ? this->Sides.GetNumberOfRays() : 0;
-  this->Layout = std::make_unique<LatticeLayout>(this->World, this->Sides, spacing);
+  this->Layout = std::make_unique<LatticeLayout>(this->World, this->Sides, spacing, progress);
   this->Spacing = this->Layout->GetSpacing();
-  this->Shapes = ShapeLight(ShapeLayout(this->World, static_cast<float>(this->Spacing)));
-  this->ExpectedSeconds +=
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->Shapes = ShapeLight(ShapeLayout(this->World, static_cast<float>(this->Spacing), progress));
+}
 
+bool RadianceCache::Fill(const Progress& goOn)
+{
+  try
+  {
+    return this->MakeLayout(Within(goOn, 0.0, LayoutShare)) &&
+      this->FillLayout(Within(goOn, LayoutShare, 1.0));
+  }
+  catch (const LayoutAborted&)
+  {
+    return false;
+  }
+}
+
+bool RadianceCache::FillLayout(const Progress& goOn)
+{
   // Light sampled at its sources has sharp shadows, which need many points with few samples.
   double done = LightShare;
   if (!this->SampleLights(Within(goOn, 0.0, done)))
@@ -159,7 +198,7 @@ bool RadianceCache::Fill(const Progress& goOn)
   {
     return false;
   }
-  this->Values = AddLattices(this->Values, fine);
+  this->Values = AddLattices(this->Values, fine, AtEnd(goOn));
   this->Incident = std::move(incident);
   this->Second = SurfaceLattice();
   this->HasSecond = false;
@@ -177,7 +216,7 @@ bool RadianceCache::GatherAtOnce(const Progress& goOn)
   {
     return false;
   }
-  this->Values = AddLattices(this->Values, gathered);
+  this->Values = AddLattices(this->Values, gathered, AtEnd(goOn));
   this->Incident = std::move(incident);
   this->Complete = true;
   return true;
@@ -302,7 +341,8 @@ bool RadianceCache::BuildLattice(LatticeBuilder& builder, double part, const Pro
   {
     return builder.Build(goOn);
   }
-  this->ExpectedSeconds += ProbeLattice(this->World, builder, part * this->Settings.ProbeSeconds);
+  this->ExpectedSeconds +=
+    ProbeLattice(this->World, builder, part * this->Settings.ProbeSeconds, goOn);
   return goOn(1.0);
 }
 
@@ -322,8 +362,11 @@ bool RadianceCache::SampleLights(const Progress& goOn)
   LatticeBuilder builder(this->World, this->Sides, *this->Layout, lattice, estimator);
   const bool isLit = this->Settings.Paths.MaximumDepth > 0 && paths.GetLight().CanSample();
   const bool done = !isLit || this->BuildLattice(builder, LightShare, goOn);
-  this->Values = builder.TakeLattice();
   this->Rays += estimator.GetNumberOfRays();
+  if (done)
+  {
+    this->Values = builder.TakeLattice(AtEnd(goOn));
+  }
   return done;
 }
 
@@ -339,9 +382,12 @@ bool RadianceCache::Gather(const LatticeSettings& lattice, int firstSamples, int
   const bool isLit = this->Settings.Paths.MaximumDepth > 0;
   const double part = depth > 1 ? RoughShare : 1.0 - LightShare - RoughShare;
   const bool done = !isLit || this->BuildLattice(builder, part, goOn);
-  values = builder.TakeLattice();
-  incident = std::move(builder.GetIncident());
   this->Rays += estimator.GetNumberOfRays();
+  if (done)
+  {
+    values = builder.TakeLattice(AtEnd(goOn));
+    incident = std::move(builder.GetIncident());
+  }
   return done;
 }
 }

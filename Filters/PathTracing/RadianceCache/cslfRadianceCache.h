@@ -176,6 +176,11 @@ private:
 
   bool Fill(const Progress& goOn);
 
+  /// Finds where anything is to be stored.
+  bool MakeLayout(const Progress& goOn);
+  void FindPlaces(const PathIntegrator& paths, float spacing, const LayoutProgress& progress);
+  bool FillLayout(const Progress& goOn);
+
   const Scene& World;
   CacheSettings Settings;
   DisplayCurve Display;

@@ -138,7 +138,7 @@ std::uint64_t ShapeLayout::Unit::CountFilled() const
     static_cast<std::uint64_t>(filled), least, this->GetNumberOfCells());
 }
 
-ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
+ShapeLayout::ShapeLayout(const Scene& scene, float spacing, const LayoutProgress& progress)
 {
   const std::vector<Mesh>& meshes = scene.GetMeshes();
   if (std::all_of(
@@ -151,11 +151,12 @@ ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
   {
     const Mesh& mesh = meshes[index];
     const bool isStored = !mesh.CanHoldLattice() && !mesh.IsBlack();
-    this->AddSides(mesh);
+    this->AddSides(mesh, progress);
     this->FirstItems.push_back(isStored ? static_cast<std::uint32_t>(items.size()) : None);
     for (std::uint32_t i = 0; isStored && mesh.Instances.empty() && i < mesh.GetNumberOfShapes();
          ++i)
     {
+      progress.Step();
       items.emplace_back(mesh, index, i);
     }
     if (isStored && !mesh.Instances.empty())
@@ -163,15 +164,17 @@ ShapeLayout::ShapeLayout(const Scene& scene, float spacing)
       const Item item(mesh, index);
       for (std::uint32_t instance = 0; instance < mesh.Instances.size(); ++instance)
       {
+        progress.Step();
         items.push_back(item.Place(mesh, instance));
       }
     }
   }
-  this->FindLit(scene, items);
-  this->AddUnits(items, spacing);
+  this->FindLit(scene, items, progress);
+  this->AddUnits(items, spacing, progress);
 }
 
-void ShapeLayout::FindLit(const Scene& scene, const std::vector<Item>& items)
+void ShapeLayout::FindLit(
+  const Scene& scene, const std::vector<Item>& items, const LayoutProgress& progress)
 {
   std::vector<Bounds> lights;
   for (const PointLight& light : scene.GetPointLights())
@@ -194,6 +197,7 @@ void ShapeLayout::FindLit(const Scene& scene, const std::vector<Item>& items)
   }
   for (const Item& item : items)
   {
+    progress.Step(1 + lights.size());
     const bool isLit = scene.GetMeshes()[item.Mesh].Material.IsEmissive() ||
       std::any_of(lights.begin(), lights.end(),
         [&item](const Bounds& light) { return item.Box.Contains(light); });
@@ -201,7 +205,7 @@ void ShapeLayout::FindLit(const Scene& scene, const std::vector<Item>& items)
   }
 }
 
-void ShapeLayout::AddSides(const Mesh& mesh)
+void ShapeLayout::AddSides(const Mesh& mesh, const LayoutProgress& progress)
 {
   this->FirstSides.push_back(this->Sides.size());
   const bool isPassed = mesh.CanBePassed();
@@ -210,18 +214,20 @@ void ShapeLayout::AddSides(const Mesh& mesh)
     this->Sides.push_back(OnlyFront + Front + (isPassed ? Back : 0));
     return;
   }
-  for (const std::uint8_t inside : FindInsides(mesh))
+  for (const std::uint8_t inside : FindInsides(mesh, progress))
   {
     this->Sides.push_back(isPassed ? Front + Back : Front + Back - inside);
   }
 }
 
-void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
+void ShapeLayout::AddUnits(
+  const std::vector<Item>& items, float spacing, const LayoutProgress& progress)
 {
   std::vector<Bounds> boxes;
   std::unordered_map<std::uint64_t, std::uint32_t> neighbours;
   for (const Item& item : items)
   {
+    progress.Step();
     auto unit = static_cast<std::uint32_t>(this->Units.size());
     if (item.Box.GetSize() < spacing)
     {
@@ -241,6 +247,7 @@ void ShapeLayout::AddUnits(const std::vector<Item>& items, float spacing)
   std::uint64_t divided = MostDivided + 1;
   for (float edge = EdgeOfCell * spacing; divided > MostDivided; edge *= EdgeGrowth)
   {
+    progress.Step(boxes.size());
     this->Divide(boxes, edge);
     divided = 0;
     for (const Unit& unit : this->Units)

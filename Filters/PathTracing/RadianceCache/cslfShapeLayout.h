@@ -15,6 +15,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Scene/cslfScene.h"
+#include "cslfLayoutProgress.h"
 
 #include <glm/vec3.hpp>
 
@@ -54,7 +55,7 @@ public:
   ShapeLayout() = default;
 
   /// The spacing, in scene space, is about the size of the smallest shadows to be stored.
-  ShapeLayout(const Scene& scene, float spacing);
+  ShapeLayout(const Scene& scene, float spacing, const LayoutProgress& progress = LayoutProgress());
 
   /// Whether a mesh consists of such shapes.
   bool Has(std::uint32_t mesh) const
@@ -95,9 +96,9 @@ private:
 
   static std::uint32_t GetShape(const Hit& hit);
   std::uint8_t GetSides(const Hit& hit) const;
-  void AddSides(const Mesh& mesh);
-  void FindLit(const Scene& scene, const std::vector<Item>& items);
-  void AddUnits(const std::vector<Item>& items, float spacing);
+  void AddSides(const Mesh& mesh, const LayoutProgress& progress);
+  void FindLit(const Scene& scene, const std::vector<Item>& items, const LayoutProgress& progress);
+  void AddUnits(const std::vector<Item>& items, float spacing, const LayoutProgress& progress);
   void Divide(const std::vector<Bounds>& boxes, float edge);
 
   std::uint32_t NumberOfCells = 0;

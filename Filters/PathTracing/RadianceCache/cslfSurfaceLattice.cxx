@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 namespace cslf
 {
@@ -36,6 +37,15 @@ inline void Store(const Float4& value, float* values)
 }
 }
 
+void SurfaceLattice::RequireIndex(std::size_t index)
+{
+  if (index > MaximumIndex)
+  {
+    throw std::length_error("the scene needs a radiance cache of more than two thousand million "
+                            "values: use path tracing");
+  }
+}
+
 /// The positions of a packet's points: their bricks, and their places in them.
 struct SurfaceLattice::PacketPlaces
 {
@@ -48,7 +58,7 @@ struct SurfaceLattice::PacketPlaces
 /// The values between which the points of a packet lie, and their weights.
 struct SurfaceLattice::PacketCorners
 {
-  alignas(64) int A[LatticePacket::Size]; // the indices of their first components
+  alignas(64) int A[LatticePacket::Size]; // their indices
   alignas(64) int B[LatticePacket::Size];
   alignas(64) int C[LatticePacket::Size];
   alignas(64) float W[LatticePacket::Size];
@@ -90,6 +100,7 @@ SurfaceLattice::SurfaceLattice(
     }
     bricks += std::size_t(2) * side;
   }
+  RequireIndex(bricks);
   this->NumberOfRoots = bricks;
   this->Bricks.resize(bricks);
   this->Values.resize(1 + Spare, glm::vec3(0.0f));
@@ -110,6 +121,7 @@ SurfaceLattice SurfaceLattice::MakeEmpty() const
 void SurfaceLattice::SetBrick(
   std::size_t index, std::uint32_t level, const std::vector<glm::vec3>& values)
 {
+  RequireIndex(this->GetNumberOfValues() + values.size());
   this->Bricks[index] = { static_cast<std::uint32_t>(this->GetNumberOfValues()), level };
   this->Values.insert(this->Values.end() - Spare, values.begin(), values.end());
 }
@@ -117,6 +129,7 @@ void SurfaceLattice::SetBrick(
 std::size_t SurfaceLattice::SplitBrick(std::size_t index)
 {
   const std::size_t first = this->Bricks.size();
+  RequireIndex(first + 4);
   this->Bricks[index] = { static_cast<std::uint32_t>(first), Split };
   this->Bricks.resize(first + 4);
   return first;
@@ -229,9 +242,9 @@ CSLF_VECTORIZE void SurfaceLattice::FindCorners(const PacketPlaces& places, Pack
     const LatticeCell cell(places.U[lane], places.V[lane], splits);
     const int flip = cell.Flipped;
     const int first = places.First[lane];
-    corners.A[lane] = 3 * (first + (PointIndex(cell.I + flip, cell.J + flip, splits) & varies));
-    corners.B[lane] = 3 * (first + (PointIndex(cell.I + 1 - flip, cell.J + flip, splits) & varies));
-    corners.C[lane] = 3 * (first + (PointIndex(cell.I + flip, cell.J + 1 - flip, splits) & varies));
+    corners.A[lane] = first + (PointIndex(cell.I + flip, cell.J + flip, splits) & varies);
+    corners.B[lane] = first + (PointIndex(cell.I + 1 - flip, cell.J + flip, splits) & varies);
+    corners.C[lane] = first + (PointIndex(cell.I + flip, cell.J + 1 - flip, splits) & varies);
     corners.U[lane] = cell.U;
     corners.V[lane] = cell.V;
     corners.W[lane] = 1.0f - cell.U - cell.V;
@@ -246,9 +259,9 @@ CSLF_VECTORIZE void SurfaceLattice::Interpolate(
   alignas(64) float sums[LatticePacket::Size][4];
   for (int lane = 0; lane < LatticePacket::Size; ++lane)
   {
-    const Float4 a = Load(components + corners.A[lane]);
-    const Float4 b = Load(components + corners.B[lane]);
-    const Float4 c = Load(components + corners.C[lane]);
+    const Float4 a = Load(components + 3 * std::ptrdiff_t(corners.A[lane]));
+    const Float4 b = Load(components + 3 * std::ptrdiff_t(corners.B[lane]));
+    const Float4 c = Load(components + 3 * std::ptrdiff_t(corners.C[lane]));
     const Float4 sum = corners.W[lane] * a + corners.U[lane] * b + corners.V[lane] * c;
     Store(sum, sums[lane]);
   }

@@ -128,6 +128,13 @@ struct LatticeChart
 class VTKCSLF_EXPORT SurfaceLattice
 {
 public:
+  /// The most bricks and values: packets of look-ups have signed indices of 32 bits.
+  static constexpr std::size_t MaximumIndex = 0x7fffffff;
+
+  /// Throws std::length_error, with the reason for users, if there would be more bricks or values.
+  /// All methods that add some call it.
+  static void RequireIndex(std::size_t index);
+
   /// A brick with a single value.
   static constexpr std::uint32_t Constant = 0xffffffffu;
   /// A brick that is split into four.

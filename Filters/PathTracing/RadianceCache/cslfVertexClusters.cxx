@@ -28,12 +28,14 @@ std::uint64_t HashCell(const glm::vec3& cell, std::uint64_t seed)
   return seed;
 }
 
-std::vector<std::uint32_t> FindVertexClusters(const Mesh& mesh, float edge)
+std::vector<std::uint32_t> FindVertexClusters(
+  const Mesh& mesh, float edge, const LayoutProgress& progress)
 {
   std::vector<std::uint32_t> clusters;
   std::unordered_map<std::uint64_t, std::uint32_t> firsts;
   for (std::uint32_t vertex = 0; vertex < mesh.Normals.size(); ++vertex)
   {
+    progress.Step();
     const float length = glm::length(mesh.Normals[vertex]);
     if (!(length > 0.0f))
     {

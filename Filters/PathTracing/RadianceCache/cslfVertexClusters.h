@@ -10,6 +10,7 @@
 #include "vtkCSLFModule.h" // for export macro
 
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "cslfLayoutProgress.h"
 
 #include <cstdint>
 #include <vector>
@@ -24,7 +25,8 @@ using VertexClusters = std::vector<std::vector<std::uint32_t>>;
 
 /// For each vertex of a mesh, the first vertex in the same cube of an edge length, whose normal has
 /// a similar direction. Vertices that have no normal stand alone. Empty if the mesh has no normals.
-VTKCSLF_EXPORT std::vector<std::uint32_t> FindVertexClusters(const Mesh& mesh, float edge);
+VTKCSLF_EXPORT std::vector<std::uint32_t> FindVertexClusters(
+  const Mesh& mesh, float edge, const LayoutProgress& progress = LayoutProgress());
 }
 
 #endif

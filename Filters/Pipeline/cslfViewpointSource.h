@@ -2,26 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The source of the drawn samples, viewpoint by viewpoint.
+ * The samples of a field that was opened, viewpoint by viewpoint: of image data in memory or of a
+ * file. They stay those of that field, whatever its producer opens later.
  */
 #ifndef cslfViewpointSource_h
 #define cslfViewpointSource_h
 
 #include "cslfDescription.h"
 #include "cslfViewpointSamples.h"
+#include "vtkCSLFModule.h" // for export macro
 
 #include <memory>
 #include <vector>
 
-class vtkCSLFDecoder;
 class vtkImageData;
 
 namespace cslf
 {
-class ViewpointSource
+class VTKCSLF_EXPORT ViewpointSource
 {
 public:
   virtual ~ViewpointSource();
+  ViewpointSource(const ViewpointSource&) = delete;
+  ViewpointSource& operator=(const ViewpointSource&) = delete;
 
   const Description& GetDescription() const { return this->Field; }
 
@@ -52,10 +55,8 @@ private:
 };
 
 /// A whole field in memory.
-std::shared_ptr<ViewpointSource> MakeSource(const Description& field, vtkImageData* image);
-
-/// A coded field. The decoder's header must have been read.
-std::shared_ptr<ViewpointSource> MakeSource(const Description& field, vtkCSLFDecoder* decoder);
+VTKCSLF_EXPORT std::shared_ptr<ViewpointSource> MakeSource(
+  const Description& field, vtkImageData* image);
 }
 
 #endif

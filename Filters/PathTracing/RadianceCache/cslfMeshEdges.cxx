@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cslfMeshEdges.h"
+
+#include "RandomNumbers/cslfSampleStream.h"
+
+#include <cstring>
+
+namespace cslf
+{
+namespace
+{
+std::uint64_t HashPlace(const glm::vec3& place)
+{
+  std::uint32_t bits[3];
+  const glm::vec3 positive = place + 0.0f; // one of the two zeros
+  static_assert(sizeof(bits) == sizeof(positive), "three floats");
+  std::memcpy(bits, &positive, sizeof(bits));
+  return MixBits(std::uint64_t(bits[0]) << 32 | bits[1], bits[2]);
+}
+}
+
+VertexPlaces NumberPlaces(const Mesh& mesh, const LayoutProgress& progress)
+{
+  constexpr std::uint32_t none = 0xffffffffu;
+  const auto count = static_cast<std::uint32_t>(mesh.Vertices.size());
+  std::size_t slots = 2;
+  while (slots < 2 * std::size_t(count))
+  {
+    slots *= 2;
+  }
+  // The first vertex at each place, in the slot of its hash or the next free one.
+  std::vector<std::uint32_t> firsts(slots, none);
+  VertexPlaces places;
+  places.Numbers.resize(count);
+  for (std::uint32_t vertex = 0; vertex < count; ++vertex)
+  {
+    progress.Step();
+    const glm::vec3& place = mesh.Vertices[vertex];
+    std::size_t slot = HashPlace(place) & (slots - 1);
+    while (firsts[slot] != none && mesh.Vertices[firsts[slot]] != place)
+    {
+      slot = (slot + 1) & (slots - 1);
+    }
+    if (firsts[slot] == none)
+    {
+      firsts[slot] = vertex;
+      places.Numbers[vertex] = places.Count++;
+    }
+    else
+    {
+      places.Numbers[vertex] = places.Numbers[firsts[slot]];
+    }
+  }
+  return places;
+}
+
+void SortEdges(std::vector<MeshEdge>& edges, std::uint32_t places, const LayoutProgress& progress)
+{
+  // By the lower end, by counting, and then those of each lower end, which are few.
+  std::vector<std::size_t> begins(std::size_t(places) + 1, 0);
+  for (const MeshEdge& edge : edges)
+  {
+    ++begins[edge.Low + std::size_t(1)];
+  }
+  for (std::size_t place = 0; place < places; ++place)
+  {
+    progress.Step();
+    begins[place + 1] += begins[place];
+  }
+  std::vector<MeshEdge> sorted(edges.size(), MeshEdge(0, 0, 0));
+  std::vector<std::size_t> next(begins);
+  for (const MeshEdge& edge : edges)
+  {
+    progress.Step();
+    sorted[next[edge.Low]++] = edge;
+  }
+  edges.swap(sorted);
+  for (std::size_t place = 0; place < places; ++place)
+  {
+    progress.Step(begins[place + 1] - begins[place]);
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begins[place]),
+      edges.begin() + static_cast<std::ptrdiff_t>(begins[place + 1]),
+      [](const MeshEdge& a, const MeshEdge& b)
+      { return std::tie(a.High, a.Triangle) < std::tie(b.High, b.Triangle); });
+  }
+}
+}
