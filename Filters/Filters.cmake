@@ -28,7 +28,7 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch ScenePipeline Slabs TriangleList)
+  ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PortsOnDemand PipelineWatch Requests ScenePipeline Slabs TriangleList)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)

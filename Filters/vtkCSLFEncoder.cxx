@@ -7,6 +7,7 @@
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
 #include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfRequests.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 
@@ -274,6 +275,7 @@ int vtkCSLFEncoder::Write()
   }
   std::optional<cslf::CacheKeeper> keeper;
   cslf::EncodeJob job = this->MakeJob();
+  const cslf::KeptRequests requests(job.Connection);
   job.Synchronize = [&keeper](bool isWell) { return keeper->Synchronize(isWell); };
   cslf::EncodeSession session(job);
   if (session.Check(fault))
@@ -303,7 +305,7 @@ vtkTypeBool vtkCSLFEncoder::ProcessRequest(
     int extent[6];
     inInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
     extent[5] = extent[4];
-    inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+    cslf::RequestFirstPart(inInfo, extent);
     return 1;
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
@@ -315,6 +317,7 @@ vtkTypeBool vtkCSLFEncoder::ProcessRequest(
     }
     else
     {
+      const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
       cslf::EncodeSession session(this->MakeJob());
       if (session.Check(this->FindFault()))
       {

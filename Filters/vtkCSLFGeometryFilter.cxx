@@ -14,6 +14,7 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfPortsOnDemand.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
@@ -312,11 +313,10 @@ int vtkCSLFGeometryFilter::RequestUpdateExtent(
   {
     // The geometry requests its slices itself, after the first one.
     extent[5] = extent[4];
+    cslf::RequestFirstPart(input, extent);
+    return 1;
   }
-  else
-  {
-    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent);
-  }
+  outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent);
   input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
   return 1;
 }
@@ -324,6 +324,7 @@ int vtkCSLFGeometryFilter::RequestUpdateExtent(
 int vtkCSLFGeometryFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   if (cslf::IsPortWanted(outputVector, 0))
   {

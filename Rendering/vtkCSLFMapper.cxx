@@ -3,6 +3,7 @@
 #include "vtkCSLFMapper.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfRequests.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
 #include "cslfGeometryMesh.h"
@@ -12,7 +13,6 @@
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
-#include <vtkAlgorithmOutput.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
@@ -212,7 +212,7 @@ bool vtkCSLFMapper::UpdateField()
   auto* decoder = vtkCSLFDecoder::SafeDownCast(this->GetInputAlgorithm());
   if (!decoder && !this->Static)
   {
-    this->GetInputAlgorithm()->Update();
+    cslf::UpdateWhole(this->GetInputConnection(0, 0));
   }
   vtkObject* input = decoder ? static_cast<vtkObject*>(decoder) : this->GetInput();
   if (!input)
@@ -247,8 +247,7 @@ void vtkCSLFMapper::UpdateGeometry()
   vtkInternals& internals = *this->Internals;
   if (this->GetNumberOfInputConnections(1) > 0 && !this->Static)
   {
-    vtkAlgorithmOutput* connection = this->GetInputConnection(1, 0);
-    connection->GetProducer()->Update(connection->GetIndex());
+    cslf::UpdateWhole(this->GetInputConnection(1, 0));
   }
   vtkPolyData* geometry = this->GetGeometry();
   const vtkMTimeType time =
