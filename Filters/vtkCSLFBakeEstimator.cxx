@@ -3,6 +3,7 @@
 #include "vtkCSLFBakeEstimator.h"
 
 #include "Files/cslfJSONFile.h"
+#include "Pipeline/cslfGuard.h"
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"
 #include "cslfSeconds.h"
@@ -209,10 +210,14 @@ int vtkCSLFBakeEstimator::Estimate()
     vtkErrorMacro("There is no sampler.");
     return 0;
   }
-  const Restorer restorer(this->Sampler);
-  this->BeginProbe();
-  cslf::BakeProbe probe = this->MakeProbe();
-  return this->RunProbe(probe) ? 1 : 0;
+  return cslf::GuardMethod(this, "The bake cannot be estimated",
+    [this]
+    {
+      const Restorer restorer(this->Sampler);
+      this->BeginProbe();
+      cslf::BakeProbe probe = this->MakeProbe();
+      return this->RunProbe(probe) ? 1 : 0;
+    });
 }
 
 int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
@@ -223,6 +228,12 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
     vtkErrorMacro("There is no sampler.");
     return 0;
   }
+  return cslf::GuardMethod(this, "The number of samples cannot be chosen",
+    [this, seconds] { return this->FindSamples(seconds); });
+}
+
+int vtkCSLFBakeEstimator::FindSamples(double seconds)
+{
   int samples = 1;
   {
     const Restorer restorer(this->Sampler);
@@ -274,7 +285,12 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
 
 int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
 {
-  const std::string name = fileName ? fileName : "";
+  return cslf::GuardMethod(this, "The number of samples cannot be read",
+    [this, fileName] { return this->ReadSamples(fileName ? fileName : ""); });
+}
+
+int vtkCSLFBakeEstimator::ReadSamples(const std::string& name)
+{
   nlohmann::json manifest = cslf::ReadJSON(name + ".partial/manifest.json");
   const nlohmann::json::json_pointer place("/description/sampling/samples");
   if (!this->Sampler || this->Format != Video || name.empty() || !manifest.is_object() ||

@@ -294,7 +294,8 @@ vtkTypeBool vtkCSLFDecoder::ProcessRequest(
     cslf::ChoosePorts(request, outputVector);
     return 1;
   }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return cslf::GuardRequest(this, request, outputVector,
+    [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 int vtkCSLFDecoder::RequestData(
@@ -320,8 +321,18 @@ void vtkCSLFDecoder::ReadGeometry(vtkPolyData* output)
     return;
   }
   std::string error;
-  const auto geometry =
-    cslf::DecodeGeometry(part->Bytes, this->Internal->Reader->GetHeader().Field.Box, error);
+  vtkSmartPointer<vtkPolyData> geometry;
+  // The field can be read without it.
+  std::string problem;
+  cslf::Guard(
+    [&]
+    {
+      geometry =
+        cslf::DecodeGeometry(part->Bytes, this->Internal->Reader->GetHeader().Field.Box, error);
+      return true;
+    },
+    problem);
+  error = problem.empty() ? error : "its geometry cannot: " + problem;
   if (geometry)
   {
     output->ShallowCopy(geometry);

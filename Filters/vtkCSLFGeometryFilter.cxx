@@ -291,7 +291,8 @@ vtkTypeBool vtkCSLFGeometryFilter::ProcessRequest(
     cslf::ChoosePorts(request, outputVector);
     return 1;
   }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return cslf::GuardRequest(this, request, outputVector,
+    [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 int vtkCSLFGeometryFilter::RequestInformation(

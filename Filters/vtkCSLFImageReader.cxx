@@ -137,6 +137,7 @@ void ReadSlab(const char* folder, const cslf::Description& description, const cs
 }
 
 vtkStandardNewMacro(vtkCSLFImageReader);
+cslfGuardedRequestMacro(vtkCSLFImageReader);
 
 vtkCSLFImageReader::vtkCSLFImageReader()
   : AllowMissing(cslf::options::AllowMissing.Default)

@@ -32,6 +32,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFResample);
+cslfGuardedRequestMacro(vtkCSLFResample);
 cslfSetOptionMacro(vtkCSLFResample, ResolutionDivisor, ResolutionDivisor);
 cslfSetOptionMacro(vtkCSLFResample, ViewpointStride, ViewpointStride);
 

@@ -3,6 +3,7 @@
 #include "vtkCSLFMapper.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfRequests.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
@@ -32,6 +33,11 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace
+{
+constexpr const char* ReadingFailure = "The light field cannot be read";
+}
 
 class vtkCSLFMapper::vtkInternals
 {
@@ -223,8 +229,11 @@ bool vtkCSLFMapper::UpdateField()
   {
     return internals.Source != nullptr;
   }
-  internals.Source = decoder ? this->OpenDecoder(decoder) : this->OpenImage(this->GetInput());
+  internals.Source = nullptr;
   internals.CheckedInput = input;
+  internals.CheckedTime = input->GetMTime();
+  internals.Source = decoder ? this->OpenDecoder(decoder) : this->OpenImage(this->GetInput());
+  // Opening a decoder's file may be a change.
   internals.CheckedTime = input->GetMTime();
   if (!internals.Source)
   {
@@ -309,7 +318,7 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenImage(vtkImageData* im
 //------------------------------------------------------------------------------
 double* vtkCSLFMapper::GetBounds()
 {
-  if (this->UpdateField())
+  if (cslf::GuardMethod(this, ReadingFailure, [this] { return this->UpdateField(); }))
   {
     this->Internals->GetCube().GetBounds(this->Bounds);
   }
@@ -337,10 +346,26 @@ vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!this->UpdateField())
+  if (!cslf::GuardMethod(this, ReadingFailure, [this] { return this->UpdateField(); }))
   {
     return;
   }
+  const bool isDrawn = cslf::GuardMethod(this, "The light field cannot be drawn",
+    [&]
+    {
+      this->Draw(renderer, actor);
+      return true;
+    });
+  if (!isDrawn)
+  {
+    // Reported once, not for every picture.
+    this->Internals->Source = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
+{
   vtkInternals& internals = *this->Internals;
   if (this->Lookup == GEOMETRY)
   {
