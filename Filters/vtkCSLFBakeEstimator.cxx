@@ -106,6 +106,7 @@ public:
     : Sampler(sampler)
     , Resolution(sampler->GetResolution())
     , Samples(sampler->GetSamples())
+    , GeometryTriangles(sampler->GetGeometryTriangles())
     , CacheOptions(sampler->GetCacheOptions())
     , CacheProbeSeconds(sampler->GetCacheProbeSeconds())
   {
@@ -114,6 +115,7 @@ public:
   {
     this->Sampler->SetResolution(this->Resolution);
     this->Sampler->SetSamples(this->Samples);
+    this->Sampler->SetGeometryTriangles(this->GeometryTriangles);
     this->Sampler->SetCacheOptions(this->CacheOptions);
     this->Sampler->SetCacheProbeSeconds(this->CacheProbeSeconds);
   }
@@ -124,6 +126,7 @@ private:
   vtkCSLFSampler* Sampler;
   int Resolution;
   int Samples;
+  int GeometryTriangles;
   vtkSmartPointer<vtkCSLFRadianceCacheOptions> CacheOptions;
   double CacheProbeSeconds;
 };
@@ -198,7 +201,13 @@ cslf::BakeProbe vtkCSLFBakeEstimator::MakeProbe()
 {
   vtkNew<vtkCSLFEncoder> standard;
   vtkCSLFEncoder* encoder = this->Encoder ? this->Encoder.Get() : standard.Get();
-  return { this->Sampler, GetSettings(encoder), encoder->GetNumberOfInputConnections(1) > 0,
+  const bool hasGeometry = encoder->GetNumberOfInputConnections(1) > 0;
+  if (!hasGeometry)
+  {
+    // Otherwise it would be made with small fields, which are requested as a whole.
+    this->Sampler->SetGeometryTriangles(0);
+  }
+  return { this->Sampler, GetSettings(encoder), hasGeometry,
     static_cast<cslf::BakeProbe::Format>(this->Format), this->ProbeSeconds };
 }
 

@@ -291,7 +291,8 @@ vtkTypeBool vtkCSLFDecoder::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
   {
-    cslf::ChoosePorts(request, outputVector);
+    cslf::ChoosePorts(
+      request, outputVector, cslf::IsWholeRequested(outputVector->GetInformationObject(0)));
     return 1;
   }
   return cslf::GuardRequest(this, request, outputVector,

@@ -288,7 +288,12 @@ vtkTypeBool vtkCSLFGeometryFilter::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
   {
-    cslf::ChoosePorts(request, outputVector);
+    // The input may deliver more than was requested.
+    vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    vtkImageData* image = vtkImageData::GetData(input);
+    const int* whole = input->Get(Pipeline::WHOLE_EXTENT());
+    cslf::ChoosePorts(
+      request, outputVector, image && whole && std::equal(whole, whole + 6, image->GetExtent()));
     return 1;
   }
   return cslf::GuardRequest(this, request, outputVector,
@@ -362,7 +367,9 @@ int vtkCSLFGeometryFilter::RequestData(
   }
   if (!this->Geometry)
   {
-    return cslf::IsAborted(this) ? 1 : 0;
+    cslf::SetNotMade(outputVector, 1);
+    // The field can be used without it.
+    return cslf::IsAborted(this) || cslf::IsPortWanted(outputVector, 0) ? 1 : 0;
   }
   output->ShallowCopy(this->Geometry);
   return 1;
