@@ -29,7 +29,7 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
   ArrayLayout FieldArrays GeometryArrays Guard MissingViewpoints ParallelFor PipelineWatch
-  PolygonFill PortsOnDemand ScenePipeline Slabs TriangleList ViewpointSource)
+  PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ViewpointSource)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)

@@ -3,6 +3,7 @@
 #include "vtkCSLFBakeEstimator.h"
 
 #include "Files/cslfJSONFile.h"
+#include "Pipeline/cslfGuard.h"
 #include "Planning/cslfBakeProbe.h"
 #include "cslfJSONText.h"
 #include "cslfSeconds.h"
@@ -105,6 +106,7 @@ public:
     : Sampler(sampler)
     , Resolution(sampler->GetResolution())
     , Samples(sampler->GetSamples())
+    , GeometryTriangles(sampler->GetGeometryTriangles())
     , CacheOptions(sampler->GetCacheOptions())
     , CacheProbeSeconds(sampler->GetCacheProbeSeconds())
   {
@@ -113,6 +115,7 @@ public:
   {
     this->Sampler->SetResolution(this->Resolution);
     this->Sampler->SetSamples(this->Samples);
+    this->Sampler->SetGeometryTriangles(this->GeometryTriangles);
     this->Sampler->SetCacheOptions(this->CacheOptions);
     this->Sampler->SetCacheProbeSeconds(this->CacheProbeSeconds);
   }
@@ -123,6 +126,7 @@ private:
   vtkCSLFSampler* Sampler;
   int Resolution;
   int Samples;
+  int GeometryTriangles;
   vtkSmartPointer<vtkCSLFRadianceCacheOptions> CacheOptions;
   double CacheProbeSeconds;
 };
@@ -197,7 +201,13 @@ cslf::BakeProbe vtkCSLFBakeEstimator::MakeProbe()
 {
   vtkNew<vtkCSLFEncoder> standard;
   vtkCSLFEncoder* encoder = this->Encoder ? this->Encoder.Get() : standard.Get();
-  return { this->Sampler, GetSettings(encoder), encoder->GetNumberOfInputConnections(1) > 0,
+  const bool hasGeometry = encoder->GetNumberOfInputConnections(1) > 0;
+  if (!hasGeometry)
+  {
+    // Otherwise it would be made with small fields, which are requested as a whole.
+    this->Sampler->SetGeometryTriangles(0);
+  }
+  return { this->Sampler, GetSettings(encoder), hasGeometry,
     static_cast<cslf::BakeProbe::Format>(this->Format), this->ProbeSeconds };
 }
 
@@ -209,10 +219,14 @@ int vtkCSLFBakeEstimator::Estimate()
     vtkErrorMacro("There is no sampler.");
     return 0;
   }
-  const Restorer restorer(this->Sampler);
-  this->BeginProbe();
-  cslf::BakeProbe probe = this->MakeProbe();
-  return this->RunProbe(probe) ? 1 : 0;
+  return cslf::GuardMethod(this, "The bake cannot be estimated",
+    [this]
+    {
+      const Restorer restorer(this->Sampler);
+      this->BeginProbe();
+      cslf::BakeProbe probe = this->MakeProbe();
+      return this->RunProbe(probe) ? 1 : 0;
+    });
 }
 
 int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
@@ -223,6 +237,12 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
     vtkErrorMacro("There is no sampler.");
     return 0;
   }
+  return cslf::GuardMethod(this, "The number of samples cannot be chosen",
+    [this, seconds] { return this->FindSamples(seconds); });
+}
+
+int vtkCSLFBakeEstimator::FindSamples(double seconds)
+{
   int samples = 1;
   {
     const Restorer restorer(this->Sampler);
@@ -274,7 +294,12 @@ int vtkCSLFBakeEstimator::ChooseSamples(double seconds)
 
 int vtkCSLFBakeEstimator::RecallSamples(const char* fileName)
 {
-  const std::string name = fileName ? fileName : "";
+  return cslf::GuardMethod(this, "The number of samples cannot be read",
+    [this, fileName] { return this->ReadSamples(fileName ? fileName : ""); });
+}
+
+int vtkCSLFBakeEstimator::ReadSamples(const std::string& name)
+{
   nlohmann::json manifest = cslf::ReadJSON(name + ".partial/manifest.json");
   const nlohmann::json::json_pointer place("/description/sampling/samples");
   if (!this->Sampler || this->Format != Video || name.empty() || !manifest.is_object() ||

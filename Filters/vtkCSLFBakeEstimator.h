@@ -170,6 +170,8 @@ private:
   void BeginProbe();
   bool RunProbe(cslf::BakeProbe& probe);
   cslf::BakeProbe MakeProbe();
+  int FindSamples(double seconds);
+  int ReadSamples(const std::string& name);
   int Suggest(const std::function<double(double psnr, double bytes)>& getCost);
 
   int Format = Video;

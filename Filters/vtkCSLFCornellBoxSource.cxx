@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFCornellBoxSource.h"
 
+#include "Pipeline/cslfGuard.h"
+
 #include "cslfColor.h"
 #include "vtkCSLFMaterial.h"
 
@@ -20,6 +22,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFCornellBoxSource);
+cslfGuardedRequestMacro(vtkCSLFCornellBoxSource);
 
 namespace
 {

@@ -36,6 +36,8 @@ protected:
   vtkCSLFCornellBoxSource();
   ~vtkCSLFCornellBoxSource() override = default;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

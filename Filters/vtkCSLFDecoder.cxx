@@ -301,10 +301,12 @@ vtkTypeBool vtkCSLFDecoder::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
   {
-    cslf::ChoosePorts(request, outputVector);
+    cslf::ChoosePorts(
+      request, outputVector, cslf::IsWholeRequested(outputVector->GetInformationObject(0)));
     return 1;
   }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return cslf::GuardRequest(this, request, outputVector,
+    [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 int vtkCSLFDecoder::RequestData(
@@ -330,8 +332,18 @@ void vtkCSLFDecoder::ReadGeometry(vtkPolyData* output)
     return;
   }
   std::string error;
-  const auto geometry =
-    cslf::DecodeGeometry(part->Bytes, this->Internal->Reader->GetHeader().Field.Box, error);
+  vtkSmartPointer<vtkPolyData> geometry;
+  // The field can be read without it.
+  std::string problem;
+  cslf::Guard(
+    [&]
+    {
+      geometry =
+        cslf::DecodeGeometry(part->Bytes, this->Internal->Reader->GetHeader().Field.Box, error);
+      return true;
+    },
+    problem);
+  error = problem.empty() ? error : "its geometry cannot: " + problem;
   if (geometry)
   {
     output->ShallowCopy(geometry);

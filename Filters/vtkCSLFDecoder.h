@@ -125,7 +125,8 @@ public:
   bool HasGeometry() const;
 
   /**
-   * The geometry, on output port 1.
+   * The geometry, on output port 1. It is filled after Update(), which also reads the whole field,
+   * or Update(1), which reads the geometry alone. Requests for a part of the field do not read it.
    */
   vtkPolyData* GetGeometry();
 

@@ -6,7 +6,9 @@
 #include "Coding/Writing/cslfEncodeSession.h"
 #include "Options/cslfOptionTable.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
+#include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"
+#include "Pipeline/cslfRequests.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFRateControl.h"
 
@@ -203,6 +205,12 @@ std::optional<cslf::FilePart> vtkCSLFEncoder::MakePart(
 
 bool vtkCSLFEncoder::AddPart(const char* type, vtkUnsignedCharArray* bytes, const char* name)
 {
+  return cslf::GuardMethod(
+    this, "The part cannot be added", [&] { return this->CopyPart(type, bytes, name); });
+}
+
+bool vtkCSLFEncoder::CopyPart(const char* type, vtkUnsignedCharArray* bytes, const char* name)
+{
   cslf::FilePart part{ type ? type : "", name ? name : "", {} };
   if (bytes && bytes->GetNumberOfValues() > 0)
   {
@@ -263,6 +271,13 @@ bool vtkCSLFEncoder::Report(const cslf::EncodeSession& session)
 
 int vtkCSLFEncoder::Write()
 {
+  const std::string name = this->FileName ? this->FileName : "The file";
+  this->SetErrorCode(vtkErrorCode::UnknownError);
+  return cslf::GuardMethod(this, name + " was not written", [this] { return this->WriteInput(); });
+}
+
+int vtkCSLFEncoder::WriteInput()
+{
   cslf::EncodeFault fault = this->FindFault();
   if (this->GetNumberOfInputConnections(0) < 1)
   {
@@ -274,20 +289,22 @@ int vtkCSLFEncoder::Write()
   }
   std::optional<cslf::CacheKeeper> keeper;
   cslf::EncodeJob job = this->MakeJob();
+  const cslf::KeptRequests requests(job.Connection);
   job.Synchronize = [&keeper](bool isWell) { return keeper->Synchronize(isWell); };
   cslf::EncodeSession session(job);
   if (session.Check(fault))
   {
     keeper.emplace(this->Controller, session.GetCacheFile(), job.Warn);
     const CacheKeeping keeping(job.Connection, &*keeper);
-    // Write always writes, even if nothing changed.
+    // Write always writes, even if nothing changed. The input may fail with an exception.
     this->Modified();
     this->Session = &session;
-    this->GetExecutive()->Update();
+    std::string problem;
+    cslf::Guard([this] { return this->GetExecutive()->Update() != 0; }, problem);
     this->Session = nullptr;
     if (!session.HasWritten())
     {
-      session.Write(false);
+      session.Write(false, problem);
     }
   }
   return this->Report(session) ? 1 : 0;
@@ -303,28 +320,36 @@ vtkTypeBool vtkCSLFEncoder::ProcessRequest(
     int extent[6];
     inInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
     extent[5] = extent[4];
-    inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+    cslf::RequestFirstPart(inInfo, extent);
     return 1;
   }
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
-  {
-    // Failures are in the error code: a failed request would only add the executive's message.
-    if (this->Session)
+  return cslf::GuardRequest(this, request, outputVector,
+    [&]
     {
-      this->Session->Write(true);
-    }
-    else
-    {
-      cslf::EncodeSession session(this->MakeJob());
-      if (session.Check(this->FindFault()))
+      if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
       {
-        session.Write(true);
+        this->WriteRequested();
+        return 1;
       }
-      this->Report(session);
-    }
-    return 1;
+      return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+    });
+}
+
+// Failures are in the error code: a failed request would only add the executive's message.
+void vtkCSLFEncoder::WriteRequested()
+{
+  if (this->Session)
+  {
+    this->Session->Write(true);
+    return;
   }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
+  cslf::EncodeSession session(this->MakeJob());
+  if (session.Check(this->FindFault()))
+  {
+    session.Write(true);
+  }
+  this->Report(session);
 }
 
 void vtkCSLFEncoder::PrintSelf(ostream& os, vtkIndent indent)

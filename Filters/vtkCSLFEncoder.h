@@ -303,6 +303,9 @@ private:
   cslf::EncodeFault FindFault();
   cslf::EncodeJob MakeJob();
   bool Report(const cslf::EncodeSession& session);
+  bool CopyPart(const char* type, vtkUnsignedCharArray* bytes, const char* name);
+  int WriteInput();
+  void WriteRequested();
 
   cslf::EncodeSession* Session = nullptr; // while Write is at work
   vtkSmartPointer<vtkCSLFRateControl> RateControl;

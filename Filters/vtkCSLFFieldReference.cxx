@@ -7,6 +7,7 @@
 #include "PathTracing/Texels/cslfFieldRays.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfTexelChoice.h"
@@ -404,7 +405,7 @@ int vtkCSLFFieldReference::RequestUpdateExtent(
   int extent[6];
   vtkStreamingDemandDrivenPipeline::GetWholeExtent(field, extent);
   extent[5] = extent[4];
-  field->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  cslf::RequestFirstPart(field, extent);
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
@@ -414,6 +415,7 @@ int vtkCSLFFieldReference::RequestData(
   this->PSNR = 0.0;
   this->NoiseFloor = 0.0;
   this->NumberOfTexels = 0;
+  const cslf::KeptRequests requests(this->GetInputConnection(1, 0));
   const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
   if (!scene)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFGLTFReader.h"
 
+#include "Pipeline/cslfGuard.h"
+
 #include "GLTF/cslfGLTFBlocks.h"
 #include "GLTF/cslfGLTFDocument.h"
 #include "GLTF/cslfGLTFProblems.h"
@@ -19,12 +21,11 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFGLTFReader);
+cslfGuardedRequestMacro(vtkCSLFGLTFReader);
 
 vtkCSLFGLTFReader::vtkCSLFGLTFReader()
   : PointRadius(cslf::options::PointRadius.Default)
@@ -50,20 +51,15 @@ int vtkCSLFGLTFReader::RequestData(
   cslf::GLTFProblems problems;
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   std::string error;
-  try
-  {
-    cslf::GLTFDocument document(this->FileName);
-    blocks = cslf::MakeGLTFBlocks(document, problems);
-    error = blocks.empty() ? problems.ListErrors() : "";
-  }
-  catch (const std::bad_alloc&)
-  {
-    error = "there is not enough memory";
-  }
-  catch (const std::exception& failure)
-  {
-    error = failure.what();
-  }
+  cslf::Guard(
+    [&]
+    {
+      cslf::GLTFDocument document(this->FileName);
+      blocks = cslf::MakeGLTFBlocks(document, problems);
+      error = blocks.empty() ? problems.ListErrors() : "";
+      return true;
+    },
+    error);
   if (!error.empty())
   {
     vtkErrorMacro(

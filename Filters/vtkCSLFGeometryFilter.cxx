@@ -14,6 +14,7 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfPortsOnDemand.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
@@ -287,10 +288,16 @@ vtkTypeBool vtkCSLFGeometryFilter::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
   {
-    cslf::ChoosePorts(request, outputVector);
+    // The input may deliver more than was requested.
+    vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    vtkImageData* image = vtkImageData::GetData(input);
+    const int* whole = input->Get(Pipeline::WHOLE_EXTENT());
+    cslf::ChoosePorts(
+      request, outputVector, image && whole && std::equal(whole, whole + 6, image->GetExtent()));
     return 1;
   }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  return cslf::GuardRequest(this, request, outputVector,
+    [&] { return this->Superclass::ProcessRequest(request, inputVector, outputVector); });
 }
 
 int vtkCSLFGeometryFilter::RequestInformation(
@@ -312,11 +319,10 @@ int vtkCSLFGeometryFilter::RequestUpdateExtent(
   {
     // The geometry requests its slices itself, after the first one.
     extent[5] = extent[4];
+    cslf::RequestFirstPart(input, extent);
+    return 1;
   }
-  else
-  {
-    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent);
-  }
+  outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT(), extent);
   input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
   return 1;
 }
@@ -324,6 +330,7 @@ int vtkCSLFGeometryFilter::RequestUpdateExtent(
 int vtkCSLFGeometryFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   if (cslf::IsPortWanted(outputVector, 0))
   {
@@ -360,7 +367,9 @@ int vtkCSLFGeometryFilter::RequestData(
   }
   if (!this->Geometry)
   {
-    return cslf::IsAborted(this) ? 1 : 0;
+    cslf::SetNotMade(outputVector, 1);
+    // The field can be used without it.
+    return cslf::IsAborted(this) || cslf::IsPortWanted(outputVector, 0) ? 1 : 0;
   }
   output->ShallowCopy(this->Geometry);
   return 1;

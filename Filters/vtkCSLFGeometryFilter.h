@@ -62,12 +62,14 @@ public:
   ///@}
 
   /**
-   * The output of port 1.
+   * The output of port 1. It is filled after Update(), which also passes the whole field on, or
+   * Update(1), which pulls the field in parts. Requests for a part of the field do not make it.
    */
   vtkPolyData* GetGeometry();
 
   /**
-   * Makes the output of a single port, because the geometry takes much longer than the field.
+   * Makes the geometry with the whole field or alone, because it takes much longer than a part of
+   * the field.
    */
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFImageQuality.h"
 
+#include "Pipeline/cslfGuard.h"
+
 #include "Pipeline/cslfArrayLayout.h"
 #include "Quality/cslfPSNR.h"
 
@@ -177,6 +179,7 @@ double MeanSSIM(const Pair& pair, vtkImageStencilData* stencil, vtkImageData* ma
 }
 
 vtkStandardNewMacro(vtkCSLFImageQuality);
+cslfGuardedRequestMacro(vtkCSLFImageQuality);
 
 vtkCSLFImageQuality::vtkCSLFImageQuality()
 {

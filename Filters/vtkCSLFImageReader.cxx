@@ -140,6 +140,7 @@ vtkSmartPointer<vtkIdTypeArray> ReadSlab(const char* folder, const cslf::Descrip
 }
 
 vtkStandardNewMacro(vtkCSLFImageReader);
+cslfGuardedRequestMacro(vtkCSLFImageReader);
 
 vtkCSLFImageReader::vtkCSLFImageReader()
   : AllowMissing(cslf::options::AllowMissing.Default)

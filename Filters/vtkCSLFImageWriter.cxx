@@ -95,17 +95,17 @@ int vtkCSLFImageWriter::Write()
   const std::string name = this->FileName;
   cslf::AtomicFolder whole(name, cslf::ListCubeMapFiles);
   std::string error;
-  if (!whole.Open("a light field", error))
+  if (!cslf::Guard([&] { return whole.Open("a light field", error); }, error))
   {
     vtkErrorMacro(<< name << " was not written: " << error << ".");
     this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
     return 0;
   }
   this->InvokeEvent(vtkCommand::StartEvent);
-  bool isWritten =
-    cslf::Guard([&] { return this->WriteSlabs(whole.GetTemporaryName(), error); }, error);
   std::string warning;
-  isWritten = isWritten && whole.Publish(warning, error);
+  const bool isWritten = cslf::Guard([&]
+    { return this->WriteSlabs(whole.GetTemporaryName(), error) && whole.Publish(warning, error); },
+    error);
   if (!isWritten && !error.empty())
   {
     error.erase(error.find_last_not_of('.') + 1);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFPathTracer.h"
 
+#include "Pipeline/cslfGuard.h"
+
 #include "Options/cslfOptionTable.h"
 #include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfRadianceCache.h"
@@ -39,6 +41,7 @@
 #include <vector>
 
 vtkCxxSetObjectMacro(vtkCSLFPathTracer, Controller, vtkMultiProcessController);
+cslfGuardedRequestMacro(vtkCSLFPathTracer);
 
 namespace options = cslf::options;
 
@@ -425,7 +428,10 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   }
   else
   {
-    MakeEnvironment(this->Internals->Environment, sceneOptions.Surroundings, error);
+    // Before the ranks meet, an exception must not keep one away.
+    cslf::Guard([&]
+      { return MakeEnvironment(this->Internals->Environment, sceneOptions.Surroundings, error); },
+      error);
   }
   std::vector<vtkSmartPointer<vtkDataObject>> parts(inputs.begin(), inputs.end());
   // If one rank cannot take part, the others learn it here.

@@ -352,6 +352,8 @@ protected:
   ~vtkCSLFPathTracer() override;
 
   vtkExecutive* CreateDefaultExecutive() override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -7,6 +7,7 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Resampling/cslfNesting.h"
 #include "Resampling/cslfTexelReducer.h"
@@ -31,6 +32,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFResample);
+cslfGuardedRequestMacro(vtkCSLFResample);
 cslfSetOptionMacro(vtkCSLFResample, ResolutionDivisor, ResolutionDivisor);
 cslfSetOptionMacro(vtkCSLFResample, ViewpointStride, ViewpointStride);
 
@@ -197,7 +199,7 @@ int vtkCSLFResample::RequestUpdateExtent(
   const int last = nesting->FindEnd(asked[4], asked[5], GetSlicesAtOnce(extent));
   extent[4] = nesting->ToInput(asked[4]);
   extent[5] = nesting->ToInput(last);
-  inInfo->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  cslf::RequestFirstPart(inInfo, extent);
   return 1;
 }
 
@@ -212,6 +214,7 @@ int vtkCSLFResample::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   int asked[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), asked);
+  const cslf::KeptRequests requests(this->GetInputConnection(0, 0));
   Pass pass(
     this, inputVector[0]->GetInformationObject(0), *nesting, vtkImageData::GetData(outInfo));
   std::string problem;

@@ -145,7 +145,8 @@ vtkTypeBool vtkCSLFSampler::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
   {
-    cslf::ChoosePorts(request, outputVector);
+    cslf::ChoosePorts(
+      request, outputVector, cslf::IsWholeRequested(outputVector->GetInformationObject(0)));
     return 1;
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
@@ -169,10 +170,18 @@ int vtkCSLFSampler::RequestData(
   if (isDone && cslf::IsPortWanted(outputVector, 1))
   {
     this->UpdateGeometry(*scene, description, whole);
-    if (this->Geometry)
-    {
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(this->Geometry);
-    }
+  }
+  if (!cslf::IsPortWanted(outputVector, 1))
+  {
+    return 1;
+  }
+  if (this->Geometry && isDone)
+  {
+    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(this->Geometry);
+  }
+  else if (!isDone || this->GeometryTriangles > 0)
+  {
+    cslf::SetNotMade(outputVector, 1); // aborted
   }
   return 1;
 }

@@ -29,7 +29,9 @@
  * there is none if nobody sees any back. Field data holds `GeometryError`, the root mean square
  * distance of the scene's visible surfaces from the triangles, and `GeometryLoss`, the share of
  * them that is more than a texel away and does not count in the former. Above 0.2, the filter
- * warns, and mappers do not use it.
+ * warns, and mappers do not use it. Update() makes it with the field, and Update(1) makes it alone.
+ * Consumers that request parts of the field do not make it. It is made once, until something
+ * changes.
  *
  * The cube must strictly contain the scene; otherwise the filter reports an error.
  *
@@ -156,7 +158,7 @@ public:
   ///@}
 
   /**
-   * The geometry, on output port 1.
+   * The geometry, on output port 1. It is filled after Update() or Update(1).
    */
   vtkPolyData* GetGeometry();
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSceneImporter.h"
 
+#include "Pipeline/cslfGuard.h"
+
 #include "Options/cslfOptionTable.h"
 #include "SceneImport/cslfActorImporter.h"
 #include "SceneImport/cslfBlockAppearances.h"
@@ -35,6 +37,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
+cslfGuardedRequestMacro(vtkCSLFSceneImporter);
 vtkCxxSetSmartPointerMacro(vtkCSLFSceneImporter, Renderer, vtkRenderer);
 
 namespace

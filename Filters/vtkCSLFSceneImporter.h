@@ -141,6 +141,8 @@ protected:
   vtkCSLFSceneImporter();
   ~vtkCSLFSceneImporter() override;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**

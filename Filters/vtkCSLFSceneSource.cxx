@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFSceneSource.h"
 
+#include "Pipeline/cslfGuard.h"
+
 #include "Scenes/cslfProceduralScene.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFEnvironment.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkCSLFSceneSource);
+cslfGuardedRequestMacro(vtkCSLFSceneSource);
 
 namespace
 {
@@ -90,8 +93,12 @@ bool vtkCSLFSceneSource::AddToRenderer(vtkRenderer* renderer)
   {
     return false;
   }
-  scene->Add(renderer);
-  return true;
+  return cslf::GuardMethod(this, "The scene cannot be added",
+    [&]
+    {
+      scene->Add(renderer);
+      return true;
+    });
 }
 
 int vtkCSLFSceneSource::RequestData(

@@ -72,6 +72,8 @@ protected:
   vtkCSLFSceneSource();
   ~vtkCSLFSceneSource() override = default;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

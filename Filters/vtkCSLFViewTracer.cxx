@@ -5,6 +5,7 @@
 #include "PathTracing/RadianceCache/cslfCacheCheck.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfFieldArrays.h"
 #include "cslfDescription.h"
 
 #include <vtkCamera.h>
@@ -169,8 +170,8 @@ int vtkCSLFViewTracer::RequestData(
     return 0;
   }
   output->SetDimensions(this->Size[0], this->Size[1], 1);
-  output->AllocateScalars(this->ColorType, 4);
-  output->GetPointData()->GetScalars()->SetName(cslf::ColorName);
+  output->GetPointData()->SetScalars(cslf::MakeArray(
+    cslf::MakeChannel(cslf::KnownChannel::Color, this->ColorType), output->GetNumberOfPoints()));
 
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::CheckedPicture picture{ this->Size[0], this->Size[1], 1, 1,

@@ -3,6 +3,8 @@
 #include "vtkCSLFMapper.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfGuard.h"
+#include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfViewpointSource.h"
 #include "cslfDescription.h"
 #include "cslfFocus.h"
@@ -12,7 +14,6 @@
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkActor.h>
-#include <vtkAlgorithmOutput.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
@@ -32,6 +33,11 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace
+{
+constexpr const char* ReadingFailure = "The light field cannot be read";
+}
 
 class vtkCSLFMapper::vtkInternals
 {
@@ -212,7 +218,7 @@ bool vtkCSLFMapper::UpdateField()
   auto* decoder = vtkCSLFDecoder::SafeDownCast(this->GetInputAlgorithm());
   if (!decoder && !this->Static)
   {
-    this->GetInputAlgorithm()->Update();
+    cslf::UpdateWhole(this->GetInputConnection(0, 0));
   }
   vtkObject* input = decoder ? static_cast<vtkObject*>(decoder) : this->GetInput();
   if (!input)
@@ -235,6 +241,10 @@ bool vtkCSLFMapper::UpdateField()
     {
       return internals.Source != nullptr;
     }
+    // Opening may fail by an exception.
+    internals.Source = nullptr;
+    internals.CheckedInput = input;
+    internals.CheckedTime = input->GetMTime();
     internals.Source = this->OpenImage(this->GetInput());
   }
   internals.CheckedInput = input;
@@ -261,8 +271,7 @@ void vtkCSLFMapper::UpdateGeometry()
   vtkInternals& internals = *this->Internals;
   if (this->GetNumberOfInputConnections(1) > 0 && !this->Static)
   {
-    vtkAlgorithmOutput* connection = this->GetInputConnection(1, 0);
-    connection->GetProducer()->Update(connection->GetIndex());
+    cslf::UpdateWhole(this->GetInputConnection(1, 0));
   }
   vtkPolyData* geometry = this->GetGeometry();
   const vtkMTimeType time =
@@ -322,7 +331,7 @@ std::shared_ptr<cslf::ViewpointSource> vtkCSLFMapper::OpenImage(vtkImageData* im
 //------------------------------------------------------------------------------
 double* vtkCSLFMapper::GetBounds()
 {
-  if (this->UpdateField())
+  if (cslf::GuardMethod(this, ReadingFailure, [this] { return this->UpdateField(); }))
   {
     this->Internals->GetCube().GetBounds(this->Bounds);
   }
@@ -350,10 +359,26 @@ vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkCSLFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!this->UpdateField())
+  if (!cslf::GuardMethod(this, ReadingFailure, [this] { return this->UpdateField(); }))
   {
     return;
   }
+  const bool isDrawn = cslf::GuardMethod(this, "The light field cannot be drawn",
+    [&]
+    {
+      this->Draw(renderer, actor);
+      return true;
+    });
+  if (!isDrawn)
+  {
+    // Reported once, not for every picture.
+    this->Internals->Source = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
+{
   vtkInternals& internals = *this->Internals;
   if (this->Lookup == GEOMETRY)
   {

@@ -283,6 +283,7 @@ private:
 
   bool UpdateField();
   void UpdateGeometry();
+  void Draw(vtkRenderer* renderer, vtkActor* actor);
   std::shared_ptr<cslf::ViewpointSource> OpenDecoder(vtkCSLFDecoder* decoder);
   std::shared_ptr<cslf::ViewpointSource> OpenImage(vtkImageData* image);
   void ReportDamage(int damaged, int undamaged);

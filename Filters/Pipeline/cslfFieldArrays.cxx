@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace cslf
@@ -44,9 +45,11 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Channel& channel, vtkIdType tuples
   auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(channel.Type));
   array->SetName(channel.Name.c_str());
   array->SetNumberOfComponents(channel.Components);
-  const vtkIdType values = tuples * channel.Components;
-  const auto bytes = static_cast<std::size_t>(values) * array->GetDataTypeSize();
-  void* memory = std::malloc(std::max<std::size_t>(bytes, 1));
+  const vtkIdType tupleBytes = vtkIdType(channel.Components) * array->GetDataTypeSize();
+  const bool isCountable =
+    tuples >= 0 && tuples <= std::numeric_limits<vtkIdType>::max() / tupleBytes;
+  const vtkIdType values = isCountable ? tuples * channel.Components : 0;
+  void* memory = isCountable ? std::malloc(std::max<std::size_t>(tuples * tupleBytes, 1)) : nullptr;
   if (!memory)
   {
     throw std::bad_alloc();

@@ -2,19 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps exceptions within VTK's methods.
+ * Keeps exceptions within VTK's methods: none may leave them, because VTK and its users do not
+ * expect any, and programs would end.
  */
 #ifndef cslfGuard_h
 #define cslfGuard_h
 
+#include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerVectorKey.h>
+#include <vtkInformationVector.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 namespace cslf
 {
-/// Does `work()`, which may run out of memory, and returns its result. No exception may leave VTK's
-/// methods, so it catches them, returns false and gives the reason.
+/// Does `work()` and returns its result. If it throws, returns false and gives the reason.
 template <typename Work>
 bool Guard(const Work& work, std::string& problem)
 {
@@ -26,12 +35,86 @@ bool Guard(const Work& work, std::string& problem)
   {
     problem = "there is not enough memory";
   }
+  catch (const std::length_error&)
+  {
+    // A container's size is beyond what memory can hold.
+    problem = "there is not enough memory";
+  }
   catch (const std::exception& exception)
   {
     problem = exception.what();
   }
+  catch (...)
+  {
+    problem = "there was an unknown error";
+  }
   return false;
 }
+
+/// Does the `work()` of an object's method and returns its result. If it throws, the object reports
+/// an error that begins with `failure`, and the result is 0 or false.
+template <typename Work>
+auto GuardMethod(vtkObject* object, const std::string& failure, const Work& work)
+{
+  decltype(work()) result{};
+  std::string problem;
+  Guard(
+    [&]
+    {
+      result = work();
+      return true;
+    },
+    problem);
+  if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(object, << failure << ": " << problem << ".");
+    result = {};
+  }
+  return result;
 }
+
+/// The same for ProcessRequest, which makes a filter's outputs: they are empty then. After a
+/// failure it also drops the extents that VTK combines the next request with, which VTK does only
+/// after success: they could be beyond what the output is after a change.
+template <typename Work>
+vtkTypeBool GuardRequest(
+  vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Work& work)
+{
+  bool isDone = false;
+  const vtkTypeBool result = GuardMethod(filter, "The output cannot be made",
+    [&]
+    {
+      const vtkTypeBool made = work();
+      isDone = true;
+      return made;
+    });
+  const bool makesData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    vtkDataObject* data = vtkDataObject::GetData(output);
+    if (makesData && !isDone && data && !output->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
+    {
+      data->Initialize();
+    }
+    if ((makesData && !result) || request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+    {
+      output->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
+    }
+  }
+  return result;
+}
+}
+
+/// Defines a filter's ProcessRequest, through which VTK calls RequestInformation,
+/// RequestUpdateExtent and RequestData, so that no exception leaves any of them.
+#define cslfGuardedRequestMacro(Class)                                                             \
+  vtkTypeBool Class::ProcessRequest(                                                               \
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)         \
+  {                                                                                                \
+    return cslf::GuardRequest(this, request, outputs,                                              \
+      [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });                 \
+  }                                                                                                \
+  static_assert(true, "a semicolon follows")
 
 #endif

@@ -13,9 +13,7 @@
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationIntegerRequestKey.h>
-#include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -45,16 +43,7 @@ vtkSmartPointer<vtkImageData> PullSlices(
   { return image && image->GetExtent()[4] <= first && image->GetExtent()[5] >= last; };
   if (!holds())
   {
-    int extent[6];
-    information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-    extent[4] = first;
-    extent[5] = last;
-    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(
-      vtkExecutive::PRODUCER()->GetExecutive(information));
-    const bool updated =
-      executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(information)) != 0;
-    image = updated ? vtkImageData::GetData(information) : nullptr;
+    image = UpdateSlices(information, first, last) ? vtkImageData::GetData(information) : nullptr;
   }
   if (!holds())
   {
@@ -99,6 +88,7 @@ bool SlabStream::Open()
   {
     return false;
   }
+  this->Requests.emplace(this->Producer->GetOutputPort(this->Port));
   int extent[6];
   executive->GetWholeExtent(this->Producer->GetOutputInformation(this->Port), extent);
   if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
@@ -184,20 +174,7 @@ bool SlabStream::Read(const Slab& slab)
   {
     this->ReadAhead(slab);
   }
-  int extent[6];
-  vtkInformation* information = this->Producer->GetOutputInformation(this->Port);
-  vtkStreamingDemandDrivenPipeline::GetWholeExtent(information, extent);
-  extent[4] = slab.First;
-  extent[5] = slab.Last;
-  vtkNew<vtkInformationVector> requests;
-  for (int port = 0; port <= this->Port; ++port)
-  {
-    vtkNew<vtkInformation> request;
-    requests->Append(request);
-  }
-  requests->GetInformationObject(this->Port)
-    ->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-  if (!this->Producer->Update(this->Port, requests))
+  if (!UpdateSlices(this->Producer->GetOutputInformation(this->Port), slab.First, slab.Last))
   {
     return false;
   }

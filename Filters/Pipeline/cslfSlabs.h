@@ -8,6 +8,7 @@
 #ifndef cslfSlabs_h
 #define cslfSlabs_h
 
+#include "Pipeline/cslfRequests.h"
 #include "cslfDescription.h"
 
 #include <vtkImageData.h>
@@ -15,6 +16,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,13 +38,14 @@ struct Slab
 
 /// Reads a filter's input connection slab by slab. Every method except the getters returns false on
 /// failure; then GetError() gives the reason in one line, or is empty if the upstream filter has
-/// reported it already.
+/// reported it already. What had been requested from the upstream filters before Open() is
+/// requested from them again afterwards.
 class SlabStream
 {
 public:
   explicit SlabStream(vtkAlgorithmOutput* connection);
 
-  /// Asks upstream for the whole extent.
+  /// Asks upstream for the whole extent. Called once.
   bool Open();
 
   /// The slices that the upstream filter offers.
@@ -82,6 +85,7 @@ private:
   vtkAlgorithm* Producer;
   vtkCSLFDecoder* Decoder; ///< the producer if it is one, else null
   int Port;
+  std::optional<KeptRequests> Requests;
   Slab Whole;
   int SlabSize = 1;
   std::vector<Slab> Announced;
@@ -93,7 +97,8 @@ private:
 };
 
 /// Pulls at least the slices from `first` to `last` from the connection of that pipeline
-/// information, within a filter's RequestData, as arrays that pointers can read. On failure returns
+/// information, within a filter's RequestData, as arrays that pointers can read. The filter keeps
+/// the requests with KeptRequests. On failure returns
 /// null and gives the reason in a sentence.
 vtkSmartPointer<vtkImageData> PullSlices(
   vtkInformation* information, int first, int last, std::string& error);

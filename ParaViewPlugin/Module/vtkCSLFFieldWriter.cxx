@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFFieldWriter.h"
 
+#include "Pipeline/cslfGuard.h"
 #include "cslfGatherField.h"
 #include "cslfGeometryPort.h"
 
@@ -31,7 +32,9 @@ int vtkCSLFFieldWriter::Write()
   int outcome[2] = { 0, vtkErrorCode::NoError };
   if (rank == 0)
   {
-    outcome[0] = this->WriteAlone(field, geometry);
+    // The other ranks wait for the outcome.
+    outcome[0] = cslf::GuardMethod(
+      this, "The light field was not written", [&] { return this->WriteAlone(field, geometry); });
     outcome[1] = static_cast<int>(this->GetErrorCode());
   }
   if (ranks > 1)

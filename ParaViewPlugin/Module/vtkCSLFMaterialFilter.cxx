@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFMaterialFilter.h"
 
+#include "Pipeline/cslfGuard.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkDataObject.h>
@@ -12,6 +13,7 @@
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkCSLFMaterialFilter);
+cslfGuardedRequestMacro(vtkCSLFMaterialFilter);
 
 //------------------------------------------------------------------------------
 vtkCSLFMaterialFilter::vtkCSLFMaterialFilter() = default;

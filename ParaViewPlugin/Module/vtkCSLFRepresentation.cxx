@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFRepresentation.h"
 
+#include "Pipeline/cslfGuard.h"
 #include "cslfGatherField.h"
 #include "cslfGeometryPort.h"
 #include "vtkCSLFMapper.h"
@@ -32,6 +33,7 @@ constexpr int GeometryPort = 1;
 }
 
 vtkStandardNewMacro(vtkCSLFRepresentation);
+cslfGuardedRequestMacro(vtkCSLFRepresentation);
 
 //------------------------------------------------------------------------------
 vtkCSLFRepresentation::vtkCSLFRepresentation()
@@ -181,6 +183,19 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   {
     return 0;
   }
+  return cslf::GuardMethod(this, "The light field cannot be shown",
+    [&]
+    {
+      this->ShowPieces(request, inInfo, outInfo);
+      return 1;
+    });
+}
+
+//------------------------------------------------------------------------------
+// Announces this process's pieces, or receives those that were delivered to it.
+void vtkCSLFRepresentation::ShowPieces(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     // A rank that receives a piece must announce one, too.
@@ -203,7 +218,6 @@ int vtkCSLFRepresentation::ProcessViewRequest(
   {
     this->ReceivePieces(inInfo);
   }
-  return 1;
 }
 
 //------------------------------------------------------------------------------

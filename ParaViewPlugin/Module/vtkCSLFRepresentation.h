@@ -83,6 +83,8 @@ protected:
   ~vtkCSLFRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool AddToView(vtkView* view) override;
@@ -95,6 +97,8 @@ private:
   void ConnectGeometry();
   void UpdateOutline();
   void ReceivePieces(vtkInformation* info);
+  void ShowPieces(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void GetDrawnBounds(double bounds[6]);
 
   vtkNew<vtkCSLFMapper> Mapper;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCSLFViewScene.h"
 
+#include "Pipeline/cslfGuard.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFSceneImporter.h"
@@ -24,6 +25,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkCSLFViewScene);
+cslfGuardedRequestMacro(vtkCSLFViewScene);
 
 namespace
 {

@@ -69,6 +69,8 @@ protected:
   vtkCSLFViewScene();
   ~vtkCSLFViewScene() override;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -91,7 +91,7 @@ class PlotterComponent:
             if crf is not None:
                 raise ValueError("crf is for videos, and there is no file name.")
             with _Errors(sampler) as errors:
-                sampler.Update()
+                sampler.UpdateWholeExtent()
                 errors.require(sampler.GetOutput().GetNumberOfPoints() > 0)
             return pyvista.wrap(sampler.GetOutput())
         if not hasattr(vtkCSLF, "vtkCSLFEncoder"):

@@ -256,6 +256,11 @@ void TestFile(const std::string& fileName)
   CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == field->GetNumberOfPoints());
   CSLF_CHECK(decoder->GetGeometry()->GetNumberOfPolys() > 1000);
 
+  vtkNew<vtkCSLFDecoder> both;
+  both->SetFileName(fileName.c_str());
+  both->Update();
+  CSLF_CHECK(both->GetGeometry()->GetNumberOfPolys() == decoder->GetGeometry()->GetNumberOfPolys());
+
   cslf::testing::View view;
   vtkNew<vtkCSLFMapper> fromFile;
   fromFile->SetInputConnection(0, decoder->GetOutputPort(0));

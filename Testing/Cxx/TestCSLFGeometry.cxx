@@ -25,6 +25,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTestErrorObserver.h>
 
 #include <glm/common.hpp>
@@ -207,7 +208,8 @@ void TestBudget()
   CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPolys() == 0);
 }
 
-/// The field and the geometry are made when each is wanted, and stay.
+/// The geometry is made alone if only it is wanted, and with the whole field, but not with parts of
+/// it. It is made once.
 void TestDemand()
 {
   const auto sphere = MakeSphere(glm::dvec3(0.0), 1.0, 20);
@@ -225,13 +227,27 @@ void TestDemand()
 
   vtkNew<vtkCSLFSampler> other;
   SetUp(other, sphere);
-  other->Update();
+  other->UpdateInformation();
+  int part[6];
+  vtkStreamingDemandDrivenPipeline::GetWholeExtent(other->GetOutputInformation(0), part);
+  part[5] = part[4];
+  other->UpdateExtent(part);
+  CSLF_CHECK(other->GetOutput()->GetNumberOfPoints() > 0);
   CSLF_CHECK(other->GetGeometry()->GetNumberOfPolys() == 0);
+  other->UpdateWholeExtent();
+  const vtkIdType count = other->GetGeometry()->GetNumberOfPolys();
+  CSLF_CHECK(count == sampler->GetGeometry()->GetNumberOfPolys());
+  const double seconds = other->GetGeometrySeconds();
   const vtkMTimeType otherTime = other->GetOutput()->GetMTime();
   other->Update(1);
-  CSLF_CHECK(other->GetGeometry()->GetNumberOfPolys() > 0);
-  CSLF_CHECK(other->GetOutput()->GetNumberOfPoints() > 0);
   CSLF_CHECK(other->GetOutput()->GetMTime() == otherTime);
+  CSLF_CHECK(other->GetGeometrySeconds() == seconds);
+
+  // None remains none.
+  other->SetGeometryTriangles(0);
+  other->Update();
+  CSLF_CHECK(other->GetOutput()->GetNumberOfPoints() > 0);
+  CSLF_CHECK(other->GetGeometry()->GetNumberOfPolys() == 0);
 }
 }
 

@@ -5,7 +5,8 @@ drawn."""
 import json
 import unittest
 
-from cslf import vtkCSLFMapper, vtkCSLFMaterial, vtkCSLFSampler, vtkCSLFSceneSource
+from cslf import (make_actor, vtkCSLFMapper, vtkCSLFMaterial, vtkCSLFSampler,
+                  vtkCSLFSceneSource)
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkRenderer, vtkRenderWindow,
@@ -21,8 +22,8 @@ RESOLUTION = 32
 SLICES = 6 * VIEWPOINTS**2
 
 
-def sample_sphere():
-    """The light field of a black sphere that emits orange light."""
+def make_sampler():
+    """A sampler of a black sphere that emits orange light."""
     source = vtkSphereSource()
     source.SetThetaResolution(32)
     source.SetPhiResolution(32)
@@ -36,14 +37,15 @@ def sample_sphere():
     sampler.SetResolution(RESOLUTION)
     sampler.SetSamples(4)
     sampler.GetEnvironment().SetModeToNone()
-    sampler.Update()
-    return sampler.GetOutput()
+    return sampler
 
 
 class TestCSLFPackage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.field = sample_sphere()
+        cls.sampler = make_sampler()
+        cls.sampler.Update()
+        cls.field = cls.sampler.GetOutput()
 
     def test_sampler(self):
         self.assertEqual(self.field.GetDimensions(), (5 * RESOLUTION, RESOLUTION, SLICES))
@@ -56,6 +58,20 @@ class TestCSLFPackage(unittest.TestCase):
         description = json.loads(text)
         self.assertEqual(description["resolution"], RESOLUTION)
         self.assertEqual(description["nodes"], list(range(VIEWPOINTS)))
+
+    def test_ports(self):
+        self.assertGreater(self.sampler.GetGeometry().GetNumberOfPolys(), 0)
+        sampler = make_sampler()
+        sampler.SetGeometryTriangles(0)
+        sampler.Update()
+        self.assertEqual(sampler.GetGeometry().GetNumberOfPolys(), 0)
+
+    def test_partial_request(self):
+        sampler = make_sampler()
+        sampler.UpdateExtent((0, 5 * RESOLUTION - 1, 0, RESOLUTION - 1, 3, 3))
+        self.assertEqual(sampler.GetOutput().GetExtent()[4:], (3, 3))
+        actor = make_actor(sampler)
+        self.assertLess(actor.GetBounds()[0], actor.GetBounds()[1])
 
     def test_scenes(self):
         names = [vtkCSLFSceneSource.GetSceneName(i)

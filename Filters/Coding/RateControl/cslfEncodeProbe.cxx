@@ -41,10 +41,8 @@ bool EncodeProbe::Begin(std::string& error)
   {
     return false;
   }
-  int extent[6];
-  grid->GetWholeExtent(extent);
-  extent[5] = extent[4];
-  if (!this->Producer->UpdateExtent(extent))
+  this->Requests.emplace(this->Producer->GetOutputPort(0));
+  if (!UpdateSlices(information, 0, 0))
   {
     error = "The sampler failed.";
     return false;

@@ -9,6 +9,7 @@
 
 #include "Coding/Writing/cslfFieldWriter.h"
 #include "Coding/Writing/cslfSlicePuller.h"
+#include "Pipeline/cslfRequests.h"
 
 #include <vtkSmartPointer.h>
 
@@ -75,6 +76,7 @@ private:
   vtkSmartPointer<vtkPolyData> Geometry;
   std::optional<ComputedChannels> Computed;
   GeometryPlan Plan;
+  std::optional<KeptRequests> Requests;
   std::optional<SlicePuller> Puller;
   std::optional<FieldWriter> Writer;
   bool IsCoveredFully = true; // by all groups made so far

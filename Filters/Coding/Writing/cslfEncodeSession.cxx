@@ -6,6 +6,7 @@
 #include "Coding/Geometry/cslfGeometryCodec.h"
 #include "Files/cslfFileSystem.h"
 #include "Parallel/cslfBroadcast.h"
+#include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfSlabs.h"
 
@@ -60,6 +61,14 @@ bool EncodeSession::FailWriting(unsigned long code, const std::string& error)
   return this->Fail(code, this->Job.FileName + " was not written: " + error + ".");
 }
 
+// Does a step of this rank. The other ranks must learn of an exception, so it becomes an error.
+bool EncodeSession::Try(const std::function<bool()>& step)
+{
+  std::string problem;
+  const bool isDone = Guard(step, problem);
+  return problem.empty() ? isDone : this->FailWriting(vtkErrorCode::UnknownError, problem);
+}
+
 bool EncodeSession::IsWell() const
 {
   return this->Fault.Code == vtkErrorCode::NoError;
@@ -78,7 +87,7 @@ bool EncodeSession::Check(const EncodeFault& before)
   this->Fault = before;
   if (before.Code == vtkErrorCode::NoError)
   {
-    this->CheckHere();
+    this->Try([this] { return this->CheckHere(); });
   }
   return this->Agree({});
 }
@@ -146,12 +155,8 @@ bool EncodeSession::Agree(const std::string& shared, int* fromRoot)
   return verdict.Failed < 0;
 }
 
-bool EncodeSession::BeginPulling(bool hasInput)
+bool EncodeSession::BeginPulling()
 {
-  if (!hasInput)
-  {
-    return this->Fail(vtkErrorCode::UnknownError, "The input failed.");
-  }
   std::string error;
   if (!this->Puller->Begin(error))
   {
@@ -167,18 +172,21 @@ bool EncodeSession::ChooseKeyViews(bool isReady)
 {
   if (isReady && this->Peers.GetRank() == 0)
   {
-    std::string error;
-    const vtkSmartPointer<vtkPolyData> geometry = this->GeometryBytes.empty()
-      ? nullptr
-      : DecodeGeometry(this->GeometryBytes, this->Puller->GetField().Box, error);
-    if (!cslf::ChooseKeyViews(
-          *this->Puller, geometry, this->Job.Settings.NovelViewPSNR,
-          [this] { return this->Job.Progress(0.0); }, this->Choice, error))
-    {
-      this->FailWriting(vtkErrorCode::UserError, error);
-    }
+    this->Try([this] { return this->TryKeyViews(); });
   }
   return this->Agree({}, &this->Choice.Step);
+}
+
+bool EncodeSession::TryKeyViews()
+{
+  std::string error;
+  const vtkSmartPointer<vtkPolyData> geometry = this->GeometryBytes.empty()
+    ? nullptr
+    : DecodeGeometry(this->GeometryBytes, this->Puller->GetField().Box, error);
+  return cslf::ChooseKeyViews(
+           *this->Puller, geometry, this->Job.Settings.NovelViewPSNR,
+           [this] { return this->Job.Progress(0.0); }, this->Choice, error) ||
+    this->FailWriting(vtkErrorCode::UserError, error);
 }
 
 // Rank 0 chooses for all; the others get its geometry here.
@@ -191,7 +199,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
   }
   if (isReady && this->Peers.GetRank() == 0)
   {
-    this->TryGeometry();
+    this->Try([this] { return this->TryGeometry(); });
   }
   const ComputedChannels& chosen = this->Plan.GetComputed();
   int choice = (chosen.HasDepth ? 1 : 0) + (chosen.HasCoverage ? 2 : 0);
@@ -217,7 +225,7 @@ bool EncodeSession::ChooseGeometry(bool isReady)
 }
 
 // Only rank 0 has the parts of the file.
-void EncodeSession::AddGeometry()
+bool EncodeSession::AddGeometry()
 {
   const auto part = this->Job.GetGeometry
     ? this->Job.GetGeometry(this->Puller->GetField(), this->Job.Parts)
@@ -228,25 +236,26 @@ void EncodeSession::AddGeometry()
     this->Job.Parts.push_back(*part);
     this->Writer->SetParts(this->Job.Parts);
   }
+  return true;
 }
 
-void EncodeSession::TryGeometry()
+bool EncodeSession::TryGeometry()
 {
   const Description field = this->Puller->GetField();
   if (this->GeometryBytes.empty() || !this->Job.Settings.ComputesDepth() ||
     !field.FindChannel(KnownChannel::Depth))
   {
-    return;
+    return true;
   }
   const std::vector<int> slices = GetTriedViewpoints(field.Grid);
   const PipelineWatch watch(this->Job.Connection, [this] { return this->Job.Progress(0.0); });
   std::string error;
   if (!this->Puller->Pull(slices, error))
   {
-    this->FailWriting(vtkErrorCode::UnknownError, error);
-    return;
+    return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   this->Plan = GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Puller->GetSlices());
+  return true;
 }
 
 bool EncodeSession::BeginWriting()
@@ -285,21 +294,37 @@ bool EncodeSession::OpenParts()
   return this->ReportProgress();
 }
 
-bool EncodeSession::Write(bool hasInput)
+bool EncodeSession::Write(bool hasInput, const std::string& problem)
 {
   this->Written = true;
   const AVLogSilence silence;
+  if (!hasInput)
+  {
+    this->Fail(vtkErrorCode::UnknownError,
+      problem.empty() ? "The input failed." : "The input failed: " + problem + ".");
+  }
+  this->Try(
+    [this, hasInput]
+    {
+      this->WriteField(hasInput);
+      return true;
+    });
+  return this->IsWell();
+}
+
+void EncodeSession::WriteField(bool hasInput)
+{
   const bool isSynchronized = !this->Job.Synchronize || this->Job.Synchronize(hasInput);
   // If the input was stopped because another rank failed, that rank reports it.
-  const bool isReady = (isSynchronized || !hasInput) && this->BeginPulling(hasInput);
+  bool isReady = isSynchronized && hasInput && this->Try([this] { return this->BeginPulling(); });
   if (isReady && this->Peers.GetRank() == 0)
   {
-    this->AddGeometry();
+    isReady = this->Try([this] { return this->AddGeometry(); });
   }
   this->Choice.Step = this->Job.Settings.KeyViewStep;
   if ((this->Choice.Step > 0 || this->ChooseKeyViews(isReady)) && this->ChooseGeometry(isReady))
   {
-    const bool hasBegun = isReady && this->BeginWriting();
+    const bool hasBegun = isReady && this->Try([this] { return this->BeginWriting(); });
     int stored = this->Writer->CountStored();
     if (this->Agree(hasBegun ? this->Writer->GetManifest() : std::string(), &stored) &&
       isSynchronized)
@@ -317,7 +342,6 @@ bool EncodeSession::Write(bool hasInput)
     this->Job.Warn("Colour that is negative, above " + std::to_string(MaximumRadiance) +
       " or not a number is clipped.");
   }
-  return this->IsWell();
 }
 
 // The rank that reports the error may differ from the one that keeps the groups.
@@ -336,7 +360,7 @@ int EncodeSession::Work()
   if (this->Peers.GetRank() == 0)
   {
     this->Lead();
-    this->Conclude();
+    this->Try([this] { return this->Conclude(); });
   }
   else
   {
@@ -378,8 +402,9 @@ bool EncodeSession::DoNext(bool& isDone)
   return this->Peers.Lead(
            std::move(undone), this->GetGroupsAtOnce(),
            [this](const std::vector<CodingTask>& mine, ByteBuffer& results)
-           { return this->Make(mine, results); },
-           [this](ByteBuffer& results) { return this->Take(results); }) &&
+           { return this->Try([&] { return this->Make(mine, results); }); },
+           [this](ByteBuffer& results)
+           { return this->Try([&] { return this->Take(results); }); }) &&
     this->NoteTasks(tasks);
 }
 
@@ -398,11 +423,11 @@ bool EncodeSession::NoteTasks(const std::vector<CodingTask>& tasks)
   return true;
 }
 
-void EncodeSession::Conclude()
+bool EncodeSession::Conclude()
 {
   if (!this->IsWell() || this->Peers.GetFailedRank() >= 0)
   {
-    return;
+    return false;
   }
   std::string error;
   const auto report = [this](double share)
@@ -410,8 +435,7 @@ void EncodeSession::Conclude()
   std::string warning;
   if (!this->Writer->Finish(report, warning, error))
   {
-    this->FailWriting(vtkErrorCode::UnknownError, error);
-    return;
+    return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   if (!warning.empty())
   {
@@ -423,13 +447,14 @@ void EncodeSession::Conclude()
   this->Outcome = { this->Control->GetMeanFactor(), bytes, this->Control->GetRawBytes() / bytes,
     this->Control->GetPSNR(), this->Choice.Step, this->Choice.PSNR,
     this->Plan.GetComputed().HasDepth, this->Plan.GetLoss() };
+  return true;
 }
 
 void EncodeSession::Follow()
 {
   const PipelineWatch watch(this->Job.Connection, [this] { return this->Peers.Serve(); });
   this->Peers.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
-    { return this->Make(tasks, results); });
+    { return this->Try([&] { return this->Make(tasks, results); }); });
   if (this->Peers.IsStopped())
   {
     this->Fault = {};

@@ -78,8 +78,9 @@ public:
   /// error of this rank comes first. False if there is an error on any rank.
   bool Check(const EncodeFault& before);
 
-  /// Writes the file, on all ranks. The input contains its first viewpoint unless it has failed.
-  bool Write(bool hasInput);
+  /// Writes the file, on all ranks. The input contains its first viewpoint unless it has failed,
+  /// because of a problem if it is known.
+  bool Write(bool hasInput, const std::string& problem = {});
 
   bool HasWritten() const { return this->Written; }
 
@@ -96,23 +97,26 @@ public:
 private:
   bool Fail(unsigned long code, const std::string& text);
   bool FailWriting(unsigned long code, const std::string& error);
+  bool Try(const std::function<bool()>& step);
   void ReportStored(int stored);
   bool IsWell() const;
   bool Agree(const std::string& shared, int* fromRoot = nullptr);
   bool CheckHere();
   bool CheckGrid();
-  bool BeginPulling(bool hasInput);
+  void WriteField(bool hasInput);
+  bool BeginPulling();
   bool ChooseKeyViews(bool isReady);
+  bool TryKeyViews();
   bool ChooseGeometry(bool isReady);
-  void AddGeometry();
-  void TryGeometry();
+  bool AddGeometry();
+  bool TryGeometry();
   bool BeginWriting();
   bool OpenParts();
 
   int Work(); ///< the number of groups that will be stored in the end
   void Lead();
   void Follow();
-  void Conclude();
+  bool Conclude();
   bool DoNext(bool& isDone);
   bool NoteTasks(const std::vector<CodingTask>& tasks);
 

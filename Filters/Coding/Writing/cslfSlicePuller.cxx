@@ -4,6 +4,7 @@
 
 #include "Pipeline/cslfArrayLayout.h"
 #include "Pipeline/cslfFieldArrays.h"
+#include "Pipeline/cslfRequests.h"
 
 #include "Coding/Frames/cslfRadianceFrames.h"
 #include "cslfEncodeSettings.h"
@@ -11,7 +12,6 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkInformationExecutivePortKey.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -120,16 +120,8 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
 
 vtkSmartPointer<vtkImageData> SlicePuller::Update(int first, int last, std::string& error)
 {
-  int extent[6];
-  this->Grid.GetWholeExtent(extent);
-  extent[4] = first;
-  extent[5] = last;
-  vtkInformation* information = this->Information;
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-  auto* executive = vtkStreamingDemandDrivenPipeline::SafeDownCast(
-    vtkExecutive::PRODUCER()->GetExecutive(information));
-  auto* image = executive && executive->Update(vtkExecutive::PRODUCER()->GetPort(information))
-    ? vtkImageData::GetData(information)
+  auto* image = UpdateSlices(this->Information, first, last)
+    ? vtkImageData::GetData(this->Information)
     : nullptr;
   if (!image || image->GetExtent()[4] > first || image->GetExtent()[5] < last)
   {

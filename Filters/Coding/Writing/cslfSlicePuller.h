@@ -30,7 +30,8 @@ std::optional<Layout> FindGrid(vtkInformation* information);
 class SlicePuller
 {
 public:
-  /// Pulls from the connection of that pipeline information, whose whole extent is `grid`'s.
+  /// Pulls from the connection of that pipeline information, whose whole extent is `grid`'s. The
+  /// caller keeps its requests with KeptRequests.
   SlicePuller(vtkInformation* information, const Layout& grid);
 
   /// From now on, fields and slices are those of the key views only. At first, all viewpoints are

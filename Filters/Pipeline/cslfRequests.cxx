@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/cslfRequests.h"
+
+#include "Pipeline/cslfPipelineWatch.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkAlgorithmOutput.h>
+#include <vtkExecutive.h>
+#include <vtkInformation.h>
+#include <vtkInformationExecutivePortKey.h>
+#include <vtkInformationIntegerKey.h>
+#include <vtkInformationIntegerVectorKey.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+
+namespace cslf
+{
+namespace
+{
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// The extent that RequestFirstPart has requested, until it is replaced.
+vtkInformationIntegerVectorKey* FirstPart()
+{
+  static auto* key = vtkInformationIntegerVectorKey::MakeKey("FIRST_PART", "cslfRequests", 6);
+  return key;
+}
+
+bool HasEqualExtents(vtkInformation* first, vtkInformationIntegerVectorKey* firstKey,
+  vtkInformation* second, vtkInformationIntegerVectorKey* secondKey)
+{
+  const int* a = first->Get(firstKey);
+  const int* b = second->Get(secondKey);
+  return a && b ? std::equal(a, a + 6, b) : a == b;
+}
+
+void CopyRequest(vtkInformation* from, vtkInformation* to)
+{
+  to->CopyEntry(from, Pipeline::UPDATE_EXTENT());
+  to->CopyEntry(from, Pipeline::COMBINED_UPDATE_EXTENT());
+  to->CopyEntry(from, Pipeline::EXACT_EXTENT());
+  to->CopyEntry(from, Pipeline::UPDATE_PIECE_NUMBER());
+  to->CopyEntry(from, Pipeline::UPDATE_NUMBER_OF_PIECES());
+  to->CopyEntry(from, Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+}
+
+void RequestWhole(vtkInformation* information)
+{
+  information->Set(Pipeline::UPDATE_EXTENT(), information->Get(Pipeline::WHOLE_EXTENT()), 6);
+}
+
+bool Update(vtkInformation* information, const int extent[6])
+{
+  vtkExecutive* executive = vtkExecutive::PRODUCER()->GetExecutive(information);
+  const int port = vtkExecutive::PRODUCER()->GetPort(information);
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(port + 1);
+  vtkInformation* request = requests->GetInformationObject(port);
+  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (extent)
+  {
+    request->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  }
+  return executive && executive->GetAlgorithm()->Update(port, requests) != 0;
+}
+}
+
+KeptRequests::KeptRequests(vtkAlgorithmOutput* connection)
+{
+  for (const auto& producer : FindProducers(connection))
+  {
+    for (int port = 0; port < producer->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkInformation* information = producer->GetOutputInformation(port);
+      const auto request = vtkSmartPointer<vtkInformation>::New();
+      CopyRequest(information, request);
+      request->CopyEntry(information, Pipeline::WHOLE_EXTENT());
+      if (information->Has(FirstPart()) &&
+        HasEqualExtents(information, FirstPart(), information, Pipeline::UPDATE_EXTENT()))
+      {
+        RequestWhole(request);
+      }
+      this->Kept.emplace_back(information, request);
+    }
+  }
+}
+
+KeptRequests::~KeptRequests()
+{
+  for (const auto& [information, request] : this->Kept)
+  {
+    CopyRequest(request, information);
+    information->Remove(FirstPart());
+    if (!HasEqualExtents(information, Pipeline::WHOLE_EXTENT(), request, Pipeline::WHOLE_EXTENT()))
+    {
+      // The output has changed, as has the pipeline's default request with it.
+      RequestWhole(information);
+    }
+  }
+}
+
+void RequestFirstPart(vtkInformation* information, const int extent[6])
+{
+  information->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  information->Set(FirstPart(), extent, 6);
+}
+
+bool UpdateSlices(vtkInformation* information, int first, int last)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  information->Get(Pipeline::WHOLE_EXTENT(), extent);
+  extent[4] = first;
+  extent[5] = last;
+  return Update(information, extent);
+}
+
+bool UpdateWhole(vtkAlgorithmOutput* connection)
+{
+  vtkAlgorithm* producer = connection->GetProducer();
+  auto* executive = Pipeline::SafeDownCast(producer->GetExecutive());
+  if (!executive)
+  {
+    return producer->GetExecutive()->Update(connection->GetIndex()) != 0;
+  }
+  if (!executive->UpdateInformation())
+  {
+    return false;
+  }
+  vtkInformation* information = producer->GetOutputInformation(connection->GetIndex());
+  return Update(information, information->Get(Pipeline::WHOLE_EXTENT()));
+}
+}
