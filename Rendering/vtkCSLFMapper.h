@@ -44,8 +44,10 @@
  * (vtkCellPicker, vtkPointPicker) find the image data that holds the samples, which lies elsewhere.
  * To find the triangle under a pixel, let them search the geometry.
  *
- * A mapper can be drawn in several windows. Each window keeps the samples in its own graphics
- * memory until its resources are released.
+ * Several actors can share a mapper, in one or more renderers, assemblies and windows. Each window
+ * keeps the samples that its actors use together in its own graphics memory until its resources are
+ * released, and a picture for each actor, renderer, camera and eye, up to 256 MiB. Pictures that
+ * are not drawn in 32 frames are freed.
  *
  * @sa vtkCSLFSampler vtkCSLFDecoder vtkCSLFToneMapping
  */
@@ -187,14 +189,15 @@ public:
   ///@}
 
   /**
-   * Whether the last picture in each window was drawn from all viewpoints that its camera can use,
+   * Whether the last picture in each window was drawn from all viewpoints that its cameras can use,
    * within TextureMemoryLimit.
    */
   bool IsComplete();
 
   ///@{
   /**
-   * The maximum number of bytes of graphics memory for the samples in each window. At least the
+   * The maximum number of bytes of graphics memory for the samples in each window, which all actors
+   * that share the mapper use together. At least the
    * samples of four viewpoints are always kept. A camera outside the cube can use at most 30 % of a
    * field: the viewpoints on the visible faces, and what they see of the other faces. If this
    * exceeds the limit, the grid of viewpoints is fine around the middle of the view and coarser
