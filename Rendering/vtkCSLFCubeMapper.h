@@ -88,8 +88,15 @@ public:
   /// Whether the opaque pass that was drawn last left nothing for the translucent one.
   bool IsDrawnAtOnce() const { return this->DrawnAtOnce; }
 
-  /// Whether nothing was missing from the last picture, as far as it fits.
-  bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
+  /// Whether a window has resources of this.
+  bool HasWindow() const { return this->Window != nullptr; }
+
+  /// Whether nothing is missing from what the window shows, as far as it fits. A window that has
+  /// released its resources, or whose last frame did not contain the field, shows nothing.
+  bool IsComplete() const
+  {
+    return !this->Views.AreShown() || this->TextureFailed || this->Texture.IsComplete();
+  }
 
   /// Whether all required viewpoints are missing, which was known before.
   bool LacksAll() const { return this->Texture.LacksAll(); }

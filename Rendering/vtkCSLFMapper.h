@@ -190,7 +190,9 @@ public:
 
   /**
    * Whether the last picture in each window was drawn from all viewpoints that its cameras can use,
-   * within TextureMemoryLimit.
+   * within TextureMemoryLimit. Windows that do not show the field, because they were destroyed or
+   * have released their resources, or because its actor was removed or hidden before the last
+   * picture, do not count: without others, the result is true.
    */
   bool IsComplete();
 
