@@ -254,7 +254,8 @@ public:
    * input connections. The result is the same as for the output of a vtkCSLFSceneImporter as input;
    * its documentation describes the conversion of actors, properties and lights. The renderer's
    * lights replace the Environment. The renderer is not drawn and needs no window.
-   * Changes of anything it shows are detected. Default: none.
+   * Changes of anything it shows are detected. It is not kept alive, but its scene is, see
+   * vtkCSLFSceneImporter::SetRenderer. Default: none.
    */
   virtual void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();

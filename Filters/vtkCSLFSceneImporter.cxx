@@ -12,24 +12,33 @@
 #include "SceneImport/cslfWindowLights.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
+#include "vtkCSLFPathTracer.h"
 
 #include <vtkAbstractMapper3D.h>
+#include <vtkAbstractVolumeMapper.h>
 #include <vtkActor.h>
+#include <vtkActor2D.h>
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
 #include <vtkBoundingBox.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkImageMapper3D.h>
+#include <vtkImageSlice.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkLODProp3D.h>
 #include <vtkMapper.h>
+#include <vtkMapper2D.h>
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderPass.h>
 #include <vtkRenderer.h>
+#include <vtkTexture.h>
+#include <vtkVolume.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +47,6 @@
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
 cslfGuardedRequestMacro(vtkCSLFSceneImporter);
-vtkCxxSetSmartPointerMacro(vtkCSLFSceneImporter, Renderer, vtkRenderer);
 
 namespace
 {
@@ -130,6 +138,81 @@ void Omit(vtkProp* prop, cslf::ImportedScene& scene)
     // Actors with their own drawing code belong to separate classes.
     scene.Meet(cslf::ImportLimit::OtherProps, actor->GetClassName());
   }
+}
+
+/// Whether a pipeline begins with an importer or tracer of this renderer.
+bool IsOfImport(vtkAlgorithm* filter, vtkRenderer* renderer)
+{
+  std::vector<vtkAlgorithm*> found{ filter };
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    auto* importer = vtkCSLFSceneImporter::SafeDownCast(found[i]);
+    auto* tracer = vtkCSLFPathTracer::SafeDownCast(found[i]);
+    if ((importer && importer->GetRenderer() == renderer) ||
+      (tracer && tracer->GetRenderer() == renderer))
+    {
+      return true;
+    }
+    for (int port = 0; found[i] && port < found[i]->GetNumberOfInputPorts(); ++port)
+    {
+      for (int input = 0; input < found[i]->GetNumberOfInputConnections(port); ++input)
+      {
+        vtkAlgorithm* producer = found[i]->GetInputAlgorithm(port, input);
+        if (std::find(found.begin(), found.end(), producer) == found.end())
+        {
+          found.push_back(producer);
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether a prop without parts shows what was made of the renderer's scene.
+bool IsOfImport(vtkProp* part, vtkRenderer* renderer)
+{
+  vtkAlgorithm* mapper = nullptr;
+  vtkAlgorithm* texture = nullptr;
+  if (auto* actor = vtkActor::SafeDownCast(part))
+  {
+    mapper = actor->GetMapper();
+    texture = actor->GetTexture();
+  }
+  else if (auto* volume = vtkVolume::SafeDownCast(part))
+  {
+    mapper = volume->GetMapper();
+  }
+  else if (auto* slice = vtkImageSlice::SafeDownCast(part))
+  {
+    mapper = slice->GetMapper();
+  }
+  else if (auto* overlay = vtkActor2D::SafeDownCast(part))
+  {
+    mapper = overlay->GetMapper();
+  }
+  return IsOfImport(mapper, renderer) || IsOfImport(texture, renderer);
+}
+
+/// The same for all parts of assemblies and levels of detail.
+bool ShowsImport(vtkProp* prop, vtkRenderer* renderer)
+{
+  vtkNew<vtkPropCollection> parts;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkProp* end = path->GetLastNode()->GetViewProp();
+    parts->AddItem(end);
+    end->GetActors(parts);
+    end->GetVolumes(parts);
+  }
+  bool isShown = false;
+  vtkCollectionSimpleIterator cookie;
+  parts->InitTraversal(cookie);
+  while (vtkProp* part = parts->GetNextProp(cookie))
+  {
+    isShown = isShown || IsOfImport(part, renderer);
+  }
+  return isShown;
 }
 
 bool HasLimit(int limit)
@@ -226,23 +309,85 @@ vtkCSLFSceneImporter::vtkCSLFSceneImporter()
   this->SetNumberOfInputPorts(0);
 }
 
-vtkCSLFSceneImporter::~vtkCSLFSceneImporter() = default;
+vtkCSLFSceneImporter::~vtkCSLFSceneImporter()
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->DeleteObserver);
+  }
+}
+
+void vtkCSLFSceneImporter::SetRenderer(vtkRenderer* renderer)
+{
+  if (renderer == this->GetRenderer())
+  {
+    return;
+  }
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->DeleteObserver);
+  }
+  this->KeptRenderer = nullptr;
+  this->Renderer = renderer;
+  if (renderer)
+  {
+    this->DeleteObserver =
+      renderer->AddObserver(vtkCommand::DeleteEvent, this, &vtkCSLFSceneImporter::KeepScene);
+  }
+  this->Modified();
+}
 
 vtkRenderer* vtkCSLFSceneImporter::GetRenderer()
 {
-  return this->Renderer;
+  return this->KeptRenderer ? this->KeptRenderer.Get() : this->Renderer.Get();
+}
+
+// Called when the renderer is about to be deleted. Nobody may take a reference to it any more.
+void vtkCSLFSceneImporter::KeepScene()
+{
+  vtkRenderer* renderer = this->Renderer;
+  vtkNew<vtkRenderer> kept;
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
+  {
+    if (!ShowsImport(prop, renderer))
+    {
+      kept->AddViewProp(prop);
+    }
+  }
+  if (renderer->IsActiveCameraCreated())
+  {
+    kept->SetActiveCamera(renderer->GetActiveCamera());
+  }
+  kept->SetLightCollection(renderer->GetLights());
+  kept->SetAutomaticLightCreation(renderer->GetAutomaticLightCreation());
+  kept->SetLightFollowCamera(renderer->GetLightFollowCamera());
+  kept->SetUseImageBasedLighting(renderer->GetUseImageBasedLighting());
+  if (!IsOfImport(renderer->GetEnvironmentTexture(), renderer))
+  {
+    kept->SetEnvironmentTexture(renderer->GetEnvironmentTexture());
+  }
+  kept->SetEnvironmentUp(renderer->GetEnvironmentUp());
+  kept->SetEnvironmentRight(renderer->GetEnvironmentRight());
+  kept->SetPass(renderer->GetPass());
+  this->KeptTime = std::max(renderer->GetMTime(), renderer->GetViewProps()->GetMTime());
+  this->KeptRenderer = kept;
+  this->Renderer = nullptr;
 }
 
 vtkMTimeType vtkCSLFSceneImporter::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  if (!this->Renderer || this->FindingTime)
+  vtkRenderer* renderer = this->GetRenderer();
+  if (!renderer || this->FindingTime)
   {
     return time;
   }
   this->FindingTime = true;
-  time = std::max({ time, this->Renderer->GetMTime(), this->Renderer->GetViewProps()->GetMTime(),
-    cslf::GetLightTime(this->Renderer, this->HeadlightsAllAround) });
+  time = std::max({ time, cslf::GetLightTime(renderer, this->HeadlightsAllAround),
+    this->KeptRenderer ? this->KeptTime
+                       : std::max(renderer->GetMTime(), renderer->GetViewProps()->GetMTime()) });
   const auto addTime = [&time](vtkProp* part, vtkMatrix4x4*)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -252,8 +397,8 @@ vtkMTimeType vtkCSLFSceneImporter::GetMTime()
     }
   };
   vtkCollectionSimpleIterator cookie;
-  this->Renderer->GetViewProps()->InitTraversal(cookie);
-  while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(cookie))
+  renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
   {
     if (this->IsOfScene(prop))
     {
@@ -268,7 +413,8 @@ vtkMTimeType vtkCSLFSceneImporter::GetMTime()
 int vtkCSLFSceneImporter::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  if (!this->Renderer)
+  vtkRenderer* renderer = this->GetRenderer();
+  if (!renderer)
   {
     vtkErrorMacro("Renderer is not set.");
     return 0;
@@ -291,23 +437,23 @@ int vtkCSLFSceneImporter::RequestData(
     }
   };
   vtkCollectionSimpleIterator cookie;
-  this->Renderer->GetViewProps()->InitTraversal(cookie);
-  while (vtkProp* prop = this->Renderer->GetViewProps()->GetNextProp(cookie))
+  renderer->GetViewProps()->InitTraversal(cookie);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
   {
     if (this->IsOfScene(prop))
     {
       ForEachPart(prop, import);
     }
   }
-  if (this->Renderer->GetPass())
+  if (renderer->GetPass())
   {
-    scene.Meet(cslf::ImportLimit::RenderPasses, this->Renderer->GetPass()->GetClassName());
+    scene.Meet(cslf::ImportLimit::RenderPasses, renderer->GetPass()->GetClassName());
   }
-  cslf::FindEnvironment(this->Renderer, scene);
-  cslf::WindowLights lights(this->Renderer, this->HeadlightsAllAround);
+  cslf::FindEnvironment(renderer, scene);
+  cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
   cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
   lights.AddTo(scene.Lights);
-  cslf::ImportEnvironment(this->Renderer, lights.GetEnvironmentFactor(), scene);
+  cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
   SetRadii(scene.Blocks, this->PixelSize, this->PointRadius);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -373,7 +519,7 @@ bool vtkCSLFSceneImporter::IsOfScene(vtkProp* vtkNotUsed(prop))
 void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";

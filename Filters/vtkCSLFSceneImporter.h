@@ -55,7 +55,8 @@
 
 #include "vtkCSLFModule.h" // for export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
-#include "vtkSmartPointer.h" // for the renderer
+#include "vtkSmartPointer.h" // for the scene of a deleted renderer
+#include "vtkWeakPointer.h"  // for the renderer
 
 class vtkProp;
 class vtkRenderer;
@@ -75,7 +76,10 @@ public:
 
   ///@{
   /**
-   * The renderer. Required.
+   * The renderer. Required. It is not kept alive, so that it can show what becomes of the scene: an
+   * actor of the light field may be added to it. When the renderer is deleted, another one takes
+   * its place, with the same actors, lights and settings, except for actors whose pipelines begin
+   * with an importer or tracer of the deleted renderer. GetRenderer then returns that one.
    */
   virtual void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -154,7 +158,12 @@ private:
   vtkCSLFSceneImporter(const vtkCSLFSceneImporter&) = delete;
   void operator=(const vtkCSLFSceneImporter&) = delete;
 
-  vtkSmartPointer<vtkRenderer> Renderer;
+  void KeepScene();
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long DeleteObserver = 0;
+  vtkSmartPointer<vtkRenderer> KeptRenderer; // with the scene of a deleted renderer
+  vtkMTimeType KeptTime = 0;                 // of the deleted renderer
   bool HeadlightsAllAround = true;
   bool InterpolateDisplayedColors;
   double PixelSize = 0.001;

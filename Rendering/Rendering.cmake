@@ -6,8 +6,8 @@ list(APPEND classes ../Rendering/vtkCSLFMapper ../Rendering/vtkCSLFToneMapping)
 list(APPEND sources ../Rendering/vtkCSLFCubeMapper.cxx)
 list(APPEND private_headers ../Rendering/vtkCSLFCubeMapper.h)
 cslf_add(Rendering
-  ClosedParts FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture OpenGL
-  Residency SurfacePicture TilePool ViewFrustum ViewFrustums ViewpointLevels)
+  ClosedParts DrawnViews FaceUniforms FieldTexture FlatUniforms Focus GeometryMesh LookupPicture
+  LookupTools OpenGL Residency SurfacePicture TilePool ViewFrustum ViewpointLevels)
 
 set(shaders "${CMAKE_CURRENT_BINARY_DIR}/Lookup/cslfLookupConstants.glsl")
 foreach (shader IN ITEMS Color Cube Entry Field GeometryFS GeometryVS Guess Lookup MapperFS MapperVS

@@ -67,14 +67,8 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
 // Loading samples
 
 bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<ViewFrustum>& frustums,
-  const TexturePace& pace, std::string& error)
+  const std::vector<ViewFrustum>& recent, const TexturePace& pace, std::string& error)
 {
-  if (this->Window && this->Window != window)
-  {
-    this->Window->MakeCurrent();
-    this->Free();
-    window->MakeCurrent();
-  }
   this->Window = window;
   if ((this->IsComplete() || pace.Keeps) && frustums == this->Frustums &&
     this->Present.GetBlocks() > 0 && this->Limit == pace.Limit)
@@ -84,20 +78,21 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<ViewF
   vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
   const int unit = window->GetTextureUnitManager()->Allocate();
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + unit);
-  const bool hasRoom = this->MakeRoom(frustums, pace);
+  const bool hasRoom = this->MakeRoom(frustums, recent, pace);
   if (hasRoom)
   {
-    this->IsChanged = this->IsChanged || frustums != this->Frustums;
+    const bool isAimed = frustums != this->Frustums;
     this->Frustums = frustums;
     this->Present.Aim(frustums);
     this->Pool.BeginUploads();
     pace.Waits ? this->LoadAll() : this->LoadSome(pace);
     this->Pool.EndUploads();
-    if (std::exchange(this->IsChanged, false))
+    const bool isChanged = std::exchange(this->IsChanged, false);
+    if (isChanged || isAimed)
     {
-      this->MakeTables();
+      const bool isTableChanged = this->MakeTables();
       this->MakeSceneTexture();
-      ++this->Changes;
+      this->Changes += isChanged || isTableChanged ? 1 : 0;
     }
   }
   for (const GLenum target : Targets)
@@ -113,15 +108,31 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<ViewF
   return hasRoom;
 }
 
+// The blocks that these cameras need, and recent ones if all samples fit then.
+int FieldTexture::ChooseBlocks(const std::vector<ViewFrustum>& frustums,
+  const std::vector<ViewFrustum>& recent, const TexturePace& pace) const
+{
+  const auto choose = [](int needed)
+  {
+    return *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
+      [needed](int most) { return needed <= most; });
+  };
+  const Description& field = this->Source->GetDescription();
+  const int viewpoints = field.Grid.GetViewpoints() * field.Grid.GetViewpoints();
+  const int blocks = choose(std::max(1, Residency::CountBlocks(frustums)));
+  const int more = choose(std::max(1, Residency::CountBlocks(recent)));
+  return more > blocks && TilePool::CountBytes(field, more, viewpoints) <= pace.Limit ? more
+                                                                                      : blocks;
+}
+
 // Allocates again if there is too little space, or far too much. Drivers may take long to allocate
 // much memory, so the first picture, if nobody waits for it, begins with little.
-bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums, const TexturePace& pace)
+bool FieldTexture::MakeRoom(const std::vector<ViewFrustum>& frustums,
+  const std::vector<ViewFrustum>& recent, const TexturePace& pace)
 {
   const bool isFirst = !pace.Waits && this->IsEmpty();
-  const int needed = std::max(1, Residency::CountBlocks(frustums));
-  const int blocks = isFirst ? needed
-                             : *std::find_if(std::begin(BlockSteps), std::end(BlockSteps) - 1,
-                                 [needed](int most) { return needed <= most; });
+  const int blocks = isFirst ? std::max(1, Residency::CountBlocks(frustums))
+                             : this->ChooseBlocks(frustums, recent, pace);
   if (this->Present.GetBlocks() == blocks && this->Limit == pace.Limit && this->IsFirst == isFirst)
   {
     return true;
@@ -233,8 +244,10 @@ void FieldTexture::LoadSome(const TexturePace& pace)
   this->Missing = this->Present.ListMissing().size();
 }
 
-void FieldTexture::MakeTables()
+// Returns whether any has changed.
+bool FieldTexture::MakeTables()
 {
+  bool isAnyChanged = false;
   const int cells = this->Source->GetDescription().Grid.GetBaseNodes() - 1;
   for (int face = 0; face < FaceCount; ++face)
   {
@@ -244,22 +257,24 @@ void FieldTexture::MakeTables()
     {
       continue;
     }
-    const Residency::Table table = this->Present.MakeTable(face);
-    this->Tiles[face] = table.Tiles;
+    Residency::Table table = this->Present.MakeTable(face);
+    isAnyChanged = std::exchange(this->Tiles[face], table.Tiles) != table.Tiles || isAnyChanged;
     if (this->Tables[face] != 0 && this->Cells[face] == table.Cells)
     {
       continue;
     }
+    isAnyChanged = true;
     if (this->Tables[face] == 0)
     {
       glGenTextures(1, &this->Tables[face]);
     }
-    this->Cells[face] = table.Cells;
+    this->Cells[face] = std::move(table.Cells);
     glBindTexture(GL_TEXTURE_2D, this->Tables[face]);
     SetNearest(GL_TEXTURE_2D);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, TableTexels * cells, cells, 0, GL_RGBA, GL_FLOAT,
-      table.Cells.data());
+      this->Cells[face].data());
   }
+  return isAnyChanged;
 }
 
 void FieldTexture::MakeSceneTexture()
@@ -361,6 +376,8 @@ void FieldTexture::Free()
   this->Tables.fill(0);
   this->SceneTexture = 0;
   this->Present = Residency();
+  this->Missing = 0;
+  this->IsFirst = false;
   this->Window = nullptr;
 }
 

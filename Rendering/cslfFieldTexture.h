@@ -37,7 +37,7 @@ struct TexturePace
 };
 
 /// The samples that cameras can use, and for each entry face a small texture that finds the
-/// viewpoints around a coordinate. Belongs to one render window's context at a time.
+/// viewpoints around a coordinate. Belongs to one render window.
 class FieldTexture
 {
 public:
@@ -49,10 +49,11 @@ public:
   /// Sets the field. Samples in graphics memory become outdated.
   void SetSource(std::shared_ptr<ViewpointSource> source);
 
-  /// Uploads the samples that these cameras can use to the window's graphics memory. On failure
-  /// nothing is kept and `error` gives the reason in one line.
+  /// Uploads the samples that these cameras can use to the window's graphics memory. Those that
+  /// `recent` cameras have used stay if all of them fit. On failure nothing is kept and `error`
+  /// gives the reason in one line.
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<ViewFrustum>& frustums,
-    const TexturePace& pace, std::string& error);
+    const std::vector<ViewFrustum>& recent, const TexturePace& pace, std::string& error);
 
   /// Whether all samples for the cameras of the last Update are there, as far as they fit.
   bool IsComplete() const { return this->Missing == 0 && !this->IsFirst; }
@@ -94,11 +95,14 @@ public:
 private:
   using Handle = unsigned int;
 
-  bool MakeRoom(const std::vector<ViewFrustum>& frustums, const TexturePace& pace);
+  bool MakeRoom(const std::vector<ViewFrustum>& frustums, const std::vector<ViewFrustum>& recent,
+    const TexturePace& pace);
+  int ChooseBlocks(const std::vector<ViewFrustum>& frustums, const std::vector<ViewFrustum>& recent,
+    const TexturePace& pace) const;
   void LoadAll();
   void LoadSome(const TexturePace& pace);
   void Load(const WantedTiles& wanted);
-  void MakeTables();
+  bool MakeTables();
   void MakeSceneTexture();
   int FindFirstLayer(int entryFace, int tile) const;
   void Free();

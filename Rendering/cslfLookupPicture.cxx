@@ -4,25 +4,9 @@
 
 #include "Lookup/cslfFaceSpace.h"
 #include "Lookup/cslfLookupConstants.h"
-#include "cslfColorGLSL.h"
-#include "cslfCubeGLSL.h"
-#include "cslfEntryGLSL.h"
 #include "cslfFaceUniforms.h"
-#include "cslfFieldGLSL.h"
 #include "cslfFieldTexture.h"
-#include "cslfFlatUniforms.h"
-#include "cslfGuessGLSL.h"
-#include "cslfLookupConstantsGLSL.h"
-#include "cslfLookupGLSL.h"
-#include "cslfMeanFS.h"
-#include "cslfNormalsGLSL.h"
 #include "cslfOpenGL.h"
-#include "cslfPictureFS.h"
-#include "cslfPictureVS.h"
-#include "cslfSceneGridGLSL.h"
-#include "cslfSurfaceFS.h"
-#include "cslfSurfaceGLSL.h"
-#include "cslfToneMappingGLSL.h"
 #include "vtkCSLFMapper.h"
 
 #include <vtkMatrix4x4.h>
@@ -40,7 +24,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 
 namespace cslf
 {
@@ -185,21 +168,24 @@ void LookupPicture::ChooseSize(int lookup, int wantedSamples, double seconds)
   }
 }
 
-void LookupPicture::Draw(
-  vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds)
+void LookupPicture::Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field,
+  LookupTools& tools, const Pace& pace)
 {
-  this->Look(window, view, field, seconds, MostSamples);
+  this->Tools = &tools;
+  this->Look(window, view, field, pace, MostSamples);
   this->Picture.Colors->Activate();
   this->Picture.Depths->Activate();
 }
 
-void LookupPicture::Compile(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field)
+void LookupPicture::Compile(
+  vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, LookupTools& tools)
 {
-  this->Look(window, view, field, VTK_DOUBLE_MAX, 1);
+  this->Tools = &tools;
+  this->Look(window, view, field, Pace{}, 1);
 }
 
 void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field,
-  double seconds, int mostSamples)
+  const Pace& pace, int mostSamples)
 {
   const bool hasDepth = field.GetField().FindChannel(KnownChannel::Depth) != nullptr;
   View view = asked;
@@ -210,13 +196,6 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   }
   const bool isSearched = view.Lookup >= vtkCSLFMapper::DEPTH && hasDepth;
   view.Samples = isSearched ? asked.Samples : 1;
-  if (this->Window && this->Window != window)
-  {
-    vtkOpenGLRenderWindow* previous = this->Window;
-    previous->MakeCurrent();
-    this->Release(previous);
-    window->MakeCurrent();
-  }
   std::array<int, 4> viewport{};
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
   const std::array<int, 4> area = FindArea(view, viewport);
@@ -230,8 +209,8 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   const bool isComplete =
     this->Share == 1.0 && this->Samples == wantedSamples && !(this->IsMoving && this->IsOnGeometry);
   const bool isCurrent = this->Window == window && this->Viewport == viewport &&
-    this->Current == view && this->Changes == field.GetChanges() &&
-    (isComplete || seconds < StillSeconds);
+    this->Current == view && (this->Changes == field.GetChanges() || pace.Keeps) &&
+    (isComplete || pace.Seconds < StillSeconds);
   if (isCurrent)
   {
     return;
@@ -239,14 +218,14 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   this->Window = window;
   this->Viewport = viewport;
   this->Area = wantedSamples > 1 ? area : std::array<int, 4>{ 0, 0, viewport[2], viewport[3] };
-  this->IsMoving = seconds < StillSeconds;
-  this->ChooseSize(view.Lookup, wantedSamples, seconds);
+  this->IsMoving = pace.Seconds < StillSeconds;
+  this->ChooseSize(view.Lookup, wantedSamples, pace.Seconds);
   this->Current = view;
   this->Changes = field.GetChanges();
   this->IsSearched = isSearched;
   this->IsOnGeometry = isOnGeometry;
   this->Allocate(field);
-  this->BuildPrograms(field.GetField(), hasDepth);
+  this->Tools->Build(window, { view.Lookup, isSearched, isOnGeometry }, field.GetField());
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   this->DrawPicture(field);
@@ -258,50 +237,9 @@ void LookupPicture::Look(vtkOpenGLRenderWindow* window, const View& asked, Field
   }
 }
 
-void LookupPicture::Target::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks)
-{
-  this->Size = size;
-  const auto width = static_cast<unsigned int>(size[0]);
-  const auto height = static_cast<unsigned int>(size[1]);
-  const auto allocate =
-    [&](vtkTextureObject* texture, int type, int filter, const auto& allocateTexels)
-  {
-    const bool fits = texture->GetHandle() != 0 && texture->GetWidth() == width &&
-      texture->GetHeight() == height && (type == VTK_VOID || texture->GetVTKDataType() == type);
-    if (!fits)
-    {
-      texture->ReleaseGraphicsResources(window);
-      texture->SetContext(window);
-      texture->ResetFormatAndType();
-      texture->SetMinificationFilter(filter);
-      texture->SetMagnificationFilter(filter);
-      texture->SetWrapS(vtkTextureObject::ClampToEdge);
-      texture->SetWrapT(vtkTextureObject::ClampToEdge);
-      allocateTexels();
-    }
-  };
-  allocate(this->Colors, colorType, vtkTextureObject::Linear,
-    [&] { this->Colors->Allocate2D(width, height, 4, colorType); });
-  allocate(this->Depths, VTK_FLOAT, vtkTextureObject::Nearest,
-    [&] { this->Depths->Allocate2D(width, height, 1, VTK_FLOAT); });
-  if (hasMarks)
-  {
-    allocate(this->Marks, VTK_VOID, vtkTextureObject::Nearest,
-      [&] { this->Marks->AllocateDepth(width, height, vtkTextureObject::Fixed16); });
-  }
-}
-
-void LookupPicture::Target::Release(vtkWindow* window)
-{
-  this->Colors->ReleaseGraphicsResources(window);
-  this->Depths->ReleaseGraphicsResources(window);
-  this->Marks->ReleaseGraphicsResources(window);
-}
-
 void LookupPicture::Allocate(const FieldTexture& field)
 {
-  this->Framebuffer->ReleaseGraphicsResources(this->Window);
+  this->Tools->Framebuffer->ReleaseGraphicsResources(this->Window);
   const bool isByte = field.GetField().FindChannel(KnownChannel::Color)->Type == VTK_UNSIGNED_CHAR;
   const int colorType = isByte ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
   const bool isMean = this->Samples > 1;
@@ -310,7 +248,7 @@ void LookupPicture::Allocate(const FieldTexture& field)
     this->IsSearched && !isMean);
   if (isMean)
   {
-    this->Rays.Allocate(this->Window, this->Size, colorType, this->IsSearched);
+    this->Tools->Rays.Allocate(this->Window, this->Size, colorType, this->IsSearched);
   }
   if (this->IsSearched && !this->IsOnGeometry)
   {
@@ -318,84 +256,9 @@ void LookupPicture::Allocate(const FieldTexture& field)
     const int divisor =
       static_cast<int>(std::clamp(std::ceil(edge / field.GetField().Grid.GetResolution()),
         LeastGuessDivisor, MostGuessDivisor));
-    this->Guess.Allocate(this->Window,
+    this->Tools->Guess.Allocate(this->Window,
       { (this->Size[0] + divisor - 1) / divisor, (this->Size[1] + divisor - 1) / divisor },
       colorType, false);
-  }
-}
-
-// Branches cost time even if they are not taken, so each program has only its own lookup.
-void LookupPicture::BuildPrograms(const Description& field, bool hasDepth)
-{
-  const bool isLinear = field.FindChannel(KnownChannel::Color)->Encoding == LinearEncoding;
-  // Indexed by vtkCSLFMapper::LookupType. The last two are for fields without depth; others are
-  // searched.
-  static const char* const lookups[] = { "LookupNearest", "LookupLinear", "LookupBilinear",
-    "LookupFocal", "LookupFocal", "LookupFocal" };
-  static_assert(
-    std::size(lookups) == vtkCSLFMapper::NUMBER_OF_LOOKUPS, "each lookup needs a function");
-  const bool showsEnvironment = field.MayShowEnvironment();
-  const std::array<int, 4> wanted{ this->Current.Lookup, hasDepth, isLinear, showsEnvironment };
-  if (this->Search && wanted == this->Built)
-  {
-    return;
-  }
-  this->Built = wanted;
-  const std::string functions = std::string(cslfLookupConstantsGLSL) + cslfEntryGLSL +
-    cslfCubeGLSL + cslfFieldGLSL + cslfSceneGridGLSL + cslfLookupGLSL + cslfGuessGLSL +
-    cslfColorGLSL;
-  const auto build =
-    [&](std::string fragment, const std::string& lookup, const std::string& more = std::string())
-  {
-    vtkShaderProgram::Substitute(fragment, "//CSLF::Options::Dec",
-      "#define LOOKUP " + lookup + (hasDepth ? "\n#define HAS_DEPTH" : "") +
-        (showsEnvironment ? "\n#define SHOWS_ENVIRONMENT" : "") + more);
-    std::string vertex = cslfPictureVS;
-    if (ReadsUniformsByLane())
-    {
-      HandUniformsOn(vertex, fragment);
-    }
-    return std::make_unique<vtkOpenGLQuadHelper>(
-      this->Window, vertex.c_str(), fragment.c_str(), "");
-  };
-  std::string ray = cslfPictureFS;
-  vtkShaderProgram::Substitute(ray, "//CSLF::Lookup::Dec", functions);
-  this->ReleasePrograms();
-  if (this->IsOnGeometry)
-  {
-    std::string point = cslfSurfaceFS;
-    vtkShaderProgram::Substitute(
-      point, "//CSLF::Lookup::Dec", functions + cslfNormalsGLSL + cslfSurfaceGLSL);
-    this->OnSurface = build(point, "LookupOwn", "\n#define ONLY_MARK");
-    this->Near = build(point, "LookupNear");
-    this->Far = build(point, "LookupFar");
-    this->Other = build(point, "LookupFar", "\n#define OTHER_FACE");
-    this->Own = build(point, "LookupOwn", "\n#define ANY_FACE");
-    this->Miss = build(ray, "LookupEmpty");
-  }
-  else if (this->IsSearched)
-  {
-    this->GuessSearch = build(ray, "LookupGuess", "\n#define DEPTH_ONLY");
-    this->Miss = build(ray, "LookupMiss");
-    this->Check = build(ray, "LookupGuessed");
-  }
-  this->Search = build(ray, this->IsSearched ? "LookupSeen" : lookups[this->Current.Lookup]);
-  if (this->IsSearched)
-  {
-    this->Rest = build(ray, "LookupUnseen");
-  }
-  std::string mean = cslfMeanFS;
-  vtkShaderProgram::Substitute(mean, "//CSLF::Constants::Dec", cslfLookupConstantsGLSL);
-  vtkShaderProgram::Substitute(mean, "//CSLF::ToneMapping::Dec", cslfToneMappingGLSL);
-  this->Mean = build(mean, "", isLinear ? "\n#define LINEAR_COLOR" : "");
-}
-
-void LookupPicture::ReleasePrograms()
-{
-  for (auto* program : { &this->Search, &this->Miss, &this->Check, &this->GuessSearch, &this->Rest,
-         &this->Mean, &this->OnSurface, &this->Near, &this->Far, &this->Other, &this->Own })
-  {
-    program->reset();
   }
 }
 
@@ -428,12 +291,13 @@ void LookupPicture::SetViewUniforms(vtkShaderProgram* program, int entryFace) co
   program->SetUniformMatrix("DCFCMatrix", dcfc);
   if (this->IsOnGeometry)
   {
-    this->Surfaces.SetUniforms(program);
+    this->Tools->Surfaces.SetUniforms(program);
   }
-  if (this->Check && (program == this->Check->Program || program == this->Miss->Program))
+  if (this->Tools->Check &&
+    (program == this->Tools->Check->Program || program == this->Tools->Miss->Program))
   {
     const float size[2] = { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]) };
-    program->SetUniformi("GuessDepth", this->Guess.Depths->GetTextureUnit());
+    program->SetUniformi("GuessDepth", this->Tools->Guess.Depths->GetTextureUnit());
     program->SetUniform2f("PictureSize", size);
   }
 }
@@ -467,7 +331,7 @@ void LookupPicture::DrawPicture(FieldTexture& field)
   else
   {
     this->Begin(this->GetRays(), false);
-    this->DrawFaces(field, *this->Search, SearchMark);
+    this->DrawFaces(field, *this->Tools->Search, SearchMark);
   }
   if (this->Samples > 1)
   {
@@ -479,43 +343,43 @@ void LookupPicture::DrawPicture(FieldTexture& field)
 // Rays that meet the geometry are looked up there, others are searched.
 void LookupPicture::DrawSurfaces(FieldTexture& field)
 {
-  this->Surfaces.Draw(this->Window, this->Framebuffer, this->Current.Geometry,
+  this->Tools->Surfaces.Draw(this->Window, this->Tools->Framebuffer, this->Current.Geometry,
     CutOut(this->Current.CCDC, this->Viewport, this->Area), this->Current.IsEyeInside,
     this->Current.ClippingPlanesCC, this->Size, this->Picture.Colors->GetVTKDataType());
-  this->Surfaces.Activate();
+  this->Tools->Surfaces.Activate();
   this->Begin(this->GetRays(), true);
-  this->DrawMarks(*this->OnSurface, SurfaceMark);
+  this->DrawMarks(*this->Tools->OnSurface, SurfaceMark);
   const bool showsEnvironment = field.GetField().MayShowEnvironment();
   if (!this->Current.Geometry->IsComplete || showsEnvironment)
   {
     // What is hidden from the four views around such a ray is more often nothing than a surface.
-    this->DrawFaces(field, *this->Miss, EmptyMark);
-    this->DrawFaces(field, *this->Search, SearchMark);
+    this->DrawFaces(field, *this->Tools->Miss, EmptyMark);
+    this->DrawFaces(field, *this->Tools->Search, SearchMark);
   }
   if (showsEnvironment)
   {
-    this->DrawFaces(field, *this->Rest, RestMark);
+    this->DrawFaces(field, *this->Tools->Rest, RestMark);
   }
   this->DrawPoints(field);
-  this->Surfaces.Deactivate();
+  this->Tools->Surfaces.Deactivate();
 }
 
 // Each pass looks up the marked pixels that earlier ones have left.
 void LookupPicture::DrawPoints(FieldTexture& field)
 {
   this->Window->GetState()->vtkglDepthFunc(GL_GREATER);
-  this->DrawFaces(field, *this->Near, NearMark);
-  this->DrawFaces(field, *this->Far, FarMark);
+  this->DrawFaces(field, *this->Tools->Near, NearMark);
+  this->DrawFaces(field, *this->Tools->Far, FarMark);
   const auto& faces = this->Current.EntryFaces;
   if (!this->IsMoving && std::count(faces.begin(), faces.end(), true) > 1)
   {
-    this->DrawFaces(field, *this->Other, OtherMark, true);
+    this->DrawFaces(field, *this->Tools->Other, OtherMark, true);
   }
-  this->DrawFaces(field, *this->Own, OwnMark, true);
+  this->DrawFaces(field, *this->Tools->Own, OwnMark, true);
   if (!this->Current.Geometry->HasColors)
   {
-    this->DrawFaces(field, *this->Search, SeenMark);
-    this->DrawFaces(field, *this->Rest, UnseenMark);
+    this->DrawFaces(field, *this->Tools->Search, SeenMark);
+    this->DrawFaces(field, *this->Tools->Rest, UnseenMark);
   }
 }
 
@@ -524,56 +388,56 @@ void LookupPicture::DrawSearched(FieldTexture& field)
   const bool hasGuess = !this->Current.IsEyeInside;
   if (hasGuess)
   {
-    this->Begin(this->Guess, false);
-    this->DrawFaces(field, *this->GuessSearch, SearchMark);
-    this->Guess.Depths->Activate();
+    this->Begin(this->Tools->Guess, false);
+    this->DrawFaces(field, *this->Tools->GuessSearch, SearchMark);
+    this->Tools->Guess.Depths->Activate();
   }
   this->Begin(this->GetRays(), true);
   // Later passes skip the results of earlier ones: early depth tests cull them.
   if (hasGuess)
   {
-    this->DrawFaces(field, *this->Miss, MissMark);
-    this->DrawFaces(field, *this->Check, CheckMark);
-    this->Guess.Depths->Deactivate();
+    this->DrawFaces(field, *this->Tools->Miss, MissMark);
+    this->DrawFaces(field, *this->Tools->Check, CheckMark);
+    this->Tools->Guess.Depths->Deactivate();
   }
-  this->DrawFaces(field, *this->Search, SearchMark);
-  this->DrawFaces(field, *this->Rest, RestMark);
+  this->DrawFaces(field, *this->Tools->Search, SearchMark);
+  this->DrawFaces(field, *this->Tools->Rest, RestMark);
 }
 
 void LookupPicture::DrawMeans()
 {
   this->Begin(this->Picture, false);
-  this->Rays.Colors->Activate();
-  this->Rays.Depths->Activate();
-  vtkShaderProgram* program = this->Mean->Program;
+  this->Tools->Rays.Colors->Activate();
+  this->Tools->Rays.Depths->Activate();
+  vtkShaderProgram* program = this->Tools->Mean->Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
-  program->SetUniformi("RayColors", this->Rays.Colors->GetTextureUnit());
-  program->SetUniformi("RayDepths", this->Rays.Depths->GetTextureUnit());
+  program->SetUniformi("RayColors", this->Tools->Rays.Colors->GetTextureUnit());
+  program->SetUniformi("RayDepths", this->Tools->Rays.Depths->GetTextureUnit());
   program->SetUniformi("RaysPerSide", this->Samples);
   program->SetUniformi("IsWhole", true);
   program->SetUniformf("MarkDC", 0.0F);
-  this->Mean->Render();
-  this->Rays.Colors->Deactivate();
-  this->Rays.Depths->Deactivate();
+  this->Tools->Mean->Render();
+  this->Tools->Rays.Colors->Deactivate();
+  this->Tools->Rays.Depths->Deactivate();
 }
 
 // All targets share one framebuffer object, because vtkOpenGLState confuses the draw buffers of
 // two.
-void LookupPicture::Begin(Target& target, bool marks)
+void LookupPicture::Begin(LookupTarget& target, bool marks)
 {
   vtkOpenGLState* state = this->Window->GetState();
-  this->Framebuffer->SetContext(this->Window);
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, target.Colors);
-  this->Framebuffer->AddColorAttachment(1, target.Depths);
-  this->Framebuffer->RemoveDepthAttachment();
+  this->Tools->Framebuffer->SetContext(this->Window);
+  this->Tools->Framebuffer->Bind();
+  this->Tools->Framebuffer->AddColorAttachment(0, target.Colors);
+  this->Tools->Framebuffer->AddColorAttachment(1, target.Depths);
+  this->Tools->Framebuffer->RemoveDepthAttachment();
   if (marks)
   {
-    this->Framebuffer->AddDepthAttachment(target.Marks);
+    this->Tools->Framebuffer->AddDepthAttachment(target.Marks);
   }
   state->SetEnumState(GL_DEPTH_TEST, marks);
   state->vtkglDepthFunc(GL_LESS);
-  this->Framebuffer->ActivateDrawBuffers(2);
+  this->Tools->Framebuffer->ActivateDrawBuffers(2);
   state->vtkglViewport(0, 0, target.Size[0], target.Size[1]);
   state->vtkglScissor(0, 0, target.Size[0], target.Size[1]);
   const float noColor[4] = { 0.0F, 0.0F, 0.0F, 0.0F };
@@ -592,7 +456,7 @@ void LookupPicture::DrawMarks(vtkOpenGLQuadHelper& quad, float markDC)
 {
   vtkShaderProgram* program = quad.Program;
   this->Window->GetShaderCache()->ReadyShaderProgram(program);
-  this->Surfaces.SetUniforms(program);
+  this->Tools->Surfaces.SetUniforms(program);
   program->SetUniformi("IsWhole", true);
   program->SetUniformf("MarkDC", markDC);
   quad.Render();
@@ -646,15 +510,7 @@ void LookupPicture::Deactivate()
 
 void LookupPicture::Release(vtkWindow* window)
 {
-  if (this->Window && this->Window == window)
-  {
-    this->ReleasePrograms();
-    this->Surfaces.Release(window);
-    this->Framebuffer->ReleaseGraphicsResources(window);
-    this->Picture.Release(window);
-    this->Rays.Release(window);
-    this->Guess.Release(window);
-    this->Window = nullptr;
-  }
+  this->Picture.Release(window);
+  this->Window = nullptr;
 }
 }

@@ -8,33 +8,30 @@
 #define cslfLookupPicture_h
 
 #include "cslfCube.h"
-#include "cslfSurfacePicture.h"
+#include "cslfLookupTools.h"
 #include "cslfViewFrustum.h"
 
-#include <vtkNew.h>
-#include <vtkSmartPointer.h>
+#include <vtkType.h>
 
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
-class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace cslf
 {
-struct Description;
 class FieldTexture;
 
 /// A texture of colours and one of depths (z of DC) for the viewport. VTK draws an actor several
 /// times, at least twice if it is opaque with partly covered pixels. Lookups cost more than reading
-/// their results. Belongs to one render window's context at a time.
+/// their results. Each view of a field has one. Belongs to one render window's context.
 class LookupPicture
 {
 public:
@@ -55,6 +52,14 @@ public:
     bool operator==(const View& other) const;
   };
 
+  /// The time for a picture.
+  struct Pace
+  {
+    double Seconds = VTK_DOUBLE_MAX; ///< that looking up may take
+    bool Keeps =
+      false; ///< another pass of the same picture, even if the field has got more samples
+  };
+
   LookupPicture();
   ~LookupPicture();
   LookupPicture(const LookupPicture&) = delete;
@@ -63,12 +68,14 @@ public:
   /// Looks up the view for the current viewport, unless the picture has it already, and binds the
   /// textures until Deactivate. The picture has several pixels for each of the viewport if the
   /// field has more texels than the viewport has pixels for them, and for depth lookups in still
-  /// views. It has fewer if all would take longer than `seconds`. The field must be uploaded to
-  /// this window.
-  void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, double seconds);
+  /// views. It has fewer if all would take longer than the time for it. The field must be uploaded
+  /// to this window.
+  void Draw(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field,
+    LookupTools& tools, const Pace& pace);
 
   /// Compiles the programs for such pictures.
-  void Compile(vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field);
+  void Compile(
+    vtkOpenGLRenderWindow* window, const View& view, FieldTexture& field, LookupTools& tools);
 
   /// Whether the picture has fewer pixels than the viewport, to be interpolated.
   bool IsCoarse() const { return this->Share < 1.0; }
@@ -78,40 +85,27 @@ public:
 
   void Deactivate();
 
-  /// Frees the textures if they belong to this window, whose context must be current.
+  /// The graphics memory that the picture takes, in bytes.
+  std::int64_t GetBytes() const { return this->Picture.GetBytes(); }
+
+  /// Frees the textures. The window's context must be current.
   void Release(vtkWindow* window);
 
 private:
-  /// A target of lookups.
-  struct Target
-  {
-    std::array<int, 2> Size{ 1, 1 };
-    vtkNew<vtkTextureObject> Colors;
-    vtkNew<vtkTextureObject> Depths;
-    vtkNew<vtkTextureObject> Marks; ///< a depth buffer: 1 where nothing was drawn yet
-
-    void Allocate(
-      vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks);
-
-    void Release(vtkWindow* window);
-  };
-
-  void Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field, double seconds,
+  void Look(vtkOpenGLRenderWindow* window, const View& asked, FieldTexture& field, const Pace& pace,
     int mostSamples);
   void ChooseSize(int lookup, int wantedSamples, double seconds);
   void Allocate(const FieldTexture& field);
-  void BuildPrograms(const Description& field, bool hasDepth);
-  void ReleasePrograms();
   void DrawPicture(FieldTexture& field);
   void DrawSurfaces(FieldTexture& field);
   void DrawPoints(FieldTexture& field);
   void DrawSearched(FieldTexture& field);
 
   /// Clears a target and draws to it from now on, perhaps with its marks.
-  void Begin(Target& target, bool marks);
+  void Begin(LookupTarget& target, bool marks);
 
   /// Where rays are looked up: in the picture, unless pixels are means of several rays.
-  Target& GetRays() { return this->Samples > 1 ? this->Rays : this->Picture; }
+  LookupTarget& GetRays() { return this->Samples > 1 ? this->Tools->Rays : this->Picture; }
 
   /// The picture's pixels from their rays.
   void DrawMeans();
@@ -120,7 +114,8 @@ private:
     FieldTexture& field, vtkOpenGLQuadHelper& quad, float markDC, bool isWhole = false);
   void SetViewUniforms(vtkShaderProgram* program, int entryFace) const;
 
-  vtkOpenGLRenderWindow* Window = nullptr; ///< the context to which the textures belong
+  vtkOpenGLRenderWindow* Window = nullptr; ///< that has the textures
+  LookupTools* Tools = nullptr;            ///< of the window, during Draw
   View Current;
   unsigned int Changes = 0; ///< of the field that the picture shows
   std::array<int, 4> Viewport{ 0, 0, 0, 0 };
@@ -132,25 +127,7 @@ private:
   double PixelSeconds = 0.0;       ///< for a pixel at the last measurement; 0 before
   bool IsSearched = false;         ///< by depth or geometry, which takes several passes
   bool IsOnGeometry = false;       ///< rays that meet the geometry are not searched
-  std::array<int, 4> Built{ -1, 0, 0, 0 }; ///< lookup, and whether depth, linear and environment
-  Target Picture;
-  Target Rays; ///< if there are several for each pixel
-  Target Guess;
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkOpenGLQuadHelper> GuessSearch; ///< a small picture's depths
-  std::unique_ptr<vtkOpenGLQuadHelper> Miss;        ///< where they and the grid have nothing
-  std::unique_ptr<vtkOpenGLQuadHelper>
-    Check; ///< looks up surfaces that a small picture's depths suggest
-  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< remaining pixels; without depth, all
-  std::unique_ptr<vtkOpenGLQuadHelper>
-    Rest; ///< pixels for which the search found no visible surface
-  SurfacePicture Surfaces;
-  std::unique_ptr<vtkOpenGLQuadHelper> Mean;      ///< the rays of a pixel
-  std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks these rays
-  std::unique_ptr<vtkOpenGLQuadHelper> Near;      ///< points of the geometry, by the views around
-  std::unique_ptr<vtkOpenGLQuadHelper> Far;       ///< by others of the entry face
-  std::unique_ptr<vtkOpenGLQuadHelper> Other;     ///< by those of other faces
-  std::unique_ptr<vtkOpenGLQuadHelper> Own;       ///< by its own colours
+  LookupTarget Picture;
 };
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -73,13 +74,36 @@ int Residency::CountBlocks(const std::vector<ViewFrustum>& frustums)
   return blocks;
 }
 
+// What a camera sees is found once while it stays.
+void Residency::FindSights(const std::vector<ViewFrustum>& frustums)
+{
+  std::vector<Sight> sights;
+  for (const ViewFrustum& frustum : frustums)
+  {
+    const auto isSame = [&](const Sight& sight) { return sight.Frustum == frustum; };
+    if (std::any_of(sights.begin(), sights.end(), isSame))
+    {
+      continue;
+    }
+    const auto known = std::find_if(this->Sights.begin(), this->Sights.end(), isSame);
+    if (known != this->Sights.end())
+    {
+      sights.push_back(std::move(*known));
+      this->Sights.erase(known);
+      continue;
+    }
+    sights.push_back({ frustum, {} });
+    for (int face = 0; face < FaceCount; ++face)
+    {
+      sights.back().Seen[face] = this->FindSeen(frustum, face);
+    }
+  }
+  this->Sights = std::move(sights);
+}
+
 void Residency::Aim(const std::vector<ViewFrustum>& frustums)
 {
-  if (frustums == this->Frustums)
-  {
-    return;
-  }
-  this->Frustums = frustums;
+  this->FindSights(frustums);
   for (int face = 0; face < FaceCount; ++face)
   {
     this->Faces[face].Wanted = FindTilesOf(face, frustums, false);
@@ -136,19 +160,16 @@ void Residency::FreeBlock(int block)
   }
 }
 
-bool Residency::IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const
-{
-  return std::any_of(this->Frustums.begin(), this->Frustums.end(),
-    [&](const ViewFrustum& frustum)
-    { return frustum.CanEnter(face) && frustum.PassesThrough(face, minimum, maximum); });
-}
-
 // The viewpoints of the cells through which lines of sight enter, and of their neighbours, because
 // lookups that do not know the surface show errors up to this far around the scene.
-std::vector<bool> Residency::FindSeen(int face) const
+Residency::SeenViewpoints Residency::FindSeen(const ViewFrustum& frustum, int face) const
 {
+  if (!frustum.CanEnter(face))
+  {
+    return {};
+  }
   const int side = this->Grid.GetViewpoints();
-  std::vector<bool> isSeen(side * side, false);
+  SeenViewpoints seen(side * side, 0);
   for (int level = 0; level < this->Levels.GetCount(); ++level)
   {
     const std::vector<int>& nodes = this->Levels.GetNodes(level);
@@ -164,26 +185,26 @@ std::vector<bool> Residency::FindSeen(int face) const
     {
       for (int a = 0; a < cells; ++a)
       {
-        if (this->IsSeen(face, { ranges[a].x, ranges[b].x }, { ranges[a].y, ranges[b].y }))
+        if (frustum.PassesThrough(face, { ranges[a].x, ranges[b].x }, { ranges[a].y, ranges[b].y }))
         {
           for (int corner = 0; corner < 4; ++corner)
           {
-            isSeen[nodes[b + corner / 2] * side + nodes[a + corner % 2]] = true;
+            seen[nodes[b + corner / 2] * side + nodes[a + corner % 2]] = 1;
           }
         }
       }
     }
   }
-  return isSeen;
+  return seen;
 }
 
 double Residency::DistanceToGaze(int slice) const
 {
   const glm::dvec3 position = this->Grid.ViewpointPosition(this->Grid.ViewpointOf(slice));
   double distance = std::numeric_limits<double>::max();
-  for (const ViewFrustum& frustum : this->Frustums)
+  for (const Sight& sight : this->Sights)
   {
-    distance = std::min(distance, glm::distance(position, frustum.GetGaze()));
+    distance = std::min(distance, glm::distance(position, sight.Frustum.GetGaze()));
   }
   return distance;
 }
@@ -196,10 +217,15 @@ void Residency::FindViewpoints(int face)
   {
     return;
   }
-  const std::vector<bool> isSeen = this->FindSeen(face);
-  for (int viewpoint = 0; viewpoint < static_cast<int>(isSeen.size()); ++viewpoint)
+  SeenViewpoints seen(state.Slots.size(), 0);
+  for (const Sight& sight : this->Sights)
   {
-    if (isSeen[viewpoint])
+    const SeenViewpoints& more = sight.Seen[face];
+    std::transform(more.begin(), more.end(), seen.begin(), seen.begin(), std::bit_or<>());
+  }
+  for (int viewpoint = 0; viewpoint < static_cast<int>(seen.size()); ++viewpoint)
+  {
+    if (seen[viewpoint])
     {
       state.Order.push_back(viewpoint);
     }
@@ -233,17 +259,27 @@ void Residency::AssignSlots(FaceState& face) const
   {
     isWanted[viewpoint] = true;
   }
-  int slot = 0;
+  // Empty slots first, so that other viewpoints stay while there is space.
+  std::vector<int> slots;
+  for (const bool isEmpty : { true, false })
+  {
+    for (int slot = 0; slot < this->Slots; ++slot)
+    {
+      const int holder = face.Viewpoints[slot];
+      if (isEmpty ? holder < 0 : holder >= 0 && !isWanted[holder])
+      {
+        slots.push_back(slot);
+      }
+    }
+  }
+  auto next = slots.begin();
   for (int viewpoint : face.Order)
   {
     if (face.Slots[viewpoint] >= 0)
     {
       continue;
     }
-    while (face.Viewpoints[slot] >= 0 && isWanted[face.Viewpoints[slot]])
-    {
-      ++slot;
-    }
+    const int slot = *next++;
     const int previous = std::exchange(face.Viewpoints[slot], viewpoint);
     if (previous >= 0)
     {

@@ -57,7 +57,8 @@ public:
   /// The number of viewpoints along a side of a face that belong to a level or a coarser one.
   int CountNodes(int level) const { return static_cast<int>(this->Levels.GetNodes(level).size()); }
 
-  /// Makes space for the samples that these cameras can use. Other samples stay if there is space.
+  /// Makes space for the samples that these cameras can use together. Other samples stay if there
+  /// is space.
   void Aim(const std::vector<ViewFrustum>& frustums);
 
   /// The samples to upload, the most urgent first: the coarsest level, then samples near the points
@@ -101,6 +102,14 @@ private:
     int Face = -1;
     int Tile = -1;
   };
+  /// Whether each viewpoint of a face is seen, 0 or 1; empty if none is.
+  using SeenViewpoints = std::vector<std::uint8_t>;
+  /// A camera, and what it sees of each face.
+  struct Sight
+  {
+    ViewFrustum Frustum;
+    std::array<SeenViewpoints, FaceCount> Seen;
+  };
   /// The viewpoints around a cell, in the order of Table.
   struct Corners
   {
@@ -111,12 +120,12 @@ private:
     int UpperV = 0;
   };
 
+  void FindSights(const std::vector<ViewFrustum>& frustums);
   void AssignBlocks();
   void FreeBlock(int block);
   void FindViewpoints(int face);
   void AssignSlots(FaceState& face) const;
-  std::vector<bool> FindSeen(int face) const;
-  bool IsSeen(int face, const glm::dvec2& minimum, const glm::dvec2& maximum) const;
+  SeenViewpoints FindSeen(const ViewFrustum& frustum, int face) const;
   void SortByImportance(int face, std::vector<int>& viewpoints) const;
   double DistanceToGaze(int slice) const;
   Corners FindCorners(int level, int i, int j) const;
@@ -127,8 +136,8 @@ private:
   ViewpointLevels Levels;
   int Slots = 0;
   std::array<FaceState, FaceCount> Faces;
-  std::vector<BlockOwner> Owners;    ///< of each block
-  std::vector<ViewFrustum> Frustums; ///< what the cameras see
+  std::vector<BlockOwner> Owners; ///< of each block
+  std::vector<Sight> Sights;      ///< of the cameras, each once
 };
 }
 

@@ -7,6 +7,7 @@
 #include <vtkDataArray.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace cslf
@@ -61,16 +62,7 @@ GLuint CreateTexture(const Format& format, GLenum filter, int width, int height,
 bool TilePool::Create(const Description& field, int blocks, int mostSlots, std::int64_t limit)
 {
   this->Free();
-  this->Field = field;
-  this->Field.Channels.clear();
-  for (const Channel& channel : field.Channels)
-  {
-    if (FindForm(channel))
-    {
-      this->Field.Channels.push_back(channel);
-    }
-  }
-  this->Blocks = blocks;
+  this->SetField(field, blocks);
   int slots = mostSlots;
   while (slots > LeastSlots && !(this->ChooseLayers(slots) && this->CountBytes() <= limit))
   {
@@ -86,6 +78,27 @@ bool TilePool::Create(const Description& field, int blocks, int mostSlots, std::
     slots = 3 * slots / 4;
   }
   return false;
+}
+
+void TilePool::SetField(const Description& field, int blocks)
+{
+  this->Field = field;
+  this->Field.Channels.clear();
+  for (const Channel& channel : field.Channels)
+  {
+    if (FindForm(channel))
+    {
+      this->Field.Channels.push_back(channel);
+    }
+  }
+  this->Blocks = blocks;
+}
+
+std::int64_t TilePool::CountBytes(const Description& field, int blocks, int slots)
+{
+  TilePool pool;
+  pool.SetField(field, blocks);
+  return pool.ChooseLayers(slots) ? pool.CountBytes() : std::numeric_limits<std::int64_t>::max();
 }
 
 std::int64_t TilePool::CountBytes() const

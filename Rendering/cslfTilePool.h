@@ -35,6 +35,10 @@ public:
   bool Create(const Description& field, int blocks, int mostSlots, std::int64_t limit);
   void Free();
 
+  /// The bytes that so many blocks of so many slots would take; the greatest number if the driver
+  /// has no textures of that size.
+  static std::int64_t CountBytes(const Description& field, int blocks, int slots);
+
   bool IsCreated() const { return this->GetTexture(KnownChannel::Color) != 0; }
   int GetBlocks() const { return this->Blocks; }
   int GetSlots() const { return this->Slots; }
@@ -54,6 +58,7 @@ public:
 
 private:
   Handle& TextureOf(KnownChannel id) { return this->Textures[static_cast<std::size_t>(id)]; }
+  void SetField(const Description& field, int blocks);
   bool ChooseLayers(int slots);
   std::int64_t CountBytes() const;
   bool Allocate();

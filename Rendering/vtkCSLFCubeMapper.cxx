@@ -12,6 +12,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkCuller.h>
 #include <vtkCullerCollection.h>
 #include <vtkFloatArray.h>
@@ -120,15 +121,52 @@ void vtkCSLFCubeMapper::SetSource(const std::shared_ptr<cslf::ViewpointSource>& 
 void vtkCSLFCubeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture.Release(window);
-  this->Picture.Release(window);
-  this->Window = nullptr;
+  this->Views.Release(window);
+  this->Tools.Release(window);
+  this->Drawn = nullptr;
+  this->SetWindow(nullptr);
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+// The window tells when its frames begin and end.
+void vtkCSLFCubeMapper::SetWindow(vtkRenderWindow* window)
+{
+  if (this->Window == window)
+  {
+    return;
+  }
+  constexpr unsigned long events[] = { vtkCommand::StartEvent, vtkCommand::EndEvent };
+  for (std::size_t i = 0; i < this->Observers.size(); ++i)
+  {
+    if (this->Window)
+    {
+      this->Window->RemoveObserver(this->Observers[i]);
+    }
+    this->Observers[i] =
+      window ? window->AddObserver(events[i], this, &vtkCSLFCubeMapper::HandleFrame) : 0;
+  }
+  this->Window = window;
+}
+
+//------------------------------------------------------------------------------
+void vtkCSLFCubeMapper::HandleFrame(vtkObject*, unsigned long event, void*)
+{
+  if (event == vtkCommand::StartEvent)
+  {
+    this->Views.BeginFrame(this->Window);
+    this->Drawn = nullptr;
+  }
+  else
+  {
+    this->Views.EndFrame(this->Window);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Window = renderer->GetRenderWindow();
+  this->SetWindow(renderer->GetRenderWindow());
   if (!actor->IsRenderingTranslucentPolygonalGeometry())
   {
     this->DrawnAtOnce =
@@ -144,7 +182,6 @@ void vtkCSLFCubeMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Viewers.Update({ renderer, renderer->GetActiveCamera()->GetLeftEye() }, this->Frustum);
   if (this->TextureFailed)
   {
     return;
@@ -156,7 +193,10 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
   pace.Keeps = this->ChooseCoveragePass(renderer, actor) == PartialCoverage;
   std::string error;
   const auto update = [&]
-  { return this->Texture.Update(window, this->Viewers.GetFrustums(), pace, error); };
+  {
+    return this->Texture.Update(
+      window, this->Views.GetExpectedFrustums(), this->Views.GetFrustums(), pace, error);
+  };
   // The driver compiles the lookup's programs at the first drawing. A small hidden picture triggers
   // this while viewpoints are decoded.
   pace.Begins = this->Streaming && this->Texture.IsEmpty();
@@ -165,7 +205,7 @@ void vtkCSLFCubeMapper::UpdateTexture(vtkRenderer* renderer, vtkActor* actor)
     vtkOpenGLState::ScopedglActiveTexture activeTexture(window->GetState());
     vtkOpenGLState::ScopedglViewport viewport(window->GetState());
     window->GetState()->vtkglViewport(0, 0, CompilingSize, CompilingSize);
-    this->Picture.Compile(window, this->View, this->Texture);
+    this->Drawn->Picture.Compile(window, this->View, this->Texture, this->Tools);
     pace.Begins = false;
   }
   this->TextureFailed = !update();
@@ -212,6 +252,17 @@ void vtkCSLFCubeMapper::UpdateCamera(vtkRenderer* renderer, vtkActor* actor)
   }
   const cslf::SceneGrid& scene = this->Texture.GetScene();
   this->Frustum = cslf::ViewFrustum(this->View.CCDC, scene.GetMinimum(), scene.GetMaximum());
+  glm::dmat4 place;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      place[row][column] = ccwc->GetElement(row, column);
+    }
+  }
+  this->Drawn = &this->Views.Find(renderer, actor, place);
+  this->Drawn->Frustum = this->Frustum;
+  this->IsAnotherPass = this->Views.SetDrawn(*this->Drawn);
   this->View.EyeCC = this->Frustum.GetEye();
   this->View.IsEyeInside = this->Frustum.IsInside();
   for (int face = 0; face < cslf::FaceCount; ++face)
@@ -230,9 +281,17 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglActiveTexture activeTexture(state);
-  // An incomplete picture will be drawn again.
-  this->View.Samples = this->IsComplete() ? this->PixelSamples : 1;
-  this->Picture.Draw(window, this->View, this->Texture, this->DrawSeconds);
+  const int coveragePass = this->ChooseCoveragePass(renderer, actor);
+  const bool keeps = this->IsAnotherPass && coveragePass == PartialCoverage;
+  if (!keeps)
+  {
+    // An incomplete picture will be drawn again.
+    this->Drawn->Samples = this->IsComplete() ? this->PixelSamples : 1;
+  }
+  this->View.Samples = this->Drawn->Samples;
+  this->Drawn->Picture.Draw(
+    window, this->View, this->Texture, this->Tools, { this->DrawSeconds, keeps });
+  this->Views.LimitPictures(window, *this->Drawn);
   const std::string options = this->MakeOptions();
   if (options != this->Options)
   {
@@ -244,7 +303,6 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   // Surfaces within the clipping range are drawn even if the cube's faces are beyond it.
   const bool clampsDepth = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
-  const int coveragePass = this->ChooseCoveragePass(renderer, actor);
   this->DrawFaces(renderer, actor, coveragePass);
   if (this->DrawnAtOnce && coveragePass == FullCoverage)
   {
@@ -261,7 +319,7 @@ void vtkCSLFCubeMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
-  this->Picture.Deactivate();
+  this->Drawn->Picture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -314,7 +372,7 @@ std::string vtkCSLFCubeMapper::MakeOptions() const
     options +=
       "#define CLIPPING_PLANES " + std::to_string(this->View.ClippingPlanesCC.size()) + "\n";
   }
-  if (this->Picture.IsCoarse())
+  if (this->Drawn->Picture.IsCoarse())
   {
     options += "#define PICTURE_COARSE\n";
   }
@@ -434,7 +492,7 @@ void vtkCSLFCubeMapper::SetMapperShaderParameters(
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
 
   vtkShaderProgram* program = cellBO.Program;
-  this->Picture.SetUniforms(program);
+  this->Drawn->Picture.SetUniforms(program);
   program->SetUniformi("FacePass", this->Face);
   if (program->IsUniformUsed("DCVCMatrix"))
   {

@@ -5,20 +5,24 @@
  * @brief   the polydata mapper inside vtkCSLFMapper
  *
  * Draws the faces of a light field's cube with the shaders of Rendering/Shaders in place of VTK's
- * own, from a picture of what all rays see. Belongs to one render window. Not for use by itself.
+ * own, from a picture of what all rays see. Belongs to one render window, whose actors share the
+ * samples in graphics memory and have a picture for each of their views. Not for use by itself.
  */
 #ifndef vtkCSLFCubeMapper_h
 #define vtkCSLFCubeMapper_h
 
 #include "cslfDescription.h"
+#include "cslfDrawnViews.h"
 #include "cslfFieldTexture.h"
 #include "cslfLookupPicture.h"
-#include "cslfViewFrustums.h"
+#include "cslfLookupTools.h"
 #include "vtkCSLFToneMapping.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
+#include <vtkWeakPointer.h>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -84,8 +88,15 @@ public:
   /// Whether the opaque pass that was drawn last left nothing for the translucent one.
   bool IsDrawnAtOnce() const { return this->DrawnAtOnce; }
 
-  /// Whether nothing was missing from the last picture, as far as it fits.
-  bool IsComplete() const { return this->TextureFailed || this->Texture.IsComplete(); }
+  /// Whether a window has resources of this.
+  bool HasWindow() const { return this->Window != nullptr; }
+
+  /// Whether nothing is missing from what the window shows, as far as it fits. A window that has
+  /// released its resources, or whose last frame did not contain the field, shows nothing.
+  bool IsComplete() const
+  {
+    return !this->Views.AreShown() || this->TextureFailed || this->Texture.IsComplete();
+  }
 
   /// Whether all required viewpoints are missing, which was known before.
   bool LacksAll() const { return this->Texture.LacksAll(); }
@@ -126,6 +137,8 @@ private:
   vtkCSLFCubeMapper(const vtkCSLFCubeMapper&) = delete;
   void operator=(const vtkCSLFCubeMapper&) = delete;
 
+  void SetWindow(vtkRenderWindow* window);
+  void HandleFrame(vtkObject*, unsigned long event, void*);
   void UpdateCamera(vtkRenderer* renderer, vtkActor* actor);
   void UpdateTexture(vtkRenderer* renderer, vtkActor* actor);
   std::string MakeOptions() const;
@@ -138,11 +151,12 @@ private:
 
   std::shared_ptr<cslf::ViewpointSource> Source;
   cslf::FieldTexture Texture;
-  cslf::LookupPicture Picture;
-  cslf::ViewFrustums Viewers;
+  cslf::LookupTools Tools;
+  cslf::DrawnViews Views;
   bool Streaming = false;
   std::int64_t TextureMemoryLimit = 0;
-  vtkWindow* Window = nullptr; ///< whose memory holds resources of this
+  vtkWeakPointer<vtkRenderWindow> Window; ///< whose memory holds resources of this
+  std::array<unsigned long, 2> Observers{};
   bool TextureFailed = false;
   int PixelSamples = 2;
   double DrawSeconds = 0.0;
@@ -153,6 +167,8 @@ private:
   int Face = 0;             ///< of the cube, in turn
   int CoveragePass = 0;     ///< of cslfMapperFS.glsl
   bool DrawnAtOnce = false; ///< what covers its pixels in part follows in the opaque pass
+  cslf::DrawnView* Drawn = nullptr;
+  bool IsAnotherPass = false; ///< of a view that this frame has already drawn
   cslf::ViewFrustum Frustum;
   cslf::LookupPicture::View View;
   vtkNew<vtkMatrix4x4> VCDCMatrix;

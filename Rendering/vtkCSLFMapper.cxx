@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -347,7 +348,14 @@ double* vtkCSLFMapper::GetBounds()
 vtkCSLFCubeMapper* vtkCSLFMapper::GetCubeMapper(vtkWindow* window)
 {
   vtkInternals& internals = *this->Internals;
-  vtkSmartPointer<vtkCSLFCubeMapper>& cubeMapper = internals.CubeMappers[window];
+  auto& cubeMappers = internals.CubeMappers;
+  // Windows free what belongs to them when they are destroyed, also if no actor of theirs has this
+  // mapper any more.
+  for (auto entry = cubeMappers.begin(); entry != cubeMappers.end();)
+  {
+    entry = entry->second->HasWindow() ? std::next(entry) : cubeMappers.erase(entry);
+  }
+  vtkSmartPointer<vtkCSLFCubeMapper>& cubeMapper = cubeMappers[window];
   if (!cubeMapper)
   {
     cubeMapper = vtkSmartPointer<vtkCSLFCubeMapper>::New();

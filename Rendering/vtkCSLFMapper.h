@@ -48,8 +48,10 @@
  * the file that the decoder has open, also after its file name has changed, until the decoder's
  * UpdateInformation or Update opens the other one.
  *
- * A mapper can be drawn in several windows. Each window keeps the samples in its own graphics
- * memory until its resources are released.
+ * Several actors can share a mapper, in one or more renderers, assemblies and windows. Each window
+ * keeps the samples that its actors use together in its own graphics memory until its resources are
+ * released, and a picture for each actor, renderer, camera and eye, up to 256 MiB. Pictures that
+ * are not drawn in 32 frames are freed.
  *
  * @sa vtkCSLFSampler vtkCSLFDecoder vtkCSLFToneMapping
  */
@@ -191,14 +193,17 @@ public:
   ///@}
 
   /**
-   * Whether the last picture in each window was drawn from all viewpoints that its camera can use,
-   * within TextureMemoryLimit.
+   * Whether the last picture in each window was drawn from all viewpoints that its cameras can use,
+   * within TextureMemoryLimit. Windows that do not show the field, because they were destroyed or
+   * have released their resources, or because its actor was removed or hidden before the last
+   * picture, do not count: without others, the result is true.
    */
   bool IsComplete();
 
   ///@{
   /**
-   * The maximum number of bytes of graphics memory for the samples in each window. At least the
+   * The maximum number of bytes of graphics memory for the samples in each window, which all actors
+   * that share the mapper use together. At least the
    * samples of four viewpoints are always kept. A camera outside the cube can use at most 30 % of a
    * field: the viewpoints on the visible faces, and what they see of the other faces. If this
    * exceeds the limit, the grid of viewpoints is fine around the middle of the view and coarser

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfGatherField.h"
 
+#include "Parallel/cslfBroadcast.h"
+
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace
@@ -66,31 +69,66 @@ vtkSmartPointer<vtkImageData> MakeWhole(const std::vector<vtkSmartPointer<vtkIma
   whole->GetPointData()->SetNumberOfTuples(whole->GetNumberOfPoints());
   return whole;
 }
+
+/// The viewpoints that are missing between the parts, or nothing.
+std::string FindGap(const std::vector<vtkSmartPointer<vtkImageData>>& parts)
+{
+  std::vector<std::pair<int, int>> ranges;
+  ranges.reserve(parts.size());
+  for (vtkImageData* part : parts)
+  {
+    ranges.emplace_back(part->GetExtent()[4], part->GetExtent()[5]);
+  }
+  std::sort(ranges.begin(), ranges.end());
+  for (std::size_t i = 1; i < ranges.size(); ++i)
+  {
+    if (ranges[i].first > ranges[i - 1].second + 1)
+    {
+      return "No rank has the viewpoints " + std::to_string(ranges[i - 1].second + 1) + " to " +
+        std::to_string(ranges[i].first - 1) + '.';
+    }
+    ranges[i].second = std::max(ranges[i].second, ranges[i - 1].second);
+  }
+  return {};
 }
 
-namespace cslf
+vtkSmartPointer<vtkImageData> JoinParts(const std::vector<vtkSmartPointer<vtkImageData>>& parts)
 {
-vtkSmartPointer<vtkImageData> GatherField(vtkImageData* part, vtkMultiProcessController* controller)
+  vtkSmartPointer<vtkImageData> whole = MakeWhole(parts);
+  JoinMissing(parts, whole);
+  for (vtkImageData* source : parts)
+  {
+    const vtkIdType slice = vtkIdType(whole->GetDimensions()[0]) * whole->GetDimensions()[1];
+    const vtkIdType first = slice * (source->GetExtent()[4] - whole->GetExtent()[4]);
+    whole->GetPointData()->CopyData(
+      source->GetPointData(), first, source->GetNumberOfPoints(), vtkIdType(0));
+  }
+  return whole;
+}
+
+bool IsEmpty(vtkImageData* part)
 {
-  if (!controller || controller->GetNumberOfProcesses() < 2)
+  return !part || part->GetNumberOfPoints() == 0;
+}
+
+void SendPart(vtkImageData* part, vtkMultiProcessController* controller)
+{
+  int has = IsEmpty(part) ? 0 : 1;
+  controller->Send(&has, 1, 0, SizeTag);
+  if (has)
   {
-    return part;
+    controller->Send(part, 0, PartTag);
   }
-  const bool empty = !part || part->GetNumberOfPoints() == 0;
-  if (controller->GetLocalProcessId() > 0)
-  {
-    int has = empty ? 0 : 1;
-    controller->Send(&has, 1, 0, SizeTag);
-    if (!empty)
-    {
-      controller->Send(part, 0, PartTag);
-    }
-    return nullptr;
-  }
+}
+
+/// The parts of all ranks that are not empty.
+std::vector<vtkSmartPointer<vtkImageData>> ReceiveParts(
+  vtkImageData* own, vtkMultiProcessController* controller)
+{
   std::vector<vtkSmartPointer<vtkImageData>> parts;
-  if (!empty)
+  if (!IsEmpty(own))
   {
-    parts.emplace_back(part);
+    parts.emplace_back(own);
   }
   for (int rank = 1; rank < controller->GetNumberOfProcesses(); ++rank)
   {
@@ -103,19 +141,35 @@ vtkSmartPointer<vtkImageData> GatherField(vtkImageData* part, vtkMultiProcessCon
       parts.push_back(received);
     }
   }
-  if (parts.empty())
+  return parts;
+}
+}
+
+namespace cslf
+{
+vtkSmartPointer<vtkImageData> GatherField(
+  vtkImageData* part, vtkMultiProcessController* controller, std::string& fault)
+{
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+  {
+    return fault.empty() ? part : nullptr;
+  }
+  if (ShareFault(controller, fault) >= 0)
   {
     return nullptr;
   }
-  vtkSmartPointer<vtkImageData> whole = MakeWhole(parts);
-  JoinMissing(parts, whole);
-  for (vtkImageData* source : parts)
+  vtkSmartPointer<vtkImageData> whole;
+  if (controller->GetLocalProcessId() > 0)
   {
-    const vtkIdType slice = vtkIdType(whole->GetDimensions()[0]) * whole->GetDimensions()[1];
-    const vtkIdType first = slice * (source->GetExtent()[4] - whole->GetExtent()[4]);
-    whole->GetPointData()->CopyData(
-      source->GetPointData(), first, source->GetNumberOfPoints(), vtkIdType(0));
+    SendPart(part, controller);
   }
+  else
+  {
+    const std::vector<vtkSmartPointer<vtkImageData>> parts = ReceiveParts(part, controller);
+    fault = FindGap(parts);
+    whole = parts.empty() || !fault.empty() ? nullptr : JoinParts(parts);
+  }
+  BroadcastText(controller, fault, 0);
   return whole;
 }
 }

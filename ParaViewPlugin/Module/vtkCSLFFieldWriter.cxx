@@ -26,9 +26,17 @@ int vtkCSLFFieldWriter::Write()
   vtkMultiProcessController* controller = this->GetController();
   const int rank = controller ? controller->GetLocalProcessId() : 0;
   const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
-  this->GetInputAlgorithm()->UpdatePiece(rank, ranks, 0);
+  const bool isUpdated = this->GetInputAlgorithm()->UpdatePiece(rank, ranks, 0) != 0;
   vtkPolyData* geometry = this->UpdateGeometry();
-  const vtkSmartPointer<vtkImageData> field = cslf::GatherField(this->GetInput(), controller);
+  std::string fault = isUpdated ? "" : "Its input has failed.";
+  const vtkSmartPointer<vtkImageData> field =
+    cslf::GatherField(this->GetInput(), controller, fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro("The light field is not written. " << fault);
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    return 0;
+  }
   int outcome[2] = { 0, vtkErrorCode::NoError };
   if (rank == 0)
   {

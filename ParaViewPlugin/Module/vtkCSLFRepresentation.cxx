@@ -11,6 +11,7 @@
 #include <vtkActor.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkBoundingBox.h>
+#include <vtkCommunicator.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -24,6 +25,8 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <string>
 
 namespace
 {
@@ -89,29 +92,77 @@ int vtkCSLFRepresentation::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+void vtkCSLFRepresentation::Update()
+{
+  if (this->GetNeedsUpdate())
+  {
+    // RequestData changes this, unless the input fails.
+    this->State = PartState::Failed;
+    this->Part = nullptr;
+    this->PartGeometry = nullptr;
+  }
+  this->Superclass::Update();
+}
+
+//------------------------------------------------------------------------------
+// Only keeps the part of this rank: where the input of a rank has failed, it is not called there,
+// so the ranks must not exchange anything here.
 int vtkCSLFRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Field = nullptr;
-  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  this->State = PartState::Changed;
+  this->Part = nullptr;
+  this->PartGeometry = nullptr;
+  if (inputVector[FieldPort]->GetNumberOfInformationObjects() == 1)
   {
     // The executive's output must not be kept: it is the same object when it changes.
-    vtkNew<vtkImageData> part;
-    part->ShallowCopy(vtkImageData::GetData(inputVector[0], 0));
-    this->Field = cslf::GatherField(part, vtkMultiProcessController::GetGlobalController());
-    if (this->Field && this->Field->GetNumberOfPoints() == 0)
-    {
-      this->Field = nullptr;
-    }
+    this->Part = vtkSmartPointer<vtkImageData>::New();
+    this->Part->ShallowCopy(vtkImageData::GetData(inputVector[FieldPort], 0));
+  }
+  if (auto* geometry = vtkPolyData::GetData(inputVector[GeometryPort], 0))
+  {
+    this->PartGeometry = vtkSmartPointer<vtkPolyData>::New();
+    this->PartGeometry->ShallowCopy(geometry);
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+// Joins the parts of all ranks, if any has changed or failed. All ranks call this for every update.
+void vtkCSLFRepresentation::UpdateField()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isShared = controller && controller->GetNumberOfProcesses() > 1;
+  const int own = static_cast<int>(this->State);
+  int all = own;
+  if (isShared)
+  {
+    controller->AllReduce(&own, &all, 1, vtkCommunicator::MAX_OP);
+  }
+  if (all == static_cast<int>(PartState::Unchanged))
+  {
+    return;
+  }
+  // What was delivered before is outdated, until REQUEST_RENDER.
+  this->Mapper->RemoveAllInputs();
+  std::string fault = this->State == PartState::Failed ? "Its input has failed." : "";
+  this->Field = cslf::GatherField(this->Part, controller, fault);
+  // A single process has reported the fault of its input.
+  if (isShared && !fault.empty())
+  {
+    vtkErrorMacro("The light field is not shown. " << fault);
+  }
+  if (this->Field && this->Field->GetNumberOfPoints() == 0)
+  {
+    this->Field = nullptr;
   }
   this->Geometry = vtkSmartPointer<vtkPolyData>::New();
-  auto* geometry = vtkPolyData::GetData(inputVector[GeometryPort], 0);
-  if (geometry && this->Field)
+  if (this->Field && this->PartGeometry)
   {
-    this->Geometry->ShallowCopy(geometry);
+    this->Geometry->ShallowCopy(this->PartGeometry);
   }
   this->UpdateOutline();
-  return this->Superclass::RequestData(request, inputVector, outputVector);
+  this->State = PartState::Unchanged;
 }
 
 //------------------------------------------------------------------------------
@@ -198,6 +249,7 @@ void vtkCSLFRepresentation::ShowPieces(
 {
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    this->UpdateField();
     // A rank that receives a piece must announce one, too.
     vtkPVView::SetPiece(
       inInfo, this, this->Field ? this->Field.Get() : this->NoField.Get(), 0, FieldPort);

@@ -41,6 +41,8 @@ public:
 
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void Update() override;
+  using Superclass::Update;
   void SetVisibility(bool visible) override;
 
   /**
@@ -94,7 +96,16 @@ private:
   vtkCSLFRepresentation(const vtkCSLFRepresentation&) = delete;
   void operator=(const vtkCSLFRepresentation&) = delete;
 
+  /// What the last update has made of this rank's part, the more important the greater.
+  enum class PartState
+  {
+    Unchanged,
+    Changed,
+    Failed
+  };
+
   void ConnectGeometry();
+  void UpdateField();
   void UpdateOutline();
   void ReceivePieces(vtkInformation* info);
   void ShowPieces(
@@ -106,9 +117,12 @@ private:
   vtkNew<vtkCSLFMapper>
     BoundsMapper; // never draws: gives the field's cube before the field is sent
   vtkNew<vtkOutlineSource> Outline;
-  vtkSmartPointer<vtkImageData> Field;   // null if there is none, and on ranks above 0
-  vtkNew<vtkImageData> NoField;          // empty
-  vtkSmartPointer<vtkPolyData> Geometry; // empty if there is none, and on ranks above 0
+  PartState State = PartState::Unchanged;
+  vtkSmartPointer<vtkImageData> Part;        // this rank's viewpoints; null if there are none
+  vtkSmartPointer<vtkPolyData> PartGeometry; // null if there is none
+  vtkSmartPointer<vtkImageData> Field;       // null if there is none, and on ranks above 0
+  vtkNew<vtkImageData> NoField;              // empty
+  vtkSmartPointer<vtkPolyData> Geometry;     // empty if there is none, and on ranks above 0
 };
 
 #endif

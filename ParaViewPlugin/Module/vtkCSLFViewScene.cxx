@@ -9,6 +9,7 @@
 
 #include <vtkActor.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
@@ -43,28 +44,60 @@ vtkView* GetActiveView()
   return view ? vtkView::SafeDownCast(view->GetClientSideObject()) : nullptr;
 }
 
-/// ParaView requires names for all arrays of points and cells.
+/// A copy of an array that shares its values, if its type can share them.
+vtkSmartPointer<vtkAbstractArray> CopyArray(vtkAbstractArray* array)
+{
+  auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  auto* values = vtkDataArray::SafeDownCast(copy);
+  if (values)
+  {
+    values->ShallowCopy(vtkDataArray::SafeDownCast(array));
+  }
+  else
+  {
+    copy->DeepCopy(array);
+  }
+  return copy;
+}
+
+/// ParaView requires names for all arrays of points and cells. The arrays belong to those who made
+/// the view's data, so copies get the names, which no other array has.
+void NameArrays(vtkDataSetAttributes* attributes)
+{
+  int number = 0;
+  for (int i = 0; i < attributes->GetNumberOfArrays();)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    if (array->GetName())
+    {
+      ++i;
+      continue;
+    }
+    const vtkSmartPointer<vtkAbstractArray> copy = CopyArray(array);
+    std::string name;
+    do
+    {
+      name = "Array" + std::to_string(number++);
+    } while (attributes->HasArray(name.c_str()));
+    copy->SetName(name.c_str());
+    const int attribute = attributes->IsArrayAnAttribute(i);
+    attributes->RemoveArray(i);
+    attributes->AddArray(copy);
+    if (attribute >= 0)
+    {
+      attributes->SetActiveAttribute(name.c_str(), attribute);
+    }
+  }
+}
+
 void NameArrays(vtkMultiBlockDataSet* scene)
 {
   for (unsigned int i = 0; i < scene->GetNumberOfBlocks(); ++i)
   {
-    auto* block = vtkDataSet::SafeDownCast(scene->GetBlock(i));
-    if (!block)
+    if (auto* block = vtkDataSet::SafeDownCast(scene->GetBlock(i)))
     {
-      continue;
-    }
-    for (vtkDataSetAttributes* attributes :
-      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
-        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
-    {
-      for (int j = 0; j < attributes->GetNumberOfArrays(); ++j)
-      {
-        vtkAbstractArray* array = attributes->GetAbstractArray(j);
-        if (!array->GetName())
-        {
-          array->SetName(("Array" + std::to_string(j)).c_str());
-        }
-      }
+      NameArrays(block->GetPointData());
+      NameArrays(block->GetCellData());
     }
   }
 }

@@ -18,6 +18,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -159,6 +161,61 @@ void TestWindows(const std::string& fileName, vtkImageData* whole)
     CSLF_CHECK(ComparePictures(second.Render(), DrawAnew(whole, there)) > Same);
   }
   CSLF_CHECK(streamed.Mapper->GetTextureBytes() < 0.7 * RawBytes);
+}
+
+/// Actors that share a mapper, and need different samples, do not take them from each other.
+void TestSharedMapper(const std::string& fileName)
+{
+  Streamed streamed(fileName);
+  streamed.Decoder->SetCacheSize(vtkTypeInt64(100) * 30 * Resolution * Resolution);
+  View view;
+  for (int index = 0; index < 2; ++index)
+  {
+    const auto actor = view.Add(streamed.Mapper);
+    actor->SetScale(0.5);
+    actor->RotateY(180.0 * index);
+    actor->SetPosition(index == 0 ? -0.7 : 0.7, 0.0, 0.0);
+  }
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> seconds;
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    const auto start = Clock::now();
+    view.Render();
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  const double later = *std::min_element(seconds.begin() + 1, seconds.end());
+  std::cout << "two actors: " << seconds[0] << " s at first, then " << later << " s\n";
+  CSLF_CHECK(later < 0.2 * seconds[0]);
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() < 0.7 * RawBytes);
+
+  // Streamed, the pictures become complete and stay so.
+  streamed.Mapper->ReleaseGraphicsResources(view.Window);
+  streamed.Mapper->StreamingOn();
+  int renders = 0;
+  do
+  {
+    view.Render();
+  } while (++renders < 10000 && !streamed.Mapper->IsComplete());
+  CSLF_CHECK(renders > 1 && renders < 10000);
+  int requests = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(Count);
+  counter->SetClientData(&requests);
+  streamed.Mapper->AddObserver(vtkCommand::UpdateDataEvent, counter);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    view.Render();
+  }
+  CSLF_CHECK(requests == 0);
+
+  // Within less memory, each frame has the same share for both, and a single actor all of it.
+  streamed.Mapper->StreamingOff();
+  const auto limit = static_cast<vtkTypeInt64>(0.2 * RawBytes);
+  streamed.Mapper->SetTextureMemoryLimit(limit);
+  const Picture both = view.Render();
+  CSLF_CHECK(streamed.Mapper->GetTextureBytes() <= limit);
+  CSLF_CHECK(ComparePictures(view.Render(), both) > Same);
 }
 
 /// With less memory the grid is coarser where the camera does not look.
@@ -331,6 +388,7 @@ int TestCSLFMapperStreaming(int argc, char* argv[])
     TestMoves(fileName, whole);
     TestStreaming(fileName, whole);
     TestWindows(fileName, whole);
+    TestSharedMapper(fileName);
     TestBudget(fileName, whole);
     TestDamage(fileName, whole);
     TestLoss(whole);

@@ -218,6 +218,36 @@ void TestRefinement()
     [&](const auto& wanted) { return grid.ViewpointOf(wanted.Slice).Face == 2; }));
 }
 
+// Cameras that take turns do not take samples from each other if all fit: cameras at opposite
+// corners, and two that look at different parts of one face.
+void TestTurns()
+{
+  const auto look = [](double x) {
+    return ViewFrustum(MakeRows({ x, 0.0, 4.0 }, { x, 0.0, 0.0 }, 8.0), Minimum, Maximum);
+  };
+  const ViewFrustum pairs[][2] = {
+    { MakeFrustum({ 2.0, 3.0, 4.0 }), MakeFrustum({ -2.0, -3.0, -4.0 }) }, { look(-0.7), look(0.7) }
+  };
+  for (const auto& pair : pairs)
+  {
+    Residency residency(cslf::Layout(17, 16), 2 * Residency::LeastBlocks, 17 * 17);
+    for (int turn = 0; turn < 2; ++turn)
+    {
+      residency.Aim({ pair[turn] });
+      CSLF_CHECK(!residency.ListMissing().empty());
+      BringAll(residency, 4);
+    }
+    const auto table = residency.MakeTable(4).Cells;
+    residency.Aim({ pair[0] });
+    CSLF_CHECK(residency.ListMissing().empty());
+    residency.Aim({ pair[1], pair[0], pair[1] });
+    CSLF_CHECK(residency.ListMissing().empty());
+    residency.Aim({ pair[1] });
+    CSLF_CHECK(residency.ListMissing().empty());
+    CSLF_CHECK(residency.MakeTable(4).Cells == table);
+  }
+}
+
 // Too few slots for all: the coarser levels get them, then samples near the focal point.
 void TestBudget()
 {
@@ -319,6 +349,7 @@ int TestCSLFResidency(int, char*[])
   TestFrustum();
   TestBlocks();
   TestRefinement();
+  TestTurns();
   TestBudget();
   TestDamage();
   TestSceneGrid();

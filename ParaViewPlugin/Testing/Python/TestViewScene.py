@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Baking everything that a view shows: colours, materials, lights, and nothing else."""
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
 from cslfparaview import *
 
 view = make_view()
@@ -45,3 +48,30 @@ SetActiveView(view)
 active = CSLFViewScene(CaptureLights=0)
 active.UpdatePipeline()
 check(active.GetDataInformation().GetBounds()[5] > 3.4, "the active view was not captured")
+
+# Arrays without names get names in the captured scene, which are not those of others. The arrays of
+# the data that is shown stay as they are.
+sphere = Sphere()
+sphere.UpdatePipeline()
+data = servermanager.Fetch(sphere)
+count = data.GetNumberOfPoints()
+points = data.GetPointData()
+points.GetNormals().SetName(None)
+named = numpy_to_vtk(numpy.zeros(count), deep=1)
+named.SetName("Array0")
+points.AddArray(named)
+points.AddArray(numpy_to_vtk(numpy.arange(count, dtype=float), deep=1))
+before = [points.GetAbstractArray(i).GetName() for i in range(points.GetNumberOfArrays())]
+producer = TrivialProducer()
+producer.GetClientSideObject().SetOutput(data)
+own = make_view()
+Show(producer, own)
+Render(own)
+unnamed = CSLFViewScene(View=own)
+unnamed.UpdatePipeline()
+after = [points.GetAbstractArray(i).GetName() for i in range(points.GetNumberOfArrays())]
+check(before.count(None) == 2 and after == before, f"{before} became {after}")
+captured_points = unnamed.GetClientSideObject().GetOutput().GetBlock(0).GetPointData()
+names = [captured_points.GetAbstractArray(i).GetName()
+         for i in range(captured_points.GetNumberOfArrays())]
+check(None not in names and len(set(names)) == len(names), f"captured {names}")

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) CSLF contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What looks up the pictures of a window: programs, and textures for intermediate results.
+ */
+#ifndef cslfLookupTools_h
+#define cslfLookupTools_h
+
+#include "cslfSurfacePicture.h"
+
+#include <vtkNew.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace cslf
+{
+struct Description;
+
+/// Textures that a lookup draws to.
+struct LookupTarget
+{
+  std::array<int, 2> Size{ 1, 1 };
+  vtkNew<vtkTextureObject> Colors;
+  vtkNew<vtkTextureObject> Depths;
+  vtkNew<vtkTextureObject> Marks; ///< a depth buffer: 1 where nothing was drawn yet
+
+  /// Allocates the textures again if they have another size or type.
+  void Allocate(
+    vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, int colorType, bool hasMarks);
+
+  /// The graphics memory that the textures take, in bytes.
+  std::int64_t GetBytes() const;
+
+  void Release(vtkWindow* window);
+};
+
+/// All pictures of a window share one, because a picture needs it only while it is looked up.
+/// Belongs to one render window's context at a time.
+struct LookupTools
+{
+  LookupTools();
+  ~LookupTools();
+  LookupTools(const LookupTools&) = delete;
+  LookupTools& operator=(const LookupTools&) = delete;
+
+  /// How rays are looked up. Each way needs programs of its own.
+  struct Method
+  {
+    int Lookup = -1;           ///< vtkCSLFMapper::LookupType
+    bool IsSearched = false;   ///< by depth or geometry, which takes several passes
+    bool IsOnGeometry = false; ///< rays that meet the geometry are not searched
+
+    bool operator==(const Method& other) const;
+  };
+
+  /// Builds the programs of a method for a field, unless they are there.
+  void Build(vtkOpenGLRenderWindow* window, const Method& method, const Description& field);
+
+  /// Frees everything. The window's context must be current.
+  void Release(vtkWindow* window);
+
+  LookupTarget Rays; ///< if there are several for each pixel
+  LookupTarget Guess;
+  SurfacePicture Surfaces;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+
+  std::unique_ptr<vtkOpenGLQuadHelper> GuessSearch; ///< a small picture's depths
+  std::unique_ptr<vtkOpenGLQuadHelper> Miss;        ///< where they and the grid have nothing
+  std::unique_ptr<vtkOpenGLQuadHelper>
+    Check; ///< looks up surfaces that a small picture's depths suggest
+  std::unique_ptr<vtkOpenGLQuadHelper> Search; ///< remaining pixels; without depth, all
+  std::unique_ptr<vtkOpenGLQuadHelper>
+    Rest; ///< pixels for which the search found no visible surface
+  std::unique_ptr<vtkOpenGLQuadHelper> Mean;      ///< the rays of a pixel
+  std::unique_ptr<vtkOpenGLQuadHelper> OnSurface; ///< marks these rays
+  std::unique_ptr<vtkOpenGLQuadHelper> Near;      ///< points of the geometry, by the views around
+  std::unique_ptr<vtkOpenGLQuadHelper> Far;       ///< by others of the entry face
+  std::unique_ptr<vtkOpenGLQuadHelper> Other;     ///< by those of other faces
+  std::unique_ptr<vtkOpenGLQuadHelper> Own;       ///< by its own colours
+
+private:
+  void ReleasePrograms();
+
+  Method Built;
+  std::array<bool, 3> BuiltFor{}; ///< whether the field has depth, linear colours, an environment
+};
+}
+
+#endif
