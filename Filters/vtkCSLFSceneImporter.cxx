@@ -287,7 +287,8 @@ void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize, double
   const double pixel = box.IsValid() ? pixelSize * box.GetDiagonalLength() : 0.0;
   for (cslf::ImportedBlock& block : blocks)
   {
-    const double radius = 0.5 * pixel / GetTypicalScale(block.Data);
+    const double scale = GetTypicalScale(block.Data);
+    const double radius = 0.5 * pixel / scale;
     if (block.Data->GetNumberOfLines() > 0 && vtkCSLFMaterial::GetLineRadius(block.Data) == 0.0)
     {
       vtkCSLFMaterial::SetLineRadius(block.Data, radius * block.LineWidth);
@@ -296,7 +297,7 @@ void SetRadii(std::vector<cslf::ImportedBlock>& blocks, double pixelSize, double
       vtkCSLFMaterial::GetPointRadius(block.Data) == 0.0)
     {
       vtkCSLFMaterial::SetPointRadius(
-        block.Data, pointRadius > 0.0 ? pointRadius : radius * block.PointSize);
+        block.Data, pointRadius > 0.0 ? pointRadius / scale : radius * block.PointSize);
     }
   }
 }

@@ -12,13 +12,13 @@ namespace cslf
 namespace
 {
 /// Frames for which a view is kept that is not drawn: enough for cameras that take turns.
-constexpr std::int64_t Patience = 32;
+constexpr std::int64_t KeptFrames = 32;
 
 /// The most places of one actor. Only frames that are not those of a window have so many.
-constexpr int MostPlaces = 256;
+constexpr int MaximumPlaces = 256;
 
 /// Bytes for the pictures of a window: twelve pictures of 1920 x 1080 pixels.
-constexpr std::int64_t MostPictureBytes = std::int64_t(256) << 20;
+constexpr std::int64_t MaximumPictureBytes = std::int64_t(256) << 20;
 
 /// Whether the frame is drawn to find what lies under pixels.
 bool IsSelecting(vtkRenderWindow* window)
@@ -47,7 +47,7 @@ bool MayBeDrawn(const DrawnView& view, vtkRenderWindow* window)
 
 bool DrawnViews::IsGone(const DrawnView& view) const
 {
-  return !view.Renderer || !view.Camera || !view.Actor || view.Frame + Patience < this->Frame;
+  return !view.Renderer || !view.Camera || !view.Actor || view.Frame + KeptFrames < this->Frame;
 }
 
 void DrawnViews::BeginFrame(vtkRenderWindow* window)
@@ -108,7 +108,7 @@ DrawnView& DrawnViews::Find(vtkRenderer* renderer, vtkActor* actor, const glm::d
     moved = !moved || view->Frame < moved->Frame ? view.get() : moved;
   }
   // An actor that was drawn in this frame is now at another place, otherwise it has moved.
-  if (!moved || (moved->Frame == this->Frame && places < MostPlaces))
+  if (!moved || (moved->Frame == this->Frame && places < MaximumPlaces))
   {
     this->Views.push_back(std::make_unique<DrawnView>());
     moved = this->Views.back().get();
@@ -170,7 +170,7 @@ void DrawnViews::LimitPictures(vtkRenderWindow* window, const DrawnView& view)
     [](const DrawnView* a, const DrawnView* b) { return a->Frame < b->Frame; });
   for (DrawnView* other : others)
   {
-    if (bytes <= MostPictureBytes)
+    if (bytes <= MaximumPictureBytes)
     {
       break;
     }

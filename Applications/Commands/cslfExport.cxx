@@ -45,11 +45,11 @@ struct Options
 void AddTriangles(vtkPolyData* polyData, vtkAppendPolyData* append)
 {
   const Triangulation cut = TriangulatePolygons(polyData);
-  const vtkIdType lost = cut.NotFinite + cut.WithoutArea + cut.Tangled;
+  const vtkIdType lost = cut.CountOmitted();
   if (lost > 0)
   {
     AddWarning(std::to_string(lost) +
-      " polygon(s) were left out, because they have no area, cross themselves too often, or have "
+      " polygon(s) were left out, because they have no area, would take too long to fill, or have "
       "coordinates that are not finite.");
   }
   vtkDataArray* matrices = polyData->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());

@@ -28,7 +28,9 @@ namespace cslf::tool
 template <typename T>
 CLI::Validator RangeOf(const NumberOption<T>& row, T least)
 {
-  if (row.Maximum < std::numeric_limits<T>::max())
+  // Rows without a maximum have the largest number, or one that is as good as unlimited.
+  constexpr double unlimited = 1e30;
+  if (row.Maximum < std::numeric_limits<T>::max() && static_cast<double>(row.Maximum) < unlimited)
   {
     return CLI::Range(least, row.Maximum);
   }

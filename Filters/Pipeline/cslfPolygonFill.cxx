@@ -95,6 +95,23 @@ glm::dvec3 FindLargeTriangle(const std::vector<glm::dvec3>& corners)
   return largest;
 }
 
+/// Whether the first triangle from the first corner that has an area faces away from a normal. The
+/// parts of an outline that crosses itself face both ways, and which of them is larger would differ
+/// between the polygons of one surface.
+bool FacesBack(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal)
+{
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+  {
+    const double along =
+      glm::dot(glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]), normal);
+    if (std::abs(along) > SmallestArea * glm::length(normal))
+    {
+      return along < 0.0;
+    }
+  }
+  return false;
+}
+
 /// An edge of a polygon in a plane.
 struct Edge
 {
@@ -331,7 +348,7 @@ glm::dvec3 FindPolygonNormal(const std::vector<glm::dvec3>& corners)
   {
     return glm::dvec3(0.0);
   }
-  return glm::dot(largest, sum) < 0.0 ? -largest : largest;
+  return FacesBack(outline, largest) ? -largest : largest;
 }
 
 bool MayTouchItself(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal)

@@ -28,10 +28,10 @@ namespace cslf
 namespace
 {
 // The time that VTK takes for a polygon grows with the square of its corners: 30 ms for these.
-constexpr vtkIdType MostOrdinaryCorners = 4096;
+constexpr vtkIdType MaximumOrdinaryCorners = 4096;
 
 // Corners of polygons with at most that many are searched.
-constexpr vtkIdType FewCorners = 16;
+constexpr vtkIdType FewSearchedCorners = 16;
 
 constexpr const char* SourceName = "CSLF:SourceCell";
 
@@ -40,13 +40,13 @@ constexpr double Rounding = 1e-6;
 
 // The smallest vector area of a polygon that VTK's triangles fill, in parts of their areas. It is
 // less than 1 if the polygon is not flat.
-constexpr double SmallestVectorArea = 0.1;
+constexpr double SmallestOrdinaryVectorArea = 0.1;
 
 // Triangles that face away from the polygon fill what is not part of it. Of polygons that are not
 // flat, they may be steep: the cosine of the largest angle.
 constexpr double SmallestCosine = -0.5;
 
-/// Judges the triangles that VTK made of a polygon.
+/// Checks the triangles that VTK made of a polygon.
 class PolygonCheck
 {
 public:
@@ -120,7 +120,7 @@ private:
         least = std::min(least, along);
       }
     }
-    return area > 0.0 && glm::length(normal) >= SmallestVectorArea * area &&
+    return area > 0.0 && glm::length(normal) >= SmallestOrdinaryVectorArea * area &&
       least >= -Rounding * area * glm::length(normal) &&
       glm::length(sum - normal) <= Rounding * area;
   }
@@ -260,7 +260,7 @@ private:
           this->Result.NotFinite += isFinite ? 0 : 1;
           this->Result.WithoutArea += isFinite ? 1 : 0;
         }
-        else if (count > MostOrdinaryCorners)
+        else if (count > MaximumOrdinaryCorners)
         {
           this->ToFill.push_back(polygon);
         }
@@ -368,8 +368,9 @@ private:
       for (vtkIdType i = 0; i < three; ++i)
       {
         // Reading a point again takes longer than a short search.
-        const vtkIdType* found =
-          count <= FewCorners ? std::find(points, points + count, corners[i]) : points + count;
+        const vtkIdType* found = count <= FewSearchedCorners
+          ? std::find(points, points + count, corners[i])
+          : points + count;
         check.TriangleCorners.push_back(found < points + count ? check.Corners[found - points]
                                                                : GetPoint(this->Data, corners[i]));
       }

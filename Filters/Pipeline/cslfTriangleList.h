@@ -34,8 +34,19 @@ struct Triangulation
   vtkIdType Filled = 0;      ///< the number of polygons that VTK's triangles do not fill
   vtkIdType NotFinite = 0;   ///< the number of polygons, other than triangles, with such points
   vtkIdType WithoutArea = 0; ///< the number of polygons, other than triangles, without an area
-  vtkIdType Tangled = 0;     ///< the number of polygons that cross themselves too often
+  vtkIdType Tangled = 0;     ///< the number of polygons that would take too long to fill
+
+  vtkIdType CountOmitted() const { return this->NotFinite + this->WithoutArea + this->Tangled; }
 };
+
+///@{
+/// What is omitted, in words that follow a number.
+constexpr const char* NotFinitePolygons = "polygon(s) with coordinates that are not finite";
+constexpr const char* NotFiniteRound =
+  "line(s) or vertex cell(s) with coordinates that are not finite";
+constexpr const char* PolygonsWithoutArea = "polygon(s) without an area";
+constexpr const char* TangledPolygons = "polygon(s) with outlines that take too long to fill";
+///@}
 
 /// Triangulates polygons and strips. VTK triangulates polygons. Those for which it fails, because
 /// they touch or cross themselves, are filled by the even-odd rule. See PolygonFill.

@@ -445,7 +445,8 @@ private:
     }
     this->MeetIf(
       block->GetNumberOfLines() + block->GetNumberOfVerts() > 0, ImportLimit::ClippedLines);
-    for (const auto& piece : ClipBlock(block, this->Mapper->GetClippingPlanes()))
+    for (const auto& piece :
+      ClipBlock(block, this->Mapper->GetClippingPlanes(), this->Scene.Omitted))
     {
       this->AddPiece(piece);
     }

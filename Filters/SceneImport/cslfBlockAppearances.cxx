@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfBlockAppearances.h"
 
+#include "Pipeline/cslfTriangleList.h"
 #include "cslfActorParts.h"
 #include "cslfColor.h"
 #include "cslfSurfaceAppearance.h"
 #include "cslfVTKCompatibility.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 #include "vtkCSLFMaterial.h"
 
 #include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -437,14 +440,31 @@ void AddTo(ShadingModels& models, const BlockAppearance& appearance)
 
 vtkBoundingBox GetPlacedBounds(vtkPolyData* data)
 {
-  double bounds[6];
-  data->GetCellsBounds(bounds);
-  const vtkBoundingBox own(bounds);
+  vtkBoundingBox own;
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    ForEachCell(cells,
+      [&](vtkIdType, vtkIdType count, const vtkIdType* points)
+      {
+        for (vtkIdType i = 0; i < count; ++i)
+        {
+          double point[3];
+          data->GetPoint(points[i], point);
+          if (IsFinite({ point[0], point[1], point[2] }))
+          {
+            own.AddPoint(point);
+          }
+        }
+      });
+  }
   vtkDataArray* matrices = data->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix());
   if (!matrices || matrices->GetNumberOfComponents() != 16 || !own.IsValid())
   {
     return own;
   }
+  double bounds[6];
+  own.GetBounds(bounds);
   vtkBoundingBox all;
   for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
   {

@@ -14,7 +14,7 @@
 
 namespace cslf
 {
-/// The bounds of a block's cells, in all its instances.
+/// The bounds of the finite points of a block's cells, in all its instances.
 VTKCSLF_EXPORT vtkBoundingBox GetPlacedBounds(vtkPolyData* data);
 
 /// Computes the lights for the blocks, and sets the blocks' materials, colours and textures so that

@@ -5,10 +5,12 @@
 #include "Pipeline/cslfTriangleList.h"
 #include "cslfActorImporter.h"
 #include "cslfCellKinds.h"
+#include "cslfValidPolyData.h"
 #include "vtkCSLFInstances.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkClipPolyData.h>
 #include <vtkDataArray.h>
@@ -42,16 +44,45 @@ void ForEachPlane(vtkPlaneCollection* planes, Visit visit)
   }
 }
 
-/// The data, or its triangles if it has polygons that touch or cross themselves, of which
-/// vtkClipPolyData would leave nothing.
-vtkSmartPointer<vtkPolyData> FillPolygons(vtkPolyData* data)
+/// Records cells that are left out, of which vtkClipPolyData would leave nothing.
+void Omit(vtkIdType count, const char* what, std::set<std::string>& omitted)
+{
+  if (count > 0)
+  {
+    omitted.insert(std::to_string(count) + " " + what);
+  }
+}
+
+vtkIdType CountNotFinite(vtkPolyData* data)
+{
+  vtkIdType number = 0;
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    ForEachCell(cells,
+      [&](vtkIdType, vtkIdType count, const vtkIdType* points)
+      {
+        const bool isFinite = std::all_of(points, points + count,
+          [data](vtkIdType point) { return IsFinite(GetPoint(data, point)); });
+        number += isFinite ? 0 : 1;
+      });
+  }
+  return number;
+}
+
+/// The data, or its triangles if it has polygons that touch or cross themselves, or that are left
+/// out: vtkClipPolyData would leave nothing of them.
+vtkSmartPointer<vtkPolyData> FillPolygons(vtkPolyData* data, std::set<std::string>& omitted)
 {
   const Triangulation triangulation = TriangulatePolygons(data);
-  return triangulation.Filled > 0 ? triangulation.Triangles.Get() : data;
+  Omit(triangulation.WithoutArea, PolygonsWithoutArea, omitted);
+  Omit(triangulation.Tangled, TangledPolygons, omitted);
+  return triangulation.Filled + triangulation.CountOmitted() > 0 ? triangulation.Triangles.Get()
+                                                                 : data;
 }
 
 /// Cuts geometry at its position.
-Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
+Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes, std::set<std::string>& omitted)
 {
   Pieces clipped;
   // One by one, because vtkClipPolyData mixes up the data of cells of several kinds.
@@ -62,7 +93,9 @@ Pieces ClipGeometry(vtkPolyData* data, vtkPlaneCollection* planes)
       continue;
     }
     vtkSmartPointer<vtkPolyData> piece = SelectCells(data, { kind });
-    piece = kind == CellKind::Faces ? FillPolygons(piece) : piece;
+    Omit(
+      CountNotFinite(piece), kind == CellKind::Faces ? NotFinitePolygons : NotFiniteRound, omitted);
+    piece = kind == CellKind::Faces ? FillPolygons(piece, omitted) : piece;
     ForEachPlane(planes,
       [&piece](vtkPlane* plane)
       {
@@ -124,9 +157,10 @@ Sides FindSides(vtkPolyData* data, vtkMatrix4x4* matrix, vtkPlaneCollection* pla
 class InstanceClipper
 {
 public:
-  InstanceClipper(vtkPolyData* block, vtkPlaneCollection* planes)
+  InstanceClipper(vtkPolyData* block, vtkPlaneCollection* planes, std::set<std::string>& omitted)
     : Block(block)
     , Planes(planes)
+    , Omitted(omitted)
     , Matrices(block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix()))
     , Colors(vtkUnsignedCharArray::SafeDownCast(
         block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceColor())))
@@ -160,7 +194,7 @@ public:
       cut->ShallowCopy(this->CutPieces->GetOutput());
       cut->GetFieldData()->ShallowCopy(this->Block->GetFieldData());
       vtkCSLFInstances::RemoveInstances(cut);
-      pieces = ClipGeometry(cut, this->Planes);
+      pieces = ClipGeometry(cut, this->Planes, this->Omitted);
     }
     if (kept->GetFieldData()->HasArray(vtkCSLFInstances::InstanceMatrix()))
     {
@@ -211,6 +245,7 @@ private:
 
   vtkPolyData* Block;
   vtkPlaneCollection* Planes;
+  std::set<std::string>& Omitted;
   vtkDataArray* Matrices;
   vtkUnsignedCharArray* Colors;
   vtkNew<vtkAppendPolyData> CutPieces; // geometry to be cut, in the world
@@ -218,10 +253,11 @@ private:
 };
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> ClipBlock(vtkPolyData* block, vtkPlaneCollection* planes)
+std::vector<vtkSmartPointer<vtkPolyData>> ClipBlock(
+  vtkPolyData* block, vtkPlaneCollection* planes, std::set<std::string>& omitted)
 {
   return block->GetFieldData()->GetArray(vtkCSLFInstances::InstanceMatrix())
-    ? InstanceClipper(block, planes).Clip()
-    : ClipGeometry(block, planes);
+    ? InstanceClipper(block, planes, omitted).Clip()
+    : ClipGeometry(block, planes, omitted);
 }
 }

@@ -185,7 +185,7 @@ constexpr ImportLimitText Texts[] = {
     "a constant width in pixels; without normals, unlit in their own colours, but wide edges of "
     "wireframes are black in some directions",
     "lit tubes and spheres of constant width in the world, with these colours where they face the "
-    "light; darker in dim light, unless the property's lighting is off",
+    "light; they emit what a dim or coloured light lacks",
     false },
   { ImportLimit::Headlights,
     "headlights",

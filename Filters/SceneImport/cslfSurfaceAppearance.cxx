@@ -10,6 +10,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,9 @@ namespace cslf
 {
 namespace
 {
+// Light that is less than 1 only by an error of rounding.
+constexpr double Rounding = 1e-6;
+
 constexpr glm::dvec3 LuminanceWeights(0.2126, 0.7152, 0.0722);
 
 // The largest share of a surface for the boundary or metal of a highlight. Broader highlights
@@ -299,8 +303,16 @@ glm::dvec3 SurfaceAppearance::GetBaseColor(
 
 bool SurfaceAppearance::IsEmissive() const
 {
-  return this->Kind == Drawing::Illuminating ||
-    (this->Kind == Drawing::Lit && !this->IsPhysical && this->Property->GetAmbient() > 0.0);
+  switch (this->Kind)
+  {
+    case Drawing::Illuminating:
+      return true;
+    case Drawing::Unlit:
+      return glm::any(
+        glm::lessThan(this->Level.Direct + this->Level.Around, glm::dvec3(1.0 - Rounding)));
+    default:
+      return !this->IsPhysical && this->Property->GetAmbient() > 0.0;
+  }
 }
 
 glm::dvec3 SurfaceAppearance::GetEmission(
@@ -310,7 +322,12 @@ glm::dvec3 SurfaceAppearance::GetEmission(
   {
     return glm::dvec3(0.0);
   }
-  const double reflected = this->Kind == Drawing::Illuminating ? this->Property->GetDiffuse() : 0.0;
-  return SRGBToLinear(this->Property->GetAmbient() * ambient + reflected * diffuse);
+  const double reflected = this->Kind != Drawing::Lit ? this->Property->GetDiffuse() : 0.0;
+  const glm::dvec3 color =
+    SRGBToLinear(this->Property->GetAmbient() * ambient + reflected * diffuse);
+  // A reflectance of 1 is not enough for colours that are brighter than the light.
+  return this->Kind == Drawing::Unlit
+    ? glm::max(color - this->Level.Direct - this->Level.Around, 0.0)
+    : color;
 }
 }

@@ -317,6 +317,18 @@ void TestFacing()
       [up](const glm::dvec3* t) { CSLF_CHECK(up * glm::cross(t[1] - t[0], t[2] - t[0]).z > 0.0); });
     std::reverse(hole.begin(), hole.end());
   }
+  // Bow ties, whose parts face both ways: the first corners decide, not which part is larger.
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(-0.1, 0.1);
+  for (int i = 0; i < 50; ++i)
+  {
+    const double middle = 0.5 + shift(random);
+    const vtkSmartPointer<vtkPolyData> tie =
+      MakePolygon({ { 0, 0, 0 }, { 1, shift(random), 0 }, { 0, 1, 0 }, { 1, middle + 0.5, 0 } });
+    CSLF_CHECK(GetArea(cslf::Triangulate(tie)) > 0.1);
+    ForEachTriangle(cslf::Triangulate(tie),
+      [](const glm::dvec3* t) { CSLF_CHECK(glm::cross(t[1] - t[0], t[2] - t[0]).z > 0.0); });
+  }
 }
 
 /// Polygons that VTK triangulates keep its triangles.
@@ -417,11 +429,16 @@ void TestPicture()
     std::string::npos);
 }
 
-/// A clipping plane of a mapper cuts the filled polygon.
+/// A clipping plane of a mapper cuts the filled polygon, and a warning names what it leaves out.
 void TestClipped()
 {
-  const vtkSmartPointer<vtkPolyData> hole = MakePolygon({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 },
-    { 0, 4, 0 }, { 0, 0, 0 }, { 1, 1, 0 }, { 1, 3, 0 }, { 3, 3, 0 }, { 3, 1, 0 }, { 1, 1, 0 } });
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const vtkSmartPointer<vtkPolyData> hole =
+    MakePolygon({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 0, 0, 0 }, { 1, 1, 0 },
+                  { 1, 3, 0 }, { 3, 3, 0 }, { 3, 1, 0 }, { 1, 1, 0 }, { 4, nan, 0 } },
+      { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 });
+  hole->GetPolys()->InsertNextCell({ 0, 5, 7, 2 });
+  hole->GetPolys()->InsertNextCell({ 0, 1, 2, 10 });
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(2, 0, 0);
   plane->SetNormal(1, 0, 0);
@@ -434,7 +451,13 @@ void TestClipped()
   renderer->AddActor(actor);
   vtkNew<vtkCSLFSceneImporter> importer;
   importer->SetRenderer(renderer);
+  vtkNew<vtkTest::ErrorObserver> messages;
+  importer->AddObserver(vtkCommand::WarningEvent, messages);
   importer->Update();
+  for (const char* what : { cslf::PolygonsWithoutArea, cslf::NotFinitePolygons })
+  {
+    CSLF_CHECK(messages->GetWarningMessage().find(std::string("1 ") + what) != std::string::npos);
+  }
   auto* block = vtkPolyData::SafeDownCast(importer->GetOutput()->GetBlock(0));
   CSLF_CHECK_NEAR(GetArea(cslf::Triangulate(block)), 6.0, 1e-6);
 }

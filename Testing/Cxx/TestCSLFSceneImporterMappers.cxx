@@ -19,6 +19,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkFollower.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkGraphMapper.h>
 #include <vtkIntArray.h>
 #include <vtkLODProp3D.h>
@@ -56,6 +57,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <string>
 
 namespace
@@ -511,6 +513,49 @@ void TestWarnings()
   renderer->AddActor(follower);
   CSLF_CHECK(Import(renderer).Warns("followers") && Import(renderer).GetCount() == 1);
 }
+
+/// Radii of points are those in the world, whatever the scale of glyphs. Widths in pixels follow
+/// from the finite part of the scene.
+void TestRadii()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(3.0, 4.0, 0.0);
+  points->InsertNextPoint(std::numeric_limits<double>::infinity(), 0.0, 0.0);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0, 1, 2 });
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  vtkNew<vtkPolyDataMapper> vertexMapper;
+  vertexMapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->GetProperty()->SetPointSize(2.0);
+  actor->SetMapper(vertexMapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetPointRadius(Import(renderer).Get(0)), 0.005, 1e-9);
+
+  vtkNew<vtkPoints> ends;
+  ends->InsertNextPoint(0.0, 0.0, 0.0);
+  ends->InsertNextPoint(3.0, 4.0, 0.0);
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(ends);
+  vtkNew<vtkCellArray> vertex;
+  vertex->InsertNextCell({ 0 });
+  vtkNew<vtkPolyData> source;
+  source->SetPoints(ends);
+  source->SetVerts(vertex);
+  vtkNew<vtkGlyph3DMapper> glyphs;
+  glyphs->SetInputData(places);
+  glyphs->SetSourceData(source);
+  glyphs->SetScaleFactor(4.0);
+  actor->SetMapper(glyphs);
+  const Import import(renderer);
+  import.Filter->SetPointRadius(0.1);
+  import.Filter->Update();
+  CSLF_CHECK_NEAR(vtkCSLFMaterial::GetPointRadius(import.Get(0)), 0.1 / 4.0, 1e-9);
+}
 }
 
 int TestCSLFSceneImporterMappers(int, char*[])
@@ -521,6 +566,7 @@ int TestCSLFSceneImporterMappers(int, char*[])
 #endif
   TestGraphs(window);
   TestPointMappers(window);
+  TestRadii();
   TestGridsOfLevels();
   TestPartitionedData();
   TestLevels();

@@ -400,6 +400,7 @@ void TestUnlit()
   const std::vector<Terms> terms = {
     { "some ambient", 0.3, 0.7, true, VTK_GOURAUD, MakeHeadlight(1.0) },
     { "half of the light and colour", 0.1, 0.4, true, VTK_GOURAUD, MakeHeadlight(0.5) },
+    { "less light than colour", 0.0, 1.0, true, VTK_GOURAUD, MakeHeadlight(0.3) },
     { "no lighting, some ambient", 0.2, 0.7, false, VTK_FLAT, MakeHeadlight(0.3) },
     { "no lights", 0.2, 0.7, true, VTK_GOURAUD, none },
   };

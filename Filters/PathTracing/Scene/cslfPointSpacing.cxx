@@ -24,9 +24,9 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 // The number of points whose neighbours are searched among all points. A search tree would find
 // those of all points, but takes longer to build, and some get slow where points are concentrated.
-constexpr vtkIdType FewestSamples = 50;
-constexpr vtkIdType MostSamples = 200;
-constexpr vtkIdType MostDistances = 200000000;
+constexpr vtkIdType MinimumSamples = 50;
+constexpr vtkIdType MaximumSamples = 200;
+constexpr vtkIdType MaximumDistances = 200000000;
 
 constexpr vtkIdType ChunkSize = 512;
 
@@ -49,7 +49,7 @@ void Insert(Nearest& nearest, double square)
 std::vector<glm::dvec3> ChooseSamples(const std::vector<const SceneBlock*>& cloud, vtkIdType count)
 {
   const vtkIdType samples =
-    std::min(count, std::clamp(MostDistances / count, FewestSamples, MostSamples));
+    std::min(count, std::clamp(MaximumDistances / count, MinimumSamples, MaximumSamples));
   std::mt19937_64 random(1);
   std::vector<glm::dvec3> places;
   std::size_t block = 0;

@@ -100,10 +100,10 @@ private:
     };
     const auto count = [&add](vtkIdType number, const char* what)
     { add(number > 0, std::to_string(number) + " " + what); };
-    count(this->Triangles, "polygon(s) with coordinates that are not finite");
-    count(this->WithoutArea, "polygon(s) without an area");
-    count(this->Tangled, "polygon(s) that cross themselves too often to be filled");
-    count(this->Round, "line(s) or vertex cell(s) with coordinates that are not finite");
+    count(this->Triangles, NotFinitePolygons);
+    count(this->WithoutArea, PolygonsWithoutArea);
+    count(this->Tangled, TangledPolygons);
+    count(this->Round, NotFiniteRound);
     count(this->WithoutRadius, "sphere(s) or part(s) of lines with a radius of 0");
     count(this->RoundGlass, "block(s)' transmission of lines or vertices");
     count(this->InstanceArrays, "block(s)' instances with arrays that do not match");
