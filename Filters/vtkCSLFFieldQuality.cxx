@@ -8,6 +8,7 @@
 #include "Quality/cslfPSNR.h"
 #include "Quality/cslfViewExposures.h"
 #include "cslfColor.h"
+#include "cslfVTKCompatibility.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -278,6 +279,10 @@ bool Compare(cslf::SlabStream streams[2], vtkAlgorithm* progress, std::vector<Fi
       AddSlab(images, slab, figure);
     }
     progress->UpdateProgress((k + 1.0) / static_cast<double>(slabs.size()));
+    if (cslf::IsAborted(progress))
+    {
+      return false;
+    }
     if (k + 1 == slabs.size())
     {
       return true;
@@ -310,6 +315,7 @@ vtkCSLFFieldQuality::~vtkCSLFFieldQuality() = default;
 int vtkCSLFFieldQuality::Measure()
 {
   this->Internals->Figures.clear();
+  this->AbortExecute = 0;
   if (this->GetNumberOfInputConnections(0) == 0 || this->GetNumberOfInputConnections(1) == 0)
   {
     vtkErrorMacro("Two fields must be given.");

@@ -43,6 +43,38 @@ cslfSetOptionMacro(vtkCSLFSampler, GeometryTriangles, GeometryTriangles);
 
 namespace options = cslf::options;
 
+namespace
+{
+///@{
+/// The progress when the field is there, if its geometry is made too, and when the first side of
+/// the geometry has its colours.
+constexpr double FieldProgress = 0.9;
+constexpr double FirstSideProgress = 0.95;
+///@}
+
+/// While it exists, the progress that an algorithm reports from 0 to 1 is from `first` to `last`.
+class ProgressPart
+{
+public:
+  ProgressPart(vtkAlgorithm* algorithm, double first, double last)
+    : Algorithm(algorithm)
+    , Shift(algorithm->GetProgressShift())
+    , Scale(algorithm->GetProgressScale())
+  {
+    algorithm->SetProgressShiftScale(
+      this->Shift + this->Scale * first, this->Scale * (last - first));
+  }
+  ~ProgressPart() { this->Algorithm->SetProgressShiftScale(this->Shift, this->Scale); }
+  ProgressPart(const ProgressPart&) = delete;
+  ProgressPart& operator=(const ProgressPart&) = delete;
+
+private:
+  vtkAlgorithm* Algorithm;
+  double Shift;
+  double Scale;
+};
+}
+
 vtkCSLFSampler::vtkCSLFSampler()
   : Viewpoints(options::Viewpoints.Default)
   , Resolution(options::Resolution.Default)
@@ -166,7 +198,8 @@ int vtkCSLFSampler::RequestData(
     [&](int slice, int tile)
     { return cslf::MakeFieldRays(description.Grid, description.Box, scene->Frame, slice, tile); } };
   const bool isDone = !cslf::IsPortWanted(outputVector, 0) ||
-    this->SampleField(whole, description, outputVector->GetInformationObject(0));
+    this->SampleField(whole, description, outputVector->GetInformationObject(0),
+      this->GeometryTriangles > 0 && cslf::IsPortWanted(outputVector, 1));
   if (isDone && cslf::IsPortWanted(outputVector, 1))
   {
     this->UpdateGeometry(*scene, description, whole);
@@ -227,13 +260,14 @@ bool vtkCSLFSampler::Describe(const cslf::BuiltScene& scene, cslf::Description& 
 }
 
 // Samples the requested slices. Returns false if this was aborted.
-bool vtkCSLFSampler::SampleField(
-  const cslf::CheckedPicture& whole, cslf::Description& description, vtkInformation* info)
+bool vtkCSLFSampler::SampleField(const cslf::CheckedPicture& whole, cslf::Description& description,
+  vtkInformation* info, bool hasGeometry)
 {
   vtkImageData* output = vtkImageData::GetData(info);
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   cslf::AllocateSlices(description, extent[4], extent[5], output);
+  const ProgressPart part(this, 0.0, hasGeometry ? FieldProgress : 1.0);
   if (!this->Render(whole, extent[4], extent[5] - extent[4] + 1, cslf::ViewpointSamples(output),
         this->SurfaceTexels))
   {
@@ -313,6 +347,8 @@ bool vtkCSLFSampler::RenderSides(
     const auto array = cslf::MakeArray(channel, static_cast<vtkIdType>(points.size()));
     cslf::ViewpointSamples samples;
     samples.SetArray(cslf::KnownChannel::Color, array);
+    const ProgressPart part(
+      this, side == 0 ? FieldProgress : FirstSideProgress, side == 0 ? FirstSideProgress : 1.0);
     if (!this->RenderRays(whole, rays, samples))
     {
       return false;

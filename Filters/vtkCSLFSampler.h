@@ -205,8 +205,8 @@ private:
 
   bool CheckParameters();
   bool Describe(const cslf::BuiltScene& scene, cslf::Description& description);
-  bool SampleField(
-    const cslf::CheckedPicture& whole, cslf::Description& description, vtkInformation* info);
+  bool SampleField(const cslf::CheckedPicture& whole, cslf::Description& description,
+    vtkInformation* info, bool hasGeometry);
   void UpdateGeometry(const cslf::BuiltScene& scene, const cslf::Description& description,
     const cslf::CheckedPicture& whole);
   bool RenderSides(

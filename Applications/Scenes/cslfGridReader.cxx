@@ -31,6 +31,8 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLGenericDataObjectReader.h>
+#include <vtkXMLPartitionedDataSetCollectionReader.h>
+#include <vtkXMLPartitionedDataSetReader.h>
 
 #include <algorithm>
 #include <array>
@@ -99,7 +101,9 @@ public:
     {
       vtkSmartPointer<vtkCell> cell;
       cell.TakeReference(vtkGenericCell::InstantiateCell(type));
-      found->second = cell ? cell->GetNumberOfPoints() : -1;
+      // Lagrange and Bezier cells have the points of the lowest order until their own are set.
+      const bool isOfAnyOrder = type >= VTK_LAGRANGE_CURVE && type <= VTK_BEZIER_PYRAMID;
+      found->second = !cell ? -1 : isOfAnyOrder ? 0 : cell->GetNumberOfPoints();
     }
     // Types of any size have no points yet.
     return found->second == 0 ? points > 0 : points == found->second;
@@ -248,6 +252,9 @@ public:
     return surface;
   }
 
+  /// Records a part that has no surface.
+  void Remove(const std::string& what) { this->Removed.insert(what); }
+
   void Warn(const std::string& fileName) const
   {
     if (this->Surfaces > 0)
@@ -258,7 +265,8 @@ public:
     }
     if (!this->Removed.empty())
     {
-      AddWarning("Invalid parts of " + fileName + " were left out: " + Join(this->Removed) + ".");
+      AddWarning("Parts of " + fileName +
+        " that are invalid or have no surface were left out: " + Join(this->Removed) + ".");
     }
   }
 
@@ -304,9 +312,14 @@ Part ToSurfaces(vtkDataObject* data, SurfaceMaker& maker)
   leaf.TakeReference(tree->NewTreeIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
-    if (auto* single = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()))
+    vtkDataObject* block = leaf->GetCurrentDataObject();
+    if (auto* single = vtkDataSet::SafeDownCast(block))
     {
       blocks->SetBlock(blocks->GetNumberOfBlocks(), maker.Make(single));
+    }
+    else
+    {
+      maker.Remove(std::string("data of the type ") + block->GetClassName());
     }
   }
   return blocks;
@@ -446,7 +459,12 @@ vtkSmartPointer<vtkDataObject> ReadXMLGrid(const std::string& fileName)
   CheckVTKXML(fileName);
   // Extents and numbers of values are checked.
   constexpr double unlimited = std::numeric_limits<double>::infinity();
-  return Read<vtkXMLGenericDataObjectReader>(fileName, unlimited, unlimited);
+  const std::string extension = ToLower(ToName(ToPath(fileName).extension()));
+  // VTK's generic reader knows these two since 9.2 only.
+  return extension == ".vtpd" ? Read<vtkXMLPartitionedDataSetReader>(fileName, unlimited, unlimited)
+    : extension == ".vtpc"
+    ? Read<vtkXMLPartitionedDataSetCollectionReader>(fileName, unlimited, unlimited)
+    : Read<vtkXMLGenericDataObjectReader>(fileName, unlimited, unlimited);
 }
 
 vtkSmartPointer<vtkDataObject> ReadLegacyGrid(const std::string& fileName)

@@ -33,16 +33,6 @@ bool IsFile(const fs::path& path)
   return fs::is_regular_file(path, failure);
 }
 
-/// The file of that name beside a library, or else the one in the same folder: the paths of other
-/// computers do not exist on this one, and those of Windows have other separators.
-std::string FindBeside(const fs::path& folder, std::string name)
-{
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const fs::path path = folder / ToPath(name);
-  const fs::path beside = folder / path.filename();
-  return ToName(!IsFile(path) && IsFile(beside) ? beside : path);
-}
-
 /// The lines of a library.
 class LibraryReader
 {
@@ -268,14 +258,17 @@ void TransformTCoords(const OBJTexture& texture, vtkPolyData* block)
 }
 }
 
-bool OBJMaterials::ReadLibrary(const std::string& fileName)
+std::string FindBeside(const fs::path& folder, std::string name)
 {
-  if (!IsFile(ToPath(fileName)))
-  {
-    return false;
-  }
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const fs::path path = folder / ToPath(name);
+  const fs::path beside = folder / path.filename();
+  return ToName(!IsFile(path) && IsFile(beside) ? beside : path);
+}
+
+void OBJMaterials::ReadLibrary(const std::string& fileName)
+{
   LibraryReader(fileName, this->Materials).Read();
-  return true;
 }
 
 void OBJMaterials::Apply(const std::string& name, vtkPolyData* block)
@@ -335,13 +328,20 @@ vtkImageData* OBJMaterials::FindImage(const std::string& fileName)
   std::string error = "is missing";
   vtkSmartPointer<vtkImageData> image;
   const fs::path path = ToPath(fileName);
-  if (IsFile(path))
+  try
   {
-    static const std::set<std::string> formats = { ".bmp", ".tga", ".tif", ".tiff" };
-    const std::string bytes = ReadBytes(fileName);
-    const std::string extension = ToLower(ToName(path.extension()));
-    image = DecodeImage(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-      formats.count(extension) > 0 ? extension : "", error);
+    if (IsFile(path))
+    {
+      static const std::set<std::string> formats = { ".bmp", ".tga", ".tif", ".tiff" };
+      const std::string bytes = ReadBytes(fileName);
+      const std::string extension = ToLower(ToName(path.extension()));
+      image = DecodeImage(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+        formats.count(extension) > 0 ? extension : "", error);
+    }
+  }
+  catch (const Failure&)
+  {
+    error = "cannot be opened";
   }
   if (!image)
   {

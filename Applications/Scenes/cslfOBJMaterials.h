@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,6 +20,10 @@ class vtkPolyData;
 
 namespace cslf::tool
 {
+/// The file of that name beside one in a folder, or else the one in the same folder: the paths of
+/// other computers do not exist on this one, and those of Windows have other separators.
+std::string FindBeside(const std::filesystem::path& folder, std::string name);
+
 /// An image that multiplies a colour, and how texture coordinates are changed for it.
 struct OBJTexture
 {
@@ -43,8 +48,8 @@ struct OBJMaterial
 class OBJMaterials
 {
 public:
-  /// Reads a library. False if there is no such file.
-  bool ReadLibrary(const std::string& fileName);
+  /// Reads a library. Throws a Failure if it cannot be opened.
+  void ReadLibrary(const std::string& fileName);
 
   bool Has(const std::string& name) const { return this->Materials.count(name) > 0; }
 

@@ -32,6 +32,7 @@
 #include <string_view>
 #include <system_error>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -104,6 +105,10 @@ public:
     if (this->IsIncomplete)
     {
       this->Fail("is incomplete: the file is truncated", this->Lines.GetNumber());
+    }
+    if (this->Found.Blocks.empty() && !this->Found.Vertices.empty())
+    {
+      this->AddAllVertices();
     }
     this->CheckCorners();
     if (this->Short > 0)
@@ -240,6 +245,17 @@ private:
       .Cells.push_back({ dimension, first, count, this->Lines.GetNumber() });
   }
 
+  /// Point clouds are files of vertices alone.
+  void AddAllVertices()
+  {
+    const std::size_t count = this->Found.Vertices.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Found.Corners.push_back({ static_cast<int>(i), -1, -1 });
+    }
+    this->FindBlock(false, false).Cells.push_back({ 0, 0, count, this->Lines.GetNumber() });
+  }
+
   /// A corner is v, v/vt, v//vn or v/vt/vn.
   Corner ReadCorner(std::string_view word)
   {
@@ -336,17 +352,13 @@ private:
   void AddLibraries()
   {
     const fs::path folder = ToPath(this->FileName).parent_path();
-    const auto locate = [&folder](std::string name)
-    {
-      std::replace(name.begin(), name.end(), '\\', '/');
-      return ToName(folder / ToPath(name));
-    };
     std::error_code failure;
-    const std::string whole = locate(this->Lines.GetRest(1));
+    const std::string whole = FindBeside(folder, this->Lines.GetRest(1));
     const bool isOne = fs::is_regular_file(ToPath(whole), failure);
-    for (std::size_t i = 1; i < (isOne ? 2 : this->Lines.GetWords().size()); ++i)
+    for (std::size_t i = 1; i <= (isOne ? 1 : this->CountWords()); ++i)
     {
-      const std::string name = isOne ? whole : locate(std::string(this->Lines.GetWords()[i]));
+      const std::string name =
+        isOne ? whole : FindBeside(folder, std::string(this->Lines.GetWords()[i]));
       if (std::find(this->Libraries.begin(), this->Libraries.end(), name) == this->Libraries.end())
       {
         this->Libraries.push_back(name);
@@ -373,7 +385,6 @@ class BlockMaker
 public:
   explicit BlockMaker(const Content& content)
     : From(content)
-    , First(content.Vertices.size(), -1)
   {
     this->ArePointsFloats = std::all_of(content.Vertices.begin(), content.Vertices.end(),
       [](const auto& vertex) { return std::all_of(vertex.begin(), vertex.end(), FitsFloat); });
@@ -388,6 +399,7 @@ public:
   vtkSmartPointer<vtkPolyData> Make(const Block& block)
   {
     this->Points.clear();
+    this->Ids.clear();
     std::array<vtkNew<vtkCellArray>, 3> cells;
     for (const Cell& cell : block.Cells)
     {
@@ -414,34 +426,33 @@ public:
     {
       this->SetColors(data);
     }
-    for (const Point& point : this->Points)
-    {
-      this->First[point.From[Vertex]] = -1;
-    }
     return data;
   }
 
 private:
-  /// A point of the block, and the next one with the same vertex.
-  struct Point
+  struct Hash
   {
-    Corner From;
-    vtkIdType Next;
+    std::size_t operator()(const Corner& corner) const
+    {
+      std::uint64_t hash = 0;
+      for (const int index : corner)
+      {
+        hash = (hash ^ static_cast<std::uint32_t>(index)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+      }
+      return static_cast<std::size_t>(hash);
+    }
   };
 
   vtkIdType FindPoint(const Corner& corner)
   {
-    vtkIdType& first = this->First[corner[Vertex]];
-    for (vtkIdType id = first; id >= 0; id = this->Points[id].Next)
+    const auto [found, isNew] =
+      this->Ids.emplace(corner, static_cast<vtkIdType>(this->Points.size()));
+    if (isNew)
     {
-      if (this->Points[id].From == corner)
-      {
-        return id;
-      }
+      this->Points.push_back(corner);
     }
-    this->Points.push_back({ corner, first });
-    first = static_cast<vtkIdType>(this->Points.size()) - 1;
-    return first;
+    return found->second;
   }
 
   void SetPoints(vtkPolyData* data) const
@@ -452,7 +463,7 @@ private:
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
       points->SetPoint(
-        static_cast<vtkIdType>(i), this->From.Vertices[this->Points[i].From[Vertex]].data());
+        static_cast<vtkIdType>(i), this->From.Vertices[this->Points[i][Vertex]].data());
     }
     data->SetPoints(points);
   }
@@ -467,7 +478,7 @@ private:
     array->SetNumberOfTuples(static_cast<vtkIdType>(this->Points.size()));
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      array->SetTypedTuple(static_cast<vtkIdType>(i), all[this->Points[i].From[kind]].data());
+      array->SetTypedTuple(static_cast<vtkIdType>(i), all[this->Points[i][kind]].data());
     }
     return array;
   }
@@ -481,7 +492,7 @@ private:
     colors->SetNumberOfTuples(static_cast<vtkIdType>(this->Points.size()));
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      const auto& color = this->From.Colors[this->Points[i].From[Vertex]];
+      const auto& color = this->From.Colors[this->Points[i][Vertex]];
       for (int c = 0; c < components; ++c)
       {
         const double byte = std::round(color[c] * (c < 3 ? this->ColorScale : 255.0));
@@ -493,8 +504,8 @@ private:
   }
 
   const Content& From;
-  std::vector<vtkIdType> First; // the latest point of each vertex, or -1
-  std::vector<Point> Points;
+  std::vector<Corner> Points;
+  std::unordered_map<Corner, vtkIdType, Hash> Ids;
   bool ArePointsFloats = true;
   double ColorScale = 255.0; // from the file's values to bytes
 };
@@ -508,10 +519,17 @@ public:
   {
     for (const std::string& library : libraries)
     {
-      if (!this->Materials.ReadLibrary(library))
+      std::error_code failure;
+      const bool isThere = fs::is_regular_file(ToPath(library), failure);
+      try
+      {
+        this->Materials.ReadLibrary(library);
+      }
+      catch (const Failure&)
       {
         AddWarning("The material library " + library + " of " + fileName +
-          " is missing: its materials are shown in the default colour.");
+          (isThere ? " cannot be opened" : " is missing") +
+          ": its materials are shown in the default colour.");
         this->IsLibraryMissing = true;
       }
     }

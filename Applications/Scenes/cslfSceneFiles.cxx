@@ -30,7 +30,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <CLI/CLI.hpp>
 
@@ -65,12 +64,6 @@ Part ReadWith(const std::string& fileName)
   return reader->GetOutputDataObject(0);
 }
 
-Part ReadVTP(const std::string& fileName)
-{
-  CheckVTKXML(fileName);
-  return ReadWith<vtkXMLPolyDataReader>(fileName);
-}
-
 using Readers = std::map<std::string, std::function<Part(const std::string&)>>;
 
 /// The readers of one file by its extension.
@@ -82,12 +75,11 @@ const Readers& GetFileReaders()
       { ".ply", ReadPLY },
       { ".stl", ReadSTL },
       { ".obj", ReadOBJ },
-      { ".vtp", ReadVTP },
       { ".vtk", ReadLegacyGrid },
       { ".gltf", ReadWith<vtkCSLFGLTFReader> },
       { ".glb", ReadWith<vtkCSLFGLTFReader> },
     };
-    for (const char* extension : { ".vtm", ".vtu", ".vti", ".vtr", ".vts", ".vtpd", ".vtpc",
+    for (const char* extension : { ".vtp", ".vtm", ".vtu", ".vti", ".vtr", ".vts", ".vtpd", ".vtpc",
            ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts" })
     {
       all[extension] = ReadXMLGrid;
@@ -114,6 +106,7 @@ Part ReadEntry(const std::string& fileName)
     throw Failure(reader ? "there is no file " + fileName + "."
                          : "it names " + fileName + ", which is not a scene.");
   }
+  RequireReadable(fileName);
   return (*reader)(fileName);
 }
 
@@ -265,6 +258,7 @@ Part ReadScenePart(const std::string& input)
   Part part;
   try
   {
+    RequireReadable(input);
     part = MakePartSound((*reader)(input), input);
   }
   catch (const Failure& failure)

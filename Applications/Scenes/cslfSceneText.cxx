@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSceneText.h"
 
+#include "Console/cslfMessages.h"
 #include "Files/cslfFileSystem.h"
 
 #include <algorithm>
@@ -14,8 +15,29 @@
 
 namespace cslf::tool
 {
+namespace
+{
+/// Whether a line ends with a backslash and is not a comment.
+bool IsContinued(std::string_view line)
+{
+  const auto* first = std::find_if_not(line.begin(), line.end(), IsSpace);
+  return !line.empty() && line.back() == '\\' && *first != '#';
+}
+}
+
+void RequireReadable(const std::string& fileName)
+{
+  InputFile file;
+  std::string reason;
+  if (!file.Open(fileName, reason))
+  {
+    throw Failure("it cannot be opened: " + reason + ".");
+  }
+}
+
 std::string ReadBytes(const std::string& fileName)
 {
+  RequireReadable(fileName);
   std::ifstream file(ToPath(fileName), std::ios::binary);
   return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
@@ -101,7 +123,7 @@ bool TextLines::Next()
     return false;
   }
   std::string_view line = this->Cut();
-  if (!line.empty() && line.back() == '\\')
+  if (IsContinued(line))
   {
     this->Joined.clear();
     while (!line.empty() && line.back() == '\\' && this->Place < this->Text.size())

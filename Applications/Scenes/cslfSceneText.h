@@ -15,7 +15,10 @@
 
 namespace cslf::tool
 {
-/// The bytes of a file.
+/// Throws a Failure that gives the reason if a file cannot be opened.
+void RequireReadable(const std::string& fileName);
+
+/// The bytes of a file. Throws a Failure if it cannot be opened.
 std::string ReadBytes(const std::string& fileName);
 
 /// In lower case, for ASCII letters.
@@ -41,13 +44,13 @@ std::optional<double> ToFinite(std::string_view text);
 bool FitsFloat(double number);
 
 /// The lines of a text one after the other. A backslash at the end of a line joins it with the
-/// next.
+/// next, except in comments, whose paths may end with one. A mark of UTF-8 is skipped.
 class TextLines
 {
 public:
   /// The text must outlive this.
   explicit TextLines(std::string_view text)
-    : Text(text)
+    : Text(text.substr(text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0))
   {
   }
 

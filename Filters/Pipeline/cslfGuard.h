@@ -20,6 +20,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace cslf
 {
@@ -39,6 +40,13 @@ bool Guard(const Work& work, std::string& problem)
   {
     // A container's size is beyond what memory can hold.
     problem = "there is not enough memory";
+  }
+  catch (const std::system_error& error)
+  {
+    // A thread could not be started.
+    problem = error.code() == std::errc::resource_unavailable_try_again
+      ? "there is not enough memory, or there are too many threads"
+      : error.what();
   }
   catch (const std::exception& exception)
   {

@@ -30,12 +30,27 @@ vtkInformationIntegerVectorKey* FirstPart()
   return key;
 }
 
+/// Whether RequestFirstPart has made filters before that output request parts of it.
+vtkInformationIntegerKey* ForFirstPart()
+{
+  static auto* key = vtkInformationIntegerKey::MakeKey("FOR_FIRST_PART", "cslfRequests");
+  return key;
+}
+
 bool HasEqualExtents(vtkInformation* first, vtkInformationIntegerVectorKey* firstKey,
   vtkInformation* second, vtkInformationIntegerVectorKey* secondKey)
 {
   const int* a = first->Get(firstKey);
   const int* b = second->Get(secondKey);
   return a && b ? std::equal(a, a + 6, b) : a == b;
+}
+
+/// Whether the output's request was made for a first part, not by a user.
+bool IsForFirstPart(vtkInformation* information)
+{
+  return information->Has(ForFirstPart()) ||
+    (information->Has(FirstPart()) &&
+      HasEqualExtents(information, FirstPart(), information, Pipeline::UPDATE_EXTENT()));
 }
 
 void CopyRequest(vtkInformation* from, vtkInformation* to)
@@ -81,8 +96,7 @@ KeptRequests::KeptRequests(vtkAlgorithmOutput* connection)
       const auto request = vtkSmartPointer<vtkInformation>::New();
       CopyRequest(information, request);
       request->CopyEntry(information, Pipeline::WHOLE_EXTENT());
-      if (information->Has(FirstPart()) &&
-        HasEqualExtents(information, FirstPart(), information, Pipeline::UPDATE_EXTENT()))
+      if (IsForFirstPart(information))
       {
         RequestWhole(request);
       }
@@ -97,6 +111,7 @@ KeptRequests::~KeptRequests()
   {
     CopyRequest(request, information);
     information->Remove(FirstPart());
+    information->Remove(ForFirstPart());
     if (!HasEqualExtents(information, Pipeline::WHOLE_EXTENT(), request, Pipeline::WHOLE_EXTENT()))
     {
       // The output has changed, as has the pipeline's default request with it.
@@ -109,6 +124,20 @@ void RequestFirstPart(vtkInformation* information, const int extent[6])
 {
   information->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
   information->Set(FirstPart(), extent, 6);
+  // Filters between, such as vtkExtractVOI, request parts in turn.
+  vtkAlgorithm* consumer = vtkExecutive::PRODUCER()->GetExecutive(information)->GetAlgorithm();
+  const int consumerPort = vtkExecutive::PRODUCER()->GetPort(information);
+  for (const auto& producer : FindProducers(consumer->GetOutputPort(consumerPort)))
+  {
+    for (int port = 0; producer != consumer && port < producer->GetNumberOfOutputPorts(); ++port)
+    {
+      vtkInformation* output = producer->GetOutputInformation(port);
+      if (output->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        output->Set(ForFirstPart(), 1);
+      }
+    }
+  }
 }
 
 bool UpdateSlices(vtkInformation* information, int first, int last)

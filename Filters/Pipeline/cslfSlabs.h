@@ -98,8 +98,7 @@ private:
 
 /// Pulls at least the slices from `first` to `last` from the connection of that pipeline
 /// information, within a filter's RequestData, as arrays that pointers can read. The filter keeps
-/// the requests with KeptRequests. On failure returns
-/// null and gives the reason in a sentence.
+/// the requests with KeptRequests. On failure returns null and gives the reason in a sentence.
 vtkSmartPointer<vtkImageData> PullSlices(
   vtkInformation* information, int first, int last, std::string& error);
 

@@ -3,6 +3,7 @@
 #include "cslfGatherField.h"
 
 #include "Parallel/cslfBroadcast.h"
+#include "Pipeline/cslfGuard.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -167,7 +168,16 @@ vtkSmartPointer<vtkImageData> GatherField(
   {
     const std::vector<vtkSmartPointer<vtkImageData>> parts = ReceiveParts(part, controller);
     fault = FindGap(parts);
-    whole = parts.empty() || !fault.empty() ? nullptr : JoinParts(parts);
+    std::string problem;
+    Guard(
+      [&]
+      {
+        whole = parts.empty() || !fault.empty() ? nullptr : JoinParts(parts);
+        return true;
+      },
+      problem);
+    // The other ranks wait for the outcome.
+    fault = problem.empty() ? fault : "Its parts cannot be joined: " + problem + ".";
   }
   BroadcastText(controller, fault, 0);
   return whole;

@@ -107,7 +107,7 @@ foreach (percent IN ITEMS 0 20 50 80 99)
 endforeach ()
 
 # Meshes with nothing to show.
-file(WRITE "${DIRECTORY}/empty.obj" "v 0 0 0\nv 1 0 0\n")
+file(WRITE "${DIRECTORY}/empty.obj" "vn 0 0 1\n")
 function (write_vtp name offset points)
   file(WRITE "${DIRECTORY}/${name}.vtp" "<VTKFile type=\"PolyData\" version=\"0.1\"
 byte_order=\"LittleEndian\" header_type=\"UInt32\">

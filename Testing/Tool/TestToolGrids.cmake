@@ -57,6 +57,11 @@ byte_order=\"LittleEndian\"><PImageData GhostLevel=\"0\" WholeExtent=\"${extent}
 Spacing=\"1 1 1\">${header}<Piece Extent=\"${extent}\" Source=\"cube.vti\"/></PImageData></VTKFile>\n")
 file(WRITE "${DIRECTORY}/cube.vtm" "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">
 <vtkMultiBlockDataSet><DataSet index=\"0\" file=\"cube.vtu\"/></vtkMultiBlockDataSet></VTKFile>\n")
+file(WRITE "${DIRECTORY}/cube.vtpd" "<VTKFile type=\"vtkPartitionedDataSet\" version=\"1.0\">
+<vtkPartitionedDataSet><DataSet index=\"0\" file=\"cube.vtu\"/></vtkPartitionedDataSet></VTKFile>\n")
+file(WRITE "${DIRECTORY}/cube.vtpc" "<VTKFile type=\"vtkPartitionedDataSetCollection\" version=\"1.0\">
+<vtkPartitionedDataSetCollection><Partitions index=\"0\"><DataSet index=\"0\" file=\"cube.vtu\"/></Partitions>
+</vtkPartitionedDataSetCollection></VTKFile>\n")
 file(WRITE "${DIRECTORY}/cube.pvd" "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>
 <DataSet timestep=\"0.5\" part=\"0\" file=\"cube.vtu\"/></Collection></VTKFile>\n")
 set(legacy "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET ")
@@ -86,7 +91,7 @@ endfunction ()
 file(WRITE "${DIRECTORY}/cube.obj" "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
 cslf_run(trace cube.obj -o expected.png ${view} --base-color 0.784314 0.392157 0.196078)
-foreach (format IN ITEMS vti vtr vts vtu vtk pvtu pvti vtm pvd)
+foreach (format IN ITEMS vti vtr vts vtu vtk pvtu pvti vtm vtpd vtpc pvd)
   set(shown "Of the cells of cube.[a-z]+, the surface is shown, coloured by its active scalars Heat.\n$")
   # Six faces of four squares.
   run_with_word("${shown}" export cube.${format} -o exported.obj --json)
@@ -117,12 +122,15 @@ cslf_fail("Cannot read lost.pvd: there is no file nowhere.vtu" "x" export lost.p
 # Cells that cannot be are left out; a light field is not a scene.
 string(REPLACE "0 1 4 3 9 10 13 12 " "0 1 4 3 9 10 13 1200 " text "${text}")
 file(WRITE "${DIRECTORY}/wild.vtu" "${text}")
-run_with_word("Invalid parts of wild.vtu were left out: 1 cell.s." export wild.vtu -o exported.obj)
+run_with_word("Parts of wild.vtu that are invalid or have no surface were left out: 1 cell.s." export wild.vtu -o exported.obj)
 cslf_run(sample cornell-box -o field.vti -M 2 -N 16 --spp 1 --max-depth 1)
 cslf_fail("Cannot read field.vti: it is a light field, not a scene" "x" export field.vti -o x.obj)
 file(WRITE "${DIRECTORY}/large.vtk" "${legacy}STRUCTURED_POINTS\nDIMENSIONS 3000 3000 3000\nORIGIN 0 0 0\nSPACING 1 1 1\n")
 cslf_fail("large.vtk: it announces 27000000000 points" "x" export large.vtk -o x.obj)
-# VTK's reader reads out of bounds.
+# VTK's readers read out of bounds.
+write_xml(strings.vtp PolyData "" "NumberOfPoints=\"27\" NumberOfPolys=\"0\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
+  "<PointData><Array type=\"String\" Name=\"S\" format=\"ascii\"></Array></PointData>${lattice}")
+cslf_fail("Cannot read strings.vtp" "x" export strings.vtp -o x.obj)
 file(WRITE "${DIRECTORY}/crash.vtk" "${legacy}UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1
 CELLS 1 5\n400000000 0 1 2 3\nCELL_TYPES 1\n10\n")
 cslf_fail("Cannot read crash.vtk" "x" export crash.vtk -o x.obj)

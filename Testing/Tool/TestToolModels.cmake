@@ -161,3 +161,22 @@ file(WRITE "${DIRECTORY}/two.obj" "mtllib all.mtl\n${points}vn 0 0 1\nusemtl a\n
 usemtl b\nf 1//1 3//1 4//1\n")
 cslf_run(trace two.obj -o two.png ${view})
 expect_picture(two --base-color 0.9 0.9 0.9)
+
+# A mark of UTF-8, comments that end with a backslash or follow a name, and libraries under the path
+# of another computer.
+string(ASCII 239 187 191 mark)
+file(WRITE "${DIRECTORY}/marked.obj" "${mark}mtllib C:\\work\\all.mtl # of a\n# C:\\work\\\n${points}usemtl a\n${faces}")
+file(WRITE "${DIRECTORY}/all.mtl" "${mark}newmtl a\n# C:\\work\\\nKd 0.9 0.9 0.9\n")
+cslf_run(trace marked.obj -o marked.png ${view})
+expect_picture(marked --base-color 0.9 0.9 0.9)
+
+# Vertices alone are a cloud of points; corners that share a vertex take no longer than others.
+file(WRITE "${DIRECTORY}/cloud.obj" "${points}vn 0 0 1\n")
+cslf_run(trace cloud.obj -o cloud.png ${view} --point-radius 0.3)
+set(fan)
+foreach (corner RANGE 1 20000)
+  string(APPEND fan "vn 0 0 1\nf 1//${corner} 2//${corner} 3//${corner}\n")
+endforeach ()
+file(WRITE "${DIRECTORY}/fan.obj" "${points}${fan}")
+cslf_run(export fan.obj -o exported.obj --json)
+expect_json(20000 triangles)

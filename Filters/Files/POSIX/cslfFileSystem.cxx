@@ -130,16 +130,19 @@ void CopyAccess(const std::string& earlier, const std::string& made)
   }
   // Only the superuser may give files away, but others may give them to their groups. This clears
   // some permissions, so it comes first.
+  mode_t mode = status.st_mode & (S_ISDIR(status.st_mode) ? 07777 : 0777);
   if (::chown(made.c_str(), status.st_uid, status.st_gid) != 0 &&
     ::chown(made.c_str(), static_cast<uid_t>(-1), status.st_gid) != 0)
   {
     errno = 0;
+    // Another group gets no more than everybody.
+    mode = (mode & ~static_cast<mode_t>(02070)) | (mode & (mode & 07) << 3);
   }
 #ifdef __linux__
   // The list that the folder's default has given it. The one of the earlier file follows.
   ::removexattr(made.c_str(), "system.posix_acl_access");
 #endif
-  if (::chmod(made.c_str(), status.st_mode & (S_ISDIR(status.st_mode) ? 07777 : 0777)) == 0)
+  if (::chmod(made.c_str(), mode) == 0)
   {
     CopyAttributes(earlier, made);
   }
