@@ -4,6 +4,7 @@
 // The lifetime of a renderer whose scene is imported or traced: it and everything that it shows are
 // freed, even if it shows what was made of its scene. Without such actors, its scene stays.
 #include "cslfTesting.h"
+#include "cslfVTKCompatibility.h"
 #include "vtkCSLFMapper.h"
 #include "vtkCSLFSampler.h"
 #include "vtkCSLFSceneImporter.h"
@@ -13,7 +14,6 @@
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkDataArray.h>
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
@@ -134,7 +134,7 @@ const Adding Addings[] = { [](vtkRenderer* renderer, Deletions* deletions)
   {
     vtkNew<vtkCSLFSceneImporter> importer;
     importer->SetRenderer(renderer);
-    vtkNew<vtkCompositePolyDataMapper2> mapper;
+    vtkNew<cslf::CompositeMapper> mapper;
     mapper->SetInputConnection(importer->GetOutputPort());
     deletions->Expect(importer);
     renderer->AddActor(MakeActor(mapper));
