@@ -421,7 +421,7 @@ int vtkCSLFSceneImporter::RequestData(
     return 0;
   }
   cslf::ImportedScene scene;
-  const auto import = [&scene, renderer](vtkProp* part, vtkMatrix4x4* matrix)
+  const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(part);
     if (actor && cslf::IsImportable(actor))
@@ -432,7 +432,7 @@ int vtkCSLFSceneImporter::RequestData(
       }
       cslf::ImportActor(actor, matrix, scene);
     }
-    else if (!ShowsImport(part, renderer))
+    else
     {
       Omit(part, scene);
     }

@@ -520,18 +520,23 @@ public:
     for (const std::string& library : libraries)
     {
       std::error_code failure;
-      const bool isThere = fs::is_regular_file(ToPath(library), failure);
+      std::string problem = " is missing";
       try
       {
-        this->Materials.ReadLibrary(library);
+        // Devices can be read without an end.
+        if (fs::is_regular_file(ToPath(library), failure))
+        {
+          this->Materials.ReadLibrary(library);
+          continue;
+        }
       }
       catch (const Failure&)
       {
-        AddWarning("The material library " + library + " of " + fileName +
-          (isThere ? " cannot be opened" : " is missing") +
-          ": its materials are shown in the default colour.");
-        this->IsLibraryMissing = true;
+        problem = " cannot be opened";
       }
+      AddWarning("The material library " + library + " of " + fileName + problem +
+        ": its materials are shown in the default colour.");
+      this->IsLibraryMissing = true;
     }
   }
 
