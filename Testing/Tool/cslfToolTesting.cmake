@@ -24,6 +24,24 @@ function (cslf_run)
   set(output "${output}" PARENT_SCOPE)
 endfunction ()
 
+# Runs the tool, which must succeed with exactly `count` warnings, at least one of which matches
+# `pattern`. Sets `output` to its standard output.
+function (cslf_warn count pattern)
+  execute_process(
+    COMMAND "${CSLF}" ${ARGN}
+    WORKING_DIRECTORY "${DIRECTORY}"
+    RESULT_VARIABLE result
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  string(REGEX MATCHALL "\n" lines "${error}")
+  list(LENGTH lines lines)
+  if (NOT result STREQUAL "0" OR NOT error MATCHES "^(cslf: warning: [^\n]+\n)+$" OR
+      NOT lines EQUAL count OR NOT error MATCHES "${pattern}")
+    message(FATAL_ERROR "cslf ${ARGN}\nended with ${result}: ${error}")
+  endif ()
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+
 # Runs the tool, which must end with that exit code and print exactly one line that matches
 # `pattern`. It must leave nothing of `output`, unless that is empty.
 function (cslf_end code pattern output)
