@@ -9,13 +9,18 @@
 #define cslfGuard_h
 
 #include <vtkAlgorithm.h>
+#include <vtkCommand.h>
 #include <vtkDataObject.h>
 #include <vtkDemandDrivenPipeline.h>
+#include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerVectorKey.h>
 #include <vtkInformationVector.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <cstring>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -81,9 +86,36 @@ auto GuardMethod(vtkObject* object, const std::string& failure, const Work& work
   return result;
 }
 
-/// The same for ProcessRequest, which makes a filter's outputs: they are empty then. After a
-/// failure it also drops the extents that VTK combines the next request with, which VTK does only
-/// after success: they could be beyond what the output is after a change.
+/// Keeps VTK from printing the request that a filter could not fulfil: many lines, after the error
+/// in which the filter has given the reason.
+class FailedRequestObserver : public vtkCommand
+{
+public:
+  /// Observes an executive until it reports that the current request of its filter has failed.
+  static void Add(vtkExecutive* executive)
+  {
+    if (executive && vtkObject::GetGlobalWarningDisplay())
+    {
+      auto observer = vtkSmartPointer<FailedRequestObserver>::Take(new FailedRequestObserver);
+      executive->AddObserver(vtkCommand::ErrorEvent, observer);
+    }
+  }
+
+  void Execute(vtkObject* executive, unsigned long, void* text) override
+  {
+    const char* message = static_cast<const char*>(text);
+    if (message && !std::strstr(message, "returned failure for request"))
+    {
+      vtkOutputWindow::GetInstance()->DisplayErrorText(message);
+    }
+    executive->RemoveObserver(this);
+  }
+};
+
+/// The same for ProcessRequest, which makes a filter's outputs: they are empty then, and the
+/// request is not printed, since filters report why they fail. After a failure it also drops the
+/// extents that VTK combines the next request with, which VTK does only after success: they could
+/// be beyond what the output is after a change.
 template <typename Work>
 vtkTypeBool GuardRequest(
   vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Work& work)
@@ -96,6 +128,10 @@ vtkTypeBool GuardRequest(
       isDone = true;
       return made;
     });
+  if (!result)
+  {
+    FailedRequestObserver::Add(filter->GetExecutive());
+  }
   const bool makesData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {

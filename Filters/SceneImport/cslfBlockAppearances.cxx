@@ -188,6 +188,7 @@ public:
     }
     this->FinishTexture(material);
     vtkCSLFMaterial::Inherit(this->Data, material);
+    vtkCSLFMaterial::SetFinishedColors(this->Data, true);
     this->FinishColors(this->Data->GetPointData());
     this->FinishColors(this->Data->GetCellData());
     this->FinishInstances();
@@ -376,7 +377,9 @@ private:
       attributes->AddArray(
         this->MakeEmissions<vtkFloatArray>(colors, vtkCSLFMaterial::EmissionName()));
     }
-    attributes->SetScalars(this->FinishLevels(colors));
+    const vtkSmartPointer<vtkUnsignedCharArray> finished = this->FinishLevels(colors);
+    finished->SetName(vtkCSLFMaterial::ColorsName());
+    attributes->SetScalars(finished);
   }
 
   void FinishInstances()

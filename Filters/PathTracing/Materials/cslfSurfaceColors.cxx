@@ -18,12 +18,6 @@ namespace cslf
 {
 namespace
 {
-bool HoldsColors(vtkDataArray* array)
-{
-  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
-    array->GetNumberOfComponents() <= 4;
-}
-
 std::array<float, 256> MakeLinearTable()
 {
   std::array<float, 256> table{};
@@ -33,6 +27,12 @@ std::array<float, 256> MakeLinearTable()
   }
   return table;
 }
+}
+
+bool HoldsColors(vtkDataArray* array)
+{
+  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
+    array->GetNumberOfComponents() <= 4;
 }
 
 bool HasColors(vtkScalarsToColors* table)

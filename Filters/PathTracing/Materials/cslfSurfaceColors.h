@@ -27,6 +27,9 @@ struct MappedColors
   std::vector<float> Opacities;  ///< empty if all are 1
 };
 
+/// Whether an array contains colours: unsigned chars of 3 or 4 components. False for null.
+bool HoldsColors(vtkDataArray* array);
+
 /// Whether a table contains any colours. VTK reads past the end of tables without colours.
 bool HasColors(vtkScalarsToColors* table);
 
