@@ -237,11 +237,9 @@ void MeetPasses(vtkRenderPass* pass, cslf::ImportedScene& scene)
   if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
   {
     vtkRenderPassCollection* passes = sequence->GetPasses();
-    vtkCollectionSimpleIterator cookie;
-    passes->InitTraversal(cookie);
-    while (vtkRenderPass* part = passes->GetNextRenderPass(cookie))
+    for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
     {
-      MeetPasses(part, scene);
+      MeetPasses(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), scene);
     }
     return;
   }

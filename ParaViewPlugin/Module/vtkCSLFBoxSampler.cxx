@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
 #include <vtkScalarsToColors.h>
@@ -73,6 +74,8 @@ void vtkCSLFBoxSampler::UpdateCube()
 }
 
 //------------------------------------------------------------------------------
+// After an error the output is empty. If it was a failure for VTK, ParaView would try again for
+// each picture, and its own filters would report the requests that fail with this one.
 int vtkCSLFBoxSampler::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -86,6 +89,18 @@ int vtkCSLFBoxSampler::RequestData(
   else
   {
     vtkSMPTools::LocalScope(vtkSMPTools::Config("STDThread"), sample);
+  }
+  vtkMultiProcessController* controller = this->GetController();
+  if (!result && (!controller || controller->GetNumberOfProcesses() < 2))
+  {
+    for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+    {
+      if (vtkDataObject* output = vtkDataObject::GetData(outputVector, port))
+      {
+        output->Initialize();
+      }
+    }
+    return 1;
   }
   vtkImageData* field = vtkImageData::GetData(outputVector);
   if (result && field)

@@ -391,7 +391,7 @@ void vtkCSLFRepresentation::ShowLegends(vtkImageData* field)
   const std::string change = producer ? FindChange(producer) : "";
   this->Note->SetVisibility(!change.empty());
   this->Note->SetInput(
-    ("The light field is out of date: the colors of " + change + " have changed.").c_str());
+    ("Out of date: the colors of " + change + "\nhave changed since the bake.").c_str());
 }
 
 //------------------------------------------------------------------------------

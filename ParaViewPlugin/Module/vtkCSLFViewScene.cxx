@@ -445,11 +445,10 @@ int vtkCSLFViewScene::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   // If there is nothing to capture, the last capture stays.
-  if (this->MustCapture && !this->CaptureNow() && !HasSurfaces(this->Scene))
+  if (this->MustCapture && (this->CaptureNow() || HasSurfaces(this->Scene)))
   {
-    return 0;
+    this->MustCapture = false;
   }
-  this->MustCapture = false;
   vtkMultiBlockDataSet::GetData(outputVector)->ShallowCopy(this->Scene);
   return 1;
 }

@@ -7,10 +7,31 @@
 #include <vtkObjectFactory.h>
 #include <vtkPVSession.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMPropertyHelper.h>
 
 #include <cstring>
 
 vtkStandardNewMacro(vtkSMCSLFViewSceneProxy);
+
+namespace
+{
+const char* const SceneProperty = "CapturedScene";
+
+/// The property with the scene in a state. Null if there is none.
+vtkPVXMLElement* FindScene(vtkPVXMLElement* state)
+{
+  for (unsigned int i = 0; i < state->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* property = state->GetNestedElement(i);
+    const char* name = property->GetAttribute("name");
+    if (name && std::strcmp(name, SceneProperty) == 0)
+    {
+      return property;
+    }
+  }
+  return nullptr;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkPVXMLElement* vtkSMCSLFViewSceneProxy::SaveXMLState(
@@ -27,22 +48,35 @@ vtkPVXMLElement* vtkSMCSLFViewSceneProxy::SaveXMLState(
   this->ExecuteStream(request, false, vtkPVSession::DATA_SERVER_ROOT);
   const char* text = nullptr;
   this->GetLastResult(vtkPVSession::DATA_SERVER_ROOT).GetArgument(0, 0, &text);
-  for (unsigned int i = 0; text && *text && i < state->GetNumberOfNestedElements(); ++i)
+  vtkPVXMLElement* property = FindScene(state);
+  if (property && text && *text)
   {
-    vtkPVXMLElement* property = state->GetNestedElement(i);
-    const char* name = property->GetAttribute("name");
-    if (name && std::strcmp(name, "CapturedScene") == 0)
-    {
-      vtkNew<vtkPVXMLElement> element;
-      element->SetName("Element");
-      element->AddAttribute("index", 0);
-      element->AddAttribute("value", text);
-      property->RemoveAllNestedElements();
-      property->AddNestedElement(element);
-      property->SetAttribute("number_of_elements", "1");
-    }
+    vtkNew<vtkPVXMLElement> element;
+    element->SetName("Element");
+    element->AddAttribute("index", 0);
+    element->AddAttribute("value", text);
+    property->RemoveAllNestedElements();
+    property->AddNestedElement(element);
+    property->SetAttribute("number_of_elements", "1");
   }
   return state;
+}
+
+//------------------------------------------------------------------------------
+int vtkSMCSLFViewSceneProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
+{
+  vtkPVXMLElement* property = FindScene(element);
+  vtkPVXMLElement* scene = property ? property->FindNestedElementByName("Element") : nullptr;
+  if (!scene)
+  {
+    return this->Superclass::LoadXMLState(element, locator);
+  }
+  vtkSMPropertyHelper(this, SceneProperty).Set(scene->GetAttribute("value"));
+  this->UpdateProperty(SceneProperty, 1);
+  const int result = this->Superclass::LoadXMLState(element, locator);
+  this->UpdateVTKObjects();
+  this->UpdateProperty(SceneProperty, 1);
+  return result;
 }
 
 //------------------------------------------------------------------------------

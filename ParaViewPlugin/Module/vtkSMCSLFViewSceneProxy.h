@@ -24,6 +24,13 @@ public:
   using vtkSMSourceProxy::SaveXMLState;
   vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root, vtkSMPropertyIterator* iter) override;
 
+  /**
+   * Sets the scene before anything else, because the view, which is loaded with this proxy, may
+   * already show what is made of the scene, and again after the properties that would make the next
+   * update capture the view.
+   */
+  int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
+
 protected:
   vtkSMCSLFViewSceneProxy() = default;
   ~vtkSMCSLFViewSceneProxy() override = default;
