@@ -106,7 +106,7 @@ for label, choice in {"default": {}, "array": dict(ColorArrayName=["POINTS", "Te
                       "off": dict(ScalarVisibility=0)}.items():
     field = bake(captured, **quality, **choice)
     if label == "default":
-        check(field.ColorArrayName[1] == "(Solid Color)", f"default {field.ColorArrayName}")
+        check(field.ColorArrayName[1] == "(None)", f"default {field.ColorArrayName}")
         arrays = field.GetProperty("ColorArrayName").GetDomain("array_list")
         check(arrays.GetNumberOfStrings() == 1, "arrays of the captured scene are offered")
     shown = make_view()
@@ -122,7 +122,7 @@ for label, choice in {"default": {}, "array": dict(ColorArrayName=["POINTS", "Te
 SetActiveSource(ball)
 direct = bake(flat, **quality)
 check(direct.ColorArrayName[1] == "RTData", f"RTData is not the default: {direct.ColorArrayName}")
-check(bake(ball).ColorArrayName[1] == "(Solid Color)", "a sphere is coloured by its normals")
+check(bake(ball).ColorArrayName[1] == "(None)", "a sphere is coloured by its normals")
 field = bake(make_height(flat), **quality)
 for array, name in (("Elevation", "Elevation"), ("RTData", "RTData")):
     field.ColorArrayName = ["POINTS", array]

@@ -14,6 +14,12 @@ view = make_view()
 display = Show(field, view)
 check(display.Representation == "Light Field", f"shown as {display.Representation}")
 
+# The window shows the field only, when it is applied: its geometry has other colours.
+controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+other_view = make_view()
+check(controller.ShowInPreferredView(field.SMProxy, 1, other_view.SMProxy) is None
+      and not other_view.Representations, "the geometry is shown, too")
+
 # The camera's reset sees what was baked, not the cube or the image data of the samples.
 alone = make_view()
 Show(scene, alone)
