@@ -43,7 +43,7 @@ constexpr int GeometryPort = 1;
 
 // The places of scalar bars, as fractions of the view: one beside the other, from the left edge.
 constexpr double LegendLeft = 0.02;
-constexpr double LegendBottom = 0.1;
+constexpr double LegendBottom = 0.25; // above the view's axes
 constexpr double LegendWidth = 0.08;
 constexpr double LegendHeight = 0.4;
 constexpr double LegendStep = 0.13;
@@ -90,7 +90,13 @@ vtkSmartPointer<vtkScalarBarActor> MakeLegendActor(const cslf::Legend& legend, i
   actor->SetPosition(LegendLeft + LegendStep * index, LegendBottom);
   actor->SetWidth(LegendWidth);
   actor->SetHeight(LegendHeight);
-  actor->SetUnconstrainedFontSize(false);
+  actor->SetLabelFormat("%.3g");
+  for (vtkTextProperty* text : { actor->GetTitleTextProperty(), actor->GetLabelTextProperty() })
+  {
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+  }
   actor->PickableOff();
   return actor;
 }
