@@ -58,6 +58,7 @@ void FieldTexture::SetSource(std::shared_ptr<ViewpointSource> source)
   this->Source = std::move(source);
   this->Present = Residency();
   this->Scene = SceneGrid(this->Source->GetDescription());
+  this->IsSceneNew = true;
   this->OffSurfaces.reset();
   this->Surfaces.reset();
   this->HasLoaded = false;
@@ -76,6 +77,7 @@ void FieldTexture::SetSurfaces(const std::shared_ptr<const SurfaceCells>& surfac
   if (surfaces)
   {
     this->Present = Residency();
+    this->IsSceneNew = true;
     this->OffSurfaces.emplace(this->Source->GetDescription(), surfaces);
   }
 }
@@ -108,10 +110,11 @@ bool FieldTexture::Update(vtkOpenGLRenderWindow* window, const std::vector<ViewF
     if (isChanged || isAimed)
     {
       const bool isTableChanged = this->MakeTables();
-      MakeSceneTexture(this->Scene, this->SceneTexture);
+      const bool isSceneNew = std::exchange(this->IsSceneNew, false);
+      MakeSceneTexture(this->Scene, isSceneNew, this->SceneTexture);
       if (this->OffSurfaces)
       {
-        MakeSceneTexture(*this->OffSurfaces, this->OffSurfacesTexture);
+        MakeSceneTexture(*this->OffSurfaces, isSceneNew, this->OffSurfacesTexture);
       }
       this->Changes += isChanged || isTableChanged ? 1 : 0;
     }
@@ -302,9 +305,9 @@ bool FieldTexture::MakeTables()
   return isAnyChanged;
 }
 
-void FieldTexture::MakeSceneTexture(SceneGrid& scene, Handle& texture)
+void FieldTexture::MakeSceneTexture(SceneGrid& scene, bool isNew, Handle& texture)
 {
-  if (!scene.Spread() && texture != 0)
+  if (!scene.Spread() && !isNew && texture != 0)
   {
     return;
   }

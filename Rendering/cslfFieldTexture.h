@@ -109,7 +109,7 @@ private:
   void LoadSome(const TexturePace& pace);
   void Load(const WantedTiles& wanted);
   bool MakeTables();
-  static void MakeSceneTexture(SceneGrid& scene, Handle& texture);
+  static void MakeSceneTexture(SceneGrid& scene, bool isNew, Handle& texture);
   int FindFirstLayer(int entryFace, int tile) const;
   void Free();
 
@@ -122,6 +122,7 @@ private:
   SceneGrid Scene;
   std::shared_ptr<const SurfaceCells> Surfaces;
   std::optional<SceneGrid> OffSurfaces; ///< if there are surfaces
+  bool IsSceneNew = false;              ///< since the textures of both were made
   std::vector<ViewFrustum> Frustums;
   std::size_t Missing = 0;
   bool HasLoaded = false; ///< since the source was set

@@ -652,7 +652,8 @@ LookupResult Lookup::SearchInFront(
 {
   const glm::dvec3 way = CubeToFaceSpace(ray.Face, surface.PointCC) - ray.Entry;
   const double length = glm::length(ray.Chord);
-  const double fraction = glm::dot(way, ray.Chord) / (length * length);
+  const double fraction =
+    std::max(glm::dot(way, ray.Chord) / (length * length), 1.0 / NearestStart);
   glm::dvec2 range = FindRange(gridRay);
   range.x = std::min(range.x, 1.0 / std::max(fraction - reach / length, 1.0 / NearestStart));
   range.y = std::max(range.y, (1.0 + FrontMargin) / fraction);

@@ -29,6 +29,8 @@ constexpr double LeastReach = 0.35;
 constexpr int MostViewpoints = 17;
 /// The most small cells of a geometry along the scene's longest side.
 constexpr double MostSmallCells = 256.0;
+/// The most of their rows that a triangle crosses; more lie outside of the scene's bounds.
+constexpr int MostRows = 512;
 /// The value of unmarked cells.
 constexpr std::uint8_t NoRing = 255;
 
@@ -134,8 +136,9 @@ SurfaceCells::SurfaceCells(const Description& description, const std::vector<glm
         std::rotate(std::begin(points), std::begin(points) + 1, std::end(points));
       }
     }
-    const auto count = [this](const glm::dvec3& a, const glm::dvec3& b)
-    { return static_cast<int>(std::ceil(glm::distance(a, b) / this->Edge)) + 1; };
+    const auto count = [this](const glm::dvec3& a, const glm::dvec3& b) {
+      return std::clamp(static_cast<int>(std::ceil(glm::distance(a, b) / this->Edge)), 1, MostRows);
+    };
     const int rows = count(points[0], points[1]);
     const int columns = std::max(count(points[0], points[2]), count(points[1], points[2]));
     for (int row = 0; row <= rows; ++row)

@@ -45,8 +45,8 @@ GeometryPoint FindGeometryPoint(vec2 entry, vec3 direction)
   return surface;
 }
 
-// The surface that a ray meets before the geometry, if the views see one at most that far from it.
-// Otherwise not final.
+// The surface that a ray meets between the eye and the geometry, if the views see one at most that
+// far from the latter. Otherwise not final.
 LookupResult SearchInFront(Ray ray, float reach)
 {
   LookupResult result = FindNothing();
@@ -55,8 +55,11 @@ LookupResult SearchInFront(Ray ray, float reach)
   vec3 point = (picture.xyz - FCCCMatrix[3].xyz) * mat3(FCCCMatrix);
   GridRay gridRay = CastGridRay(ray);
   vec2 range = FindRange(gridRay);
-  float fraction = dot(point - ray.Entry, ray.Chord) / dot(ray.Chord, ray.Chord);
-  range.x = min(range.x, 1.0 / max(fraction - reach / length(ray.Chord), 1.0 / NearestStart));
+  float square = dot(ray.Chord, ray.Chord);
+  float fraction = max(dot(point - ray.Entry, ray.Chord) / square, 1.0 / NearestStart);
+  float eye = EyeFC.w > 0.0 ? dot(EyeFC.xyz - ray.Entry, ray.Chord) / square : 0.0;
+  float start = max(fraction - reach * inversesqrt(square), max(eye, 1.0 / NearestStart));
+  range.x = min(range.x, 1.0 / start);
   range.y = max(range.y, (1.0 + FrontMargin) / fraction);
   if (picture.w > 0.0 && range.x > range.y)
   {
