@@ -120,17 +120,23 @@ class Line:
         self._next = 0.0
         self._length = 0
         self._bar = None
-        try:
-            from tqdm.auto import tqdm
-        except ImportError:
-            return
-        self._bar = tqdm(total=100, bar_format="{desc}: {percentage:3.0f} %|{bar}| {elapsed}"
-                         "{postfix}", leave=False)
+
+    def _open(self, phase):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # notebooks may lack its widgets
+            try:
+                from tqdm.auto import tqdm
+            except ImportError:
+                return
+            self._bar = tqdm(total=100, desc=phase, leave=False,
+                             bar_format="{desc}: {percentage:3.0f} %|{bar}| {elapsed}{postfix}")
 
     def __call__(self, phase, share):
         now = time.monotonic()
         if now < self._next and share < 1.0:
             return
+        if self._next == 0.0:
+            self._open(phase)
         self._next = now + self.PAUSE
         spent = now - self._start
         # The first shares tell little about the others.
