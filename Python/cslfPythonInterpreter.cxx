@@ -110,7 +110,7 @@ public:
     }
     const LockHolder lock;
     auto* frame = reinterpret_cast<PyObject*>(PyEval_GetFrame());
-    if (this->Thread.load() != std::thread::id() || !frame)
+    if (this->Thread.load() != std::thread::id() || !frame || PyErr_Occurred())
     {
       return;
     }
@@ -225,14 +225,17 @@ public:
   }
 
 private:
-  /// Calls a function of Python's module signal. Returns null, without an exception, if it fails.
+  /// Calls a function of Python's module signal. Returns null if it fails. An exception that is on
+  /// its way remains the only one.
   template <typename... Arguments>
   static PyObject* CallSignal(const char* name, const char* format, Arguments... arguments)
   {
+    PyObject *type, *value, *trace;
+    PyErr_Fetch(&type, &value, &trace);
     const Reference module(PyImport_ImportModule("signal"));
     PyObject* result =
       module.Get() ? PyObject_CallMethod(module.Get(), name, format, arguments...) : nullptr;
-    PyErr_Clear();
+    PyErr_Restore(type, value, trace);
     return result;
   }
 

@@ -62,7 +62,7 @@ class LightField:
         kind = pathlib.PurePath(name).suffix.lower()
         if self.file_name:
             if kind != pathlib.PurePath(self.file_name).suffix.lower():
-                raise ValueError(f"The field is in {self.file_name}, so its copy must have the same "
+                raise ValueError(f"The field is in {self.file_name}: its copy must have the same "
                                  "extension.")
             shutil.copyfile(self.file_name, name)
         elif kind in VIDEOS:
@@ -156,8 +156,8 @@ def bake(scene, file_name=None, *, quality=None, colors="lit", viewpoints=None, 
 
     Raises ``FileNotFoundError`` if the scene's file or the video's folder does not exist,
     ``ValueError`` for values out of range and unknown names, ``TypeError`` if ``scene`` is none,
-    ``MemoryError`` if memory does not suffice, and ``cslf.Error``, a ``RuntimeError``, for all other
-    reasons.
+    ``MemoryError`` if memory does not suffice, and ``cslf.Error``, a ``RuntimeError``, for all
+    other reasons.
     """
     if not hasattr(vtkCSLF, "vtkCSLFSampler"):
         raise Error("This build of CSLF has no sampler.")

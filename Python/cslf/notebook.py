@@ -16,7 +16,8 @@ DIRECTION = (0.35, 0.25, 1.0)
 
 class Picture:
     """A PNG picture in memory. A notebook shows it if it is the last expression of a cell, and
-    ``numpy.asarray`` gives its pixels: rows from the top, columns, and red, green and blue bytes."""
+    ``numpy.asarray`` gives its pixels: rows from the top, columns, and bytes of red, green, blue.
+    """
 
     def __init__(self, png):
         self.png = png

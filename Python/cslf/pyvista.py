@@ -39,9 +39,10 @@ class PlotterComponent:
     def add_light_field(self, field, *, lookup="Geometry", **arguments):
         """Adds an actor of a light field to the active renderer, and returns it.
 
-        ``field`` and ``lookup`` are as in ``cslf.make_actor``. Further arguments (``name``, ``reset_camera``,
-        ``pickable``, ``render``) are those of ``Plotter.add_actor``. Raises ``FileNotFoundError`` if
-        there is no such file, and ``ValueError`` if it is not a light field.
+        ``field`` and ``lookup`` are as in ``cslf.make_actor``. Further arguments (``name``,
+        ``reset_camera``, ``pickable``, ``render``) are those of ``Plotter.add_actor``. Raises
+        ``FileNotFoundError`` if there is no such file, and ``ValueError`` if it is not a light
+        field.
         """
         actor = make_actor(field, lookup)
         self._plotter.add_actor(actor, **arguments)

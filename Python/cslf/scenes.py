@@ -149,6 +149,6 @@ def connect(scene, sampler):
             sampler.SetInputDataObject(surface)
         return
     if not isinstance(scene, vtkDataObject):
-        raise TypeError("A scene is a renderer, a window, a plotter, data, an algorithm or the name "
-                        f"of a file, not a {type(scene).__name__}.")
+        raise TypeError("A scene is a renderer, a window, a plotter, data, an algorithm or the "
+                        f"name of a file, not a {type(scene).__name__}.")
     sampler.SetInputDataObject(to_surface(scene))

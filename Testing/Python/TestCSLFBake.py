@@ -74,7 +74,8 @@ class TestCSLFBake(unittest.TestCase):
         self.check(blocks, 22.0)
 
     def test_files(self):
-        for writer, name in ((vtkXMLPolyDataWriter(), "sphere.vtp"), (vtkSTLWriter(), "sphere.stl")):
+        for writer, name in ((vtkXMLPolyDataWriter(), "sphere.vtp"),
+                             (vtkSTLWriter(), "sphere.stl")):
             writer.SetInputData(make_sphere().GetOutput())
             writer.SetFileName(name)
             writer.Write()
