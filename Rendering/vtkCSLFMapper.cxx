@@ -285,8 +285,9 @@ void vtkCSLFMapper::UpdateGeometry()
   internals.CheckedGeometry = geometry;
   internals.CheckedGeometryTime = time;
   std::string fault;
-  internals.Geometry =
-    geometry ? cslf::MakeGeometryMesh(geometry, internals.GetCube(), fault) : nullptr;
+  internals.Geometry = geometry
+    ? cslf::MakeGeometryMesh(geometry, internals.Source->GetDescription(), fault)
+    : nullptr;
   if (!fault.empty())
   {
     vtkWarningMacro("The geometry is not used: " << fault << ".");
