@@ -7,7 +7,6 @@
 #include "Files/cslfFileSystem.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfColor.h"
-#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFViewTracer.h"
 
 #include <vtkCamera.h>
@@ -29,7 +28,8 @@ namespace
 {
 constexpr int Width = 960;
 constexpr int Height = 720;
-constexpr int Samples = 16;
+constexpr int Samples = 64;
+constexpr double NoiseTarget = 0.01;
 
 // As in the viewer.
 constexpr double Background[3] = { 0.1, 0.1, 0.12 };
@@ -87,11 +87,10 @@ void WriteScenePicture(const std::string& fileName, const SceneOptions& options,
 {
   vtkNew<vtkCSLFViewTracer> tracer;
   options.Apply(scene, tracer);
-  // Coarse light in smooth pixels: it is there in seconds, and shows all that has to be chosen.
-  tracer->SetIntegratorToRadianceCaching();
-  tracer->SetQualityToPreview();
+  // Without a cache, whose points for all surfaces take longer than one picture's paths.
+  tracer->SetIntegratorToPathTracing();
   tracer->SetSamples(Samples);
-  tracer->GetCacheOptions()->SetCheck(false);
+  tracer->SetNoiseTarget(NoiseTarget);
   tracer->SetSize(Width, Height);
   tracer->SetCamera(options.GetLook().MakeCamera(scene, double(Width) / Height));
   {
