@@ -38,6 +38,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFFieldReference);
+cslfSetClampMacro(vtkCSLFFieldReference, Texels, 1, 100000000);
 
 namespace
 {

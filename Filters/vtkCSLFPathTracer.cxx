@@ -261,6 +261,8 @@ int vtkCSLFPathTracer::GetUsedCacheSamples()
   return samples > 0 ? samples : cslf::QualityPresets[this->Quality].CacheSamples;
 }
 
+cslfSetOptionMacro(vtkCSLFPathTracer, Integrator, Integrator);
+cslfSetOptionMacro(vtkCSLFPathTracer, Quality, Quality);
 cslfSetOptionMacro(vtkCSLFPathTracer, Samples, Samples);
 cslfSetOptionMacro(vtkCSLFPathTracer, NoiseTarget, NoiseTarget);
 cslfSetOptionMacro(vtkCSLFPathTracer, MaximumDepth, MaximumDepth);

@@ -102,9 +102,11 @@ public:
    * Documentation/LightTransport.md. Default: radiance caching in vtkCSLFSampler, path tracing in
    * vtkCSLFViewTracer.
    */
-  vtkSetClampMacro(Integrator, int, PathTracing, RadianceCaching);
+  void SetIntegrator(int integrator);
   vtkGetMacro(Integrator, int);
+  /** Traces every path to its end: the reference, and slow. */
   void SetIntegratorToPathTracing() { this->SetIntegrator(PathTracing); }
+  /** Looks up the light of diffuse surfaces, which is computed once. */
   void SetIntegratorToRadianceCaching() { this->SetIntegrator(RadianceCaching); }
   ///@}
 
@@ -189,10 +191,13 @@ public:
    * Best: 256, 0.001, 1/256, 4096. The automatic Spacing of the cache is four times larger for
    * Preview. Default: Good.
    */
-  vtkSetClampMacro(Quality, int, Preview, Best);
+  void SetQuality(int quality);
   vtkGetMacro(Quality, int);
+  /** Fast; noise is visible. vtkCSLFEncoder codes such fields fast, too. */
   void SetQualityToPreview() { this->SetQuality(Preview); }
+  /** For most purposes. */
   void SetQualityToGood() { this->SetQuality(Good); }
+  /** For references; takes several times longer than Good. */
   void SetQualityToBest() { this->SetQuality(Best); }
   ///@}
 

@@ -46,6 +46,8 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
+cslfSetClampMacro(vtkCSLFSceneImporter, PixelSize, 1e-9, 1.0);
+cslfSetClampMacro(vtkCSLFSceneImporter, PointRadius, -1.0, cslf::options::PointRadius.Maximum);
 cslfGuardedRequestMacro(vtkCSLFSceneImporter);
 
 namespace

@@ -123,7 +123,7 @@ public:
    * The size of a pixel of a line's width or a point's size in the world, as a fraction of the
    * diagonal of the scene's bounding box. Range: 1e-9 to 1. Default: 0.001.
    */
-  vtkSetClampMacro(PixelSize, double, 1e-9, 1.0);
+  void SetPixelSize(double size);
   vtkGetMacro(PixelSize, double);
   ///@}
 
@@ -134,7 +134,7 @@ public:
    * point size (see vtkCSLFMaterial). Radii in the data take precedence. Range: -1 to 1e30.
    * Default: 0.
    */
-  vtkSetClampMacro(PointRadius, double, -1.0, 1e30);
+  void SetPointRadius(double radius);
   vtkGetMacro(PointRadius, double);
   void SetPointRadiusFromSpacing() { this->SetPointRadius(-1.0); }
   ///@}

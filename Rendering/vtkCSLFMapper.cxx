@@ -117,6 +117,7 @@ std::vector<glm::dvec4> vtkCSLFMapper::vtkInternals::GetClippingPlanesCC(
 vtkStandardNewMacro(vtkCSLFMapper);
 cslfSetOptionMacro(vtkCSLFMapper, Lookup, Lookup);
 cslfSetOptionMacro(vtkCSLFMapper, PixelSamples, PixelSamples);
+cslfSetClampMacro(vtkCSLFMapper, TextureMemoryLimit, 0, VTK_TYPE_INT64_MAX);
 
 namespace options = cslf::options;
 
