@@ -3,17 +3,11 @@
 #include "cslfSceneLook.h"
 
 #include "Console/cslfMessages.h"
-#include "Options/cslfCameraOptions.h"
 #include "Options/cslfNumberChecks.h"
-#include "SceneImport/cslfBlockAppearances.h"
 #include "cslfJoin.h"
-#include "cslfSceneFiles.h"
 #include "vtkCSLFEnvironment.h"
-#include "vtkCSLFInstances.h"
 #include "vtkCSLFLight.h"
 
-#include <vtkBoundingBox.h>
-#include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataObjectTree.h>
@@ -115,7 +109,9 @@ vtkSmartPointer<vtkLookupTable> MakeTable(const std::string& name, const double 
   else
   {
     vtkNew<vtkColorTransferFunction> map;
-    points.size() == 3 ? map->SetColorSpaceToDiverging() : map->SetColorSpaceToLab();
+    points.size() == 2     ? map->SetColorSpaceToRGB()
+      : points.size() == 3 ? map->SetColorSpaceToDiverging()
+                           : map->SetColorSpaceToLab();
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       map->AddRGBPoint(static_cast<double>(i) / static_cast<double>(points.size() - 1),
@@ -243,34 +239,6 @@ int FindComponent(vtkDataArray* array, const std::string& text)
           " (x, y, z for the first three) and magnitude."));
 }
 
-/// The points that a view must contain: all of them, or the corners of the bounds of instances.
-void ForEachPoint(const Scene& scene, const std::function<void(const glm::dvec3&)>& visit)
-{
-  scene.ForEachPolyData(
-    [&visit](vtkPolyData* surface)
-    {
-      if (surface->GetFieldData()->HasArray(vtkCSLFInstances::InstanceMatrix()))
-      {
-        const vtkBoundingBox box = GetPlacedBounds(surface);
-        for (int corner = 0; box.IsValid() && corner < 8; ++corner)
-        {
-          double point[3];
-          box.GetCorner(corner, point);
-          visit({ point[0], point[1], point[2] });
-        }
-        return;
-      }
-      for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-      {
-        double point[3];
-        surface->GetPoint(i, point);
-        if (std::isfinite(point[0] + point[1] + point[2]))
-        {
-          visit({ point[0], point[1], point[2] });
-        }
-      }
-    });
-}
 }
 
 bool HasLights(vtkDataObject* data)
@@ -528,65 +496,5 @@ vtkSmartPointer<vtkDataObject> SceneLook::MakeLights() const
   auto lights = vtkSmartPointer<vtkPolyData>::New();
   vtkCSLFLight::AddDirectionalLight(lights, towards, white);
   return lights;
-}
-
-vtkSmartPointer<vtkCamera> SceneLook::MakeCamera(const Scene& scene, double aspect) const
-{
-  constexpr double viewAngle = 30.0;
-  constexpr double margin = 1.06;
-  // The usual direction, and how much that with the largest outline of the scene's box counts.
-  constexpr glm::dvec3 usual(0.5, 0.4, 1.0);
-  constexpr double weight = 0.7;
-
-  const SceneAxes axes = this->GetAxes();
-  double bounds[6];
-  scene.GetBounds(bounds);
-  const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  const glm::dvec3 middle =
-    0.5 * glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
-  const auto measure = [&size](const glm::dvec3& axis)
-  { return glm::length(axis * size) / std::max(glm::length(size), VTK_DBL_MIN); };
-  const double width = measure(axes.Right);
-  const double height = measure(axes.Up);
-  const double depth = measure(axes.Front);
-  const glm::dvec3 areas(height * depth, width * depth, width * height);
-  const double area = glm::length(areas);
-  glm::dvec3 parts = glm::normalize(usual);
-  parts += area > 0.0 ? weight / area * areas : glm::dvec3(0.0);
-  const glm::dvec3 towards = glm::normalize(axes.Get(parts));
-  const glm::dvec3 right = glm::normalize(glm::cross(axes.Up, towards));
-  const glm::dvec3 up = glm::cross(towards, right);
-
-  // How far along the directions of the picture's four edges the points reach.
-  const double slopes[2] = { aspect * std::tan(vtkMath::RadiansFromDegrees(0.5 * viewAngle)),
-    std::tan(vtkMath::RadiansFromDegrees(0.5 * viewAngle)) };
-  double reach[2][2];
-  for (auto& pair : reach)
-  {
-    pair[0] = pair[1] = std::numeric_limits<double>::lowest();
-  }
-  const glm::dvec3 across[2] = { right, up };
-  ForEachPoint(scene,
-    [&](const glm::dvec3& point)
-    {
-      const glm::dvec3 place = point - middle;
-      const double near = glm::dot(place, towards);
-      for (int i = 0; i < 2; ++i)
-      {
-        const double along = glm::dot(place, across[i]);
-        reach[i][0] = std::max(reach[i][0], slopes[i] * near - along);
-        reach[i][1] = std::max(reach[i][1], slopes[i] * near + along);
-      }
-    });
-  double distance = 0.0;
-  glm::dvec3 center = middle;
-  for (int i = 0; i < 2; ++i)
-  {
-    distance = std::max(distance, 0.5 * (reach[i][0] + reach[i][1]) / slopes[i]);
-    center += 0.5 * (reach[i][1] - reach[i][0]) * across[i];
-  }
-  const double least = glm::length(size) > 0.0 ? 0.1 * glm::length(size) : 5.0;
-  distance = margin * std::max(distance, least);
-  return tool::MakeCamera(center + distance * towards, center, axes.Up, viewAngle);
 }
 }

@@ -3,7 +3,7 @@
 /**
  * @file
  * How a scene from files looks: the array and the colour map that colour it, the light of a scene
- * without lights of its own, and the view of its first picture.
+ * without lights of its own, and which side is up.
  */
 #ifndef cslfSceneLook_h
 #define cslfSceneLook_h
@@ -19,7 +19,6 @@
 #include <vector>
 
 class vtkCSLFEnvironment;
-class vtkCamera;
 class vtkDataArray;
 class vtkDataObject;
 class vtkPolyData;
@@ -31,8 +30,6 @@ class App;
 
 namespace cslf::tool
 {
-class Scene;
-
 /// The directions of a scene for someone who stands in front of it.
 struct SceneAxes
 {
@@ -70,10 +67,6 @@ public:
   bool IsUpGiven() const { return !this->Up.empty(); }
 
   SceneAxes GetAxes() const;
-
-  /// A view from the front, a little from the right and above, that a scene fills. Flat scenes are
-  /// seen from a side on which they are not edge-on.
-  vtkSmartPointer<vtkCamera> MakeCamera(const Scene& scene, double aspect) const;
 
 private:
   std::optional<int> ChooseArray(const std::vector<vtkPolyData*>& surfaces) const;
