@@ -110,6 +110,32 @@ public:
   void SetIntegratorToRadianceCaching() { this->SetIntegrator(RadianceCaching); }
   ///@}
 
+  /**
+   * What surfaces show.
+   */
+  enum ColorModes
+  {
+    Lit = 0, ///< the light that they reflect and emit
+    Exact    ///< their own colours
+  };
+
+  ///@{
+  /**
+   * What surfaces show. If exact, every surface shows its own colour, as in a scalar bar, from all
+   * directions: that of its scalars, texture or material, plus what it emits, clamped at white.
+   * There is no light from elsewhere, no shadow and no reflection, metals and glass show their base
+   * colour, and Integrator, MaximumDepth and Exposure have no effect. Colours and textures are
+   * interpolated as displayed values. Scalars of points are interpolated before they are mapped, so
+   * no colour is seen that the table does not contain, except with textures and with tables of
+   * categories. A renderer's lights and the coefficients of its properties are ignored.
+   * Opacity has the same meaning in both modes. Default: lit.
+   */
+  vtkSetClampMacro(Colors, int, Lit, Exact);
+  vtkGetMacro(Colors, int);
+  void SetColorsToLit() { this->SetColors(Lit); }
+  void SetColorsToExact() { this->SetColors(Exact); }
+  ///@}
+
   ///@{
   /**
    * The accuracy and cost of radiance caching. Null selects new options with the default values.
@@ -178,7 +204,11 @@ public:
   ///@{
   /**
    * The values in use: those that are set, or where these are automatic, those of the Quality.
+   * With exact Colors, path tracing, without reflections, and an exposure of 1.
    */
+  int GetUsedIntegrator();
+  int GetUsedMaximumDepth();
+  double GetUsedExposure();
   int GetUsedSamples();
   double GetUsedNoiseTarget();
   double GetUsedCacheTolerance();
@@ -417,6 +447,7 @@ private:
   void MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks);
   bool MustGather();
 
+  int Colors;
   int Integrator = PathTracing;
   int Quality;
   int Samples;

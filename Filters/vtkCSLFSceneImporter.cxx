@@ -423,6 +423,7 @@ int vtkCSLFSceneImporter::RequestData(
     return 0;
   }
   cslf::ImportedScene scene;
+  scene.HasExactColors = this->ExactColors;
   const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -452,11 +453,18 @@ int vtkCSLFSceneImporter::RequestData(
   {
     scene.Meet(cslf::ImportLimit::RenderPasses, renderer->GetPass()->GetClassName());
   }
-  cslf::FindEnvironment(renderer, scene);
-  cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
-  cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
-  lights.AddTo(scene.Lights);
-  cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
+  if (this->ExactColors)
+  {
+    cslf::FinishExactColors(scene);
+  }
+  else
+  {
+    cslf::FindEnvironment(renderer, scene);
+    cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
+    cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
+    lights.AddTo(scene.Lights);
+    cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
+  }
   SetRadii(scene.Blocks, this->PixelSize, this->PointRadius);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -525,6 +533,7 @@ void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
+  os << indent << "ExactColors: " << this->ExactColors << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
 }

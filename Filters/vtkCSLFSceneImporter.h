@@ -108,6 +108,18 @@ public:
 
   ///@{
   /**
+   * Whether materials have the colours of scalars, textures and properties themselves, for
+   * vtkCSLFPathTracer::SetColorsToExact, which sets it for its renderer. Otherwise, they have the
+   * colours with which the lights make what the window shows. If on, coefficients of properties and
+   * the renderer's lights are left out. Default: off.
+   */
+  vtkSetMacro(ExactColors, bool);
+  vtkGetMacro(ExactColors, bool);
+  vtkBooleanMacro(ExactColors, bool);
+  ///@}
+
+  ///@{
+  /**
    * The size of a pixel of a line's width or a point's size in the world, as a fraction of the
    * diagonal of the scene's bounding box. Range: 1e-9 to 1. Default: 0.001.
    */
@@ -166,6 +178,7 @@ private:
   vtkMTimeType KeptTime = 0;                 // of the deleted renderer
   bool HeadlightsAllAround = true;
   bool InterpolateDisplayedColors;
+  bool ExactColors = false;
   double PixelSize = 0.001;
   double PointRadius;
   bool FindingTime = false; // where the importer's own output is among what it looks at

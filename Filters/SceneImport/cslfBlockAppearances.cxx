@@ -99,6 +99,14 @@ glm::dvec3 ToColor(const double* color)
   return { color[0], color[1], color[2] };
 }
 
+/// The colour that a block has instead of the property's, or that of the property.
+glm::dvec3 FindOwnColor(const BlockAppearance& appearance, const double* color)
+{
+  return appearance.HasTable ? glm::dvec3(1.0)
+    : appearance.Color       ? ToColor(appearance.Color->data())
+                             : ToColor(color);
+}
+
 /// `a / b`, or 0 where b is 0.
 glm::dvec3 Divide(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -235,12 +243,7 @@ private:
     return glm::mix(glm::dvec3(1.0), light, glm::greaterThan(light, glm::dvec3(0.0)));
   }
 
-  glm::dvec3 GetColor(const double* color) const
-  {
-    return this->Appearance.HasTable ? glm::dvec3(1.0)
-      : this->Appearance.Color       ? ToColor(this->Appearance.Color->data())
-                                     : ToColor(color);
-  }
+  glm::dvec3 GetColor(const double* color) const { return FindOwnColor(this->Appearance, color); }
 
   /// The colour of the property, or greys from black to white if colours vary. The block's own
   /// colours would make the pieces of one surface differ.
@@ -512,6 +515,36 @@ void FinishAppearances(ImportedScene& scene, WindowLights& lights, bool interpol
     const bool isLit = lights.IsLit() || (physical && scene.HasEnvironment);
     BlockFinisher finisher(block, lights.GetLevel(extent.first, extent.second), isLit);
     finisher.Finish(interpolateDisplayed);
+  }
+}
+
+void FinishExactColors(ImportedScene& scene)
+{
+  for (const ImportedBlock& block : scene.Blocks)
+  {
+    const BlockAppearance& appearance = block.Appearance;
+    if (!appearance.Property)
+    {
+      continue;
+    }
+    vtkNew<vtkPolyData> material;
+    vtkCSLFMaterial::SetFromProperty(material, appearance.Property);
+    vtkCSLFMaterial::SetOpacity(material, appearance.Opacity);
+    const glm::dvec3 color = FindOwnColor(appearance, appearance.Property->GetDiffuseColor());
+    vtkCSLFMaterial::SetBaseColor(material, color.x, color.y, color.z);
+    vtkCSLFMaterial::SetEmission(material, 0.0, 0.0, 0.0);
+    vtkCSLFMaterial::SetTexture(material, vtkCSLFMaterial::EmissionTexture, nullptr);
+    vtkCSLFMaterial::SetDisplayedWhite(material, 1.0, 1.0, 1.0);
+    if (appearance.Texture && appearance.Property->GetInterpolation() != VTK_PBR)
+    {
+      vtkCSLFMaterial::SetTextureFrom(
+        material, vtkCSLFMaterial::BaseColorTexture, appearance.Texture);
+    }
+    // Pieces of one block share their field data.
+    vtkNew<vtkFieldData> fields;
+    fields->ShallowCopy(block.Data->GetFieldData());
+    block.Data->SetFieldData(fields);
+    vtkCSLFMaterial::Inherit(block.Data, material);
   }
 }
 }
