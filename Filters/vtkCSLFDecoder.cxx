@@ -12,6 +12,7 @@
 #include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfViewpointSource.h"
 #include "cslfJoin.h"
+#include "cslfVTKCompatibility.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -257,7 +258,7 @@ bool vtkCSLFDecoder::Fail(unsigned long code, const std::string& problem)
 bool vtkCSLFDecoder::ReportProgress(double progress)
 {
   this->UpdateProgress(progress);
-  return !this->GetAbortExecute();
+  return !cslf::IsAborted(this);
 }
 
 int vtkCSLFDecoder::RequestInformation(
@@ -371,7 +372,7 @@ int vtkCSLFDecoder::ReadField(vtkInformationVector* outputVector)
       this->ReadRange(asked[4], asked[5], output);
       return this->ReportDamage();
     });
-  if (!isRead || this->GetAbortExecute())
+  if (!isRead || cslf::IsAborted(this))
   {
     output->Initialize();
   }
@@ -404,7 +405,7 @@ bool vtkCSLFDecoder::OpenFile()
 bool vtkCSLFDecoder::CheckRange(int first, int last)
 {
   this->Internal->SetMissing(this->Internal->Reader->FindMissing(
-    first, last, [this](double) { return !this->GetAbortExecute(); }));
+    first, last, [this](double) { return !cslf::IsAborted(this); }));
   if (!this->ReportDamage())
   {
     return false;
@@ -422,7 +423,7 @@ bool vtkCSLFDecoder::CheckRange(int first, int last)
 
 void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
 {
-  if (this->GetAbortExecute())
+  if (cslf::IsAborted(this))
   {
     return;
   }
@@ -437,7 +438,7 @@ void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
 // Reports the missing slices of the last range. Returns whether the others can be returned.
 bool vtkCSLFDecoder::ReportDamage()
 {
-  return this->GetNumberOfMissingViewpoints() == 0 || this->GetAbortExecute() ||
+  return this->GetNumberOfMissingViewpoints() == 0 || cslf::IsAborted(this) ||
     this->ReportFileDamage();
 }
 
@@ -446,7 +447,7 @@ bool vtkCSLFDecoder::ReportFileDamage()
 {
   const std::size_t known = this->Internal->Damage.size();
   const std::vector<int> missing =
-    this->Internal->Reader->FindMissing([this](double) { return !this->GetAbortExecute(); });
+    this->Internal->Reader->FindMissing([this](double) { return !cslf::IsAborted(this); });
   this->Internal->Damage = missing;
   const int slices = this->Internal->Reader->GetHeader().Field.Grid.GetSlices();
   std::ostringstream text;
@@ -517,14 +518,15 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
     {
       this->Internal->SetMissing(this->Internal->Reader->FindMissing(
         [this](double progress) { return this->ReportProgress(progress); }));
-      return !this->GetAbortExecute();
+      return !cslf::IsAborted(this);
     });
   return isChecked ? this->GetNumberOfMissingViewpoints() : -1;
 }
 
 void vtkCSLFDecoder::SetCacheSize(vtkTypeInt64 bytes)
 {
-  this->CacheSize = std::max<vtkTypeInt64>(bytes, 0);
+  this->CacheSize =
+    cslf::Clamp<vtkTypeInt64>(this, "CacheSize", bytes, 0, VTK_TYPE_INT64_MAX, this->CacheSize);
   if (this->Internal->Reader)
   {
     this->Internal->Reader->GetViewpoints().SetSize(this->CacheSize);

@@ -72,6 +72,7 @@
 
 #include <memory>   // For std::unique_ptr
 #include <optional> // For std::optional
+#include <string>   // For std::string
 #include <vector>   // For std::vector
 
 class vtkCSLFRateControl;
@@ -137,13 +138,20 @@ public:
   /**
    * Set/get the x265 preset, which trades time for size: ultrafast, superfast, veryfast, faster,
    * fast, medium, slow, slower, veryslow or placebo. x264 has the same presets; the encoders of AV1
-   * use equivalent ones. Default: slow, which uses the rate-distortion analysis of slower for
-   * colour. At equal quality, colour is a fifth to a quarter smaller than with medium, and takes
-   * four times as long.
+   * use equivalent ones. slow uses the rate-distortion analysis of slower for colour. At equal
+   * quality, colour is a fifth to a quarter smaller than with medium, and takes four times as long.
+   * auto is ultrafast if the field comes from a vtkCSLFSampler of quality Preview, else slow.
+   * Default: auto.
    */
   vtkSetStringMacro(Preset);
   vtkGetStringMacro(Preset);
   ///@}
+
+  /**
+   * The preset in use: the one that is set or, where that is auto, that of the quality of the
+   * sampler which feeds the encoder.
+   */
+  std::string GetUsedPreset();
 
   ///@{
   /**

@@ -7,6 +7,7 @@
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Files/cslfAtomicFile.h"
 #include "Pipeline/cslfSlabs.h"
+#include "cslfVTKCompatibility.h"
 
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
@@ -143,7 +144,7 @@ bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& erro
     isGood = isGood && WriteSlab(stream, slabs[k], folder, error) &&
       (k > 0 || HasRoom(folder, slabs[k].GetCount(), whole.GetCount(), error));
     this->UpdateProgress((k + 1.0) / static_cast<double>(slabs.size()));
-    isGood = isGood && !this->AbortExecute;
+    isGood = isGood && !cslf::IsAborted(this);
   }
   if (!isGood && error.empty())
   {

@@ -51,6 +51,8 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
+cslfSetClampMacro(vtkCSLFSceneImporter, PixelSize, 1e-9, 1.0);
+cslfSetClampMacro(vtkCSLFSceneImporter, PointRadius, -1.0, cslf::options::PointRadius.Maximum);
 cslfGuardedRequestMacro(vtkCSLFSceneImporter);
 
 namespace
@@ -464,6 +466,7 @@ int vtkCSLFSceneImporter::RequestData(
     return 0;
   }
   cslf::ImportedScene scene;
+  scene.HasExactColors = this->ExactColors;
   const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -490,11 +493,18 @@ int vtkCSLFSceneImporter::RequestData(
     }
   }
   MeetPasses(renderer->GetPass(), scene);
-  cslf::FindEnvironment(renderer, scene);
-  cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
-  cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
-  lights.AddTo(scene.Lights);
-  cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
+  if (this->ExactColors)
+  {
+    cslf::FinishExactColors(scene);
+  }
+  else
+  {
+    cslf::FindEnvironment(renderer, scene);
+    cslf::WindowLights lights(renderer, this->HeadlightsAllAround);
+    cslf::FinishAppearances(scene, lights, this->InterpolateDisplayedColors);
+    lights.AddTo(scene.Lights);
+    cslf::ImportEnvironment(renderer, lights.GetEnvironmentFactor(), scene);
+  }
   SetRadii(scene.Blocks, this->PixelSize, this->PointRadius);
 
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
@@ -563,6 +573,7 @@ void vtkCSLFSceneImporter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
   os << indent << "HeadlightsAllAround: " << this->HeadlightsAllAround << "\n";
   os << indent << "InterpolateDisplayedColors: " << this->InterpolateDisplayedColors << "\n";
+  os << indent << "ExactColors: " << this->ExactColors << "\n";
   os << indent << "PixelSize: " << this->PixelSize << "\n";
   os << indent << "PointRadius: " << this->PointRadius << "\n";
 }

@@ -109,10 +109,22 @@ public:
 
   ///@{
   /**
+   * Whether materials have the colours of scalars, textures and properties themselves, for
+   * vtkCSLFPathTracer::SetColorsToExact, which sets it for its renderer. Otherwise, they have the
+   * colours with which the lights make what the window shows. If on, coefficients of properties and
+   * the renderer's lights are left out. Default: off.
+   */
+  vtkSetMacro(ExactColors, bool);
+  vtkGetMacro(ExactColors, bool);
+  vtkBooleanMacro(ExactColors, bool);
+  ///@}
+
+  ///@{
+  /**
    * The size of a pixel of a line's width or a point's size in the world, as a fraction of the
    * diagonal of the scene's bounding box. Range: 1e-9 to 1. Default: 0.001.
    */
-  vtkSetClampMacro(PixelSize, double, 1e-9, 1.0);
+  void SetPixelSize(double size);
   vtkGetMacro(PixelSize, double);
   ///@}
 
@@ -123,7 +135,7 @@ public:
    * point size (see vtkCSLFMaterial). Radii in the data take precedence. Range: -1 to 1e30.
    * Default: 0.
    */
-  vtkSetClampMacro(PointRadius, double, -1.0, 1e30);
+  void SetPointRadius(double radius);
   vtkGetMacro(PointRadius, double);
   void SetPointRadiusFromSpacing() { this->SetPointRadius(-1.0); }
   ///@}
@@ -167,6 +179,7 @@ private:
   vtkMTimeType KeptTime = 0;                 // of the deleted renderer
   bool HeadlightsAllAround = true;
   bool InterpolateDisplayedColors;
+  bool ExactColors = false;
   double PixelSize = 0.001;
   double PointRadius;
   bool FindingTime = false; // where the importer's own output is among what it looks at

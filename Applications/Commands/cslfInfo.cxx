@@ -55,6 +55,7 @@ nlohmann::json SummarizeGeometry(const FieldFile& file)
   {
     json["loss"] = *loss;
   }
+  json["surfaces"] = IsOpaqueGeometry(geometry) ? "opaque" : "all";
   return json;
 }
 
@@ -65,7 +66,8 @@ std::string DescribeGeometry(const nlohmann::json& json)
     return "none";
   }
   std::ostringstream text;
-  text << json["triangles"].dump() << " triangles" << std::setprecision(3);
+  text << json["triangles"].dump() << " triangles"
+       << (json["surfaces"] == "opaque" ? " of the opaque surfaces" : "") << std::setprecision(3);
   if (json.contains("error"))
   {
     text << ", error " << json["error"].get<double>();

@@ -6,7 +6,10 @@
 #include "Console/cslfParallel.h"
 #include "Fields/cslfFieldFiles.h"
 #include "Fields/cslfGeometryFiles.h"
+#include "Files/cslfFileSystem.h"
 #include "Options/cslfIntegratorOptions.h"
+#include "Pictures/cslfPictures.h"
+#include "Pictures/cslfScenePicture.h"
 #include "Scenes/cslfSceneFiles.h"
 #include "cslfCommands.h"
 
@@ -46,6 +49,9 @@ struct Options
   IntegratorOptions Integrator{ vtkCSLFPathTracer::RadianceCaching };
   CodingOptions Coding;
   std::string Output;
+  std::string Picture;              ///< empty for none
+  std::vector<std::string> Implied; ///< outputs that the command line does not name
+  bool Overwrite = false;           ///< whether these may be replaced
   int Viewpoints = options::Viewpoints.Default;
   int Resolution = options::Resolution.Default;
   double Offset = options::Offset.Default;
@@ -233,10 +239,42 @@ Result Estimate(const Options&)
 }
 #endif
 
+/// Names the field and the picture after the scene, in the current folder.
+void NameOutputs(Options& options)
+{
+  const std::string name = ToName(ToPath(options.Scene.GetFirst()).stem());
+  options.Output = name + ".mp4";
+  options.Implied.push_back(options.Output);
+  if (options.Picture.empty())
+  {
+    options.Picture = name + ".png";
+    options.Implied.push_back(options.Picture);
+  }
+}
+
+/// Checks that a picture can be written, and that nothing is replaced that the command line does
+/// not name.
+void CheckOutputs(const Options& options)
+{
+  if (!options.Picture.empty())
+  {
+    RequirePicture(options.Picture);
+    options.Scene.RequireOther(options.Picture);
+  }
+  for (const std::string& name : options.Implied)
+  {
+    if (!options.Overwrite)
+    {
+      RequireReplaceable(name);
+    }
+  }
+}
+
 Result Run(const Options& options)
 {
   const auto start = std::chrono::steady_clock::now();
   CheckCube(options);
+  CheckOutputs(options);
   const FieldWriter writer(options.Output, options.Coding);
   CheckFormat(options, writer.GetFormat());
   options.Scene.RequireOther(options.Output);
@@ -245,6 +283,10 @@ Result Run(const Options& options)
     options.Scene.RequireOther(GetGeometryName(options.Output));
   }
   const Scene scene = options.Scene.Read();
+  if (!options.Picture.empty() && IsFirstRank())
+  {
+    WriteScenePicture(options.Picture, options.Scene, scene);
+  }
   vtkNew<vtkCSLFSampler> sampler;
   SetUp(options, scene, sampler);
   ChooseSamples(options, writer.GetFormat(), sampler);
@@ -266,7 +308,14 @@ Result Run(const Options& options)
   result.JSON["bytes"] = CountBytes(options.Output);
   result.JSON["seconds"] = seconds;
   result.JSON.update(coding);
+  result.JSON["legend"] = scene.Legend;
   std::ostringstream text;
+  text << DescribeLegend(scene.Legend);
+  if (!options.Picture.empty())
+  {
+    result.JSON["picture"] = options.Picture;
+    text << options.Picture << "\n";
+  }
   text << options.Output << ": " << file.Field.Grid.GetSlices() << " viewpoints, "
        << CountBytes(options.Output) << " bytes" << DescribeCoding(coding) << ", " << seconds
        << " s\n";
@@ -296,8 +345,14 @@ void AddChannels(CLI::App& command, Options& options, const std::string& group)
 
 void AddField(CLI::App& command, Options& options)
 {
-  command.add_option(
-    "-o,--output", options.Output, std::string("the light field: ") + FieldFormats);
+  command.add_option("-o,--output", options.Output,
+    std::string("the light field: ") + FieldFormats +
+      " (default: the name of the scene with .mp4, and a picture, .png, in the current folder)");
+  command.add_option("--picture", options.Picture,
+    "also write a picture of the scene, .png, before the light field is sampled");
+  command.add_flag("--overwrite", options.Overwrite,
+    "replace existing files that have the default names (those that -o and --picture name are "
+    "always replaced)");
   command.add_flag("--estimate", options.Estimate,
     "predict the time and file size by a short probe, and write nothing");
   command
@@ -371,7 +426,7 @@ void AddSample(CLI::App& app, Command& chosen)
       }
       if (options->Output.empty() && !options->Estimate)
       {
-        throw CLI::RequiredError("--output");
+        NameOutputs(*options);
       }
       SetShared(!options->Estimate && IsVideo(options->Output));
       chosen = [options] { return options->Estimate ? Estimate(*options) : Run(*options); };

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps exceptions within VTK's methods: none may leave them, because VTK and its users do not
- * expect any, and programs would end.
+ * What all long methods do. No exception may leave them, because VTK and its users do not expect
+ * any, and programs would end. An interpreter that called them can end them.
  */
 #ifndef cslfGuard_h
 #define cslfGuard_h
+
+#include "Pipeline/cslfInterpreter.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
@@ -29,10 +31,12 @@
 
 namespace cslf
 {
-/// Does `work()` and returns its result. If it throws, returns false and gives the reason.
+/// Does `work()`, which may be long, and returns its result. If it throws, returns false and gives
+/// the reason.
 template <typename Work>
 bool Guard(const Work& work, std::string& problem)
 {
+  const LongCall call;
   try
   {
     return work();
@@ -113,26 +117,31 @@ public:
 };
 
 /// The same for ProcessRequest, which makes a filter's outputs: they are empty then, and the
-/// request is not printed, since filters report why they fail. After a failure it also drops the
-/// extents that VTK combines the next request with, which VTK does only after success: they could
-/// be beyond what the output is after a change.
+/// request is not printed, since filters report why they fail. If the interpreter's user ended it,
+/// they are empty too, the request fails, and the next one makes them. After a failure it also
+/// drops the extents that VTK combines the next request with, which VTK does only after success:
+/// they could be beyond what the output is after a change.
 template <typename Work>
 vtkTypeBool GuardRequest(
   vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Work& work)
 {
+  const LongCall call;
   bool isDone = false;
-  const vtkTypeBool result = GuardMethod(filter, "The output cannot be made",
+  vtkTypeBool result = GuardMethod(filter, "The output cannot be made",
     [&]
     {
       const vtkTypeBool made = work();
       isDone = true;
       return made;
     });
+  const bool makesData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
+  const bool isEnded = makesData && IsInterrupted();
+  result = isEnded ? 0 : result;
+  isDone = isDone && !isEnded;
   if (!result)
   {
     FailedRequestObserver::Add(filter->GetExecutive());
   }
-  const bool makesData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) != 0;
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* output = outputs->GetInformationObject(port);
@@ -140,6 +149,10 @@ vtkTypeBool GuardRequest(
     if (makesData && !isDone && data && !output->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
     {
       data->Initialize();
+    }
+    if (isEnded)
+    {
+      output->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
     if ((makesData && !result) || request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
     {

@@ -7,6 +7,8 @@
 #ifndef cslfParallelFor_h
 #define cslfParallelFor_h
 
+#include "Pipeline/cslfInterpreter.h"
+
 #include <vtkSMPTools.h>
 
 #include <atomic>
@@ -16,12 +18,14 @@ namespace cslf
 {
 /// Calls `functor(begin, end)` for parts of a range, in threads. An exception in a thread of
 /// vtkSMPTools would end the process. So the first one is stored, parts that have not begun are
-/// skipped, and the exception is thrown to the caller when all threads are done.
+/// skipped, and the exception is thrown to the caller when all threads are done. The functor
+/// invokes no events, unless in the calling thread with WithLock.
 template <typename Functor>
 void ParallelFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Functor& functor)
 {
   std::atomic<bool> hasFailed{ false };
   std::exception_ptr exception;
+  const WithoutLock unlocked;
   vtkSMPTools::For(first, last, grain,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -232,6 +232,10 @@ MappedScalars MapScalars(vtkMapper* mapper, vtkDataSet* data, bool useTable, Imp
   vtkNew<ColorMapper> copy;
   copy->ShallowCopy(mapper);
   copy->ClearColorArrays();
+  if (scene.HasExactColors)
+  {
+    copy->InterpolateScalarsBeforeMappingOn();
+  }
   mapped.WantsTable = copy->CanUseTextureMapForColoring(data) != 0;
   if (!useTable)
   {

@@ -16,7 +16,7 @@ file(WRITE "${DIRECTORY}/other/letter.txt" "Dear reader\n")
 # The command line.
 cslf_fail("subcommand" "")
 cslf_fail("no command dance" "" dance)
-cslf_fail("--output" "" sample cornell-box)
+cslf_fail("--output" "" encode text.vti)
 cslf_fail("--viewpoints" "x" sample cornell-box -o x.vti -M 1)
 cslf_fail("--spp" "x" sample cornell-box -o x.vti --spp many)
 cslf_fail("--lookup" "x" render text.vti -o x.png --lookup psychic)

@@ -73,6 +73,7 @@ struct Omissions
   vtkIdType Lights = 0;
   vtkIdType Environments = 0;
   vtkIdType Textures = 0;
+  vtkIdType LitColors = 0;       ///< blocks whose colours were chosen for lights
   std::set<std::string> Unsound; ///< cells that would be read out of bounds
   std::set<std::string> DataTypes;
   OldNames Old;
@@ -80,8 +81,13 @@ struct Omissions
 
   std::string ToText() const
   {
+    const std::string lit = this->LitColors > 0
+      ? "Colors are not exact where the scene was imported from a window with its lights: import "
+        "it "
+        "with exact colors."
+      : "";
     std::string text = this->ListOmitted();
-    for (const std::string& more : { this->Old.ToText(), this->Materials.ToText() })
+    for (const std::string& more : { lit, this->Old.ToText(), this->Materials.ToText() })
     {
       text += (text.empty() || more.empty() ? "" : " ") + more;
     }
@@ -412,6 +418,10 @@ private:
     vtkNew<vtkPolyData> holder;
     vtkCSLFMaterial::Inherit(holder, data);
     vtkCSLFMaterial::Inherit(holder, root);
+    if (this->Options.ExactColors)
+    {
+      this->MakePlain(holder);
+    }
     double color[3];
     double emission[3];
     vtkCSLFMaterial::GetBaseColor(holder, color);
@@ -426,6 +436,7 @@ private:
     block.Material.Opacity = number(vtkCSLFMaterial::GetOpacity(holder));
     block.Material.OpacityCutoff = number(vtkCSLFMaterial::GetOpacityCutoff(holder));
     block.Material.Sides = ReadSides(holder);
+    block.Material.Unlit = this->Options.ExactColors;
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
     block.DisplayedWhite = GetDisplayedWhite(holder);
     block.HasFinishedColors = vtkCSLFMaterial::GetFinishedColors(holder);
@@ -435,6 +446,23 @@ private:
     Fingerprint appearance;
     appearance.Add(holder->GetFieldData(), this->Hashes);
     block.Appearance = appearance.Finish();
+  }
+
+  /// Leaves only what determines a material's own colour, which is interpolated as displayed.
+  void MakePlain(vtkPolyData* material)
+  {
+    const glm::vec3 white = GetDisplayedWhite(material);
+    this->Omitted.LitColors += white != glm::vec3(0.0f) && white != glm::vec3(1.0f) ? 1 : 0;
+    vtkCSLFMaterial::SetMetallic(material, 0.0);
+    vtkCSLFMaterial::SetRoughness(material, 1.0);
+    vtkCSLFMaterial::SetIndexOfRefraction(material, 1.0);
+    vtkCSLFMaterial::SetTransmission(material, 0.0);
+    for (const int slot :
+      { vtkCSLFMaterial::MetallicRoughnessTexture, vtkCSLFMaterial::NormalTexture })
+    {
+      vtkCSLFMaterial::SetTexture(material, slot, nullptr);
+    }
+    vtkCSLFMaterial::SetDisplayedWhite(material, 1.0, 1.0, 1.0);
   }
 
   void CheckTextures(SceneBlock& block)
@@ -497,7 +525,7 @@ private:
     {
       meshes.erase(std::remove_if(meshes.begin(), meshes.end(), IsInvisible), meshes.end());
     }
-    built.Fingerprint = Identify(meshes, lights, built.Frame);
+    built.Fingerprint = Identify(meshes, lights, built.Frame, this->Options.ExactColors);
     built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
     built.Error = built.World->GetError();
     if (!built.Error.empty())
@@ -508,9 +536,13 @@ private:
   }
 
   static std::string Identify(
-    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
+    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame, bool exact)
   {
     Fingerprint identity;
+    if (exact)
+    {
+      identity.Add(std::vector<char>{ 'e' });
+    }
     identity.Add(
       std::vector<double>{ frame.Center.x, frame.Center.y, frame.Center.z, frame.Radius });
     for (const Mesh& mesh : meshes)
