@@ -26,7 +26,8 @@
  * points, then of cells), replace the base colour. Unsigned chars of 3 or 4 components are sRGB
  * colours. All other scalars are mapped through LookupTable, or the array's own lookup table, or a
  * default table over the range of the arrays of all inputs. Colours of points are converted to
- * linear before they are interpolated. Their alpha multiplies the opacity.
+ * linear before they are interpolated. Their alpha multiplies the opacity. Data with finished
+ * colours (see vtkCSLFMaterial), such as that of a renderer, keeps them.
  *
  * Light transport is path tracing. Light from emissive surfaces and environment images is sampled
  * both at its source and by the surface, and the power heuristic combines the two. From the fourth

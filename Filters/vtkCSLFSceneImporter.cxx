@@ -21,11 +21,13 @@
 #include <vtkAssemblyNode.h>
 #include <vtkAssemblyPath.h>
 #include <vtkBoundingBox.h>
+#include <vtkCameraPass.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkImageMapper3D.h>
+#include <vtkImageProcessingPass.h>
 #include <vtkImageSlice.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -36,13 +38,16 @@
 #include <vtkPoints.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderPass.h>
+#include <vtkRenderPassCollection.h>
 #include <vtkRenderer.h>
+#include <vtkSequencePass.h>
 #include <vtkTexture.h>
 #include <vtkVolume.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFSceneImporter);
@@ -215,6 +220,44 @@ bool ShowsImport(vtkProp* prop, vtkRenderer* renderer)
     isShown = isShown || IsOfImport(part, renderer);
   }
   return isShown;
+}
+
+/// Passes that draw what a renderer without a pass draws, perhaps without jagged edges, or a part
+/// of it. ParaView's views always have a camera pass with its default pass.
+const char* const PlainPasses[] = { "vtkDefaultPass", "vtkPVDefaultPass", "vtkLightsPass",
+  "vtkOpaquePass", "vtkTranslucentPass", "vtkOrderIndependentTranslucentPass",
+  "vtkDepthPeelingPass", "vtkVolumetricPass", "vtkOverlayPass", "vtkOpenGLFXAAPass", "vtkSSAAPass",
+  "vtkClearZPass" };
+
+/// Records the passes that draw anything else, among those that a pass consists of.
+void MeetPasses(vtkRenderPass* pass, cslf::ImportedScene& scene)
+{
+  if (!pass)
+  {
+    return;
+  }
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    vtkRenderPassCollection* passes = sequence->GetPasses();
+    for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
+    {
+      MeetPasses(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)), scene);
+    }
+    return;
+  }
+  auto* camera = vtkCameraPass::SafeDownCast(pass);
+  auto* processing = vtkImageProcessingPass::SafeDownCast(pass);
+  const bool isPlain = camera ||
+    std::any_of(std::begin(PlainPasses), std::end(PlainPasses),
+      [pass](const char* name) { return pass->IsA(name) != 0; });
+  if (!isPlain)
+  {
+    scene.Meet(cslf::ImportLimit::RenderPasses, pass->GetClassName());
+  }
+  MeetPasses(camera ? camera->GetDelegatePass()
+      : processing  ? processing->GetDelegatePass()
+                    : nullptr,
+    scene);
 }
 
 bool HasLimit(int limit)
@@ -449,10 +492,7 @@ int vtkCSLFSceneImporter::RequestData(
       ForEachPart(prop, import);
     }
   }
-  if (renderer->GetPass())
-  {
-    scene.Meet(cslf::ImportLimit::RenderPasses, renderer->GetPass()->GetClassName());
-  }
+  MeetPasses(renderer->GetPass(), scene);
   if (this->ExactColors)
   {
     cslf::FinishExactColors(scene);

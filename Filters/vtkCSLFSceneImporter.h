@@ -20,7 +20,8 @@
  * - Scalars become colours as in the mapper: visibility, mode, array, component, colour mode,
  * lookup table and range. If the mapper interpolates scalars before mapping, the table becomes a
  * texture, as in the window. Otherwise, or if the actor has a texture, colours are those of points.
- * The table itself is not changed.
+ * The table itself is not changed. The output is marked as data with finished colours, see
+ * vtkCSLFMaterial, so no other array colours it.
  * - Lights, reflectances and emissions are chosen such that a surface that faces the light is
  * traced with the colour that the window shows, plus indirect light, see
  * Documentation/Materials.md.

@@ -94,6 +94,15 @@ vtkSmartPointer<vtkUnsignedCharArray> MapLevels(vtkUnsignedCharArray* colors, co
   return mapped;
 }
 
+/// Makes colours the finished ones of points or cells.
+void SetFinished(vtkDataSetAttributes* attributes, vtkUnsignedCharArray* colors)
+{
+  vtkNew<vtkUnsignedCharArray> finished;
+  finished->ShallowCopy(colors);
+  finished->SetName(vtkCSLFMaterial::ColorsName());
+  attributes->SetScalars(finished);
+}
+
 glm::dvec3 ToColor(const double* color)
 {
   return { color[0], color[1], color[2] };
@@ -196,6 +205,7 @@ public:
     }
     this->FinishTexture(material);
     vtkCSLFMaterial::Inherit(this->Data, material);
+    vtkCSLFMaterial::SetFinishedColors(this->Data, true);
     this->FinishColors(this->Data->GetPointData());
     this->FinishColors(this->Data->GetCellData());
     this->FinishInstances();
@@ -379,7 +389,7 @@ private:
       attributes->AddArray(
         this->MakeEmissions<vtkFloatArray>(colors, vtkCSLFMaterial::EmissionName()));
     }
-    attributes->SetScalars(this->FinishLevels(colors));
+    SetFinished(attributes, this->FinishLevels(colors));
   }
 
   void FinishInstances()
@@ -545,6 +555,16 @@ void FinishExactColors(ImportedScene& scene)
     fields->ShallowCopy(block.Data->GetFieldData());
     block.Data->SetFieldData(fields);
     vtkCSLFMaterial::Inherit(block.Data, material);
+    vtkCSLFMaterial::SetFinishedColors(block.Data, true);
+    for (vtkDataSetAttributes* attributes :
+      { static_cast<vtkDataSetAttributes*>(block.Data->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(block.Data->GetCellData()) })
+    {
+      if (auto* colors = vtkUnsignedCharArray::SafeDownCast(attributes->GetScalars()))
+      {
+        SetFinished(attributes, colors);
+      }
+    }
   }
 }
 }

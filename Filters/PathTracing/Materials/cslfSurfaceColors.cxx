@@ -31,12 +31,6 @@ constexpr int MaximumSteps = 4096;
 // never round them to values outside.
 constexpr double Inset = 1e-6;
 
-bool HoldsColors(vtkDataArray* array)
-{
-  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
-    array->GetNumberOfComponents() <= 4;
-}
-
 std::array<float, 256> MakeLinearTable()
 {
   std::array<float, 256> table{};
@@ -46,6 +40,12 @@ std::array<float, 256> MakeLinearTable()
   }
   return table;
 }
+}
+
+bool HoldsColors(vtkDataArray* array)
+{
+  return vtkUnsignedCharArray::SafeDownCast(array) && array->GetNumberOfComponents() >= 3 &&
+    array->GetNumberOfComponents() <= 4;
 }
 
 bool HasColors(vtkScalarsToColors* table)

@@ -33,6 +33,9 @@ struct MappedColors
   std::vector<float> Opacities;  ///< empty if all are 1
 };
 
+/// Whether an array contains colours: unsigned chars of 3 or 4 components. False for null.
+bool HoldsColors(vtkDataArray* array);
+
 /// A lookup table as a texture, for scalars that are interpolated before they are mapped.
 struct MappedTable
 {

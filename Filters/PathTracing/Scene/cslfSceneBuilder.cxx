@@ -20,6 +20,7 @@
 #include "cslfValidPolyData.h"
 #include "vtkCSLFMaterial.h"
 
+#include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
@@ -157,6 +158,17 @@ bool IsInvisible(const Mesh& mesh)
     most *= std::max_element(mesh.Instances.begin(), mesh.Instances.end(), isLess)->Opacity;
   }
   return !(most > 0.0f) || most < mesh.Material.OpacityCutoff;
+}
+
+/// The colours of points, or else of cells, of data that has its final colours. Null if it has
+/// none.
+vtkDataArray* FindFinishedColors(vtkPolyData* data, bool& ofCells)
+{
+  const char* name = vtkCSLFMaterial::ColorsName();
+  vtkDataArray* ofPoints = data->GetPointData()->GetArray(name);
+  ofCells = !HoldsColors(ofPoints);
+  vtkDataArray* colors = ofCells ? data->GetCellData()->GetArray(name) : ofPoints;
+  return HoldsColors(colors) ? colors : nullptr;
 }
 
 std::string DescribeSize(double size)
@@ -333,7 +345,9 @@ private:
 
   void AddBlock(SceneBlock block)
   {
-    block.Scalars = this->Options.FindScalars(block.Data, block.ScalarsOfCells);
+    block.Scalars = block.HasFinishedColors
+      ? FindFinishedColors(block.Data, block.ScalarsOfCells)
+      : this->Options.FindScalars(block.Data, block.ScalarsOfCells);
     if (block.Scalars && !this->Colors.CanMap(block.Scalars))
     {
       this->Omitted.Unsound.insert("colors of a lookup table without values");
@@ -425,6 +439,7 @@ private:
     block.Material.Unlit = this->Options.ExactColors;
     block.Material.NormalScale = number(vtkCSLFMaterial::GetNormalScale(holder));
     block.DisplayedWhite = GetDisplayedWhite(holder);
+    block.HasFinishedColors = vtkCSLFMaterial::GetFinishedColors(holder);
     block.LineRadius = vtkCSLFMaterial::GetLineRadius(holder);
     block.PointRadius = vtkCSLFMaterial::GetPointRadius(holder);
     block.Textures = this->Textures.Read(holder);
