@@ -262,6 +262,7 @@ int vtkCSLFPathTracer::GetUsedCacheSamples()
 }
 
 cslfSetOptionMacro(vtkCSLFPathTracer, Integrator, Integrator);
+cslfSetOptionMacro(vtkCSLFPathTracer, Colors, Colors);
 cslfSetOptionMacro(vtkCSLFPathTracer, Quality, Quality);
 cslfSetOptionMacro(vtkCSLFPathTracer, Samples, Samples);
 cslfSetOptionMacro(vtkCSLFPathTracer, NoiseTarget, NoiseTarget);

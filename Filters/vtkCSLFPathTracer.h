@@ -131,9 +131,11 @@ public:
    * categories. A renderer's lights and the coefficients of its properties are ignored.
    * Opacity has the same meaning in both modes. Default: lit.
    */
-  vtkSetClampMacro(Colors, int, Lit, Exact);
+  void SetColors(int colors);
   vtkGetMacro(Colors, int);
+  /** The light that surfaces reflect and emit. */
   void SetColorsToLit() { this->SetColors(Lit); }
+  /** Their own colours, as in a scalar bar. */
   void SetColorsToExact() { this->SetColors(Exact); }
   ///@}
 

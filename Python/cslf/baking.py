@@ -16,7 +16,7 @@ from .notebook import show
 from .scenes import connect, missing_file
 
 QUALITIES = ("preview", "good", "best")  # of vtkCSLFPathTracer
-COLORS = ("lit", "exact")
+COLORS = ("lit", "exact")  # likewise
 VIDEOS = (".mp4", ".mkv")
 
 
@@ -25,12 +25,12 @@ class LightField:
     cell.
 
     ``file_name`` is the name of its file, or None if it is only in memory; then ``image`` is its
-    ``vtkImageData``.
+    ``vtkImageData``. ``sampler`` is the ``vtkCSLFSampler`` that made it.
     """
 
     def __init__(self, file_name, sampler):
         self.file_name = file_name
-        self._sampler = sampler
+        self.sampler = sampler
         self._actor = None
 
     def __repr__(self):
@@ -42,18 +42,18 @@ class LightField:
     @property
     def image(self):
         """The samples as image data if the field is in memory, else None."""
-        return None if self.file_name else self._sampler.GetOutput()
+        return None if self.file_name else self.sampler.GetOutput()
 
     @property
     def actor(self):
         """A ``vtkActor`` that draws the field."""
         if self._actor is None:
-            self._actor = make_actor(self.file_name or self._sampler)
+            self._actor = make_actor(self.file_name or self.sampler)
         return self._actor
 
     def show(self, **arguments):
         """Draws a view of the field and returns it as a Picture; arguments are as in ``show``."""
-        return show(self.file_name or self._sampler, **arguments)
+        return show(self.file_name or self.sampler, **arguments)
 
     def save(self, file_name):
         """Writes the field to another file, which replaces one of that name: a video if the field
@@ -66,11 +66,11 @@ class LightField:
                                  "extension.")
             shutil.copyfile(self.file_name, name)
         elif kind in VIDEOS:
-            write(self._sampler, name, None, None)
+            write(self.sampler, name, None, None)
         elif kind == ".vti":
             check_folder(name)
             writer = vtkXMLImageDataWriter()
-            writer.SetInputConnection(self._sampler.GetOutputPort())
+            writer.SetInputConnection(self.sampler.GetOutputPort())
             writer.SetFileName(name)
             with Messages(writer) as messages:
                 messages.require(writer.Write() and not writer.GetErrorCode(),
@@ -131,7 +131,7 @@ def write(sampler, name, crf, progress):
         messages.require(is_written, f"{name} was not written.")
 
 
-def bake(scene, file_name=None, *, quality=None, colors="lit", viewpoints=None, resolution=None,
+def bake(scene, file_name=None, *, quality=None, colors=None, viewpoints=None, resolution=None,
          samples=None, noise_target=None, crf=None, sampler=None, progress=None):
     """Bakes a scene as a light field and returns it as a ``LightField``.
 
@@ -163,11 +163,10 @@ def bake(scene, file_name=None, *, quality=None, colors="lit", viewpoints=None, 
         raise Error("This build of CSLF has no sampler.")
     sampler = vtkCSLF.vtkCSLFSampler() if sampler is None else sampler
     quality = None if quality is None else find_name(quality, QUALITIES, "quality")
-    is_exact = find_name(colors, COLORS, "colors") == COLORS.index("exact")
-    set_parameters(sampler, {"Quality": quality, "Viewpoints": viewpoints, "Resolution": resolution,
-                             "Samples": samples, "NoiseTarget": noise_target})
-    if is_exact:
-        sampler.SetColorsToExact()
+    colors = None if colors is None else find_name(colors, COLORS, "colors")
+    set_parameters(sampler, {"Quality": quality, "Colors": colors, "Viewpoints": viewpoints,
+                             "Resolution": resolution, "Samples": samples,
+                             "NoiseTarget": noise_target})
     if file_name is None and crf is not None:
         raise ValueError("crf is for videos, and there is no file name.")
     connect(scene, sampler)

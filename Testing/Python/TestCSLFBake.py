@@ -64,6 +64,12 @@ class TestCSLFBake(unittest.TestCase):
         self.check(window, 1.1)
         self.check("cornell-box", 2.2)
 
+    def test_colors(self):
+        """Exact colours are those of the data, without light."""
+        for colors, expected in (("lit", 0), ("exact", 1)):
+            field = cslf.bake(make_sphere(), colors=colors, **SIZE)
+            self.assertEqual(field.sampler.GetColors(), expected)
+
     def test_grids(self):
         """Their surfaces are baked."""
         grid = vtkRTAnalyticSource()
