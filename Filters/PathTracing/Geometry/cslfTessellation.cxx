@@ -23,6 +23,9 @@ constexpr int MostSides = 64;
 /// The fewest triangles that a coarser instance has.
 constexpr std::size_t FewestOfPart = 8;
 
+/// The spheres or tubes between two reports of progress.
+constexpr std::size_t ShapesOfReport = 4096;
+
 /// The triangles of the coarsest sphere; tubes have about as many.
 constexpr std::size_t FewestOfRound = 24;
 
@@ -125,19 +128,29 @@ void AddTube(const Tube& tube, float tolerance, SurfaceMesh& result)
 }
 
 /// A mesh without its instances, in its own space.
-SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance)
+SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& progress)
 {
   SurfaceMesh result;
+  const std::size_t shapes = mesh.GetNumberOfShapes();
+  const auto report = [&](std::size_t shape)
+  {
+    if (shape % ShapesOfReport == 0)
+    {
+      OrAbort(progress)(static_cast<double>(shape) / static_cast<double>(shapes));
+    }
+  };
   if (mesh.Shape == Mesh::Shapes::Triangles)
   {
     result = { mesh.Vertices, mesh.Triangles };
   }
   for (std::size_t i = 0; mesh.Shape == Mesh::Shapes::Spheres && i < mesh.Vertices.size(); ++i)
   {
+    report(i);
     AddSphere(mesh.Vertices[i], mesh.Radii[i], tolerance, result);
   }
   for (std::size_t i = 0; mesh.Shape == Mesh::Shapes::Tubes && i + 1 < mesh.Vertices.size(); i += 2)
   {
+    report(i / 2);
     Tube tube(mesh.Vertices[i], mesh.Vertices[i + 1], mesh.Radii[i], mesh.Radii[i + 1]);
     for (int end = 0; end < 2 && !mesh.Joints.empty(); ++end)
     {
@@ -145,7 +158,7 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance)
     }
     AddTube(tube, tolerance, result);
   }
-  Weld(result);
+  ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;
 }
 
@@ -178,13 +191,14 @@ void Append(const SurfaceMesh& part, const MeshInstance& instance, SurfaceMesh& 
 }
 
 /// Adds a mesh and its instances.
-void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& result)
+void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress& progress,
+  SurfaceMesh& result)
 {
   const float tolerance = settings.Tolerance;
   const float roundTolerance = tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
   if (mesh.Instances.empty())
   {
-    Append(TessellateOne(mesh, roundTolerance), MeshInstance(), result);
+    Append(TessellateOne(mesh, roundTolerance, progress), MeshInstance(), result);
     return;
   }
   const float scale = FindLargestScale(mesh);
@@ -192,12 +206,16 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& re
   {
     return;
   }
-  SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale);
-  Simplify(part, tolerance / scale);
+  SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale, progress);
   const std::size_t most = settings.MostTriangles / mesh.Instances.size();
-  constexpr bool byParts = true;
-  Reduce(part, std::max(std::min(part.Triangles.size() >> settings.Coarseness, most), FewestOfPart),
-    byParts);
+  ChangeApart(part, Within(progress, 1.0, 1.0),
+    [most, tolerance = tolerance / scale, coarseness = settings.Coarseness](SurfaceMesh& changed)
+    {
+      Simplify(changed, tolerance);
+      constexpr bool byParts = true;
+      Reduce(changed,
+        std::max(std::min(changed.Triangles.size() >> coarseness, most), FewestOfPart), byParts);
+    });
   for (const MeshInstance& instance : mesh.Instances)
   {
     Append(part, instance, result);
@@ -219,14 +237,17 @@ std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)
   return count;
 }
 
-SurfaceMesh Tessellate(const std::vector<Mesh>& meshes, const TessellationSettings& settings)
+SurfaceMesh Tessellate(
+  const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress)
 {
   SurfaceMesh result;
+  const auto all = static_cast<double>(meshes.size());
   for (const Mesh& mesh : meshes)
   {
-    Add(mesh, settings, result);
+    const auto number = static_cast<double>(&mesh - meshes.data());
+    Add(mesh, settings, Within(progress, number / all, (number + 1.0) / all), result);
   }
-  Weld(result);
+  ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;
 }
 }

@@ -11,6 +11,7 @@
 
 #include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "Pipeline/cslfPhase.h"
 
 #include <cstddef>
 #include <vector>
@@ -33,9 +34,9 @@ struct TessellationSettings
 /// About how many triangles a tessellation of that coarseness has at least.
 VTKCSLF_EXPORT std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness);
 
-/// Triangles of all meshes and instances, welded.
+/// Triangles of all meshes and instances, welded. Throws Aborted.
 VTKCSLF_EXPORT SurfaceMesh Tessellate(
-  const std::vector<Mesh>& meshes, const TessellationSettings& settings);
+  const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress);
 }
 
 #endif
