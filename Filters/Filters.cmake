@@ -28,8 +28,8 @@ cslf_add(Filters/Parallel Broadcast Ranks)
 
 # Running filters, and reading fields slab by slab.
 cslf_add(Filters/Pipeline
-  ArrayLayout FieldArrays GeometryArrays Guard Interpreter MissingViewpoints ParallelFor PipelineWatch
-  PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ViewpointSource)
+  ArrayLayout FieldArrays GeometryArrays Guard Interpreter MissingViewpoints ParallelFor Phase
+  PipelineWatch PolygonFill PortsOnDemand Requests ScenePipeline Slabs TriangleList ViewpointSource)
 
 # Reduction of fields.
 cslf_add(Filters/Resampling KeyViews Nesting TexelReducer)

@@ -8,6 +8,7 @@
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
+#include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Pipeline/cslfViewpointSource.h"
@@ -35,6 +36,12 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCSLFDecoder);
+
+namespace
+{
+/// The progress when it is known which viewpoints can be decoded.
+constexpr double CheckedProgress = 0.1;
+}
 
 class vtkCSLFDecoder::Internals
 {
@@ -255,12 +262,6 @@ bool vtkCSLFDecoder::Fail(unsigned long code, const std::string& problem)
   return false;
 }
 
-bool vtkCSLFDecoder::ReportProgress(double progress)
-{
-  this->UpdateProgress(progress);
-  return !cslf::IsAborted(this);
-}
-
 int vtkCSLFDecoder::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -372,11 +373,12 @@ int vtkCSLFDecoder::ReadField(vtkInformationVector* outputVector)
       this->ReadRange(asked[4], asked[5], output);
       return this->ReportDamage();
     });
-  if (!isRead || cslf::IsAborted(this))
+  const bool isAborted = cslf::IsAborted(this);
+  if (!isRead || isAborted)
   {
     output->Initialize();
   }
-  return isRead ? 1 : 0;
+  return isRead || isAborted ? 1 : 0;
 }
 
 void vtkCSLFDecoder::WarnOfHeader()
@@ -404,8 +406,9 @@ bool vtkCSLFDecoder::OpenFile()
 // Finds which slices of a range exist, before memory is allocated for all of it.
 bool vtkCSLFDecoder::CheckRange(int first, int last)
 {
+  cslf::Phase phase(this, "Checking viewpoints", CheckedProgress);
   this->Internal->SetMissing(this->Internal->Reader->FindMissing(
-    first, last, [this](double) { return !cslf::IsAborted(this); }));
+    first, last, [&phase](double share) { return phase.Report(share); }));
   if (!this->ReportDamage())
   {
     return false;
@@ -429,25 +432,32 @@ void vtkCSLFDecoder::ReadRange(int first, int last, vtkImageData* output)
   }
   cslf::AllocateSlices(this->Internal->Reader->GetHeader().Field, first, last, output);
   output->GetFieldData()->PassData(this->Internal->Field);
-  this->Internal->SetMissing(
-    this->Internal->Reader->Read(first, last, cslf::ViewpointSamples(output),
-      [this](double progress) { return this->ReportProgress(progress); }));
+  cslf::Phase phase(this, "Decoding viewpoints");
+  this->Internal->SetMissing(this->Internal->Reader->Read(first, last,
+    cslf::ViewpointSamples(output), [&phase](double share) { return phase.Report(share); }));
   cslf::SetMissing(this->Internal->Missing, output);
 }
 
 // Reports the missing slices of the last range. Returns whether the others can be returned.
 bool vtkCSLFDecoder::ReportDamage()
 {
-  return this->GetNumberOfMissingViewpoints() == 0 || cslf::IsAborted(this) ||
-    this->ReportFileDamage();
+  if (this->GetNumberOfMissingViewpoints() == 0 || cslf::IsAborted(this))
+  {
+    return true;
+  }
+  cslf::Phase phase(this, "Checking all viewpoints");
+  return this->ReportFileDamage([&phase](double share) { return phase.Report(share); });
 }
 
 // Reports all missing slices of the file: warns, unless that was done before, or fails.
-bool vtkCSLFDecoder::ReportFileDamage()
+bool vtkCSLFDecoder::ReportFileDamage(const std::function<bool(double)>& progress)
 {
   const std::size_t known = this->Internal->Damage.size();
-  const std::vector<int> missing =
-    this->Internal->Reader->FindMissing([this](double) { return !cslf::IsAborted(this); });
+  const std::vector<int> missing = this->Internal->Reader->FindMissing(progress);
+  if (cslf::IsAborted(this))
+  {
+    return false;
+  }
   this->Internal->Damage = missing;
   const int slices = this->Internal->Reader->GetHeader().Field.Grid.GetSlices();
   std::ostringstream text;
@@ -513,11 +523,13 @@ vtkIdType vtkCSLFDecoder::FindMissingViewpoints()
     return -1;
   }
   this->SetAbortExecute(0);
+  this->UpdateProgress(0.0);
   const bool isChecked = this->Guard(
     [this]
     {
+      cslf::Phase phase(this, "Checking viewpoints");
       this->Internal->SetMissing(this->Internal->Reader->FindMissing(
-        [this](double progress) { return this->ReportProgress(progress); }));
+        [&phase](double share) { return phase.Report(share); }));
       return !cslf::IsAborted(this);
     });
   return isChecked ? this->GetNumberOfMissingViewpoints() : -1;
@@ -583,7 +595,8 @@ void vtkCSLFDecoder::RequireDamageAllowed()
 {
   if (!this->AllowMissing && this->Internal->Damage.empty())
   {
-    this->Guard([this] { return this->ReportFileDamage(); });
+    this->Guard(
+      [this] { return this->ReportFileDamage([this](double) { return !cslf::IsAborted(this); }); });
   }
 }
 

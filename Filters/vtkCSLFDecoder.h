@@ -268,9 +268,8 @@ private:
   int ReadField(vtkInformationVector* outputVector);
   void ReadGeometry(vtkPolyData* output);
   void ReadRange(int first, int last, vtkImageData* output);
-  bool ReportProgress(double progress);
   bool ReportDamage();
-  bool ReportFileDamage();
+  bool ReportFileDamage(const std::function<bool(double)>& progress);
   void RequireDamageAllowed();
   void WarnOfHeader();
   bool UpdateReader();

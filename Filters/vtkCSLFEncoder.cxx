@@ -36,6 +36,9 @@ namespace options = cslf::options;
 
 namespace
 {
+/// The progress of writing when path tracers have made their first output.
+constexpr double InputProgress = 0.25;
+
 /// Lends a keeper to the path tracers that feed a connection while this object exists.
 class CacheKeeping
 {
@@ -194,11 +197,7 @@ cslf::EncodeJob vtkCSLFEncoder::MakeJob()
     return geometry && geometry->GetNumberOfCells() > 0 ? this->MakePart(geometry, field, others)
                                                         : std::nullopt;
   };
-  job.Progress = [this](double progress)
-  {
-    this->UpdateProgress(progress);
-    return !cslf::IsAborted(this);
-  };
+  job.Reporter = this;
   this->NumberOfGroups = 0;
   this->ResumedGroups = 0;
   job.Resume = [this](int resumed, int all)
@@ -298,6 +297,7 @@ int vtkCSLFEncoder::Write()
 {
   const std::string name = this->FileName ? this->FileName : "The file";
   this->SetErrorCode(vtkErrorCode::UnknownError);
+  this->SetAbortExecute(0);
   return cslf::GuardMethod(this, name + " was not written", [this] { return this->WriteInput(); });
 }
 
@@ -329,15 +329,46 @@ int vtkCSLFEncoder::WriteInput()
     // Write always writes, even if nothing changed. The input may fail with an exception.
     this->Modified();
     this->Session = &session;
+    this->UpdateProgress(0.0);
     std::string problem;
-    cslf::Guard([this] { return this->GetExecutive()->Update() != 0; }, problem);
+    cslf::Guard([this] { return this->UpdateInputs(); }, problem);
+    this->SetProgressShiftScale(0.0, 1.0);
     this->Session = nullptr;
     if (!session.HasWritten())
     {
       session.Write(false, problem);
     }
+    this->SetProgressText(nullptr);
   }
   return this->Report(session) ? 1 : 0;
+}
+
+// Updates the inputs and then this filter. Path tracers take a share of the progress for what they
+// make at first: the scene, the cache, one viewpoint and the geometry.
+bool vtkCSLFEncoder::UpdateInputs()
+{
+  const auto inputs = cslf::FindInputs(this);
+  const auto report = [this](vtkAlgorithm* input)
+  {
+    if (this->Session->HasWritten())
+    {
+      return true;
+    }
+    // What follows begins here. The executive also reports 0 before it.
+    const bool isTracer = vtkCSLFPathTracer::SafeDownCast(input) != nullptr;
+    const double share =
+      std::max(this->GetProgress(), isTracer ? InputProgress * input->GetProgress() : 0.0);
+    this->SetProgressShiftScale(share, 1.0 - share);
+    this->SetProgressText(input->GetProgressText());
+    this->UpdateProgress(0.0);
+    if (cslf::IsAborted(this))
+    {
+      this->Session->Stop();
+    }
+    return !this->Session->IsToStop();
+  };
+  const cslf::PipelineWatch watch(inputs, report);
+  return this->GetExecutive()->Update() != 0;
 }
 
 vtkTypeBool vtkCSLFEncoder::ProcessRequest(

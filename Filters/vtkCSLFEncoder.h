@@ -60,6 +60,10 @@
  * ranks, and no other rank accesses a file. Rank 0 reports the progress and can abort. If one rank
  * fails, all fail. The lowest failing rank reports its error, and Write returns 0 on all.
  *
+ * During Write, GetProgressText() is the name of the phase, also of those of the filters that feed
+ * the input, and GetProgress() the share of all work, of these filters, too. AbortExecuteOn() ends
+ * each phase within about a second, also theirs, and Write returns 0 with an error.
+ *
  * @sa
  * vtkCSLFDecoder vtkCSLFRateControl vtkCSLFSampler
  */
@@ -323,6 +327,7 @@ private:
   bool Report(const cslf::EncodeSession& session);
   bool CopyPart(const char* type, vtkUnsignedCharArray* bytes, const char* name);
   int WriteInput();
+  bool UpdateInputs();
   void WriteRequested();
 
   cslf::EncodeSession* Session = nullptr; // while Write is at work

@@ -13,6 +13,8 @@
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
+#include "Pipeline/cslfPhase.h"
+#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
@@ -58,10 +60,15 @@ constexpr std::size_t MeasuredPoints = 20000;
 constexpr double PullBytes = 64.0 * 1024 * 1024;
 
 ///@{
-/// The progress when depths are read and when the mesh is made.
+/// The progress when depths are read and when the mesh is made; and the share of the latter before
+/// the mesh is reduced.
 constexpr double ReadProgress = 0.15;
 constexpr double MeshProgress = 0.85;
+constexpr double MeshedShare = 0.7;
 ///@}
+
+/// The share of choosing viewpoints in colouring.
+constexpr double ChosenShare = 0.5;
 
 /// The number of texels along a side of a tile at which depths are kept.
 int ChooseResolution(const cslf::Layout& grid, std::size_t views)
@@ -93,32 +100,14 @@ public:
 
   /// Null after an error, which it reports, and if the filter was asked to stop.
   vtkSmartPointer<vtkPolyData> Run()
+  try
   {
     if (!this->ReadDepths())
     {
       return nullptr;
     }
-    const auto progress = [this](double share)
-    { return this->Continue(ReadProgress + share * (MeshProgress - ReadProgress)); };
-    cslf::SurfaceMesh mesh = cslf::MeshDepths(*this->Views, progress);
-    if (cslf::IsAborted(this->Self))
-    {
-      return nullptr;
-    }
-    const cslf::SurfaceError error =
-      cslf::ReduceWell(mesh, static_cast<std::size_t>(this->Self->GeometryTriangles),
-        cslf::SpreadPoints(*this->Views, MeasuredPoints), this->Views->GetTexel());
-    // Stretched parts may reach beyond the cube.
-    const glm::vec3 most(this->Views->GetScale());
-    for (glm::vec3& point : mesh.Points)
-    {
-      point = glm::clamp(point, -most, most);
-    }
-    cslf::SortForDrawing(mesh);
-    if (!this->Continue(MeshProgress))
-    {
-      return nullptr;
-    }
+    cslf::SurfaceMesh mesh;
+    const cslf::SurfaceError error = this->MakeMesh(mesh);
     const glm::dvec3& edges = this->Field->Box.Edges;
     const double half = 0.5 * std::max({ edges.x, edges.y, edges.z });
     vtkSmartPointer<vtkPolyData> geometry = cslf::MakeGeometryData(mesh, this->Field->Box.Center,
@@ -135,12 +124,44 @@ public:
     }
     return geometry;
   }
+  catch (const cslf::Aborted&)
+  {
+    return nullptr;
+  }
 
 private:
+  cslf::SurfaceError MakeMesh(cslf::SurfaceMesh& mesh) const
+  {
+    cslf::Phase phase(this->Self, "Making the geometry", MeshProgress);
+    const auto report = [&phase](double share) { return phase.Report(share); };
+    mesh = cslf::MeshDepths(*this->Views, cslf::Within(report, 0.0, MeshedShare));
+    const cslf::SurfaceError error =
+      cslf::ReduceWell(mesh, static_cast<std::size_t>(this->Self->GeometryTriangles),
+        cslf::SpreadPoints(*this->Views, MeasuredPoints), this->Views->GetTexel(),
+        cslf::Within(report, MeshedShare, 1.0));
+    // Stretched parts may reach beyond the cube.
+    const glm::vec3 most(this->Views->GetScale());
+    for (glm::vec3& point : mesh.Points)
+    {
+      point = glm::clamp(point, -most, most);
+    }
+    cslf::ChangeApart(mesh, cslf::Within(report, 1.0, 1.0), cslf::SortForDrawing);
+    return error;
+  }
+
   /// Visits viewpoints slab by slab. False after an error and if the filter was asked to stop.
-  bool Visit(const std::vector<int>& slices, double first, double last,
+  bool Visit(const std::vector<int>& slices, cslf::Phase& phase,
     const std::function<void(int slice, const cslf::ViewpointSamples&, bool isMissing)>& visit)
   {
+    const double before = phase.GetShare();
+    double done = 0.0;
+    double next = 0.0;
+    const cslf::PipelineWatch watch(this->Self->GetInputConnection(0, 0),
+      [&](vtkAlgorithm* producer)
+      {
+        const double share = done + (next - done) * producer->GetProgress();
+        return phase.ReportFor(producer, share);
+      });
     const double texels = (this->Whole[1] + 1.0) * (this->Whole[3] + 1.0);
     const auto most = static_cast<std::size_t>(
       std::max(1.0, PullBytes / (static_cast<double>(this->Field->GetTexelBytes()) * texels)));
@@ -151,6 +172,9 @@ private:
       {
         ++end;
       }
+      const double each = (1.0 - before) / static_cast<double>(slices.size());
+      done = before + each * static_cast<double>(begin);
+      next = before + each * static_cast<double>(end);
       const vtkSmartPointer<vtkImageData> image = this->Pull(slices[begin], slices[end - 1]);
       if (!image)
       {
@@ -165,8 +189,7 @@ private:
           (slice - image->GetExtent()[4]);
         visit(slice, samples.At(start), std::binary_search(missing.begin(), missing.end(), slice));
       }
-      if (!this->Continue(
-            first + (last - first) * static_cast<double>(end) / static_cast<double>(slices.size())))
+      if (!phase.Report(next))
       {
         return false;
       }
@@ -178,6 +201,10 @@ private:
   {
     std::string error;
     vtkSmartPointer<vtkImageData> image = cslf::PullSlices(this->Input, first, last, error);
+    if (cslf::IsAborted(this->Self))
+    {
+      return nullptr;
+    }
     const auto field = image ? cslf::Description::ReadFrom(image, error) : std::nullopt;
     if (field && this->Field && field->ToText() != this->Field->ToText())
     {
@@ -210,7 +237,8 @@ private:
     this->Views.emplace(
       cslf::Layout(grid.GetBaseNodes(), grid.GetNodes(), ChooseResolution(grid, slices.size())),
       this->Field->Box);
-    return this->Visit(slices, 0.0, ReadProgress,
+    cslf::Phase phase(this->Self, "Reading depths", ReadProgress);
+    return this->Visit(slices, phase,
       [&](int slice, const cslf::ViewpointSamples& samples, bool isMissing)
       {
         if (!isMissing)
@@ -222,7 +250,9 @@ private:
 
   bool ReadColors(const cslf::SurfaceMesh& mesh, int type, vtkPolyData* geometry)
   {
-    cslf::PointColors colors(*this->Views, mesh);
+    cslf::Phase phase(this->Self, "Colouring the geometry");
+    const auto report = [&phase](double share) { return phase.Report(ChosenShare * share); };
+    cslf::PointColors colors(*this->Views, mesh, report);
     std::vector<int> slices;
     std::vector<int> views;
     for (int view = 0; view < this->Views->GetCount(); ++view)
@@ -233,7 +263,7 @@ private:
         views.push_back(view);
       }
     }
-    const bool isDone = this->Visit(slices, MeshProgress, 1.0,
+    const bool isDone = this->Visit(slices, phase,
       [&](int slice, const cslf::ViewpointSamples& samples, bool)
       {
         const auto place = std::lower_bound(slices.begin(), slices.end(), slice) - slices.begin();
@@ -244,12 +274,6 @@ private:
       cslf::AddSideColors(mesh, colors.Get(), type, geometry);
     }
     return isDone;
-  }
-
-  bool Continue(double progress)
-  {
-    this->Self->UpdateProgress(progress);
-    return !cslf::IsAborted(this->Self);
   }
 
   vtkCSLFGeometryFilter* Self;

@@ -9,8 +9,10 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfPrintable.h"
+#include "cslfVTKCompatibility.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -89,12 +91,14 @@ vtkIdType CountImages(
   return isAnyThere ? count : 0;
 }
 
-/// The viewpoints of a slab for which `isThere(slice)` is false. Calls it in parallel.
+/// The viewpoints of a slab for which `isThere(slice)` is false. Calls it in parallel. Throws
+/// Aborted.
 template <typename IsThere>
-vtkSmartPointer<vtkIdTypeArray> CollectMissing(const cslf::Slab& slab, IsThere isThere)
+vtkSmartPointer<vtkIdTypeArray> CollectMissing(
+  const cslf::Slab& slab, const cslf::Progress& progress, IsThere isThere)
 {
   std::vector<char> found(slab.GetCount());
-  cslf::ParallelFor(slab.First, slab.Last + 1, 1,
+  cslf::ParallelFor(slab.First, slab.Last + 1, cslf::OrAbort(progress),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int slice = static_cast<int>(begin); slice < end; ++slice)
@@ -114,8 +118,9 @@ vtkSmartPointer<vtkIdTypeArray> CollectMissing(const cslf::Slab& slab, IsThere i
 }
 
 /// Reads the slab into the image, which contains only the slab. Returns the unreadable viewpoints.
+/// Throws Aborted.
 vtkSmartPointer<vtkIdTypeArray> ReadSlab(const char* folder, const cslf::Description& description,
-  const cslf::Slab& slab, vtkImageData* image)
+  const cslf::Slab& slab, const cslf::Progress& progress, vtkImageData* image)
 {
   std::vector<unsigned char*> arrays;
   for (const cslf::Channel& channel : description.Channels)
@@ -135,7 +140,7 @@ vtkSmartPointer<vtkIdTypeArray> ReadSlab(const char* folder, const cslf::Descrip
     }
     return ReadViewpoint(folder, description, slice, targets, texels);
   };
-  return CollectMissing(slab, read);
+  return CollectMissing(slab, progress, read);
 }
 }
 
@@ -183,10 +188,23 @@ vtkIdTypeArray* vtkCSLFImageReader::GetMissingViewpoints() const
 }
 
 // Does work that may run out of memory. No exception leaves VTK's methods: it becomes one error.
+// False without an error if aborted.
 bool vtkCSLFImageReader::Guard(const std::function<bool()>& work)
 {
   std::string problem;
-  const bool isDone = cslf::Guard(work, problem);
+  const bool isDone = cslf::Guard(
+    [&work]
+    {
+      try
+      {
+        return work();
+      }
+      catch (const cslf::Aborted&)
+      {
+        return false;
+      }
+    },
+    problem);
   return problem.empty() ? isDone
                          : this->Fail(vtkErrorCode::UnknownError,
                              "Cannot read " + std::string(this->FileName) + ": " + problem + ".");
@@ -201,12 +219,16 @@ bool vtkCSLFImageReader::Fail(unsigned long code, const std::string& text)
 
 vtkIdType vtkCSLFImageReader::FindMissingViewpoints()
 {
+  this->SetAbortExecute(0);
+  this->UpdateProgress(0.0);
   const bool isChecked = this->ReadDescription() &&
     this->Guard(
       [this]
       {
         const cslf::CubeMapFolder& folder = *this->Internal->Folder;
-        this->Internal->Missing = CollectMissing(folder.Slices,
+        cslf::Phase phase(this, "Checking viewpoints");
+        this->Internal->Missing = CollectMissing(
+          folder.Slices, [&phase](double share) { return phase.Report(share); },
           [&](int slice) { return ProbeViewpoint(this->FileName, folder.Field, slice); });
         return true;
       });
@@ -282,7 +304,7 @@ int vtkCSLFImageReader::RequestData(
   {
     image->Initialize();
   }
-  return isRead ? 1 : 0;
+  return isRead || cslf::IsAborted(this) ? 1 : 0;
 }
 
 bool vtkCSLFImageReader::ReadRange(int first, int last, vtkImageData* image)
@@ -302,12 +324,15 @@ bool vtkCSLFImageReader::ReadRange(int first, int last, vtkImageData* image)
   {
     cslf::AllocateSlices(field, first, last, image);
     field.WriteTo(image->GetFieldData());
-    this->Internal->Missing = ReadSlab(this->FileName, field, slab, image);
+    cslf::Phase phase(this, "Reading viewpoints");
+    this->Internal->Missing = ReadSlab(
+      this->FileName, field, slab, [&phase](double share) { return phase.Report(share); }, image);
     cslf::SetMissing(this->Internal->Missing, image);
   }
   else
   {
-    this->Internal->Missing = CollectMissing(slab, [](int) { return false; });
+    this->Internal->Missing = CollectMissing(
+      slab, [](double) { return true; }, [](int) { return false; });
   }
   const vtkIdType missing = this->GetNumberOfMissingViewpoints();
   std::ostringstream text;

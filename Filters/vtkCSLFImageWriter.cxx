@@ -6,6 +6,8 @@
 
 #include "CubeMaps/cslfCubeMapFiles.h"
 #include "Files/cslfAtomicFile.h"
+#include "Pipeline/cslfPhase.h"
+#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfVTKCompatibility.h"
 
@@ -19,6 +21,9 @@
 
 namespace
 {
+/// The share of reading the input in the progress.
+constexpr double ReadShare = 0.5;
+
 /// The size of the files in a folder, in bytes.
 double CountBytes(const std::string& folder)
 {
@@ -39,12 +44,13 @@ bool HasRoom(const std::string& folder, int done, int all, std::string& error)
   return cslf::HasRoom(folder, bytes, 0.5 * bytes, error);
 }
 
+/// False after an error, and if `progress` returns false.
 bool WriteSlab(const cslf::SlabStream& stream, const cslf::Slab& slab, const std::string& folder,
-  std::string& error)
+  const cslf::Progress& progress, std::string& error)
 {
   const cslf::Description& description = stream.GetDescription();
   std::mutex errorMutex;
-  cslf::ParallelFor(slab.First, slab.Last + 1, 1,
+  const bool isDone = cslf::ParallelFor(slab.First, slab.Last + 1, progress,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int slice = static_cast<int>(begin); slice < end; ++slice)
@@ -61,7 +67,7 @@ bool WriteSlab(const cslf::SlabStream& stream, const cslf::Slab& slab, const std
         }
       }
     });
-  return error.empty();
+  return isDone && error.empty();
 }
 }
 
@@ -80,7 +86,7 @@ vtkCSLFImageWriter::~vtkCSLFImageWriter()
 int vtkCSLFImageWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->AbortExecute = 0;
+  this->SetAbortExecute(0);
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("A file name must be set.");
@@ -103,6 +109,7 @@ int vtkCSLFImageWriter::Write()
     return 0;
   }
   this->InvokeEvent(vtkCommand::StartEvent);
+  this->UpdateProgress(0.0);
   std::string warning;
   const bool isWritten = cslf::Guard([&]
     { return this->WriteSlabs(whole.GetTemporaryName(), error) && whole.Publish(warning, error); },
@@ -123,6 +130,17 @@ int vtkCSLFImageWriter::Write()
 
 bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& error)
 {
+  cslf::Phase phase(this, "Writing images");
+  double done = 0.0;
+  double next = 0.0;
+  const cslf::PipelineWatch watch(this->GetInputConnection(0, 0),
+    [&](vtkAlgorithm* producer)
+    {
+      const double read = ReadShare * producer->GetProgress();
+      return phase.ReportFor(producer, done + (next - done) * read);
+    });
+  const auto report = [&](double share)
+  { return phase.Report(done + (next - done) * (ReadShare + (1.0 - ReadShare) * share)); };
   cslf::SlabStream stream(this->GetInputConnection(0, 0));
   bool isGood = stream.Open();
   const cslf::Slab& whole = stream.GetWhole();
@@ -134,6 +152,8 @@ bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& erro
   }
   for (std::size_t k = 0; isGood && k < slabs.size(); ++k)
   {
+    done = static_cast<double>(k) / static_cast<double>(slabs.size());
+    next = static_cast<double>(k + 1) / static_cast<double>(slabs.size());
     isGood = stream.Read(slabs[k]);
     if (isGood && k == 0)
     {
@@ -141,12 +161,10 @@ bool vtkCSLFImageWriter::WriteSlabs(const std::string& folder, std::string& erro
       isGood = cslf::CheckCubeMapChannels(description, error) &&
         cslf::WriteCubeMapDescription(folder, { description, whole }, error);
     }
-    isGood = isGood && WriteSlab(stream, slabs[k], folder, error) &&
+    isGood = isGood && WriteSlab(stream, slabs[k], folder, report, error) &&
       (k > 0 || HasRoom(folder, slabs[k].GetCount(), whole.GetCount(), error));
-    this->UpdateProgress((k + 1.0) / static_cast<double>(slabs.size()));
-    isGood = isGood && !cslf::IsAborted(this);
   }
-  if (!isGood && error.empty())
+  if (!isGood && error.empty() && !cslf::IsAborted(this))
   {
     error = stream.GetError();
   }

@@ -10,9 +10,12 @@
 #include "PathTracing/Scene/cslfArithmetic.h"
 #include "PathTracing/Scene/cslfSceneBuilder.h"
 #include "PathTracing/Scene/cslfSceneGather.h"
+#include "Pipeline/cslfPhase.h"
+#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfScenePipeline.h"
 #include "cslfColor.h"
 #include "cslfJSON.h"
+#include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -36,6 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -47,6 +51,14 @@ namespace options = cslf::options;
 
 namespace
 {
+///@{
+/// The progress when a renderer's scene is imported, when the scene is read, and when its tree is
+/// built.
+constexpr double ImportProgress = 0.02;
+constexpr double ReadProgress = 0.03;
+constexpr double BuiltProgress = 0.06;
+///@}
+
 glm::dvec3 ToVector(const double tuple[3])
 {
   return { tuple[0], tuple[1], tuple[2] };
@@ -366,6 +378,16 @@ std::vector<vtkDataObject*> vtkCSLFPathTracer::GetSceneInputs(vtkInformationVect
   {
     importer->SetInterpolateDisplayedColors(this->InterpolateDisplayedColors);
     importer->SetExactColors(this->Colors == Exact);
+    std::optional<cslf::Phase> phase;
+    const auto report = [this, &phase](vtkAlgorithm* running)
+    {
+      if (!phase)
+      {
+        phase.emplace(this, "Importing the scene", ImportProgress);
+      }
+      return phase->Report(running->GetProgress());
+    };
+    const cslf::PipelineWatch watch({ importer }, report);
     importer->Update();
     inputs.push_back(importer->GetOutput());
   }
@@ -379,6 +401,11 @@ const cslf::BuiltScene* vtkCSLFPathTracer::UpdateScene(vtkInformationVector** in
     executive->NoteMeeting();
   }
   const std::vector<vtkDataObject*> inputs = this->GetSceneInputs(inputVector);
+  // Other ranks are met in BuildScene.
+  if (cslf::IsAborted(this) && !this->MustGather())
+  {
+    return nullptr;
+  }
   const std::string key = this->MakeSceneKey(inputs);
   if (this->Internals->SceneKey != key)
   {
@@ -482,9 +509,25 @@ bool vtkCSLFPathTracer::BuildScene(const std::vector<vtkDataObject*>& inputs)
   };
   sceneOptions.ExactColors = this->Colors == Exact;
   sceneOptions.InPieces = this->DistributedScene;
+  std::optional<cslf::Phase> phase;
+  phase.emplace(this, "Reading the scene", ReadProgress);
+  sceneOptions.Reading = [&phase](double share) { return phase->Report(share); };
+  sceneOptions.Building = [this, &phase, isFirst = true](double share) mutable
+  {
+    if (std::exchange(isFirst, false))
+    {
+      phase.emplace(this, "Building the tree of the scene", BuiltProgress);
+    }
+    return phase->Report(share);
+  };
   this->Internals->Scene = cslf::BuildScene({ parts.begin(), parts.end() }, sceneOptions);
+  phase.reset();
   if (!this->Internals->Scene.World)
   {
+    if (this->Internals->Scene.IsAborted)
+    {
+      return false;
+    }
     if (this->Internals->Scene.IsEmpty && this->Internals->Importer)
     {
       vtkErrorMacro(

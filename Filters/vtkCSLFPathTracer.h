@@ -37,8 +37,11 @@
  * last bit. They do not depend on the number of threads or on the requested part of the output. The
  * record of the sampling contains a hash ("arithmetic") that identifies the kind of processor. The
  * scene is built once, and again only if the inputs or the parameters that affect it change, so a
- * downstream filter can request the output piece by piece. Aborting leaves the output empty. The
- * progress text names the phase: the radiance cache, which counts as half, or the texels.
+ * downstream filter can request the output piece by piece.
+ *
+ * During an update, GetProgressText() is the name of the phase, such as "Filling the radiance
+ * cache", and GetProgress() the share of the update that is done. It never decreases. Aborting ends
+ * each phase within about a second and leaves the output empty; the next update makes it.
  */
 #ifndef vtkCSLFPathTracer_h
 #define vtkCSLFPathTracer_h
@@ -397,7 +400,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
-   * The scene of the inputs, or null after an error. Valid until the next call.
+   * The scene of the inputs, or null after an error or if aborted. Valid until the next call.
    */
   const cslf::BuiltScene* UpdateScene(vtkInformationVector** inputVector);
 
@@ -412,17 +415,17 @@ protected:
    * Renders `count` slices, from number `first` on, of a picture of the scene that UpdateScene
    * returned, with progress. Returns false if aborted. The output has the arrays of the requested
    * channels. With `surfaceTexels`, only samples on the surface at a texel's centre give its
-   * colour.
+   * colour. The name is that of the phase.
    */
   bool Render(const cslf::CheckedPicture& whole, int first, int count,
-    const cslf::ViewpointSamples& output, bool surfaceTexels);
+    const cslf::ViewpointSamples& output, bool surfaceTexels, const char* name);
 
   /**
    * Renders single rays, the first of each grid, as such a picture would show them. Each becomes a
-   * texel of the output. Returns false if aborted.
+   * texel of the output. Returns false if aborted. The name is that of the phase.
    */
   bool RenderRays(const cslf::CheckedPicture& whole, const std::vector<cslf::RayGrid>& rays,
-    const cslf::ViewpointSamples& output);
+    const cslf::ViewpointSamples& output, const char* name);
 
 private:
   vtkCSLFPathTracer(const vtkCSLFPathTracer&) = delete;
@@ -439,12 +442,11 @@ private:
     const cslf::CheckedPicture& whole, bool isFloat, bool isAgain, cslf::RenderSettings& settings);
   bool RenderTexels(const cslf::PictureLayout& layout, const cslf::RenderSettings& settings,
     const std::function<cslf::RayGrid(int slice, int tile)>& grids,
-    const cslf::ViewpointSamples& output);
+    const cslf::ViewpointSamples& output, const char* name);
   std::string MakeCacheKey(double spacing, double displayRange);
-  bool UpdateCache(
-    double spacing, double displayRange, double share, const cslf::CheckedPicture* checked);
-  bool FillCache(double share);
-  void MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks);
+  bool UpdateCache(double spacing, double displayRange, const cslf::CheckedPicture* checked);
+  bool FillCache();
+  bool MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks);
   void ReportCache();
   bool ProbeCache(double spacing, double displayRange);
   void MakeCache(double spacing, double displayRange, cslf::CacheShare* ranks);

@@ -8,9 +8,9 @@
 #include "Options/cslfOptionTable.h"
 #include "Options/cslfQualityPresets.h"
 #include "PathTracing/RadianceCache/cslfCacheKeeper.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracerInternals.h"
 
 #include <algorithm>
@@ -19,6 +19,16 @@
 #include <string>
 
 namespace options = cslf::options;
+
+namespace
+{
+///@{
+/// The progress of rendering when the cache is filled, and when it is checked. What takes longest
+/// depends on the scene.
+constexpr double CacheProgress = 0.45;
+constexpr double CheckProgress = 0.5;
+///@}
+}
 
 double vtkCSLFPathTracer::GetAutomaticCacheSpacing(int size, int quality)
 {
@@ -95,7 +105,7 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
   {
     const auto start = std::chrono::steady_clock::now();
     this->MakeCache(spacing, displayRange, nullptr);
-    this->Internals->IsProbe = this->FillCache(0.5);
+    this->Internals->IsProbe = this->FillCache();
     this->CacheSeconds += cslf::SecondsSince(start);
   }
   this->ExpectedCacheSeconds = this->Internals->Cache->GetExpectedSeconds();
@@ -103,7 +113,7 @@ bool vtkCSLFPathTracer::ProbeCache(double spacing, double displayRange)
 }
 
 bool vtkCSLFPathTracer::UpdateCache(
-  double spacing, double displayRange, double share, const cslf::CheckedPicture* checked)
+  double spacing, double displayRange, const cslf::CheckedPicture* checked)
 {
   if (this->CacheProbeSeconds > 0.0)
   {
@@ -135,15 +145,8 @@ bool vtkCSLFPathTracer::UpdateCache(
     this->Internals->IsProbe = false;
   }
   cslf::CacheShare* ranks = plan == Plan::Together ? keeper->GetShare() : nullptr;
-  const auto fill = [this, share, ranks, checked]
-  {
-    const bool isFilled = this->FillCache(share);
-    if (isFilled && checked)
-    {
-      this->MeasureCache(*checked, ranks);
-    }
-    return isFilled;
-  };
+  const auto fill = [this, ranks, checked]
+  { return this->FillCache() && (!checked || this->MeasureCache(*checked, ranks)); };
   const bool done = plan == Plan::Together ? keeper->Make(*this->Internals->Cache, fill) : fill();
   this->NumberOfCachePoints = this->Internals->Cache->GetNumberOfValues();
   this->CacheSeconds += cslf::SecondsSince(start);
@@ -155,8 +158,9 @@ bool vtkCSLFPathTracer::UpdateCache(
   return done;
 }
 
-void vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks)
+bool vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::CacheShare* ranks)
 {
+  cslf::Phase phase(this, "Checking the radiance cache", CheckProgress);
   // If there are few texels, a few are enough: the check must not take longer than everything else.
   constexpr std::int64_t most = 1024;
   constexpr std::int64_t least = 16;
@@ -169,7 +173,14 @@ void vtkCSLFPathTracer::MeasureCache(const cslf::CheckedPicture& picture, cslf::
   settings.Paths.MaximumDepth = this->MaximumDepth;
   settings.Share = ranks;
   cslf::RadianceCache& cache = *this->Internals->Cache;
-  cache.SetCheck(cslf::CheckCache(*this->Internals->Scene.World, cache, picture, settings));
+  const auto report = [&phase](double share) { return phase.Report(share); };
+  const cslf::CacheCheck check =
+    cslf::CheckCache(*this->Internals->Scene.World, cache, picture, settings, report);
+  if (check.IsMade())
+  {
+    cache.SetCheck(check);
+  }
+  return check.IsMade();
 }
 
 void vtkCSLFPathTracer::ReportCache()
@@ -206,16 +217,11 @@ void vtkCSLFPathTracer::ReportCache()
   }
 }
 
-bool vtkCSLFPathTracer::FillCache(double share)
+bool vtkCSLFPathTracer::FillCache()
 {
-  this->SetProgressText("Computing the radiance cache");
+  cslf::Phase phase(this, "Filling the radiance cache", CacheProgress);
   cslf::RadianceCache& cache = *this->Internals->Cache;
-  const bool done = cache.Build(
-    [this, share](double progress)
-    {
-      this->UpdateProgress(share * progress);
-      return !cslf::IsAborted(this);
-    });
+  const bool done = cache.Build([&phase](double share) { return phase.Report(share); });
   this->NumberOfCacheRays += cache.GetNumberOfRays();
   return done;
 }

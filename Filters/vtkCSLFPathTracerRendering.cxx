@@ -3,8 +3,8 @@
 
 // How vtkCSLFPathTracer renders pictures and single rays for its subclasses.
 #include "PathTracing/Texels/cslfTexelRenderer.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfSeconds.h"
-#include "cslfVTKCompatibility.h"
 #include "vtkCSLFPathTracer.h"
 #include "vtkCSLFPathTracerInternals.h"
 
@@ -14,9 +14,6 @@
 
 namespace
 {
-/// The share of the cache in the progress is an estimate.
-constexpr double CacheProgress = 0.5;
-
 }
 
 cslf::RenderSettings vtkCSLFPathTracer::GetRenderSettings()
@@ -64,8 +61,7 @@ bool vtkCSLFPathTracer::PrepareRendering(
     : GetAutomaticCacheSpacing(std::max(whole.TileWidth, whole.TileHeight), this->Quality);
   const bool isThere =
     isAgain && this->Internals->CacheKey == this->MakeCacheKey(used, settings.DisplayRange);
-  if (!isThere &&
-    !this->UpdateCache(used, settings.DisplayRange, CacheProgress, isChecked ? &whole : nullptr))
+  if (!isThere && !this->UpdateCache(used, settings.DisplayRange, isChecked ? &whole : nullptr))
   {
     return false;
   }
@@ -73,9 +69,9 @@ bool vtkCSLFPathTracer::PrepareRendering(
   if (!this->Internals->IsProbe)
   {
     // The cache may have been made without it.
-    if (isChecked && !settings.Cache->GetCheck().IsMade())
+    if (isChecked && !settings.Cache->GetCheck().IsMade() && !this->MeasureCache(whole, nullptr))
     {
-      this->MeasureCache(whole, nullptr);
+      return false;
     }
     this->ReportCache();
   }
@@ -85,25 +81,20 @@ bool vtkCSLFPathTracer::PrepareRendering(
 bool vtkCSLFPathTracer::RenderTexels(const cslf::PictureLayout& layout,
   const cslf::RenderSettings& settings,
   const std::function<cslf::RayGrid(int slice, int tile)>& grids,
-  const cslf::ViewpointSamples& output)
+  const cslf::ViewpointSamples& output, const char* name)
 {
-  const double share = settings.Cache ? CacheProgress : 0.0;
+  cslf::Phase phase(this, name);
   const auto start = std::chrono::steady_clock::now();
   const cslf::TexelRenderer renderer(
     *this->Internals->Scene.World, layout, settings, grids, output);
-  const bool done = renderer.Render(
-    [this, share](double progress)
-    {
-      this->UpdateProgress(share + (1.0 - share) * progress);
-      return !cslf::IsAborted(this);
-    });
+  const bool done = renderer.Render([&phase](double share) { return phase.Report(share); });
   this->NumberOfRays += renderer.GetNumberOfRays();
   this->RenderSeconds += cslf::SecondsSince(start);
   return done;
 }
 
 bool vtkCSLFPathTracer::Render(const cslf::CheckedPicture& whole, int first, int count,
-  const cslf::ViewpointSamples& output, bool surfaceTexels)
+  const cslf::ViewpointSamples& output, bool surfaceTexels, const char* name)
 {
   cslf::RenderSettings settings;
   if (!this->PrepareRendering(whole, output.Get<float>(cslf::KnownChannel::Color), false, settings))
@@ -111,16 +102,12 @@ bool vtkCSLFPathTracer::Render(const cslf::CheckedPicture& whole, int first, int
     return false;
   }
   settings.SurfaceTexels = surfaceTexels;
-  this->SetProgressText("Tracing texels");
-  const bool done =
-    this->RenderTexels({ whole.TileWidth, whole.TileHeight, whole.Tiles, first, count }, settings,
-      whole.Grids, output);
-  this->SetProgressText(nullptr);
-  return done;
+  return this->RenderTexels({ whole.TileWidth, whole.TileHeight, whole.Tiles, first, count },
+    settings, whole.Grids, output, name);
 }
 
 bool vtkCSLFPathTracer::RenderRays(const cslf::CheckedPicture& whole,
-  const std::vector<cslf::RayGrid>& rays, const cslf::ViewpointSamples& output)
+  const std::vector<cslf::RayGrid>& rays, const cslf::ViewpointSamples& output, const char* name)
 {
   cslf::RenderSettings settings;
   if (!this->PrepareRendering(whole, output.Get<float>(cslf::KnownChannel::Color), true, settings))
@@ -130,5 +117,5 @@ bool vtkCSLFPathTracer::RenderRays(const cslf::CheckedPicture& whole,
   settings.ShowEnvironment = false;
   return this->RenderTexels(
     { 1, 1, 1, 0, static_cast<int>(rays.size()) }, settings,
-    [&rays](int slice, int) { return rays[slice]; }, output);
+    [&rays](int slice, int) { return rays[slice]; }, output, name);
 }

@@ -7,6 +7,8 @@
 #include "Pipeline/cslfGuard.h"
 #include "Pipeline/cslfMissingViewpoints.h"
 #include "Pipeline/cslfParallelFor.h"
+#include "Pipeline/cslfPhase.h"
+#include "Pipeline/cslfPipelineWatch.h"
 #include "Pipeline/cslfRequests.h"
 #include "Pipeline/cslfSlabs.h"
 #include "Resampling/cslfNesting.h"
@@ -51,6 +53,9 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 constexpr double PullBytes = 64.0 * 1024 * 1024;
 constexpr double TexelBytesEstimate = 20.0;
 
+/// The share of pulling in the progress.
+constexpr double PullShare = 0.5;
+
 int GetSlicesAtOnce(const int extent[6])
 {
   const double texels = (extent[1] + 1.0) * (extent[3] + 1.0);
@@ -75,17 +80,35 @@ public:
   /// False on failure, which it reports. An abort leaves the output empty.
   bool Run(const cslf::Slab& slices)
   {
+    cslf::Phase phase(this->Self, "Resampling viewpoints");
+    double done = 0.0;
+    double next = 0.0;
+    const cslf::PipelineWatch watch(this->Self->GetInputConnection(0, 0),
+      [&](vtkAlgorithm* producer)
+      {
+        const double pulled = PullShare * producer->GetProgress();
+        return phase.ReportFor(producer, done + (next - done) * pulled);
+      });
     for (int first = slices.First; first <= slices.Last;)
     {
       const int last = this->Nesting.FindEnd(first, slices.Last, GetSlicesAtOnce(this->Whole));
+      done = static_cast<double>(first - slices.First) / slices.GetCount();
+      next = (last + 1.0 - slices.First) / slices.GetCount();
       const vtkSmartPointer<vtkImageData> input =
         this->Pull(this->Nesting.ToInput(first), this->Nesting.ToInput(last));
+      if (cslf::IsAborted(this->Self))
+      {
+        this->Output->Initialize();
+        return true;
+      }
       if (!input || !this->Begin(input, slices))
       {
         return false;
       }
       const cslf::TexelReducer reducer(*this->Field, this->Self->ResolutionDivisor);
-      cslf::ParallelFor(first, last + 1, 1,
+      const auto report = [&](double share)
+      { return phase.Report(done + (next - done) * (PullShare + (1.0 - PullShare) * share)); };
+      const bool isGoing = cslf::ParallelFor(first, last + 1, report,
         [&](vtkIdType begin, vtkIdType end)
         {
           for (int slice = static_cast<int>(begin); slice < end; ++slice)
@@ -93,13 +116,12 @@ public:
             reducer.Reduce(input, this->Nesting.ToInput(slice), this->Output, slice);
           }
         });
-      this->NoteMissing(input, first, last);
-      this->Self->UpdateProgress((last + 1.0 - slices.First) / slices.GetCount());
-      if (cslf::IsAborted(this->Self))
+      if (!isGoing)
       {
         this->Output->Initialize();
         return true;
       }
+      this->NoteMissing(input, first, last);
       first = last + 1;
     }
     cslf::SetMissing(this->Missing, this->Output);
@@ -130,7 +152,7 @@ private:
   {
     std::string error;
     vtkSmartPointer<vtkImageData> image = cslf::PullSlices(this->InInfo, first, last, error);
-    if (!image)
+    if (!image && !cslf::IsAborted(this->Self))
     {
       this->Fail(error);
     }

@@ -12,11 +12,13 @@
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "Pipeline/cslfGeometryArrays.h"
+#include "Pipeline/cslfPhase.h"
 #include "Pipeline/cslfPortsOnDemand.h"
 #include "Pipeline/cslfSlabs.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
 #include "cslfSeconds.h"
+#include "cslfVTKCompatibility.h"
 #include "vtkCSLFEnvironment.h"
 
 #include <vtkDataArraySelection.h>
@@ -33,6 +35,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 vtkStandardNewMacro(vtkCSLFSampler);
@@ -46,33 +49,13 @@ namespace options = cslf::options;
 namespace
 {
 ///@{
-/// The progress when the field is there, if its geometry is made too, and when the first side of
-/// the geometry has its colours.
-constexpr double FieldProgress = 0.9;
-constexpr double FirstSideProgress = 0.95;
+/// The progress when the field is there, if its geometry is made too; and the progress of the
+/// geometry when it is made, and when the first side has its colours.
+constexpr double FieldProgress = 0.8;
+constexpr double MadeProgress = 0.7;
+constexpr double FirstSideProgress = 0.85;
 ///@}
 
-/// While it exists, the progress that an algorithm reports from 0 to 1 is from `first` to `last`.
-class ProgressPart
-{
-public:
-  ProgressPart(vtkAlgorithm* algorithm, double first, double last)
-    : Algorithm(algorithm)
-    , Shift(algorithm->GetProgressShift())
-    , Scale(algorithm->GetProgressScale())
-  {
-    algorithm->SetProgressShiftScale(
-      this->Shift + this->Scale * first, this->Scale * (last - first));
-  }
-  ~ProgressPart() { this->Algorithm->SetProgressShiftScale(this->Shift, this->Scale); }
-  ProgressPart(const ProgressPart&) = delete;
-  ProgressPart& operator=(const ProgressPart&) = delete;
-
-private:
-  vtkAlgorithm* Algorithm;
-  double Shift;
-  double Scale;
-};
 }
 
 vtkCSLFSampler::vtkCSLFSampler()
@@ -189,6 +172,10 @@ int vtkCSLFSampler::RequestData(
 {
   const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
   cslf::Description description;
+  if (!scene && cslf::IsAborted(this))
+  {
+    return this->SetAborted(outputVector);
+  }
   if (!scene || !this->Describe(*scene, description))
   {
     return 0;
@@ -215,6 +202,20 @@ int vtkCSLFSampler::RequestData(
   else if (!isDone || this->GeometryTriangles > 0)
   {
     cslf::SetNotMade(outputVector, 1); // aborted
+  }
+  return 1;
+}
+
+// Leaves the requested outputs empty.
+int vtkCSLFSampler::SetAborted(vtkInformationVector* outputVector)
+{
+  if (cslf::IsPortWanted(outputVector, 0))
+  {
+    vtkImageData::GetData(outputVector, 0)->Initialize();
+  }
+  if (cslf::IsPortWanted(outputVector, 1))
+  {
+    cslf::SetNotMade(outputVector, 1);
   }
   return 1;
 }
@@ -267,9 +268,9 @@ bool vtkCSLFSampler::SampleField(const cslf::CheckedPicture& whole, cslf::Descri
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   cslf::AllocateSlices(description, extent[4], extent[5], output);
-  const ProgressPart part(this, 0.0, hasGeometry ? FieldProgress : 1.0);
+  const cslf::Phase phase(this, "", hasGeometry ? FieldProgress : 1.0);
   if (!this->Render(whole, extent[4], extent[5] - extent[4] + 1, cslf::ViewpointSamples(output),
-        this->SurfaceTexels))
+        this->SurfaceTexels, "Sampling viewpoints"))
   {
     output->Initialize();
     return false;
@@ -316,20 +317,18 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
                                                   "these are looked up by depth.");
   }
   const auto start = std::chrono::steady_clock::now();
-  this->SetProgressText("Making the geometry");
-  const cslf::Geometry made = cslf::MakeGeometry(*scene.World,
-    { description.Grid, description.Box, scene.Frame,
-      static_cast<std::size_t>(this->GeometryTriangles) });
+  const cslf::Phase phase(this, "");
   this->Geometry = nullptr;
   this->GeometryKey.clear();
+  const std::optional<cslf::Geometry> made = this->MakeSurface(scene, description);
   cslf::SideColors colors;
-  if (this->RenderSides(whole, made, colors))
+  if (made && this->RenderSides(whole, *made, colors))
   {
     this->Geometry =
-      cslf::MakeGeometryData(made.Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
-        { scene.Frame.Radius * made.Error.RootMeanSquare, made.Error.Loss, scene.Fingerprint,
+      cslf::MakeGeometryData(made->Surface, scene.Frame.Center, glm::dvec3(scene.Frame.Radius),
+        { scene.Frame.Radius * made->Error.RootMeanSquare, made->Error.Loss, scene.Fingerprint,
           shapes.Omitted > 0 });
-    cslf::AddSideColors(made.Surface, std::move(colors), this->ColorType, this->Geometry);
+    cslf::AddSideColors(made->Surface, std::move(colors), this->ColorType, this->Geometry);
     const std::string loss = cslf::DescribeGeometryLoss(this->Geometry, this->GeometryTriangles);
     if (!loss.empty())
     {
@@ -338,7 +337,17 @@ void vtkCSLFSampler::UpdateGeometry(const cslf::BuiltScene& scene,
     this->GeometryKey = key.str();
   }
   this->GeometrySeconds = cslf::SecondsSince(start);
-  this->SetProgressText(nullptr);
+}
+
+// The geometry without colours; nothing if aborted.
+std::optional<cslf::Geometry> vtkCSLFSampler::MakeSurface(
+  const cslf::BuiltScene& scene, const cslf::Description& description)
+{
+  cslf::Phase phase(this, "Making the geometry", MadeProgress);
+  return cslf::MakeGeometry(*scene.World,
+    { description.Grid, description.Box, scene.Frame,
+      static_cast<std::size_t>(this->GeometryTriangles) },
+    [&phase](double share) { return phase.Report(share); });
 }
 
 // The colours of both sides of the geometry's points.
@@ -357,9 +366,8 @@ bool vtkCSLFSampler::RenderSides(
     const auto array = cslf::MakeArray(channel, static_cast<vtkIdType>(points.size()));
     cslf::ViewpointSamples samples;
     samples.SetArray(cslf::KnownChannel::Color, array);
-    const ProgressPart part(
-      this, side == 0 ? FieldProgress : FirstSideProgress, side == 0 ? FirstSideProgress : 1.0);
-    if (!this->RenderRays(whole, rays, samples))
+    const cslf::Phase phase(this, "", side == 0 ? FirstSideProgress : 1.0);
+    if (!this->RenderRays(whole, rays, samples, "Colouring the geometry"))
     {
       return false;
     }

@@ -51,6 +51,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 
 class vtkDataArraySelection;
@@ -208,11 +209,14 @@ private:
   void operator=(const vtkCSLFSampler&) = delete;
 
   bool CheckParameters();
+  int SetAborted(vtkInformationVector* outputVector);
   bool Describe(const cslf::BuiltScene& scene, cslf::Description& description);
   bool SampleField(const cslf::CheckedPicture& whole, cslf::Description& description,
     vtkInformation* info, bool hasGeometry);
   void UpdateGeometry(const cslf::BuiltScene& scene, const cslf::Description& description,
     const cslf::CheckedPicture& whole);
+  std::optional<cslf::Geometry> MakeSurface(
+    const cslf::BuiltScene& scene, const cslf::Description& description);
   bool RenderSides(
     const cslf::CheckedPicture& whole, const cslf::Geometry& geometry, cslf::SideColors& colors);
 

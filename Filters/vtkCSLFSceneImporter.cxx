@@ -5,6 +5,8 @@
 #include "Pipeline/cslfGuard.h"
 
 #include "Options/cslfOptionTable.h"
+#include "Pipeline/cslfPhase.h"
+#include "Pipeline/cslfPortsOnDemand.h"
 #include "SceneImport/cslfActorImporter.h"
 #include "SceneImport/cslfBlockAppearances.h"
 #include "SceneImport/cslfImportedScene.h"
@@ -431,9 +433,7 @@ vtkMTimeType vtkCSLFSceneImporter::GetMTime()
     return time;
   }
   this->FindingTime = true;
-  time = std::max({ time, cslf::GetLightTime(renderer, this->HeadlightsAllAround),
-    this->KeptRenderer ? this->KeptTime
-                       : std::max(renderer->GetMTime(), renderer->GetViewProps()->GetMTime()) });
+  bool isShown = false;
   const auto addTime = [&time](vtkProp* part, vtkMatrix4x4*)
   {
     auto* actor = vtkActor::SafeDownCast(part);
@@ -451,7 +451,15 @@ vtkMTimeType vtkCSLFSceneImporter::GetMTime()
       time = std::max(time, prop->GetMTime());
       ForEachPart(prop, addTime);
     }
+    isShown = isShown || ShowsImport(prop, renderer);
   }
+  // Who moves the camera around the result does not want another one for each picture. The time of
+  // a renderer contains that of its camera.
+  const vtkMTimeType ofRenderer =
+    isShown ? renderer->vtkViewport::GetMTime() : renderer->GetMTime();
+  time = std::max({ time, cslf::GetLightTime(renderer, this->HeadlightsAllAround, !isShown),
+    this->KeptRenderer ? this->KeptTime
+                       : std::max(ofRenderer, renderer->GetViewProps()->GetMTime()) });
   this->FindingTime = false;
   return time;
 }
@@ -465,6 +473,7 @@ int vtkCSLFSceneImporter::RequestData(
     vtkErrorMacro("Renderer is not set.");
     return 0;
   }
+  cslf::Phase phase(this, "Importing the scene");
   cslf::ImportedScene scene;
   scene.HasExactColors = this->ExactColors;
   const auto import = [&scene](vtkProp* part, vtkMatrix4x4* matrix)
@@ -483,6 +492,8 @@ int vtkCSLFSceneImporter::RequestData(
       Omit(part, scene);
     }
   };
+  const int props = renderer->GetViewProps()->GetNumberOfItems();
+  int done = 0;
   vtkCollectionSimpleIterator cookie;
   renderer->GetViewProps()->InitTraversal(cookie);
   while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(cookie))
@@ -490,6 +501,11 @@ int vtkCSLFSceneImporter::RequestData(
     if (this->IsOfScene(prop))
     {
       ForEachPart(prop, import);
+    }
+    if (!phase.Report(static_cast<double>(++done) / props))
+    {
+      cslf::SetNotMade(outputVector, 0);
+      return 1;
     }
   }
   MeetPasses(renderer->GetPass(), scene);

@@ -37,7 +37,9 @@
  *
  * Lights that are switched on:
  * - Scene lights and camera lights become directional lights, point lights and spot lights. Camera
- * lights keep their current position.
+ * lights keep their current position. They move with the camera at the next update, but not while
+ * the renderer shows what was made of its own scene: who looks around there does not want it to be
+ * made again for each picture.
  * - A headlight is at the eye, and a light field has eyes everywhere. With HeadlightsAllAround, it
  * becomes a uniform environment in which a diffuse surface shows, from all directions, the colour
  * that the headlight gives it head-on. A renderer without lights that creates one is treated as if

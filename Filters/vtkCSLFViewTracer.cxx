@@ -7,6 +7,7 @@
 #include "PathTracing/Texels/cslfTexelRenderer.h"
 #include "Pipeline/cslfFieldArrays.h"
 #include "cslfDescription.h"
+#include "cslfVTKCompatibility.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -167,7 +168,8 @@ int vtkCSLFViewTracer::RequestData(
   const cslf::BuiltScene* scene = this->UpdateScene(inputVector);
   if (!scene)
   {
-    return 0;
+    output->Initialize();
+    return cslf::IsAborted(this) ? 1 : 0;
   }
   output->SetDimensions(this->Size[0], this->Size[1], 1);
   output->GetPointData()->SetScalars(cslf::MakeArray(
@@ -176,7 +178,7 @@ int vtkCSLFViewTracer::RequestData(
   const cslf::RayGrid rays = MakeRays(this->Camera, this->Size[0], this->Size[1], scene->Frame);
   const cslf::CheckedPicture picture{ this->Size[0], this->Size[1], 1, 1,
     [&rays](int, int) { return rays; } };
-  if (!this->Render(picture, 0, 1, cslf::ViewpointSamples(output), false))
+  if (!this->Render(picture, 0, 1, cslf::ViewpointSamples(output), false, "Tracing the picture"))
   {
     output->Initialize();
     return 1;

@@ -286,12 +286,12 @@ public:
     return (static_cast<int>(this->Order.size()) + BatchSize - 1) / BatchSize;
   }
 
-  void LookFromBatch(int batch)
+  void LookFromBatch(int batch, const Progress& progress)
   {
     const int first = batch * BatchSize;
     const int count = std::min(BatchSize, static_cast<int>(this->Order.size()) - first);
     std::vector<SurfaceMesh> meshes(static_cast<std::size_t>(count) * TileCount);
-    ParallelFor(0, static_cast<vtkIdType>(meshes.size()), 1,
+    ParallelFor(0, static_cast<vtkIdType>(meshes.size()), OrAbort(progress),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end; ++k)
@@ -424,20 +424,16 @@ private:
 };
 }
 
-SurfaceMesh MeshDepths(const DepthViews& views, const std::function<bool(double)>& progress)
+SurfaceMesh MeshDepths(const DepthViews& views, const Progress& progress)
 {
   Mesher mesher(views);
   const int count = mesher.CountBatches();
   for (int batch = 0; batch < count && !mesher.IsFull(); ++batch)
   {
-    if (!progress(static_cast<double>(batch) / count))
-    {
-      return {};
-    }
-    mesher.LookFromBatch(batch);
+    mesher.LookFromBatch(batch, Within(progress, double(batch) / count, (batch + 1.0) / count));
   }
   SurfaceMesh mesh = mesher.TakeResult();
-  Weld(mesh);
+  ChangeApart(mesh, Within(progress, 1.0, 1.0), Weld);
   return mesh;
 }
 

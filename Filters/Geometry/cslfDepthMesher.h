@@ -9,13 +9,13 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Pipeline/cslfPhase.h"
 #include "cslfDepthViews.h"
 #include "cslfSurfaceMesh.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace cslf
@@ -23,10 +23,8 @@ namespace cslf
 /// Goes through the viewpoints, from those in the middle of faces to those between others. Each
 /// adds triangles for texels whose surfaces the mesh so far does not have there, unless a later one
 /// sees them much better, and around these texels, so that no gaps remain. The result is in
-/// mesh space. `progress` gets numbers up to 1; if it returns false, the mesh is empty.
-/// Viewpoints that come after four million triangles are left out.
-VTKCSLF_EXPORT SurfaceMesh MeshDepths(
-  const DepthViews& views, const std::function<bool(double)>& progress);
+/// mesh space. Viewpoints that come after four million triangles are left out. Throws Aborted.
+VTKCSLF_EXPORT SurfaceMesh MeshDepths(const DepthViews& views, const Progress& progress);
 
 /// At most that many points on surfaces, in mesh space, evenly spread over what the viewpoints see.
 VTKCSLF_EXPORT std::vector<glm::vec3> SpreadPoints(const DepthViews& views, std::size_t count);

@@ -56,7 +56,7 @@ glm::vec4 ReadColor(int resolution, const ViewpointSamples& samples, const Strip
 }
 }
 
-PointColors::PointColors(const DepthViews& views, const SurfaceMesh& mesh)
+PointColors::PointColors(const DepthViews& views, const SurfaceMesh& mesh, const Progress& progress)
   : SightsOf(views.GetCount())
 {
   struct Choice
@@ -71,7 +71,8 @@ PointColors::PointColors(const DepthViews& views, const SurfaceMesh& mesh)
   {
     this->Colors.Sides[side].resize(mesh.Points.size());
     std::vector<Choice> choices(mesh.Points.size());
-    ParallelFor(0, static_cast<vtkIdType>(choices.size()), 0,
+    ParallelFor(0, static_cast<vtkIdType>(choices.size()),
+      OrAbort(Within(progress, 0.5 * side, 0.5 * side + 0.5)),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

@@ -9,6 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Pipeline/cslfPhase.h"
 #include "cslfDepthViews.h"
 #include "cslfSideColors.h"
 #include "cslfSurfaceMesh.h"
@@ -22,8 +23,8 @@ namespace cslf
 class VTKCSLF_EXPORT PointColors
 {
 public:
-  /// Chooses the viewpoints. The mesh is in mesh space.
-  PointColors(const DepthViews& views, const SurfaceMesh& mesh);
+  /// Chooses the viewpoints. The mesh is in mesh space. Throws Aborted.
+  PointColors(const DepthViews& views, const SurfaceMesh& mesh, const Progress& progress);
 
   /// Whether anything takes its colour from that view.
   bool IsNeeded(int view) const { return !this->SightsOf[view].empty(); }

@@ -292,18 +292,20 @@ void Reduce(SurfaceMesh& mesh, std::size_t most, bool byParts)
   DropUnused(mesh);
 }
 
-SurfaceError ReduceWell(
-  SurfaceMesh& mesh, std::size_t most, const std::vector<glm::vec3>& points, double lost)
+SurfaceError ReduceWell(SurfaceMesh& mesh, std::size_t most, const std::vector<glm::vec3>& points,
+  double lost, const Progress& progress)
 {
   if (mesh.Triangles.size() <= most)
   {
-    return MeasureError(points, mesh, lost);
+    return MeasureError(points, mesh, lost, progress);
   }
   SurfaceMesh other = mesh;
-  Reduce(mesh, most, true);
-  const SurfaceError error = MeasureError(points, mesh, lost);
-  Reduce(other, most, false);
-  const SurfaceError otherError = MeasureError(points, other, lost);
+  ChangeApart(mesh, Within(progress, 0.0, 0.3),
+    [most](SurfaceMesh& changed) { Reduce(changed, most, true); });
+  const SurfaceError error = MeasureError(points, mesh, lost, Within(progress, 0.3, 0.5));
+  ChangeApart(other, Within(progress, 0.5, 0.8),
+    [most](SurfaceMesh& changed) { Reduce(changed, most, false); });
+  const SurfaceError otherError = MeasureError(points, other, lost, Within(progress, 0.8, 1.0));
   if (error.GetMeanSquare(lost) <= otherError.GetMeanSquare(lost))
   {
     return error;

@@ -23,9 +23,9 @@ namespace cslf
 VTKCSLF_EXPORT void Reduce(SurfaceMesh& mesh, std::size_t most, bool byParts);
 
 /// The better of the two ways, judged by how far points of the original surface lie from the result
-/// if at most `lost`, or else are lost. Returns that.
-VTKCSLF_EXPORT SurfaceError ReduceWell(
-  SurfaceMesh& mesh, std::size_t most, const std::vector<glm::vec3>& points, double lost);
+/// if at most `lost`, or else are lost. Returns that. Throws Aborted.
+VTKCSLF_EXPORT SurfaceError ReduceWell(SurfaceMesh& mesh, std::size_t most,
+  const std::vector<glm::vec3>& points, double lost, const Progress& progress);
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Pipeline/cslfPhase.h"
 #include "cslfSurfaceMesh.h"
 
 #include <glm/vec3.hpp>
@@ -31,9 +32,9 @@ struct SurfaceError
 };
 
 /// Measures how far points of a surface lie from a mesh. Those that are farther away than `most`
-/// are lost.
-VTKCSLF_EXPORT SurfaceError MeasureError(
-  const std::vector<glm::vec3>& points, const SurfaceMesh& mesh, double most);
+/// are lost. Throws Aborted.
+VTKCSLF_EXPORT SurfaceError MeasureError(const std::vector<glm::vec3>& points,
+  const SurfaceMesh& mesh, double most, const Progress& progress);
 }
 
 #endif

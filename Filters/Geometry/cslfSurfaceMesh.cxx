@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfSurfaceMesh.h"
 
+#include "Pipeline/cslfParallelFor.h"
+
 #include <meshoptimizer.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace cslf
@@ -18,6 +21,12 @@ constexpr std::size_t Stride = sizeof(glm::vec3);
 
 /// How much less efficient the order of triangles may become so that those behind others follow.
 constexpr float CacheLoss = 1.05f;
+
+/// Fewer triangles are changed at once.
+constexpr std::size_t FewestApart = 20000;
+
+/// About how long a reduction takes for a triangle.
+constexpr double ChangeSeconds = 2e-6;
 
 void DropFlat(SurfaceMesh& mesh)
 {
@@ -143,6 +152,23 @@ std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh)
     normal = length > 0.0f ? normal / length : glm::vec3(0.0f, 0.0f, 1.0f);
   }
   return normals;
+}
+
+void ChangeApart(
+  SurfaceMesh& mesh, const Progress& progress, const std::function<void(SurfaceMesh&)>& change)
+{
+  if (mesh.Triangles.size() < FewestApart)
+  {
+    OrAbort(progress)(0.0);
+    change(mesh);
+    return;
+  }
+  const double seconds = ChangeSeconds * static_cast<double>(mesh.Triangles.size());
+  // The function that makes the result may be copied, but the mesh should not.
+  const auto changed = std::make_shared<SurfaceMesh>(std::move(mesh));
+  mesh = SurfaceMesh();
+  DoApart<void>(progress, seconds, [changed, change] { change(*changed); });
+  mesh = std::move(*changed);
 }
 
 void SortForDrawing(SurfaceMesh& mesh)

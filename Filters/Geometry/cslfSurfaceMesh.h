@@ -9,10 +9,13 @@
 
 #include "vtkCSLFModule.h" // for export macro
 
+#include "Pipeline/cslfPhase.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace cslf
@@ -45,6 +48,11 @@ VTKCSLF_EXPORT void SimplifySloppily(SurfaceMesh& mesh, std::size_t most);
 
 /// Normals of points, of unit length, on the side where corners run counterclockwise.
 VTKCSLF_EXPORT std::vector<glm::vec3> FindNormals(const SurfaceMesh& mesh);
+
+/// Changes a mesh by a function that cannot be interrupted and uses nothing else of the caller's.
+/// Throws Aborted, and then the mesh is lost.
+VTKCSLF_EXPORT void ChangeApart(
+  SurfaceMesh& mesh, const Progress& progress, const std::function<void(SurfaceMesh&)>& change);
 
 /// Puts triangles and points into an order in which they are drawn fast.
 VTKCSLF_EXPORT void SortForDrawing(SurfaceMesh& mesh);

@@ -41,13 +41,27 @@ std::vector<vtkSmartPointer<vtkAlgorithm>> FindProducers(vtkAlgorithmOutput* con
   return found;
 }
 
-PipelineWatch::PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool()> act)
+std::vector<vtkSmartPointer<vtkAlgorithm>> FindInputs(vtkAlgorithm* filter)
+{
+  std::vector<vtkSmartPointer<vtkAlgorithm>> found;
+  Find(filter, found);
+  found.erase(found.begin());
+  return found;
+}
+
+PipelineWatch::PipelineWatch(
+  const std::vector<vtkSmartPointer<vtkAlgorithm>>& filters, std::function<bool(vtkAlgorithm*)> act)
   : Act(std::move(act))
 {
-  for (const auto& algorithm : FindProducers(connection))
+  for (const auto& algorithm : filters)
   {
     this->Add(algorithm);
   }
+}
+
+PipelineWatch::PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool(vtkAlgorithm*)> act)
+  : PipelineWatch(FindProducers(connection), std::move(act))
+{
 }
 
 PipelineWatch::~PipelineWatch()
@@ -55,6 +69,11 @@ PipelineWatch::~PipelineWatch()
   for (const auto& [algorithm, observer] : this->Observers)
   {
     algorithm->RemoveObserver(observer);
+  }
+  // Newer versions of VTK do not reset it before the next update.
+  for (vtkAlgorithm* algorithm : this->Stopped)
+  {
+    algorithm->SetAbortExecute(0);
   }
 }
 
@@ -67,9 +86,11 @@ void PipelineWatch::Add(vtkAlgorithm* algorithm)
     {
       // Filters may report progress from their own threads.
       auto* watch = static_cast<PipelineWatch*>(self);
-      if (std::this_thread::get_id() == watch->Thread && !watch->Act())
+      auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+      if (std::this_thread::get_id() == watch->Thread && !watch->Act(algorithm))
       {
-        cslf::Abort(vtkAlgorithm::SafeDownCast(caller));
+        cslf::Abort(algorithm);
+        watch->Stopped.insert(algorithm);
       }
     });
   this->Observers[algorithm] = algorithm->AddObserver(vtkCommand::ProgressEvent, command);

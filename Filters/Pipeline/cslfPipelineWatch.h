@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -19,15 +20,23 @@ class vtkAlgorithmOutput;
 
 namespace cslf
 {
-/// The filters that feed a connection, which may be null, nearest first, each once.
+///@{
+/// The filters that feed a connection, which may be null, or all inputs of a filter: nearest first,
+/// each once.
 std::vector<vtkSmartPointer<vtkAlgorithm>> FindProducers(vtkAlgorithmOutput* connection);
+std::vector<vtkSmartPointer<vtkAlgorithm>> FindInputs(vtkAlgorithm* filter);
+///@}
 
 class PipelineWatch
 {
 public:
-  /// Calls `act` from now on when a filter that feeds the connection reports progress. If it
-  /// returns false, that filter is asked to stop. Only the calling thread calls it.
-  PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool()> act);
+  /// Calls `act` from now on with each of these filters when it reports progress. If it returns
+  /// false, that filter is asked to stop. Only the calling thread calls it.
+  PipelineWatch(const std::vector<vtkSmartPointer<vtkAlgorithm>>& filters,
+    std::function<bool(vtkAlgorithm*)> act);
+
+  /// The same for all filters that feed a connection.
+  PipelineWatch(vtkAlgorithmOutput* connection, std::function<bool(vtkAlgorithm*)> act);
   ~PipelineWatch();
   PipelineWatch(const PipelineWatch&) = delete;
   PipelineWatch& operator=(const PipelineWatch&) = delete;
@@ -35,9 +44,10 @@ public:
 private:
   void Add(vtkAlgorithm* algorithm);
 
-  std::function<bool()> Act;
+  std::function<bool(vtkAlgorithm*)> Act;
   std::thread::id Thread = std::this_thread::get_id();
   std::map<vtkSmartPointer<vtkAlgorithm>, unsigned long> Observers;
+  std::set<vtkAlgorithm*> Stopped;
 };
 }
 

@@ -72,7 +72,7 @@ void FindEnvironment(vtkRenderer* renderer, ImportedScene& scene)
   }
 }
 
-vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround)
+vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround, bool withCamera)
 {
   vtkMTimeType time = renderer->GetLights()->GetMTime();
   bool followsCamera = false;
@@ -82,7 +82,7 @@ vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround)
     followsCamera = followsCamera || light->LightTypeIsCameraLight() ||
       (light->LightTypeIsHeadlight() && !headlightsAllAround);
   }
-  if (followsCamera && renderer->IsActiveCameraCreated())
+  if (withCamera && followsCamera && renderer->IsActiveCameraCreated())
   {
     time = std::max(time, renderer->GetActiveCamera()->GetMTime());
   }

@@ -15,8 +15,9 @@ class vtkRenderer;
 
 namespace cslf
 {
-/// The time of the last change of anything that ImportLights reads.
-vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround);
+/// The time of the last change of anything that ImportLights reads, with or without the camera,
+/// which lights may follow.
+vtkMTimeType GetLightTime(vtkRenderer* renderer, bool headlightsAllAround, bool withCamera);
 
 /// Finds out whether an environment texture lights the scene, and records what cannot be imported.
 void FindEnvironment(vtkRenderer* renderer, ImportedScene& scene);

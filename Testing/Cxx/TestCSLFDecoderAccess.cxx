@@ -3,6 +3,7 @@
 
 // Single viewpoints are always the same: decoded alone, ahead in the background, or from the cache.
 #include "cslfCodecTesting.h"
+#include "cslfProgressWatch.h"
 #include "cslfTesting.h"
 #include "vtkCSLFDecoder.h"
 #include "vtkCSLFEncoder.h"
@@ -248,6 +249,26 @@ void TestErrors(const std::string& fileName)
   CSLF_CHECK(observedToo.HasError("there is no such file"));
   none->WaitForPrefetch();
 }
+
+// Phases have names and can be stopped.
+void TestPhases(const std::string& fileName)
+{
+  const auto decoder = MakeDecoder(fileName);
+  const cslf::testing::Observed observed(decoder);
+  for (const char* phase : { "Checking viewpoints", "Decoding viewpoints" })
+  {
+    const cslf::testing::ProgressWatch watch(decoder, phase, 2);
+    decoder->Update();
+    watch.CheckAborted();
+    CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() == 0);
+    decoder->SetAbortExecute(0);
+  }
+  CSLF_CHECK(observed.GetErrors() == 0);
+  const cslf::testing::ProgressWatch watch(decoder);
+  decoder->Update();
+  watch.CheckWhole({ "Checking viewpoints", "Decoding viewpoints" });
+  CSLF_CHECK(decoder->GetOutput()->GetNumberOfPoints() > 0);
+}
 }
 
 int TestCSLFDecoderAccess(int argc, char* argv[])
@@ -284,6 +305,7 @@ int TestCSLFDecoderAccess(int argc, char* argv[])
   }
   const auto whole = cslf::testing::Decode(names[0]);
   TestPipeline(names[0], whole);
+  TestPhases(names[0]);
   TestInterrupted(names[0], names[1], whole);
   return cslf::testing::Result();
 }

@@ -22,6 +22,8 @@
 #include <functional>
 #include <iterator>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -81,6 +83,7 @@ struct Remains
   std::string Folder;
   std::string Kept;
   bool Taken = false;
+  std::ptrdiff_t Files = 0;
 };
 
 Remains Interrupt(
@@ -95,8 +98,13 @@ Remains Interrupt(
   copy->SetCallback(
     [](vtkObject*, unsigned long, void* data, void* progress)
     {
+      // Progress includes groups that are being coded, so those must be stored.
       auto* all = static_cast<Remains*>(data);
-      if (!all->Taken && *static_cast<double*>(progress) > Killed)
+      std::error_code ignored;
+      const auto files =
+        std::distance(fs::directory_iterator(all->Folder, ignored), fs::directory_iterator());
+      const bool isStored = files > std::exchange(all->Files, files);
+      if (!all->Taken && isStored && *static_cast<double*>(progress) > Killed)
       {
         fs::copy(all->Folder, all->Kept);
         all->Taken = true;

@@ -1,20 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) CSLF contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The encoder requests bounded slabs, writes the same bytes for any number of threads, and leaves
-// nothing behind when it is stopped.
+// The encoder requests bounded slabs, writes the same bytes for any number of threads, names its
+// phases, and leaves nothing behind when it is stopped.
 #include "cslfCodecTesting.h"
 #include "cslfFieldSource.h"
+#include "cslfProgressWatch.h"
 #include "cslfTesting.h"
+#include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFEncoder.h"
+#include "vtkCSLFSampler.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkSMPTools.h>
+#include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -54,7 +60,7 @@ void TestAbort(vtkImageData* field, const std::string& folder)
     [](vtkObject* caller, unsigned long, void*, void*)
     {
       auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      algorithm->SetAbortExecute(algorithm->GetProgress() > 0.1 ? 1 : 0);
+      algorithm->SetAbortExecute(algorithm->GetProgress() > 0.8 ? 1 : 0);
     });
   encoder->AddObserver(vtkCommand::ProgressEvent, abort);
   const cslf::testing::Observed observed(encoder);
@@ -63,6 +69,62 @@ void TestAbort(vtkImageData* field, const std::string& folder)
   CSLF_CHECK(observed.HasError("groups of viewpoints are kept in " + fileName + ".partial"));
   CSLF_CHECK(cslf::testing::Exists(fileName + ".partial/group-0-color.part"));
   CSLF_CHECK(cslf::testing::ReadBytes(fileName).size() == 3);
+}
+
+vtkSmartPointer<vtkCSLFSampler> MakeSampler()
+{
+  vtkNew<vtkCSLFCornellBoxSource> box;
+  auto sampler = vtkSmartPointer<vtkCSLFSampler>::New();
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetViewpoints(3);
+  sampler->SetResolution(16);
+  sampler->SetSamples(1);
+  sampler->GenerateDepthOn();
+  sampler->SetIntegratorToPathTracing();
+  return sampler;
+}
+
+vtkSmartPointer<vtkCSLFEncoder> MakeEncoder(vtkCSLFSampler* sampler, const std::string& fileName)
+{
+  auto encoder = vtkSmartPointer<vtkCSLFEncoder>::New();
+  encoder->SetInputConnection(0, sampler->GetOutputPort(0));
+  encoder->SetInputConnection(1, sampler->GetOutputPort(1));
+  encoder->SetPreset("ultrafast");
+  encoder->SetFileName(fileName.c_str());
+  return encoder;
+}
+
+// The phases of the input are those of writing, too. Each can be aborted through the encoder, and
+// the next time writes the file.
+void TestPhases(const std::string& folder)
+{
+  const std::vector<std::string> phases = { "Reading the scene", "Building the tree of the scene",
+    "Sampling viewpoints", "Making the geometry", "Colouring the geometry",
+    "Comparing depth with the geometry", "Coding viewpoints", "Writing the file" };
+  const std::string whole = folder + "/whole.mkv";
+  {
+    const auto sampler = MakeSampler();
+    const auto encoder = MakeEncoder(sampler, whole);
+    const cslf::testing::ProgressWatch watch(encoder);
+    CSLF_CHECK(encoder->Write() == 1);
+    watch.CheckWhole(phases);
+  }
+  for (std::size_t k = 0; k < phases.size(); ++k)
+  {
+    const std::string fileName = folder + "/phase" + std::to_string(k) + ".mkv";
+    const auto sampler = MakeSampler();
+    const auto encoder = MakeEncoder(sampler, fileName);
+    {
+      const cslf::testing::ProgressWatch watch(encoder, phases[k]);
+      const cslf::testing::Observed observed(encoder);
+      CSLF_CHECK(encoder->Write() == 0);
+      CSLF_CHECK(observed.GetErrors() == 1 && observed.HasError("it was stopped"));
+      watch.CheckAborted();
+    }
+    CSLF_CHECK(!cslf::testing::Exists(fileName));
+    CSLF_CHECK(encoder->Write() == 1);
+    CSLF_CHECK(cslf::testing::ReadBytes(fileName) == cslf::testing::ReadBytes(whole));
+  }
 }
 
 void TestFailingInput(vtkImageData* field, const std::string& folder, int slice)
@@ -103,5 +165,6 @@ int TestCSLFEncoderStreaming(int argc, char* argv[])
   TestAbort(field, folder);
   TestFailingInput(field, folder, 0);
   TestFailingInput(field, folder, 200);
+  TestPhases(folder);
   return cslf::testing::Result();
 }

@@ -6,6 +6,7 @@
 #include "Pipeline/cslfGeometryArrays.h"
 #include "cslfDescription.h"
 #include "cslfFieldSource.h"
+#include "cslfProgressWatch.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEnvironment.h"
 #include "vtkCSLFGeometryFilter.h"
@@ -13,7 +14,6 @@
 #include "vtkCSLFSampler.h"
 
 #include <vtkAppendPolyData.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkCubeSource.h>
@@ -324,28 +324,24 @@ void TestInvalid(vtkImageData* field)
   }
 }
 
-/// A filter that is asked to stop has no output, and makes it the next time.
-void TestAbort(vtkImageData* field)
+/// Phases have names. A filter that is asked to stop has no output, and makes it the next time.
+void TestPhases(vtkImageData* field)
 {
+  const std::vector<std::string> phases = { "Reading depths", "Making the geometry",
+    "Colouring the geometry" };
   vtkNew<vtkCSLFGeometryFilter> filter;
   filter->SetInputData(field);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
-      if (algorithm->GetProgress() > 0.3)
-      {
-        algorithm->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  for (const std::string& phase : phases)
+  {
+    const cslf::testing::ProgressWatch watch(filter, phase, 2);
+    filter->Update(1);
+    watch.CheckAborted();
+    CSLF_CHECK(filter->GetGeometry()->GetNumberOfPolys() == 0);
+    filter->SetAbortExecute(0);
+  }
+  const cslf::testing::ProgressWatch watch(filter);
   filter->Update(1);
-  CSLF_CHECK(filter->GetGeometry()->GetNumberOfPolys() == 0);
-  filter->RemoveObserver(tag);
-  filter->SetAbortExecute(0);
-  filter->Modified();
-  filter->Update(1);
+  watch.CheckWhole(phases);
   CSLF_CHECK(filter->GetGeometry()->GetNumberOfPolys() > 0);
 }
 }
@@ -360,7 +356,7 @@ int TestCSLFGeometryFilter(int, char*[])
   TestDemand(field);
   TestMissing(field);
   TestInvalid(field);
-  TestAbort(field);
+  TestPhases(field);
   TestOdd();
   return cslf::testing::Result();
 }

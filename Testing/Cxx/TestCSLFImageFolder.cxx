@@ -8,6 +8,7 @@
 #include "CubeMaps/cslfEXRHeader.h"
 #include "Files/cslfJSONFile.h"
 #include "cslfDescription.h"
+#include "cslfProgressWatch.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 
@@ -477,6 +478,52 @@ void TestLock(const std::string& folder)
   CSLF_CHECK(writer->Write() == 1);
   CSLF_CHECK(!fs::exists(folder + ".partial"));
 }
+
+/// The phases of writing, reading and checking have names and can be stopped.
+void TestPhases(const std::string& folder)
+{
+  const auto field = MakeField(VTK_UNSIGNED_CHAR, 0);
+  vtkNew<vtkCSLFImageWriter> writer;
+  writer->SetInputData(field);
+  writer->SetFileName(folder.c_str());
+  {
+    const cslf::testing::ProgressWatch watch(writer, "Writing images", 2);
+    CSLF_CHECK(writer->Write() == 0);
+    watch.CheckAborted();
+    CSLF_CHECK(!fs::exists(folder));
+  }
+  {
+    const cslf::testing::ProgressWatch watch(writer);
+    CSLF_CHECK(writer->Write() == 1);
+    watch.CheckWhole({ "Writing images" });
+  }
+  vtkNew<vtkCSLFImageReader> reader;
+  reader->SetFileName(folder.c_str());
+  vtkNew<vtkTest::ErrorObserver> observer;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  {
+    const cslf::testing::ProgressWatch watch(reader, "Reading viewpoints", 2);
+    reader->Update();
+    watch.CheckAborted();
+    CSLF_CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+    reader->SetAbortExecute(0);
+  }
+  {
+    const cslf::testing::ProgressWatch watch(reader, "Checking viewpoints", 2);
+    CSLF_CHECK(reader->FindMissingViewpoints() == -1);
+    watch.CheckAborted();
+    CSLF_CHECK(!observer->GetError());
+  }
+  {
+    const cslf::testing::ProgressWatch watch(reader);
+    CSLF_CHECK(reader->FindMissingViewpoints() == 0);
+    watch.CheckWhole({ "Checking viewpoints" });
+  }
+  const cslf::testing::ProgressWatch watch(reader);
+  reader->Update();
+  watch.CheckWhole({ "Reading viewpoints" });
+  CSLF_CHECK(reader->GetOutput()->GetNumberOfPoints() == field->GetNumberOfPoints());
+}
 }
 
 int TestCSLFImageFolder(int argc, char* argv[])
@@ -503,5 +550,6 @@ int TestCSLFImageFolder(int argc, char* argv[])
   TestForeign(root + "/foreign");
   TestKilled(root + "/killed");
   TestLock(root + "/lock");
+  TestPhases(root + "/phases");
   return cslf::testing::Result();
 }

@@ -213,6 +213,35 @@ void TestKeptSampler()
   CSLF_CHECK(deletions->Deleted == 4 && !sampler->GetRenderer());
 }
 
+// A light that follows the camera stays as it was sampled while the field is in the renderer.
+// Otherwise, the next update has the light at the new camera.
+void TestMovedCamera()
+{
+  const auto renderer = MakeRenderer();
+  vtkNew<vtkCamera> camera;
+  renderer->SetActiveCamera(camera);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  renderer->AddLight(light);
+  const auto sampler = MakeSampler(renderer);
+  const auto isMadeAgain = [&]
+  {
+    sampler->Update();
+    const vtkMTimeType before = sampler->GetOutput()->GetUpdateTime();
+    camera->Azimuth(30.0);
+    sampler->Update();
+    return sampler->GetOutput()->GetUpdateTime() > before;
+  };
+  CSLF_CHECK(isMadeAgain());
+  vtkNew<vtkCSLFMapper> mapper;
+  mapper->SetInputConnection(sampler->GetOutputPort());
+  const auto actor = MakeActor(mapper);
+  renderer->AddActor(actor);
+  CSLF_CHECK(!isMadeAgain());
+  renderer->RemoveActor(actor);
+  CSLF_CHECK(isMadeAgain());
+}
+
 double GetMean(vtkCSLFViewTracer* tracer)
 {
   tracer->Update();
@@ -286,6 +315,7 @@ int TestCSLFRendererScene(int, char*[])
 {
   TestCycles();
   TestKeptSampler();
+  TestMovedCamera();
   TestTemporary();
   TestOthers();
   return cslf::testing::Result();

@@ -7,6 +7,7 @@
 #include "cslfColor.h"
 #include "cslfFieldSource.h"
 #include "cslfJSON.h"
+#include "cslfProgressWatch.h"
 #include "cslfTestField.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEncoder.h"
@@ -360,6 +361,29 @@ void TestErrors()
   resample->Update();
   CSLF_CHECK(cslf::testing::HasEqualSlices(resample->GetOutput(), Resample(field, 2, 2)));
 }
+
+// The phase is that of the input while that works, and stopping reaches the input.
+void TestPhases()
+{
+  const auto field = cslf::testing::MakeByteField(5, 16);
+  const auto source = cslf::testing::MakeSource(field);
+  vtkNew<vtkCSLFResample> resample;
+  resample->SetInputConnection(source->GetOutputPort());
+  resample->SetResolutionDivisor(2);
+  const cslf::testing::Observed observed(resample);
+  {
+    const cslf::testing::ProgressWatch watch(resample, "Resampling viewpoints", 2);
+    resample->Update();
+    watch.CheckAborted();
+  }
+  CSLF_CHECK(observed.GetErrors() == 0);
+  CSLF_CHECK(resample->GetOutput()->GetNumberOfPoints() == 0);
+  resample->SetAbortExecute(0);
+  const cslf::testing::ProgressWatch watch(resample);
+  resample->Update();
+  watch.CheckWhole({ "Resampling viewpoints" });
+  CSLF_CHECK(cslf::testing::HasEqualSlices(resample->GetOutput(), Resample(field, 2, 1)));
+}
 }
 
 int TestCSLFResample(int argc, char* argv[])
@@ -376,5 +400,6 @@ int TestCSLFResample(int argc, char* argv[])
   TestVideo(folder);
   TestParts();
   TestErrors();
+  TestPhases();
   return cslf::testing::Result();
 }

@@ -5,14 +5,15 @@
 #include "cslfColor.h"
 #include "cslfDescription.h"
 #include "cslfJSON.h"
+#include "cslfProgressWatch.h"
 #include "cslfTesting.h"
 #include "vtkCSLFCornellBoxSource.h"
 #include "vtkCSLFEnvironment.h"
 #include "vtkCSLFLight.h"
 #include "vtkCSLFMaterial.h"
+#include "vtkCSLFRadianceCacheOptions.h"
 #include "vtkCSLFSampler.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
@@ -426,21 +427,55 @@ void TestErrors()
   CSLF_CHECK(!observer->GetError() && !pipeline->GetError());
 }
 
-void TestAbort()
+vtkSmartPointer<vtkCSLFSampler> MakeBoxSampler()
 {
   vtkNew<vtkCSLFCornellBoxSource> box;
-  vtkNew<vtkCSLFSampler> sampler;
+  auto sampler = vtkSmartPointer<vtkCSLFSampler>::New();
   sampler->SetInputConnection(box->GetOutputPort());
-  sampler->SetSamples(1 << 12); // minutes of work
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
-  sampler->AddObserver(vtkCommand::ProgressEvent, stop);
-  sampler->Update();
-  CSLF_CHECK(sampler->GetOutput()->GetNumberOfPoints() == 0);
+  sampler->SetViewpoints(2);
+  sampler->SetResolution(8);
+  sampler->SetSamples(1);
+  sampler->SetIntegratorToRadianceCaching();
+  sampler->GetCacheOptions()->SetSamples(16);
+  sampler->GetCacheOptions()->SetSpacing(0.05);
+  return sampler;
+}
+
+// Each phase has a name, progress never runs backwards, and each phase can be aborted: the outputs
+// are empty then, and the next update makes them.
+void TestPhases()
+{
+  const std::vector<std::string> phases = { "Reading the scene", "Building the tree of the scene",
+    "Filling the radiance cache", "Checking the radiance cache", "Sampling viewpoints",
+    "Making the geometry", "Colouring the geometry" };
+  const auto whole = MakeBoxSampler();
+  {
+    const cslf::testing::ProgressWatch watch(whole);
+    whole->Update();
+    watch.CheckWhole(phases);
+  }
+  const vtkIdType points = whole->GetGeometry()->GetNumberOfPoints();
+  CSLF_CHECK(points > 0);
+  for (std::size_t k = 0; k < phases.size(); ++k)
+  {
+    const auto sampler = MakeBoxSampler();
+    {
+      const cslf::testing::ProgressWatch watch(sampler, phases[k]);
+      sampler->Update();
+      watch.CheckAborted();
+    }
+    const bool hasField = phases[k].find("geometry") != std::string::npos;
+    CSLF_CHECK((sampler->GetOutput()->GetNumberOfPoints() > 0) == hasField);
+    CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPoints() == 0);
+    sampler->SetAbortExecute(0);
+    sampler->Update();
+    sampler->Update(1);
+    CSLF_CHECK(GetBytes(sampler->GetOutput(), "Color") == GetBytes(whole->GetOutput(), "Color"));
+    CSLF_CHECK(sampler->GetGeometry()->GetNumberOfPoints() == points);
+  }
   std::ostringstream text;
-  sampler->Print(text);
-  CSLF_CHECK(text.str().find("Viewpoints: 17") != std::string::npos);
+  whole->Print(text);
+  CSLF_CHECK(text.str().find("Viewpoints: 2") != std::string::npos);
 }
 }
 
@@ -454,6 +489,6 @@ int TestCSLFSampler(int, char*[])
   TestSceneHash();
   TestWhiteFurnace();
   TestErrors();
-  TestAbort();
+  TestPhases();
   return cslf::testing::Result();
 }

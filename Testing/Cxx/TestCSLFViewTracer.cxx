@@ -3,6 +3,7 @@
 
 // The view tracer's cameras, and environments seen directly and in a mirror.
 #include "cslfColor.h"
+#include "cslfProgressWatch.h"
 #include "cslfTesting.h"
 #include "vtkCSLFEnvironment.h"
 #include "vtkCSLFMaterial.h"
@@ -293,6 +294,21 @@ void TestOutputAndErrors()
   camera->SetPosition(0, 0, 100);
   tracer->Update();
   CSLF_CHECK(GetPixel(tracer, 4, 5).w == 0.0);
+  // Phases have names and can be stopped; the next update makes the picture.
+  tracer->Modified();
+  {
+    const cslf::testing::ProgressWatch watch(tracer, "Tracing the picture");
+    tracer->Update();
+    watch.CheckAborted();
+    CSLF_CHECK(tracer->GetOutput()->GetNumberOfPoints() == 0);
+    tracer->SetAbortExecute(0);
+  }
+  {
+    const cslf::testing::ProgressWatch watch(tracer);
+    tracer->Update();
+    watch.CheckWhole({ "Tracing the picture" });
+    CSLF_CHECK(tracer->GetOutput()->GetNumberOfPoints() == 200);
+  }
   std::ostringstream text;
   tracer->Print(text);
   CSLF_CHECK(text.str().find("Size: 20 10") != std::string::npos);

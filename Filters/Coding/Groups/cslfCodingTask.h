@@ -11,6 +11,9 @@
 
 namespace cslf
 {
+/// The error of work that was asked to stop.
+constexpr const char* Stopped = "it was stopped";
+
 /// A group to be coded, once for each rate factor of colour.
 struct CodingTask
 {

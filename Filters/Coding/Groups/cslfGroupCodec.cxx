@@ -3,6 +3,7 @@
 #include "cslfGroupCodec.h"
 
 #include "Coding/Codecs/cslfEncoderContext.h"
+#include "cslfCodingTask.h"
 #include "cslfLayout.h"
 
 #include <mutex>
@@ -12,12 +13,16 @@ namespace cslf
 namespace
 {
 /// Takes all packets that the encoder has ready.
-int TakePackets(
-  AVCodecContext* context, const Bitstream& bitstream, AVPacket* packet, CodedGroup& group)
+int TakePackets(AVCodecContext* context, const Bitstream& bitstream,
+  const std::function<bool()>& proceed, AVPacket* packet, CodedGroup& group)
 {
   int code = 0;
   while ((code = avcodec_receive_packet(context, packet)) >= 0)
   {
+    if (!proceed())
+    {
+      return AVERROR_EXIT;
+    }
     CodedFrame frame;
     frame.Index = static_cast<int>(packet->pts);
     frame.Data = bitstream.Trim(packet->data, static_cast<std::size_t>(packet->size));
@@ -28,7 +33,8 @@ int TakePackets(
 }
 
 int EncodeFrames(AVCodecContext* context, const Track& track, int resolution,
-  const std::vector<ViewpointSamples>& slices, CodedGroup& group)
+  const std::vector<ViewpointSamples>& slices, const std::function<bool()>& proceed,
+  CodedGroup& group)
 {
   SliceToFrame converter(track, resolution);
   const Bitstream& bitstream = GetBitstream(track.Coding);
@@ -39,6 +45,10 @@ int EncodeFrames(AVCodecContext* context, const Track& track, int resolution,
   }
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
+    if (!proceed())
+    {
+      return AVERROR_EXIT;
+    }
     AVHandle<AVFrame> frame(av_frame_alloc());
     if (!frame)
     {
@@ -53,13 +63,13 @@ int EncodeFrames(AVCodecContext* context, const Track& track, int resolution,
     }
     converter.Convert(slices[k], frame.get());
     if ((code = avcodec_send_frame(context, frame.get())) < 0 ||
-      (code = TakePackets(context, bitstream, packet.get(), group)) < 0)
+      (code = TakePackets(context, bitstream, proceed, packet.get(), group)) < 0)
     {
       return code;
     }
   }
   const int code = avcodec_send_frame(context, nullptr);
-  return code < 0 ? code : TakePackets(context, bitstream, packet.get(), group);
+  return code < 0 ? code : TakePackets(context, bitstream, proceed, packet.get(), group);
 }
 
 /// Whether the encoder returned every frame once, the first one first; computes the checksum.
@@ -104,7 +114,8 @@ bool IsCoveredFully(int resolution, const std::vector<ViewpointSamples>& slices)
 }
 
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
-  const std::vector<ViewpointSamples>& slices, CodedGroup& group, std::string& error)
+  const std::vector<ViewpointSamples>& slices, const std::function<bool()>& proceed,
+  CodedGroup& group, std::string& error)
 {
   group = CodedGroup();
   const VideoEncoder* encoder = FindEncoder(track.Coding, track.Format, resolution);
@@ -127,10 +138,10 @@ bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& option
   {
     return false;
   }
-  const int code = EncodeFrames(context.get(), track, resolution, slices, group);
+  const int code = EncodeFrames(context.get(), track, resolution, slices, proceed, group);
   if (code < 0)
   {
-    error = "the encoder failed: " + AVErrorText(code);
+    error = code == AVERROR_EXIT ? Stopped : "the encoder failed: " + AVErrorText(code);
     return false;
   }
   const Bitstream& bitstream = GetBitstream(track.Coding);

@@ -12,6 +12,7 @@
 #include "Coding/Frames/cslfFrameConverter.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,10 @@ struct CodedGroup
 };
 
 /// Encodes the slices of a group. On failure returns false and gives the reason in one line.
+/// `proceed` is called for each frame; if it returns false, that is a failure.
 bool EncodeGroup(const Track& track, int resolution, const EncodeOptions& options,
-  const std::vector<ViewpointSamples>& slices, CodedGroup& group, std::string& error);
+  const std::vector<ViewpointSamples>& slices, const std::function<bool()>& proceed,
+  CodedGroup& group, std::string& error);
 }
 
 #endif

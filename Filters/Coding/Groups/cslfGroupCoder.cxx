@@ -7,6 +7,7 @@
 #include "cslfGroupError.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <thread>
 #include <utility>
@@ -15,26 +16,42 @@ namespace cslf
 {
 namespace
 {
-/// Calls `work` with the numbers below `count` in parallel, and `idle` regularly on the calling
-/// thread. False if any work set its error; returns the first one.
+/// The share of coding in the progress, before errors are measured.
+constexpr double CodingShare = 0.8;
+
+/// Calls `work` with the numbers below `count` in parallel, and with a function that it calls now
+/// and then: if that returns false, it ends. On the calling thread, this reports the progress.
+/// False if any work set its error, or was stopped; returns the first error.
 template <typename Work>
-bool DoSideBySide(
-  std::size_t count, const std::function<void()>& idle, const Work& work, std::string& error)
+bool DoSideBySide(std::size_t count, const Progress& progress, const Work& work, std::string& error)
 {
   std::vector<std::string> errors(count);
   const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> isStopped{ false };
+  std::atomic<std::size_t> done{ 0 };
+  const auto proceed = [&]
+  {
+    if (std::this_thread::get_id() == caller && !isStopped &&
+      !progress(static_cast<double>(done) / static_cast<double>(count)))
+    {
+      isStopped = true;
+    }
+    return !isStopped;
+  };
   ParallelFor(0, static_cast<vtkIdType>(count), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType k = begin; k < end; ++k)
+      for (vtkIdType k = begin; k < end && proceed(); ++k)
       {
-        work(static_cast<std::size_t>(k), errors[k]);
-        if (std::this_thread::get_id() == caller)
-        {
-          idle();
-        }
+        work(static_cast<std::size_t>(k), proceed, errors[k]);
+        ++done;
       }
     });
+  if (isStopped)
+  {
+    error = Stopped;
+    return false;
+  }
   const auto failed = std::find_if(
     errors.begin(), errors.end(), [](const std::string& text) { return !text.empty(); });
   error = failed == errors.end() ? std::string() : *failed;
@@ -95,23 +112,23 @@ std::vector<Track> GroupCoder::GetTracks() const
 }
 
 bool GroupCoder::Encode(const std::vector<CodingTask>& tasks,
-  const std::vector<ViewpointSamples>& slices, const std::function<void()>& idle,
+  const std::vector<ViewpointSamples>& slices, const Progress& progress,
   std::vector<GroupParts>& parts, std::string& error) const
 {
   std::vector<Coding> codings = this->Split(tasks, slices, parts);
   const std::size_t tracks = this->Encodings.size();
-  const auto encode = [&](std::size_t job, std::string& fault)
-  { this->EncodeTrack(job % tracks, codings[job / tracks], fault); };
-  if (!DoSideBySide(tracks * codings.size(), idle, encode, error))
+  const auto encode = [&](std::size_t job, const std::function<bool()>& proceed, std::string& fault)
+  { this->EncodeTrack(job % tracks, codings[job / tracks], proceed, fault); };
+  if (!DoSideBySide(tracks * codings.size(), Within(progress, 0.0, CodingShare), encode, error))
   {
     return false;
   }
   codings.erase(std::remove_if(codings.begin(), codings.end(),
                   [](const Coding& coding) { return !coding.IsMeasured; }),
     codings.end());
-  const auto measure = [&](std::size_t job, std::string& fault)
+  const auto measure = [&](std::size_t job, const std::function<bool()>&, std::string& fault)
   { this->MeasureError(codings[job], fault); };
-  return DoSideBySide(codings.size(), idle, measure, error);
+  return DoSideBySide(codings.size(), Within(progress, CodingShare, 1.0), measure, error);
 }
 
 std::vector<GroupCoder::Coding> GroupCoder::Split(const std::vector<CodingTask>& tasks,
@@ -152,11 +169,12 @@ bool GroupCoder::IsMeasured(const CodingTask& task) const
     (!task.IsTrial || this->Settings.Target.Kind == RateTarget::Kinds::PSNR);
 }
 
-void GroupCoder::EncodeTrack(std::size_t track, const Coding& coding, std::string& error) const
+void GroupCoder::EncodeTrack(std::size_t track, const Coding& coding,
+  const std::function<bool()>& proceed, std::string& error) const
 {
   const Encoding& encoding = this->Encodings[track];
   EncodeGroup(encoding.Kind, this->Resolution, this->GetOptions(encoding, coding.Factor),
-    coding.Frames, (*coding.Parts)[track], error);
+    coding.Frames, proceed, (*coding.Parts)[track], error);
 }
 
 void GroupCoder::MeasureError(const Coding& coding, std::string& error) const

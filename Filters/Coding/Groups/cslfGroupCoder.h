@@ -8,6 +8,7 @@
 #define cslfGroupCoder_h
 
 #include "Coding/Writing/cslfEncodeSettings.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfCodingTask.h"
 #include "cslfGroupCodec.h"
 
@@ -33,10 +34,10 @@ public:
 
   /// Does some tasks in parallel. `slices` are those of the tasks' groups, one group after the
   /// other; `parts` contains those of the first task, for each of its factors, then those of the
-  /// next. `idle` is called regularly on the calling thread. On failure returns false and gives the
-  /// reason.
+  /// next. `progress` is called regularly on the calling thread. On failure returns false and gives
+  /// the reason.
   bool Encode(const std::vector<CodingTask>& tasks, const std::vector<ViewpointSamples>& slices,
-    const std::function<void()>& idle, std::vector<GroupParts>& parts, std::string& error) const;
+    const Progress& progress, std::vector<GroupParts>& parts, std::string& error) const;
 
 private:
   struct Encoding
@@ -59,7 +60,8 @@ private:
     const std::vector<ViewpointSamples>& slices, std::vector<GroupParts>& parts) const;
   EncodeOptions GetOptions(const Encoding& encoding, double factor) const;
   bool IsMeasured(const CodingTask& task) const;
-  void EncodeTrack(std::size_t track, const Coding& coding, std::string& error) const;
+  void EncodeTrack(std::size_t track, const Coding& coding, const std::function<bool()>& proceed,
+    std::string& error) const;
   void MeasureError(const Coding& coding, std::string& error) const;
 
   EncodeSettings Settings;

@@ -15,6 +15,15 @@
 
 namespace cslf
 {
+namespace
+{
+/// Probes are short.
+bool GoOn(double)
+{
+  return true;
+}
+}
+
 EncodeProbe::EncodeProbe(vtkAlgorithm* producer, EncodeSettings settings, vtkPolyData* geometry,
   std::optional<ComputedChannels> computed)
   : Producer(producer)
@@ -83,7 +92,7 @@ bool EncodeProbe::BeginWriting(std::string& error)
       {
         return false;
       }
-      this->Plan = GeometryPlan::Choose(part.Bytes, field, slices, this->Puller->GetSlices());
+      this->Plan = GeometryPlan::Choose(part.Bytes, field, slices, this->Puller->GetSlices(), GoOn);
     }
   }
   this->Writer->Begin(field, 0, this->Plan);
@@ -105,7 +114,8 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
   const std::vector<ViewpointSamples> fitted = this->GetComputed().HasDepth
     ? CopySamples(this->Puller->GetField(), this->Puller->GetSlices())
     : this->Puller->GetSlices();
-  this->Plan.Fit(this->Writer->GetSlices(groups), fitted);
+  GeometryFit ignored;
+  this->Plan.Fit(this->Writer->GetSlices(groups), fitted, GoOn, ignored);
   costs.RenderThreadSeconds += static_cast<double>(middle - begin) / CLOCKS_PER_SEC;
   std::vector<CodingTask> tasks;
   tasks.reserve(groups.size());
@@ -114,8 +124,7 @@ bool EncodeProbe::Make(const std::vector<int>& groups, GroupCosts& costs, std::s
     tasks.push_back({ group, true, { this->Settings.CRF } });
   }
   std::vector<GroupParts> parts;
-  if (!this->Writer->GetCoder().Encode(
-        tasks, fitted, [] {}, parts, error))
+  if (!this->Writer->GetCoder().Encode(tasks, fitted, GoOn, parts, error))
   {
     return false;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cslfHeldOutViews.h"
 #include "Coding/Geometry/cslfGeometryRays.h"
+#include "Coding/Groups/cslfCodingTask.h"
 #include "Pipeline/cslfGeometryArrays.h"
 #include "Pipeline/cslfParallelFor.h"
 
@@ -354,7 +355,7 @@ bool MeasureHeldOutViews(SlicePuller& puller, const GeometryRays* surfaces, int 
     {
       if (!proceed())
       {
-        error = "it was stopped";
+        error = Stopped;
         return false;
       }
       const int slice = sequences[face].Next();

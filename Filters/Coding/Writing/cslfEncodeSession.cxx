@@ -17,6 +17,7 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <utility>
@@ -36,6 +37,29 @@ constexpr int SecondsPerPreviewSecond = 50;
 
 /// The share of the progress for joining the parts.
 constexpr double JoinShare = 0.05;
+
+/// The progress before viewpoints are coded, if key views are chosen or a geometry is tried.
+constexpr double PlannedShare = 0.05;
+
+/// The viewpoints after which two thirds of the choice of key views are done.
+constexpr double ExpectedTrials = 100.0;
+
+///@{
+/// The progress of some tasks when their viewpoints are there, and when these fit to the geometry.
+constexpr double PullShare = 0.6;
+constexpr double FitShare = 0.7;
+///@}
+
+/// The trials, and the groups that are coded in the end.
+std::size_t CountTasks(const std::vector<CodingTask>& tasks)
+{
+  std::size_t count = 0;
+  for (const CodingTask& task : tasks)
+  {
+    count += task.IsTrial ? task.Factors.size() : 1;
+  }
+  return count;
+}
 }
 
 EncodeSession::EncodeSession(EncodeJob job)
@@ -67,6 +91,12 @@ bool EncodeSession::Try(const std::function<bool()>& step)
   std::string problem;
   const bool isDone = Guard(step, problem);
   return problem.empty() ? isDone : this->FailWriting(vtkErrorCode::UnknownError, problem);
+}
+
+// Being stopped is an error.
+bool EncodeSession::Goes(bool isAsked)
+{
+  return isAsked || this->FailWriting(vtkErrorCode::UserError, Stopped);
 }
 
 bool EncodeSession::IsWell() const
@@ -183,9 +213,15 @@ bool EncodeSession::TryKeyViews()
   const vtkSmartPointer<vtkPolyData> geometry = this->GeometryBytes.empty()
     ? nullptr
     : DecodeGeometry(this->GeometryBytes, this->Puller->GetField().Box, error);
-  return cslf::ChooseKeyViews(
-           *this->Puller, geometry, this->Job.Settings.NovelViewPSNR,
-           [this] { return this->Job.Progress(0.0); }, this->Choice, error) ||
+  Phase phase(this->Job.Reporter, "Choosing key views", PlannedShare);
+  int views = 0;
+  const auto proceed = [&phase, &views]
+  { return phase.Report(1.0 - std::exp(-views++ / ExpectedTrials)); };
+  const PipelineWatch watch(this->Job.Connection,
+    [this, &phase](vtkAlgorithm* producer)
+    { return this->Goes(phase.ReportFor(producer, phase.GetShare())); });
+  return cslf::ChooseKeyViews(*this->Puller, geometry, this->Job.Settings.NovelViewPSNR, proceed,
+           this->Choice, error) ||
     this->FailWriting(vtkErrorCode::UserError, error);
 }
 
@@ -248,14 +284,23 @@ bool EncodeSession::TryGeometry()
     return true;
   }
   const std::vector<int> slices = GetTriedViewpoints(field.Grid);
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Job.Progress(0.0); });
+  Phase phase(this->Job.Reporter, "Comparing depth with the geometry", PlannedShare);
+  const PipelineWatch watch(this->Job.Connection,
+    [this, &phase](vtkAlgorithm* producer)
+    {
+      const double share = this->Puller->GetShare(producer->GetProgress());
+      return this->Goes(phase.ReportFor(producer, PullShare * share));
+    });
   std::string error;
   if (!this->Puller->Pull(slices, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
-  this->Plan = GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Puller->GetSlices());
-  return true;
+  const auto report = [this, &phase](double share)
+  { return this->Goes(phase.Report(PullShare + (1.0 - PullShare) * share)); };
+  this->Plan =
+    GeometryPlan::Choose(this->GeometryBytes, field, slices, this->Puller->GetSlices(), report);
+  return this->IsWell();
 }
 
 bool EncodeSession::BeginWriting()
@@ -295,6 +340,7 @@ bool EncodeSession::OpenParts()
   {
     return this->FailWriting(vtkErrorCode::OutOfDiskSpaceError, error);
   }
+  this->Coding.emplace(this->Job.Reporter, "Coding viewpoints", 1.0 - JoinShare);
   return this->ReportProgress();
 }
 
@@ -302,6 +348,11 @@ bool EncodeSession::Write(bool hasInput, const std::string& problem)
 {
   this->Written = true;
   const AVLogSilence silence;
+  if (this->IsStopped)
+  {
+    hasInput = false;
+    this->FailWriting(vtkErrorCode::UserError, Stopped);
+  }
   if (!hasInput)
   {
     this->Fail(vtkErrorCode::UnknownError,
@@ -377,11 +428,13 @@ int EncodeSession::Work()
 
 void EncodeSession::Lead()
 {
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Peers.Serve(); });
+  const PipelineWatch watch(this->Job.Connection,
+    [this](vtkAlgorithm* producer) { return this->Peers.Serve() && this->ReportInput(producer); });
   bool isDone = false;
   while (!isDone && this->DoNext(isDone))
   {
   }
+  this->Coding.reset();
   this->Peers.Dismiss();
   // Stopping because another rank failed is not an error of this rank.
   if (this->Peers.GetFailedRank() >= 0)
@@ -434,8 +487,8 @@ bool EncodeSession::Conclude()
     return false;
   }
   std::string error;
-  const auto report = [this](double share)
-  { return this->Job.Progress(1.0 - JoinShare + JoinShare * share); };
+  Phase phase(this->Job.Reporter, "Writing the file");
+  const auto report = [&phase](double share) { return phase.Report(share); };
   std::string warning;
   if (!this->Writer->Finish(report, warning, error))
   {
@@ -456,7 +509,8 @@ bool EncodeSession::Conclude()
 
 void EncodeSession::Follow()
 {
-  const PipelineWatch watch(this->Job.Connection, [this] { return this->Peers.Serve(); });
+  const PipelineWatch watch(
+    this->Job.Connection, [this](vtkAlgorithm*) { return this->Peers.Serve(); });
   this->Peers.Follow([this](const std::vector<CodingTask>& tasks, ByteBuffer& results)
     { return this->Try([&] { return this->Make(tasks, results); }); });
   if (this->Peers.IsStopped())
@@ -488,15 +542,18 @@ bool EncodeSession::Make(const std::vector<CodingTask>& tasks, ByteBuffer& resul
   std::vector<ViewpointSamples> slices;
   std::vector<GroupParts> parts;
   std::string error;
+  this->TasksAtWork = CountTasks(tasks);
   if (!this->Gather(tasks, slices))
   {
     return false;
   }
-  if (!this->Writer->GetCoder().Encode(
-        tasks, slices, [this] { this->Peers.Serve(); }, parts, error))
+  const auto progress = [this](double share)
+  { return this->Peers.Serve() && this->ReportTasks(FitShare + (1.0 - FitShare) * share); };
+  if (!this->Writer->GetCoder().Encode(tasks, slices, progress, parts, error))
   {
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
+  this->TasksAtWork = 0;
   const GroupParts* next = parts.data();
   for (const CodingTask& task : tasks)
   {
@@ -527,7 +584,13 @@ bool EncodeSession::Gather(
     return this->FailWriting(vtkErrorCode::UnknownError, error);
   }
   const std::vector<ViewpointSamples> fresh = this->Puller->GetSlices();
-  this->Plan.Fit(this->Writer->GetSlices(pulled), fresh);
+  GeometryFit ignored;
+  const auto progress = [this](double share)
+  { return this->Peers.Serve() && this->ReportTasks(PullShare + (FitShare - PullShare) * share); };
+  if (!this->Plan.Fit(this->Writer->GetSlices(pulled), fresh, progress, ignored))
+  {
+    return this->FailWriting(vtkErrorCode::UserError, Stopped);
+  }
   auto from = fresh.begin();
   for (const CodingTask& task : tasks)
   {
@@ -653,14 +716,30 @@ bool EncodeSession::TakeGroup(int group, ByteBuffer& results)
   return true;
 }
 
-bool EncodeSession::ReportProgress()
+double EncodeSession::GetShareAt(double ofTasks) const
 {
   const double groups = this->Writer->GetGroupCount();
   const double missing = static_cast<double>(this->Writer->GetMissingGroups().size());
   const double trials = this->Control->GetExpectedTrials();
   const double tried = std::min<double>(trials, this->Control->GetTrialCount());
-  const double share = (tried + groups - missing) / (trials + groups);
-  return this->Job.Progress((1.0 - JoinShare) * share) ||
-    this->FailWriting(vtkErrorCode::UserError, "it was stopped");
+  const double atWork = ofTasks * static_cast<double>(this->TasksAtWork);
+  return std::min(1.0, (tried + groups - missing + atWork) / (trials + groups));
+}
+
+// Other ranks have nobody to report to.
+bool EncodeSession::ReportTasks(double share)
+{
+  return !this->Coding || this->Goes(this->Coding->Report(this->GetShareAt(share)));
+}
+
+bool EncodeSession::ReportInput(vtkAlgorithm* producer)
+{
+  const double share = PullShare * this->Puller->GetShare(producer->GetProgress());
+  return this->Goes(this->Coding->ReportFor(producer, this->GetShareAt(share)));
+}
+
+bool EncodeSession::ReportProgress()
+{
+  return this->ReportTasks(0.0);
 }
 }

@@ -9,6 +9,7 @@
 #define cslfEncodeSession_h
 
 #include "Coding/RateControl/cslfHeldOutViews.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfEncodeRanks.h"
 #include "cslfFieldWriter.h"
 #include "cslfGroupCache.h"
@@ -20,6 +21,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkInformation;
 class vtkMultiProcessController;
@@ -40,7 +42,7 @@ struct EncodeJob
   vtkAlgorithmOutput* Connection = nullptr;
   vtkInformation* Input = nullptr; ///< the connection's pipeline information
   vtkMultiProcessController* Controller = nullptr;
-  std::function<bool(double)> Progress; ///< gets numbers from 0 to 1; false stops the work
+  vtkAlgorithm* Reporter = nullptr; ///< its progress is that of writing; it may be asked to stop
   std::function<void(const std::string&)> Warn;
 
   /// Gets how many groups an interrupted run has left, and how many there are. May be empty.
@@ -87,6 +89,10 @@ public:
 
   bool HasWritten() const { return this->Written; }
 
+  /// Makes Write fail, because it was stopped while the input made its first viewpoint.
+  void Stop() { this->IsStopped = true; }
+  bool IsToStop() const { return this->IsStopped; }
+
   /// After Check, the folder where the input may keep data for a restart. Empty on ranks that do
   /// not touch files.
   PersistentFile GetCacheFile() const;
@@ -100,6 +106,7 @@ public:
 private:
   bool Fail(unsigned long code, const std::string& text);
   bool FailWriting(unsigned long code, const std::string& error);
+  bool Goes(bool isAsked);
   bool Try(const std::function<bool()>& step);
   void ReportStored(int stored);
   bool IsWell() const;
@@ -132,7 +139,13 @@ private:
   bool TakeTrial(int group, ByteBuffer& results);
   bool TakeGroup(int group, ByteBuffer& results);
   void WritePreview();
+
+  /// The share of coding that is done, with a part of the tasks that are being done.
+  double GetShareAt(double ofTasks) const;
+
+  bool ReportTasks(double share);
   bool ReportProgress();
+  bool ReportInput(vtkAlgorithm* producer);
 
   EncodeJob Job;
   EncodeRanks Peers;
@@ -146,7 +159,10 @@ private:
   std::vector<unsigned char> GeometryBytes; ///< coded; only on rank 0
   KeyViewChoice Choice;
   GeometryPlan Plan;
-  std::uint32_t Sample = 0; ///< stands for the field's samples
+  std::uint32_t Sample = 0;    ///< stands for the field's samples
+  std::optional<Phase> Coding; ///< rank 0, while it lasts
+  std::size_t TasksAtWork = 0;
+  bool IsStopped = false;
   bool Written = false;
   bool HasCheckedRoom = false;
   bool HasWarnedOfPreview = false;

@@ -452,7 +452,7 @@ bool FieldWriter::Join(
     }
     if (good && !progress(static_cast<double>(group + 1) / this->Header.Groups.size()))
     {
-      error = "it was stopped";
+      error = Stopped;
       good = false;
     }
   }

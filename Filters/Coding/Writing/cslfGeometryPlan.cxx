@@ -64,7 +64,8 @@ GeometryPlan::GeometryPlan(
 }
 
 GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const Description& field,
-  const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples)
+  const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+  const Progress& progress)
 {
   const std::size_t texels = field.Grid.GetStripTexels();
   ComputedChannels computed;
@@ -77,18 +78,18 @@ GeometryPlan GeometryPlan::Choose(const std::vector<unsigned char>& bytes, const
   {
     return plan;
   }
-  const GeometryFit fit = plan.Fit(slices, samples);
-  plan = fit.Texels > 0 && fit.GetLoss() <= MostLoss ? std::move(plan) : GeometryPlan();
+  GeometryFit fit;
+  const bool isDone = plan.Fit(slices, samples, progress, fit);
+  plan = isDone && fit.Texels > 0 && fit.GetLoss() <= MostLoss ? std::move(plan) : GeometryPlan();
   plan.Loss = fit.GetLoss();
   return plan;
 }
 
-GeometryFit GeometryPlan::Fit(
-  const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples) const
+bool GeometryPlan::Fit(const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+  const Progress& progress, GeometryFit& fit) const
 {
-  GeometryFit fit;
   std::mutex mutex;
-  ParallelFor(0, this->Depths ? static_cast<vtkIdType>(slices.size()) : 0, 1,
+  return ParallelFor(0, this->Depths ? static_cast<vtkIdType>(slices.size()) : 0, progress,
     [&](vtkIdType begin, vtkIdType end)
     {
       const std::atomic<bool> isStopped{ false };
@@ -102,6 +103,5 @@ GeometryFit GeometryPlan::Fit(
         fit += one;
       }
     });
-  return fit;
 }
 }

@@ -10,6 +10,7 @@
 
 #include "Coding/Geometry/cslfGeometryDepths.h"
 #include "Coding/Geometry/cslfGeometryFit.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfDescription.h"
 
 #include <cstdint>
@@ -42,9 +43,10 @@ public:
     const std::vector<unsigned char>& bytes, const Description& field, ComputedChannels computed);
 
   /// Tries the geometry on some viewpoints, whose samples it changes, and computes what it tells
-  /// well enough.
+  /// well enough. Nothing is computed if `progress` returns false.
   static GeometryPlan Choose(const std::vector<unsigned char>& bytes, const Description& field,
-    const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples);
+    const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+    const Progress& progress);
 
   const ComputedChannels& GetComputed() const { return this->Computed; }
 
@@ -54,9 +56,9 @@ public:
   /// A number that differs with the geometry, 0 without one.
   std::uint32_t GetChecksum() const { return this->Checksum; }
 
-  /// Makes viewpoints fit to what is computed, in parallel.
-  GeometryFit Fit(
-    const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples) const;
+  /// Makes viewpoints fit to what is computed, in parallel. False if `progress` returns false.
+  bool Fit(const std::vector<int>& slices, const std::vector<ViewpointSamples>& samples,
+    const Progress& progress, GeometryFit& fit) const;
 
 private:
   std::optional<GeometryDepths> Depths;

@@ -97,6 +97,7 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     sorted.emplace_back(this->Keys.ToWhole(slices[place]), place);
   }
   std::sort(sorted.begin(), sorted.end());
+  this->Wanted = sorted.size();
   for (std::size_t begin = 0; begin < sorted.size();)
   {
     std::size_t end = begin + 1;
@@ -104,6 +105,8 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     {
       ++end;
     }
+    this->Done = begin;
+    this->Awaited = end - begin;
     const vtkSmartPointer<vtkImageData> image =
       this->Update(sorted[begin].first, sorted[end - 1].first, error);
     if (!image)
@@ -116,6 +119,13 @@ bool SlicePuller::Pull(const std::vector<int>& slices, std::string& error)
     }
   }
   return true;
+}
+
+double SlicePuller::GetShare(double ofInput) const
+{
+  const double done =
+    static_cast<double>(this->Done) + ofInput * static_cast<double>(this->Awaited);
+  return done / static_cast<double>(std::max<std::size_t>(this->Wanted, 1));
 }
 
 vtkSmartPointer<vtkImageData> SlicePuller::Update(int first, int last, std::string& error)

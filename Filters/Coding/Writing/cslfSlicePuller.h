@@ -11,6 +11,7 @@
 #include "cslfDescription.h"
 #include "cslfViewpointSamples.h"
 
+#include <cstddef>
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
@@ -51,6 +52,10 @@ public:
   /// the reason in one line.
   bool Pull(const std::vector<int>& slices, std::string& error);
 
+  /// While Pull waits for the input: the share of the slices that is there, if the input has made
+  /// this share of what it was asked for.
+  double GetShare(double ofInput) const;
+
   /// The slices pulled last, in the requested order.
   const std::vector<ViewpointSamples>& GetSlices() const { return this->Pulled; }
 
@@ -68,6 +73,13 @@ private:
   std::string Text; ///< the description
   bool Clipped = false;
   std::vector<ViewpointSamples> Pulled; ///< last
+
+  ///@{
+  /// The numbers of slices that Pull has, that it waits for, and that it shall get.
+  std::size_t Done = 0;
+  std::size_t Awaited = 0;
+  std::size_t Wanted = 0;
+  ///@}
 };
 }
 

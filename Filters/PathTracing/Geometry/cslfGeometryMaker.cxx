@@ -71,8 +71,28 @@ constexpr float MostReach = 4.0f;
 /// which shadows would be lost.
 constexpr double LongestTexels = 32.0;
 
+///@{
+/// The progress of the geometry when its surface is found, and when that is in order.
+constexpr double SurfaceShare = 0.7;
+constexpr double SortedShare = 0.8;
+///@}
+
+///@{
+/// The progress of the surface when the viewpoints have looked, and that of each round.
+constexpr double LookShare = 0.2;
+constexpr double TessellatedShare = 0.1;
+constexpr double SeenShare = 0.3;
+constexpr double SimplifiedShare = 0.6;
+///@}
+
 /// The number of points at which the error is measured.
 constexpr std::size_t MeasuredPoints = 20000;
+
+/// The progress of one of several parts that take about as long.
+Progress InPart(const Progress& progress, int part, int parts)
+{
+  return Within(progress, double(part) / parts, double(part + 1) / parts);
+}
 
 /// Points that are evenly spread over a surface.
 std::vector<glm::vec3> SpreadPoints(const SurfaceMesh& surface, std::size_t count)
@@ -150,7 +170,7 @@ bool IsSeen(const Scene& scene, const glm::vec3& point, const glm::vec3& normal)
 
 /// Finds the sides of points that can be seen, and rays that start at that distance in front of
 /// them. Where bodies are thin, rays to the back meet the opposite wall, from its front.
-void FindSides(const Scene& scene, float distance, Geometry& geometry)
+void FindSides(const Scene& scene, float distance, const Progress& progress, Geometry& geometry)
 {
   const std::vector<glm::vec3>& points = geometry.Surface.Points;
   const std::vector<glm::vec3> normals = FindNormals(geometry.Surface);
@@ -160,7 +180,7 @@ void FindSides(const Scene& scene, float distance, Geometry& geometry)
     const glm::vec3 normal = side == 0 ? normals[point] : -normals[point];
     return Ray{ points[point] + distance * normal, -normal };
   };
-  ParallelFor(0, static_cast<vtkIdType>(points.size()), 0,
+  ParallelFor(0, static_cast<vtkIdType>(points.size()), OrAbort(progress),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -197,18 +217,19 @@ void FindSides(const Scene& scene, float distance, Geometry& geometry)
 
 /// Knows what the viewpoints see of a scene.
 SeenPlaces LookAround(const Scene& scene, const GeometrySettings& settings,
-  const std::vector<int>& slices, double texel)
+  const std::vector<int>& slices, double texel, const Progress& progress)
 {
   const Layout pictures(
     settings.Grid.GetViewpoints(), std::min(settings.Grid.GetResolution(), MostResolution));
   const double cell = CellTexels * texel * settings.Grid.GetResolution() / pictures.GetResolution();
   SeenPlaces seen(scene, static_cast<float>(cell));
-  seen.Look(TileCount * static_cast<int>(slices.size()), pictures.GetResolution(),
-    [&](int tile)
-    {
-      return MakeFieldRays(
-        pictures, settings.Box, settings.Frame, slices[tile / TileCount], tile % TileCount);
-    });
+  const auto makeRays = [&](int tile)
+  {
+    return MakeFieldRays(
+      pictures, settings.Box, settings.Frame, slices[tile / TileCount], tile % TileCount);
+  };
+  seen.Look(
+    TileCount * static_cast<int>(slices.size()), pictures.GetResolution(), makeRays, progress);
   return seen;
 }
 
@@ -224,17 +245,19 @@ void Stretch(const glm::vec3& factors, std::vector<glm::vec3>& points)
 /// surface must then be at most `most` from it (root mean square), and nearly none lost; otherwise
 /// fewer triangles are removed, or none. Distances are measured after stretching: along axes on
 /// which the cube is shorter, texels are smaller.
-void SimplifyWell(
-  SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3> points, double texel, double most)
+void SimplifyWell(SurfaceMesh& surface, glm::vec3 stretch, std::vector<glm::vec3> points,
+  double texel, double most, const Progress& progress)
 {
   Stretch(stretch, points);
   auto tolerance = static_cast<float>(MostTexels * texel);
   for (int part = 0; part <= MostParts; ++part, tolerance *= TolerancePart)
   {
+    const Progress step = InPart(progress, part, MostParts + 1);
     SurfaceMesh simple = surface;
     Stretch(stretch, simple.Points);
-    Simplify(simple, tolerance);
-    const SurfaceError error = MeasureError(points, simple, texel);
+    ChangeApart(simple, Within(step, 0.0, 0.5),
+      [tolerance](SurfaceMesh& changed) { Simplify(changed, tolerance); });
+    const SurfaceError error = MeasureError(points, simple, texel, Within(step, 0.5, 1.0));
     if (error.Loss <= MostLoss && error.RootMeanSquare <= most)
     {
       Stretch(1.0f / stretch, simple.Points);
@@ -244,17 +267,26 @@ void SimplifyWell(
   }
 }
 
+/// Whether coarser tessellations have fewer triangles.
+bool CanBeCoarser(const std::vector<Mesh>& meshes)
+{
+  return std::any_of(meshes.begin(), meshes.end(),
+    [](const Mesh& mesh)
+    { return mesh.Shape != Mesh::Shapes::Triangles || !mesh.Instances.empty(); });
+}
+
 /// The surface that the viewpoints see, with few enough triangles. Coarser shapes may lose less
 /// than a further reduction of fine ones.
 Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
-  const std::vector<int>& slices, double texel)
+  const std::vector<int>& slices, double texel, const Progress& progress)
 {
   const std::vector<Mesh>& meshes = scene.GetMeshes();
   const glm::dvec3& edges = settings.Box.Edges;
   const glm::vec3 stretch(std::max({ edges.x, edges.y, edges.z }) / edges);
   const float tolerance =
     static_cast<float>(MostTexels * texel) / std::max({ stretch.x, stretch.y, stretch.z });
-  const SeenPlaces seen = LookAround(scene, settings, slices, texel);
+  const SeenPlaces seen =
+    LookAround(scene, settings, slices, texel, Within(progress, 0.0, LookShare));
   const SeenPlaces nearlySeen = seen.Widen(WideCells);
   int coarseness = 0;
   while (coarseness < Coarsest && CountTriangles(meshes, coarseness) > MostTessellated)
@@ -265,29 +297,37 @@ Geometry FindSurface(const Scene& scene, const GeometrySettings& settings,
   Geometry best;
   best.Error.Loss = 2.0;
   std::size_t previous = std::numeric_limits<std::size_t>::max();
-  for (bool isBetter = true; isBetter && coarseness <= Coarsest; ++coarseness)
+  const bool hasCoarser = CanBeCoarser(meshes);
+  const int rounds = hasCoarser ? Coarsest + 1 - coarseness : 1;
+  const Progress rest = Within(progress, LookShare, 1.0);
+  bool isBetter = true;
+  for (int round = 0; isBetter && round < rounds; ++round, ++coarseness)
   {
-    SurfaceMesh surface = Tessellate(meshes, { tolerance, coarseness, MostTessellated });
+    const Progress step = InPart(rest, round, rounds);
+    SurfaceMesh surface = Tessellate(
+      meshes, { tolerance, coarseness, MostTessellated }, Within(step, 0.0, TessellatedShare));
     const std::size_t count = surface.Triangles.size();
     if (count >= std::exchange(previous, count))
     {
       break;
     }
-    nearlySeen.KeepSeen(surface);
-    Weld(surface);
+    nearlySeen.KeepSeen(surface, Within(step, TessellatedShare, SeenShare));
+    ChangeApart(surface, Within(step, SeenShare, SeenShare), Weld);
     if (points.empty())
     {
       points = SpreadPoints(surface, MeasuredPoints);
       seen.KeepSeen(points);
     }
-    SimplifyWell(surface, stretch, points, texel, MostTexels * texel * (1 << 2 * coarseness));
+    SimplifyWell(surface, stretch, points, texel, MostTexels * texel * (1 << 2 * coarseness),
+      Within(step, SeenShare, SimplifiedShare));
     const bool isEnough = surface.Triangles.size() <= settings.MostTriangles;
     if (!isEnough)
     {
-      seen.KeepSeen(surface);
-      Weld(surface);
+      seen.KeepSeen(surface, Within(step, SimplifiedShare, SimplifiedShare));
+      ChangeApart(surface, Within(step, SimplifiedShare, SimplifiedShare), Weld);
     }
-    const SurfaceError error = ReduceWell(surface, settings.MostTriangles, points, texel);
+    const SurfaceError error = ReduceWell(
+      surface, settings.MostTriangles, points, texel, Within(step, SimplifiedShare, 1.0));
     const double least = best.Error.GetMeanSquare(texel);
     isBetter = !isEnough && error.GetMeanSquare(texel) < LeastGain * least;
     if (error.GetMeanSquare(texel) < least)
@@ -331,22 +371,34 @@ ShapeCounts CountShapes(const Scene& scene)
   return counts;
 }
 
-Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings)
+std::optional<Geometry> MakeGeometry(
+  const Scene& scene, const GeometrySettings& settings, const Progress& progress)
+try
 {
   const glm::dvec3& edges = settings.Box.Edges;
   const double texel = 0.5 * std::max({ edges.x, edges.y, edges.z }) /
     (settings.Frame.Radius * settings.Grid.GetResolution());
   const std::vector<int> slices = ChooseSlices(settings.Grid, MostViewpoints);
-  Geometry geometry = FindSurface(scene, settings, slices, texel);
+  Geometry geometry =
+    FindSurface(scene, settings, slices, texel, Within(progress, 0.0, SurfaceShare));
   // Coarse spheres and tubes reach a little beyond the scene's bounds.
   const Box bounds = scene.GetBounds();
   for (glm::vec3& point : geometry.Surface.Points)
   {
     point = glm::clamp(point, glm::vec3(bounds.Low), glm::vec3(bounds.High));
   }
-  Subdivide(geometry.Surface, LongestTexels * texel, settings.MostTriangles);
-  SortForDrawing(geometry.Surface);
-  FindSides(scene, static_cast<float>(StartTexels * texel), geometry);
+  ChangeApart(geometry.Surface, Within(progress, SurfaceShare, SortedShare),
+    [longest = LongestTexels * texel, most = settings.MostTriangles](SurfaceMesh& changed)
+    {
+      Subdivide(changed, longest, most);
+      SortForDrawing(changed);
+    });
+  FindSides(
+    scene, static_cast<float>(StartTexels * texel), Within(progress, SortedShare, 1.0), geometry);
   return geometry;
+}
+catch (const Aborted&)
+{
+  return std::nullopt;
 }
 }

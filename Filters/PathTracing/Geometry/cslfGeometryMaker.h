@@ -13,11 +13,13 @@
 #include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Texels/cslfRayGrid.h"
+#include "Pipeline/cslfPhase.h"
 #include "cslfCube.h"
 #include "cslfLayout.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,8 +65,9 @@ VTKCSLF_EXPORT ShapeCounts CountShapes(const Scene& scene);
 
 /// The opaque surface of a scene that the viewpoints see, simplified where that moves it by much
 /// less than a texel, and further until there are few enough triangles. Large ones are divided
-/// again.
-VTKCSLF_EXPORT Geometry MakeGeometry(const Scene& scene, const GeometrySettings& settings);
+/// again. Nothing if `progress` returns false.
+VTKCSLF_EXPORT std::optional<Geometry> MakeGeometry(
+  const Scene& scene, const GeometrySettings& settings, const Progress& progress);
 }
 
 #endif

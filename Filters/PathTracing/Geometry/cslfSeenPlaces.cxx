@@ -187,10 +187,11 @@ std::size_t SeenPlaces::FindPlace(const glm::ivec3& cell) const
   return (std::size_t(cell.z) * this->Cells.y + cell.y) * this->Cells.x + cell.x;
 }
 
-void SeenPlaces::Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays)
+void SeenPlaces::Look(
+  int tiles, int side, const std::function<RayGrid(int tile)>& rays, const Progress& progress)
 {
   const int stride = side < FewestTexels ? 1 : 2;
-  ParallelFor(0, tiles, 1,
+  ParallelFor(0, tiles, OrAbort(progress),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType tile = begin; tile < end; ++tile)
@@ -229,10 +230,10 @@ void SeenPlaces::KeepSeen(std::vector<glm::vec3>& points) const
     points.end());
 }
 
-void SeenPlaces::KeepSeen(SurfaceMesh& mesh) const
+void SeenPlaces::KeepSeen(SurfaceMesh& mesh, const Progress& progress) const
 {
   std::vector<char> isKept(mesh.Triangles.size(), 0);
-  ParallelFor(0, static_cast<vtkIdType>(mesh.Triangles.size()), 0,
+  ParallelFor(0, static_cast<vtkIdType>(mesh.Triangles.size()), OrAbort(progress),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

@@ -12,6 +12,7 @@
 #include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Scene/cslfScene.h"
 #include "PathTracing/Texels/cslfRayGrid.h"
+#include "Pipeline/cslfPhase.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -35,14 +36,15 @@ public:
   /// Marks the places that the rays of tiles hit, and those between the hits of neighbouring rays
   /// unless they are far apart. A tile is that of a picture with `side` x `side` texels, and each
   /// TileCount of them are those of a viewpoint. Large ones have rays for a quarter of their
-  /// texels.
-  void Look(int tiles, int side, const std::function<RayGrid(int tile)>& rays);
+  /// texels. Throws Aborted.
+  void Look(
+    int tiles, int side, const std::function<RayGrid(int tile)>& rays, const Progress& progress);
 
   /// The same with cells of a multiple of the edge, which are seen if a part of them is.
   SeenPlaces Widen(int factor) const;
 
-  /// Removes the triangles that have no part in or next to a seen cell.
-  void KeepSeen(SurfaceMesh& mesh) const;
+  /// Removes the triangles that have no part in or next to a seen cell. Throws Aborted.
+  void KeepSeen(SurfaceMesh& mesh, const Progress& progress) const;
 
   /// Removes the points that are not in or next to a seen cell.
   void KeepSeen(std::vector<glm::vec3>& points) const;

@@ -24,6 +24,9 @@ constexpr int MostSides = 64;
 /// The fewest triangles that a coarser instance has.
 constexpr std::size_t FewestOfPart = 8;
 
+/// The spheres or tubes between two reports of progress.
+constexpr std::size_t ShapesOfReport = 4096;
+
 /// The triangles of the coarsest sphere; tubes have about as many.
 constexpr std::size_t FewestOfRound = 24;
 
@@ -138,15 +141,24 @@ void AddTube(const Mesh& mesh, std::uint32_t shape, float tolerance, SurfaceMesh
 }
 
 /// The opaque shapes of a mesh without its instances, in its own space.
-SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance)
+SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance, const Progress& progress)
 {
   SurfaceMesh result;
+  const std::size_t shapes = mesh.GetNumberOfShapes();
+  const auto report = [&](std::size_t shape)
+  {
+    if (shape % ShapesOfReport == 0)
+    {
+      OrAbort(progress)(static_cast<double>(shape) / static_cast<double>(shapes));
+    }
+  };
   if (mesh.Shape == Mesh::Shapes::Triangles)
   {
     result.Points = mesh.Vertices;
   }
   for (std::uint32_t shape = 0; shape < mesh.GetNumberOfShapes(); ++shape)
   {
+    report(shape);
     if (!IsOpaque(mesh, shape))
     {
       continue;
@@ -164,7 +176,7 @@ SurfaceMesh TessellateOne(const Mesh& mesh, float tolerance)
         break;
     }
   }
-  Weld(result);
+  ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;
 }
 
@@ -197,13 +209,14 @@ void Append(const SurfaceMesh& part, const MeshInstance& instance, SurfaceMesh& 
 }
 
 /// Adds a mesh and its instances.
-void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& result)
+void Add(const Mesh& mesh, const TessellationSettings& settings, const Progress& progress,
+  SurfaceMesh& result)
 {
   const float tolerance = settings.Tolerance;
   const float roundTolerance = tolerance * static_cast<float>(1 << 2 * settings.Coarseness);
   if (mesh.Instances.empty())
   {
-    Append(TessellateOne(mesh, roundTolerance), MeshInstance(), result);
+    Append(TessellateOne(mesh, roundTolerance, progress), MeshInstance(), result);
     return;
   }
   const float scale = FindLargestScale(mesh);
@@ -211,16 +224,20 @@ void Add(const Mesh& mesh, const TessellationSettings& settings, SurfaceMesh& re
   {
     return;
   }
-  SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale);
+  SurfaceMesh part = TessellateOne(mesh, roundTolerance / scale, progress);
   if (part.Triangles.empty())
   {
     return;
   }
-  Simplify(part, tolerance / scale);
   const std::size_t most = settings.MostTriangles / mesh.Instances.size();
-  constexpr bool byParts = true;
-  Reduce(part, std::max(std::min(part.Triangles.size() >> settings.Coarseness, most), FewestOfPart),
-    byParts);
+  ChangeApart(part, Within(progress, 1.0, 1.0),
+    [most, tolerance = tolerance / scale, coarseness = settings.Coarseness](SurfaceMesh& changed)
+    {
+      Simplify(changed, tolerance);
+      constexpr bool byParts = true;
+      Reduce(changed,
+        std::max(std::min(changed.Triangles.size() >> coarseness, most), FewestOfPart), byParts);
+    });
   for (const MeshInstance& instance : mesh.Instances)
   {
     if (IsOpaque(instance))
@@ -265,14 +282,17 @@ std::size_t CountTriangles(const std::vector<Mesh>& meshes, int coarseness)
   return count;
 }
 
-SurfaceMesh Tessellate(const std::vector<Mesh>& meshes, const TessellationSettings& settings)
+SurfaceMesh Tessellate(
+  const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress)
 {
   SurfaceMesh result;
+  const auto all = static_cast<double>(meshes.size());
   for (const Mesh& mesh : meshes)
   {
-    Add(mesh, settings, result);
+    const auto number = static_cast<double>(&mesh - meshes.data());
+    Add(mesh, settings, Within(progress, number / all, (number + 1.0) / all), result);
   }
-  Weld(result);
+  ChangeApart(result, Within(progress, 1.0, 1.0), Weld);
   return result;
 }
 }

@@ -11,6 +11,7 @@
 
 #include "Geometry/cslfSurfaceMesh.h"
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "Pipeline/cslfPhase.h"
 
 #include <cstddef>
 #include <vector>
@@ -38,9 +39,9 @@ VTKCSLF_EXPORT std::size_t CountTriangles(const std::vector<Mesh>& meshes, int c
 bool IsOpaque(const Mesh& mesh, std::uint32_t shape);
 bool IsOpaque(const MeshInstance& instance);
 
-/// Triangles of the opaque shapes of all opaque instances and other meshes, welded.
+/// Triangles of the opaque shapes of all opaque instances and other meshes, welded. Throws Aborted.
 VTKCSLF_EXPORT SurfaceMesh Tessellate(
-  const std::vector<Mesh>& meshes, const TessellationSettings& settings);
+  const std::vector<Mesh>& meshes, const TessellationSettings& settings, const Progress& progress);
 }
 
 #endif

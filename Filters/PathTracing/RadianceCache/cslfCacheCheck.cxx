@@ -188,49 +188,52 @@ private:
   std::vector<glm::vec3*> Sums; // of this many paths each
 };
 
-std::vector<Radiances> Measure(const Scene& scene, const RadianceCache& cache,
-  const std::vector<Seen>& texels, const CheckSettings& settings)
+/// False if `progress` returns false.
+bool Measure(const Scene& scene, const RadianceCache& cache, const std::vector<Seen>& texels,
+  const CheckSettings& settings, const Progress& progress, std::vector<Radiances>& radiances)
 {
   const PathIntegrator paths(scene, settings.Paths);
   const PathIntegrator cached(scene, settings.Paths, &cache);
-  std::vector<Radiances> radiances(texels.size());
+  radiances.resize(texels.size());
   const auto count = static_cast<vtkIdType>(texels.size());
-  ParallelFor(0, (count + TexelsOfBatch - 1) / TexelsOfBatch, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType batch = begin; batch < end; ++batch)
-      {
-        Tracer reference(paths, PathSalt, settings.Seed);
-        Tracer rest(cached, CacheSalt, settings.Seed);
-        const vtkIdType last = std::min<vtkIdType>((batch + 1) * TexelsOfBatch, count);
-        for (vtkIdType texel = batch * TexelsOfBatch; texel < last; ++texel)
-        {
-          if (settings.Share && settings.Share->GetOwner(texel) != settings.Share->GetRank())
-          {
-            continue;
-          }
-          const Seen& seen = texels[texel];
-          Radiances& result = radiances[texel];
-          reference.Add(seen, texel, result.Traced);
-          glm::vec3 known;
-          if (cached.LookUp(seen.First, seen.Surface, known))
-          {
-            std::fill_n(result.Cached, Halves, known);
-          }
-          else
-          {
-            rest.Add(seen, texel, result.Cached);
-          }
-        }
-        reference.Follow();
-        rest.Follow();
-      }
-    });
-  if (settings.Share)
+  const vtkIdType batches = (count + TexelsOfBatch - 1) / TexelsOfBatch;
+  const auto measure = [&](vtkIdType begin, vtkIdType end)
   {
-    settings.Share->Complete(radiances, 0);
+    for (vtkIdType batch = begin; batch < end; ++batch)
+    {
+      Tracer reference(paths, PathSalt, settings.Seed);
+      Tracer rest(cached, CacheSalt, settings.Seed);
+      const vtkIdType last = std::min<vtkIdType>((batch + 1) * TexelsOfBatch, count);
+      for (vtkIdType texel = batch * TexelsOfBatch; texel < last; ++texel)
+      {
+        if (settings.Share && settings.Share->GetOwner(texel) != settings.Share->GetRank())
+        {
+          continue;
+        }
+        const Seen& seen = texels[texel];
+        Radiances& result = radiances[texel];
+        reference.Add(seen, texel, result.Traced);
+        glm::vec3 known;
+        if (cached.LookUp(seen.First, seen.Surface, known))
+        {
+          std::fill_n(result.Cached, Halves, known);
+        }
+        else
+        {
+          rest.Add(seen, texel, result.Cached);
+        }
+      }
+      reference.Follow();
+      rest.Follow();
+    }
+  };
+  if (!settings.Share)
+  {
+    return ParallelFor(0, batches, progress, measure);
   }
-  return radiances;
+  ParallelFor(0, batches, 1, measure);
+  settings.Share->Complete(radiances, 0);
+  return true;
 }
 }
 
@@ -241,11 +244,15 @@ bool CacheCheck::IsExceeded(double tolerance) const
 }
 
 CacheCheck CheckCache(const Scene& scene, const RadianceCache& cache, const CheckedPicture& picture,
-  const CheckSettings& settings)
+  const CheckSettings& settings, const Progress& progress)
 {
   const std::vector<Seen> texels = ChooseTexels(scene, picture, settings);
-  const std::vector<Radiances> radiances = Measure(scene, cache, texels, settings);
+  std::vector<Radiances> radiances;
   CacheCheck check;
+  if (!Measure(scene, cache, texels, settings, progress, radiances))
+  {
+    return check;
+  }
   check.Texels = static_cast<std::int32_t>(texels.size());
   if (texels.empty())
   {

@@ -62,9 +62,10 @@ struct CheckSettings
 };
 
 /// Compares the radiance through random points of random texels that see a surface. The choice and
-/// all random numbers depend on the seed alone.
+/// all random numbers depend on the seed alone. The result is not made if `progress` returns false;
+/// several ranks do not ask it.
 VTKCSLF_EXPORT CacheCheck CheckCache(const Scene& scene, const RadianceCache& cache,
-  const CheckedPicture& picture, const CheckSettings& settings);
+  const CheckedPicture& picture, const CheckSettings& settings, const Progress& progress);
 }
 
 #endif

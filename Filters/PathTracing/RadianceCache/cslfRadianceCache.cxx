@@ -67,13 +67,6 @@ bool IsRough(const Mesh& mesh)
   return material.IsRoughDielectric() && !mesh.Textures.MetallicRoughness && !material.IsEmissive();
 }
 
-/// Reports a part of the progress.
-std::function<bool(double)> Within(
-  const std::function<bool(double)>& goOn, double start, double end)
-{
-  return [goOn, start, end](double part) { return goOn(start + (end - start) * part); };
-}
-
 /// The progress of what remains to be done at the end of a pass.
 LayoutProgress AtEnd(const std::function<bool(double)>& goOn)
 {

@@ -7,6 +7,7 @@
 #include "PathTracing/Rays/cslfRayLanes.h"
 #include "PathTracing/Shapes/cslfHitGeometry.h"
 #include "PathTracing/Shapes/cslfTriangleGeometry.h"
+#include "Pipeline/cslfPhase.h"
 #include "SIMD/cslfVectorize.h"
 
 #include <glm/geometric.hpp>
@@ -14,8 +15,10 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <utility>
 
 namespace cslf
@@ -28,6 +31,9 @@ constexpr float ShadowLength = 0.9999f;
 // Up to this many shapes, packets of rays to one octant are traced as coherent. Measured in closed
 // boxes: it saves half of the time at 100 triangles, and costs a little at 600.
 constexpr std::size_t SmallCount = 400;
+
+// The progress when the trees of meshes with instances are built.
+constexpr double PartsShare = 0.5;
 
 bool IsTraceable(const Ray& ray)
 {
@@ -262,6 +268,52 @@ LocalLights PrepareMeshes(std::vector<Mesh>& meshes, const std::vector<PointLigh
 }
 }
 
+/// Reports the progress of commits. Embree calls it from all of its threads.
+class CommitMonitor
+{
+public:
+  explicit CommitMonitor(const Progress& progress)
+    : Report(progress)
+  {
+  }
+
+  /// Throws Aborted if the work shall end. Its progress is then between those shares.
+  void Commit(RTCScene scene, double first, double last)
+  {
+    this->First = first;
+    this->Last = last;
+    if (this->Report)
+    {
+      OrAbort(this->Report)(first);
+      rtcSetSceneProgressMonitorFunction(scene, CommitMonitor::Note, this);
+    }
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+    if (this->IsStopped)
+    {
+      throw Aborted();
+    }
+  }
+
+private:
+  static bool Note(void* self, double share)
+  {
+    auto* monitor = static_cast<CommitMonitor*>(self);
+    if (!monitor->IsStopped && std::this_thread::get_id() == monitor->Caller)
+    {
+      const double all = monitor->First + (monitor->Last - monitor->First) * share;
+      monitor->IsStopped = !monitor->Report(std::min(all, monitor->Last));
+    }
+    return !monitor->IsStopped;
+  }
+
+  const Progress& Report;
+  std::thread::id Caller = std::this_thread::get_id();
+  std::atomic<bool> IsStopped{ false };
+  double First = 0.0;
+  double Last = 1.0;
+};
+
 struct Scene::Acceleration
 {
   EmbreeDevice Device;
@@ -270,7 +322,7 @@ struct Scene::Acceleration
   EmbreeScene World;
 };
 
-Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
+Scene::Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress)
   : Meshes(std::move(meshes))
   , Lights(std::move(lights))
   , Locals(PrepareMeshes(this->Meshes, this->Lights.Points))
@@ -306,6 +358,7 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
       scene.get(), translucent ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
     return scene;
   };
+  CommitMonitor monitor(progress);
   this->Tree->World = makeScene();
   RTCScene world = this->Tree->World.get();
   // Instances are numbered after the meshes.
@@ -321,14 +374,15 @@ Scene::Scene(std::vector<Mesh> meshes, LightSet lights)
     this->Tree->Parts.push_back(makeScene());
     RTCScene part = this->Tree->Parts.back().get();
     AddGeometry(device, part, mesh, i);
-    rtcCommitScene(part);
+    const auto count = static_cast<double>(this->Meshes.size());
+    monitor.Commit(part, PartsShare * i / count, PartsShare * (i + 1) / count);
     mesh.FirstInstance = next;
     for (const MeshInstance& instance : mesh.Instances)
     {
       AddInstance(device, world, part, instance, next++);
     }
   }
-  rtcCommitScene(world);
+  monitor.Commit(world, this->Tree->Parts.empty() ? 0.0 : PartsShare, 1.0);
   this->Small = shapes <= SmallCount;
 }
 

@@ -17,6 +17,7 @@
 #include "PathTracing/Rays/cslfRayPacket.h"
 #include "PathTracing/Shapes/cslfBox.h"
 #include "PathTracing/Shapes/cslfMesh.h"
+#include "Pipeline/cslfPhase.h"
 
 #include <glm/vec3.hpp>
 
@@ -88,8 +89,9 @@ struct LightSet
 class VTKCSLF_EXPORT Scene
 {
 public:
-  /// Builds the acceleration structure. Vertices must be finite.
-  Scene(std::vector<Mesh> meshes, LightSet lights);
+  /// Builds the acceleration structure. Vertices must be finite. Throws Aborted if there is a
+  /// `progress` and it returns false.
+  Scene(std::vector<Mesh> meshes, LightSet lights, const Progress& progress = nullptr);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -59,6 +59,12 @@ constexpr double SmallestPointRadius = 0.0001;
 constexpr double SmallestSize = 1e-15;
 constexpr double LargestSize = 1e15;
 
+///@{
+/// The progress of reading when shapes are selected, and when meshes are made.
+constexpr double ShapesShare = 0.4;
+constexpr double MeshesShare = 0.8;
+///@}
+
 /// Warnings for the user, each given once.
 struct Omissions
 {
@@ -198,6 +204,7 @@ public:
         this->Lights.BeginRank();
       }
       this->AddInput(inputs[i]);
+      this->Report(ShapesShare * static_cast<double>(i + 1) / static_cast<double>(inputs.size()));
     }
     if (this->Options.InPieces)
     {
@@ -488,7 +495,12 @@ private:
   std::vector<Mesh> MakeMeshes(const SceneFrame& frame)
   {
     std::vector<Mesh> meshes(this->Blocks.size());
-    ParallelFor(0, static_cast<vtkIdType>(meshes.size()), 1,
+    const auto report = [this](double share)
+    {
+      this->Report(ShapesShare + (MeshesShare - ShapesShare) * share);
+      return true;
+    };
+    ParallelFor(0, static_cast<vtkIdType>(meshes.size()), report,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
@@ -525,8 +537,9 @@ private:
     {
       meshes.erase(std::remove_if(meshes.begin(), meshes.end(), IsInvisible), meshes.end());
     }
-    built.Fingerprint = Identify(meshes, lights, built.Frame, this->Options.ExactColors);
-    built.World = std::make_unique<Scene>(std::move(meshes), std::move(lights));
+    built.Fingerprint = this->Identify(meshes, lights, built.Frame);
+    built.World =
+      std::make_unique<Scene>(std::move(meshes), std::move(lights), this->Options.Building);
     built.Error = built.World->GetError();
     if (!built.Error.empty())
     {
@@ -535,11 +548,11 @@ private:
     return built;
   }
 
-  static std::string Identify(
-    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame, bool exact)
+  std::string Identify(
+    const std::vector<Mesh>& meshes, const LightSet& lights, const SceneFrame& frame)
   {
     Fingerprint identity;
-    if (exact)
+    if (this->Options.ExactColors)
     {
       identity.Add(std::vector<char>{ 'e' });
     }
@@ -548,9 +561,20 @@ private:
     for (const Mesh& mesh : meshes)
     {
       identity.Add(mesh);
+      const auto number = static_cast<double>(&mesh - meshes.data() + 1);
+      this->Report(MeshesShare + (1.0 - MeshesShare) * number / static_cast<double>(meshes.size()));
     }
     identity.Add(lights);
     return identity.Finish();
+  }
+
+  /// Throws Aborted if the work shall end.
+  void Report(double share) const
+  {
+    if (this->Options.Reading)
+    {
+      OrAbort(this->Options.Reading)(share);
+    }
   }
 
   const SceneOptions& Options;
@@ -568,7 +592,14 @@ private:
 }
 
 BuiltScene BuildScene(const std::vector<vtkDataObject*>& inputs, const SceneOptions& options)
+try
 {
   return Builder(options).Build(inputs);
+}
+catch (const Aborted&)
+{
+  BuiltScene built;
+  built.IsAborted = true;
+  return built;
 }
 }

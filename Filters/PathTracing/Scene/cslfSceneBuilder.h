@@ -36,6 +36,12 @@ struct SceneOptions
 
   Environment Surroundings; ///< unless an input has its own
 
+  ///@{
+  /// The progress of reading the inputs, and then of building the tree. May be empty.
+  Progress Reading;
+  Progress Building;
+  ///@}
+
   /// Whether the inputs are pieces of a scene that must not depend on the division into pieces.
   bool InPieces = false;
 
@@ -50,6 +56,7 @@ struct BuiltScene
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< of the triangles, in the world
   bool HasEnvironment = false;                         ///< whether an input contains it
   bool IsEmpty = false;                                ///< whether nothing is visible
+  bool IsAborted = false;                              ///< whether a progress has ended the work
   std::string Error;                                   ///< the reason, in one line
   std::string Warning;                                 ///< the omitted parts, in one line, or empty
   std::string Fingerprint; ///< identifies the scene: a hash of everything visible
