@@ -95,6 +95,7 @@ Result DoApart(
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds step(100);
   const Clock::time_point start = Clock::now();
+  const WithoutLock unlocked;
   const auto task = std::make_shared<std::packaged_task<Result()>>(work);
   std::future<Result> result = task->get_future();
   std::thread([task] { (*task)(); }).detach();

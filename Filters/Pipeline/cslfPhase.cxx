@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/cslfPhase.h"
 
+#include "Pipeline/cslfInterpreter.h"
 #include "cslfVTKCompatibility.h"
 
 #include <vtkAlgorithm.h>
@@ -66,6 +67,7 @@ bool Phase::ReportFor(vtkAlgorithm* filter, double share)
 
 bool Phase::Report(const char* name, double share)
 {
+  const WithLock lock; // the thread that reports may be one of those that compute
   const std::string text = name ? name : this->Name;
   this->Share = std::clamp(share, this->Share, 1.0);
   this->Algorithm->SetProgressText(text.empty() ? nullptr : text.c_str());
